@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf::app {
+
+/// An input (model, session, image) is missing or invalid: what() is one sentence with what, where
+/// and what to do. Exit code 3.
+class InputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Names of the builtin models: sphere20, sphere80, sphere768, banana, octopus.
+const std::vector<std::string>& builtinModels();
+/// The file of a builtin model below assets/models. Throws InputError for an unknown name.
+std::filesystem::path builtinModelFile(const std::string& name);
+
+/// Reads the triangles of a model file through assimp, in a child process with limits, and welds
+/// them exactly. Throws InputError.
+TriangleSoup importModel(const std::filesystem::path& file);
+/// importModel, then refuses with the sentence of the report what cannot be cut.
+/// An inside-out model is turned; that is named in report->repairs.
+SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nullptr);
+
+/// The hidden verb of the child process: reads `file`, writes the triangles to standard output.
+int runImportWorker(const std::filesystem::path& file);
+
+}  // namespace kerf::app

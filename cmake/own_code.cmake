@@ -1,0 +1,30 @@
+# Flags for code that is ours: warnings are errors, and floating-point contraction is off because
+# fused multiply-adds would change signs in the predicates that decide topology.
+function(kerf_own_code target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                         -Wno-sign-conversion -Wno-float-conversion -ffp-contract=off)
+  if(KERF_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(KERF_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+                           -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+endfunction()
+
+# kerf_library(FOLDER <link arguments>): every .cpp below FOLDER becomes the library kerf_FOLDER.
+function(kerf_library folder)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp
+       ${PROJECT_SOURCE_DIR}/${folder}/*.h)
+  list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/app/main.cpp)
+  add_library(kerf_${folder} STATIC ${sources})
+  set_target_properties(kerf_${folder} PROPERTIES LINKER_LANGUAGE CXX)
+  kerf_own_code(kerf_${folder})
+  target_include_directories(kerf_${folder} PUBLIC ${PROJECT_SOURCE_DIR}
+                             ${PROJECT_SOURCE_DIR}/shaders)
+  target_compile_definitions(kerf_${folder} PRIVATE KERF_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                             KERF_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(kerf_${folder} ${ARGN})
+endfunction()

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace kerf::gpu {
+
+/// GPU memory could not be had: the message names the bytes asked for and the limit.
+class OutOfMemory : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// An OpenGL buffer object (move only) with a size in use and a capacity with headroom.
+class Buffer {
+  public:
+    Buffer() = default;
+    ~Buffer();
+    Buffer(Buffer&& other) noexcept;
+    Buffer& operator=(Buffer&& other) noexcept;
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+
+    /// Makes room for `bytes` (keeps the content, copied on the GPU; grows by half again) and sets
+    /// the size in use. Throws OutOfMemory, the buffer then unchanged.
+    void resize(std::size_t bytes);
+
+    /// resize(data.size_bytes()) and write. An empty span leaves a buffer of 16 zero bytes, since
+    /// binding a buffer without storage is an error.
+    template <class T>
+    void assign(std::span<const T> data) {
+        assignBytes(std::as_bytes(data));
+    }
+    template <class T>
+    void assign(const std::vector<T>& data) {
+        assign(std::span<const T>(data));
+    }
+
+    /// Writes elements from index `first` on; they must lie inside the size in use.
+    template <class T>
+    void write(std::size_t first, std::span<const T> data) {
+        writeBytes(first * sizeof(T), std::as_bytes(data));
+    }
+
+    /// Reads `count` elements from index `first` on (waits for the GPU).
+    template <class T>
+    std::vector<T> read(std::size_t first, std::size_t count) const {
+        std::vector<T> out(count);
+        readBytes(first * sizeof(T), std::as_writable_bytes(std::span<T>(out)));
+        return out;
+    }
+
+    /// Fills the size in use with zero bits.
+    void clear();
+
+    /// Binds as shader storage to `binding`.
+    void bindStorage(std::uint32_t binding) const;
+
+    std::uint32_t id() const { return id_; }
+    std::size_t size() const { return size_; }          ///< [bytes]
+    std::size_t capacity() const { return capacity_; }  ///< [bytes]
+
+  private:
+    void assignBytes(std::span<const std::byte> data);
+    void writeBytes(std::size_t offset, std::span<const std::byte> data);
+    void readBytes(std::size_t offset, std::span<std::byte> out) const;
+
+    std::uint32_t id_ = 0;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;
+};
+
+}  // namespace kerf::gpu

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace kerf::gpu {
+
+/// No usable OpenGL 4.5 core context: the message says what was tried and what to do.
+class ContextError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// What the driver says of itself.
+struct DeviceInfo {
+    std::string vendor;
+    std::string renderer;
+    std::string version;
+    bool software = false;  ///< true for llvmpipe and softpipe: choose the light tier.
+    int maxSamples = 1;     ///< GL_MAX_SAMPLES
+};
+
+/// A headless OpenGL 4.5 core context made through EGL: the device platform on a GPU driver,
+/// surfaceless on Mesa. Current on the thread that made it until destroyed.
+class EglContext {
+  public:
+    /// Throws ContextError. KERF_FORCE_NO_GL=1 in the environment makes it fail (for tests).
+    EglContext();
+    ~EglContext();
+    EglContext(const EglContext&) = delete;
+    EglContext& operator=(const EglContext&) = delete;
+    void makeCurrent();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Loads the OpenGL functions of the context that is current on this thread, through `getProcAddress`
+/// (glfwGetProcAddress, eglGetProcAddress). Throws ContextError where it is older than 4.5 core.
+using ProcLoader = void (*(*)(const char* name))();
+void loadFunctions(ProcLoader getProcAddress);
+
+/// What the current context runs on.
+DeviceInfo queryDevice();
+
+/// Routes OpenGL debug messages of severity low and above to the log and counts the errors.
+/// The context should have been made with the debug flag to get all of them.
+void enableDebugOutput();
+
+/// Errors reported by the driver since the last call; tests assert that it is 0.
+int takeDebugErrors();
+
+}  // namespace kerf::gpu

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace kerf::gpu {
+
+/// Sums the GPU time between begin() and end() pairs since the last take(), by timestamp pairs
+/// (GL_TIME_ELAPSED around compute reads 0 on llvmpipe).
+class Timer {
+  public:
+    Timer() = default;
+    ~Timer();
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+    void begin();
+    void end();
+    /// Milliseconds of all pairs since the last call; waits for the last one to be done.
+    double takeMilliseconds();
+
+  private:
+    std::uint32_t nextQuery();
+
+    std::vector<std::uint32_t> queries_;
+    std::size_t used_ = 0;
+};
+
+}  // namespace kerf::gpu

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gpu/framebuffer.h"
+#include "render/camera.h"
+#include "render/image.h"
+#include "sim/cut/blade.h"
+#include "sim/solve/body_view.h"
+
+namespace kerf::render {
+
+/// Colours and inner structure of a body, evaluated in rest space so that it stays attached.
+enum class MaterialPattern { pulp, rings, marbling };
+struct Material {
+    Eigen::Vector3f skin = {0.80f, 0.10f, 0.04f};   ///< linear albedo
+    Eigen::Vector3f inner = {0.52f, 0.58f, 0.24f};  ///< linear albedo of the cut faces
+    Eigen::Vector3f rind = {0.62f, 0.24f, 0.10f};   ///< linear albedo just below the skin
+    MaterialPattern pattern = MaterialPattern::rings;
+};
+/// The look of a builtin model by name ("sphere768", "banana", "octopus"); a default for others.
+Material materialFor(const std::string& modelName);
+
+/// What the light tier leaves out: multisampling, the soft edge of the shadow.
+enum class Quality { light, full };
+
+/// All that a picture shows.
+struct SceneView {
+    BodyView body;
+    Material material;
+    Bounds restBounds;                  ///< of the uncut rest shape, for the inner structure
+    std::optional<double> floor;        ///< height of the grid floor [m]
+    std::optional<Blade> blade;         ///< steel with a bright edge
+    std::vector<Blade> sweep;           ///< poses of the running stroke: translucent quads
+    Bounds focus;                       ///< what the shadow map must cover (body, current)
+    bool wireframe = false;
+};
+
+/// Draws a scene into an off-screen target: shadow pass, floor, surface, blade, overlays.
+/// The window and a headless run use the same path, so their pictures agree to the pixel.
+class Renderer {
+  public:
+    /// Throws gpu::ShaderError.
+    explicit Renderer(Quality quality);
+    ~Renderer();
+
+    /// Draws into target(), made or remade at this size.
+    void draw(const SceneView& scene, const Camera& camera, int width, int height);
+    /// The resolved picture, RGBA8; the editor draws its panels into it and blits it to the window.
+    const gpu::Framebuffer& target() const;
+    /// Reads target() back.
+    Image readPicture() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kerf::render

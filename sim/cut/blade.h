@@ -1,0 +1,17 @@
+#pragma once
+
+#include "sim/math.h"
+
+namespace kerf {
+
+/// The blade is the segment AB [m].
+struct Blade {
+    Vec3 a = Vec3::Zero();
+    Vec3 b = Vec3::Zero();
+};
+
+inline Blade interpolate(const Blade& from, const Blade& to, double t) {
+    return {from.a + (to.a - from.a) * t, from.b + (to.b - from.b) * t};
+}
+
+}  // namespace kerf

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/cut/blade.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf {
+
+/// The four subdivision patterns of the paper (its Figure 4), and what goes beyond them.
+enum class SubdivisionPattern { oneToFour, oneToThreeA, oneToTwo, oneToThreeB, twoKinks, twoSegments, more };
+inline constexpr int kSubdivisionPatterns = 7;
+
+/// What one step did. Only `cut` changes the mesh; all other outcomes leave every byte of it.
+enum class CutOutcome {
+    air,          ///< the blade swept no material
+    waiting,      ///< it moved less than the gate; the sweep accumulates
+    withdrawing,  ///< it moves backwards inside its own slit
+    cut,
+    refused,      ///< no valid result was found; `reason` says why, the next step sweeps further
+};
+
+/// The change of the mesh: all that the solver, the attributes and the GPU need.
+struct CutDelta {
+    std::vector<int> removedTriangles;
+    std::vector<int> addedTriangles;
+    /// Living old triangles of which a corner now is another vertex.
+    std::vector<int> relabelledTriangles;
+    /// Vertices from this index to mesh.vertexCount() are new.
+    int firstNewVertex = 0;
+};
+
+struct CutStatistics {
+    int touchedTriangles = 0;  ///< surface triangles that the strip met
+    int wallTriangles = 0;     ///< new, both sides
+    int splitVertices = 0;
+    int tries = 0;             ///< rungs of the retry ladder used
+    std::array<int, kSubdivisionPatterns> patterns{};
+    double volumeChange = 0;   ///< signed, of the step, before rounding [m^3]
+};
+
+struct CutResult {
+    CutOutcome outcome = CutOutcome::air;
+    CutDelta delta;
+    CutStatistics statistics;
+    std::string reason;
+};
+
+/// One vertex (or air point) of the rung where the blade stands in the material.
+struct RungNode {
+    Vec3 position = Vec3::Zero();
+    double s = 0;           ///< parameter along AB, 0 at A
+    int vertex = -1;        ///< mesh vertex, -1 in the air
+    bool attached = false;  ///< the edge to the next node is a front edge of the mesh
+};
+
+struct CutSettings {
+    /// Edge length of new walls [m]; 0 takes the mean edge length of the mesh.
+    double wallEdgeLength = 0;
+    /// A step that advances less than this share of the edge length waits (cutting-moving: 0.5).
+    double gate = 0.5;
+    /// Fixed offset of the blade per stroke, as a share of the edge length: 1e-7 for double
+    /// positions, 1e-3 where they come back from the GPU as floats.
+    double offset = 1e-3;
+    /// Nodes closer than this share of the edge length are one: 1e-9 for doubles, 1e-5 for floats.
+    double tolerance = 1e-5;
+    std::uint64_t seed = 1;
+};
+
+/// Cuts a mesh by strokes of a blade. Each step is one transaction: a closed mesh and the strip
+/// that the blade swept become a closed mesh, or the step is refused and nothing changes.
+class Cutter {
+  public:
+    /// The mesh must outlive the cutter and be changed by nobody else during a stroke, except for
+    /// positions and velocities.
+    Cutter(SurfaceMesh& mesh, const CutSettings& settings);
+    ~Cutter();
+    Cutter(Cutter&&) noexcept;
+    Cutter& operator=(Cutter&&) noexcept;
+
+    /// Places the blade without cutting and starts a stroke.
+    void begin(const Blade& blade);
+    /// Sweeps from where the last successful step ended to `blade`.
+    CutResult advance(const Blade& blade);
+    /// Ends the stroke: sweeps what the gate held back, then lets go of the front.
+    CutResult finish();
+
+    bool inStroke() const;
+    /// The old rung, from A to B: empty outside a stroke.
+    const std::vector<RungNode>& rung() const;
+    int refusedSteps() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf {
+
+/// Every function here returns "" where the invariant holds, else one sentence with the first
+/// place that breaks it. O(n); called by tests, by `closed` in the metrics and by debug switches.
+
+/// (I1) Every half-edge has a twin with reversed end points, and twins are mutual.
+std::string checkTwins(const SurfaceMesh& mesh);
+/// (I2) The triangles around each vertex form one umbrella.
+std::string checkUmbrellas(const SurfaceMesh& mesh);
+/// (I3) No two edges have the same end points.
+std::string checkSimpleComplex(const SurfaceMesh& mesh);
+/// (I6) Positions, rest positions and velocities are finite.
+std::string checkFinite(const SurfaceMesh& mesh);
+/// All of the above: the mesh is a closed, oriented 2-manifold with finite coordinates.
+std::string checkClosedManifold(const SurfaceMesh& mesh);
+
+/// One connected piece of the mesh.
+struct Piece {
+    int triangles = 0;
+    int vertices = 0;
+    double volume = 0;      ///< signed, current positions [m^3]
+    double restVolume = 0;  ///< signed, rest positions [m^3]
+    double restArea = 0;    ///< [m^2]
+};
+
+/// Connected components over shared vertices.
+struct PieceMap {
+    std::vector<int> ofVertex;  ///< piece of each vertex, -1 for unused ones
+    std::vector<Piece> pieces;  ///< ordered by their lowest vertex
+};
+PieceMap findPieces(const SurfaceMesh& mesh);
+
+/// Sum of signed tetrahedra over all triangles [m^3].
+double meshVolume(const SurfaceMesh& mesh);
+double meshRestVolume(const SurfaceMesh& mesh);
+/// Mean edge length of the living triangles [m].
+double meanEdgeLength(const SurfaceMesh& mesh);
+Bounds meshBounds(const SurfaceMesh& mesh);
+
+}  // namespace kerf

@@ -1,0 +1,106 @@
+#include "sim/mesh/surface_mesh.h"
+
+#include <stdexcept>
+#include <unordered_map>
+
+namespace kerf {
+
+namespace {
+
+std::uint64_t directedKey(int a, int b) {
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) |
+           static_cast<std::uint32_t>(b);
+}
+
+}  // namespace
+
+SurfaceMesh SurfaceMesh::fromTriangles(std::vector<Vec3> positions,
+                                       std::vector<Triangle> triangles) {
+    SurfaceMesh mesh;
+    mesh.positions_ = std::move(positions);
+    mesh.restPositions_ = mesh.positions_;
+    mesh.velocities_.assign(mesh.positions_.size(), Vec3::Zero());
+    mesh.outgoing_.assign(mesh.positions_.size(), -1);
+    mesh.mateGroup_.assign(mesh.positions_.size(), -1);
+    mesh.triangles_ = std::move(triangles);
+    mesh.kinds_.assign(mesh.triangles_.size(), SurfaceKind::skin);
+    mesh.wallLabels_.assign(mesh.triangles_.size(), -1);
+    mesh.twins_.assign(mesh.triangles_.size(), {-1, -1, -1});
+    mesh.aliveTriangles_ = static_cast<int>(mesh.triangles_.size());
+
+    std::unordered_map<std::uint64_t, int> halfEdges;
+    halfEdges.reserve(mesh.triangles_.size() * 3);
+    const int halfEdgeCount = 3 * mesh.triangleSlots();
+    for (int h = 0; h < halfEdgeCount; ++h) {
+        const int u = mesh.origin(h);
+        const int v = mesh.target(h);
+        if (!halfEdges.emplace(directedKey(u, v), h).second) {
+            throw std::invalid_argument("two triangles run along one edge in the same direction");
+        }
+        mesh.outgoing_[u] = h;
+    }
+    for (int h = 0; h < halfEdgeCount; ++h) {
+        const auto twin = halfEdges.find(directedKey(mesh.target(h), mesh.origin(h)));
+        if (twin == halfEdges.end()) {
+            throw std::invalid_argument("an edge has a triangle on one side only");
+        }
+        mesh.setTwin(h, twin->second);
+    }
+    return mesh;
+}
+
+int SurfaceMesh::findHalfEdge(int u, int v) const {
+    int found = -1;
+    forEachOutgoing(u, [&](int h) {
+        if (target(h) == v) {
+            found = h;
+        }
+    });
+    return found;
+}
+
+int SurfaceMesh::addVertex(const Vec3& position, const Vec3& rest, const Vec3& velocity) {
+    positions_.push_back(position);
+    restPositions_.push_back(rest);
+    velocities_.push_back(velocity);
+    outgoing_.push_back(-1);
+    mateGroup_.push_back(-1);
+    return vertexCount() - 1;
+}
+
+int SurfaceMesh::addTriangle(const Triangle& corners, SurfaceKind kind, int wallLabel) {
+    triangles_.push_back(corners);
+    twins_.push_back({-1, -1, -1});
+    kinds_.push_back(kind);
+    wallLabels_.push_back(wallLabel);
+    ++aliveTriangles_;
+    return triangleSlots() - 1;
+}
+
+void SurfaceMesh::removeTriangle(int t) {
+    triangles_[t][0] = -1;
+    --aliveTriangles_;
+}
+
+int SurfaceMesh::groupOf(int v) {
+    if (mateGroup_[v] < 0) {
+        mateGroup_[v] = static_cast<int>(mateMembers_.size());
+        mateMembers_.push_back({v});
+    }
+    return mateGroup_[v];
+}
+
+void SurfaceMesh::makeMates(int a, int b) {
+    const int keep = groupOf(a);
+    const int join = groupOf(b);
+    if (keep == join) {
+        return;
+    }
+    for (const int v : mateMembers_[join]) {
+        mateGroup_[v] = keep;
+        mateMembers_[keep].push_back(v);
+    }
+    mateMembers_[join].clear();
+}
+
+}  // namespace kerf

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/math.h"
+
+namespace kerf {
+
+/// What a triangle is made of: the skin that was loaded, or a wall that a cut made.
+enum class SurfaceKind : std::uint8_t { skin = 0, wall = 1 };
+
+/// A closed triangle mesh with half-edge adjacency, made to be cut.
+///
+/// Half-edge h = 3 * triangle + corner runs from that corner to the next one. Every half-edge has
+/// a twin. Triangles are never moved: a removed one stays as a dead slot, so that indices held by
+/// the solver stay valid. Vertices carry current position, rest position and velocity.
+/// All copies of one material point that a cut made belong to one mate group.
+class SurfaceMesh {
+  public:
+    /// Builds adjacency. The triangles must form a closed, oriented 2-manifold (see
+    /// inspectTriangles); throws std::invalid_argument otherwise. Rest positions = positions.
+    static SurfaceMesh fromTriangles(std::vector<Vec3> positions, std::vector<Triangle> triangles);
+
+    // Sizes. Slots include dead triangles and vertices that no triangle uses.
+    int vertexCount() const { return static_cast<int>(positions_.size()); }
+    int triangleSlots() const { return static_cast<int>(triangles_.size()); }
+    int aliveTriangles() const { return aliveTriangles_; }
+
+    // Per vertex.
+    const Vec3& position(int v) const { return positions_[v]; }            ///< current [m]
+    const Vec3& restPosition(int v) const { return restPositions_[v]; }    ///< [m]
+    const Vec3& velocity(int v) const { return velocities_[v]; }           ///< [m/s]
+    void setPosition(int v, const Vec3& p) { positions_[v] = p; }
+    void setRestPosition(int v, const Vec3& p) { restPositions_[v] = p; }
+    void setVelocity(int v, const Vec3& u) { velocities_[v] = u; }
+    const std::vector<Vec3>& positions() const { return positions_; }
+    const std::vector<Vec3>& restPositions() const { return restPositions_; }
+    /// One half-edge that starts at v, -1 for an unused vertex.
+    int outgoing(int v) const { return outgoing_[v]; }
+
+    // Per triangle.
+    bool alive(int t) const { return triangles_[t][0] >= 0; }
+    const Triangle& triangle(int t) const { return triangles_[t]; }
+    SurfaceKind kind(int t) const { return kinds_[t]; }
+    /// Which cut made this wall triangle: 2 * stroke + side (0: W+, 1: W-); -1 on skin.
+    int wallLabel(int t) const { return wallLabels_[t]; }
+
+    // Half-edges.
+    static int next(int h) { return h - h % 3 + (h % 3 + 1) % 3; }
+    static int previous(int h) { return h - h % 3 + (h % 3 + 2) % 3; }
+    int origin(int h) const { return triangles_[h / 3][h % 3]; }
+    int target(int h) const { return triangles_[h / 3][(h % 3 + 1) % 3]; }
+    int apex(int h) const { return triangles_[h / 3][(h % 3 + 2) % 3]; }
+    int twin(int h) const { return twins_[h / 3][h % 3]; }
+    /// Next outgoing half-edge of the same origin, counter-clockwise seen from outside.
+    int rotate(int h) const { return twin(previous(h)); }
+    /// The half-edge u -> v, or -1.
+    int findHalfEdge(int u, int v) const;
+
+    /// Calls f(h) for each half-edge that starts at v.
+    template <class F>
+    void forEachOutgoing(int v, F&& f) const {
+        const int first = outgoing_[v];
+        if (first < 0) {
+            return;
+        }
+        int h = first;
+        do {
+            f(h);
+            h = rotate(h);
+        } while (h != first);
+    }
+
+    // Editing, for the cutter. Adjacency is the caller's business until the edit is complete.
+    int addVertex(const Vec3& position, const Vec3& rest, const Vec3& velocity);
+    int addTriangle(const Triangle& corners, SurfaceKind kind, int wallLabel);
+    void removeTriangle(int t);
+    void setCorner(int t, int corner, int v) { triangles_[t][corner] = v; }
+    void setTwin(int h, int g) { twins_[h / 3][h % 3] = g; }
+    void setOutgoing(int v, int h) { outgoing_[v] = h; }
+
+    // Mates: copies of one material point.
+    void makeMates(int a, int b);
+    /// Group id or -1 for a vertex that was never copied.
+    int mateGroup(int v) const { return mateGroup_[v]; }
+    /// Members of a group, in the order in which they joined.
+    const std::vector<int>& matesOfGroup(int group) const { return mateMembers_[group]; }
+
+  private:
+    int groupOf(int v);
+
+    std::vector<Vec3> positions_;
+    std::vector<Vec3> restPositions_;
+    std::vector<Vec3> velocities_;
+    std::vector<int> outgoing_;
+    std::vector<Triangle> triangles_;
+    std::vector<std::array<int, 3>> twins_;
+    std::vector<SurfaceKind> kinds_;
+    std::vector<int> wallLabels_;
+    std::vector<int> mateGroup_;
+    std::vector<std::vector<int>> mateMembers_;
+    int aliveTriangles_ = 0;
+};
+
+}  // namespace kerf

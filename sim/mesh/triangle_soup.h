@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/math.h"
+
+namespace kerf {
+
+/// Triangles as a file gives them: nothing is guaranteed.
+struct TriangleSoup {
+    std::vector<Vec3> positions;  ///< [m]
+    std::vector<Triangle> triangles;
+};
+
+/// Joins vertices with bit-equal coordinates (-0 equals 0) and drops unused ones. The order of
+/// first use is kept.
+TriangleSoup weldExactly(const TriangleSoup& soup);
+
+/// What a model is and whether it can be cut.
+struct MeshReport {
+    int vertices = 0;
+    int triangles = 0;
+    Bounds bounds;
+    int pieces = 0;
+    double volume = 0;               ///< signed [m^3]
+    int openEdges = 0;               ///< edges with one triangle
+    int nonManifoldEdges = 0;        ///< edges with more than two
+    int misorientedEdges = 0;        ///< edges whose two triangles run the same way
+    int nonManifoldVertices = 0;     ///< vertices whose triangles form more than one umbrella
+    int degenerateTriangles = 0;     ///< with a repeated corner or exactly zero area
+    int nonFiniteVertices = 0;
+    int outOfRangeIndices = 0;
+    bool closed = false;
+    bool manifold = false;
+    bool oriented = false;           ///< consistently, and outward (positive volume)
+    std::vector<std::string> repairs;  ///< what was changed on the way, one phrase each
+    bool cuttable = false;
+    /// Empty where cuttable; else what is wrong, how much of it, and what to do.
+    std::string problem;
+};
+
+/// Looks at a welded soup. Never throws.
+MeshReport inspectTriangles(const TriangleSoup& welded);
+
+}  // namespace kerf

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/command.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/invariants.h"
+#include "sim/mesh/surface_mesh.h"
+#include "sim/params.h"
+#include "sim/solve/body_view.h"
+
+namespace kerf {
+
+/// One row of metrics.csv, known after a step.
+struct StepReport {
+    int step = 0;             ///< index of the step that just ran, from 0
+    double time = 0;          ///< simulated time at its end [s]
+    double volume = 0;        ///< sum over pieces [m^3]
+    double volumeRatio = 1;   ///< against the uncut rest shape
+    int pieces = 1;
+    int vertices = 0;
+    int triangles = 0;
+    int ispcs = 0;
+    int touchedTriangles = 0;
+    bool closed = true;
+    double deformMs = 0;
+    double collideMs = 0;
+    double cutMs = 0;
+};
+
+/// A soft body, a blade and the parameters: one step at a time, on the GPU context that is current
+/// when it is made. Equal commands at equal steps give equal bits.
+class Simulation {
+  public:
+    /// `mesh` at rest, in world units. Throws gpu::ShaderError, gpu::OutOfMemory.
+    Simulation(SurfaceMesh mesh, const Params& params);
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+
+    /// Applies a command before the coming step. Returns "" or one sentence; nothing changed then.
+    std::string execute(const Command& command);
+    /// One time step: solve -> cut -> publish.
+    const StepReport& step();
+    /// Back to the uncut body at rest with the parameters it was made with.
+    void reset();
+
+    int stepCount() const;  ///< steps done
+    const Params& params() const;
+    const StepReport& report() const;
+    /// Where the blade is now; none while lifted.
+    std::optional<Blade> blade() const;
+    /// Outcome of the last step that the blade moved in.
+    const CutResult& lastCut() const;
+    /// Sentences about what went wrong in a step (refused cuts, non-finite values), since the last
+    /// call.
+    std::vector<std::string> takeMessages();
+
+    BodyView bodyView() const;
+    /// The mesh with current positions and velocities (waits for the GPU where they are newer).
+    const SurfaceMesh& mesh();
+    /// Per piece: triangles, volume, rest volume (waits for the GPU as mesh()).
+    const PieceMap& pieces();
+    /// 64-bit FNV-1a over topology, positions and velocities, as 16 hexadecimal digits.
+    std::string stateHash();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/buffer.h"
+
+namespace kerf {
+
+/// The buffers of the running body that the renderer draws from: the solver's own, never copied.
+/// Triangle slots are compacted (living triangles only).
+struct BodyView {
+    const gpu::Buffer* positions = nullptr;      ///< vec4 per vertex: xyz current [m], w inverse mass
+    const gpu::Buffer* restPositions = nullptr;  ///< vec4 per vertex: xyz rest [m]
+    /// uvec4 per triangle: three vertices; w = kind (bit 0: 1 for a wall) | piece << 8.
+    const gpu::Buffer* triangles = nullptr;
+    /// CSR of the triangles around each vertex: vertexCount + 1 offsets into `incidence`, whose
+    /// entries are 4 * triangle + corner. Fixed order, so normals are the same bits every time.
+    const gpu::Buffer* incidenceOffsets = nullptr;
+    const gpu::Buffer* incidence = nullptr;
+    std::uint32_t vertexCount = 0;
+    std::uint32_t triangleCount = 0;
+    /// Grows by one whenever the connectivity changed (normals and overlays may cache by it).
+    std::uint64_t topologyVersion = 0;
+};
+
+}  // namespace kerf
