@@ -25,14 +25,17 @@ struct PieceModel {
     std::uint32_t vertexCount = 0;
     double restVolume = 0;  ///< [m^3]
     double restArea = 0;    ///< [m^2]
+    /// False for debris (less than 1e-4 of the uncut body, or less than a tetrahedron): a volume
+    /// constraint would throw it about.
+    bool holdsVolume = true;
 };
 
 /// The constant set-up of a soft body: rest shape, constraints, masses. Built from a mesh in rest
 /// space; a cut makes a new one from the old (updateBodyModel). Vertex indices are the mesh's.
 struct BodyModel {
     std::vector<Vec3f> restPositions;  ///< [m], shape [vertexCount]
-    /// Mass at density 1: restVolume * max(A_v / S, 0.05 / N) of the piece [m^3]; 0 for unused
-    /// vertices. Multiply by the density for kg.
+    /// Mass at density 1 [m^3]: the piece's rest volume, shared in proportion to
+    /// max(A_v / S, 0.05 / N); 0 for unused vertices. Multiply by the density for kg.
     std::vector<float> unitMass;
     /// Living triangles ordered by piece: three vertices, then kind | piece << 8 (see BodyView).
     std::vector<std::array<std::uint32_t, 4>> triangles;
@@ -47,7 +50,9 @@ struct BodyModel {
     Incidence edgeIncidence;
     Incidence bendIncidence;
     Incidence ispcIncidence;
-    double thickness = 0;        ///< shell thickness t = V0 / S of the uncut body, fixed at load [m]
+    // Fixed at load, carried along by cuts.
+    double thickness = 0;        ///< shell thickness t = V0 / S of the uncut body [m]
+    double edgeLength = 0;       ///< mean rest edge length of the uncut body [m]
     double uncutRestVolume = 0;  ///< [m^3]
 };
 
@@ -60,9 +65,10 @@ struct BodyState {
 /// Everything from the rest shape of `mesh`.
 BodyModel buildBodyModel(const SurfaceMesh& mesh);
 
-/// The model after a cut: stretching and bending constraints of what changed are new; an ISPC is
-/// kept unless its rest segment crosses a new wall, its triangle died or a vertex of it moved to
-/// another piece; vertices left without one get a new one, cast in rest space.
+/// The model after a cut: edges and bends are built anew; an ISPC is kept, bit for bit, unless its
+/// vertex is a corner of a new or relabelled triangle, its triangle died or was relabelled, its
+/// rest segment crosses a new wall, or its ends fell into two pieces. Those vertices get a new one,
+/// cast in rest space.
 BodyModel updateBodyModel(const BodyModel& before, const SurfaceMesh& mesh, const CutDelta& delta);
 
 }  // namespace kerf

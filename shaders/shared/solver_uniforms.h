@@ -1,0 +1,40 @@
+// The numbers of one substep that hold for the whole body, as a std140 uniform block or std430
+// record. Filled by solverUniforms() (sim/solve/solver_uniforms.h).
+#ifndef KERF_SOLVER_UNIFORMS_H
+#define KERF_SOLVER_UNIFORMS_H
+#include "shared_types.h"
+SHARED_BEGIN
+
+// Bits of SolverUniforms.active_parts: a part that is not set is skipped.
+SHARED_CONST uint kStretchPart = 1u;
+SHARED_CONST uint kBendPart = 2u;
+SHARED_CONST uint kIspcPart = 4u;
+SHARED_CONST uint kFloorPart = 8u;
+
+// |C| of a bend is clamped here [rad]: the form that comes back after a snap-through.
+SHARED_CONST float kMaxBendError = 0.3f;
+
+// Compliance of a constraint over h^2: geometry * (stretch|bend|ispc)_compliance.
+struct SolverUniforms {
+    vec4 gravity;              // xyz [m/s^2]; w unused
+    float substep;             // h = dt / n [s]
+    float drag_factor;         // exp(-c h): v = d / h * drag_factor
+    float inverse_density;     // w = inverse_density / unit_mass [m^3/kg]
+    float damping_ratio;       // gamma = beta / h
+    float stretch_compliance;  // 1 / (E_stretch h^2) [1/(Pa s^2)]
+    float bend_compliance;     // 1 / (E_bend h^2)
+    float ispc_compliance;     // 1 / (E_ispc h^2); 0 is rigid
+    float friction;            // Coulomb coefficient against the floor
+    float floor_height;        // [m]
+    uint active_parts;         // which of the k...Part bits are on
+    uint substeps;             // n
+    uint vertex_count;         // the counts of the body model; 0 where only parameters are known
+    uint edge_count;
+    uint bend_count;
+    uint ispc_count;
+    uint triangle_count;
+    uint piece_count;
+};
+
+SHARED_END
+#endif

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <vector>
+
+#include "shaders/shared/solver_uniforms.h"
+#include "sim/body/body_model.h"
+
+namespace kerf {
+
+/// What the reference solver moves, shape [vertexCount]. Inside a substep a vertex is at
+/// positions + displacements; constraints only ever see differences
+/// (X_i - X_j) + (d_i - d_j), which keeps floats on the GPU from eating momentum.
+struct ReferenceState {
+    std::vector<Vec3> positions;      ///< X [m]
+    std::vector<Vec3> displacements;  ///< d of the running substep [m]
+    std::vector<Vec3> velocities;     ///< v [m/s]
+};
+
+/// The body at rest, without motion.
+ReferenceState restState(const BodyModel& model);
+
+/// XPBD with small steps and one iteration per substep (Macklin et al. 2019), mass-splitting Jacobi
+/// per constraint type (Tonge et al. 2012): the plain double-precision truth that every kernel is
+/// compared with. A substep is, in this order: predict, edges, bends, ISPCs, volume, floor, finish.
+/// Each phase stands alone; constraints read `positions + displacements` as they were when the
+/// phase began and change displacements only.
+class ReferenceSolver {
+  public:
+    /// `model` must outlive the solver.
+    ReferenceSolver(const BodyModel& model, const shared::SolverUniforms& uniforms);
+
+    /// w of a vertex [1/kg]; 0 for vertices that no force moves.
+    double inverseMass(int vertex) const { return inverseMass_[vertex]; }
+    /// 0 makes a vertex kinematic: it goes on with its velocity.
+    void setInverseMass(int vertex, double w) { inverseMass_[vertex] = w; }
+    /// Volume target of a piece = its rest volume + offset [m^3]; 0 unless set.
+    void setVolumeOffset(int piece, double offset) { volumeOffset_[piece] = offset; }
+
+    /// One time step: uniforms.substeps substeps.
+    void step(ReferenceState& state) const;
+    void substep(ReferenceState& state) const;
+
+    /// v += h g, d = h v; kinematic vertices: d = h v.
+    void predict(ReferenceState& state) const;
+    void solveEdges(ReferenceState& state) const;
+    void solveBends(ReferenceState& state) const;
+    void solveIspcs(ReferenceState& state) const;
+    /// Rigid volume constraint of each piece that holds one, about the mean of its vertices.
+    void solveVolume(ReferenceState& state) const;
+    /// Lifts vertices onto the floor; friction shortens their tangential displacement by at most
+    /// friction * lift.
+    void collideFloor(ReferenceState& state) const;
+    /// v = d / h exp(-c h) (not for kinematic vertices), X += d, d = 0.
+    void finishSubstep(ReferenceState& state) const;
+
+    /// Current volume per piece at positions + displacements [m^3].
+    std::vector<double> volumes(const ReferenceState& state) const;
+
+  private:
+    const BodyModel& model_;
+    shared::SolverUniforms uniforms_;
+    std::vector<double> inverseMass_;
+    std::vector<double> volumeOffset_;
+};
+
+}  // namespace kerf
