@@ -12,18 +12,18 @@ namespace kerf {
 
 /// Everything that a person can tune. Names, ranges and meanings stand once, in paramTable().
 struct Params {
-    double timeStep = 0.005;       ///< [s]
-    int iterations = 20;           ///< substeps per time step, one solver iteration each
-    double ispcStiffness = 0.5;    ///< 0 (none) to 1 (firm)
-    Vec3 gravity = {0, -9.81, 0};  ///< [m/s^2]
+    double timeStep = 0.005;            ///< [s]
+    int iterations = 20;                ///< substeps per time step, one solver iteration each
+    double ispcStiffness = 0.5;         ///< 0 (none) to 1 (firm)
+    Vec3 gravity = {0, -9.81, 0};       ///< [m/s^2]
     std::optional<double> floor = 0.0;  ///< height [m]; none without a value
-    double youngsModulus = 1e5;    ///< [Pa]
-    double density = 1000;         ///< [kg/m^3]
-    double stretchStiffness = 1;   ///< factor on the edges' share of Young's modulus
-    double bendingStiffness = 1;   ///< factor on the bends' share
-    double airDrag = 1;            ///< velocity decay c in v exp(-c t) [1/s]
-    double damping = 0.001;        ///< stiffness-proportional damping time beta [s]
-    double friction = 0.5;         ///< Coulomb coefficient against the floor
+    double youngsModulus = 1e5;         ///< [Pa]
+    double density = 1000;              ///< [kg/m^3]
+    double stretchStiffness = 1;        ///< factor on the edges' share of Young's modulus
+    double bendingStiffness = 1;        ///< factor on the bends' share
+    double airDrag = 1;                 ///< velocity decay c in v exp(-c t) [1/s]
+    double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
+    double friction = 0.5;              ///< Coulomb coefficient against the floor
 };
 
 /// A number, a vector, or nothing (for parameters that may be absent, as the floor).
@@ -45,9 +45,10 @@ struct ParamInfo {
 
 std::span<const ParamInfo> paramTable();
 const ParamInfo* findParam(std::string_view name);
+/// The value that setParam would set it to; std::monostate for an unknown name.
 ParamValue getParam(const Params& params, std::string_view name);
-/// Sets a parameter. Returns "" or one sentence that says why not (unknown name, wrong type, not
-/// finite, out of range); the parameters are then unchanged.
+/// Sets a parameter. Returns "" or one clause without a full stop that says why not (unknown name,
+/// wrong type, not finite, out of range); the parameters are then unchanged.
 std::string setParam(Params& params, std::string_view name, const ParamValue& value);
 bool operator==(const Params& a, const Params& b);
 

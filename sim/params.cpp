@@ -1,0 +1,201 @@
+#include "sim/params.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace kerf {
+
+namespace {
+
+using Member =
+    std::variant<double Params::*, int Params::*, Vec3 Params::*, std::optional<double> Params::*>;
+
+struct Row {
+    ParamInfo info;
+    Member member;
+};
+
+const std::array kRows = {
+    Row{{"time_step", "Time step", "s", "Simulated time per step.", ParamType::real, 0.0005, 0.02,
+         true},
+        &Params::timeStep},
+    Row{{"iterations", "Iterations", "",
+         "Substeps per time step, each one sweep of the solver: more is firmer and slower.",
+         ParamType::integer, 1, 60, false},
+        &Params::iterations},
+    Row{{"ispc_stiffness", "ISPC stiffness", "",
+         "How firmly the inside holds the skin apart: 0 is hollow, 0.5 the material itself, 1 as "
+         "firm as the solver gets.",
+         ParamType::real, 0, 1, false},
+        &Params::ispcStiffness},
+    Row{{"gravity", "Gravity", "m/s^2", "Acceleration of free fall along x, y (up) and z.",
+         ParamType::vector, -100, 100, false},
+        &Params::gravity},
+    Row{{"floor", "Floor", "m", "Height of the floor; none without a value.",
+         ParamType::optionalReal, -1000, 1000, false},
+        &Params::floor},
+    Row{{"youngs_modulus", "Young's modulus", "Pa",
+         "Stiffness of the material: 1e5 is a soft sponge, 1e7 rubber.", ParamType::real, 1e3, 1e8,
+         true},
+        &Params::youngsModulus},
+    Row{{"density", "Density", "kg/m^3", "Mass per volume: water has 1000.", ParamType::real, 10,
+         20000, true},
+        &Params::density},
+    Row{{"stretch_stiffness", "Stretch stiffness", "",
+         "Factor on how strongly the skin resists stretching; 0 switches that off.",
+         ParamType::real, 0, 10, false},
+        &Params::stretchStiffness},
+    Row{{"bending_stiffness", "Bending stiffness", "",
+         "Factor on how strongly the skin resists bending; 0 switches that off.", ParamType::real,
+         0, 10, false},
+        &Params::bendingStiffness},
+    Row{{"air_drag", "Air drag", "1/s",
+         "Rate at which all motion fades, so that speed falls as exp(-rate * time).",
+         ParamType::real, 0, 20, false},
+        &Params::airDrag},
+    Row{{"damping", "Damping", "s",
+         "Inner friction: the time over which the material resists a change of shape.",
+         ParamType::real, 0, 0.02, false},
+        &Params::damping},
+    Row{{"friction", "Friction", "", "Coulomb coefficient between the body and the floor.",
+         ParamType::real, 0, 2, false},
+        &Params::friction},
+};
+
+const Row* findRow(std::string_view name) {
+    const auto row = std::ranges::find_if(kRows, [&](const Row& r) { return r.info.name == name; });
+    return row == kRows.end() ? nullptr : &*row;
+}
+
+std::string quoted(std::string_view name) {
+    return "\"" + std::string(name) + "\"";
+}
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string unknownParam(std::string_view name) {
+    std::string known;
+    for (const Row& row : kRows) {
+        known += (known.empty() ? "" : ", ") + std::string(row.info.name);
+    }
+    return "there is no parameter " + quoted(name) + "; known are " + known;
+}
+
+std::string checkNumber(const ParamInfo& info, double value) {
+    if (!std::isfinite(value)) {
+        return quoted(info.name) + " must be a finite number";
+    }
+    if (value < info.low || value > info.high) {
+        return quoted(info.name) + " must lie between " + number(info.low) + " and " +
+               number(info.high) + (info.unit.empty() ? "" : " " + std::string(info.unit)) +
+               ", not " + number(value);
+    }
+    if (info.type == ParamType::integer && value != std::floor(value)) {
+        return quoted(info.name) + " must be a whole number, not " + number(value);
+    }
+    return "";
+}
+
+/// Writes a value of the wrong type as a sentence, of the right type into the parameters.
+struct Setter {
+    Params& params;
+    const ParamInfo& info;
+    const ParamValue& value;
+
+    std::string operator()(double Params::*member) const {
+        return setNumber([&](double x) { params.*member = x; });
+    }
+    std::string operator()(int Params::*member) const {
+        return setNumber([&](double x) { params.*member = static_cast<int>(x); });
+    }
+    std::string operator()(std::optional<double> Params::*member) const {
+        if (std::holds_alternative<std::monostate>(value)) {
+            params.*member = std::nullopt;
+            return "";
+        }
+        return setNumber([&](double x) { params.*member = x; });
+    }
+    std::string operator()(Vec3 Params::*member) const {
+        const Vec3* vector = std::get_if<Vec3>(&value);
+        if (!vector) {
+            return quoted(info.name) + " takes three numbers";
+        }
+        for (const double component : *vector) {
+            if (std::string problem = checkNumber(info, component); !problem.empty()) {
+                return problem;
+            }
+        }
+        params.*member = *vector;
+        return "";
+    }
+
+    template <class Assign>
+    std::string setNumber(Assign&& assign) const {
+        const double* x = std::get_if<double>(&value);
+        if (!x) {
+            return quoted(info.name) + " takes one number" +
+                   (info.type == ParamType::optionalReal ? ", or none" : "");
+        }
+        std::string problem = checkNumber(info, *x);
+        if (problem.empty()) {
+            assign(*x);
+        }
+        return problem;
+    }
+};
+
+/// Reads a member as the value that sets it.
+struct Getter {
+    const Params& params;
+
+    ParamValue operator()(double Params::*member) const { return params.*member; }
+    ParamValue operator()(int Params::*member) const { return static_cast<double>(params.*member); }
+    ParamValue operator()(Vec3 Params::*member) const { return params.*member; }
+    ParamValue operator()(std::optional<double> Params::*member) const {
+        const std::optional<double>& x = params.*member;
+        return x ? ParamValue(*x) : ParamValue(std::monostate{});
+    }
+};
+
+}  // namespace
+
+std::span<const ParamInfo> paramTable() {
+    static const std::vector<ParamInfo> table = [] {
+        std::vector<ParamInfo> infos;
+        for (const Row& row : kRows) {
+            infos.push_back(row.info);
+        }
+        return infos;
+    }();
+    return table;
+}
+
+const ParamInfo* findParam(std::string_view name) {
+    const Row* row = findRow(name);
+    return row ? &row->info : nullptr;
+}
+
+ParamValue getParam(const Params& params, std::string_view name) {
+    const Row* row = findRow(name);
+    return row ? std::visit(Getter{params}, row->member) : ParamValue(std::monostate{});
+}
+
+std::string setParam(Params& params, std::string_view name, const ParamValue& value) {
+    const Row* row = findRow(name);
+    return row ? std::visit(Setter{params, row->info, value}, row->member) : unknownParam(name);
+}
+
+bool operator==(const Params& a, const Params& b) {
+    return std::ranges::all_of(kRows, [&](const Row& row) {
+        return std::visit(Getter{a}, row.member) == std::visit(Getter{b}, row.member);
+    });
+}
+
+}  // namespace kerf

@@ -1,0 +1,88 @@
+#include "sim/params.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+namespace kerf {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Params, NamesAreUniqueAndEveryRowIsDescribed) {
+    std::set<std::string_view> names;
+    for (const ParamInfo& info : paramTable()) {
+        EXPECT_TRUE(names.insert(info.name).second) << info.name;
+        EXPECT_FALSE(info.label.empty()) << info.name;
+        EXPECT_TRUE(info.meaning.ends_with('.')) << info.name;
+        EXPECT_LT(info.low, info.high) << info.name;
+        EXPECT_TRUE(!info.logarithmic || info.low > 0) << info.name;
+        EXPECT_EQ(findParam(info.name)->name, info.name);
+    }
+    for (const char* name : {"time_step", "iterations", "ispc_stiffness", "gravity", "floor"}) {
+        EXPECT_EQ(names.count(name), 1u) << name;
+    }
+}
+
+TEST(Params, DefaultsAreInRangeAndRoundTrip) {
+    const Params defaults;
+    Params copy;
+    for (const ParamInfo& info : paramTable()) {
+        EXPECT_EQ(setParam(copy, info.name, getParam(defaults, info.name)), "") << info.name;
+    }
+    EXPECT_TRUE(copy == defaults);
+}
+
+TEST(Params, EveryRowSetsItsOwnMember) {
+    for (const ParamInfo& info : paramTable()) {
+        const ParamValue low = info.type == ParamType::vector
+                                   ? ParamValue(Vec3(info.low, info.high, 0.5 * info.low))
+                                   : ParamValue(info.low);
+        Params params;
+        EXPECT_EQ(setParam(params, info.name, low), "") << info.name;
+        EXPECT_TRUE(getParam(params, info.name) == low) << info.name;
+        EXPECT_FALSE(params == Params{}) << info.name;
+    }
+}
+
+TEST(Params, FloorMayBeAbsent) {
+    Params params;
+    EXPECT_EQ(setParam(params, "floor", std::monostate{}), "");
+    EXPECT_FALSE(params.floor.has_value());
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(getParam(params, "floor")));
+}
+
+struct BadValue {
+    const char* name;
+    ParamValue value;
+    const char* says;
+};
+
+TEST(Params, MistakesGiveASentenceAndChangeNothing) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    const BadValue cases[] = {
+        {"colour", 1.0, "no parameter \"colour\"; known are time_step"},
+        {"time_step", 3.0, "between 0.0005 and 0.02 s, not 3"},
+        {"time_step", nan, "finite"},
+        {"time_step", Vec3(0, 0, 0), "one number"},
+        {"time_step", std::monostate{}, "one number"},
+        {"iterations", 2.5, "whole number"},
+        {"iterations", 0.0, "between 1 and 60, not 0"},
+        {"gravity", -9.81, "three numbers"},
+        {"gravity", Vec3(0, infinity, 0), "finite"},
+        {"gravity", Vec3(0, -101, 0), "between -100 and 100 m/s^2"},
+        {"floor", Vec3(0, 0, 0), "or none"},
+        {"floor", infinity, "finite"},
+    };
+    for (const BadValue& bad : cases) {
+        Params params;
+        EXPECT_THAT(setParam(params, bad.name, bad.value), HasSubstr(bad.says)) << bad.name;
+        EXPECT_TRUE(params == Params{}) << bad.name;
+    }
+}
+
+}  // namespace
+}  // namespace kerf
