@@ -25,7 +25,8 @@ class Buffer {
     Buffer& operator=(const Buffer&) = delete;
 
     /// Makes room for `bytes` (keeps the content, copied on the GPU; grows by half again) and sets
-    /// the size in use. Throws OutOfMemory, the buffer then unchanged.
+    /// the size in use; bytes that come into use are zero. Throws OutOfMemory, the buffer then
+    /// unchanged.
     void resize(std::size_t bytes);
 
     /// resize(data.size_bytes()) and write. An empty span leaves a buffer of 16 zero bytes, since
@@ -64,6 +65,8 @@ class Buffer {
     std::size_t capacity() const { return capacity_; }  ///< [bytes]
 
   private:
+    /// Makes room for `bytes`; the first `keep` bytes survive.
+    void reserve(std::size_t bytes, std::size_t keep);
     void assignBytes(std::span<const std::byte> data);
     void writeBytes(std::size_t offset, std::span<const std::byte> data);
     void readBytes(std::size_t offset, std::span<std::byte> out) const;

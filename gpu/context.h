@@ -37,8 +37,9 @@ class EglContext {
     std::unique_ptr<State> state_;
 };
 
-/// Loads the OpenGL functions of the context that is current on this thread, through `getProcAddress`
-/// (glfwGetProcAddress, eglGetProcAddress). Throws ContextError where it is older than 4.5 core.
+/// Loads the OpenGL functions of the context that is current on this thread, through
+/// `getProcAddress` (glfwGetProcAddress, eglGetProcAddress). Throws ContextError where it is older
+/// than 4.5 core.
 using ProcLoader = void (*(*)(const char* name))();
 void loadFunctions(ProcLoader getProcAddress);
 

@@ -1,0 +1,145 @@
+#include "gpu/buffer.h"
+
+#include <glad/gl.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "gpu/gl_check.h"
+
+namespace kerf::gpu {
+namespace {
+
+constexpr std::size_t kEmptyBytes = 16;
+
+std::size_t maxBytes() {
+    GLint64 limit = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
+    return static_cast<std::size_t>(limit);
+}
+
+/// Half as much again as `capacity`, at least `bytes`, at most the driver's limit.
+std::size_t grownCapacity(std::size_t capacity, std::size_t bytes) {
+    const std::size_t limit = maxBytes();
+    if (bytes > limit) {
+        throw OutOfMemory(fmt::format(
+            "A graphics buffer of {} bytes is needed, but this driver allows {} bytes at most; use "
+            "a smaller model.",
+            bytes, limit));
+    }
+    return std::clamp(capacity + capacity / 2, bytes, limit);
+}
+
+std::uint32_t allocate(std::size_t bytes) {
+    forgetErrors();
+    GLuint id = 0;
+    glCreateBuffers(1, &id);
+    glNamedBufferStorage(id, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    try {
+        throwIfOutOfMemory("a buffer", bytes);
+    } catch (const OutOfMemory&) {
+        glDeleteBuffers(1, &id);
+        throw;
+    }
+    return id;
+}
+
+void clearRange(std::uint32_t id, std::size_t first, std::size_t last) {
+    if (first < last) {
+        glClearNamedBufferSubData(id, GL_R8UI, static_cast<GLintptr>(first),
+                                  static_cast<GLsizeiptr>(last - first), GL_RED_INTEGER,
+                                  GL_UNSIGNED_BYTE, nullptr);
+    }
+}
+
+/// Makes what shaders wrote visible to the buffer calls that follow.
+void updateBarrier() {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+}  // namespace
+
+Buffer::~Buffer() {
+    if (id_ != 0) {
+        glDeleteBuffers(1, &id_);
+    }
+}
+
+Buffer::Buffer(Buffer&& other) noexcept
+    : id_(std::exchange(other.id_, 0)),
+      size_(std::exchange(other.size_, 0)),
+      capacity_(std::exchange(other.capacity_, 0)) {}
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
+    return *this;
+}
+
+void Buffer::resize(std::size_t bytes) {
+    updateBarrier();
+    reserve(bytes, size_);
+    clearRange(id_, size_, bytes);
+    size_ = bytes;
+}
+
+void Buffer::reserve(std::size_t bytes, std::size_t keep) {
+    if (bytes <= capacity_) {
+        return;
+    }
+    const std::size_t capacity = grownCapacity(capacity_, bytes);
+    const std::uint32_t grown = allocate(capacity);
+    if (keep > 0) {
+        glCopyNamedBufferSubData(id_, grown, 0, 0, static_cast<GLsizeiptr>(keep));
+    }
+    if (id_ != 0) {
+        glDeleteBuffers(1, &id_);
+    }
+    id_ = grown;
+    capacity_ = capacity;
+}
+
+void Buffer::clear() {
+    updateBarrier();
+    clearRange(id_, 0, size_);
+}
+
+void Buffer::bindStorage(std::uint32_t binding) const {
+    assert(id_ != 0 && "a buffer needs storage before it is bound");
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_);
+}
+
+void Buffer::assignBytes(std::span<const std::byte> data) {
+    reserve(std::max(data.size(), kEmptyBytes), 0);
+    size_ = data.empty() ? kEmptyBytes : data.size();
+    if (data.empty()) {
+        clear();
+    } else {
+        writeBytes(0, data);
+    }
+}
+
+void Buffer::writeBytes(std::size_t offset, std::span<const std::byte> data) {
+    assert(offset + data.size() <= size_ && "write beyond the size in use");
+    if (data.empty()) {
+        return;
+    }
+    updateBarrier();
+    glNamedBufferSubData(id_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
+                         data.data());
+}
+
+void Buffer::readBytes(std::size_t offset, std::span<std::byte> out) const {
+    assert(offset + out.size() <= size_ && "read beyond the size in use");
+    if (out.empty()) {
+        return;
+    }
+    updateBarrier();
+    glGetNamedBufferSubData(id_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(out.size()),
+                            out.data());
+}
+
+}  // namespace kerf::gpu

@@ -1,0 +1,35 @@
+#include <cstdlib>
+#include <system_error>
+
+#include "gpu/program.h"
+
+namespace kerf::gpu {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path executableFolder() {
+    std::error_code failed;
+    return fs::read_symlink("/proc/self/exe", failed).parent_path();
+}
+
+}  // namespace
+
+fs::path shaderRoot() {
+    return dataPath("shaders");
+}
+
+fs::path dataPath(std::string_view relative) {
+    if (const char* folder = std::getenv("KERF_DATA_DIR"); folder != nullptr && *folder != '\0') {
+        return fs::path(folder) / relative;
+    }
+    const fs::path beside = executableFolder();
+    for (const fs::path& folder : {beside, beside.parent_path()}) {
+        if (fs::exists(folder / relative)) {
+            return folder / relative;
+        }
+    }
+    return fs::path(KERF_SOURCE_DIR) / relative;
+}
+
+}  // namespace kerf::gpu

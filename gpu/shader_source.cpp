@@ -1,0 +1,189 @@
+#include "gpu/shader_source.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace kerf::gpu {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kVersion = "#version 450 core";
+
+std::optional<std::string> readFile(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) {
+        return std::nullopt;
+    }
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+}
+
+std::string displayName(const fs::path& root, const fs::path& path) {
+    const fs::path relative = path.lexically_relative(root.parent_path());
+    const bool outside = relative.empty() || *relative.begin() == "..";
+    return (outside ? path : relative).generic_string();
+}
+
+/// The word behind '#' of a directive line, and what follows it.
+struct Directive {
+    std::string word;
+    std::string rest;
+};
+
+std::optional<Directive> parseDirective(const std::string& line) {
+    static const std::regex kDirective(R"(^\s*#\s*(\w+)\s*(.*?)\s*$)");
+    std::smatch match;
+    if (!std::regex_match(line, match, kDirective)) {
+        return std::nullopt;
+    }
+    return Directive{match[1], match[2]};
+}
+
+/// The name between quotes; nothing for <x>, which only C++ reads.
+std::optional<std::string> quotedName(const std::string& text) {
+    static const std::regex kQuoted("^\"([^\"]+)\".*");
+    std::smatch match;
+    if (!std::regex_match(text, match, kQuoted)) {
+        return std::nullopt;
+    }
+    return match[1];
+}
+
+class Expander {
+  public:
+    explicit Expander(fs::path root) : root_(std::move(root)) {}
+
+    ShaderSource expand(const std::string& path, const Defines& defines) {
+        const fs::path file = (root_ / path).lexically_normal();
+        const std::optional<std::string> content = readFile(file);
+        if (!content) {
+            throw ShaderError("The shader " + file.string() + " cannot be read.");
+        }
+        out_ << kVersion << '\n';
+        for (const auto& [name, value] : defines) {
+            out_ << "#define " << name << ' ' << value << '\n';
+        }
+        append(file, *content);
+        return {out_.str(), std::move(files_)};
+    }
+
+  private:
+    void append(const fs::path& file, const std::string& content) {
+        const std::size_t index = fileIndex(file);
+        stack_.push_back(file);
+        out_ << "#line 1 " << index << '\n';
+        std::istringstream in(content);
+        std::string line;
+        for (int number = 1; std::getline(in, line); ++number) {
+            appendLine(line, number, index);
+        }
+        stack_.pop_back();
+    }
+
+    void appendLine(const std::string& line, int number, std::size_t index) {
+        const std::optional<Directive> directive = parseDirective(line);
+        if (!directive) {
+            out_ << line << '\n';
+        } else if (directive->word == "include") {
+            include(directive->rest, number, index);
+        } else if (directive->word == "pragma" && directive->rest == "once") {
+            once_.insert(stack_.back());
+            out_ << '\n';
+        } else if (directive->word == "version") {
+            out_ << '\n';  // ours stands in front
+        } else {
+            out_ << line << '\n';
+        }
+    }
+
+    void include(const std::string& argument, int number, std::size_t index) {
+        const std::optional<std::string> name = quotedName(argument);
+        if (!name) {
+            out_ << "#error #include needs a name in quotes\n";
+            return;
+        }
+        const std::string place = fmt::format("{}:{}: ", files_[index], number);
+        const std::optional<fs::path> file = find(*name);
+        if (!file) {
+            throw ShaderError(place + "the file \"" + *name + "\" to include was not found");
+        }
+        if (std::find(stack_.begin(), stack_.end(), *file) != stack_.end()) {
+            throw ShaderError(place + "\"" + *name + "\" includes itself");
+        }
+        if (!once_.contains(*file)) {
+            append(*file, readFile(*file).value_or(""));
+        }
+        out_ << "#line " << number + 1 << ' ' << index << '\n';
+    }
+
+    std::optional<fs::path> find(const std::string& name) const {
+        const std::array<fs::path, 3> folders = {stack_.back().parent_path(), root_,
+                                                 root_ / "shared"};
+        for (const fs::path& folder : folders) {
+            const fs::path file = (folder / name).lexically_normal();
+            if (fs::is_regular_file(file)) {
+                return file;
+            }
+        }
+        return std::nullopt;
+    }
+
+    std::size_t fileIndex(const fs::path& file) {
+        const std::string name = displayName(root_, file);
+        const auto found = std::find(files_.begin(), files_.end(), name);
+        const auto index = static_cast<std::size_t>(found - files_.begin());
+        if (found == files_.end()) {
+            files_.push_back(name);
+        }
+        return index;
+    }
+
+    fs::path root_;
+    std::ostringstream out_;
+    std::vector<std::string> files_;
+    std::vector<fs::path> stack_;
+    std::set<fs::path> once_;
+};
+
+std::string explainLine(const std::string& line, const std::vector<std::string>& files) {
+    static const std::array<std::regex, 3> kForms = {
+        std::regex(R"(^(\d+):(\d+)\(\d+\):\s*(.*)$)"), std::regex(R"(^(\d+)\((\d+)\)\s*:\s*(.*)$)"),
+        std::regex(R"(^(?:ERROR|WARNING):\s*(\d+):(\d+):\s*(.*)$)")};
+    std::smatch match;
+    for (const std::regex& form : kForms) {
+        if (std::regex_match(line, match, form)) {
+            const std::size_t index = std::stoul(match[1]);
+            const std::string file = index < files.size() ? files[index] : match[1].str();
+            return fmt::format("{}:{}: {}", file, match[2].str(), match[3].str());
+        }
+    }
+    return line;
+}
+
+}  // namespace
+
+ShaderSource loadShaderSource(const fs::path& root, const std::string& path,
+                              const Defines& defines) {
+    return Expander(root).expand(path, defines);
+}
+
+std::string explainLog(std::string_view log, const std::vector<std::string>& files) {
+    std::istringstream in{std::string(log)};
+    std::string out;
+    std::string line;
+    while (std::getline(in, line)) {
+        out += (out.empty() ? "" : "\n") + explainLine(line, files);
+    }
+    return out;
+}
+
+}  // namespace kerf::gpu

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gpu/program.h"
+
+namespace kerf::gpu {
+
+/// A shader file with its includes written out. #line directives carry the index into `files`.
+struct ShaderSource {
+    std::string text;
+    std::vector<std::string>
+        files;  ///< as shown in messages, relative to the folder above shaders/
+};
+
+/// Reads `path` (below `root`, or absolute), writes out #include "x" and puts "#version 450 core"
+/// and the defines in front. A file with #pragma once is written out once. Throws ShaderError
+/// "file:line: ..." for a file that is missing or includes itself.
+ShaderSource loadShaderSource(const std::filesystem::path& root, const std::string& path,
+                              const Defines& defines);
+
+/// A compiler's log with the source indices of its lines replaced: "file:line: message". Knows the
+/// forms of Mesa "0:12(5): ...", NVIDIA "0(12) : ..." and AMD "ERROR: 0:12: ...".
+std::string explainLog(std::string_view log, const std::vector<std::string>& files);
+
+}  // namespace kerf::gpu

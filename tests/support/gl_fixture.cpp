@@ -1,0 +1,44 @@
+#include "tests/support/gl_fixture.h"
+
+#include <cstdlib>
+#include <memory>
+
+#include "gpu/context.h"
+
+namespace kerf::test {
+namespace {
+
+/// Ends the context before the process's static objects go, on which the drivers depend.
+class ContextEnvironment : public ::testing::Environment {
+  public:
+    void makeCurrent() {
+        if (!context_) {
+            setenv("KERF_GL_DEBUG", "1", 1);
+            context_ = std::make_unique<gpu::EglContext>();
+        }
+        context_->makeCurrent();
+    }
+    void TearDown() override { context_.reset(); }
+
+  private:
+    std::unique_ptr<gpu::EglContext> context_;
+};
+
+ContextEnvironment& environment() {
+    static auto* shared = static_cast<ContextEnvironment*>(
+        ::testing::AddGlobalTestEnvironment(new ContextEnvironment));
+    return *shared;
+}
+
+}  // namespace
+
+void GlTest::SetUp() {
+    environment().makeCurrent();
+    gpu::takeDebugErrors();
+}
+
+void GlTest::TearDown() {
+    EXPECT_EQ(gpu::takeDebugErrors(), 0) << "OpenGL errors, see the log above";
+}
+
+}  // namespace kerf::test
