@@ -14,7 +14,7 @@ struct TriangleSoup {
 };
 
 /// Joins vertices with bit-equal coordinates (-0 equals 0) and drops unused ones. The order of
-/// first use is kept.
+/// first use is kept. Indices must be in range.
 TriangleSoup weldExactly(const TriangleSoup& soup);
 
 /// What a model is and whether it can be cut.
@@ -23,24 +23,32 @@ struct MeshReport {
     int triangles = 0;
     Bounds bounds;
     int pieces = 0;
-    double volume = 0;               ///< signed [m^3]
-    int openEdges = 0;               ///< edges with one triangle
-    int nonManifoldEdges = 0;        ///< edges with more than two
-    int misorientedEdges = 0;        ///< edges whose two triangles run the same way
-    int nonManifoldVertices = 0;     ///< vertices whose triangles form more than one umbrella
-    int degenerateTriangles = 0;     ///< with a repeated corner or exactly zero area
+    double volume = 0;            ///< signed [m^3]
+    int openEdges = 0;            ///< edges with one triangle
+    int nonManifoldEdges = 0;     ///< edges with more than two
+    int misorientedEdges = 0;     ///< edges whose two triangles run the same way
+    int nonManifoldVertices = 0;  ///< vertices whose triangles form more than one umbrella
+    int degenerateTriangles = 0;  ///< with a repeated corner or exactly zero area
     int nonFiniteVertices = 0;
-    int outOfRangeIndices = 0;
+    int outOfRangeIndices = 0;  ///< triangles that name a vertex that is not there
+    int insideOutPieces = 0;    ///< closed pieces that face inwards; see turnOutward
+    int flatPieces = 0;         ///< closed pieces that enclose no volume
     bool closed = false;
     bool manifold = false;
-    bool oriented = false;           ///< consistently, and outward (positive volume)
+    bool oriented = false;             ///< consistently, and outward (positive volume)
     std::vector<std::string> repairs;  ///< what was changed on the way, one phrase each
     bool cuttable = false;
     /// Empty where cuttable; else what is wrong, how much of it, and what to do.
     std::string problem;
 };
 
-/// Looks at a welded soup. Never throws.
+/// Looks at a welded soup. Never throws. Triangles with bad indices or repeated corners are counted
+/// and otherwise left out.
 MeshReport inspectTriangles(const TriangleSoup& welded);
+
+/// Turns what faces inwards: everything where the total volume is negative, then each piece of
+/// negative volume that lies in no other piece (one that does is a cavity and stays). The soup
+/// must be closed, manifold and consistently oriented. Returns the number of pieces turned.
+int turnOutward(TriangleSoup& soup);
 
 }  // namespace kerf

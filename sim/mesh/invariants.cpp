@@ -1,0 +1,277 @@
+#include "sim/mesh/invariants.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace kerf {
+
+namespace {
+
+/// Half-edges of the living triangles, grouped by the vertex that they start at.
+struct OutgoingLists {
+    std::vector<int> first;      ///< shape [vertices + 1]
+    std::vector<int> halfEdges;  ///< shape [3 * living triangles]
+};
+
+template <class F>
+void forEachHalfEdge(const SurfaceMesh& mesh, F&& f) {
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            f(3 * t);
+            f(3 * t + 1);
+            f(3 * t + 2);
+        }
+    }
+}
+
+OutgoingLists listOutgoing(const SurfaceMesh& mesh) {
+    OutgoingLists lists;
+    lists.first.assign(mesh.vertexCount() + 1, 0);
+    forEachHalfEdge(mesh, [&](int h) { ++lists.first[mesh.origin(h) + 1]; });
+    std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
+    lists.halfEdges.resize(lists.first.back());
+    std::vector<int> cursor(lists.first.begin(), lists.first.end() - 1);
+    forEachHalfEdge(mesh, [&](int h) { lists.halfEdges[cursor[mesh.origin(h)]++] = h; });
+    return lists;
+}
+
+std::string edgeName(const SurfaceMesh& mesh, int h) {
+    return "half-edge " + std::to_string(h) + " (" + std::to_string(mesh.origin(h)) + " -> " +
+           std::to_string(mesh.target(h)) + ")";
+}
+
+std::string vertexName(int v) {
+    return "vertex " + std::to_string(v);
+}
+
+/// Corners must be valid before anything may follow them.
+std::string checkCorners(const SurfaceMesh& mesh) {
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (!mesh.alive(t)) {
+            continue;
+        }
+        for (const int v : mesh.triangle(t)) {
+            if (v < 0 || v >= mesh.vertexCount()) {
+                return "triangle " + std::to_string(t) + " names " + vertexName(v) + " of " +
+                       std::to_string(mesh.vertexCount());
+            }
+        }
+    }
+    return "";
+}
+
+bool isLivingHalfEdge(const SurfaceMesh& mesh, int h) {
+    return h >= 0 && h < 3 * mesh.triangleSlots() && mesh.alive(h / 3);
+}
+
+std::string checkTwinOf(const SurfaceMesh& mesh, int h) {
+    const int g = mesh.twin(h);
+    if (!isLivingHalfEdge(mesh, g)) {
+        return edgeName(mesh, h) + " has no living twin";
+    }
+    if (mesh.twin(g) != h) {
+        return edgeName(mesh, h) + " has a twin whose twin is another: " + edgeName(mesh, g);
+    }
+    if (mesh.origin(g) != mesh.target(h) || mesh.target(g) != mesh.origin(h)) {
+        return edgeName(mesh, h) + " has a twin with other end points: " + edgeName(mesh, g);
+    }
+    return "";
+}
+
+/// Number of half-edges met by turning once around v from `first`; limit + 1 where the walk does
+/// not come back within `limit` of them.
+int walkLength(const SurfaceMesh& mesh, int first, int limit) {
+    int h = first;
+    for (int steps = 1; steps <= limit; ++steps) {
+        h = mesh.rotate(h);
+        if (h == first) {
+            return steps;
+        }
+        if (!isLivingHalfEdge(mesh, h)) {
+            break;
+        }
+    }
+    return limit + 1;
+}
+
+std::string checkUmbrellaOf(const SurfaceMesh& mesh, int v, int valence) {
+    const int first = mesh.outgoing(v);
+    if (valence == 0) {
+        return first < 0 ? "" : vertexName(v) + " has no triangle but an outgoing half-edge";
+    }
+    if (!isLivingHalfEdge(mesh, first) || mesh.origin(first) != v) {
+        return vertexName(v) + " has no valid outgoing half-edge";
+    }
+    const int met = walkLength(mesh, first, valence);
+    if (met != valence) {
+        return "the umbrella around " + vertexName(v) + " holds " +
+               (met > valence ? "no closed ring of " : std::to_string(met) + " of ") + "its " +
+               std::to_string(valence) + " triangles";
+    }
+    return "";
+}
+
+bool isFinite(const SurfaceMesh& mesh, int v) {
+    return mesh.position(v).allFinite() && mesh.restPosition(v).allFinite() &&
+           mesh.velocity(v).allFinite();
+}
+
+double tetrahedron(const std::vector<Vec3>& points, const Triangle& t) {
+    return points[t[0]].dot(points[t[1]].cross(points[t[2]])) / 6;
+}
+
+double area(const std::vector<Vec3>& points, const Triangle& t) {
+    return 0.5 * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
+}
+
+double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
+    double sum = 0;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            sum += tetrahedron(points, mesh.triangle(t));
+        }
+    }
+    return sum;
+}
+
+int findRoot(std::vector<int>& parent, int v) {
+    while (parent[v] != v) {
+        parent[v] = parent[parent[v]];
+        v = parent[v];
+    }
+    return v;
+}
+
+/// Parent links towards the lowest vertex of each component; -1 for unused vertices.
+std::vector<int> joinVertices(const SurfaceMesh& mesh) {
+    std::vector<int> parent(mesh.vertexCount());
+    std::iota(parent.begin(), parent.end(), 0);
+    std::vector<char> used(mesh.vertexCount(), 0);
+    forEachHalfEdge(mesh, [&](int h) {
+        const int a = findRoot(parent, mesh.origin(h));
+        const int b = findRoot(parent, mesh.target(h));
+        parent[std::max(a, b)] = std::min(a, b);
+        used[mesh.origin(h)] = 1;
+    });
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        parent[v] = used[v] ? findRoot(parent, v) : -1;
+    }
+    return parent;
+}
+
+}  // namespace
+
+std::string checkTwins(const SurfaceMesh& mesh) {
+    std::string fault = checkCorners(mesh);
+    forEachHalfEdge(mesh, [&](int h) {
+        if (fault.empty()) {
+            fault = checkTwinOf(mesh, h);
+        }
+    });
+    return fault;
+}
+
+std::string checkUmbrellas(const SurfaceMesh& mesh) {
+    std::string fault = checkCorners(mesh);
+    if (!fault.empty()) {
+        return fault;
+    }
+    const OutgoingLists lists = listOutgoing(mesh);
+    for (int v = 0; v < mesh.vertexCount() && fault.empty(); ++v) {
+        fault = checkUmbrellaOf(mesh, v, lists.first[v + 1] - lists.first[v]);
+    }
+    return fault;
+}
+
+std::string checkSimpleComplex(const SurfaceMesh& mesh) {
+    const std::string fault = checkCorners(mesh);
+    if (!fault.empty()) {
+        return fault;
+    }
+    const OutgoingLists lists = listOutgoing(mesh);
+    std::vector<int> reachedFrom(mesh.vertexCount(), -1);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        reachedFrom[v] = v;
+        for (int i = lists.first[v]; i < lists.first[v + 1]; ++i) {
+            const int target = mesh.target(lists.halfEdges[i]);
+            if (target == v) {
+                return edgeName(mesh, lists.halfEdges[i]) + " starts and ends at one vertex";
+            }
+            if (reachedFrom[target] == v) {
+                return "two edges run between " + vertexName(v) + " and " + vertexName(target);
+            }
+            reachedFrom[target] = v;
+        }
+    }
+    return "";
+}
+
+std::string checkFinite(const SurfaceMesh& mesh) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (!isFinite(mesh, v)) {
+            return vertexName(v) + " has a coordinate or velocity that is not finite";
+        }
+    }
+    return "";
+}
+
+std::string checkClosedManifold(const SurfaceMesh& mesh) {
+    for (const auto check : {checkTwins, checkUmbrellas, checkSimpleComplex, checkFinite}) {
+        const std::string fault = check(mesh);
+        if (!fault.empty()) {
+            return fault;
+        }
+    }
+    return "";
+}
+
+PieceMap findPieces(const SurfaceMesh& mesh) {
+    PieceMap map;
+    const std::vector<int> root = joinVertices(mesh);
+    map.ofVertex.assign(mesh.vertexCount(), -1);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (root[v] < 0) {
+            continue;
+        }
+        if (root[v] == v) {
+            map.ofVertex[v] = static_cast<int>(map.pieces.size());
+            map.pieces.emplace_back();
+        }
+        map.ofVertex[v] = map.ofVertex[root[v]];
+        ++map.pieces[map.ofVertex[v]].vertices;
+    }
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            Piece& piece = map.pieces[map.ofVertex[mesh.triangle(t)[0]]];
+            ++piece.triangles;
+            piece.volume += tetrahedron(mesh.positions(), mesh.triangle(t));
+            piece.restVolume += tetrahedron(mesh.restPositions(), mesh.triangle(t));
+            piece.restArea += area(mesh.restPositions(), mesh.triangle(t));
+        }
+    }
+    return map;
+}
+
+double meshVolume(const SurfaceMesh& mesh) {
+    return volumeOf(mesh, mesh.positions());
+}
+
+double meshRestVolume(const SurfaceMesh& mesh) {
+    return volumeOf(mesh, mesh.restPositions());
+}
+
+double meanEdgeLength(const SurfaceMesh& mesh) {
+    double sum = 0;
+    forEachHalfEdge(mesh, [&](int h) {
+        sum += (mesh.position(mesh.target(h)) - mesh.position(mesh.origin(h))).norm();
+    });
+    return mesh.aliveTriangles() > 0 ? sum / (3 * mesh.aliveTriangles()) : 0.0;
+}
+
+Bounds meshBounds(const SurfaceMesh& mesh) {
+    Bounds bounds;
+    forEachHalfEdge(mesh, [&](int h) { bounds.add(mesh.position(mesh.origin(h))); });
+    return bounds;
+}
+
+}  // namespace kerf

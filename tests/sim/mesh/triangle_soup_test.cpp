@@ -1,0 +1,212 @@
+#include "sim/mesh/triangle_soup.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <utility>
+
+#include "sim/mesh/invariants.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// Each triangle with corners of its own, as STL files give them.
+TriangleSoup exploded(const TriangleSoup& soup) {
+    TriangleSoup loose;
+    for (const auto& [a, b, c] : soup.triangles) {
+        const int first = static_cast<int>(loose.positions.size());
+        for (const int v : {a, b, c}) {
+            loose.positions.push_back(soup.positions[v]);
+        }
+        loose.triangles.push_back({first, first + 1, first + 2});
+    }
+    return loose;
+}
+
+void turn(Triangle& t) {
+    std::swap(t[1], t[2]);
+}
+
+TEST(Weld, JoinsLooseTriangles) {
+    const TriangleSoup welded = weldExactly(exploded(test::icosphereSoup(2)));
+    EXPECT_EQ(welded.positions.size(), 162u);
+    EXPECT_TRUE(inspectTriangles(welded).cuttable);
+}
+
+TEST(Weld, KeepsTheOrderOfFirstUseAndDropsTheRest) {
+    const TriangleSoup welded = weldExactly(
+        {{{9, 9, 9}, {2, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{2, 1, 4}, {3, 2, 4}}});
+    ASSERT_EQ(welded.positions.size(), 3u);
+    EXPECT_EQ(welded.positions[0], Vec3(1, 0, 0));
+    EXPECT_EQ(welded.positions[1], Vec3(2, 0, 0));
+    EXPECT_EQ(welded.triangles[1], (Triangle{1, 0, 2}));
+}
+
+TEST(Weld, NegativeZeroEqualsZeroAndTheNextNumberDoesNot) {
+    const double tiny = std::numeric_limits<double>::denorm_min();
+    const TriangleSoup welded =
+        weldExactly({{{0.0, 1, 0}, {-0.0, 1, 0}, {tiny, 1, 0}}, {{0, 1, 2}}});
+    EXPECT_EQ(welded.positions.size(), 2u);
+}
+
+TEST(Inspect, SoundShape) {
+    const MeshReport report = inspectTriangles(test::boxSoup(Vec3(1, 2, 3)));
+    EXPECT_TRUE(report.cuttable);
+    EXPECT_EQ(report.problem, "");
+    EXPECT_TRUE(report.closed && report.manifold && report.oriented);
+    EXPECT_EQ(report.vertices, 8);
+    EXPECT_EQ(report.triangles, 12);
+    EXPECT_EQ(report.pieces, 1);
+    EXPECT_NEAR(report.volume, 6, 1e-12);
+    EXPECT_LT((report.bounds.high - Vec3(0.5, 1, 1.5)).norm(), 1e-12);
+}
+
+TEST(Inspect, WhatIsCuttableMakesASoundMesh) {
+    for (const TriangleSoup& soup :
+         {test::torusSoup(), test::bentTubeSoup(), test::cubeSphereSoup(8)}) {
+        ASSERT_TRUE(inspectTriangles(soup).cuttable) << inspectTriangles(soup).problem;
+        EXPECT_EQ(checkClosedManifold(test::meshOf(soup)), "");
+    }
+}
+
+TEST(Inspect, Nothing) {
+    EXPECT_THAT(inspectTriangles({}).problem, StartsWith("no triangles"));
+}
+
+TEST(Inspect, OpenEdgesAreCounted) {
+    TriangleSoup soup = test::icosphereSoup(1);
+    soup.triangles.pop_back();
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_EQ(report.openEdges, 3);
+    EXPECT_FALSE(report.closed || report.cuttable);
+    EXPECT_TRUE(report.manifold);
+    EXPECT_EQ(report.problem,
+              "3 open edges: the surface is not closed, so cut faces can't be capped; fill the "
+              "holes in a modelling tool");
+}
+
+TEST(Inspect, EdgeWithThreeTriangles) {
+    TriangleSoup soup = test::boxSoup();
+    const auto [a, b, c] = soup.triangles[0];
+    soup.positions.push_back(Vec3(0, 0, 5));
+    soup.triangles.push_back({a, b, 8});
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_EQ(report.nonManifoldEdges, 1);
+    EXPECT_EQ(report.openEdges, 2);
+    EXPECT_FALSE(report.manifold);
+    EXPECT_THAT(report.problem, HasSubstr("2 open edges, 1 edge with more than two triangles: "));
+}
+
+TEST(Inspect, DuplicateTriangle) {
+    TriangleSoup soup = test::boxSoup();
+    soup.triangles.push_back(soup.triangles[0]);
+    EXPECT_EQ(inspectTriangles(soup).nonManifoldEdges, 3);
+}
+
+TEST(Inspect, PiecesThatTouchInAPoint) {
+    const TriangleSoup soup =
+        weldExactly(test::joined(test::boxSoup(), test::boxSoup(), Vec3::Ones()));
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_EQ(report.nonManifoldVertices, 1);
+    EXPECT_TRUE(report.closed);
+    EXPECT_FALSE(report.manifold);
+    EXPECT_THAT(report.problem, StartsWith("1 vertex where the surface touches itself: "));
+}
+
+TEST(Inspect, OneTriangleTurned) {
+    TriangleSoup soup = test::icosphereSoup(1);
+    turn(soup.triangles[5]);
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_EQ(report.misorientedEdges, 3);
+    EXPECT_TRUE(report.closed && report.manifold);
+    EXPECT_FALSE(report.oriented);
+    EXPECT_THAT(report.problem, HasSubstr("face opposite ways"));
+}
+
+TEST(Inspect, TriangleWithARepeatedCornerLeavesTheTopologyAlone) {
+    TriangleSoup soup = test::boxSoup();
+    soup.triangles.push_back({0, 0, 1});
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_EQ(report.degenerateTriangles, 1);
+    EXPECT_TRUE(report.closed && report.manifold && report.oriented);
+    EXPECT_THAT(report.problem, StartsWith("1 triangle without area: "));
+}
+
+TEST(Inspect, TriangleWithoutArea) {
+    // A needle across the middle of one edge of a box face.
+    TriangleSoup soup = test::boxSoup();
+    const auto [a, b, c] = soup.triangles[0];
+    soup.positions.push_back(0.5 * (soup.positions[a] + soup.positions[b]));
+    soup.triangles[0] = {a, 8, c};
+    soup.triangles.push_back({8, b, c});
+    soup.triangles.push_back({a, b, 8});
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_TRUE(report.closed && report.manifold && report.oriented);
+    EXPECT_EQ(report.degenerateTriangles, 1);
+    EXPECT_FALSE(report.cuttable);
+}
+
+TEST(Inspect, NotANumberAndOutOfRange) {
+    TriangleSoup soup = test::icosphereSoup(0);
+    soup.positions[2].y() = std::numeric_limits<double>::quiet_NaN();
+    soup.triangles[3][1] = 12;
+    soup.triangles[4][2] = -1;
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_EQ(report.nonFiniteVertices, 1);
+    EXPECT_EQ(report.outOfRangeIndices, 2);
+    EXPECT_FALSE(report.closed || report.manifold || report.oriented || report.cuttable);
+    EXPECT_THAT(report.problem, HasSubstr("not a finite number"));
+}
+
+TEST(Inspect, FlatPiece) {
+    const TriangleSoup pillow{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
+    const MeshReport report = inspectTriangles(pillow);
+    EXPECT_EQ(report.flatPieces, 1);
+    EXPECT_THAT(report.problem, StartsWith("1 piece that encloses no volume: "));
+}
+
+TEST(TurnOutward, WholeModelInsideOut) {
+    TriangleSoup soup = test::torusSoup();
+    for (Triangle& t : soup.triangles) {
+        turn(t);
+    }
+    EXPECT_THAT(inspectTriangles(soup).problem, StartsWith("1 piece that is inside out: "));
+    EXPECT_EQ(turnOutward(soup), 1);
+    EXPECT_TRUE(inspectTriangles(soup).cuttable);
+}
+
+TEST(TurnOutward, OnePieceOfTwo) {
+    const TriangleSoup ball = test::icosphereSoup(1);
+    TriangleSoup both = test::joined(test::boxSoup(Vec3(2, 2, 2)), ball, Vec3(3, 0, 0));
+    for (std::size_t t = 12; t < both.triangles.size(); ++t) {
+        turn(both.triangles[t]);
+    }
+    EXPECT_EQ(inspectTriangles(both).insideOutPieces, 1);
+    EXPECT_EQ(turnOutward(both), 1);
+    EXPECT_TRUE(inspectTriangles(both).cuttable);
+    EXPECT_EQ(turnOutward(both), 0);
+}
+
+TEST(TurnOutward, CavityStays) {
+    TriangleSoup hollow =
+        test::joined(test::boxSoup(Vec3(2, 2, 2)), test::icosphereSoup(1), Vec3::Zero());
+    for (std::size_t t = 12; t < hollow.triangles.size(); ++t) {
+        turn(hollow.triangles[t]);
+    }
+    EXPECT_TRUE(inspectTriangles(hollow).cuttable);
+    EXPECT_EQ(turnOutward(hollow), 0);
+
+    for (Triangle& t : hollow.triangles) {
+        turn(t);
+    }
+    EXPECT_EQ(turnOutward(hollow), 2);
+    EXPECT_TRUE(inspectTriangles(hollow).cuttable);
+}
+
+}  // namespace
+}  // namespace kerf

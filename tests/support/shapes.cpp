@@ -1,0 +1,208 @@
+#include "tests/support/shapes.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace kerf::test {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+void addQuad(TriangleSoup& soup, int a, int b, int c, int d) {
+    soup.triangles.push_back({a, b, c});
+    soup.triangles.push_back({a, c, d});
+}
+
+TriangleSoup icosahedron() {
+    const double g = (1 + std::sqrt(5.0)) / 2;
+    TriangleSoup soup;
+    soup.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    soup.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                      {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                      {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                      {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+    return soup;
+}
+
+TriangleSoup subdivided(const TriangleSoup& coarse) {
+    TriangleSoup fine;
+    fine.positions = coarse.positions;
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b) {
+        const auto [place, isNew] =
+            middles.try_emplace(std::minmax(a, b), static_cast<int>(fine.positions.size()));
+        if (isNew) {
+            fine.positions.push_back(0.5 * (coarse.positions[a] + coarse.positions[b]));
+        }
+        return place->second;
+    };
+    for (const auto& [a, b, c] : coarse.triangles) {
+        const int ab = middle(a, b);
+        const int bc = middle(b, c);
+        const int ca = middle(c, a);
+        for (const Triangle& t : {Triangle{a, ab, ca}, Triangle{ab, b, bc}, Triangle{ca, bc, c},
+                                  Triangle{ab, bc, ca}}) {
+            fine.triangles.push_back(t);
+        }
+    }
+    return fine;
+}
+
+void pushToSphere(TriangleSoup& soup, double radius) {
+    for (Vec3& p : soup.positions) {
+        p = radius * p.normalized();
+    }
+}
+
+/// The cube [-n, n]^3 on its integer grid, so that welding joins the faces.
+TriangleSoup gridCube(int n) {
+    TriangleSoup soup;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const int side : {-1, 1}) {
+            const int first = static_cast<int>(soup.positions.size());
+            for (int i = 0; i <= n; ++i) {
+                for (int j = 0; j <= n; ++j) {
+                    Vec3 p;
+                    p[axis] = side * n;
+                    p[(axis + 1) % 3] = side * (2 * i - n);
+                    p[(axis + 2) % 3] = 2 * j - n;
+                    soup.positions.push_back(p);
+                }
+            }
+            for (int i = 0; i < n; ++i) {
+                for (int j = 0; j < n; ++j) {
+                    const int a = first + i * (n + 1) + j;
+                    addQuad(soup, a, a + n + 1, a + n + 2, a + 1);
+                }
+            }
+        }
+    }
+    return weldExactly(soup);
+}
+
+/// Quads between `rings` rings of `around` vertices each, both periodic where `closedAlong`.
+void addRings(TriangleSoup& soup, int rings, int around, bool closedAlong) {
+    for (int i = 0; i < (closedAlong ? rings : rings - 1); ++i) {
+        for (int j = 0; j < around; ++j) {
+            const int next = (i + 1) % rings;
+            const int right = (j + 1) % around;
+            addQuad(soup, i * around + j, i * around + right, next * around + right,
+                    next * around + j);
+        }
+    }
+}
+
+}  // namespace
+
+TriangleSoup icosphereSoup(int subdivisions, double radius) {
+    TriangleSoup soup = icosahedron();
+    pushToSphere(soup, radius);
+    for (int i = 0; i < subdivisions; ++i) {
+        soup = subdivided(soup);
+        pushToSphere(soup, radius);
+    }
+    return soup;
+}
+
+TriangleSoup cubeSphereSoup(int n, double radius) {
+    TriangleSoup soup = gridCube(n);
+    for (Vec3& p : soup.positions) {
+        p = (p * (kPi / (4 * n))).array().tan();
+    }
+    pushToSphere(soup, radius);
+    return soup;
+}
+
+TriangleSoup torusSoup(int around, int across, double radius, double tube) {
+    TriangleSoup soup;
+    for (int i = 0; i < around; ++i) {
+        const double u = 2 * kPi * i / around;
+        for (int j = 0; j < across; ++j) {
+            const double v = 2 * kPi * j / across;
+            const double r = radius + tube * std::cos(v);
+            soup.positions.push_back({r * std::cos(u), tube * std::sin(v), r * std::sin(u)});
+        }
+    }
+    addRings(soup, around, across, true);
+    return soup;
+}
+
+TriangleSoup bentTubeSoup(int along, int around) {
+    TriangleSoup soup;
+    const double bendRadius = 0.6;
+    const auto center = [&](double s) {
+        const double angle = 0.8 * s;
+        return Vec3(bendRadius * std::sin(angle), bendRadius * (1 - std::cos(angle)), 0);
+    };
+    for (int i = 1; i < along; ++i) {
+        const double s = 2.0 * i / along - 1;
+        const double radius = 0.14 * std::sqrt(1 - 0.95 * s * s);
+        const Vec3 inward(-std::sin(0.8 * s), std::cos(0.8 * s), 0);
+        for (int j = 0; j < around; ++j) {
+            const double v = 2 * kPi * j / around;
+            soup.positions.push_back(center(s) +
+                                     radius * (std::cos(v) * inward + std::sin(v) * Vec3::UnitZ()));
+        }
+    }
+    addRings(soup, along - 1, around, false);
+    const int start = static_cast<int>(soup.positions.size());
+    soup.positions.push_back(center(-1));
+    soup.positions.push_back(center(1));
+    const int lastRing = (along - 2) * around;
+    for (int j = 0; j < around; ++j) {
+        const int right = (j + 1) % around;
+        soup.triangles.push_back({start, right, j});
+        soup.triangles.push_back({start + 1, lastRing + j, lastRing + right});
+    }
+    return soup;
+}
+
+TriangleSoup boxSoup(const Vec3& size, int n) {
+    TriangleSoup soup = gridCube(n);
+    for (Vec3& p : soup.positions) {
+        p = p.cwiseProduct(size) / (2 * n);
+    }
+    return soup;
+}
+
+SurfaceMesh meshOf(const TriangleSoup& soup) {
+    return SurfaceMesh::fromTriangles(soup.positions, soup.triangles);
+}
+
+SurfaceMesh icosphere(int subdivisions, double radius) {
+    return meshOf(icosphereSoup(subdivisions, radius));
+}
+
+SurfaceMesh cubeSphere(int n, double radius) {
+    return meshOf(cubeSphereSoup(n, radius));
+}
+
+SurfaceMesh torus(int around, int across, double radius, double tube) {
+    return meshOf(torusSoup(around, across, radius, tube));
+}
+
+SurfaceMesh bentTube(int along, int around) {
+    return meshOf(bentTubeSoup(along, around));
+}
+
+SurfaceMesh box(const Vec3& size, int n) {
+    return meshOf(boxSoup(size, n));
+}
+
+TriangleSoup joined(const TriangleSoup& first, const TriangleSoup& second, const Vec3& offset) {
+    TriangleSoup both = first;
+    const int shift = static_cast<int>(first.positions.size());
+    for (const Vec3& p : second.positions) {
+        both.positions.push_back(p + offset);
+    }
+    for (const auto& [a, b, c] : second.triangles) {
+        both.triangles.push_back({a + shift, b + shift, c + shift});
+    }
+    return both;
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf::test {
+
+// Closed, outward-oriented test shapes around the origin, lengths in metres. Each comes as a
+// TriangleSoup and as a SurfaceMesh.
+
+/// An icosahedron, each triangle split in four `subdivisions` times: 20 * 4^s triangles.
+TriangleSoup icosphereSoup(int subdivisions, double radius = 0.5);
+/// A cube with n x n quads a face, pushed out to the sphere: 12 * n^2 triangles.
+TriangleSoup cubeSphereSoup(int n, double radius = 0.5);
+/// A ring in the x-z plane: 2 * around * across triangles, genus 1.
+TriangleSoup torusSoup(int around = 32, int across = 16, double radius = 0.35, double tube = 0.15);
+/// A bent, tapered tube with closed ends, like a banana: bends in the x-y plane, about 1 m long.
+TriangleSoup bentTubeSoup(int along = 24, int around = 12);
+/// An axis-parallel box with n x n quads a face: 12 * n^2 triangles.
+TriangleSoup boxSoup(const Vec3& size = Vec3::Ones(), int n = 1);
+
+/// The soup's mesh; it must be closed, manifold and oriented.
+SurfaceMesh meshOf(const TriangleSoup& soup);
+
+SurfaceMesh icosphere(int subdivisions, double radius = 0.5);
+SurfaceMesh cubeSphere(int n, double radius = 0.5);
+SurfaceMesh torus(int around = 32, int across = 16, double radius = 0.35, double tube = 0.15);
+SurfaceMesh bentTube(int along = 24, int around = 12);
+SurfaceMesh box(const Vec3& size = Vec3::Ones(), int n = 1);
+
+/// Both soups in one, `second` moved by `offset`.
+TriangleSoup joined(const TriangleSoup& first, const TriangleSoup& second, const Vec3& offset);
+
+}  // namespace kerf::test
