@@ -13,27 +13,43 @@
 
 namespace kerf::app {
 
-/// Scale, then rotate (XYZ Euler, degrees), then translate.
+/// Limits of a session file; beyond them it is refused.
+inline constexpr std::uintmax_t kMaxSessionBytes = 64u << 20;
+inline constexpr int kMaxSteps = 1'000'000;
+inline constexpr int kMaxPictureSize = 8192;          ///< [pixels], each way
+inline constexpr double kMaxSessionCoordinate = 1e6;  ///< [m]
+
+/// Scale, then rotate (about the world's x, then y, then z axis; degrees), then translate [m].
 struct Placement {
     double scale = 1;
     Vec3 rotate = Vec3::Zero();
     Vec3 translate = Vec3::Zero();
+
+    Vec3 apply(const Vec3& point) const;
 };
 
 struct ModelReference {
     std::string builtin;         ///< or
     std::filesystem::path path;  ///< absolute once read
     std::string sha256;          ///< optional
+
+    /// The file that holds the model. Throws InputError for an unknown builtin name.
+    std::filesystem::path file() const;
+    /// How people call it: the builtin's name, or the file's without its extension.
+    std::string name() const;
 };
 
+/// A PNG of the scene, as it stands before the step. `file` is relative to the output folder.
 struct ScreenshotEvent {
     std::string file;
-    int width = 1280;
-    int height = 720;
+    int width = 1280;  ///< [pixels]
+    int height = 720;  ///< [pixels]
 };
+/// The mesh as it stands before the step: .ply, .obj or .stl below the output folder.
 struct ExportEvent {
     std::string file;
 };
+/// What must hold before the step.
 struct CheckEvent {
     std::optional<std::string> hash;
     std::optional<int> pieces;
@@ -44,7 +60,7 @@ using SessionAction =
     std::variant<MoveBlade, LiftBlade, SetParam, ScreenshotEvent, ExportEvent, CheckEvent>;
 
 struct SessionEvent {
-    int step = 0;
+    int step = 0;  ///< applied before this step; equal to Session::steps: after the last one
     SessionAction action;
 };
 
@@ -59,26 +75,42 @@ struct Session {
     std::vector<std::string> warnings;  ///< unknown extra keys
 };
 
-/// Reads and checks a session. Throws InputError naming the place in the file
-/// ("events[3].a: expected three numbers").
+/// Reads and checks a session. Throws InputError naming the file and the place in it
+/// ("first-cut.kerf.json: events[3].a: expected three numbers.").
 Session readSession(const std::filesystem::path& file);
+/// The same from text; model paths are relative to `baseFolder`. The sentences name the place.
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder);
-/// Text of a session file; throws InputError rather than write a number that is not finite.
-std::string formatSession(const Session& session);
+/// Text of a session file that lies in `baseFolder` (model paths become relative to it where it
+/// is given). Throws InputError rather than write what parseSession would refuse.
+std::string formatSession(const Session& session, const std::filesystem::path& baseFolder = {});
 
-/// The model of a session, placed in the world.
+/// The model of a session, placed in the world. Throws InputError, also where its sha256 differs.
 SurfaceMesh loadSessionModel(const Session& session);
 
-/// The commands of one step, blade poses interpolated between key poses. `cursor` style: call with
-/// rising steps.
+/// The session's view, or the default one: from the front right above, framing `bounds`.
+render::Camera sessionCamera(const Session& session, const Bounds& bounds);
+
+/// The commands of one step, blade poses interpolated between key poses.
 class SessionPlayer {
   public:
+    /// The session must outlive the player.
     explicit SessionPlayer(const Session& session);
-    /// Everything that happens before step `step`, in order, the interpolated blade pose included.
+    /// Everything that happens before step `step`, in order; where the blade is between two key
+    /// poses, its pose of this step comes last. `step` equal to session.steps: after the run.
     std::vector<SessionAction> actionsAt(int step) const;
 
   private:
+    /// The blade moves from one key pose to the next.
+    struct Sweep {
+        int firstStep = 0;
+        int lastStep = 0;
+        Blade from;
+        Blade to;
+    };
+    std::optional<MoveBlade> poseBetweenKeys(int step) const;
+
     const Session* session_;
+    std::vector<Sweep> sweeps_;  ///< by step, not overlapping
 };
 
 }  // namespace kerf::app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace kerf::app {
+
+/// A result could not be written: what() is one sentence with the file and the system's reason.
+/// Exit code 5.
+class OutputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The bytes of a regular file. Throws InputError where it is missing, no regular file, not
+/// readable or larger than `limit` bytes.
+std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limit);
+
+/// A file that appears under its name only once it is complete: what is written goes into a hidden
+/// file of the same folder, which commit() renames. Without commit() nothing is left.
+class AtomicFile {
+  public:
+    /// Throws OutputError, as all functions here.
+    explicit AtomicFile(std::filesystem::path file);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    void write(std::string_view bytes);
+    void commit();
+
+  private:
+    void flush();
+    [[noreturn]] void fail();
+
+    std::filesystem::path file_;
+    std::filesystem::path hidden_;
+    std::string pending_;
+    int descriptor_ = -1;
+};
+
+/// AtomicFile in one call.
+void writeOutputFile(const std::filesystem::path& file, std::string_view bytes);
+
+/// Shortest decimal text that reads back as the same number, whatever the locale.
+std::string formatNumber(double value);
+std::string formatNumber(float value);
+
+}  // namespace kerf::app

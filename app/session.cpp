@@ -1,0 +1,105 @@
+#include "app/session.h"
+
+#include <algorithm>
+
+#include "app/sha256.h"
+#include "sim/mesh/invariants.h"
+
+namespace kerf::app {
+
+namespace {
+
+void requireDigest(const std::filesystem::path& file, const std::string& expected) {
+    if (!expected.empty() && sha256OfFile(file) != expected) {
+        throw InputError(file.filename().string() +
+                         ": the model is not the one that the session was made with (its SHA-256 "
+                         "differs); restore it or take \"sha256\" out of the session.");
+    }
+}
+
+void place(SurfaceMesh& mesh, const Placement& placement) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 placed = placement.apply(mesh.restPosition(v));
+        mesh.setPosition(v, placed);
+        mesh.setRestPosition(v, placed);
+    }
+}
+
+}  // namespace
+
+Vec3 Placement::apply(const Vec3& point) const {
+    const Vec3 radians = rotate * (EIGEN_PI / 180);
+    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(radians.z(), Vec3::UnitZ()) *
+                                  Eigen::AngleAxisd(radians.y(), Vec3::UnitY()) *
+                                  Eigen::AngleAxisd(radians.x(), Vec3::UnitX()))
+                                     .toRotationMatrix();
+    return turn * (scale * point) + translate;
+}
+
+std::filesystem::path ModelReference::file() const {
+    return builtin.empty() ? path : builtinModelFile(builtin);
+}
+
+std::string ModelReference::name() const {
+    return builtin.empty() ? path.stem().string() : builtin;
+}
+
+SurfaceMesh loadSessionModel(const Session& session) {
+    const std::filesystem::path file = session.model.file();
+    requireDigest(file, session.model.sha256);
+    SurfaceMesh mesh = loadModel(file);
+    place(mesh, session.placement);
+    return mesh;
+}
+
+render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
+    if (session.view) {
+        return *session.view;
+    }
+    render::Camera camera;
+    camera.target = bounds.center();
+    camera.eye = camera.target + Vec3(3, 2, 4);
+    camera.frame(bounds);
+    return camera;
+}
+
+SessionPlayer::SessionPlayer(const Session& session) : session_(&session) {
+    const SessionEvent* lastKey = nullptr;
+    for (const SessionEvent& event : session.events) {
+        if (std::holds_alternative<LiftBlade>(event.action)) {
+            lastKey = nullptr;
+        } else if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
+            if (lastKey != nullptr && lastKey->step < event.step) {
+                sweeps_.push_back({lastKey->step, event.step,
+                                   std::get<MoveBlade>(lastKey->action).blade, move->blade});
+            }
+            lastKey = &event;
+        }
+    }
+}
+
+std::vector<SessionAction> SessionPlayer::actionsAt(int step) const {
+    const auto byStep = [](const SessionEvent& event, int value) { return event.step < value; };
+    const auto& events = session_->events;
+    std::vector<SessionAction> actions;
+    for (auto event = std::lower_bound(events.begin(), events.end(), step, byStep);
+         event != events.end() && event->step == step; ++event) {
+        actions.push_back(event->action);
+    }
+    if (const auto pose = poseBetweenKeys(step)) {
+        actions.emplace_back(*pose);
+    }
+    return actions;
+}
+
+std::optional<MoveBlade> SessionPlayer::poseBetweenKeys(int step) const {
+    const auto endsBefore = [](const Sweep& sweep, int value) { return sweep.lastStep <= value; };
+    const auto sweep = std::lower_bound(sweeps_.begin(), sweeps_.end(), step, endsBefore);
+    if (sweep == sweeps_.end() || step <= sweep->firstStep) {
+        return std::nullopt;
+    }
+    const double t = double(step - sweep->firstStep) / double(sweep->lastStep - sweep->firstStep);
+    return MoveBlade{interpolate(sweep->from, sweep->to, t)};
+}
+
+}  // namespace kerf::app

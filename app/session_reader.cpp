@@ -1,0 +1,418 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/export.h"
+#include "app/file_io.h"
+#include "app/session.h"
+#include "app/session_json.h"
+
+namespace kerf::app {
+
+namespace {
+
+using nlohmann::json;
+
+/// A value and where it stands in the file: "events[3].a".
+struct Node {
+    const json* value = nullptr;
+    std::string place;
+};
+
+[[noreturn]] void fail(const std::string& place, const std::string& problem) {
+    throw InputError(place + ": " + problem);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "" : ", ") + word;
+    }
+    return text;
+}
+
+std::string rangeText(double low, double high) {
+    return " (" + formatNumber(low) + " to " + formatNumber(high) + ")";
+}
+
+double readNumber(const Node& node, double low, double high) {
+    if (!node.value->is_number()) {
+        fail(node.place, "expected a number" + rangeText(low, high) + ".");
+    }
+    const double number = node.value->get<double>();
+    if (!(number >= low && number <= high)) {
+        fail(node.place, formatNumber(number) + " is out of range" + rangeText(low, high) + ".");
+    }
+    return number;
+}
+
+int readInteger(const Node& node, int low, int high) {
+    const double number = readNumber(node, low, high);
+    if (number != std::floor(number)) {
+        fail(node.place, "expected a whole number" + rangeText(low, high) + ".");
+    }
+    return static_cast<int>(number);
+}
+
+Vec3 readVector(const Node& node, double limit) {
+    const json& value = *node.value;
+    if (!value.is_array() || value.size() != 3) {
+        fail(node.place, "expected three numbers.");
+    }
+    Vec3 vector;
+    for (int i = 0; i < 3; ++i) {
+        if (!value[i].is_number()) {
+            fail(node.place, "expected three numbers.");
+        }
+        vector[i] =
+            readNumber({&value[i], node.place + "[" + std::to_string(i) + "]"}, -limit, limit);
+    }
+    return vector;
+}
+
+std::string readString(const Node& node) {
+    if (!node.value->is_string()) {
+        fail(node.place, "expected a text in quotes.");
+    }
+    return node.value->get<std::string>();
+}
+
+/// The keys of one object; those that nobody asked for become warnings at the end.
+class ObjectReader {
+  public:
+    explicit ObjectReader(Node node) : node_(std::move(node)) {
+        if (!node_.value->is_object()) {
+            fail(node_.place.empty() ? "top level" : node_.place, "expected an object in braces.");
+        }
+    }
+
+    std::string place(const std::string& key) const {
+        return node_.place.empty() ? key : node_.place + "." + key;
+    }
+
+    std::optional<Node> optional(const std::string& key) {
+        known_.insert(key);
+        const auto found = node_.value->find(key);
+        if (found == node_.value->end()) {
+            return std::nullopt;
+        }
+        return Node{&*found, place(key)};
+    }
+
+    Node required(const std::string& key) {
+        const std::optional<Node> node = optional(key);
+        if (!node) {
+            fail(place(key), "this key is missing; add it.");
+        }
+        return *node;
+    }
+
+    void warnAboutTheRest(std::vector<std::string>& warnings) const {
+        for (const auto& item : node_.value->items()) {
+            if (!known_.contains(item.key())) {
+                warnings.push_back(place(item.key()) + ": unknown key, ignored.");
+            }
+        }
+    }
+
+  private:
+    Node node_;
+    std::set<std::string> known_;
+};
+
+void readFormat(ObjectReader& top) {
+    const Node format = top.required("format");
+    if (readString(format) != "kerf-session") {
+        fail(format.place, "expected \"kerf-session\"; this is some other file.");
+    }
+    const Node version = top.required("version");
+    if (!version.value->is_number()) {
+        fail(version.place, "expected a number.");
+    }
+    const double number = version.value->get<double>();
+    if (std::floor(number) != 1) {
+        fail(version.place,
+             "version " + formatNumber(number) + " is not supported; this kerf reads version 1.");
+    }
+}
+
+std::string readDigest(const Node& node) {
+    const std::string digest = readString(node);
+    const auto isHex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+    if (digest.size() != 64 || !std::all_of(digest.begin(), digest.end(), isHex)) {
+        fail(node.place, "expected 64 lower-case hexadecimal digits.");
+    }
+    return digest;
+}
+
+ModelReference readModel(const Node& node, const std::filesystem::path& baseFolder,
+                         std::vector<std::string>& warnings) {
+    ObjectReader object(node);
+    const auto builtin = object.optional("builtin");
+    const auto path = object.optional("path");
+    const auto digest = object.optional("sha256");
+    if (builtin.has_value() == path.has_value()) {
+        fail(node.place, "expected either \"builtin\" or \"path\".");
+    }
+    ModelReference model;
+    if (builtin) {
+        model.builtin = readString(*builtin);
+        const auto& names = builtinModels();
+        if (std::find(names.begin(), names.end(), model.builtin) == names.end()) {
+            fail(builtin->place, "there is no builtin model '" + model.builtin + "'; there are " +
+                                     joined(names) + ".");
+        }
+    } else {
+        model.path = std::filesystem::absolute(baseFolder / readString(*path)).lexically_normal();
+    }
+    if (digest) {
+        model.sha256 = readDigest(*digest);
+    }
+    object.warnAboutTheRest(warnings);
+    return model;
+}
+
+Placement readPlacement(const Node& node, std::vector<std::string>& warnings) {
+    ObjectReader object(node);
+    Placement placement;
+    if (const auto scale = object.optional("scale")) {
+        placement.scale = readNumber(*scale, 1e-6, 1e6);
+    }
+    if (const auto rotate = object.optional("rotate")) {
+        placement.rotate = readVector(*rotate, 36000);
+    }
+    if (const auto translate = object.optional("translate")) {
+        placement.translate = readVector(*translate, kMaxSessionCoordinate);
+    }
+    object.warnAboutTheRest(warnings);
+    return placement;
+}
+
+ParamValue readParamValue(const Node& node) {
+    const json& value = *node.value;
+    if (value.is_null()) {
+        return std::monostate{};
+    }
+    if (value.is_number()) {
+        return value.get<double>();
+    }
+    if (value.is_array()) {
+        return readVector(node, kMaxSessionCoordinate);
+    }
+    fail(node.place, "expected a number, three numbers or null.");
+}
+
+void requireKnownParam(const std::string& name, const std::string& place) {
+    if (findParam(name) != nullptr) {
+        return;
+    }
+    std::vector<std::string> names;
+    for (const ParamInfo& info : paramTable()) {
+        names.emplace_back(info.name);
+    }
+    fail(place, "there is no parameter '" + name + "'; there are " + joined(names) + ".");
+}
+
+void applyParam(Params& params, const std::string& name, const Node& node) {
+    const std::string problem = setParam(params, name, readParamValue(node));
+    if (!problem.empty()) {
+        fail(node.place, problem);
+    }
+}
+
+Params readParams(const Node& node) {
+    ObjectReader object(node);
+    Params params;
+    for (const auto& item : node.value->items()) {
+        const std::string place = object.place(item.key());
+        requireKnownParam(item.key(), place);
+        applyParam(params, item.key(), {&item.value(), place});
+    }
+    return params;
+}
+
+MoveBlade readBlade(ObjectReader& object) {
+    MoveBlade move;
+    const Node a = object.required("a");
+    move.blade.a = readVector(a, kMaxSessionCoordinate);
+    move.blade.b = readVector(object.required("b"), kMaxSessionCoordinate);
+    if (move.blade.a == move.blade.b) {
+        fail(a.place, "a and b are the same point; a blade needs a length.");
+    }
+    return move;
+}
+
+SetParam readSet(ObjectReader& object) {
+    const Node name = object.required("name");
+    const Node value = object.required("value");
+    SetParam set{readString(name), {}};
+    requireKnownParam(set.name, name.place);
+    Params scratch;
+    applyParam(scratch, set.name, value);
+    set.value = getParam(scratch, set.name);
+    return set;
+}
+
+/// A file below the output folder: never outside, and none of those that a replay writes itself.
+std::string readOutputName(const Node& node) {
+    const std::string name = readString(node);
+    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    const bool inside = !path.empty() && !path.is_absolute() && path.has_filename() &&
+                        *path.begin() != ".." && *path.begin() != ".";
+    if (!inside || name.find('\0') != std::string::npos) {
+        fail(node.place,
+             "'" + name + "' is not a file inside the output folder; use a plain name.");
+    }
+    for (const char* own : {"metrics.csv", "summary.json", "final.ply"}) {
+        if (path == own) {
+            fail(node.place, "'" + name + "' is written by the replay itself; use another name.");
+        }
+    }
+    return path.generic_string();
+}
+
+ScreenshotEvent readScreenshot(ObjectReader& object) {
+    const Node file = object.required("file");
+    ScreenshotEvent event;
+    event.file = readOutputName(file);
+    if (std::filesystem::path(event.file).extension() != ".png") {
+        fail(file.place, "'" + event.file + "' must end in .png.");
+    }
+    if (const auto width = object.optional("width")) {
+        event.width = readInteger(*width, 1, kMaxPictureSize);
+    }
+    if (const auto height = object.optional("height")) {
+        event.height = readInteger(*height, 1, kMaxPictureSize);
+    }
+    return event;
+}
+
+ExportEvent readExport(ObjectReader& object) {
+    const Node file = object.required("file");
+    ExportEvent event{readOutputName(file)};
+    if (!meshFormatOf(event.file)) {
+        fail(file.place, "'" + event.file + "' must end in .ply, .obj or .stl.");
+    }
+    return event;
+}
+
+std::string readStateHash(const Node& node) {
+    const std::string hash = readString(node);
+    if (hash.size() != 16 || hash.find_first_not_of("0123456789abcdef") != std::string::npos) {
+        fail(node.place, "expected 16 lower-case hexadecimal digits.");
+    }
+    return hash;
+}
+
+CheckEvent readCheck(ObjectReader& object, const std::string& place) {
+    CheckEvent event;
+    if (const auto hash = object.optional("hash")) {
+        event.hash = readStateHash(*hash);
+    }
+    if (const auto pieces = object.optional("pieces")) {
+        event.pieces = readInteger(*pieces, 1, kMaxSteps);
+    }
+    if (!event.hash && !event.pieces) {
+        fail(place, "a check needs \"hash\" or \"pieces\".");
+    }
+    return event;
+}
+
+SessionAction readAction(ObjectReader& object, const Node& event) {
+    const Node type = object.required("type");
+    const std::string name = readString(type);
+    if (name == "blade") return readBlade(object);
+    if (name == "lift") return LiftBlade{};
+    if (name == "set") return readSet(object);
+    if (name == "screenshot") return readScreenshot(object);
+    if (name == "export") return readExport(object);
+    if (name == "check") return readCheck(object, event.place);
+    if (name == "undo" || name == "redo") {
+        fail(type.place, "'" + name + "' is not supported by this version of kerf.");
+    }
+    fail(type.place, "there is no event type '" + name +
+                         "'; there are blade, lift, set, screenshot, export, check.");
+}
+
+std::vector<SessionEvent> readEvents(const Node& node, int steps,
+                                     std::vector<std::string>& warnings) {
+    if (!node.value->is_array()) {
+        fail(node.place, "expected a list in brackets.");
+    }
+    std::vector<SessionEvent> events;
+    for (std::size_t i = 0; i < node.value->size(); ++i) {
+        const Node event{&(*node.value)[i], node.place + "[" + std::to_string(i) + "]"};
+        ObjectReader object(event);
+        const int step = readInteger(object.required("step"), 0, steps);
+        events.push_back({step, readAction(object, event)});
+        object.warnAboutTheRest(warnings);
+    }
+    const auto earlier = [](const SessionEvent& a, const SessionEvent& b) {
+        return a.step < b.step;
+    };
+    std::stable_sort(events.begin(), events.end(), earlier);
+    return events;
+}
+
+render::Camera readView(const Node& node, std::vector<std::string>& warnings) {
+    ObjectReader object(node);
+    render::Camera camera;
+    camera.eye = readVector(object.required("eye"), kMaxSessionCoordinate);
+    camera.target = readVector(object.required("target"), kMaxSessionCoordinate);
+    if (const auto up = object.optional("up")) {
+        camera.up = readVector(*up, kMaxSessionCoordinate);
+    }
+    if (const auto fov = object.optional("fov_y")) {
+        camera.fovY = readNumber(*fov, 1, 150);
+    }
+    const Vec3 forward = camera.target - camera.eye;
+    if (forward.norm() == 0) {
+        fail(node.place, "eye and target are the same point.");
+    }
+    if (forward.cross(camera.up).norm() < 1e-6 * forward.norm() * camera.up.norm() ||
+        camera.up.norm() == 0) {
+        fail(object.place("up"), "up must not point along the line of sight.");
+    }
+    object.warnAboutTheRest(warnings);
+    return camera;
+}
+
+}  // namespace
+
+Session parseSession(const std::string& text, const std::filesystem::path& baseFolder) {
+    const json document = parseJson(text);
+    ObjectReader top({&document, ""});
+    readFormat(top);
+    Session session;
+    session.model = readModel(top.required("model"), baseFolder, session.warnings);
+    if (const auto placement = top.optional("placement")) {
+        session.placement = readPlacement(*placement, session.warnings);
+    }
+    if (const auto params = top.optional("params")) {
+        session.params = readParams(*params);
+    }
+    session.steps = readInteger(top.required("steps"), 1, kMaxSteps);
+    if (const auto events = top.optional("events")) {
+        session.events = readEvents(*events, session.steps, session.warnings);
+    }
+    if (const auto view = top.optional("view")) {
+        session.view = readView(*view, session.warnings);
+    }
+    top.warnAboutTheRest(session.warnings);
+    return session;
+}
+
+Session readSession(const std::filesystem::path& file) {
+    const std::string text = readInputFile(file, kMaxSessionBytes);
+    try {
+        Session session = parseSession(text, std::filesystem::absolute(file).parent_path());
+        for (std::string& warning : session.warnings) {
+            warning = file.filename().string() + ": " + warning;
+        }
+        return session;
+    } catch (const InputError& error) {
+        throw InputError(file.filename().string() + ": " + error.what());
+    }
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/session.h"
+#include "app/session_json.h"
+
+namespace kerf::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(double value) {
+    if (!std::isfinite(value)) {
+        throw InputError("A session can't hold a number that is not finite.");
+    }
+    return value;
+}
+
+Json toJson(const Vec3& v) {
+    return Json::array({toJson(v.x()), toJson(v.y()), toJson(v.z())});
+}
+
+Json toJson(const ParamValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) return toJson(*number);
+    if (const auto* vector = std::get_if<Vec3>(&value)) return toJson(*vector);
+    return nullptr;
+}
+
+Json toJson(const ModelReference& model, const std::filesystem::path& baseFolder) {
+    Json json;
+    if (!model.builtin.empty()) {
+        json["builtin"] = model.builtin;
+    } else {
+        json["path"] =
+            (baseFolder.empty() ? model.path : model.path.lexically_proximate(baseFolder))
+                .generic_string();
+    }
+    if (!model.sha256.empty()) {
+        json["sha256"] = model.sha256;
+    }
+    return json;
+}
+
+Json toJson(const Placement& placement) {
+    return {{"scale", toJson(placement.scale)},
+            {"rotate", toJson(placement.rotate)},
+            {"translate", toJson(placement.translate)}};
+}
+
+Json toJson(const Params& params) {
+    Json json;
+    for (const ParamInfo& info : paramTable()) {
+        json[std::string(info.name)] = toJson(getParam(params, info.name));
+    }
+    return json;
+}
+
+Json toJson(const render::Camera& camera) {
+    return {{"eye", toJson(camera.eye)},
+            {"target", toJson(camera.target)},
+            {"up", toJson(camera.up)},
+            {"fov_y", toJson(camera.fovY)}};
+}
+
+/// Puts the keys of one action behind "step".
+struct ActionWriter {
+    Json& json;
+
+    void operator()(const MoveBlade& move) const {
+        json["type"] = "blade";
+        json["a"] = toJson(move.blade.a);
+        json["b"] = toJson(move.blade.b);
+    }
+    void operator()(const LiftBlade&) const { json["type"] = "lift"; }
+    void operator()(const SetParam& set) const {
+        json["type"] = "set";
+        json["name"] = set.name;
+        json["value"] = toJson(set.value);
+    }
+    void operator()(const ScreenshotEvent& event) const {
+        json["type"] = "screenshot";
+        json["file"] = event.file;
+        json["width"] = event.width;
+        json["height"] = event.height;
+    }
+    void operator()(const ExportEvent& event) const {
+        json["type"] = "export";
+        json["file"] = event.file;
+    }
+    void operator()(const CheckEvent& event) const {
+        json["type"] = "check";
+        if (event.hash) json["hash"] = *event.hash;
+        if (event.pieces) json["pieces"] = *event.pieces;
+    }
+};
+
+Json toJson(const SessionEvent& event) {
+    Json json;
+    json["step"] = event.step;
+    std::visit(ActionWriter{json}, event.action);
+    return json;
+}
+
+std::string eventLines(const std::vector<SessionEvent>& events) {
+    std::string lines;
+    for (const SessionEvent& event : events) {
+        lines += (lines.empty() ? "\n    " : ",\n    ") + toJson(event).dump();
+    }
+    return lines.empty() ? "[]" : "[" + lines + "\n  ]";
+}
+
+}  // namespace
+
+std::string formatSession(const Session& session, const std::filesystem::path& baseFolder) {
+    std::string text = "{\n  \"format\": \"kerf-session\", \"version\": 1,\n";
+    text += "  \"model\": " + toJson(session.model, baseFolder).dump() + ",\n";
+    text += "  \"placement\": " + toJson(session.placement).dump() + ",\n";
+    text += "  \"params\": " + toJson(session.params).dump() + ",\n";
+    text += "  \"steps\": " + std::to_string(session.steps) + ",\n";
+    text += "  \"events\": " + eventLines(session.events);
+    if (session.view) {
+        text += ",\n  \"view\": " + toJson(*session.view).dump();
+    }
+    return text + "\n}\n";
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,55 @@
+#include "app/sha256.h"
+
+#include <nettle/sha2.h>
+
+#include <array>
+#include <fstream>
+#include <vector>
+
+#include "app/model_source.h"
+
+namespace kerf::app {
+
+namespace {
+
+void add(sha256_ctx& context, std::string_view bytes) {
+    sha256_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+}
+
+std::string finish(sha256_ctx& context) {
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+    sha256_digest(&context, digest.size(), digest.data());
+    std::string text;
+    for (const std::uint8_t byte : digest) {
+        constexpr std::string_view digits = "0123456789abcdef";
+        text += digits[byte >> 4];
+        text += digits[byte & 15];
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string sha256(std::string_view bytes) {
+    sha256_ctx context;
+    sha256_init(&context);
+    add(context, bytes);
+    return finish(context);
+}
+
+std::string sha256OfFile(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!std::filesystem::is_regular_file(file) || !stream) {
+        throw InputError(file.string() + ": there is no such file, or it can't be read.");
+    }
+    sha256_ctx context;
+    sha256_init(&context);
+    std::vector<char> block(1 << 16);
+    while (stream) {
+        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+        add(context, {block.data(), static_cast<std::size_t>(stream.gcount())});
+    }
+    return finish(context);
+}
+
+}  // namespace kerf::app
