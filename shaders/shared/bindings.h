@@ -1,0 +1,24 @@
+// Storage bindings of the simulation kernels. Every number below 16 (what drivers guarantee a
+// compute shader in practice); buffers of one role share a binding, since no kernel needs two.
+#ifndef KERF_BINDINGS_H
+#define KERF_BINDINGS_H
+#include "shared_types.h"
+SHARED_BEGIN
+
+SHARED_CONST uint kUniformsBinding = 0u;      // SolverUniforms
+SHARED_CONST uint kPositionsBinding = 1u;     // vec4: base position X [m], w inverse unit mass
+SHARED_CONST uint kVelocitiesBinding = 2u;    // vec4: [m/s]
+SHARED_CONST uint kDisplacementBinding = 3u;  // vec4: d = P - X of this substep [m]
+SHARED_CONST uint kLinksBinding = 4u;         // VertexLinks
+SHARED_CONST uint kConstraintsBinding = 5u;   // EdgeConstraint, BendConstraint or IspcConstraint
+SHARED_CONST uint kOffsetsBinding = 6u;       // incidence of the same elements: CSR offsets
+SHARED_CONST uint kEntriesBinding = 7u;       // and entries, 4 * element + slot
+SHARED_CONST uint kCorrectionsBinding = 8u;   // vec4 per element and slot [m]
+SHARED_CONST uint kTrianglesBinding = 9u;     // uvec4: corners, kind | piece << 8
+SHARED_CONST uint kGradientsBinding = 10u;    // vec4 per vertex: dV/dp [m^2]
+SHARED_CONST uint kPiecesBinding = 11u;       // PieceRecord
+SHARED_CONST uint kBlocksBinding = 12u;       // BlockRecord
+SHARED_CONST uint kBlockSumsBinding = 13u;    // VolumeSum or BlockMeasure, one per block
+
+SHARED_END
+#endif

@@ -1,0 +1,50 @@
+// Records of the running body, std430.
+#ifndef KERF_BODY_RECORDS_H
+#define KERF_BODY_RECORDS_H
+#include "shared_types.h"
+SHARED_BEGIN
+
+SHARED_CONST uint kGroupSize = 256u;   // threads of a work group, in every kernel
+SHARED_CONST uint kNoPiece = 0xffffffffu;
+
+// How many constraints of each type touch a vertex: mass-splitting Jacobi gives each of them the
+// share mass / count, hence the inverse mass count * w.
+struct VertexLinks {
+    uint edges;
+    uint bends;
+    uint ispcs;
+    uint piece;  // kNoPiece for unused vertices
+};
+
+// A closed piece: its triangles and blocks lie together.
+struct PieceRecord {
+    uint first_triangle;
+    uint triangle_count;
+    uint first_block;
+    uint block_count;
+    float target_volume;  // [m^3]
+    uint constrained;     // 0: chips, which get no volume constraint
+};
+
+// The triangles that one work group sums up.
+struct BlockRecord {
+    uint piece;
+    uint first_triangle;
+    uint triangle_count;
+    uint unused_padding;
+};
+
+// Of one block, in a substep.
+struct VolumeSum {
+    float volume;       // [m^3], tetrahedra against the first vertex of the piece
+    float denominator;  // sum of w |dV/dp|^2, each vertex shared among its triangles
+};
+
+// Of one block, after a step.
+struct BlockMeasure {
+    vec4 low_volume;       // xyz: smallest coordinates [m]; w: volume as above [m^3]
+    vec4 high_nonfinite;   // xyz: largest coordinates [m]; w: > 0 where a number is not finite
+};
+
+SHARED_END
+#endif

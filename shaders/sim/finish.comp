@@ -1,0 +1,22 @@
+// Ends a substep: v = d / h exp(-c h), X += d. Vertices without inverse mass keep their velocity.
+// Reads d. Reads and writes X and velocities. One thread per vertex. A storage barrier follows.
+#include "bindings.h"
+#include "body_records.h"
+#include "solver_uniforms.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
+layout(std430, binding = kPositionsBinding) buffer Positions { vec4 positions[]; };
+layout(std430, binding = kVelocitiesBinding) buffer Velocities { vec4 velocities[]; };
+layout(std430, binding = kDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
+
+void main() {
+    uint v = gl_GlobalInvocationID.x;
+    if (v >= uniforms.vertex_count) return;
+    vec4 x = positions[v];
+    vec3 d = displacement[v].xyz;
+    if (x.w > 0.0) {
+        velocities[v] = vec4(d / uniforms.substep * uniforms.drag_factor, 0.0);
+    }
+    positions[v] = vec4(x.xyz + d, x.w);
+}

@@ -1,0 +1,24 @@
+// Lifts vertices onto the floor; Coulomb friction shortens their tangential displacement by at most
+// friction * lift. Reads X. Reads and writes d. One thread per vertex. A storage barrier follows.
+#include "bindings.h"
+#include "body_records.h"
+#include "solver_uniforms.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
+layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = kDisplacementBinding) buffer Displacement { vec4 displacement[]; };
+
+void main() {
+    uint v = gl_GlobalInvocationID.x;
+    if (v >= uniforms.vertex_count) return;
+    vec3 d = displacement[v].xyz;
+    float lift = (uniforms.floor_height - positions[v].y) - d.y;
+    if (!(lift > 0.0) || positions[v].w == 0.0) return;
+    d.y += lift;
+    float slip = length(d.xz);
+    if (slip > 0.0) {
+        d.xz *= 1.0 - min(1.0, uniforms.friction * lift / slip);
+    }
+    displacement[v] = vec4(d, 0.0);
+}

@@ -1,0 +1,34 @@
+// Brings each closed piece back to its target volume (physics.md, Volume; rigid, alpha = 0).
+// Reads X (inverse mass), gradients, links, pieces, block sums. Reads and writes d.
+// One thread per vertex: each adds up the few block sums of its piece in order.
+// A storage barrier follows.
+#include "bindings.h"
+#include "body_records.h"
+#include "solver_uniforms.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
+layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = kDisplacementBinding) buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };
+layout(std430, binding = kGradientsBinding) readonly buffer Gradients { vec4 gradients[]; };
+layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
+layout(std430, binding = kBlockSumsBinding) readonly buffer Sums { VolumeSum sums[]; };
+
+void main() {
+    uint v = gl_GlobalInvocationID.x;
+    if (v >= uniforms.vertex_count) return;
+    if (links[v].piece == kNoPiece) return;
+    PieceRecord piece = pieces[links[v].piece];
+    if (piece.constrained == 0u) return;
+    float volume = 0.0;
+    float denominator = 0.0;
+    for (uint k = 0u; k < piece.block_count; ++k) {
+        volume += sums[piece.first_block + k].volume;
+        denominator += sums[piece.first_block + k].denominator;
+    }
+    if (!(denominator > 0.0)) return;
+    float impulse = -(volume - piece.target_volume) / denominator;
+    float w = uniforms.inverse_density * positions[v].w;
+    displacement[v] = vec4(displacement[v].xyz + (w * impulse) * gradients[v].xyz, 0.0);
+}

@@ -1,0 +1,339 @@
+#include "sim/solve/gpu_solver.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "shaders/shared/bindings.h"
+
+namespace kerf {
+
+namespace {
+
+using shared::uint;
+
+static_assert(sizeof(shared::SolverUniforms) == 96);
+static_assert(sizeof(shared::EdgeConstraint) == 16);
+static_assert(sizeof(shared::BendConstraint) == 24);
+static_assert(sizeof(shared::IspcConstraint) == 32);
+static_assert(sizeof(shared::VertexLinks) == 16);
+static_assert(sizeof(shared::PieceRecord) == 24);
+static_assert(sizeof(shared::BlockRecord) == 16);
+static_assert(sizeof(shared::VolumeSum) == 8);
+static_assert(sizeof(shared::BlockMeasure) == 32);
+
+// Every vertex adds up the blocks of its piece, so there are few of them however large it is.
+constexpr uint kMaxBlocksPerPiece = 32;
+
+uint size32(std::size_t size) {
+    return static_cast<uint>(size);
+}
+
+shared::vec4 packed(const Vec3f& a, float w) {
+    return {a.x(), a.y(), a.z(), w};
+}
+
+std::vector<shared::vec4> packed(const std::vector<Vec3f>& values) {
+    std::vector<shared::vec4> out(values.size());
+    std::transform(values.begin(), values.end(), out.begin(),
+                   [](const Vec3f& a) { return packed(a, 0.0f); });
+    return out;
+}
+
+std::vector<Vec3f> unpacked(const gpu::Buffer& buffer, std::size_t count) {
+    const std::vector<shared::vec4> values = buffer.read<shared::vec4>(0, count);
+    std::vector<Vec3f> out(count);
+    std::transform(values.begin(), values.end(), out.begin(),
+                   [](const shared::vec4& a) { return Vec3f(a.x, a.y, a.z); });
+    return out;
+}
+
+std::vector<float> inverses(const std::vector<float>& masses) {
+    std::vector<float> out(masses.size());
+    std::transform(masses.begin(), masses.end(), out.begin(),
+                   [](float m) { return m > 0.0f ? 1.0f / m : 0.0f; });
+    return out;
+}
+
+uint countAt(const Incidence& incidence, std::size_t v) {
+    return incidence.offsets[v + 1] - incidence.offsets[v];
+}
+
+std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
+    std::vector<shared::VertexLinks> links(model.restPositions.size());
+    for (std::size_t v = 0; v < links.size(); ++v) {
+        const int piece = model.pieceOfVertex[v];
+        links[v] = {countAt(model.edgeIncidence, v), countAt(model.bendIncidence, v),
+                    countAt(model.ispcIncidence, v),
+                    piece < 0 ? shared::kNoPiece : static_cast<uint>(piece)};
+    }
+    return links;
+}
+
+uint blockSize(uint triangleCount) {
+    const uint perThread = (triangleCount + shared::kGroupSize * kMaxBlocksPerPiece - 1) /
+                           (shared::kGroupSize * kMaxBlocksPerPiece);
+    return shared::kGroupSize * std::max(perThread, 1u);
+}
+
+void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, const PieceModel& range) {
+    const uint size = blockSize(range.triangleCount);
+    for (uint first = 0; first < range.triangleCount; first += size) {
+        blocks.push_back(
+            {piece, range.firstTriangle + first, std::min(size, range.triangleCount - first), 0});
+    }
+}
+
+void copyBuffer(const gpu::Buffer& from, gpu::Buffer& to) {
+    to.resize(from.size());
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glCopyNamedBufferSubData(from.id(), to.id(), 0, 0, static_cast<GLsizeiptr>(from.size()));
+}
+
+}  // namespace
+
+void GpuSolver::IncidenceBuffers::assign(const Incidence& incidence) {
+    offsets.assign(incidence.offsets);
+    entries.assign(incidence.entries);
+}
+
+void GpuSolver::IncidenceBuffers::bind() const {
+    offsets.bindStorage(shared::kOffsetsBinding);
+    entries.bindStorage(shared::kEntriesBinding);
+}
+
+GpuSolver::GpuSolver() {
+    kernels_.stretch = gpu::Program::compute("sim/stretch.comp");
+    kernels_.bend = gpu::Program::compute("sim/bend.comp");
+    kernels_.ispc = gpu::Program::compute("sim/ispc.comp");
+    kernels_.gatherCorrections = gpu::Program::compute("sim/gather_corrections.comp");
+    kernels_.volumeGradient = gpu::Program::compute("sim/volume_gradient.comp");
+    kernels_.volumeSum = gpu::Program::compute("sim/volume_sum.comp");
+    kernels_.volumeCorrect = gpu::Program::compute("sim/volume_correct.comp");
+    kernels_.floor = gpu::Program::compute("sim/floor.comp");
+    kernels_.finish = gpu::Program::compute("sim/finish.comp");
+    kernels_.measure = gpu::Program::compute("sim/measure.comp");
+}
+
+void GpuSolver::setModel(const BodyModel& model, const BodyState& state) {
+    inverseUnitMass_ = inverses(model.unitMass);
+    uploadTopology(model);
+    uploadPieces(model);
+    setState(state);
+    uniforms_.vertex_count = size32(model.restPositions.size());
+    uniforms_.edge_count = size32(model.edges.size());
+    uniforms_.bend_count = size32(model.bends.size());
+    uniforms_.ispc_count = size32(model.ispcs.size());
+    uniforms_.triangle_count = size32(model.triangles.size());
+    uniforms_.piece_count = size32(model.pieces.size());
+    uploadUniforms();
+    ++topologyVersion_;
+}
+
+void GpuSolver::uploadTopology(const BodyModel& model) {
+    const std::size_t vertexBytes = model.restPositions.size() * sizeof(shared::vec4);
+    displacement_.resize(vertexBytes);
+    displacement_.clear();
+    gradients_.resize(vertexBytes);
+    restPositions_.assign(packed(model.restPositions));
+    links_.assign(vertexLinks(model));
+    triangles_.assign(model.triangles);
+    edges_.assign(model.edges);
+    bends_.assign(model.bends);
+    ispcs_.assign(model.ispcs);
+    corrections_.resize(4 * sizeof(shared::vec4) *
+                        std::max({model.bends.size(), model.ispcs.size(), std::size_t{1}}));
+    edgeIncidence_.assign(model.edgeIncidence);
+    bendIncidence_.assign(model.bendIncidence);
+    ispcIncidence_.assign(model.ispcIncidence);
+    triangleIncidence_.assign(model.triangleIncidence);
+}
+
+void GpuSolver::uploadPieces(const BodyModel& model) {
+    pieces_.clear();
+    blocks_.clear();
+    for (uint p = 0; p < model.pieces.size(); ++p) {
+        const PieceModel& piece = model.pieces[p];
+        const uint firstBlock = size32(blocks_.size());
+        appendBlocks(blocks_, p, piece);
+        pieces_.push_back({piece.firstTriangle, piece.triangleCount, firstBlock,
+                           size32(blocks_.size()) - firstBlock,
+                           static_cast<float>(piece.restVolume), 1});
+    }
+    pieceBuffer_.assign(pieces_);
+    blockBuffer_.assign(blocks_);
+    blockSums_.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::VolumeSum));
+    blockMeasures_.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::BlockMeasure));
+}
+
+void GpuSolver::setState(const BodyState& state) {
+    assert(state.positions.size() == inverseUnitMass_.size());
+    assert(state.velocities.size() == inverseUnitMass_.size());
+    std::vector<shared::vec4> positions(state.positions.size());
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        positions[v] = packed(state.positions[v], inverseUnitMass_[v]);
+    }
+    positions_.assign(positions);
+    velocities_.assign(packed(state.velocities));
+}
+
+void GpuSolver::setUniforms(const shared::SolverUniforms& uniforms) {
+    const shared::SolverUniforms counts = uniforms_;
+    uniforms_ = uniforms;
+    uniforms_.vertex_count = counts.vertex_count;
+    uniforms_.edge_count = counts.edge_count;
+    uniforms_.bend_count = counts.bend_count;
+    uniforms_.ispc_count = counts.ispc_count;
+    uniforms_.triangle_count = counts.triangle_count;
+    uniforms_.piece_count = counts.piece_count;
+    uploadUniforms();
+}
+
+void GpuSolver::uploadUniforms() {
+    uniformBuffer_.assign(std::span<const shared::SolverUniforms>(&uniforms_, 1));
+}
+
+void GpuSolver::setVolumeTargets(std::span<const VolumeTarget> targets) {
+    assert(targets.size() == pieces_.size());
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+        pieces_[p].target_volume = static_cast<float>(targets[p].volume);
+        pieces_[p].constrained = targets[p].constrained ? 1 : 0;
+    }
+    pieceBuffer_.assign(pieces_);
+}
+
+void GpuSolver::step() {
+    for (uint i = 0; i < uniforms_.substeps; ++i) {
+        deformTimer_.begin();
+        predictAndStretch();
+        solveBends();
+        solveIspcs();
+        solveVolume();
+        deformTimer_.end();
+        collideTimer_.begin();
+        collideFloor();
+        collideTimer_.end();
+        deformTimer_.begin();
+        finishSubstep();
+        deformTimer_.end();
+    }
+}
+
+void GpuSolver::predictAndStretch() {
+    bindBody();
+    edges_.bindStorage(shared::kConstraintsBinding);
+    edgeIncidence_.bind();
+    run(kernels_.stretch, uniforms_.vertex_count);
+}
+
+void GpuSolver::solveBends() {
+    if (active(shared::kBendPart)) {
+        runOverConstraints(kernels_.bend, bends_, uniforms_.bend_count, bendIncidence_);
+    }
+}
+
+void GpuSolver::solveIspcs() {
+    if (active(shared::kIspcPart)) {
+        runOverConstraints(kernels_.ispc, ispcs_, uniforms_.ispc_count, ispcIncidence_);
+    }
+}
+
+void GpuSolver::runOverConstraints(const gpu::Program& kernel, const gpu::Buffer& records,
+                                   uint count, const IncidenceBuffers& incidence) {
+    bindBody();
+    records.bindStorage(shared::kConstraintsBinding);
+    corrections_.bindStorage(shared::kCorrectionsBinding);
+    incidence.bind();
+    run(kernel, count);
+    run(kernels_.gatherCorrections, uniforms_.vertex_count);
+}
+
+void GpuSolver::solveVolume() {
+    bindBody();
+    triangleIncidence_.bind();
+    blockSums_.bindStorage(shared::kBlockSumsBinding);
+    run(kernels_.volumeGradient, uniforms_.vertex_count);
+    run(kernels_.volumeSum, size32(blocks_.size()) * shared::kGroupSize);
+    run(kernels_.volumeCorrect, uniforms_.vertex_count);
+}
+
+void GpuSolver::collideFloor() {
+    if (active(shared::kFloorPart)) {
+        bindBody();
+        run(kernels_.floor, uniforms_.vertex_count);
+    }
+}
+
+void GpuSolver::finishSubstep() {
+    bindBody();
+    run(kernels_.finish, uniforms_.vertex_count);
+}
+
+void GpuSolver::bindBody() const {
+    uniformBuffer_.bindStorage(shared::kUniformsBinding);
+    positions_.bindStorage(shared::kPositionsBinding);
+    velocities_.bindStorage(shared::kVelocitiesBinding);
+    displacement_.bindStorage(shared::kDisplacementBinding);
+    links_.bindStorage(shared::kLinksBinding);
+    triangles_.bindStorage(shared::kTrianglesBinding);
+    gradients_.bindStorage(shared::kGradientsBinding);
+    pieceBuffer_.bindStorage(shared::kPiecesBinding);
+    blockBuffer_.bindStorage(shared::kBlocksBinding);
+}
+
+void GpuSolver::run(const gpu::Program& kernel, uint threads) {
+    kernel.dispatch(threads, shared::kGroupSize);
+    gpu::storageBarrier();
+    ++dispatches_;
+}
+
+BodyMeasure GpuSolver::measure() {
+    bindBody();
+    blockMeasures_.bindStorage(shared::kBlockSumsBinding);
+    run(kernels_.measure, size32(blocks_.size()) * shared::kGroupSize);
+    const auto measures = blockMeasures_.read<shared::BlockMeasure>(0, blocks_.size());
+    BodyMeasure out;
+    out.pieceVolumes.assign(pieces_.size(), 0.0);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        const shared::vec4& low = measures[b].low_volume;
+        const shared::vec4& high = measures[b].high_nonfinite;
+        out.pieceVolumes[blocks_[b].piece] += low.w;
+        out.bounds.add({low.x, low.y, low.z});
+        out.bounds.add({high.x, high.y, high.z});
+        out.finite = out.finite && high.w == 0.0f;
+    }
+    return out;
+}
+
+BodyState GpuSolver::readState() const {
+    return {unpacked(positions_, uniforms_.vertex_count),
+            unpacked(velocities_, uniforms_.vertex_count)};
+}
+
+std::vector<Vec3f> GpuSolver::readDisplacements() const {
+    return unpacked(displacement_, uniforms_.vertex_count);
+}
+
+void GpuSolver::saveState() {
+    copyBuffer(positions_, savedPositions_);
+}
+
+void GpuSolver::restoreStateAtRest() {
+    assert(savedPositions_.size() == positions_.size());
+    copyBuffer(savedPositions_, positions_);
+    velocities_.clear();
+}
+
+BodyView GpuSolver::view() const {
+    return {&positions_,
+            &restPositions_,
+            &triangles_,
+            &triangleIncidence_.offsets,
+            &triangleIncidence_.entries,
+            uniforms_.vertex_count,
+            uniforms_.triangle_count,
+            topologyVersion_};
+}
+
+}  // namespace kerf

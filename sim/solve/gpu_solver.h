@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "gpu/timer.h"
+#include "shaders/shared/body_records.h"
+#include "shaders/shared/solver_uniforms.h"
+#include "sim/body/body_model.h"
+#include "sim/solve/body_view.h"
+
+namespace kerf {
+
+/// What volume a piece is held at. Chips, of which a rounding error is a large share, are left
+/// alone (cutting-moving 3.11).
+struct VolumeTarget {
+    double volume = 0;  ///< [m^3]
+    bool constrained = true;
+};
+
+/// What the CPU learns from the GPU after a step, without reading the body back.
+struct BodyMeasure {
+    std::vector<double> pieceVolumes;  ///< [m^3]
+    Bounds bounds;                     ///< of the living triangles [m]
+    bool finite = true;                ///< no NaN and nothing beyond 1e10 m or m/s
+};
+
+/// The soft body on the GPU: the phases of ReferenceSolver in floats, in the same order, with
+/// results that do not depend on the number of threads. Base positions X, the displacement d of a
+/// substep and velocities v are kept apart (see physics.md, 5). Inside a substep a vertex is at
+/// X + d.
+class GpuSolver {
+  public:
+    /// Compiles the kernels. Throws gpu::ShaderError.
+    GpuSolver();
+
+    /// Uploads a body. Counts in the uniforms and volume targets (rest volumes) follow from it.
+    /// Throws gpu::OutOfMemory.
+    void setModel(const BodyModel& model, const BodyState& state);
+    /// Positions and velocities of the same body.
+    void setState(const BodyState& state);
+    /// Takes the parameters of `uniforms` (see solverUniforms); its counts are ignored.
+    void setUniforms(const shared::SolverUniforms& uniforms);
+    /// One per piece.
+    void setVolumeTargets(std::span<const VolumeTarget> targets);
+
+    /// One time step: uniforms.substeps substeps.
+    void step();
+
+    // The phases of a substep, in their order; each ends with a storage barrier.
+    void predictAndStretch();
+    void solveBends();
+    void solveIspcs();
+    void solveVolume();
+    void collideFloor();
+    void finishSubstep();
+
+    BodyMeasure measure();
+    /// All positions and velocities; waits for the GPU.
+    BodyState readState() const;
+    /// d of the running substep, shape [vertexCount] [m].
+    std::vector<Vec3f> readDisplacements() const;
+
+    /// Remembers the positions on the GPU, and brings them back with velocities at zero.
+    void saveState();
+    void restoreStateAtRest();
+
+    BodyView view() const;
+    /// GPU time of the steps since the last call [ms].
+    double takeDeformMilliseconds() { return deformTimer_.takeMilliseconds(); }
+    double takeCollideMilliseconds() { return collideTimer_.takeMilliseconds(); }
+    /// Kernels started since the solver was made.
+    long dispatches() const { return dispatches_; }
+
+  private:
+    /// CSR on the GPU.
+    struct IncidenceBuffers {
+        gpu::Buffer offsets;
+        gpu::Buffer entries;
+        void assign(const Incidence& incidence);
+        void bind() const;
+    };
+    struct Kernels {
+        gpu::Program stretch, bend, ispc, gatherCorrections, volumeGradient, volumeSum,
+            volumeCorrect, floor, finish, measure;
+    };
+
+    void uploadTopology(const BodyModel& model);
+    void uploadPieces(const BodyModel& model);
+    void uploadUniforms();
+    void bindBody() const;
+    void run(const gpu::Program& kernel, std::uint32_t threads);
+    void runOverConstraints(const gpu::Program& kernel, const gpu::Buffer& records,
+                            std::uint32_t count, const IncidenceBuffers& incidence);
+    bool active(shared::uint part) const { return (uniforms_.active_parts & part) != 0; }
+
+    Kernels kernels_;
+    shared::SolverUniforms uniforms_{};
+    std::vector<float> inverseUnitMass_;
+    std::vector<shared::PieceRecord> pieces_;
+    std::vector<shared::BlockRecord> blocks_;
+
+    gpu::Buffer uniformBuffer_;
+    gpu::Buffer positions_, velocities_, displacement_, restPositions_;
+    gpu::Buffer savedPositions_;
+    gpu::Buffer links_, triangles_;
+    gpu::Buffer edges_, bends_, ispcs_, corrections_;
+    IncidenceBuffers edgeIncidence_, bendIncidence_, ispcIncidence_, triangleIncidence_;
+    gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, blockMeasures_;
+
+    gpu::Timer deformTimer_;
+    gpu::Timer collideTimer_;
+    std::uint64_t topologyVersion_ = 0;
+    long dispatches_ = 0;
+};
+
+}  // namespace kerf
