@@ -41,14 +41,12 @@ spdlog::level::level_enum logLevel(GLenum severity) {
     }
 }
 
-/// Errors of the shader compiler are not counted: Program throws them with file and line.
-bool countsAsError(GLenum source, GLenum type) {
-    return type == GL_DEBUG_TYPE_ERROR && source != GL_DEBUG_SOURCE_SHADER_COMPILER;
-}
-
 void GLAPIENTRY onDebugMessage(GLenum source, GLenum type, GLuint id, GLenum severity,
                                GLsizei length, const GLchar* message, const void* /*user*/) {
-    if (countsAsError(source, type)) {
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) {
+        return;  // Program throws them, with file and line
+    }
+    if (type == GL_DEBUG_TYPE_ERROR) {
         ++debugErrors;
     }
     spdlog::log(logLevel(severity), "OpenGL {}: {}", id,

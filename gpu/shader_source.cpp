@@ -17,6 +17,14 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kVersion = "#version 450 core";
 
+// #line directives carry file * kLinesPerFile + line. The source-string number would be the proper
+// place for the file, but Mesa forgets it for every location that its grammar derives.
+constexpr std::size_t kLinesPerFile = 100000;
+
+std::string lineDirective(std::size_t file, std::size_t line) {
+    return fmt::format("#line {}\n", file * kLinesPerFile + line);
+}
+
 std::optional<std::string> readFile(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in) {
@@ -80,16 +88,16 @@ class Expander {
     void append(const fs::path& file, const std::string& content) {
         const std::size_t index = fileIndex(file);
         stack_.push_back(file);
-        out_ << "#line 1 " << index << '\n';
+        out_ << lineDirective(index, 1);
         std::istringstream in(content);
         std::string line;
-        for (int number = 1; std::getline(in, line); ++number) {
+        for (std::size_t number = 1; std::getline(in, line); ++number) {
             appendLine(line, number, index);
         }
         stack_.pop_back();
     }
 
-    void appendLine(const std::string& line, int number, std::size_t index) {
+    void appendLine(const std::string& line, std::size_t number, std::size_t index) {
         const std::optional<Directive> directive = parseDirective(line);
         if (!directive) {
             out_ << line << '\n';
@@ -105,7 +113,7 @@ class Expander {
         }
     }
 
-    void include(const std::string& argument, int number, std::size_t index) {
+    void include(const std::string& argument, std::size_t number, std::size_t index) {
         const std::optional<std::string> name = quotedName(argument);
         if (!name) {
             out_ << "#error #include needs a name in quotes\n";
@@ -122,7 +130,7 @@ class Expander {
         if (!once_.contains(*file)) {
             append(*file, readFile(*file).value_or(""));
         }
-        out_ << "#line " << number + 1 << ' ' << index << '\n';
+        out_ << lineDirective(index, number + 1);
     }
 
     std::optional<fs::path> find(const std::string& name) const {
@@ -161,9 +169,10 @@ std::string explainLine(const std::string& line, const std::vector<std::string>&
     std::smatch match;
     for (const std::regex& form : kForms) {
         if (std::regex_match(line, match, form)) {
-            const std::size_t index = std::stoul(match[1]);
-            const std::string file = index < files.size() ? files[index] : match[1].str();
-            return fmt::format("{}:{}: {}", file, match[2].str(), match[3].str());
+            const std::size_t code = std::stoul(match[1]);
+            const std::size_t file = code / kLinesPerFile;
+            const std::string name = file < files.size() ? files[file] : "?";
+            return fmt::format("{}:{}: {}", name, code % kLinesPerFile, match[2].str());
         }
     }
     return line;

@@ -9,7 +9,8 @@
 
 namespace kerf::gpu {
 
-/// A shader file with its includes written out. #line directives carry the index into `files`.
+/// A shader file with its includes written out. #line directives tell explainLog() which of
+/// `files` a line is from.
 struct ShaderSource {
     std::string text;
     std::vector<std::string>
@@ -22,7 +23,7 @@ struct ShaderSource {
 ShaderSource loadShaderSource(const std::filesystem::path& root, const std::string& path,
                               const Defines& defines);
 
-/// A compiler's log with the source indices of its lines replaced: "file:line: message". Knows the
+/// A compiler's log for a ShaderSource with its places written as "file:line: message". Knows the
 /// forms of Mesa "0:12(5): ...", NVIDIA "0(12) : ..." and AMD "ERROR: 0:12: ...".
 std::string explainLog(std::string_view log, const std::vector<std::string>& files);
 

@@ -24,16 +24,14 @@ class ContextEnvironment : public ::testing::Environment {
     std::unique_ptr<gpu::EglContext> context_;
 };
 
-ContextEnvironment& environment() {
-    static auto* shared = static_cast<ContextEnvironment*>(
-        ::testing::AddGlobalTestEnvironment(new ContextEnvironment));
-    return *shared;
-}
+// GoogleTest owns it.
+auto* const sharedContext =
+    static_cast<ContextEnvironment*>(::testing::AddGlobalTestEnvironment(new ContextEnvironment));
 
 }  // namespace
 
 void GlTest::SetUp() {
-    environment().makeCurrent();
+    sharedContext->makeCurrent();
     gpu::takeDebugErrors();
 }
 

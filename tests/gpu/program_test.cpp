@@ -1,0 +1,150 @@
+#include "gpu/program.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "gpu/buffer.h"
+#include "gpu/shader_source.h"
+#include "tests/support/gl_fixture.h"
+
+namespace kerf::gpu {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A folder for shaders that a test writes.
+class ProgramTest : public test::GlTest {
+  protected:
+    ProgramTest()
+        : folder_(fs::path(::testing::TempDir()) / ("kerf_program_" + std::to_string(getpid()))) {
+        fs::create_directories(folder_);
+    }
+    ~ProgramTest() override { fs::remove_all(folder_); }
+
+    std::string write(const std::string& name, const std::string& text) {
+        std::ofstream(folder_ / name) << text;
+        return folder_ / name;
+    }
+
+    std::string failureOf(const std::string& path) {
+        try {
+            Program::compute(path);
+        } catch (const ShaderError& error) {
+            return error.what();
+        }
+        return "compiled";
+    }
+
+    fs::path folder_;
+};
+
+const std::string kMain = "layout(local_size_x = 1) in;\nvoid main() {}\n";
+
+std::string testShader(const std::string& name) {
+    return std::string(KERF_SOURCE_DIR) + "/tests/gpu/shaders/" + name;
+}
+
+TEST_F(ProgramTest, DispatchCoversEveryThreadWithUniformsAndDefines) {
+    Buffer values;
+    values.resize(200 * sizeof(std::uint32_t));
+    values.bindStorage(0);
+    const Program program = Program::compute(testShader("scale.comp"), {{"OFFSET", "5u"}});
+    program.set("count", 129u);
+    program.set("factor", 3u);
+    program.dispatch(129, 64);
+    storageBarrier();
+    EXPECT_THAT(values.read<std::uint32_t>(127, 4), ElementsAre(386u, 389u, 0u, 0u));
+}
+
+TEST_F(ProgramTest, NoThreadsMeansNoDispatch) {
+    Buffer values;
+    values.resize(16);
+    values.bindStorage(0);
+    const Program program = Program::compute(testShader("scale.comp"), {{"OFFSET", "5u"}});
+    program.set("count", 1u);
+    program.dispatch(0, 64);
+    EXPECT_EQ(values.read<std::uint32_t>(0, 1).front(), 0u);
+}
+
+TEST_F(ProgramTest, UnknownUniformIsIgnored) {
+    const Program program = Program::compute(write("plain.comp", kMain));
+    program.set("removed_by_the_linker", 1.0f);
+}
+
+TEST_F(ProgramTest, ErrorNamesFileAndLine) {
+    const std::string path = write("broken.comp", "\n\n  nonsense here;\n" + kMain);
+    EXPECT_THAT(failureOf(path), StartsWith(path + ":3: "));
+}
+
+TEST_F(ProgramTest, ErrorInAnIncludedFileNamesThatFile) {
+    write("part.glsl", "float good() { return 1.0; }\nfloat bad() { return missing; }\n");
+    const std::string path = write("whole.comp", "#include \"part.glsl\"\n" + kMain);
+    EXPECT_THAT(failureOf(path), StartsWith((folder_ / "part.glsl").string() + ":2: "));
+}
+
+TEST_F(ProgramTest, ErrorBehindAnIncludeKeepsItsLine) {
+    write("part.glsl", "float good() { return 1.0; }\n\n\n");
+    const std::string path = write(
+        "whole.comp", "\n#include \"part.glsl\"\n\nfloat bad() { return missing; }\n" + kMain);
+    EXPECT_THAT(failureOf(path), StartsWith(path + ":4: "));
+}
+
+TEST_F(ProgramTest, MissingIncludeIsNamedWithItsPlace) {
+    const std::string path = write("whole.comp", "\n#include \"absent.glsl\"\n" + kMain);
+    EXPECT_EQ(failureOf(path), path + ":2: the file \"absent.glsl\" to include was not found");
+}
+
+TEST_F(ProgramTest, IncludeOfItselfIsRefused) {
+    const std::string path = write("loop.comp", "#include \"loop.comp\"\n" + kMain);
+    EXPECT_EQ(failureOf(path), path + ":1: \"loop.comp\" includes itself");
+}
+
+TEST_F(ProgramTest, PragmaOnceIncludesOnce) {
+    write("once.glsl", "#pragma once\nconst int kOnce = 1;\n");
+    EXPECT_EQ(
+        failureOf(write("twice.comp", "#include \"once.glsl\"\n#include \"once.glsl\"\n" + kMain)),
+        "compiled");
+}
+
+TEST_F(ProgramTest, MissingShaderIsNamed) {
+    EXPECT_THAT(failureOf("absent.comp"), HasSubstr("absent.comp cannot be read"));
+}
+
+TEST_F(ProgramTest, LinkErrorNamesTheShaders) {
+    const std::string vertex = write("a.vert", "out vec2 v;\nvoid main() { v = vec2(1); }\n");
+    const std::string fragment =
+        write("a.frag", "in vec3 v;\nout vec4 c;\nvoid main() { c = vec4(v, 1); }\n");
+    try {
+        Program::graphics(vertex, fragment);
+        FAIL() << "linked";
+    } catch (const ShaderError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("a.vert with "));
+        EXPECT_THAT(error.what(), HasSubstr("does not link"));
+    }
+}
+
+TEST(ExplainLog, KnowsTheFormsOfTheDrivers) {
+    const std::vector<std::string> files = {"shaders/a.comp", "shaders/b.glsl"};
+    EXPECT_EQ(explainLog("0:100012(5): error: x undeclared", files),
+              "shaders/b.glsl:12: error: x undeclared");
+    EXPECT_EQ(explainLog("0(7) : error C0000: syntax error", files),
+              "shaders/a.comp:7: error C0000: syntax error");
+    EXPECT_EQ(explainLog("ERROR: 0:100003: 'x' : undeclared", files),
+              "shaders/b.glsl:3: 'x' : undeclared");
+    EXPECT_EQ(explainLog("no more errors", files), "no more errors");
+}
+
+TEST(DataPath, EnvironmentDecides) {
+    setenv("KERF_DATA_DIR", "/elsewhere", 1);
+    EXPECT_EQ(dataPath("assets/models"), "/elsewhere/assets/models");
+    unsetenv("KERF_DATA_DIR");
+    EXPECT_TRUE(fs::exists(dataPath("shaders/shared/shared_types.h")));
+}
+
+}  // namespace
+}  // namespace kerf::gpu

@@ -1,0 +1,50 @@
+#include "gpu/timer.h"
+
+#include <glad/gl.h>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "tests/support/gl_fixture.h"
+
+namespace kerf::gpu {
+namespace {
+
+class TimerTest : public test::GlTest {
+  protected:
+    /// GPU work that takes longer than the clock's step.
+    static void work() {
+        const Program program = Program::compute(
+            std::string(KERF_SOURCE_DIR) + "/tests/gpu/shaders/scale.comp", {{"OFFSET", "1u"}});
+        Buffer values;
+        values.resize(kCount * sizeof(std::uint32_t));
+        values.bindStorage(0);
+        program.set("count", kCount);
+        program.dispatch(kCount, 64);
+        storageBarrier();
+    }
+
+    static constexpr std::uint32_t kCount = 1 << 18;
+};
+
+TEST_F(TimerTest, MeasuresComputeWork) {
+    Timer timer;
+    timer.begin();
+    work();
+    timer.end();
+    EXPECT_GT(timer.takeMilliseconds(), 0.0);
+}
+
+TEST_F(TimerTest, TakeStartsAnew) {
+    Timer timer;
+    EXPECT_EQ(timer.takeMilliseconds(), 0.0);
+    timer.begin();
+    work();
+    timer.end();
+    timer.begin();
+    timer.end();
+    timer.takeMilliseconds();
+    EXPECT_EQ(timer.takeMilliseconds(), 0.0);
+}
+
+}  // namespace
+}  // namespace kerf::gpu
