@@ -164,8 +164,8 @@ class Expander {
 
 std::string explainLine(const std::string& line, const std::vector<std::string>& files) {
     static const std::array<std::regex, 3> kForms = {
-        std::regex(R"(^(\d+):(\d+)\(\d+\):\s*(.*)$)"), std::regex(R"(^(\d+)\((\d+)\)\s*:\s*(.*)$)"),
-        std::regex(R"(^(?:ERROR|WARNING):\s*(\d+):(\d+):\s*(.*)$)")};
+        std::regex(R"(^\d+:(\d+)\(\d+\):\s*(.*)$)"), std::regex(R"(^\d+\((\d+)\)\s*:\s*(.*)$)"),
+        std::regex(R"(^(?:ERROR|WARNING):\s*\d+:(\d+):\s*(.*)$)")};
     std::smatch match;
     for (const std::regex& form : kForms) {
         if (std::regex_match(line, match, form)) {
