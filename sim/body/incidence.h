@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shaders/shared/constraints.h"
+#include "sim/body/body_model.h"
+
+namespace kerf {
+
+inline std::array<std::uint32_t, 2> verticesOf(const shared::EdgeConstraint& c) {
+    return {c.a, c.b};
+}
+inline std::array<std::uint32_t, 4> verticesOf(const shared::BendConstraint& c) {
+    return {c.v0, c.v1, c.v2, c.v3};
+}
+/// The vertex first, then the triangle that its ray ends on.
+inline std::array<std::uint32_t, 4> verticesOf(const shared::IspcConstraint& c) {
+    return {c.vertex, c.t0, c.t1, c.t2};
+}
+/// Of an entry of BodyModel::triangles.
+inline std::array<std::uint32_t, 3> verticesOf(const std::array<std::uint32_t, 4>& triangle) {
+    return {triangle[0], triangle[1], triangle[2]};
+}
+
+/// Which elements touch each vertex, ascending by element and slot (a counting sort).
+template <class Element>
+Incidence buildIncidence(const std::vector<Element>& elements, std::size_t vertexCount) {
+    Incidence incidence;
+    incidence.offsets.assign(vertexCount + 1, 0);
+    for (const Element& element : elements) {
+        for (const std::uint32_t v : verticesOf(element)) {
+            ++incidence.offsets[v + 1];
+        }
+    }
+    for (std::size_t v = 0; v < vertexCount; ++v) {
+        incidence.offsets[v + 1] += incidence.offsets[v];
+    }
+    incidence.entries.resize(incidence.offsets.back());
+    std::vector<std::uint32_t> cursor(incidence.offsets.begin(), incidence.offsets.end() - 1);
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        std::uint32_t slot = 0;
+        for (const std::uint32_t v : verticesOf(elements[e])) {
+            incidence.entries[cursor[v]++] = static_cast<std::uint32_t>(4 * e) + slot++;
+        }
+    }
+    return incidence;
+}
+
+/// Number of elements that touch vertex v.
+inline std::uint32_t valence(const Incidence& incidence, std::size_t v) {
+    return incidence.offsets[v + 1] - incidence.offsets[v];
+}
+
+}  // namespace kerf

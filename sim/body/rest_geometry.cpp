@@ -1,0 +1,58 @@
+#include "sim/body/rest_geometry.h"
+
+#include <cmath>
+
+namespace kerf {
+
+double restArea(const SurfaceMesh& mesh, int triangle) {
+    const Triangle& t = mesh.triangle(triangle);
+    const Vec3& a = mesh.restPosition(t[0]);
+    return 0.5 * (mesh.restPosition(t[1]) - a).cross(mesh.restPosition(t[2]) - a).norm();
+}
+
+std::vector<double> restVertexAreas(const SurfaceMesh& mesh) {
+    std::vector<double> areas(mesh.vertexCount(), 0.0);
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            const double third = restArea(mesh, t) / 3;
+            for (const int v : mesh.triangle(t)) {
+                areas[v] += third;
+            }
+        }
+    }
+    return areas;
+}
+
+double meanRestEdgeLength(const SurfaceMesh& mesh) {
+    double sum = 0;
+    for (int h = 0; h < 3 * mesh.triangleSlots(); ++h) {
+        if (mesh.alive(h / 3)) {
+            sum += (mesh.restPosition(mesh.target(h)) - mesh.restPosition(mesh.origin(h))).norm();
+        }
+    }
+    return mesh.aliveTriangles() > 0 ? sum / (3.0 * mesh.aliveTriangles()) : 0.0;
+}
+
+VertexNormal restNormal(const SurfaceMesh& mesh, int vertex) {
+    Vec3 sum = Vec3::Zero();
+    double angles = 0;
+    const Vec3& center = mesh.restPosition(vertex);
+    mesh.forEachOutgoing(vertex, [&](int h) {
+        const Vec3 u = mesh.restPosition(mesh.target(h)) - center;
+        const Vec3 w = mesh.restPosition(mesh.apex(h)) - center;
+        const Vec3 normal = u.cross(w);
+        const double twiceArea = normal.norm();
+        if (twiceArea > 0) {
+            const double angle = std::atan2(twiceArea, u.dot(w));
+            sum += normal * (angle / twiceArea);
+            angles += angle;
+        }
+    });
+    const double length = sum.norm();
+    if (length <= 0) {
+        return {};
+    }
+    return {sum / length, length / angles};
+}
+
+}  // namespace kerf

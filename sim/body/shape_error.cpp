@@ -1,0 +1,48 @@
+#include "sim/body/shape_error.h"
+
+#include <Eigen/SVD>
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+
+Vec3 mean(const std::vector<Vec3>& points, std::span<const int> subset) {
+    Vec3 sum = Vec3::Zero();
+    for (const int v : subset) {
+        sum += points[v];
+    }
+    return sum / static_cast<double>(subset.size());
+}
+
+/// The rotation that brings points with this covariance (sum of current rest^T) closest together.
+Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& covariance) {
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::Matrix3d product = svd.matrixU() * svd.matrixV().transpose();
+    const Vec3 signs(1, 1, product.determinant() < 0 ? -1 : 1);
+    return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+}
+
+}  // namespace
+
+double rmsShapeError(const std::vector<Vec3>& rest, const std::vector<Vec3>& current,
+                     std::span<const int> subset) {
+    if (subset.empty()) {
+        return 0;
+    }
+    const Vec3 restMean = mean(rest, subset);
+    const Vec3 currentMean = mean(current, subset);
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const int v : subset) {
+        covariance += (current[v] - currentMean) * (rest[v] - restMean).transpose();
+    }
+    const Eigen::Matrix3d rotation = bestRotation(covariance);
+    double sum = 0;
+    for (const int v : subset) {
+        sum += (current[v] - currentMean - rotation * (rest[v] - restMean)).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(subset.size()));
+}
+
+}  // namespace kerf

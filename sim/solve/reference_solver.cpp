@@ -1,0 +1,279 @@
+#include "sim/solve/reference_solver.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/body/dihedral.h"
+#include "sim/body/incidence.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kShortestLength = 1e-12;  // [m]; a shorter segment has no direction
+
+/// A constraint function, its gradient by each of its N vertices, and its compliance over h^2.
+template <std::size_t N>
+struct Linearized {
+    std::array<std::uint32_t, N> vertices{};
+    std::array<Vec3, N> gradient;
+    double value = 0;
+    double compliance = 0;
+    bool valid = false;
+};
+
+/// p_i - p_j as (X_i - X_j) + (d_i - d_j).
+Vec3 difference(const ReferenceState& s, std::uint32_t i, std::uint32_t j) {
+    return (s.positions[i] - s.positions[j]) + (s.displacements[i] - s.displacements[j]);
+}
+
+Linearized<2> linearize(const shared::EdgeConstraint& c, const ReferenceState& s,
+                        double compliance) {
+    Linearized<2> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
+    const Vec3 r = difference(s, c.a, c.b);
+    const double length = r.norm();
+    if (length > kShortestLength) {
+        result.valid = true;
+        result.value = length - c.rest_length;
+        result.gradient = {r / length, -r / length};
+    }
+    return result;
+}
+
+Linearized<4> linearize(const shared::BendConstraint& c, const ReferenceState& s,
+                        double compliance) {
+    Linearized<4> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
+    const auto angle = dihedral<double>(difference(s, c.v1, c.v0), difference(s, c.v2, c.v0),
+                                        difference(s, c.v3, c.v0));
+    if (angle.valid) {
+        const double limit = shared::kMaxBendError;
+        result.valid = true;
+        result.value = std::clamp(wrapAngle(angle.angle - c.rest_angle), -limit, limit);
+        result.gradient = angle.gradient;
+    }
+    return result;
+}
+
+Linearized<4> linearize(const shared::IspcConstraint& c, const ReferenceState& s,
+                        double compliance) {
+    Linearized<4> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
+    const double b1 = c.b1;
+    const double b2 = c.b2;
+    const double b0 = 1 - b1 - b2;
+    const Vec3 r = b0 * difference(s, c.vertex, c.t0) + b1 * difference(s, c.vertex, c.t1) +
+                   b2 * difference(s, c.vertex, c.t2);
+    const double length = r.norm();
+    if (length > kShortestLength) {
+        const Vec3 n = r / length;
+        result.valid = true;
+        result.value = length - c.rest_length;
+        result.gradient = {n, -b0 * n, -b1 * n, -b2 * n};
+    }
+    return result;
+}
+
+/// delta lambda of one constraint: XPBD with stiffness-proportional damping (gamma = beta / h) and
+/// the mass of each vertex split among its constraints of this type (w~ = valence * w).
+template <std::size_t N>
+double multiplier(const Linearized<N>& c, const ReferenceState& s, const std::vector<double>& w,
+                  const Incidence& incidence, double gamma) {
+    double sum = 0;
+    double rate = 0;
+    for (std::size_t k = 0; k < N; ++k) {
+        const std::uint32_t v = c.vertices[k];
+        sum += valence(incidence, v) * w[v] * c.gradient[k].squaredNorm();
+        rate += c.gradient[k].dot(s.displacements[v]);
+    }
+    const double denominator = (1 + gamma) * sum + c.compliance;
+    return denominator > 0 ? -(c.value + gamma * rate) / denominator : 0.0;
+}
+
+/// One Jacobi sweep over constraints of one type: all read the same state, corrections are summed.
+template <class Constraint>
+void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
+           const Incidence& incidence, const std::vector<double>& w, double compliance,
+           double gamma) {
+    std::vector<Vec3> correction(state.positions.size(), Vec3::Zero());
+    for (const Constraint& constraint : constraints) {
+        const auto c = linearize(constraint, state, compliance);
+        if (!c.valid) {
+            continue;
+        }
+        const double lambda = multiplier(c, state, w, incidence, gamma);
+        for (std::size_t k = 0; k < c.vertices.size(); ++k) {
+            correction[c.vertices[k]] += w[c.vertices[k]] * lambda * c.gradient[k];
+        }
+    }
+    for (std::size_t v = 0; v < correction.size(); ++v) {
+        state.displacements[v] += correction[v];
+    }
+}
+
+Vec3 at(const ReferenceState& s, std::size_t v) {
+    return s.positions[v] + s.displacements[v];
+}
+
+/// Mean of the vertices of each piece.
+std::vector<Vec3> pieceCenters(const BodyModel& model, const ReferenceState& s) {
+    std::vector<Vec3> centers(model.pieces.size(), Vec3::Zero());
+    for (std::size_t v = 0; v < s.positions.size(); ++v) {
+        if (const int piece = model.pieceOfVertex[v]; piece >= 0) {
+            centers[piece] += at(s, v);
+        }
+    }
+    for (std::size_t p = 0; p < centers.size(); ++p) {
+        centers[p] /= model.pieces[p].vertexCount;
+    }
+    return centers;
+}
+
+/// Volume per piece and its gradient by each vertex.
+struct VolumeTerms {
+    std::vector<double> volumes;
+    std::vector<Vec3> gradient;
+};
+
+VolumeTerms volumeTerms(const BodyModel& model, const ReferenceState& s) {
+    const std::vector<Vec3> centers = pieceCenters(model, s);
+    VolumeTerms terms{std::vector<double>(model.pieces.size(), 0.0),
+                      std::vector<Vec3>(s.positions.size(), Vec3::Zero())};
+    for (const auto& triangle : model.triangles) {
+        const int piece = model.pieceOfVertex[triangle[0]];
+        const Vec3 a = at(s, triangle[0]) - centers[piece];
+        const Vec3 b = at(s, triangle[1]) - centers[piece];
+        const Vec3 c = at(s, triangle[2]) - centers[piece];
+        terms.volumes[piece] += a.dot(b.cross(c)) / 6;
+        terms.gradient[triangle[0]] += b.cross(c) / 6;
+        terms.gradient[triangle[1]] += c.cross(a) / 6;
+        terms.gradient[triangle[2]] += a.cross(b) / 6;
+    }
+    return terms;
+}
+
+}  // namespace
+
+ReferenceState restState(const BodyModel& model) {
+    ReferenceState state;
+    for (const Vec3f& p : model.restPositions) {
+        state.positions.push_back(p.cast<double>());
+    }
+    state.displacements.assign(state.positions.size(), Vec3::Zero());
+    state.velocities.assign(state.positions.size(), Vec3::Zero());
+    return state;
+}
+
+ReferenceSolver::ReferenceSolver(const BodyModel& model, const shared::SolverUniforms& uniforms)
+    : model_(model), uniforms_(uniforms), volumeOffset_(model.pieces.size(), 0.0) {
+    for (const float mass : model.unitMass) {
+        inverseMass_.push_back(mass > 0 ? static_cast<double>(uniforms.inverse_density) / mass
+                                        : 0.0);
+    }
+}
+
+void ReferenceSolver::step(ReferenceState& state) const {
+    for (std::uint32_t i = 0; i < uniforms_.substeps; ++i) {
+        substep(state);
+    }
+}
+
+void ReferenceSolver::substep(ReferenceState& state) const {
+    predict(state);
+    solveEdges(state);
+    solveBends(state);
+    solveIspcs(state);
+    solveVolume(state);
+    collideFloor(state);
+    finishSubstep(state);
+}
+
+void ReferenceSolver::predict(ReferenceState& state) const {
+    const double h = uniforms_.substep;
+    const Vec3 gravity(uniforms_.gravity.x, uniforms_.gravity.y, uniforms_.gravity.z);
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+        if (inverseMass_[v] > 0) {
+            state.velocities[v] += h * gravity;
+        }
+        state.displacements[v] = h * state.velocities[v];
+    }
+}
+
+void ReferenceSolver::solveEdges(ReferenceState& state) const {
+    if (uniforms_.active_parts & shared::kStretchPart) {
+        sweep(state, model_.edges, model_.edgeIncidence, inverseMass_, uniforms_.stretch_compliance,
+              uniforms_.damping_ratio);
+    }
+}
+
+void ReferenceSolver::solveBends(ReferenceState& state) const {
+    if (uniforms_.active_parts & shared::kBendPart) {
+        sweep(state, model_.bends, model_.bendIncidence, inverseMass_, uniforms_.bend_compliance,
+              uniforms_.damping_ratio);
+    }
+}
+
+void ReferenceSolver::solveIspcs(ReferenceState& state) const {
+    if (uniforms_.active_parts & shared::kIspcPart) {
+        sweep(state, model_.ispcs, model_.ispcIncidence, inverseMass_, uniforms_.ispc_compliance,
+              uniforms_.damping_ratio);
+    }
+}
+
+void ReferenceSolver::solveVolume(ReferenceState& state) const {
+    const VolumeTerms terms = volumeTerms(model_, state);
+    std::vector<double> denominator(model_.pieces.size(), 0.0);
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+        if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
+            denominator[piece] += inverseMass_[v] * terms.gradient[v].squaredNorm();
+        }
+    }
+    std::vector<double> lambda(model_.pieces.size(), 0.0);
+    for (std::size_t p = 0; p < lambda.size(); ++p) {
+        const PieceModel& piece = model_.pieces[p];
+        if (piece.holdsVolume && denominator[p] > 0) {
+            lambda[p] = -(terms.volumes[p] - piece.restVolume - volumeOffset_[p]) / denominator[p];
+        }
+    }
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+        if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
+            state.displacements[v] += inverseMass_[v] * lambda[piece] * terms.gradient[v];
+        }
+    }
+}
+
+void ReferenceSolver::collideFloor(ReferenceState& state) const {
+    if (!(uniforms_.active_parts & shared::kFloorPart)) {
+        return;
+    }
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+        Vec3& d = state.displacements[v];
+        const double lift = (uniforms_.floor_height - state.positions[v].y()) - d.y();
+        if (inverseMass_[v] <= 0 || lift <= 0) {
+            continue;
+        }
+        d.y() += lift;
+        const double slide = std::hypot(d.x(), d.z());
+        if (slide > 0) {
+            const double kept = 1 - std::min(1.0, uniforms_.friction * lift / slide);
+            d.x() *= kept;
+            d.z() *= kept;
+        }
+    }
+}
+
+void ReferenceSolver::finishSubstep(ReferenceState& state) const {
+    const double rate = uniforms_.drag_factor / static_cast<double>(uniforms_.substep);
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+        if (inverseMass_[v] > 0) {
+            state.velocities[v] = rate * state.displacements[v];
+        }
+        state.positions[v] += state.displacements[v];
+        state.displacements[v].setZero();
+    }
+}
+
+std::vector<double> ReferenceSolver::volumes(const ReferenceState& state) const {
+    return volumeTerms(model_, state).volumes;
+}
+
+}  // namespace kerf
