@@ -1,0 +1,130 @@
+# shellcheck shell=bash disable=SC2034
+# What the scripts share: messages, packages, the build. Sourced, after `set -euo pipefail`.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+cores=$(nproc)
+
+say() { printf 'kerf: %s\n' "$*" >&2; }
+
+fail() {
+    say "$*"
+    exit 1
+}
+
+# Each line: a Debian 12 package and why it is needed.
+build_packages='
+g++                 compiles C++20
+cmake               configures the build
+ninja-build         runs the build
+pkg-config          finds libraries that have no CMake package
+python3-glad        generates the OpenGL loader
+libegl-dev          makes OpenGL contexts without a window
+libgl1-mesa-dri     draws and computes where there is no GPU
+libglfw3-dev        opens the window
+libimgui-dev        draws the panels
+libeigen3-dev       does linear algebra
+libassimp-dev       reads model files
+libcli11-dev        reads the command line
+nlohmann-json3-dev  reads and writes session files
+libspdlog-dev       writes the log
+libstb-dev          reads and writes pictures
+'
+test_packages='
+libgtest-dev        runs the tests
+libgmock-dev        offers the tests matchers
+xvfb                is a display for the window tests
+xauth               lets programs onto that display
+xdotool             moves the mouse in the window tests
+'
+format_packages='
+clang-format        checks the layout of the code
+'
+tidy_packages='
+clang-tidy          checks the code for likely mistakes and for names
+'
+
+is_installed() {
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
+}
+
+# The lines of "$1" whose package is not installed.
+missing_lines() {
+    local name why
+    while read -r name why; do
+        if [[ -n $name ]] && ! is_installed "$name"; then
+            printf '%s %s\n' "$name" "$why"
+        fi
+    done <<<"$1"
+}
+
+# Runs apt-get as root; the end of its output is shown only where it fails.
+run_apt() {
+    local log status=0
+    log=$(mktemp)
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "$@" >"$log" 2>&1 || status=$?
+    if [[ $status != 0 ]]; then
+        tail -n 20 "$log" >&2
+    fi
+    rm -f "$log"
+    return "$status"
+}
+
+# ensure_packages LINES: installs what is missing of them, and says what and why.
+ensure_packages() {
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        say "this is no Debian system, so nothing is installed; what is needed stands in scripts/lib/common.sh."
+        return
+    fi
+    local missing names name why
+    missing=$(missing_lines "$1")
+    if [[ -z $missing ]]; then
+        return
+    fi
+    names=()
+    say "installing with apt:"
+    while read -r name why; do
+        names+=("$name")
+        printf '  %-19s %s\n' "$name" "$why" >&2
+    done <<<"$missing"
+    become_root "${names[*]}"
+    run_apt update || say "apt-get update failed in part (see above); going on with the lists at hand"
+    run_apt install --yes --no-install-recommends "${names[@]}" ||
+        fail "apt-get install failed (see above); check the network and the package sources, then try again"
+}
+
+# Sets as_root to what makes a command run as root: nothing, or sudo.
+become_root() {
+    as_root=()
+    if [[ $(id -u) == 0 ]]; then
+        return
+    fi
+    command -v sudo >/dev/null ||
+        fail "installing needs root or sudo, and you have neither; ask somebody to run: apt-get install $1"
+    sudo -v || fail "sudo did not let you install; ask somebody to run: apt-get install $1"
+    as_root=(sudo)
+}
+
+# configure PRESET FOLDER TESTS: only where it has not been done; ninja sees later changes itself.
+configure() {
+    local preset=$1 folder=$2 tests=$3
+    if [[ -f $folder/build.ninja ]] &&
+        { [[ $tests == OFF ]] || grep -q '^KERF_TESTS:BOOL=ON' "$folder/CMakeCache.txt"; }; then
+        return
+    fi
+    say "configuring $preset in $folder"
+    (cd "$root" && cmake --preset "$preset" -DKERF_TESTS="$tests" >/dev/null)
+}
+
+# build FOLDER TARGET: quiet where there is nothing to do.
+build() {
+    cmake --build "$1" --target "$2" --parallel "$cores" |
+        sed -u -e '/no work to do/d' -e '/Re-checking globbed/d' -e '/Entering directory/d' >&2
+}
+
+# The build folder of a preset.
+folder_of() {
+    case $1 in
+        release) printf '%s/build\n' "$root" ;;
+        *) printf '%s/build-%s\n' "$root" "$1" ;;
+    esac
+}
