@@ -1,0 +1,613 @@
+#!/usr/bin/python3
+"""Makes Kerf's five builtin models. Needs Debian's python3 and python3-numpy, nothing else.
+
+    /usr/bin/python3 assets/models/make_models.py [FOLDER]
+
+writes sphere20.obj, sphere80.obj, sphere768.obj, banana.obj and octopus.obj into FOLDER (default:
+the folder of this script) and prints a line of figures for each. The result is the same, byte for
+byte, each time: array arithmetic is limited to + - * / and sqrt, and there is no randomness.
+
+The spheres are written down directly. Banana and octopus are described by an implicit function
+(negative inside), contoured by marching tetrahedra and remeshed to even triangles on that surface.
+Lengths in metres, +y up.
+"""
+
+import math
+import os
+import sys
+
+import numpy as np
+
+
+# ---------------------------------------------------------------- vectors
+
+def dot(a, b):
+    return a[..., 0] * b[..., 0] + a[..., 1] * b[..., 1] + a[..., 2] * b[..., 2]
+
+
+def cross(a, b):
+    return np.stack([a[..., 1] * b[..., 2] - a[..., 2] * b[..., 1],
+                     a[..., 2] * b[..., 0] - a[..., 0] * b[..., 2],
+                     a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]], axis=-1)
+
+
+def length(a):
+    return np.sqrt(dot(a, a))
+
+
+def unit(a):
+    return a / np.maximum(length(a), 1e-12)[..., None]
+
+
+# ---------------------------------------------------------------- spheres
+
+def icosahedron():
+    g = (1 + math.sqrt(5)) / 2
+    points = np.array([(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g),
+                       (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1)])
+    faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11),
+             (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6), (7, 1, 8),
+             (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9),
+             (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)]
+    return points, faces
+
+
+def subdivide(points, faces):
+    points = list(points)
+    middles = {}
+
+    def middle(a, b):
+        key = (min(a, b), max(a, b))
+        if key not in middles:
+            middles[key] = len(points)
+            points.append((points[a] + points[b]) / 2)
+        return middles[key]
+
+    finer = []
+    for a, b, c in faces:
+        ab, bc, ca = middle(a, b), middle(b, c), middle(c, a)
+        finer += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+    return np.array(points), finer
+
+
+def on_sphere(points, radius=0.5):
+    return radius * unit(np.asarray(points, dtype=float))
+
+
+def cube_sphere(n):
+    """n x n quads on each face of a cube, spaced by equal angles; each quad is split along its
+    shorter diagonal, which makes the triangles at the cube's corners nearly equilateral."""
+    index, grid, quads = {}, [], []
+
+    def vertex(key):
+        if key not in index:
+            index[key] = len(grid)
+            grid.append(key)
+        return index[key]
+
+    for axis in range(3):
+        for side in (-n, n):
+            for i in range(n):
+                for j in range(n):
+                    corners = []
+                    for u, v in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                        key = [0, 0, 0]
+                        key[axis] = side
+                        key[(axis + 1) % 3] = (2 * u - n) * (1 if side > 0 else -1)
+                        key[(axis + 2) % 3] = 2 * v - n
+                        corners.append(vertex(tuple(key)))
+                    quads.append(corners)
+    tangents = {k: math.tan(math.pi / 4 * k / n) for k in range(-n, n + 1)}
+    points = on_sphere([[tangents[k] for k in key] for key in grid])
+    faces = []
+    for a, b, c, d in quads:
+        if length(points[a] - points[c]) <= length(points[b] - points[d]) + 1e-9:
+            faces += [(a, b, c), (a, c, d)]
+        else:
+            faces += [(a, b, d), (b, c, d)]
+    return points, faces
+
+
+# ---------------------------------------------------------------- contouring
+
+def contour(shape, low, high, step):
+    """Marching tetrahedra (six a cube, all along one diagonal): a closed manifold, always.
+    The field's zero set must lie inside the box."""
+    low, high = np.array(low), np.array(high)
+    counts = np.ceil((high - low) / step).astype(int) + 1
+    ix, iy, iz = np.meshgrid(*[np.arange(c) for c in counts], indexing="ij")
+    nodes = low + step * np.stack([ix, iy, iz], axis=-1).reshape(-1, 3)
+    values = np.concatenate([shape(part)[0] for part in np.array_split(nodes, 64)])
+    values = np.where(values == 0, 1e-12, values)
+
+    def node(i, j, k):
+        return (i * counts[1] + j) * counts[2] + k
+
+    inside = values < 0
+    i, j, k = (a[:-1, :-1, :-1].ravel() for a in (ix, iy, iz))
+    corners = np.stack([node(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2)) for c in range(8)], 1)
+    crossed = inside[corners].any(axis=1) & ~inside[corners].all(axis=1)
+    tetrahedra = [(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7),
+                  (0, 5, 1, 7)]
+    points, index, faces = [], {}, []
+
+    def cut(a, b):
+        key = (min(a, b), max(a, b))
+        if key not in index:
+            index[key] = len(points)
+            t = values[key[0]] / (values[key[0]] - values[key[1]])
+            points.append(nodes[key[0]] + t * (nodes[key[1]] - nodes[key[0]]))
+        return index[key]
+
+    for cell in corners[crossed]:
+        for tetrahedron in tetrahedra:
+            t = [int(cell[c]) for c in tetrahedron]
+            inner = [v for v in t if inside[v]]
+            outer = [v for v in t if not inside[v]]
+            if len(inner) in (1, 3):
+                apex, rest = (inner[0], outer) if len(inner) == 1 else (outer[0], inner)
+                polygon = [cut(apex, v) for v in rest]
+            elif len(inner) == 2:
+                (a, b), (c, d) = inner, outer
+                polygon = [cut(a, c), cut(a, d), cut(b, d), cut(b, c)]
+            else:
+                continue
+            p = [points[v] for v in polygon]
+            outward = sum(nodes[v] for v in outer) / len(outer) - sum(
+                nodes[v] for v in inner) / len(inner)
+            if float(dot(cross(p[1] - p[0], p[2] - p[0]), outward)) < 0:
+                polygon.reverse()
+            for corner in range(1, len(polygon) - 1):
+                faces.append((polygon[0], polygon[corner], polygon[corner + 1]))
+    return np.array(points), faces
+
+
+# ---------------------------------------------------------------- remeshing
+
+class Remesher:
+    """Isotropic remeshing (Botsch and Kobbelt 2004): split long edges, collapse short ones, flip
+    towards six neighbours, relax in the tangent plane, project back on the shape."""
+
+    def __init__(self, points, faces, shape, edge):
+        self.points = [tuple(map(float, p)) for p in points]
+        self.faces = [tuple(f) for f in faces]
+        self.shape = shape
+        self.edge = edge
+        self.around = [set() for _ in self.points]
+        for number, face in enumerate(self.faces):
+            for v in face:
+                self.around[v].add(number)
+
+    # -- queries
+    def neighbours(self, v):
+        return {u for f in self.around[v] for u in self.faces[f]} - {v}
+
+    def edges(self):
+        found = []
+        for face in self.faces:
+            if face is not None:
+                a, b, c = face
+                found += [(u, v) for u, v in ((a, b), (b, c), (c, a)) if u < v]
+        return sorted(found)
+
+    def distance(self, a, b):
+        p, q = self.points[a], self.points[b]
+        return math.sqrt((p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2 + (p[2] - q[2]) ** 2)
+
+    def opposite(self, a, b):
+        """The two triangles at an edge, each with its third corner; a -> b runs in the first."""
+        first, second = sorted(self.around[a] & self.around[b])
+        face = self.faces[first]
+        if face[(face.index(a) + 1) % 3] != b:
+            first, second = second, first
+        third = [next(v for v in self.faces[f] if v not in (a, b)) for f in (first, second)]
+        return first, third[0], second, third[1]
+
+    def normal(self, a, b, c):
+        p, q, r = self.points[a], self.points[b], self.points[c]
+        u = (q[0] - p[0], q[1] - p[1], q[2] - p[2])
+        w = (r[0] - p[0], r[1] - p[1], r[2] - p[2])
+        return (u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0])
+
+    @staticmethod
+    def agree(n, m, least):
+        d = n[0] * m[0] + n[1] * m[1] + n[2] * m[2]
+        sizes = (n[0] ** 2 + n[1] ** 2 + n[2] ** 2) * (m[0] ** 2 + m[1] ** 2 + m[2] ** 2)
+        return d > least * math.sqrt(sizes)
+
+    # -- edits
+    def set_face(self, number, face):
+        for v in self.faces[number] or ():
+            self.around[v].discard(number)
+        self.faces[number] = face
+        for v in face or ():
+            self.around[v].add(number)
+
+    def add_face(self, face):
+        self.faces.append(None)
+        self.set_face(len(self.faces) - 1, face)
+
+    def split_long(self):
+        limit = 4 / 3 * self.edge
+        for a, b in self.edges():
+            if self.distance(a, b) <= limit:
+                continue
+            first, c, second, d = self.opposite(a, b)
+            m = len(self.points)
+            p, q = self.points[a], self.points[b]
+            self.points.append(tuple((p[i] + q[i]) / 2 for i in range(3)))
+            self.around.append(set())
+            self.set_face(first, (a, m, c))
+            self.set_face(second, (m, a, d))
+            self.add_face((m, b, c))
+            self.add_face((b, m, d))
+
+    def collapse_short(self):
+        short, long = 4 / 5 * self.edge, 4 / 3 * self.edge
+        gone = set()
+        for a, b in self.edges():
+            if a in gone or b in gone or not self.around[a] & self.around[b]:
+                continue
+            if self.distance(a, b) < short and self.may_collapse(a, b, long):
+                self.collapse(a, b)
+                gone.add(b)
+
+    def may_collapse(self, a, b, long):
+        shared = self.neighbours(a) & self.neighbours(b)
+        if len(shared) != 2 or any(len(self.around[v]) <= 4 for v in shared):
+            return False
+        p, q = self.points[a], self.points[b]
+        middle = tuple((p[i] + q[i]) / 2 for i in range(3))
+        both = self.around[a] & self.around[b]
+        ring = [f for f in sorted((self.around[a] | self.around[b]) - both)]
+        before = [self.normal(*self.faces[f]) for f in ring]
+        self.points[a] = self.points[b] = middle
+        fine = all(self.distance(a, v) <= long
+                   for v in (self.neighbours(a) | self.neighbours(b)) - {a, b})
+        fine = fine and all(self.agree(n, self.normal(*self.faces[f]), 0.7)
+                            for n, f in zip(before, ring))
+        self.points[a], self.points[b] = p, q
+        return fine
+
+    def collapse(self, a, b):
+        p, q = self.points[a], self.points[b]
+        self.points[a] = tuple((p[i] + q[i]) / 2 for i in range(3))
+        for f in self.around[a] & self.around[b]:
+            self.set_face(f, None)
+        for f in sorted(self.around[b]):
+            self.set_face(f, tuple(a if v == b else v for v in self.faces[f]))
+
+    def flip_edges(self, worth_it):
+        for a, b in self.edges():
+            if len(self.around[a] & self.around[b]) != 2:
+                continue
+            first, c, second, d = self.opposite(a, b)
+            if self.around[c] & self.around[d] or not worth_it(a, b, c, d):
+                continue
+            old, new = self.normal(a, b, c), self.normal(a, d, c)
+            other, newer = self.normal(b, a, d), self.normal(d, b, c)
+            if self.agree(new, newer, 0.7) and self.agree(old, new, 0.7) and self.agree(
+                    other, newer, 0.7):
+                self.set_face(first, (a, d, c))
+                self.set_face(second, (d, b, c))
+
+    def evens_valence(self, a, b, c, d):
+        va, vb, vc, vd = (len(self.around[v]) for v in (a, b, c, d))
+        now = abs(va - 6) + abs(vb - 6) + abs(vc - 6) + abs(vd - 6)
+        then = abs(va - 7) + abs(vb - 7) + abs(vc - 5) + abs(vd - 5)
+        return then < now and min(va, vb) > 4
+
+    def is_not_delaunay(self, a, b, c, d):
+        def cotangent(apex):
+            p, q, r = (np.array(self.points[v]) for v in (apex, a, b))
+            u, w = q - p, r - p
+            return float(dot(u, w)) / max(float(length(cross(u, w))), 1e-12)
+        return cotangent(c) + cotangent(d) < -1e-6 and min(
+            len(self.around[a]), len(self.around[b])) > 4
+
+    def compact(self):
+        faces = [f for f in self.faces if f is not None]
+        order = {}
+        for face in faces:
+            for v in face:
+                order.setdefault(v, len(order))
+        self.points = [self.points[v] for v in order]
+        self.faces = []
+        self.around = [set() for _ in self.points]
+        for face in faces:
+            self.add_face(tuple(order[v] for v in face))
+
+    # -- motion
+    def relax(self, rounds):
+        self.compact()
+        faces = np.array(self.faces)
+        points = np.array(self.points)
+        for _ in range(rounds):
+            points = project(self.shape, self.relaxed(points, faces))
+        self.points = [tuple(map(float, p)) for p in points]
+
+    @staticmethod
+    def relaxed(points, faces):
+        """Each vertex moves to the area-weighted mean of its triangles' centres, less what that
+        moves it along its normal."""
+        a, b, c = (points[faces[:, i]] for i in range(3))
+        normals = cross(b - a, c - a)
+        areas = length(normals)
+        centres = (a + b + c) / 3
+        weight, mean, normal = np.zeros(len(points)), np.zeros_like(points), np.zeros_like(points)
+        for corner in range(3):
+            np.add.at(weight, faces[:, corner], areas)
+            np.add.at(mean, faces[:, corner], centres * areas[:, None])
+            np.add.at(normal, faces[:, corner], normals)
+        move = mean / weight[:, None] - points
+        normal = unit(normal)
+        return points + 0.8 * (move - normal * dot(move, normal)[:, None])
+
+    def run(self, rounds):
+        for _ in range(rounds):
+            self.split_long()
+            self.collapse_short()
+            self.flip_edges(self.evens_valence)
+            self.relax(3)
+        for _ in range(4):
+            self.flip_edges(self.is_not_delaunay)
+            self.relax(6)
+        return np.array(self.points), self.faces
+
+
+def project(shape, points, steps=4):
+    for _ in range(steps):
+        value, gradient = shape(points)
+        points = points - gradient * (value / np.maximum(dot(gradient, gradient), 1e-6))[:, None]
+    return points
+
+
+def smooth_union(a, b, k):
+    """Quadratic smooth minimum of two (value, gradient) pairs; k: width of the fillet [m]."""
+    (fa, ga), (fb, gb) = a, b
+    h = np.maximum(k - np.abs(fa - fb), 0) / k
+    mix = np.where(fa < fb, h / 2, 1 - h / 2)
+    return np.minimum(fa, fb) - h * h * k / 4, ga + (gb - ga) * mix[:, None]
+
+
+class Chain:
+    """The nearest point on a polyline of centres, for many points at once."""
+
+    def __init__(self, centres, radii):
+        self.start = np.array(centres[:-1])
+        self.along = np.array(centres[1:]) - self.start
+        self.squared = dot(self.along, self.along)
+        self.radii = np.array(radii)
+
+    def nearest(self, points):
+        """Segment, place in it (0 to 1), vector from there, distance."""
+        best = np.full(len(points), np.inf)
+        which = np.zeros(len(points), dtype=int)
+        place = np.zeros(len(points))
+        for i in range(len(self.start)):
+            away = points - self.start[i]
+            t = np.minimum(np.maximum(dot(away, self.along[i]) / self.squared[i], 0), 1)
+            away = away - t[:, None] * self.along[i]
+            squared = dot(away, away)
+            closer = squared < best
+            best = np.where(closer, squared, best)
+            which = np.where(closer, i, which)
+            place = np.where(closer, t, place)
+        away = points - self.start[which] - place[:, None] * self.along[which]
+        return which, place, away, np.sqrt(best)
+
+    def tube(self, points):
+        """(value, gradient) of the round tube along the chain."""
+        which, place, away, distance = self.nearest(points)
+        radius = self.radii[which] + place * (self.radii[which + 1] - self.radii[which])
+        return distance - radius, away / np.maximum(distance, 1e-9)[:, None]
+
+
+def eased(table, s):
+    """Interpolates (place, value) pairs, level at each of them."""
+    for (s0, v0), (s1, v1) in zip(table, table[1:]):
+        if s <= s1:
+            t = (s - s0) / (s1 - s0)
+            return v0 + (v1 - v0) * t * t * (3 - 2 * t)
+    return table[-1][1]
+
+
+def catmull_rom(table, s):
+    """Interpolates (place, value) pairs with continuous slope."""
+    last = len(table) - 1
+    i = next((n for n in range(last) if s <= table[n + 1][0]), last - 1)
+
+    def slope(n):
+        low, high = max(n - 1, 0), min(n + 1, last)
+        return (table[high][1] - table[low][1]) / (table[high][0] - table[low][0])
+
+    (s0, v0), (s1, v1) = table[i], table[i + 1]
+    w = s1 - s0
+    t = (s - s0) / w
+    return ((1 + 2 * t) * (1 - t) ** 2 * v0 + t * (1 - t) ** 2 * w * slope(i)
+            + t * t * (3 - 2 * t) * v1 + t * t * (t - 1) * w * slope(i + 1))
+
+
+# ---------------------------------------------------------------- banana
+
+# Radius along the fruit [m], from the stem's end (0) to the blossom's (1).
+BANANA_RADIUS = [(0.0, 0.034), (0.02, 0.031), (0.07, 0.026), (0.13, 0.029), (0.19, 0.055),
+                 (0.27, 0.088), (0.40, 0.112), (0.55, 0.118), (0.70, 0.108), (0.82, 0.085),
+                 (0.90, 0.059), (0.95, 0.036), (0.98, 0.026), (1.0, 0.024)]
+# Curvature along the fruit [1/m]: strongest in the shoulder; the blossom's end straightens.
+BANANA_CURVATURE = [(0.0, 0.3), (0.12, 1.4), (0.3, 1.7), (0.6, 1.4), (0.85, 1.0), (1.0, 0.3)]
+# How much of the five ridges shows.
+BANANA_RIDGE = [(0.0, 0.0), (0.08, 0.03), (0.2, 0.055), (0.5, 0.05), (0.85, 0.06), (0.97, 0.0)]
+BANANA_LENGTH = 1.10
+BANANA_EDGE = 0.0145
+
+
+class Banana:
+    SEGMENTS = 160
+
+    def __init__(self):
+        chord = self.centre_line(0.0)[0][-1]
+        centres, headings = self.centre_line(-math.atan2(chord[1], chord[0]))
+        places = [i / self.SEGMENTS for i in range(self.SEGMENTS + 1)]
+        self.chain = Chain(centres, [catmull_rom(BANANA_RADIUS, s) for s in places])
+        self.inward = np.array([(-math.sin(h), math.cos(h), 0.0) for h in headings])
+        self.ridges = np.array([eased(BANANA_RIDGE, s) for s in places])
+
+    def centre_line(self, heading):
+        """Points and headings of the centre line; it starts with the given heading [radians]."""
+        x, y, centres, headings = 0.0, 0.0, [], []
+        step = BANANA_LENGTH / self.SEGMENTS
+        for i in range(self.SEGMENTS + 1):
+            centres.append((x, y, 0.0))
+            headings.append(heading)
+            heading += step * catmull_rom(BANANA_CURVATURE, i / self.SEGMENTS)
+            x, y = x + step * math.cos(heading), y + step * math.sin(heading)
+        return centres, headings
+
+    def __call__(self, points):
+        which, place, away, distance = self.chain.nearest(points)
+        radius = self.between(self.chain.radii, which, place)
+        ridge = self.between(self.ridges, which, place)
+        up = away / np.maximum(distance, 1e-9)[:, None]
+        c = dot(up, self.inward[which])
+        five = ((16 * c * c - 20) * c * c + 5) * c  # cosine of five times the angle
+        profile = -five - 0.3 * (2 * five * five - 1)  # crests narrower than the hollows
+        return distance - radius * (1 + ridge * profile), up
+
+    @staticmethod
+    def between(values, which, place):
+        return values[which] + place * (values[which + 1] - values[which])
+
+
+def banana():
+    shape = Banana()
+    centres = shape.chain.start
+    points, faces = contour(shape, centres.min(axis=0) - 0.16, centres.max(axis=0) + 0.16, 0.02)
+    return Remesher(project(shape, points), faces, shape, BANANA_EDGE).run(10)
+
+
+# ---------------------------------------------------------------- octopus
+
+# Each arm: direction [degrees from +z towards +x], length [m], and how far its tip turns upwards
+# and sideways [degrees].
+OCTOPUS_ARMS = [(24, 0.72, 285, 25), (68, 0.70, 50, 205), (112, 0.76, 255, -35),
+                (157, 0.70, 60, 195), (203, 0.72, 290, 20), (248, 0.74, 45, -215),
+                (292, 0.70, 265, 30), (336, 0.72, 60, -200)]
+ARM_RADIUS = [(0.0, 0.072), (0.22, 0.062), (0.5, 0.049), (0.8, 0.034), (1.0, 0.025)]
+ARM_PITCH = [(0.0, -42), (0.12, -36), (0.36, 0), (0.5, 4), (1.0, 4)]  # degrees along the arm
+ARM_CURL_START = 0.42
+NECK = [((0.0, 0.17, 0.0), 0.118), ((0.0, 0.36, 0.0), 0.118)]  # centres [m], radii [m]
+MANTLE_CENTRE, MANTLE_RADII, MANTLE_TILT = (0.0, 0.485, -0.055), (0.170, 0.215, 0.178), 24
+EYES = [((-0.100, 0.330, 0.085), 0.048), ((0.100, 0.330, 0.085), 0.048)]
+OCTOPUS_EDGE = 0.0195
+
+
+class Octopus:
+    ARM_SEGMENTS = 48
+
+    def __init__(self):
+        self.arms = [self.arm(*entry) for entry in OCTOPUS_ARMS]
+        self.neck = Chain([centre for centre, _ in NECK], [radius for _, radius in NECK])
+
+    def arm(self, direction, size, upwards, sideways):
+        around = math.radians(direction)
+        x, y, z = 0.06 * math.sin(around), 0.19, 0.06 * math.cos(around)
+        centres, radii = [], []
+        for i in range(self.ARM_SEGMENTS + 1):
+            s = i / self.ARM_SEGMENTS
+            centres.append((x, y, z))
+            radii.append(catmull_rom(ARM_RADIUS, s))
+            curl = (max(s - ARM_CURL_START, 0) / (1 - ARM_CURL_START)) ** 1.7
+            pitch = math.radians(catmull_rom(ARM_PITCH, s) + upwards * curl)
+            heading = around + math.radians(sideways * curl)
+            step = size / self.ARM_SEGMENTS
+            x += step * math.cos(pitch) * math.sin(heading)
+            y += step * math.sin(pitch)
+            z += step * math.cos(pitch) * math.cos(heading)
+        return Chain(centres, radii)
+
+    @staticmethod
+    def mantle(points):
+        """An ellipsoid that leans back; its value is a distance to first order."""
+        c, s = math.cos(math.radians(MANTLE_TILT)), math.sin(math.radians(MANTLE_TILT))
+        x, y, z = (points - np.array(MANTLE_CENTRE)).T
+        scaled = np.stack([x, c * y - s * z, s * y + c * z], axis=-1) / np.array(MANTLE_RADII)
+        slope = scaled / np.array(MANTLE_RADII)
+        size, steepness = length(scaled), np.maximum(length(slope), 1e-9)
+        gx, gy, gz = (slope / steepness[:, None]).T
+        return size * (size - 1) / steepness, np.stack([gx, c * gy + s * gz, c * gz - s * gy], -1)
+
+    def __call__(self, points):
+        value = smooth_union(self.neck.tube(points), self.mantle(points), 0.12)
+        for arm in self.arms:
+            value = smooth_union(value, arm.tube(points), 0.05)
+        for centre, radius in EYES:
+            away = points - np.array(centre)
+            distance = length(away)
+            eye = distance - radius, away / np.maximum(distance, 1e-9)[:, None]
+            value = smooth_union(value, eye, 0.035)
+        return value
+
+
+def octopus():
+    shape = Octopus()
+    points, faces = contour(shape, (-0.65, -0.15, -0.65), (0.65, 0.80, 0.65), 0.019)
+    return Remesher(project(shape, points), faces, shape, OCTOPUS_EDGE).run(10)
+
+
+# ---------------------------------------------------------------- output
+
+def centred(points):
+    return points - (points.min(axis=0) + points.max(axis=0)) / 2
+
+
+def figures(points, faces):
+    """Counts, Euler characteristic, volume [m^3], edge lengths [m] and the worst ratio of height
+    to longest edge; the last is 0.866 for an equilateral triangle."""
+    faces = np.array(faces)
+    a, b, c = (points[faces[:, i]] for i in range(3))
+    sides = np.stack([length(b - a), length(c - b), length(a - c)], axis=1)
+    longest = sides.max(axis=1)
+    height = length(cross(b - a, c - a)) / longest
+    euler = len(points) - len(faces) // 2
+    volume = float(dot(a, cross(b, c)).sum()) / 6
+    return (f"{len(points)} vertices, {len(faces)} triangles, Euler characteristic {euler}, "
+            f"volume {volume:.4f}, edges {sides.min():.4f} / {sides.mean():.4f} / "
+            f"{sides.max():.4f}, worst height ratio {(height / longest).min():.3f}")
+
+
+def write_obj(path, title, points, faces):
+    lines = [f"# {title}, made for Kerf by make_models.py", f"o {title}"]
+    lines += ["v " + " ".join(f"{x + 0.0:.5f}".replace("-0.00000", "0.00000") for x in p)
+              for p in points]
+    lines += ["f %d %d %d" % (a + 1, b + 1, c + 1) for a, b, c in faces]
+    with open(path, "w", encoding="ascii", newline="\n") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def make(name):
+    if name == "sphere20":
+        points, faces = icosahedron()
+        return on_sphere(points), faces
+    if name == "sphere80":
+        points, faces = subdivide(*icosahedron())
+        return on_sphere(points), faces
+    if name == "sphere768":
+        return cube_sphere(8)
+    points, faces = banana() if name == "banana" else octopus()
+    return centred(points), faces
+
+
+MODELS = ["sphere20", "sphere80", "sphere768", "banana", "octopus"]
+
+
+def main():
+    folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
+    for name in sys.argv[2:] or MODELS:
+        points, faces = make(name)
+        write_obj(os.path.join(folder, name + ".obj"), name, points, faces)
+        print(f"{name}: {figures(points, faces)}")
+
+
+if __name__ == "__main__":
+    main()
