@@ -203,20 +203,16 @@ ParamValue readParamValue(const Node& node) {
 }
 
 void requireKnownParam(const std::string& name, const std::string& place) {
-    if (findParam(name) != nullptr) {
-        return;
+    if (findParam(name) == nullptr) {
+        Params scratch;
+        fail(place, setParam(scratch, name, std::monostate{}) + ".");
     }
-    std::vector<std::string> names;
-    for (const ParamInfo& info : paramTable()) {
-        names.emplace_back(info.name);
-    }
-    fail(place, "there is no parameter '" + name + "'; there are " + joined(names) + ".");
 }
 
 void applyParam(Params& params, const std::string& name, const Node& node) {
     const std::string problem = setParam(params, name, readParamValue(node));
     if (!problem.empty()) {
-        fail(node.place, problem);
+        fail(node.place, problem + ".");
     }
 }
 

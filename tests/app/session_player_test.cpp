@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include "app/session.h"
+
+namespace kerf::app {
+namespace {
+
+Blade bladeAt(double height) {
+    return {{-1, height, 0}, {1, height, 0}};
+}
+
+SessionEvent key(int step, double height) {
+    return {step, MoveBlade{bladeAt(height)}};
+}
+SessionEvent lift(int step) {
+    return {step, LiftBlade{}};
+}
+
+Session sessionOf(std::vector<SessionEvent> events) {
+    Session session;
+    session.steps = 100;
+    session.events = std::move(events);
+    return session;
+}
+
+/// Heights of the blade poses of one step.
+std::vector<double> heightsAt(const SessionPlayer& player, int step) {
+    std::vector<double> heights;
+    for (const SessionAction& action : player.actionsAt(step)) {
+        if (const auto* move = std::get_if<MoveBlade>(&action)) {
+            heights.push_back(move->blade.a.y());
+        }
+    }
+    return heights;
+}
+
+TEST(SessionPlayer, NothingMovesBeforeTheFirstKeyAndAfterTheLast) {
+    const Session session = sessionOf({key(10, 1), key(12, 0)});
+    const SessionPlayer player(session);
+    EXPECT_TRUE(player.actionsAt(0).empty());
+    EXPECT_TRUE(player.actionsAt(9).empty());
+    EXPECT_TRUE(player.actionsAt(13).empty());
+}
+
+TEST(SessionPlayer, PosesBetweenKeysAreLinearOnePerStep) {
+    const Session session = sessionOf({key(10, 1), key(14, 3)});
+    const SessionPlayer player(session);
+    EXPECT_EQ(heightsAt(player, 10), std::vector<double>{1});
+    EXPECT_EQ(heightsAt(player, 11), std::vector<double>{1.5});
+    EXPECT_EQ(heightsAt(player, 12), std::vector<double>{2});
+    EXPECT_EQ(heightsAt(player, 13), std::vector<double>{2.5});
+    EXPECT_EQ(heightsAt(player, 14), std::vector<double>{3});
+}
+
+TEST(SessionPlayer, KeysInARowShareTheirPose) {
+    const Session session = sessionOf({key(0, 0), key(2, 2), key(4, 0)});
+    const SessionPlayer player(session);
+    EXPECT_EQ(heightsAt(player, 1), std::vector<double>{1});
+    EXPECT_EQ(heightsAt(player, 2), std::vector<double>{2});
+    EXPECT_EQ(heightsAt(player, 3), std::vector<double>{1});
+}
+
+TEST(SessionPlayer, ALiftEndsTheSweep) {
+    const Session session = sessionOf({key(0, 0), key(2, 2), lift(3), key(8, 5), key(10, 6)});
+    const SessionPlayer player(session);
+    for (const int step : {4, 5, 6, 7}) {
+        EXPECT_TRUE(player.actionsAt(step).empty()) << step;
+    }
+    EXPECT_EQ(heightsAt(player, 9), std::vector<double>{5.5});
+}
+
+TEST(SessionPlayer, EventsOfOneStepComeInOrderThePoseLast) {
+    const Session session =
+        sessionOf({key(0, 0), {1, SetParam{"iterations", 5.0}}, {1, CheckEvent{{}, 1}}, key(2, 2)});
+    const auto actions = SessionPlayer(session).actionsAt(1);
+    ASSERT_EQ(actions.size(), 3u);
+    EXPECT_TRUE(std::holds_alternative<SetParam>(actions[0]));
+    EXPECT_TRUE(std::holds_alternative<CheckEvent>(actions[1]));
+    EXPECT_TRUE(std::holds_alternative<MoveBlade>(actions[2]));
+}
+
+TEST(SessionPlayer, AfterTheLastStepComeTheEventsOfTheEnd) {
+    const Session session = sessionOf({key(0, 0), {100, CheckEvent{{}, 1}}});
+    EXPECT_EQ(SessionPlayer(session).actionsAt(100).size(), 1u);
+}
+
+}  // namespace
+}  // namespace kerf::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace kerf::test {
+
+/// What a run of the built program left.
+struct ProgramRun {
+    int exitCode = -1;  ///< -1 where a signal ended it
+    std::string out;
+    std::string errors;
+};
+
+/// Runs build/kerf with `arguments` and waits for it; `environment` is added to ours.
+ProgramRun runKerf(const std::vector<std::string>& arguments,
+                   const std::map<std::string, std::string>& environment = {});
+
+}  // namespace kerf::test
