@@ -112,7 +112,11 @@ void writeOutputFile(const std::filesystem::path& file, std::string_view bytes) 
     output.commit();
 }
 
-std::string formatNumber(double value) { return shortestText(value); }
-std::string formatNumber(float value) { return shortestText(value); }
+std::string formatNumber(double value) {
+    return shortestText(value);
+}
+std::string formatNumber(float value) {
+    return shortestText(value);
+}
 
 }  // namespace kerf::app

@@ -1,0 +1,199 @@
+#include "app/cli.h"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <string>
+
+#include "app/compare_verb.h"
+#include "app/editor.h"
+#include "app/file_io.h"
+#include "app/inspect_verb.h"
+#include "app/model_source.h"
+#include "app/replay_verb.h"
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/program.h"
+
+namespace kerf::app {
+
+namespace {
+
+/// What the command line asks for.
+struct Arguments {
+    std::filesystem::path file;  ///< for the editor; empty for none
+    ReplayArguments replay;
+    InspectArguments inspect;
+    CompareArguments compare;
+    std::filesystem::path compareDiff;
+    std::filesystem::path workerFile;
+};
+
+/// The parser and its verbs.
+struct Parser {
+    CLI::App app{"Kerf cuts soft 3D models in real time. Without a verb it opens the editor."};
+    CLI::App* replay = nullptr;
+    CLI::App* inspect = nullptr;
+    CLI::App* compare = nullptr;
+    CLI::App* worker = nullptr;
+};
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 input missing or invalid,\n"
+    "4 no usable OpenGL 4.5, 5 out of memory or another limit.";
+
+void describeReplay(Parser& parser, Arguments& arguments) {
+    parser.replay = parser.app.add_subcommand(
+        "replay", "Run a session headless, as fast as it can, and write its results");
+    parser.replay->add_option("SESSION", arguments.replay.session, "A *.kerf.json file")
+        ->required();
+    parser.replay->add_option("--out", arguments.replay.out, "Folder for the results")
+        ->required()
+        ->type_name("DIR");
+    parser.replay->add_flag("--json", arguments.replay.json, "Print one JSON object");
+}
+
+void describeInspect(Parser& parser, Arguments& arguments) {
+    parser.inspect =
+        parser.app.add_subcommand("inspect", "Say what a model is and whether it can be cut");
+    parser.inspect
+        ->add_option("MODEL", arguments.inspect.model, "A model file, or the name of a builtin one")
+        ->required();
+    parser.inspect->add_flag("--json", arguments.inspect.json, "Print one JSON object");
+}
+
+void describeCompare(Parser& parser, Arguments& arguments) {
+    parser.compare = parser.app.add_subcommand("compare", "Compare two PNG pictures");
+    parser.compare->add_option("A", arguments.compare.a, "A PNG file")->required();
+    parser.compare->add_option("B", arguments.compare.b, "Another one")->required();
+    parser.compare
+        ->add_option("--threshold", arguments.compare.threshold,
+                     "Largest mean channel difference that passes")
+        ->check(CLI::Range(0.0, 1.0))
+        ->type_name("T");
+    parser.compare
+        ->add_option("--diff", arguments.compareDiff,
+                     "Picture of the difference, written only where they differ")
+        ->type_name("D.png");
+    parser.compare->add_flag("--json", arguments.compare.json, "Print one JSON object");
+}
+
+/// Not for people: model_source runs it to keep the file readers in a process of their own.
+void describeWorker(Parser& parser, Arguments& arguments) {
+    parser.worker = parser.app.add_subcommand("import-worker")->group("");
+    parser.worker->add_option("FILE", arguments.workerFile)->required();
+}
+
+void describe(Parser& parser, Arguments& arguments) {
+    parser.app.name("kerf");
+    parser.app.set_version_flag("--version", "kerf " KERF_VERSION);
+    parser.app.require_subcommand(0, 1);
+    parser.app.footer(kExitCodes);
+    parser.app.add_option("FILE", arguments.file, "A model or a session to open in the editor");
+    describeReplay(parser, arguments);
+    describeInspect(parser, arguments);
+    describeCompare(parser, arguments);
+    describeWorker(parser, arguments);
+}
+
+/// Standard output carries results alone, so the log goes to standard error.
+void setUpLog() {
+    const char* noColor = std::getenv("NO_COLOR");
+    const bool plain = noColor != nullptr && *noColor != '\0';
+    const auto mode = plain ? spdlog::color_mode::never : spdlog::color_mode::automatic;
+    spdlog::set_default_logger(spdlog::stderr_color_mt("kerf", mode));
+    spdlog::set_pattern("%^%l%$: %v");
+}
+
+int complain(const std::string& sentence, int exitCode) {
+    std::cerr << "kerf: " << sentence << "\n";
+    return exitCode;
+}
+
+/// A bare word that is no file was meant as a verb.
+bool looksLikeVerb(const std::filesystem::path& file) {
+    const std::string text = file.string();
+    const auto isWord = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-'; };
+    return std::all_of(text.begin(), text.end(), isWord) && !std::filesystem::exists(file);
+}
+
+int runEditorVerb(const std::filesystem::path& file) {
+    if (file.empty()) {
+        return runEditor(std::nullopt);
+    }
+    if (looksLikeVerb(file)) {
+        return complain("'" + file.string() + "' is neither a verb nor a file; see kerf --help.",
+                        kExitUsage);
+    }
+    return runEditor(file);
+}
+
+int runCompare(Arguments& arguments) {
+    if (!arguments.compareDiff.empty()) {
+        arguments.compare.diff = arguments.compareDiff;
+    }
+    return compareVerb(arguments.compare, std::cout, std::cerr);
+}
+
+int runVerb(const Parser& parser, Arguments& arguments) {
+    if (parser.replay->parsed()) return replayVerb(arguments.replay, std::cout, std::cerr);
+    if (parser.inspect->parsed()) return inspectVerb(arguments.inspect, std::cout);
+    if (parser.compare->parsed()) return runCompare(arguments);
+    if (parser.worker->parsed()) return runImportWorker(arguments.workerFile);
+    return runEditorVerb(arguments.file);
+}
+
+/// runVerb with every error as a sentence and an exit code.
+int runVerbSafely(const Parser& parser, Arguments& arguments) {
+    try {
+        return runVerb(parser, arguments);
+    } catch (const InputError& error) {
+        return complain(error.what(), kExitInput);
+    } catch (const gpu::ContextError& error) {
+        return complain(error.what(), kExitNoOpenGl);
+    } catch (const gpu::ShaderError& error) {
+        return complain(error.what(), kExitNoOpenGl);
+    } catch (const gpu::OutOfMemory& error) {
+        return complain(error.what(), kExitLimit);
+    } catch (const OutputError& error) {
+        return complain(error.what(), kExitLimit);
+    } catch (const std::bad_alloc&) {
+        return complain("Out of memory; try a smaller model.", kExitLimit);
+    }
+}
+
+/// Help and version go to standard output; a mistake is one sentence.
+int endParsing(const Parser& parser, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+        return parser.app.exit(error, std::cout, std::cerr);
+    }
+    return complain(std::string(error.what()) + "; see kerf --help.", kExitUsage);
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+    setUpLog();
+    Arguments arguments;
+    Parser parser;
+    describe(parser, arguments);
+    try {
+        parser.app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return endParsing(parser, error);
+    }
+    if (!arguments.file.empty() && !parser.app.get_subcommands().empty()) {
+        return complain("A verb comes first and takes its own files; see kerf --help.", kExitUsage);
+    }
+    return runVerbSafely(parser, arguments);
+}
+
+}  // namespace kerf::app

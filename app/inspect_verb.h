@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+
+namespace kerf::app {
+
+/// `kerf inspect MODEL [--json]`, parsed.
+struct InspectArguments {
+    std::filesystem::path model;  ///< a file, or the name of a builtin model
+    bool json = false;
+};
+
+/// Prints on `out` what the model is and whether it can be cut. Throws InputError where it can't be
+/// read, and, the report printed, where it can't be cut. Returns the exit code 0 otherwise.
+int inspectVerb(const InspectArguments& arguments, std::ostream& out);
+
+}  // namespace kerf::app

@@ -1,0 +1,5 @@
+#include "app/cli.h"
+
+int main(int argc, char** argv) {
+    return kerf::app::runCommandLine(argc, argv);
+}

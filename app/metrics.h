@@ -1,0 +1,79 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/mesh/invariants.h"
+#include "sim/simulation.h"
+
+namespace kerf::app {
+
+/// Mean, smallest and largest of a series; all 0 for an empty one.
+class Range {
+  public:
+    void add(double value);
+    double mean() const { return count_ == 0 ? 0 : sum_ / count_; }
+    double min() const { return min_; }
+    double max() const { return max_; }
+
+  private:
+    double sum_ = 0;
+    double min_ = 0;
+    double max_ = 0;
+    int count_ = 0;
+};
+
+/// One row of metrics.csv: what the simulation says and what the replay measured around it.
+struct MetricsRow {
+    StepReport report;
+    double renderMs = 0;  ///< pictures taken before this step, wall clock
+    double frameMs = 0;   ///< the whole step with its events, wall clock
+};
+
+/// First line of metrics.csv and its rows, each with its line break.
+std::string metricsHeader();
+std::string formatMetrics(const MetricsRow& row);
+
+/// What is counted before and after a run.
+struct Counts {
+    int vertices = 0;
+    int triangles = 0;
+    int ispcs = 0;
+};
+
+/// Statistics over all rows of a run.
+struct RunStatistics {
+    int steps = 0;
+    Range volumeRatio;
+    double finalVolumeRatio = 1;
+    Range fps;  ///< of single steps; its mean is not used, see meanFps()
+    Range frameMs;
+    Range deformMs;
+    Range collideMs;
+    Range cutMs;
+    bool closedEveryStep = true;
+
+    void add(const MetricsRow& row);
+    /// Steps over the whole time [1/s].
+    double meanFps() const { return frameMs.mean() > 0 ? 1000 / frameMs.mean() : 0; }
+};
+
+/// All of summary.json but the paths.
+struct RunSummary {
+    std::string model;
+    std::string renderer;  ///< GL_RENDERER
+    std::string stateHash;
+    Counts before;
+    Counts after;
+    std::vector<Piece> pieces;
+    RunStatistics statistics;
+    std::vector<std::string>
+        failures;  ///< checks and invariants that did not hold, one sentence each
+};
+
+nlohmann::ordered_json toJson(const RunSummary& summary);
+/// The text of summary.json.
+std::string formatSummary(const RunSummary& summary);
+
+}  // namespace kerf::app

@@ -1,0 +1,280 @@
+#include "app/replay.h"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/export.h"
+#include "app/file_io.h"
+#include "gpu/context.h"
+#include "render/renderer.h"
+#include "sim/simulation.h"
+
+namespace kerf::app {
+
+namespace {
+
+class StopWatch {
+  public:
+    double milliseconds() const {
+        const std::chrono::duration<double, std::milli> passed = Clock::now() - start_;
+        return passed.count();
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+/// The folder that a replay writes into, and what it wrote.
+class OutputFolder {
+  public:
+    explicit OutputFolder(const std::filesystem::path& folder) {
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        folder_ = std::filesystem::canonical(folder, error);
+        if (error || !std::filesystem::is_directory(folder_)) {
+            throw OutputError(folder.string() + ": this folder could not be made; choose another.");
+        }
+    }
+
+    /// Where `name` lies, its own folder made. Throws OutputError where a link leads outside.
+    std::filesystem::path place(const std::string& name) const {
+        const std::filesystem::path file = folder_ / name;
+        std::error_code error;
+        std::filesystem::create_directories(file.parent_path(), error);
+        const auto parent = std::filesystem::canonical(file.parent_path(), error);
+        const auto relative = parent.lexically_relative(folder_);
+        if (error || relative.empty() || *relative.begin() == "..") {
+            throw OutputError(name + ": it would not lie inside the output folder.");
+        }
+        return file;
+    }
+
+    void remove(const std::string& name) const {
+        std::error_code error;
+        std::filesystem::remove(folder_ / name, error);
+        if (error) {
+            throw OutputError(name + ": an older result could not be removed (" + error.message() +
+                              ").");
+        }
+    }
+
+    void write(const std::string& name, std::string_view bytes) {
+        writeOutputFile(place(name), bytes);
+        written_.push_back(name);
+    }
+
+    void noteWritten(const std::string& name) { written_.push_back(name); }
+    const std::vector<std::string>& written() const { return written_; }
+
+  private:
+    std::filesystem::path folder_;
+    std::vector<std::string> written_;
+};
+
+constexpr const char* kMetricsFile = "metrics.csv";
+constexpr const char* kMeshFile = "final.ply";
+constexpr const char* kSummaryFile = "summary.json";
+
+void removeEarlierResults(const OutputFolder& folder, const Session& session) {
+    for (const char* name : {kSummaryFile, kMetricsFile, kMeshFile}) {
+        folder.remove(name);
+    }
+    for (const SessionEvent& event : session.events) {
+        if (const auto* picture = std::get_if<ScreenshotEvent>(&event.action)) {
+            folder.remove(picture->file);
+        } else if (const auto* mesh = std::get_if<ExportEvent>(&event.action)) {
+            folder.remove(mesh->file);
+        }
+    }
+}
+
+/// One run of one session.
+class Replay {
+  public:
+    Replay(const Session& session, SurfaceMesh model, OutputFolder& folder)
+        : session_(session),
+          folder_(folder),
+          player_(session),
+          metrics_(folder.place(kMetricsFile)),
+          renderer_(render::Quality::full),
+          simulation_(std::move(model), session.params),
+          restBounds_(meshBounds(simulation_.mesh())),
+          camera_(sessionCamera(session, restBounds_)) {
+        summary_.model = session.model.name();
+        summary_.renderer = gpu::queryDevice().renderer;
+        summary_.before = countBody();
+        metrics_.write(metricsHeader());
+    }
+
+    void run(const ReplayProgress& progress) {
+        removeEarlierResults(folder_, session_);
+        for (int step = 0; step < session_.steps; ++step) {
+            progress(step, session_.steps);
+            runStep(step);
+        }
+        applyActions(session_.steps);
+        writeResults();
+    }
+
+    RunSummary takeSummary() { return std::move(summary_); }
+
+    // What happens before a step.
+    void operator()(const MoveBlade& move) {
+        execute(move);
+        sweep_.push_back(move.blade);
+    }
+    void operator()(const LiftBlade& lift) {
+        execute(lift);
+        sweep_.clear();
+    }
+    void operator()(const SetParam& set) { execute(set); }
+
+    void operator()(const ScreenshotEvent& event) {
+        const StopWatch watch;
+        renderer_.draw(sceneView(), camera_, event.width, event.height);
+        writePicture(renderer_.readPicture(), event.file);
+        renderMs_ += watch.milliseconds();
+    }
+    void operator()(const ExportEvent& event) {
+        folder_.write(event.file, encodeMesh(simulation_.mesh(), simulation_.pieces(),
+                                             *meshFormatOf(event.file)));
+    }
+    void operator()(const CheckEvent& event) {
+        checkHash(event);
+        checkPieces(event);
+    }
+
+  private:
+    void runStep(int step) {
+        const StopWatch watch;
+        renderMs_ = 0;
+        applyActions(step);
+        const StepReport& report = simulation_.step();
+        const MetricsRow row{report, renderMs_, watch.milliseconds()};
+        metrics_.write(formatMetrics(row));
+        summary_.statistics.add(row);
+        checkInvariants(report);
+        logMessages(step);
+    }
+
+    void applyActions(int step) {
+        step_ = step;
+        for (const SessionAction& action : player_.actionsAt(step)) {
+            std::visit(*this, action);
+        }
+    }
+
+    void execute(const Command& command) {
+        const std::string problem = simulation_.execute(command);
+        if (!problem.empty()) {
+            throw InputError("step " + std::to_string(step_) + ": " + problem);
+        }
+    }
+
+    render::SceneView sceneView() {
+        render::SceneView scene;
+        scene.body = simulation_.bodyView();
+        scene.material = render::materialFor(session_.model.name());
+        scene.restBounds = restBounds_;
+        scene.floor = simulation_.params().floor;
+        scene.blade = simulation_.blade();
+        scene.sweep = sweep_;
+        scene.focus = meshBounds(simulation_.mesh());
+        return scene;
+    }
+
+    void writePicture(const render::Image& picture, const std::string& name) {
+        const std::filesystem::path file = folder_.place(name);
+        try {
+            render::writePng(picture, file);
+        } catch (const std::runtime_error& error) {
+            throw OutputError(error.what());
+        }
+        folder_.noteWritten(name);
+    }
+
+    void checkHash(const CheckEvent& event) {
+        const std::string hash = event.hash ? simulation_.stateHash() : "";
+        if (event.hash && hash != *event.hash) {
+            fail("the state hash is " + hash + " where the session expects " + *event.hash +
+                 "; the replay has diverged");
+        }
+    }
+
+    void checkPieces(const CheckEvent& event) {
+        const int pieces = static_cast<int>(simulation_.pieces().pieces.size());
+        if (event.pieces && pieces != *event.pieces) {
+            fail("the model is in " + std::to_string(pieces) +
+                 " pieces where the session expects " + std::to_string(*event.pieces));
+        }
+    }
+
+    /// Only the first break of an invariant is worth a sentence: later steps inherit it.
+    void checkInvariants(const StepReport& report) {
+        if (!report.closed && !reportedOpen_) {
+            reportedOpen_ = true;
+            fail("the mesh is no closed, oriented 2-manifold any more");
+        }
+        if (!std::isfinite(report.volume) && !reportedNotFinite_) {
+            reportedNotFinite_ = true;
+            fail("the volume is not finite any more");
+        }
+    }
+
+    void fail(const std::string& problem) {
+        summary_.failures.push_back("Step " + std::to_string(step_) + ": " + problem + ".");
+    }
+
+    void logMessages(int step) {
+        for (const std::string& message : simulation_.takeMessages()) {
+            spdlog::warn("step {}: {}", step, message);
+        }
+    }
+
+    Counts countBody() {
+        const StepReport& report = simulation_.report();
+        return {report.vertices, report.triangles, report.ispcs};
+    }
+
+    void writeResults() {
+        folder_.write(kMeshFile,
+                      encodeMesh(simulation_.mesh(), simulation_.pieces(), MeshFormat::ply));
+        metrics_.commit();
+        folder_.noteWritten(kMetricsFile);
+        summary_.after = countBody();
+        summary_.pieces = simulation_.pieces().pieces;
+        summary_.stateHash = simulation_.stateHash();
+        folder_.write(kSummaryFile, formatSummary(summary_));
+    }
+
+    const Session& session_;
+    OutputFolder& folder_;
+    SessionPlayer player_;
+    AtomicFile metrics_;
+    render::Renderer renderer_;
+    Simulation simulation_;
+    Bounds restBounds_;
+    render::Camera camera_;
+    std::vector<Blade> sweep_;  ///< poses of the running stroke
+    RunSummary summary_;
+    int step_ = 0;
+    double renderMs_ = 0;
+    bool reportedOpen_ = false;
+    bool reportedNotFinite_ = false;
+};
+
+}  // namespace
+
+ReplayResult replaySession(const Session& session, SurfaceMesh model,
+                           const std::filesystem::path& folder, const ReplayProgress& progress) {
+    OutputFolder output(folder);
+    Replay replay(session, std::move(model), output);
+    replay.run(progress);
+    return {replay.takeSummary(), output.written()};
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/metrics.h"
+#include "app/session.h"
+
+namespace kerf::app {
+
+/// Called before each step with the steps done and the steps to do.
+using ReplayProgress = std::function<void(int done, int total)>;
+
+struct ReplayResult {
+    RunSummary summary;
+    /// What was written, relative to the output folder, in the order of writing.
+    std::vector<std::string> files;
+};
+
+/// Runs a session as fast as it can on the OpenGL context that is current and writes metrics.csv,
+/// summary.json, final.ply, the session's screenshots and its exports into `folder` (made where it
+/// is missing) and nowhere else. Every file appears complete or not at all; results of an earlier
+/// run under these names are removed first, and summary.json comes last. Checks that fail do not
+/// stop the run: they stand in summary.failures. `model` is loadSessionModel(session).
+///
+/// Throws OutputError, gpu::ShaderError, gpu::OutOfMemory.
+ReplayResult replaySession(const Session& session, SurfaceMesh model,
+                           const std::filesystem::path& folder, const ReplayProgress& progress);
+
+}  // namespace kerf::app

@@ -1,0 +1,116 @@
+#include "app/replay_verb.h"
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli.h"
+#include "app/replay.h"
+#include "gpu/context.h"
+
+namespace kerf::app {
+
+namespace {
+
+/// A line on the terminal that is written over and gone at the end; nothing where standard error
+/// is no terminal.
+class ProgressLine {
+  public:
+    ~ProgressLine() {
+        if (shown_) {
+            std::fputs("\r\x1b[K", stderr);
+        }
+    }
+
+    void show(int done, int total) {
+        const auto now = Clock::now();
+        if (!terminal_ || now - last_ < std::chrono::milliseconds(100)) {
+            return;
+        }
+        last_ = now;
+        shown_ = true;
+        std::fprintf(stderr, "\rstep %d of %d (%d %%)\x1b[K", done, total,
+                     static_cast<int>(100.0 * done / total));
+        std::fflush(stderr);
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    bool terminal_ = ::isatty(STDERR_FILENO) == 1;
+    bool shown_ = false;
+    Clock::time_point last_ = Clock::now();
+};
+
+ReplayResult runHeadless(const Session& session, SurfaceMesh model,
+                         const std::filesystem::path& folder) {
+    gpu::EglContext context;
+    gpu::enableDebugOutput();
+    ProgressLine line;
+    return replaySession(session, std::move(model), folder,
+                         [&line](int done, int total) { line.show(done, total); });
+}
+
+std::string percent(double ratio) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f %%", 100 * ratio);
+    return text;
+}
+
+std::string piecesText(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " piece" : " pieces");
+}
+
+void printForPeople(const ReplayResult& result, const std::filesystem::path& folder,
+                    std::ostream& out) {
+    const RunSummary& summary = result.summary;
+    const RunStatistics& run = summary.statistics;
+    out << summary.model << ": " << run.steps << " steps, " << piecesText(summary.pieces.size())
+        << ", " << summary.before.triangles << " triangles before and " << summary.after.triangles
+        << " after\n";
+    out << "volume: mean " << percent(run.volumeRatio.mean()) << ", min "
+        << percent(run.volumeRatio.min()) << ", final " << percent(run.finalVolumeRatio)
+        << " of rest\n";
+    out << "state: " << summary.stateHash << "\n";
+    out << "written to " << folder.string() << ":";
+    for (const std::string& file : result.files) {
+        out << " " << file;
+    }
+    out << "\n";
+}
+
+void printJson(const ReplayResult& result, std::ostream& out) {
+    nlohmann::ordered_json json = toJson(result.summary);
+    json["files"] = result.files;
+    out << json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
+}
+
+}  // namespace
+
+int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors) {
+    const Session session = readSession(arguments.session);
+    for (const std::string& warning : session.warnings) {
+        spdlog::warn(warning);
+    }
+    const ReplayResult result = runHeadless(session, loadSessionModel(session), arguments.out);
+    if (arguments.json) {
+        printJson(result, out);
+    } else {
+        printForPeople(result, arguments.out, out);
+    }
+    const auto& failures = result.summary.failures;
+    if (failures.empty()) {
+        return kExitDone;
+    }
+    errors << failures.front();
+    if (failures.size() > 1) {
+        errors << " (" << failures.size() - 1 << " more in summary.json.)";
+    }
+    errors << "\n";
+    return kExitCheckFailed;
+}
+
+}  // namespace kerf::app
