@@ -28,6 +28,7 @@ libcli11-dev        reads the command line
 nlohmann-json3-dev  reads and writes session files
 libspdlog-dev       writes the log
 libstb-dev          reads and writes pictures
+nettle-dev          hashes states and files
 '
 test_packages='
 libgtest-dev        runs the tests
@@ -57,17 +58,19 @@ missing_lines() {
     done <<<"$1"
 }
 
-# Runs apt-get as root; the end of its output is shown only where it fails.
-run_apt() {
+# Runs a command; the end of its output is shown only where it fails.
+quietly() {
     local log status=0
     log=$(mktemp)
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "$@" >"$log" 2>&1 || status=$?
+    "$@" >"$log" 2>&1 || status=$?
     if [[ $status != 0 ]]; then
-        tail -n 20 "$log" >&2
+        tail -n 30 "$log" >&2
     fi
     rm -f "$log"
     return "$status"
 }
+
+run_apt() { quietly "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "$@"; }
 
 # ensure_packages LINES: installs what is missing of them, and says what and why.
 ensure_packages() {
@@ -112,7 +115,8 @@ configure() {
         return
     fi
     say "configuring $preset in $folder"
-    (cd "$root" && cmake --preset "$preset" -DKERF_TESTS="$tests" >/dev/null)
+    (cd "$root" && quietly cmake --preset "$preset" -DKERF_TESTS="$tests") ||
+        fail "CMake could not configure the build (see above)"
 }
 
 # build FOLDER TARGET: quiet where there is nothing to do.
