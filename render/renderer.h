@@ -2,12 +2,14 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gpu/framebuffer.h"
 #include "render/camera.h"
 #include "render/image.h"
 #include "sim/cut/blade.h"
+#include "sim/mesh/surface_mesh.h"
 #include "sim/solve/body_view.h"
 
 namespace kerf::render {
@@ -19,6 +21,8 @@ struct Material {
     Eigen::Vector3f inner = {0.52f, 0.58f, 0.24f};  ///< linear albedo of the cut faces
     Eigen::Vector3f rind = {0.62f, 0.24f, 0.10f};   ///< linear albedo just below the skin
     MaterialPattern pattern = MaterialPattern::rings;
+    float mottle = 0.25f;  ///< strength of the skin's colour variation, 0 to 1
+    float facets = 0;      ///< share of flat shading on the skin, for very coarse models, 0 to 1
 };
 /// The look of a builtin model by name ("sphere768", "banana", "octopus"); a default for others.
 Material materialFor(const std::string& modelName);
@@ -30,11 +34,11 @@ enum class Quality { light, full };
 struct SceneView {
     BodyView body;
     Material material;
-    Bounds restBounds;                  ///< of the uncut rest shape, for the inner structure
-    std::optional<double> floor;        ///< height of the grid floor [m]
-    std::optional<Blade> blade;         ///< steel with a bright edge
-    std::vector<Blade> sweep;           ///< poses of the running stroke: translucent quads
-    Bounds focus;                       ///< what the shadow map must cover (body, current)
+    Bounds restBounds;            ///< of the uncut rest shape, for the inner structure
+    std::optional<double> floor;  ///< height of the grid floor [m]
+    std::optional<Blade> blade;   ///< steel with a bright edge
+    std::vector<Blade> sweep;     ///< poses of the running stroke: translucent quads
+    Bounds focus;                 ///< what the shadow map must cover (body, current)
     bool wireframe = false;
 };
 
@@ -45,6 +49,12 @@ class Renderer {
     /// Throws gpu::ShaderError.
     explicit Renderer(Quality quality);
     ~Renderer();
+
+    /// Measures how deep each point of the uncut rest shape lies below its skin, so that the rind
+    /// and the rings on the cut faces follow that shape. Call it when a model was loaded; cuts
+    /// don't change it. Without it, or with an empty mesh, depth comes from the ellipsoid in
+    /// restBounds.
+    void setRestShape(const SurfaceMesh& uncut);
 
     /// Draws into target(), made or remade at this size.
     void draw(const SceneView& scene, const Camera& camera, int width, int height);

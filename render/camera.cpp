@@ -1,0 +1,137 @@
+#include "render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kerf::render {
+namespace {
+
+constexpr double kNearShare = 0.02;   // of the distance to the target
+constexpr double kFarShare = 80.0;    // of the distance to the target
+constexpr double kPoleMargin = 0.03;  // closest approach to the poles [rad]
+constexpr double kFrameMargin = 1.15;
+
+struct Frame {
+    Vec3 forward;
+    Vec3 right;
+    Vec3 up;
+};
+
+Vec3 anyPerpendicular(const Vec3& forward) {
+    // Seen straight from above, -z points up on the screen, as on a map.
+    const Vec3 map = forward.cross(Vec3(0, 0, -1));
+    return map.norm() > 1e-6 ? map : forward.cross(Vec3(1, 0, 0));
+}
+
+Frame frameOf(const Camera& camera) {
+    Frame frame;
+    const Vec3 toTarget = camera.target - camera.eye;
+    frame.forward = toTarget.norm() > 0 ? Vec3(toTarget.normalized()) : Vec3(0, 0, -1);
+    Vec3 right = frame.forward.cross(camera.up);
+    if (right.norm() < 1e-6 * camera.up.norm()) {
+        right = anyPerpendicular(frame.forward);
+    }
+    frame.right = right.normalized();
+    frame.up = frame.right.cross(frame.forward);
+    return frame;
+}
+
+double distance(const Camera& camera) {
+    return (camera.target - camera.eye).norm();
+}
+
+double tanHalfFov(const Camera& camera) {
+    return std::tan(0.5 * camera.fovY * std::numbers::pi / 180.0);
+}
+
+}  // namespace
+
+Eigen::Matrix4f Camera::view() const {
+    const Frame frame = frameOf(*this);
+    Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+    m.block<1, 3>(0, 0) = frame.right.transpose();
+    m.block<1, 3>(1, 0) = frame.up.transpose();
+    m.block<1, 3>(2, 0) = -frame.forward.transpose();
+    m(0, 3) = -frame.right.dot(eye);
+    m(1, 3) = -frame.up.dot(eye);
+    m(2, 3) = frame.forward.dot(eye);
+    return m.cast<float>();
+}
+
+Eigen::Matrix4f Camera::projection(double aspect) const {
+    const double f = 1.0 / tanHalfFov(*this);
+    const double n = nearPlane();
+    const double z = farPlane();
+    Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
+    m(0, 0) = f / aspect;
+    m(1, 1) = f;
+    m(2, 2) = (z + n) / (n - z);
+    m(2, 3) = 2 * z * n / (n - z);
+    m(3, 2) = -1;
+    return m.cast<float>();
+}
+
+double Camera::nearPlane() const {
+    return kNearShare * distance(*this);
+}
+
+double Camera::farPlane() const {
+    return kFarShare * distance(*this);
+}
+
+void Camera::orbit(double yaw, double pitch) {
+    const Vec3 axis = up.normalized();
+    const Vec3 arm = eye - target;
+    const double elevation = std::asin(std::clamp(arm.normalized().dot(axis), -1.0, 1.0));
+    const double limit = 0.5 * std::numbers::pi - kPoleMargin;
+    const double wanted = std::clamp(elevation + pitch, -limit, limit);
+    const Vec3 right = frameOf(*this).right;
+    const Vec3 pitched = Eigen::AngleAxisd(elevation - wanted, right) * arm;
+    eye = target + Eigen::AngleAxisd(yaw, axis) * pitched;
+}
+
+void Camera::pan(double dx, double dy) {
+    const Frame frame = frameOf(*this);
+    const double height = 2 * tanHalfFov(*this) * distance(*this);
+    const Vec3 move = height * (dx * frame.right + dy * frame.up);
+    eye += move;
+    target += move;
+}
+
+void Camera::zoom(double factor, const Vec2& ndc, double aspect) {
+    const Vec3 ray = rayDirection(ndc, aspect);
+    const Vec3 fixed = eye + ray * (distance(*this) / ray.dot(frameOf(*this).forward));
+    eye = fixed + factor * (eye - fixed);
+    target = fixed + factor * (target - fixed);
+}
+
+void Camera::frame(const Bounds& bounds) {
+    if (bounds.empty()) {
+        return;
+    }
+    const Frame frame = frameOf(*this);
+    const double tangent = tanHalfFov(*this);
+    const Vec3 center = bounds.center();
+    double needed = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 q = Vec3(corner & 1 ? bounds.high.x() : bounds.low.x(),
+                            corner & 2 ? bounds.high.y() : bounds.low.y(),
+                            corner & 4 ? bounds.high.z() : bounds.low.z()) -
+                       center;
+        const double sideways = std::max(std::abs(q.dot(frame.right)), std::abs(q.dot(frame.up)));
+        needed = std::max(needed, sideways / tangent - q.dot(frame.forward));
+    }
+    target = center;
+    eye = center - frame.forward * std::max(kFrameMargin * needed, 1e-6);
+}
+
+Vec3 Camera::rayDirection(const Vec2& ndc, double aspect) const {
+    const Frame frame = frameOf(*this);
+    const double tangent = tanHalfFov(*this);
+    return (frame.forward + frame.right * (ndc.x() * tangent * aspect) +
+            frame.up * (ndc.y() * tangent))
+        .normalized();
+}
+
+}  // namespace kerf::render

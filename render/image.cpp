@@ -1,0 +1,179 @@
+#include "render/image.h"
+
+#include <stb_image.h>
+#include <stb_image_write.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+
+namespace kerf::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMaxSide = 32768;
+constexpr std::uintmax_t kMaxFileBytes = 512u << 20;
+constexpr int kVisibleDifference = 2;  // of 255
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+    throw std::runtime_error(file.string() + ": " + why + ".");
+}
+
+std::vector<std::uint8_t> encode(const Image& image, const fs::path& file) {
+    std::vector<std::uint8_t> bytes;
+    const auto append = [](void* context, void* data, int size) {
+        auto* out = static_cast<std::vector<std::uint8_t>*>(context);
+        const auto* first = static_cast<const std::uint8_t*>(data);
+        out->insert(out->end(), first, first + size);
+    };
+    if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(),
+                               image.width * 4) == 0) {
+        refuse(file, "the picture could not be encoded as PNG");
+    }
+    return bytes;
+}
+
+bool writeAll(std::FILE* out, const std::vector<std::uint8_t>& bytes) {
+    return std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() &&
+           std::fflush(out) == 0 && ::fsync(::fileno(out)) == 0;
+}
+
+/// Empty on success, else what the system says.
+std::string writeFile(const fs::path& file, const std::vector<std::uint8_t>& bytes) {
+    std::FILE* out = std::fopen(file.c_str(), "wb");
+    if (out == nullptr) {
+        return std::strerror(errno);
+    }
+    const bool written = writeAll(out, bytes);
+    const int error = errno;
+    const bool closed = std::fclose(out) == 0;
+    return written && closed ? "" : std::strerror(written ? errno : error);
+}
+
+std::vector<std::uint8_t> readFile(const fs::path& file) {
+    std::error_code error;
+    if (!fs::exists(file, error)) {
+        refuse(file, "there is no such file");
+    }
+    if (!fs::is_regular_file(file, error)) {
+        refuse(file, "this is not a regular file");
+    }
+    const std::uintmax_t size = fs::file_size(file, error);
+    if (error || size > kMaxFileBytes) {
+        refuse(file, error ? error.message() : "the file is larger than 512 MB");
+    }
+    std::vector<std::uint8_t> bytes(size);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"),
+                                                             &std::fclose);
+    if (!in || std::fread(bytes.data(), 1, bytes.size(), in.get()) != bytes.size()) {
+        refuse(file, std::string("the file could not be read: ") + std::strerror(errno));
+    }
+    return bytes;
+}
+
+bool isPng(const std::vector<std::uint8_t>& bytes) {
+    constexpr std::array<std::uint8_t, 8> kSignature = {0x89, 'P',  'N',  'G',
+                                                        '\r', '\n', 0x1a, '\n'};
+    return bytes.size() >= kSignature.size() &&
+           std::equal(kSignature.begin(), kSignature.end(), bytes.begin());
+}
+
+void checkSize(const std::vector<std::uint8_t>& bytes, const fs::path& file) {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    const int size = static_cast<int>(bytes.size());
+    if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) {
+        refuse(file, "the PNG header is damaged");
+    }
+    if (width > kMaxSide || height > kMaxSide) {
+        refuse(file, "the picture is larger than 32768 pixels on a side");
+    }
+}
+
+int channelDifference(const std::uint8_t* a, const std::uint8_t* b, double& sum) {
+    int largest = 0;
+    for (int c = 0; c < 4; ++c) {
+        const int difference = std::abs(int(a[c]) - int(b[c]));
+        sum += difference;
+        largest = std::max(largest, difference);
+    }
+    return largest;
+}
+
+void paintDifference(std::uint8_t* out, const std::uint8_t* pixel, int difference) {
+    const auto grey = static_cast<std::uint8_t>((pixel[0] + pixel[1] + pixel[2]) / 6 + 32);
+    const bool differs = difference > kVisibleDifference;
+    out[0] = differs ? static_cast<std::uint8_t>(std::min(255, 128 + difference)) : grey;
+    out[1] = differs ? 20 : grey;
+    out[2] = differs ? 20 : grey;
+    out[3] = 255;
+}
+
+}  // namespace
+
+void writePng(const Image& image, const fs::path& file) {
+    const std::vector<std::uint8_t> bytes = encode(image, file);
+    const fs::path temporary = file.string() + ".part" + std::to_string(::getpid());
+    std::error_code error;
+    if (const std::string why = writeFile(temporary, bytes); !why.empty()) {
+        fs::remove(temporary, error);
+        refuse(file, "the picture could not be written: " + why);
+    }
+    fs::rename(temporary, file, error);
+    if (error) {
+        const std::string why = error.message();
+        fs::remove(temporary, error);
+        refuse(file, "the picture could not be written: " + why);
+    }
+}
+
+Image readPng(const fs::path& file) {
+    const std::vector<std::uint8_t> bytes = readFile(file);
+    if (!isPng(bytes)) {
+        refuse(file, "this is not a PNG picture");
+    }
+    checkSize(bytes, file);
+    Image image;
+    int channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width,
+                              &image.height, &channels, 4),
+        &stbi_image_free);
+    if (!pixels) {
+        refuse(file, "the PNG picture is damaged or cut off");
+    }
+    image.pixels.assign(pixels.get(), pixels.get() + std::size_t(image.width) * image.height * 4);
+    return image;
+}
+
+ImageDifference compareImages(const Image& a, const Image& b) {
+    ImageDifference result;
+    result.sameSize = a.width == b.width && a.height == b.height;
+    if (!result.sameSize) {
+        result.meanError = 1;
+        result.maxError = 1;
+        return result;
+    }
+    result.picture = {a.width, a.height, std::vector<std::uint8_t>(a.pixels.size())};
+    double sum = 0;
+    int largest = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
+        const int difference = channelDifference(&a.pixels[i], &b.pixels[i], sum);
+        paintDifference(&result.picture.pixels[i], &a.pixels[i], difference);
+        result.differingPixels += difference > kVisibleDifference ? 1 : 0;
+        largest = std::max(largest, difference);
+    }
+    result.meanError = a.pixels.empty() ? 0 : sum / (255.0 * double(a.pixels.size()));
+    result.maxError = largest / 255.0;
+    return result;
+}
+
+}  // namespace kerf::render

@@ -1,0 +1,57 @@
+#include <map>
+#include <string>
+
+#include "render/renderer.h"
+
+namespace kerf::render {
+namespace {
+
+Material ball(float facets) {
+    Material material;
+    material.facets = facets;
+    return material;
+}
+
+Material banana() {
+    Material material;
+    material.skin = {0.82f, 0.52f, 0.03f};
+    material.inner = {0.78f, 0.66f, 0.38f};
+    material.rind = {0.80f, 0.62f, 0.20f};
+    material.pattern = MaterialPattern::pulp;
+    material.mottle = 0.55f;
+    return material;
+}
+
+Material octopus() {
+    Material material;
+    material.skin = {0.42f, 0.07f, 0.17f};
+    material.inner = {0.78f, 0.50f, 0.46f};
+    material.rind = {0.52f, 0.13f, 0.20f};
+    material.pattern = MaterialPattern::marbling;
+    material.mottle = 0.6f;
+    return material;
+}
+
+Material clay() {
+    Material material;
+    material.skin = {0.10f, 0.30f, 0.38f};
+    material.inner = {0.72f, 0.58f, 0.42f};
+    material.rind = {0.30f, 0.36f, 0.34f};
+    material.pattern = MaterialPattern::marbling;
+    material.mottle = 0.2f;
+    return material;
+}
+
+}  // namespace
+
+Material materialFor(const std::string& modelName) {
+    static const std::map<std::string, Material> kLooks = {{"sphere20", ball(0.8f)},
+                                                           {"sphere80", ball(0.45f)},
+                                                           {"sphere768", ball(0)},
+                                                           {"banana", banana()},
+                                                           {"octopus", octopus()}};
+    const auto found = kLooks.find(modelName);
+    return found != kLooks.end() ? found->second : clay();
+}
+
+}  // namespace kerf::render

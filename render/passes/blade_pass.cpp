@@ -1,0 +1,218 @@
+#include "render/passes/blade_pass.h"
+
+#include <glad/gl.h>
+
+#include <array>
+
+#include "shaders/shared/render_bindings.h"
+
+namespace kerf::render {
+namespace {
+
+using shared::vec4;
+
+struct BladeVertex {
+    vec4 position;  // w: height above the cutting edge, 0 to 1
+    vec4 normal;
+};
+static_assert(sizeof(BladeVertex) == 32);
+
+constexpr double kHeight = 0.11;      // of the body's size
+constexpr double kThickness = 0.05;   // half, of the height
+constexpr double kBevelHeight = 0.3;  // where the ground bevel ends, of the height
+const Eigen::Vector4f kSheetTint = {0.10f, 0.62f, 0.52f, 0.30f};
+const Eigen::Vector4f kEdgeTint = {0.30f, 0.95f, 0.80f, 1.0f};
+constexpr float kEdgeWidth = 1.6f;  // [px]
+constexpr float kHiddenStrength = 0.22f;
+
+vec4 packed(const Vec3& v, double w) {
+    return {float(v.x()), float(v.y()), float(v.z()), float(w)};
+}
+
+Vec3 middle(const Blade& blade) {
+    return 0.5 * (blade.a + blade.b);
+}
+
+/// Across the blade, towards where it came from; up where it hasn't moved.
+Vec3 spineDirection(const SceneView& scene) {
+    const Vec3 along = (scene.blade->b - scene.blade->a).normalized();
+    Vec3 spine = Vec3::UnitY();
+    if (scene.sweep.size() >= 2) {
+        const Vec3 came = middle(scene.sweep[scene.sweep.size() - 2]) - middle(scene.sweep.back());
+        spine = came.norm() > 1e-9 ? Vec3(came.normalized()) : spine;
+    }
+    for (const Vec3& candidate : {spine, Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX())}) {
+        const Vec3 across = candidate - along * along.dot(candidate);
+        if (across.norm() > 0.1) {
+            return across.normalized();
+        }
+    }
+    return Vec3::UnitZ();
+}
+
+/// A prism along AB over this cross-section (seen from B, the cutting edge below):
+///     3---2
+///     |   |
+///     4   1
+///      \ /
+///       0
+class KnifeBuilder {
+  public:
+    KnifeBuilder(const Blade& blade, const Vec3& spine, double height)
+        : blade_(blade), spine_(spine), height_(height) {
+        side_ = (blade.b - blade.a).normalized().cross(spine);
+    }
+
+    std::vector<BladeVertex> build() {
+        for (int i = 0; i < 5; ++i) {
+            addFace(i, (i + 1) % 5);
+        }
+        addEnd(blade_.a);
+        addEnd(blade_.b);
+        return std::move(vertices_);
+    }
+
+  private:
+    static constexpr std::array<std::array<double, 2>, 5> kSection = {
+        {{0, 0},
+         {kThickness, kBevelHeight},
+         {kThickness, 1},
+         {-kThickness, 1},
+         {-kThickness, kBevelHeight}}};
+
+    Vec3 at(const Vec3& end, int i) const {
+        return end + height_ * (kSection[i][0] * side_ + kSection[i][1] * spine_);
+    }
+
+    void add(const Vec3& end, int i, const Vec3& normal) {
+        vertices_.push_back({packed(at(end, i), kSection[i][1]), packed(normal, 0)});
+    }
+
+    void addFace(int i, int j) {
+        const Vec3 across = at(blade_.a, j) - at(blade_.a, i);
+        const Vec3 normal = across.cross(blade_.b - blade_.a).normalized();
+        for (const auto& [end, corner] : {std::pair{blade_.a, i},
+                                          {blade_.b, i},
+                                          {blade_.a, j},
+                                          {blade_.a, j},
+                                          {blade_.b, i},
+                                          {blade_.b, j}}) {
+            add(end, corner, normal);
+        }
+    }
+
+    void addEnd(const Vec3& end) {
+        const Vec3 normal = (end - middle(blade_)).normalized();
+        for (int i = 1; i < 4; ++i) {
+            add(end, 0, normal);
+            add(end, i, normal);
+            add(end, i + 1, normal);
+        }
+    }
+
+    Blade blade_;
+    Vec3 spine_;
+    Vec3 side_;
+    double height_;
+    std::vector<BladeVertex> vertices_;
+};
+
+std::vector<vec4> poseEnds(const std::vector<Blade>& poses) {
+    std::vector<vec4> ends;
+    for (const Blade& pose : poses) {
+        ends.push_back(packed(pose.a, 1));
+        ends.push_back(packed(pose.b, 1));
+    }
+    return ends;
+}
+
+/// Trails of A and B, the first pose and the blade itself.
+std::vector<vec4> outline(const SceneView& scene) {
+    std::vector<vec4> segments;
+    const auto add = [&](const Vec3& p, const Vec3& q) {
+        segments.push_back(packed(p, 1));
+        segments.push_back(packed(q, 1));
+    };
+    for (std::size_t i = 0; i + 1 < scene.sweep.size(); ++i) {
+        add(scene.sweep[i].a, scene.sweep[i + 1].a);
+        add(scene.sweep[i].b, scene.sweep[i + 1].b);
+    }
+    if (scene.sweep.size() >= 2) {
+        add(scene.sweep.front().a, scene.sweep.front().b);
+        add(scene.sweep.back().a, scene.sweep.back().b);
+    } else if (scene.blade) {
+        add(scene.blade->a, scene.blade->b);
+    }
+    return segments;
+}
+
+}  // namespace
+
+BladePass::BladePass()
+    : steel_(gpu::Program::graphics("render/blade.vert", "render/blade.frag")),
+      sheet_(gpu::Program::graphics("render/sweep.vert", "render/flat.frag")),
+      lines_(gpu::Program::graphics("render/line.vert", "render/line.frag")) {}
+
+void BladePass::drawBlade(const SceneView& scene, const Frame& frame) {
+    if (!scene.blade || (scene.blade->b - scene.blade->a).norm() < 1e-9) {
+        return;
+    }
+    const double height = kHeight * frame.bodySize;
+    const auto knife = KnifeBuilder(*scene.blade, spineDirection(scene), height).build();
+    vertices_.assign(knife);
+    vertices_.bindStorage(shared::kBindSegments);
+    steel_.use();
+    setLight(steel_, frame);
+    steel_.set("viewProjection", frame.viewProjection);
+    steel_.set("eye", frame.eye);
+    glDepthFunc(GL_LESS);
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(knife.size()));
+}
+
+void BladePass::drawSweep(const SceneView& scene, const Frame& frame) {
+    if (scene.sweep.size() < 2) {
+        return;
+    }
+    poses_.assign(poseEnds(scene.sweep));
+    poses_.bindStorage(shared::kBindSegments);
+    sheet_.use();
+    sheet_.set("viewProjection", frame.viewProjection);
+    sheet_.set("tint", kSheetTint);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(6 * (scene.sweep.size() - 1)));
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+}
+
+void BladePass::drawEdges(const SceneView& scene, const Frame& frame) {
+    const std::vector<vec4> segments = outline(scene);
+    if (segments.empty()) {
+        return;
+    }
+    segments_.assign(segments);
+    segments_.bindStorage(shared::kBindSegments);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glDepthFunc(GL_GREATER);
+    Eigen::Vector4f hidden = kEdgeTint;
+    hidden.w() = kHiddenStrength;
+    drawLines(segments.size() / 2, kEdgeWidth, hidden, frame);
+    glDepthFunc(GL_LEQUAL);
+    drawLines(segments.size() / 2, kEdgeWidth, kEdgeTint, frame);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+}
+
+void BladePass::drawLines(std::size_t segments, float width, const Eigen::Vector4f& tint,
+                          const Frame& frame) const {
+    lines_.use();
+    lines_.set("viewProjection", frame.viewProjection);
+    lines_.set("viewport", Eigen::Vector2f(float(frame.width), float(frame.height)));
+    lines_.set("width", width);
+    lines_.set("tint", tint);
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(6 * segments));
+}
+
+}  // namespace kerf::render

@@ -1,0 +1,87 @@
+#include "render/passes/depth_passes.h"
+
+#include <glad/gl.h>
+
+#include "shaders/shared/render_bindings.h"
+
+namespace kerf::render {
+namespace {
+
+constexpr float kContactFalloff = 0.085f;  // of the body's size
+constexpr float kContactBlur = 0.011f;     // distance between taps, of the body's size
+
+void drawBodyDepth(const gpu::Program& program, const gpu::Framebuffer& map,
+                   const Eigen::Matrix4f& matrix, const BodyView& body) {
+    map.bind();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    // What lies outside the depth range is flattened onto it: it still casts its shadow.
+    glEnable(GL_DEPTH_CLAMP);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    program.use();
+    program.set("lightMatrix", matrix);
+    body.positions->bindStorage(shared::kBindPositions);
+    body.triangles->bindStorage(shared::kBindTriangles);
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * body.triangleCount));
+    glDisable(GL_DEPTH_CLAMP);
+}
+
+void drawFullscreen(const gpu::Framebuffer& target) {
+    target.bind();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace
+
+ShadowPass::ShadowPass(int size)
+    : program_(gpu::Program::graphics("render/shadow.vert", "render/depth_only.frag")),
+      map_(0, GL_DEPTH_COMPONENT32F, size, size) {
+    glTextureParameteri(map_.depth().id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(map_.depth().id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void ShadowPass::draw(const SceneView& scene, const Frame& frame) {
+    drawBodyDepth(program_, map_, frame.lightMatrix, scene.body);
+}
+
+void ShadowPass::bind() const {
+    map_.depth().bind(shared::kUnitShadow);
+}
+
+ContactPass::ContactPass(int size)
+    : depthProgram_(gpu::Program::graphics("render/shadow.vert", "render/depth_only.frag")),
+      heightProgram_(gpu::Program::graphics("render/fullscreen.vert", "render/ground_height.frag")),
+      blurProgram_(gpu::Program::graphics("render/fullscreen.vert", "render/blur.frag")),
+      heights_(0, GL_DEPTH_COMPONENT32F, size, size),
+      shade_(GL_R16F, GL_DEPTH_COMPONENT16, size, size),
+      scratch_(GL_R16F, GL_DEPTH_COMPONENT16, size, size) {}
+
+void ContactPass::draw(const SceneView& scene, const Frame& frame) {
+    drawBodyDepth(depthProgram_, heights_, frame.groundMatrix, scene.body);
+    heights_.depth().bind(0);
+    heightProgram_.use();
+    heightProgram_.set("depthRange", frame.groundRange);
+    heightProgram_.set("falloff", kContactFalloff * frame.bodySize);
+    drawFullscreen(shade_);
+    const float stride = kContactBlur * frame.bodySize / (2 * frame.groundReach);
+    blur(shade_, scratch_, {stride, 0});
+    blur(scratch_, shade_, {0, stride});
+}
+
+void ContactPass::blur(const gpu::Framebuffer& from, const gpu::Framebuffer& to,
+                       const Eigen::Vector2f& stride) {
+    from.color().bind(0);
+    blurProgram_.use();
+    blurProgram_.set("stride", stride);
+    drawFullscreen(to);
+}
+
+void ContactPass::bind() const {
+    shade_.color().bind(shared::kUnitGround);
+}
+
+}  // namespace kerf::render

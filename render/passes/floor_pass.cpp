@@ -1,0 +1,56 @@
+#include "render/passes/floor_pass.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::render {
+namespace {
+
+constexpr double kFadeReach = 9.0;   // of the larger of body and viewing distance
+constexpr double kFadeBegin = 0.08;  // of the reach
+
+}  // namespace
+
+double gridCell(double bodySize) {
+    const double wanted = bodySize / 12;
+    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+    return wanted / power < 1.5 ? power : (wanted / power < 5 ? 2 * power : 10 * power);
+}
+
+FloorPass::FloorPass(const gpu::Defines& defines)
+    : backdrop_(gpu::Program::graphics("render/fullscreen.vert", "render/background.frag")),
+      floor_(gpu::Program::graphics("render/floor.vert", "render/floor.frag", defines)) {}
+
+void FloorPass::drawBackdrop(bool hasFloor) const {
+    backdrop_.use();
+    backdrop_.set("glow", hasFloor ? 0.15f : 1.0f);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_FALSE);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthMask(GL_TRUE);
+}
+
+void FloorPass::drawFloor(double height, const Frame& frame, const Camera& camera) const {
+    const double distance = (camera.eye - camera.target).norm();
+    const float reach = float(kFadeReach * std::max(double(frame.bodySize), distance));
+    floor_.use();
+    setLight(floor_, frame);
+    floor_.set("viewProjection", frame.viewProjection);
+    floor_.set("eye", frame.eye);
+    floor_.set("groundMatrix", frame.groundMatrix);
+    floor_.set("hasBody", frame.hasBody ? 1.0f : 0.0f);
+    floor_.set("floorHeight", float(height));
+    floor_.set("floorCenter", Eigen::Vector2f(float(camera.target.x()), float(camera.target.z())));
+    floor_.set("floorReach", reach);
+    floor_.set("fadeStart", float(kFadeBegin * reach));
+    floor_.set("fadeEnd", reach);
+    floor_.set("cell", float(gridCell(frame.bodySize)));
+    glDepthFunc(GL_LESS);
+    glEnable(GL_BLEND);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glDisable(GL_BLEND);
+}
+
+}  // namespace kerf::render

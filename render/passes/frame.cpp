@@ -1,0 +1,100 @@
+#include "render/passes/frame.h"
+
+#include <cmath>
+
+namespace kerf::render {
+namespace {
+
+const Vec3 kKeyDirection = Vec3(-0.18, 0.86, 0.48).normalized();
+constexpr double kContactRange = 0.8;   // of the body's size: height above which nothing darkens
+constexpr double kContactMargin = 0.3;  // of the body's size, around the focus
+
+Bounds focusOf(const SceneView& scene) {
+    if (!scene.focus.empty()) {
+        return scene.focus;
+    }
+    if (!scene.restBounds.empty()) {
+        return scene.restBounds;
+    }
+    Bounds unit;
+    unit.add(Vec3::Constant(-0.5));
+    unit.add(Vec3::Constant(0.5));
+    return unit;
+}
+
+/// Rounds up in steps of 1/16 of its power of two, so that a moving body changes it rarely.
+double steppedUp(double radius) {
+    const double step = std::exp2(std::floor(std::log2(radius))) / 16;
+    return std::ceil(radius / step) * step;
+}
+
+/// An orthographic light around the focus. Centre and size move in whole texels and steps: the edge
+/// of the shadow doesn't shimmer while the body moves.
+void aimKeyLight(Frame& frame, int shadowSize) {
+    const double radius = steppedUp(std::max(0.505 * frame.focus.diagonal(), 1e-6));
+    const double texel = 2 * radius / (shadowSize - 2);
+    const double reach = 0.5 * texel * shadowSize;
+    const Vec3 z = kKeyDirection;
+    const Vec3 x = Vec3::UnitY().cross(z).normalized();
+    const Vec3 y = z.cross(x);
+    const Vec3 center = frame.focus.center();
+    const auto snapped = [&](const Vec3& axis) {
+        return std::round(center.dot(axis) / texel) * texel;
+    };
+    Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+    m.block<1, 3>(0, 0) = x.transpose() / reach;
+    m.block<1, 3>(1, 0) = y.transpose() / reach;
+    m.block<1, 3>(2, 0) = -z.transpose() / reach;
+    m(0, 3) = -snapped(x) / reach;
+    m(1, 3) = -snapped(y) / reach;
+    m(2, 3) = snapped(z) / reach;
+    frame.keyDirection = z.cast<float>();
+    frame.lightMatrix = m.cast<float>();
+    frame.shadowTexel = float(texel);
+}
+
+/// The floor seen from straight below, depth 0 at the floor.
+void aimContactMap(Frame& frame, double floor) {
+    const Vec3 center = frame.focus.center();
+    const Vec3 half = 0.5 * (frame.focus.high - frame.focus.low);
+    const double reach = steppedUp(std::max(half.x(), half.z()) + kContactMargin * frame.bodySize);
+    const double range = kContactRange * frame.bodySize;
+    Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
+    m(0, 0) = 1 / reach;
+    m(0, 3) = -center.x() / reach;
+    m(1, 2) = 1 / reach;
+    m(1, 3) = -center.z() / reach;
+    m(2, 1) = 2 / range;
+    m(2, 3) = -2 * floor / range - 1;
+    m(3, 3) = 1;
+    frame.groundMatrix = m.cast<float>();
+    frame.groundRange = float(range);
+    frame.groundReach = float(reach);
+}
+
+}  // namespace
+
+Frame frameOf(const SceneView& scene, const Camera& camera, int width, int height, int shadowSize) {
+    Frame frame;
+    frame.width = width;
+    frame.height = height;
+    frame.viewProjection = camera.projection(double(width) / height) * camera.view();
+    frame.eye = camera.eye.cast<float>();
+    frame.hasBody = scene.body.positions != nullptr && scene.body.triangleCount > 0;
+    frame.focus = focusOf(scene);
+    const Bounds& sized = scene.restBounds.empty() ? frame.focus : scene.restBounds;
+    frame.bodySize = float(std::max(sized.diagonal(), 1e-6));
+    aimKeyLight(frame, shadowSize);
+    if (scene.floor) {
+        aimContactMap(frame, *scene.floor);
+    }
+    return frame;
+}
+
+void setLight(const gpu::Program& program, const Frame& frame) {
+    program.set("keyDirection", frame.keyDirection);
+    program.set("lightMatrix", frame.lightMatrix);
+    program.set("shadowTexel", frame.shadowTexel);
+}
+
+}  // namespace kerf::render

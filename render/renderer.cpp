@@ -1,0 +1,156 @@
+#include "render/renderer.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+
+#include "gpu/context.h"
+#include "gpu/program.h"
+#include "render/passes/blade_pass.h"
+#include "render/passes/depth_passes.h"
+#include "render/passes/floor_pass.h"
+#include "render/passes/frame.h"
+#include "render/passes/normals_pass.h"
+#include "render/passes/surface_pass.h"
+
+namespace kerf::render {
+namespace {
+
+constexpr int kSamples = 4;
+
+gpu::Defines definesFor(Quality quality) {
+    return quality == Quality::full ? gpu::Defines{{"SOFT_SHADOWS", "1"}} : gpu::Defines{};
+}
+
+int shadowSize(Quality quality) {
+    return quality == Quality::full ? 2048 : 1024;
+}
+
+int contactSize(Quality quality) {
+    return quality == Quality::full ? 256 : 128;
+}
+
+/// The state that every picture starts from, whatever the interface left behind.
+void resetState() {
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (GLuint unit = 0; unit < 3; ++unit) {
+        glBindSampler(unit, 0);
+    }
+}
+
+}  // namespace
+
+struct Renderer::State {
+    explicit State(Quality quality)
+        : samples(quality == Quality::full ? std::min(kSamples, gpu::queryDevice().maxSamples) : 1),
+          shadow(shadowSize(quality)),
+          contact(contactSize(quality)),
+          surface(definesFor(quality)),
+          floor(definesFor(quality)) {
+        // Core profile draws nothing without a vertex array, even where no attribute is read.
+        glCreateVertexArrays(1, &vertexArray);
+    }
+    ~State() { glDeleteVertexArrays(1, &vertexArray); }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    void makeTargets(int width, int height);
+    void drawShadows(const SceneView& scene, const Frame& frame);
+    void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
+    bool multisampled() const { return samples > 1; }
+
+    int samples;
+    std::uint32_t vertexArray = 0;
+    gpu::Framebuffer sampled;
+    gpu::Framebuffer resolved;
+    NormalsPass normals;
+    ShadowPass shadow;
+    ContactPass contact;
+    SurfacePass surface;
+    FloorPass floor;
+    BladePass blade;
+};
+
+void Renderer::State::makeTargets(int width, int height) {
+    if (resolved.width() == width && resolved.height() == height) {
+        return;
+    }
+    resolved = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height);
+    if (multisampled()) {
+        sampled = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height, samples);
+    }
+}
+
+void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
+    normals.run(scene.body);
+    shadow.draw(scene, frame);
+    if (scene.floor) {
+        contact.draw(scene, frame);
+    }
+}
+
+void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, const Frame& frame) {
+    (multisampled() ? sampled : resolved).bind();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    shadow.bind();
+    contact.bind();
+    if (frame.hasBody) {
+        surface.draw(scene, frame, normals.normals());
+    }
+    blade.drawBlade(scene, frame);
+    floor.drawBackdrop(scene.floor.has_value());
+    if (scene.floor) {
+        floor.drawFloor(*scene.floor, frame, camera);
+    }
+    blade.drawSweep(scene, frame);
+    blade.drawEdges(scene, frame);
+    if (multisampled()) {
+        sampled.blitColorTo(resolved);
+    }
+}
+
+Renderer::Renderer(Quality quality) : state_(std::make_unique<State>(quality)) {}
+
+Renderer::~Renderer() = default;
+
+void Renderer::setRestShape(const SurfaceMesh& uncut) {
+    state_->surface.setRestShape(uncut);
+}
+
+void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int height) {
+    width = std::max(width, 1);
+    height = std::max(height, 1);
+    state_->makeTargets(width, height);
+    const Frame frame = frameOf(scene, camera, width, height, state_->shadow.size());
+    glBindVertexArray(state_->vertexArray);
+    resetState();
+    if (frame.hasBody) {
+        gpu::storageBarrier();
+        state_->drawShadows(scene, frame);
+    }
+    state_->drawColors(scene, camera, frame);
+    glBindVertexArray(0);
+    state_->resolved.bind();
+}
+
+const gpu::Framebuffer& Renderer::target() const {
+    return state_->resolved;
+}
+
+Image Renderer::readPicture() const {
+    const gpu::Framebuffer& picture = state_->resolved;
+    return {picture.width(), picture.height(), picture.readColor()};
+}
+
+}  // namespace kerf::render

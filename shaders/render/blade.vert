@@ -1,0 +1,20 @@
+// The blade: a knife's cross-section drawn along AB, built on the CPU.
+#include "render_bindings.h"
+struct BladeVertex {
+    vec4 position;  // w: height above the cutting edge, 0 to 1
+    vec4 normal;
+};
+layout(std430, binding = kBindSegments) readonly buffer Vertices { BladeVertex vertices[]; };
+
+uniform mat4 viewProjection;
+out vec3 worldPosition;
+out vec3 worldNormal;
+out float height;
+
+void main() {
+    BladeVertex vertex = vertices[gl_VertexID];
+    worldPosition = vertex.position.xyz;
+    worldNormal = vertex.normal.xyz;
+    height = vertex.position.w;
+    gl_Position = viewProjection * vec4(worldPosition, 1);
+}

@@ -1,0 +1,88 @@
+// The body: skin outside, inner structure on the walls of a cut.
+#include "light.glsl"
+#include "tone.glsl"
+#include "material.glsl"
+
+in vec3 worldPosition;
+in vec3 worldNormal;
+in vec3 restPosition;
+in vec3 corners;
+flat in uint kind;
+
+uniform vec3 eye;
+uniform float bodySize;     // diagonal at rest [m]
+uniform float floorHeight;
+uniform float hasFloor;
+uniform float wireframe;
+out vec4 color;
+
+struct Look {
+    vec3 albedo;
+    float wrap;       // how far light creeps past the terminator
+    float gloss;
+    float roughness;
+    float rim;
+};
+
+Look lookOf(vec3 rest) {
+    if (kind == 0u) {
+        return Look(skinAlbedo(rest), 0.18, 0.055, 0.36, 1.0);
+    }
+    return Look(innerAlbedo(rest), 0.32, 0.03, 0.42, 0.25);
+}
+
+// GGX lobe with the visibility term folded into a constant.
+float highlight(vec3 n, vec3 v, float roughness) {
+    vec3 h = normalize(v + keyDirection);
+    float a = roughness * roughness;
+    float nh = clamp(dot(n, h), 0.0, 1.0);
+    float d = nh * nh * (a * a - 1.0) + 1.0;
+    return a * a / (3.14159 * d * d);
+}
+
+// Downward faces near the floor see little of the sky.
+float openness(vec3 n) {
+    if (hasFloor == 0.0) {
+        return 1.0;
+    }
+    float height = max(worldPosition.y - floorHeight, 0.0) / (0.16 * bodySize);
+    float down = 0.5 - 0.5 * n.y;
+    return 1.0 - 0.8 * down * exp(-height);
+}
+
+vec3 shade(Look look, vec3 n, vec3 v) {
+    float nl = dot(n, keyDirection);
+    float nv = clamp(dot(n, v), 0.0, 1.0);
+    float lit = keyVisibility(worldPosition, n);
+    float wrapped = max((nl + look.wrap) / (1.0 + look.wrap), 0.0);
+    // Past the terminator the wrapped light is scattered inside and keeps the body's own colour.
+    float direct = max(nl, 0.0);
+    float visible = mix(0.35 * lit, lit, smoothstep(0.0, 0.35, nl));
+    vec3 scatter = look.albedo * (wrapped - direct) * (0.4 + 0.6 * lit);
+    float open = openness(n);
+    vec3 light = look.albedo * kKeyColor * direct * visible + kKeyColor * 0.6 * scatter;
+    light += look.albedo * ambientLight(n) * open;
+    float fresnel = pow(1.0 - nv, 4.0);
+    float spec = highlight(n, v, look.roughness) * direct * lit;
+    light += kKeyColor * look.gloss * spec;
+    vec3 reflected = reflect(-v, n);
+    vec3 sky = mix(kGroundColor * 0.5, kSkyColor, smoothstep(-0.5, 0.8, reflected.y));
+    light += sky * open * (0.03 + 0.62 * look.rim * fresnel);
+    return light;
+}
+
+float edgeCover() {
+    vec3 d = corners / max(fwidth(corners), vec3(1e-6));
+    return 1.0 - smoothstep(0.3, 1.2, min(d.x, min(d.y, d.z)));
+}
+
+void main() {
+    vec3 v = normalize(eye - worldPosition);
+    vec3 n = normalize(worldNormal);
+    n = gl_FrontFacing ? n : -n;
+    vec3 light = shade(lookOf(restPosition), n, v);
+    if (wireframe > 0.0) {
+        light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * edgeCover());
+    }
+    color = vec4(display(light), 1);
+}

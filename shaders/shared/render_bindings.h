@@ -1,0 +1,22 @@
+// Where the renderer's shaders find their buffers and textures.
+#ifndef KERF_RENDER_BINDINGS_H
+#define KERF_RENDER_BINDINGS_H
+#include "shared_types.h"
+SHARED_BEGIN
+
+SHARED_CONST int kBindPositions = 0;
+SHARED_CONST int kBindRestPositions = 1;
+SHARED_CONST int kBindTriangles = 2;
+SHARED_CONST int kBindIncidenceOffsets = 3;
+SHARED_CONST int kBindIncidence = 4;
+SHARED_CONST int kBindNormals = 5;   // vec4 per vertex and kind: 2 * vertex + kind
+SHARED_CONST int kBindSegments = 6;  // vec4 pairs: ends of lines, or blade poses A, B
+
+SHARED_CONST int kUnitShadow = 0;
+SHARED_CONST int kUnitGround = 1;
+SHARED_CONST int kUnitDepthField = 2;
+
+SHARED_CONST uint kNormalsGroupSize = 64u;
+
+SHARED_END
+#endif
