@@ -15,10 +15,11 @@ layout(std430, binding = kBlockSumsBinding) writeonly buffer Measures { BlockMea
 shared vec4 lows[kGroupSize];
 shared vec4 highs[kGroupSize];
 
-// Comparisons are false for NaN, so this needs no isnan, which drivers may optimise away.
+// By bits, since compilers are free to turn a comparison round where NaN would answer differently.
 bool sane(vec3 a) {
-    const float kLimit = 1e10;
-    return abs(a.x) < kLimit && abs(a.y) < kLimit && abs(a.z) < kLimit;
+    uvec3 magnitude = floatBitsToUint(a) & 0x7fffffffu;
+    uint limit = floatBitsToUint(1e10);
+    return all(lessThan(magnitude, uvec3(limit)));
 }
 
 void main() {

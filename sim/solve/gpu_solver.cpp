@@ -159,7 +159,7 @@ void GpuSolver::uploadPieces(const BodyModel& model) {
         appendBlocks(blocks_, p, piece);
         pieces_.push_back({piece.firstTriangle, piece.triangleCount, firstBlock,
                            size32(blocks_.size()) - firstBlock,
-                           static_cast<float>(piece.restVolume), 1});
+                           static_cast<float>(piece.restVolume), piece.holdsVolume ? 1u : 0u});
     }
     pieceBuffer_.assign(pieces_);
     blockBuffer_.assign(blocks_);

@@ -14,8 +14,7 @@
 
 namespace kerf {
 
-/// What volume a piece is held at. Chips, of which a rounding error is a large share, are left
-/// alone (cutting-moving 3.11).
+/// What volume a piece is held at; chips are left alone (PieceModel::holdsVolume).
 struct VolumeTarget {
     double volume = 0;  ///< [m^3]
     bool constrained = true;

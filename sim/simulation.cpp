@@ -1,0 +1,390 @@
+#include "sim/simulation.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <chrono>
+#include <utility>
+
+#include "sim/body/body_model.h"
+#include "sim/solve/gpu_solver.h"
+#include "sim/solve/solver_uniforms.h"
+#include "sim/solve/volume_targets.h"
+#include "sim/state_hash.h"
+
+namespace kerf {
+
+namespace {
+
+using BladeAction = std::variant<MoveBlade, LiftBlade>;
+
+/// Milliseconds since it was made.
+class Stopwatch {
+  public:
+    double milliseconds() const {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+bool samePose(const Blade& a, const Blade& b) {
+    return a.a == b.a && a.b == b.b;
+}
+
+std::string checkBlade(const Blade& blade) {
+    if (!blade.a.allFinite() || !blade.b.allFinite()) {
+        return "The blade needs finite coordinates for both ends; it stays where it was.";
+    }
+    if (blade.a == blade.b) {
+        return "The two ends of the blade are the same point; give it a length.";
+    }
+    return "";
+}
+
+Vec3 roundedToFloat(const Vec3& a) {
+    return a.cast<float>().cast<double>();
+}
+
+/// New vertices become what the GPU will hold, so that both sides go on from the same numbers.
+void roundVertices(SurfaceMesh& mesh, int first) {
+    for (int v = first; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, roundedToFloat(mesh.position(v)));
+        mesh.setVelocity(v, roundedToFloat(mesh.velocity(v)));
+    }
+}
+
+BodyState stateOf(const SurfaceMesh& mesh) {
+    BodyState state;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        state.positions.push_back(mesh.position(v).cast<float>());
+        state.velocities.push_back(mesh.velocity(v).cast<float>());
+    }
+    return state;
+}
+
+void copyState(const BodyState& state, SurfaceMesh& mesh) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, state.positions[v].cast<double>());
+        mesh.setVelocity(v, state.velocities[v].cast<double>());
+    }
+}
+
+/// What the blade sweeps from the rung of the stroke (or from nowhere) to `blade`.
+Bounds sweptBox(const std::vector<RungNode>& rung, const Blade& blade, double margin) {
+    Bounds box;
+    box.add(blade.a);
+    box.add(blade.b);
+    for (const RungNode& node : rung) {
+        box.add(node.position);
+    }
+    box.low.array() -= margin;
+    box.high.array() += margin;
+    return box;
+}
+
+bool overlap(const Bounds& a, const Bounds& b) {
+    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+bool standsInMaterial(const std::vector<RungNode>& rung) {
+    for (const RungNode& node : rung) {
+        if (node.vertex >= 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+struct Simulation::State {
+    State(SurfaceMesh uncutMesh, const Params& firstParams)
+        : uncut(std::move(uncutMesh)), initialParams(firstParams), mesh(uncut) {
+        start();
+    }
+
+    void start();
+    const StepReport& step();
+
+    // The phases of a step.
+    void applyParameters();
+    void solve();
+    void recoverFromNonFinite();
+    void cutAll();
+    void publish();
+
+    void cut(const MoveBlade& move);
+    void cut(const LiftBlade& lift);
+    bool mayTouch(const Blade& blade) const;
+    void accept(const CutResult& result);
+    void adoptNewTopology(const CutDelta& delta);
+
+    void syncMesh();
+    const PieceMap& syncPieces();
+    template <class... Parts>
+    void say(fmt::format_string<Parts...> format, Parts&&... parts) {
+        messages.push_back(fmt::format(format, std::forward<Parts>(parts)...));
+    }
+
+    // What the simulation was made with.
+    const SurfaceMesh uncut;
+    const Params initialParams;
+
+    // The body: constant set-up, running state on the GPU, and the mesh, which is the truth about
+    // topology and lags behind in positions until syncMesh().
+    SurfaceMesh mesh;
+    BodyModel model;
+    GpuSolver solver;
+    VolumeTargets volumeTargets;
+    bool meshLags = false;
+    bool closed = true;
+
+    // Input.
+    Params params;
+    bool paramsChanged = false;
+    std::vector<BladeAction> bladeActions;
+    std::optional<Blade> blade;
+    std::optional<Cutter> cutter;
+
+    // Output.
+    BodyMeasure measure;
+    StepReport report;
+    CutResult lastCut;
+    std::vector<std::string> messages;
+    std::optional<PieceMap> pieces;
+    int stepsDone = 0;
+    double time = 0;
+};
+
+void Simulation::State::start() {
+    mesh = uncut;
+    model = buildBodyModel(mesh);
+    solver.setModel(model, stateOf(mesh));
+    volumeTargets.reset(model);
+    meshLags = true;  // by the rounding to float
+    closed = checkClosedManifold(mesh).empty();
+    params = initialParams;
+    paramsChanged = true;
+    bladeActions.clear();
+    blade.reset();
+    cutter.emplace(mesh, CutSettings{});
+    lastCut = {};
+    messages.clear();
+    pieces.reset();
+    stepsDone = 0;
+    time = 0;
+    applyParameters();
+    measure = solver.measure();
+    solver.saveState();
+    report = {};
+    publish();
+}
+
+const StepReport& Simulation::State::step() {
+    report = {};
+    report.step = stepsDone;
+    applyParameters();
+    solve();
+    cutAll();
+    ++stepsDone;
+    time += params.timeStep;
+    publish();
+    return report;
+}
+
+void Simulation::State::applyParameters() {
+    if (std::exchange(paramsChanged, false)) {
+        solver.setUniforms(solverUniforms(params));
+    }
+}
+
+void Simulation::State::solve() {
+    if (volumeTargets.fade(params.timeStep)) {
+        solver.setVolumeTargets(volumeTargets.targets());
+    }
+    solver.step();
+    measure = solver.measure();
+    if (measure.finite) {
+        solver.saveState();
+    } else {
+        recoverFromNonFinite();
+    }
+    meshLags = true;
+    pieces.reset();
+    report.deformMs = solver.takeDeformMilliseconds();
+    report.collideMs = solver.takeCollideMilliseconds();
+}
+
+void Simulation::State::recoverFromNonFinite() {
+    solver.restoreStateAtRest();
+    measure = solver.measure();
+    say("step {}: the body left the range of numbers; it is back where the step began, at rest. "
+        "More iterations or more damping make it steadier.",
+        stepsDone);
+}
+
+void Simulation::State::cutAll() {
+    if (bladeActions.empty()) {
+        return;
+    }
+    const Stopwatch watch;
+    for (const BladeAction& action : std::exchange(bladeActions, {})) {
+        std::visit([this](const auto& a) { cut(a); }, action);
+    }
+    report.cutMs = watch.milliseconds();
+}
+
+void Simulation::State::cut(const MoveBlade& move) {
+    const bool placed = blade.has_value();
+    if (placed && samePose(*blade, move.blade)) {
+        return;
+    }
+    if (placed && mayTouch(move.blade)) {
+        syncMesh();
+        accept(cutter->advance(move.blade));
+    } else {
+        cutter->begin(move.blade);
+        accept({});
+    }
+    blade = move.blade;
+}
+
+void Simulation::State::cut(const LiftBlade&) {
+    if (!std::exchange(blade, std::nullopt)) {
+        return;
+    }
+    syncMesh();
+    accept(cutter->finish());
+}
+
+/// Whether the cutter must look: a front is in the material, or the strip meets the body's box.
+bool Simulation::State::mayTouch(const Blade& to) const {
+    const std::vector<RungNode>& rung = cutter->rung();
+    return standsInMaterial(rung) || overlap(sweptBox(rung, to, model.edgeLength), measure.bounds);
+}
+
+void Simulation::State::accept(const CutResult& result) {
+    lastCut = result;
+    report.touchedTriangles += result.statistics.touchedTriangles;
+    if (result.outcome == CutOutcome::refused) {
+        say("step {}: the cut was refused ({}); the blade goes on", stepsDone, result.reason);
+    }
+    if (result.outcome == CutOutcome::cut) {
+        adoptNewTopology(result.delta);
+    }
+}
+
+void Simulation::State::adoptNewTopology(const CutDelta& delta) {
+    roundVertices(mesh, delta.firstNewVertex);
+    const BodyModel before = std::exchange(model, {});
+    model = updateBodyModel(before, mesh, delta);
+    solver.setModel(model, stateOf(mesh));
+    solver.saveState();
+    measure = solver.measure();
+    volumeTargets.follow(before, model, measure.pieceVolumes);
+    solver.setVolumeTargets(volumeTargets.targets());
+    pieces.reset();
+    const std::string defect = checkClosedManifold(mesh);
+    closed = defect.empty();
+    if (!closed) {
+        say("step {}: the cut left the mesh open: {}", stepsDone, defect);
+    }
+}
+
+void Simulation::State::publish() {
+    report.time = time;
+    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+        report.volume += measure.pieceVolumes[p];
+        report.vertices += static_cast<int>(model.pieces[p].vertexCount);
+    }
+    report.volumeRatio = report.volume / model.uncutRestVolume;
+    report.pieces = static_cast<int>(model.pieces.size());
+    report.triangles = mesh.aliveTriangles();
+    report.ispcs = static_cast<int>(model.ispcs.size());
+    report.closed = closed;
+}
+
+void Simulation::State::syncMesh() {
+    if (std::exchange(meshLags, false)) {
+        copyState(solver.readState(), mesh);
+    }
+}
+
+const PieceMap& Simulation::State::syncPieces() {
+    syncMesh();
+    if (!pieces) {
+        pieces = findPieces(mesh);
+    }
+    return *pieces;
+}
+
+Simulation::Simulation(SurfaceMesh mesh, const Params& params)
+    : state_(std::make_unique<State>(std::move(mesh), params)) {}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+std::string Simulation::execute(const Command& command) {
+    if (const auto* set = std::get_if<SetParam>(&command)) {
+        std::string error = setParam(state_->params, set->name, set->value);
+        state_->paramsChanged |= error.empty();
+        return error;
+    }
+    if (const auto* move = std::get_if<MoveBlade>(&command)) {
+        std::string error = checkBlade(move->blade);
+        if (error.empty()) {
+            state_->bladeActions.push_back(*move);
+        }
+        return error;
+    }
+    state_->bladeActions.push_back(std::get<LiftBlade>(command));
+    return "";
+}
+
+const StepReport& Simulation::step() {
+    return state_->step();
+}
+void Simulation::reset() {
+    state_->start();
+}
+int Simulation::stepCount() const {
+    return state_->stepsDone;
+}
+const Params& Simulation::params() const {
+    return state_->params;
+}
+const StepReport& Simulation::report() const {
+    return state_->report;
+}
+std::optional<Blade> Simulation::blade() const {
+    return state_->blade;
+}
+const CutResult& Simulation::lastCut() const {
+    return state_->lastCut;
+}
+
+std::vector<std::string> Simulation::takeMessages() {
+    return std::exchange(state_->messages, {});
+}
+
+BodyView Simulation::bodyView() const {
+    return state_->solver.view();
+}
+
+const SurfaceMesh& Simulation::mesh() {
+    state_->syncMesh();
+    return state_->mesh;
+}
+
+const PieceMap& Simulation::pieces() {
+    return state_->syncPieces();
+}
+
+std::string Simulation::stateHash() {
+    return hashMesh(mesh()).hexadecimal();
+}
+
+}  // namespace kerf

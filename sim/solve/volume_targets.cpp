@@ -1,0 +1,77 @@
+#include "sim/solve/volume_targets.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+
+constexpr double kFadeTime = 0.1;  // [s]
+// Offsets below this share of the rest volume are float noise.
+constexpr double kNegligible = 1e-7;
+
+/// The piece of `before` that each piece of `after` comes from: that of its lowest old vertex.
+std::vector<int> sources(const BodyModel& before, const BodyModel& after) {
+    std::vector<int> out(after.pieces.size(), -1);
+    const std::size_t oldVertices = before.pieceOfVertex.size();
+    for (std::size_t v = 0; v < oldVertices; ++v) {
+        const int piece = after.pieceOfVertex[v];
+        if (piece >= 0 && out[piece] < 0) {
+            out[piece] = before.pieceOfVertex[v];
+        }
+    }
+    return out;
+}
+
+double faded(double offset, double restVolume, double time) {
+    const double rest = offset * std::exp(-time / kFadeTime);
+    return std::abs(rest) < kNegligible * std::abs(restVolume) ? 0.0 : rest;
+}
+
+}  // namespace
+
+void VolumeTargets::reset(const BodyModel& model) {
+    pieces_ = model.pieces;
+    offsets_.assign(pieces_.size(), 0.0);
+    rebuild();
+}
+
+void VolumeTargets::follow(const BodyModel& before, const BodyModel& after,
+                           std::span<const double> volumes) {
+    assert(volumes.size() == after.pieces.size());
+    const std::vector<int> source = sources(before, after);
+    const std::vector<double> oldOffsets = offsets_;
+    pieces_ = after.pieces;
+    offsets_.assign(pieces_.size(), 0.0);
+    for (std::size_t p = 0; p < offsets_.size(); ++p) {
+        const bool only =
+            source[p] >= 0 && std::count(source.begin(), source.end(), source[p]) == 1;
+        offsets_[p] = only ? oldOffsets[source[p]] : volumes[p] - pieces_[p].restVolume;
+    }
+    rebuild();
+}
+
+bool VolumeTargets::fade(double time) {
+    bool changed = false;
+    for (std::size_t p = 0; p < offsets_.size(); ++p) {
+        if (offsets_[p] != 0.0) {
+            offsets_[p] = faded(offsets_[p], pieces_[p].restVolume, time);
+            changed = true;
+        }
+    }
+    if (changed) {
+        rebuild();
+    }
+    return changed;
+}
+
+void VolumeTargets::rebuild() {
+    targets_.clear();
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+        targets_.push_back({pieces_[p].restVolume + offsets_[p], pieces_[p].holdsVolume});
+    }
+}
+
+}  // namespace kerf

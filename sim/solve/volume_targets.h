@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/body/body_model.h"
+#include "sim/solve/gpu_solver.h"
+
+namespace kerf {
+
+/// At which volume each piece is held. A piece that has just come off has a current volume up to a
+/// few per cent off its rest volume, which a rigid constraint would take as a jump; so its target
+/// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s) (cutting-moving 3.10).
+class VolumeTargets {
+  public:
+    /// All pieces at their rest volumes.
+    void reset(const BodyModel& model);
+    /// After a cut: a piece that is the only one left of an old piece goes on as that; the parts of
+    /// a split start at `volumes`, their current ones, shape [pieces of after] [m^3].
+    void follow(const BodyModel& before, const BodyModel& after, std::span<const double> volumes);
+    /// Lets `time` [s] pass. Returns whether a target changed.
+    bool fade(double time);
+
+    std::span<const VolumeTarget> targets() const { return targets_; }
+
+  private:
+    void rebuild();
+
+    std::vector<PieceModel> pieces_;
+    std::vector<double> offsets_;  ///< target minus rest volume, per piece [m^3]
+    std::vector<VolumeTarget> targets_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,290 @@
+#include "sim/solve/gpu_solver.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "sim/solve/reference_solver.h"
+#include "sim/solve/solver_uniforms.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+using shared::uint;
+
+/// A body, some way from rest and in motion, on both solvers, with the same floats to start from.
+struct Pair {
+    Pair(const SurfaceMesh& mesh, const Params& params, uint parts, unsigned seed)
+        : model(buildBodyModel(mesh)), uniforms(solverUniforms(params, model)) {
+        uniforms.active_parts = parts;
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> noise(-1, 1);
+        const auto vector = [&] { return Vec3f(noise(random), noise(random), noise(random)); };
+        const float reach = 0.05f * static_cast<float>(meanEdgeLength(mesh));
+        for (const Vec3f& p : model.restPositions) {
+            start.positions.push_back(p + reach * vector());
+            start.velocities.push_back(vector());
+        }
+        reference = restState(model);
+        for (std::size_t v = 0; v < start.positions.size(); ++v) {
+            reference.positions[v] = start.positions[v].cast<double>();
+            reference.velocities[v] = start.velocities[v].cast<double>();
+        }
+        gpu.setModel(model, start);
+        gpu.setUniforms(uniforms);
+    }
+
+    /// Largest difference between the displacements of the two solvers [m].
+    double error() const {
+        const std::vector<Vec3f> ours = gpu.readDisplacements();
+        double largest = 0;
+        for (std::size_t v = 0; v < ours.size(); ++v) {
+            largest =
+                std::max(largest, (ours[v].cast<double>() - reference.displacements[v]).norm());
+        }
+        return largest;
+    }
+
+    /// Largest change of a displacement of the reference since `before` [m].
+    double change(const std::vector<Vec3>& before) const {
+        double largest = 0;
+        for (std::size_t v = 0; v < before.size(); ++v) {
+            largest = std::max(largest, (reference.displacements[v] - before[v]).norm());
+        }
+        return largest;
+    }
+
+    BodyModel model;
+    shared::SolverUniforms uniforms;
+    BodyState start;
+    ReferenceState reference;
+    GpuSolver gpu;
+};
+
+std::vector<SurfaceMesh> bodies() {
+    return {test::icosphere(0), test::cubeSphere(8), test::torus(), test::bentTube()};
+}
+
+class GpuSolverTest : public test::GlTest {
+  protected:
+    /// Runs predict, then one phase, on both. Expects them to agree within `tolerance` [m], and the
+    /// phase to have done much more than that.
+    template <class OnGpu, class OnReference>
+    void expectSamePhase(uint parts, double tolerance, OnGpu onGpu, OnReference onReference) {
+        for (const SurfaceMesh& mesh : bodies()) {
+            SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
+            Params params;
+            params.floor = 0.2;  // some way up, so that it lifts part of each body
+            Pair pair(mesh, params, parts, 7);
+            const ReferenceSolver solver(pair.model, pair.uniforms);
+            solver.predict(pair.reference);
+            const std::vector<Vec3> before = pair.reference.displacements;
+            pair.gpu.predictAndStretch();
+            onGpu(pair.gpu);
+            onReference(solver, pair.reference);
+            EXPECT_LT(pair.error(), tolerance);
+            EXPECT_GT(pair.change(before), 50 * tolerance);
+        }
+    }
+};
+
+// Displacements here are 4e-4 m, floats at that size 3e-11 m apart.
+constexpr double kDisplacementTolerance = 2e-10;
+// Positions are 0.5 m, floats at that size 6e-8 m apart.
+constexpr double kPositionTolerance = 6e-8;
+
+TEST_F(GpuSolverTest, PredictsLikeTheReference) {
+    Pair pair(test::cubeSphere(8), Params{}, 0, 7);
+    ReferenceSolver(pair.model, pair.uniforms).predict(pair.reference);
+    pair.gpu.predictAndStretch();
+    EXPECT_LT(pair.error(), kDisplacementTolerance);
+}
+
+TEST_F(GpuSolverTest, SolvesEdgesLikeTheReference) {
+    expectSamePhase(
+        shared::kStretchPart, kDisplacementTolerance, [](GpuSolver&) {},
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solveEdges(state); });
+}
+
+TEST_F(GpuSolverTest, SolvesBendsLikeTheReference) {
+    expectSamePhase(
+        shared::kBendPart, kDisplacementTolerance, [](GpuSolver& s) { s.solveBends(); },
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solveBends(state); });
+}
+
+TEST_F(GpuSolverTest, SolvesIspcsLikeTheReference) {
+    expectSamePhase(
+        shared::kIspcPart, kDisplacementTolerance, [](GpuSolver& s) { s.solveIspcs(); },
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solveIspcs(state); });
+}
+
+TEST_F(GpuSolverTest, HoldsVolumeLikeTheReference) {
+    expectSamePhase(
+        0, kPositionTolerance, [](GpuSolver& s) { s.solveVolume(); },
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solveVolume(state); });
+}
+
+TEST_F(GpuSolverTest, MeetsTheFloorLikeTheReference) {
+    expectSamePhase(
+        shared::kFloorPart, kPositionTolerance, [](GpuSolver& s) { s.collideFloor(); },
+        [](const ReferenceSolver& s, ReferenceState& state) { s.collideFloor(state); });
+}
+
+TEST_F(GpuSolverTest, FinishesLikeTheReference) {
+    Pair pair(test::bentTube(), Params{}, 0, 7);
+    const ReferenceSolver solver(pair.model, pair.uniforms);
+    solver.predict(pair.reference);
+    solver.finishSubstep(pair.reference);
+    pair.gpu.predictAndStretch();
+    pair.gpu.finishSubstep();
+    const BodyState state = pair.gpu.readState();
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+        const Vec3 x = state.positions[v].cast<double>();
+        const Vec3 u = state.velocities[v].cast<double>();
+        EXPECT_LT((x - pair.reference.positions[v]).norm(), kPositionTolerance);
+        EXPECT_LT((u - pair.reference.velocities[v]).norm(), 1e-6);
+    }
+}
+
+TEST_F(GpuSolverTest, StepsLikeTheReference) {
+    // Rounding grows with time; after one step of 20 substeps the two are this close.
+    for (const SurfaceMesh& mesh : bodies()) {
+        SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
+        Pair pair(mesh, Params{}, solverUniforms(Params{}).active_parts, 11);
+        const ReferenceSolver solver(pair.model, pair.uniforms);
+        solver.step(pair.reference);
+        pair.gpu.step();
+        const BodyState state = pair.gpu.readState();
+        double largest = 0;
+        for (std::size_t v = 0; v < state.positions.size(); ++v) {
+            const Vec3 x = state.positions[v].cast<double>();
+            largest = std::max(largest, (x - pair.reference.positions[v]).norm());
+        }
+        EXPECT_LT(largest, 2e-5);
+    }
+}
+
+TEST_F(GpuSolverTest, LeavesChipsAlone) {
+    Pair pair(test::cubeSphere(4), Params{}, 0, 3);
+    const VolumeTarget chip{0.1, false};
+    pair.gpu.setVolumeTargets(std::span(&chip, 1));
+    pair.gpu.predictAndStretch();
+    const std::vector<Vec3f> before = pair.gpu.readDisplacements();
+    pair.gpu.solveVolume();
+    EXPECT_EQ(pair.gpu.readDisplacements(), before);
+}
+
+TEST_F(GpuSolverTest, ReachesItsVolumeTarget) {
+    Params params;
+    params.gravity = Vec3::Zero();
+    params.floor.reset();
+    Pair pair(test::icosphere(2), params, 0, 3);
+    const double wanted = 1.02 * pair.model.pieces[0].restVolume;
+    const VolumeTarget target{wanted, true};
+    pair.gpu.setVolumeTargets(std::span(&target, 1));
+    pair.gpu.step();
+    EXPECT_NEAR(pair.gpu.measure().pieceVolumes[0], wanted, 1e-5 * wanted);
+}
+
+TEST_F(GpuSolverTest, MeasuresEveryPiece) {
+    const SurfaceMesh mesh = test::meshOf(
+        test::joined(test::icosphereSoup(3), test::boxSoup({0.2, 0.3, 0.4}, 3), {2, 0, 0}));
+    Pair pair(mesh, Params{}, 0, 3);
+    const std::vector<double> expected =
+        ReferenceSolver(pair.model, pair.uniforms).volumes(pair.reference);
+    const BodyMeasure measure = pair.gpu.measure();
+    ASSERT_EQ(measure.pieceVolumes.size(), 2u);
+    EXPECT_NEAR(measure.pieceVolumes[0], expected[0], 1e-6 * expected[0]);
+    EXPECT_NEAR(measure.pieceVolumes[1], expected[1], 1e-6 * expected[1]);
+    Bounds bounds;
+    for (const Vec3& p : pair.reference.positions) {
+        bounds.add(p);
+    }
+    EXPECT_EQ(measure.bounds.low, bounds.low);
+    EXPECT_EQ(measure.bounds.high, bounds.high);
+    EXPECT_TRUE(measure.finite);
+}
+
+TEST_F(GpuSolverTest, FlagsWhatIsNotFinite) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinite = std::numeric_limits<float>::infinity();
+    Pair pair(test::icosphere(2), Params{}, 0, 3);
+    const BodyState good = pair.start;
+    for (const float bad : {nan, infinite, -infinite, 1e30f}) {
+        BodyState state = good;
+        state.positions.back().y() = bad;
+        pair.gpu.setState(state);
+        EXPECT_FALSE(pair.gpu.measure().finite) << "position " << bad;
+        state = good;
+        state.velocities.front().z() = bad;
+        pair.gpu.setState(state);
+        EXPECT_FALSE(pair.gpu.measure().finite) << "velocity " << bad;
+    }
+    pair.gpu.setState(good);
+    EXPECT_TRUE(pair.gpu.measure().finite);
+}
+
+TEST_F(GpuSolverTest, RestoresTheSavedStateAtRest) {
+    Pair pair(test::icosphere(2), Params{}, 0, 3);
+    pair.gpu.saveState();
+    pair.gpu.step();
+    EXPECT_NE(pair.gpu.readState().positions, pair.start.positions);
+    pair.gpu.restoreStateAtRest();
+    const BodyState state = pair.gpu.readState();
+    EXPECT_EQ(state.positions, pair.start.positions);
+    EXPECT_EQ(state.velocities, std::vector<Vec3f>(state.velocities.size(), Vec3f::Zero()));
+}
+
+TEST_F(GpuSolverTest, KeepsLinearMomentumInFreeFlight) {
+    // 5 s without gravity, floor and drag; displacement form (physics.md: 1.1e-6, bound 1e-5).
+    Params params;
+    params.gravity = Vec3::Zero();
+    params.floor.reset();
+    params.airDrag = 0;
+    params.iterations = 10;
+    Pair pair(test::icosphere(1), params, solverUniforms(params).active_parts, 5);
+    const auto momentum = [&](const BodyState& state) {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+            sum += pair.model.unitMass[v] * state.velocities[v].cast<double>();
+        }
+        return sum;
+    };
+    for (Vec3f& u : pair.start.velocities) {
+        u = 0.3f * u + Vec3f(1, 0.5f, -0.2f);
+    }
+    pair.gpu.setState(pair.start);
+    const Vec3 before = momentum(pair.start);
+    for (int step = 0; step < 1000; ++step) {
+        pair.gpu.step();
+    }
+    const Vec3 after = momentum(pair.gpu.readState());
+    EXPECT_LT((after - before).norm(), 1e-5 * before.norm());
+}
+
+TEST_F(GpuSolverTest, RunsTwiceToTheSameBits) {
+    const auto run = [] {
+        Pair pair(test::bentTube(), Params{}, solverUniforms(Params{}).active_parts, 13);
+        for (int step = 0; step < 20; ++step) {
+            pair.gpu.step();
+        }
+        return pair.gpu.readState();
+    };
+    const BodyState first = run();
+    const BodyState second = run();
+    EXPECT_EQ(first.positions, second.positions);
+    EXPECT_EQ(first.velocities, second.velocities);
+}
+
+TEST_F(GpuSolverTest, UsesAtMostTenDispatchesASubstep) {
+    Pair pair(test::icosphere(1), Params{}, solverUniforms(Params{}).active_parts, 1);
+    const long before = pair.gpu.dispatches();
+    pair.gpu.step();
+    EXPECT_LE(pair.gpu.dispatches() - before, 10 * Params{}.iterations);
+}
+
+}  // namespace
+}  // namespace kerf
