@@ -28,7 +28,6 @@ libcli11-dev        reads the command line
 nlohmann-json3-dev  reads and writes session files
 libspdlog-dev       writes the log
 libstb-dev          reads and writes pictures
-nettle-dev          checks models against their SHA-256
 nettle-dev          hashes states and files
 '
 test_packages='
