@@ -26,9 +26,9 @@ struct RouteFailure {
 };
 
 bool environmentSwitch(const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr && std::string_view(value) != "" && std::string_view(value) != "0" &&
-           std::string_view(value) != "false";
+    const char* variable = std::getenv(name);
+    const std::string_view value = variable == nullptr ? "" : variable;
+    return !value.empty() && value != "0" && value != "false";
 }
 
 bool hasWord(const char* list, std::string_view word) {

@@ -41,19 +41,19 @@ std::string displayName(const fs::path& root, const fs::path& path) {
     return (outside ? path : relative).generic_string();
 }
 
-/// The word behind '#' of a directive line, and what follows it.
+/// The word behind '#' of a directive line, and what follows it; empty for any other line.
 struct Directive {
     std::string word;
     std::string rest;
 };
 
-std::optional<Directive> parseDirective(const std::string& line) {
+Directive parseDirective(const std::string& line) {
     static const std::regex kDirective(R"(^\s*#\s*(\w+)\s*(.*?)\s*$)");
     std::smatch match;
     if (!std::regex_match(line, match, kDirective)) {
-        return std::nullopt;
+        return {};
     }
-    return Directive{match[1], match[2]};
+    return {match[1], match[2]};
 }
 
 /// The name between quotes; nothing for <x>, which only C++ reads.
@@ -98,15 +98,13 @@ class Expander {
     }
 
     void appendLine(const std::string& line, std::size_t number, std::size_t index) {
-        const std::optional<Directive> directive = parseDirective(line);
-        if (!directive) {
-            out_ << line << '\n';
-        } else if (directive->word == "include") {
-            include(directive->rest, number, index);
-        } else if (directive->word == "pragma" && directive->rest == "once") {
+        const Directive directive = parseDirective(line);
+        if (directive.word == "include") {
+            include(directive.rest, number, index);
+        } else if (directive.word == "pragma" && directive.rest == "once") {
             once_.insert(stack_.back());
             out_ << '\n';
-        } else if (directive->word == "version") {
+        } else if (directive.word == "version") {
             out_ << '\n';  // ours stands in front
         } else {
             out_ << line << '\n';

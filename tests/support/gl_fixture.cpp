@@ -25,13 +25,13 @@ class ContextEnvironment : public ::testing::Environment {
 };
 
 // GoogleTest owns it.
-auto* const sharedContext =
+auto* const kSharedContext =
     static_cast<ContextEnvironment*>(::testing::AddGlobalTestEnvironment(new ContextEnvironment));
 
 }  // namespace
 
 void GlTest::SetUp() {
-    sharedContext->makeCurrent();
+    kSharedContext->makeCurrent();
     gpu::takeDebugErrors();
 }
 
