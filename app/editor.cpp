@@ -1,0 +1,558 @@
+#include "app/editor.h"
+
+#include <glad/gl.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "app/editor_camera.h"
+#include "app/editor_scene.h"
+#include "app/editor_toast.h"
+#include "app/input_queue.h"
+#include "ui/interface.h"
+#include "ui/shortcuts.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr int kMaxStepsPerPicture = 4;
+constexpr double kStepBudgetSeconds = 0.012;  // more than one step only while they are this fast
+constexpr int kMaxBatchesPerPicture = 16;
+constexpr int kSettlePasses = 2;  // passes after the last input, for panels that answer late
+constexpr double kForever = 1e9;
+constexpr double kRateSmoothing = 0.1;
+const Vec3 kEarthGravity{0, -9.81, 0};
+
+double secondsNow() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+/// kerf-YYYYMMDD-HHMMSS.png, numbered where that is taken.
+std::filesystem::path freeScreenshotFile(const std::filesystem::path& folder) {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    char stem[32];
+    std::strftime(stem, sizeof stem, "kerf-%Y%m%d-%H%M%S", &local);
+    std::filesystem::path file = folder / (std::string(stem) + ".png");
+    for (int n = 2; std::filesystem::exists(file); ++n) {
+        file = folder / (std::string(stem) + "-" + std::to_string(n) + ".png");
+    }
+    return std::filesystem::absolute(file).lexically_normal();
+}
+
+std::string pieceText(int pieces) {
+    return std::to_string(pieces) + (pieces == 1 ? " piece" : " pieces");
+}
+
+}  // namespace
+
+struct Editor::State {
+    explicit State(const EditorOptions& wanted)
+        : options(wanted), interface(wanted.scale), renderer(wanted.quality) {}
+
+    EditorOptions options;
+    InputQueue queue;
+    ui::Interface interface;
+    render::Renderer renderer;
+    std::unique_ptr<EditorScene> scene;
+    render::Camera camera;
+    CameraControl cameraControl;
+    Vec2 pointer = Vec2::Zero();  ///< [px]
+    gpu::Framebuffer picture;
+    ui::PanelModel model;
+    ui::History noHistory;
+    EditorToast toast;
+    std::vector<ui::PlotPoint> strokeLine;
+    bool sceneChanged = true;
+    bool helpOpen = false;
+    bool wireframe = false;
+    bool screenshotWanted = false;
+    bool ranLastFrame = false;
+    bool strokedOnce = false;
+    int settlePasses = kSettlePasses;
+    double dueSeconds = 0;  ///< simulated time that the clock is ahead [s]
+    double frameRate = 0;   ///< smoothed [1/s]
+
+    // Input.
+    void takeInput(double elapsedSeconds);
+    void pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds);
+    void dispatch(const ui::InputEvent& event);
+    void onMove(const ui::PointerMove& move);
+    void onButton(const ui::ButtonChange& change);
+    void onWheel(const ui::Wheel& wheel);
+    void onKey(ui::Key key, const ui::Modifiers& modifiers);
+    void onFocusLost();
+    void beginStroke();
+    void endStroke();
+
+    // Answers.
+    void apply(const ui::Action& action);
+    void perform(ui::ActionId id);
+    void performOnScene(ui::ActionId id);
+    void moveCamera(ui::ActionId id);
+    void execute(const Command& command);
+    void cancel();
+    void toggleGravity();
+    void open(const std::filesystem::path& file);
+    void show(Document document);
+
+    // Time.
+    void advance(double elapsedSeconds);
+    int stepsDue(double elapsedSeconds);
+    void runSteps(int count);
+    void measureRate(double elapsedSeconds, bool ran);
+    bool running() const;
+
+    // Pictures.
+    void describe();
+    std::string hint() const;
+    void draw();
+    void drawScene();
+    void ensurePicture();
+    void saveScreenshot();
+
+    double aspect() const { return double(options.width) / options.height; }
+    Vec2 toNdc(const Vec2& pixel) const {
+        return {2 * pixel.x() / options.width - 1, 1 - 2 * pixel.y() / options.height};
+    }
+};
+
+// --- Input -------------------------------------------------------------------------------------
+
+void Editor::State::takeInput(double elapsedSeconds) {
+    // At least one pass, so that the panels live; later batches of one picture take no time.
+    pass(queue.takeBatch(), elapsedSeconds);
+    for (int n = 1; n < kMaxBatchesPerPicture && !queue.empty(); ++n) {
+        pass(queue.takeBatch(), 0);
+    }
+}
+
+void Editor::State::pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds) {
+    describe();
+    settlePasses = batch.empty() ? std::max(0, settlePasses - 1) : kSettlePasses;
+    const std::vector<ui::Action> actions =
+        interface.pass(batch, model, options.width, options.height, elapsedSeconds);
+    for (const ui::InputEvent& event : batch) {
+        dispatch(event);
+    }
+    for (const ui::Action& action : actions) {
+        apply(action);
+    }
+}
+
+void Editor::State::dispatch(const ui::InputEvent& event) {
+    if (const auto* move = std::get_if<ui::PointerMove>(&event)) {
+        onMove(*move);
+    } else if (const auto* change = std::get_if<ui::ButtonChange>(&event)) {
+        onButton(*change);
+    } else if (const auto* wheel = std::get_if<ui::Wheel>(&event)) {
+        onWheel(*wheel);
+    } else if (const auto* key = std::get_if<ui::KeyChange>(&event); key != nullptr && key->down) {
+        onKey(key->key, key->modifiers);
+    } else if (const auto* typed = std::get_if<ui::Character>(&event);
+               typed && typed->code == '?') {
+        onKey(ui::Key::questionMark, {});
+    } else if (const auto* drop = std::get_if<ui::FileDrop>(&event); drop && !drop->files.empty()) {
+        open(drop->files.front());
+    } else if (std::holds_alternative<ui::FocusLost>(event)) {
+        onFocusLost();
+    }
+}
+
+void Editor::State::onMove(const ui::PointerMove& move) {
+    const Vec2 to{move.x, move.y};
+    const Vec2 by = to - pointer;
+    pointer = to;
+    if (cameraControl.move(camera, by.x(), by.y(), options.height)) {
+        sceneChanged = true;
+    }
+    if (scene != nullptr && scene->stroke().drawing()) {
+        scene->stroke().moveTo(toNdc(pointer));
+        strokeLine.push_back({pointer.x(), pointer.y()});
+    }
+}
+
+void Editor::State::onButton(const ui::ButtonChange& change) {
+    if (!change.down) {
+        cameraControl.release(change.button);
+        if (change.button == ui::Button::left) {
+            endStroke();
+        }
+        return;
+    }
+    const bool drawing = scene != nullptr && scene->stroke().drawing();
+    if (interface.ownsPointer() || drawing || cameraControl.press(change)) {
+        return;
+    }
+    if (change.button == ui::Button::left) {
+        beginStroke();
+    }
+}
+
+void Editor::State::beginStroke() {
+    if (scene == nullptr || scene->stroke().pending() > 0) {
+        return;  // one stroke at a time: the last one is still being cut
+    }
+    scene->beginStroke(StrokeSpace(camera, aspect(), scene->bounds()), toNdc(pointer));
+    strokeLine = {{pointer.x(), pointer.y()}};
+}
+
+void Editor::State::endStroke() {
+    if (scene != nullptr && scene->stroke().drawing()) {
+        scene->stroke().end();
+        strokedOnce = strokedOnce || scene->stroke().pending() > 0;
+    }
+}
+
+void Editor::State::onWheel(const ui::Wheel& wheel) {
+    if (!interface.ownsPointer()) {
+        CameraControl::zoom(camera, wheel.y, toNdc(pointer), aspect());
+        sceneChanged = true;
+    }
+}
+
+void Editor::State::onKey(ui::Key key, const ui::Modifiers& modifiers) {
+    if (interface.ownsKeyboard()) {
+        return;
+    }
+    if (const std::optional<ui::ActionId> id = ui::findAction(key, modifiers)) {
+        perform(*id);
+    }
+}
+
+void Editor::State::onFocusLost() {
+    cameraControl.releaseAll();
+    endStroke();
+}
+
+// --- Answers -----------------------------------------------------------------------------------
+
+void Editor::State::apply(const ui::Action& action) {
+    if (const auto* id = std::get_if<ui::ActionId>(&action)) {
+        perform(*id);
+    } else {
+        execute(std::get<Command>(action));
+    }
+}
+
+void Editor::State::execute(const Command& command) {
+    if (scene == nullptr) {
+        return;
+    }
+    if (const std::string problem = scene->execute(command); !problem.empty()) {
+        toast.show(problem, true);
+    }
+    sceneChanged = true;
+}
+
+void Editor::State::perform(ui::ActionId id) {
+    settlePasses = kSettlePasses;
+    switch (id) {
+        case ui::ActionId::help:
+            helpOpen = !helpOpen;
+            return;
+        case ui::ActionId::screenshot:
+            screenshotWanted = true;
+            return;
+        case ui::ActionId::cancel:
+            cancel();
+            return;
+        default:
+            if (scene != nullptr) {
+                performOnScene(id);
+                sceneChanged = true;
+            }
+    }
+}
+
+void Editor::State::performOnScene(ui::ActionId id) {
+    switch (id) {
+        case ui::ActionId::playPause:
+            scene->playing = !scene->playing;
+            return;
+        case ui::ActionId::stepOnce:
+            scene->playing = false;
+            runSteps(1);
+            return;
+        case ui::ActionId::reset:
+            scene->reset();
+            strokeLine.clear();
+            return;
+        case ui::ActionId::toggleGravity:
+            toggleGravity();
+            return;
+        case ui::ActionId::wireframe:
+            wireframe = !wireframe;
+            return;
+        default:
+            moveCamera(id);
+    }
+}
+
+void Editor::State::moveCamera(ui::ActionId id) {
+    switch (id) {
+        case ui::ActionId::frameBody:
+            camera.frame(scene->bounds());
+            return;
+        case ui::ActionId::resetView:
+            camera = scene->document().camera;
+            return;
+        case ui::ActionId::viewFront:
+            lookAlong(camera, AxisView::front);
+            return;
+        case ui::ActionId::viewRight:
+            lookAlong(camera, AxisView::right);
+            return;
+        case ui::ActionId::viewTop:
+            lookAlong(camera, AxisView::top);
+            return;
+        default:
+            return;
+    }
+}
+
+void Editor::State::cancel() {
+    if (helpOpen) {
+        helpOpen = false;
+    } else if (scene != nullptr) {
+        scene->stroke().cancel();
+        strokeLine.clear();
+        sceneChanged = true;
+    }
+}
+
+void Editor::State::toggleGravity() {
+    const bool on = scene->simulation().params().gravity.norm() > 0;
+    const Vec3 before = scene->document().session.params.gravity;
+    const Vec3 switchedOn = before.norm() > 0 ? before : kEarthGravity;
+    execute(SetParam{"gravity", on ? Vec3(Vec3::Zero()) : switchedOn});
+}
+
+void Editor::State::open(const std::filesystem::path& file) {
+    try {
+        show(openDocument(file));
+    } catch (const std::exception& error) {
+        // The scene is as it was: the new one is only taken once it stands.
+        spdlog::error("{}", error.what());
+        toast.show(error.what(), true);
+    }
+}
+
+void Editor::State::show(Document document) {
+    const std::string note = document.note;
+    scene = std::make_unique<EditorScene>(std::move(document));
+    camera = scene->document().camera;
+    cameraControl.releaseAll();
+    strokeLine.clear();
+    strokedOnce = false;
+    sceneChanged = true;
+    dueSeconds = 0;
+    if (!note.empty()) {
+        spdlog::info("{}: {}", scene->document().name, note);
+        toast.show(note, false);
+    }
+}
+
+// --- Time --------------------------------------------------------------------------------------
+
+bool Editor::State::running() const {
+    return scene != nullptr && (scene->playing || scene->stroke().pending() > 0);
+}
+
+int Editor::State::stepsDue(double elapsedSeconds) {
+    if (!scene->playing) {
+        dueSeconds = 0;
+        return 0;
+    }
+    if (!options.byTheClock) {
+        return 1;
+    }
+    const double timeStep = scene->simulation().params().timeStep;
+    dueSeconds = std::min(dueSeconds + elapsedSeconds, kMaxStepsPerPicture * timeStep);
+    const int due = static_cast<int>(dueSeconds / timeStep);
+    dueSeconds -= due * timeStep;
+    return due;
+}
+
+void Editor::State::runSteps(int count) {
+    const double start = secondsNow();
+    for (int n = 0; n < count; ++n) {
+        if (options.byTheClock && n > 0 && secondsNow() - start > kStepBudgetSeconds) {
+            break;
+        }
+        scene->step();
+    }
+    sceneChanged = true;
+    settlePasses = kSettlePasses;  // the panels show a step one pass later
+    for (const std::string& message : scene->takeMessages()) {
+        spdlog::warn("{}", message);
+    }
+}
+
+void Editor::State::advance(double elapsedSeconds) {
+    const bool ran = running();
+    if (ran) {
+        runSteps(scene->stepsWanted(stepsDue(elapsedSeconds)));
+    }
+    measureRate(elapsedSeconds, ran);
+    if (scene != nullptr && !scene->stroke().drawing() && scene->stroke().pending() == 0) {
+        strokeLine.clear();
+    }
+}
+
+void Editor::State::measureRate(double elapsedSeconds, bool ran) {
+    // Only between two pictures that both ran: a pause in between is no frame time.
+    if (ran && ranLastFrame && elapsedSeconds > 0) {
+        const double rate = 1 / elapsedSeconds;
+        frameRate = frameRate > 0 ? frameRate + kRateSmoothing * (rate - frameRate) : rate;
+        scene->recordFrameRate(rate);
+    }
+    ranLastFrame = ran;
+}
+
+// --- Pictures ----------------------------------------------------------------------------------
+
+std::string Editor::State::hint() const {
+    if (scene == nullptr) {
+        return "Drop a model (OBJ, PLY, STL) or a session here to open it.";
+    }
+    if (scene->pieceCount() > 1 && !scene->playing) {
+        const bool weightless = scene->simulation().params().gravity.norm() == 0;
+        return weightless ? "Press V for gravity, then Space to let the pieces fall."
+                          : "Press Space to let the pieces fall.";
+    }
+    return strokedOnce || scene->playing ? "" : "Drag across the model to cut it.";
+}
+
+void Editor::State::describe() {
+    model = {};
+    model.helpOpen = helpOpen;
+    model.wireframe = wireframe;
+    model.history = &noHistory;
+    if (scene != nullptr) {
+        scene->describe(model);
+    }
+    model.stages.frame = frameRate > 0 ? 1000 / frameRate : 0;
+    model.device = options.device;
+    model.hint = hint();
+    model.strokeLine = strokeLine;
+    toast.describe(model);
+}
+
+void Editor::State::ensurePicture() {
+    if (picture.width() != options.width || picture.height() != options.height) {
+        picture = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT24, options.width, options.height);
+        sceneChanged = true;
+    }
+}
+
+void Editor::State::drawScene() {
+    if (scene == nullptr || !sceneChanged) {
+        return;
+    }
+    render::SceneView view = scene->view();
+    view.wireframe = wireframe;
+    renderer.draw(view, camera, options.width, options.height);
+    sceneChanged = false;
+}
+
+void Editor::State::draw() {
+    ensurePicture();
+    drawScene();
+    if (scene != nullptr) {
+        // The panels go over a copy, so that they can move while the scene stands still.
+        renderer.target().blitColorTo(picture);
+    } else {
+        picture.bind();
+        glClearColor(0.06F, 0.065F, 0.08F, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    interface.draw(picture);
+}
+
+void Editor::State::saveScreenshot() {
+    screenshotWanted = false;
+    try {
+        const std::filesystem::path file = freeScreenshotFile(options.screenshotFolder);
+        render::writePng({options.width, options.height, picture.readColor()}, file);
+        spdlog::info("screenshot saved to {}", file.string());
+        toast.show("Saved " + file.string(), false);
+    } catch (const std::exception& error) {
+        toast.show(error.what(), true);
+    }
+}
+
+// --- Editor ------------------------------------------------------------------------------------
+
+Editor::Editor(const EditorOptions& options, std::optional<Document> document)
+    : state_(std::make_unique<State>(options)) {
+    if (document) {
+        state_->show(std::move(*document));
+    }
+    state_->describe();
+}
+
+Editor::~Editor() = default;
+
+void Editor::post(ui::InputEvent event) {
+    state_->queue.push(std::move(event));
+}
+
+void Editor::resize(int width, int height) {
+    if (width > 0 && height > 0) {
+        state_->options.width = width;
+        state_->options.height = height;
+        state_->settlePasses = kSettlePasses;
+    }
+}
+
+void Editor::frame(double elapsedSeconds) {
+    State& s = *state_;
+    s.toast.pass(elapsedSeconds);
+    s.takeInput(elapsedSeconds);
+    s.advance(elapsedSeconds);
+    s.draw();
+    if (s.screenshotWanted) {
+        s.saveScreenshot();
+    }
+}
+
+double Editor::idleSeconds() const {
+    const State& s = *state_;
+    if (!s.queue.empty() || s.running() || s.sceneChanged || s.settlePasses > 0) {
+        return 0;
+    }
+    return s.toast.visible() ? s.toast.steadySeconds() : kForever;
+}
+
+const gpu::Framebuffer& Editor::picture() const {
+    return state_->picture;
+}
+
+render::Image Editor::readPicture() const {
+    const gpu::Framebuffer& picture = state_->picture;
+    return {picture.width(), picture.height(), picture.readColor()};
+}
+
+std::string Editor::title() const {
+    if (state_->scene == nullptr) {
+        return "Kerf";
+    }
+    return "Kerf - " + state_->scene->document().name + " - " +
+           pieceText(state_->scene->pieceCount());
+}
+
+const ui::PanelModel& Editor::panels() const {
+    return state_->model;
+}
+
+void Editor::open(const std::filesystem::path& file) {
+    state_->open(file);
+}
+
+}  // namespace kerf::app

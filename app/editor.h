@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/editor_document.h"
+#include "gpu/framebuffer.h"
+#include "render/image.h"
+#include "render/renderer.h"
+#include "ui/input.h"
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+struct EditorOptions {
+    int width = 1280;  ///< of the picture [px]
+    int height = 720;
+    float scale = 1;  ///< of the display, 1 = 96 dpi
+    render::Quality quality = render::Quality::full;
+    std::string device;  ///< what draws, for the status bar
+    /// Time runs by the clock where it can; otherwise every picture is one step, for tests.
+    bool byTheClock = true;
+    std::filesystem::path screenshotFolder = ".";
+};
+
+/// The editor behind a window or without one: events in, pictures out. It needs a current OpenGL
+/// 4.5 context with loaded functions. Each frame() takes the input in batches through the panels,
+/// drains what they and the keys ask for, steps the simulation and draws.
+class Editor {
+  public:
+    /// Throws gpu::ShaderError, gpu::OutOfMemory.
+    Editor(const EditorOptions& options, std::optional<Document> document);
+    ~Editor();
+    Editor(const Editor&) = delete;
+    Editor& operator=(const Editor&) = delete;
+
+    void post(ui::InputEvent event);
+    void resize(int width, int height);
+    /// One picture; `elapsedSeconds` since the one before.
+    void frame(double elapsedSeconds);
+    /// How long nothing will change without input [s]; 0 while something moves.
+    double idleSeconds() const;
+
+    /// Scene and panels, as the window shows them.
+    const gpu::Framebuffer& picture() const;
+    render::Image readPicture() const;
+    /// "Kerf - NAME - N pieces".
+    std::string title() const;
+    /// What the panels showed in the last frame.
+    const ui::PanelModel& panels() const;
+
+    /// Opens a model or a session; what cannot be opened is said in the view and changes nothing.
+    void open(const std::filesystem::path& file);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The editor in a window, until it is closed. Returns the exit code: 0; 3 where `file` cannot be
+/// opened, 4 without a window or OpenGL 4.5, each with one sentence on standard error.
+int runEditor(const std::optional<std::filesystem::path>& file);
+
+}  // namespace kerf::app

@@ -1,0 +1,69 @@
+#include "app/editor_camera.h"
+
+#include <cmath>
+
+namespace kerf::app {
+namespace {
+
+constexpr double kRadiansPerHeight = 3.5;  // a drag over the whole height turns by 200 degrees
+constexpr double kZoomPerNotch = 0.88;
+
+}  // namespace
+
+bool CameraControl::press(const ui::ButtonChange& change) {
+    if (dragging()) {
+        return true;
+    }
+    const bool orbits = (change.button == ui::Button::right && !change.modifiers.shift) ||
+                        (change.button == ui::Button::left && change.modifiers.alt);
+    const bool pans = change.button == ui::Button::middle ||
+                      (change.button == ui::Button::right && change.modifiers.shift);
+    if (!orbits && !pans) {
+        return false;
+    }
+    drag_ = pans ? Drag::pan : Drag::orbit;
+    button_ = change.button;
+    return true;
+}
+
+void CameraControl::release(ui::Button button) {
+    if (button == button_) {
+        drag_ = Drag::none;
+    }
+}
+
+bool CameraControl::move(render::Camera& camera, double dx, double dy, double height) const {
+    switch (drag_) {
+        case Drag::none:
+            return false;
+        case Drag::orbit:
+            camera.orbit(-kRadiansPerHeight * dx / height, kRadiansPerHeight * dy / height);
+            return true;
+        case Drag::pan:
+            camera.pan(-dx / height, dy / height);
+            return true;
+    }
+    return false;
+}
+
+void CameraControl::zoom(render::Camera& camera, double notches, const Vec2& ndc, double aspect) {
+    camera.zoom(std::pow(kZoomPerNotch, notches), ndc, aspect);
+}
+
+void lookAlong(render::Camera& camera, AxisView view) {
+    const double distance = (camera.eye - camera.target).norm();
+    camera.up = Vec3::UnitY();
+    switch (view) {
+        case AxisView::front:
+            camera.eye = camera.target + distance * Vec3::UnitZ();
+            return;
+        case AxisView::right:
+            camera.eye = camera.target + distance * Vec3::UnitX();
+            return;
+        case AxisView::top:
+            camera.eye = camera.target + distance * Vec3::UnitY();
+            return;
+    }
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "render/camera.h"
+#include "ui/input.h"
+
+namespace kerf::app {
+
+/// Turns, moves and zooms a camera with the pointer: right or Alt+left drag orbits, middle or
+/// Shift+right drag pans, the wheel zooms to the pointer.
+class CameraControl {
+  public:
+    /// Whether a press of this button belongs to the camera; if so, the drag begins.
+    bool press(const ui::ButtonChange& change);
+    void release(ui::Button button);
+    void releaseAll() { drag_ = Drag::none; }
+    /// The pointer moved by (dx, dy) pixels in a view `height` pixels high. True where the camera
+    /// moved.
+    bool move(render::Camera& camera, double dx, double dy, double height) const;
+    bool dragging() const { return drag_ != Drag::none; }
+
+    /// `notches` > 0 zooms in; `ndc` is the pointer (-1..1, y up).
+    static void zoom(render::Camera& camera, double notches, const Vec2& ndc, double aspect);
+
+  private:
+    enum class Drag { none, orbit, pan };
+    Drag drag_ = Drag::none;
+    ui::Button button_ = ui::Button::right;
+};
+
+/// Views along the axes, as numbered in modelling programs.
+enum class AxisView { front, right, top };
+/// Looks at the camera's target along an axis, from where it stands away.
+void lookAlong(render::Camera& camera, AxisView view);
+
+}  // namespace kerf::app

@@ -1,0 +1,93 @@
+#include "app/editor_document.h"
+
+#include <string_view>
+
+#include "gpu/program.h"
+#include "sim/mesh/invariants.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr std::string_view kSessionEnding = ".kerf.json";
+
+bool isSession(const std::filesystem::path& file) {
+    return file.extension() == ".json";
+}
+
+std::string shortName(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    if (name.ends_with(kSessionEnding)) {
+        return name.substr(0, name.size() - kSessionEnding.size());
+    }
+    return file.stem().string();
+}
+
+void placeMesh(SurfaceMesh& mesh, const Placement& placement) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 placed = placement.apply(mesh.position(v));
+        mesh.setPosition(v, placed);
+        mesh.setRestPosition(v, placed);
+    }
+}
+
+std::string joined(const std::vector<std::string>& phrases) {
+    std::string text;
+    for (const std::string& phrase : phrases) {
+        text += (text.empty() ? "" : "; ") + phrase;
+    }
+    return text;
+}
+
+std::string modelNote(const MeshReport& report, double scale) {
+    char text[64];
+    std::snprintf(text, sizeof text, "Scaled by %.4g to fit the view.", scale);
+    const std::string repairs = joined(report.repairs);
+    return repairs.empty() ? text : std::string(text) + " Repaired: " + repairs + ".";
+}
+
+Document finish(std::string name, Session session, SurfaceMesh mesh, std::string note) {
+    const Bounds bounds = meshBounds(mesh);
+    const render::Camera camera = sessionCamera(session, bounds);
+    return {std::move(name), std::move(session), std::move(mesh), bounds, camera, std::move(note)};
+}
+
+Document openModel(const std::filesystem::path& file) {
+    MeshReport report;
+    SurfaceMesh mesh = loadModel(file, &report);
+    Session session;
+    session.model.path = std::filesystem::absolute(file);
+    session.placement = fitPlacement(meshBounds(mesh), kModelDiagonal);
+    placeMesh(mesh, session.placement);
+    std::string note = modelNote(report, session.placement.scale);
+    return finish(shortName(file), std::move(session), std::move(mesh), std::move(note));
+}
+
+Document openSession(const std::filesystem::path& file) {
+    Session session = readSession(file);
+    SurfaceMesh mesh = loadSessionModel(session);
+    std::string note = joined(session.warnings);
+    return finish(shortName(file), std::move(session), std::move(mesh), std::move(note));
+}
+
+}  // namespace
+
+Document openDocument(const std::filesystem::path& file) {
+    return isSession(file) ? openSession(file) : openModel(file);
+}
+
+Document openDefaultDocument() {
+    return openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"));
+}
+
+Placement fitPlacement(const Bounds& bounds, double diagonal) {
+    Placement placement;
+    if (bounds.diagonal() > 0) {
+        placement.scale = diagonal / bounds.diagonal();
+    }
+    const Vec3 center = bounds.center();
+    placement.translate = -placement.scale * Vec3(center.x(), bounds.low.y(), center.z());
+    placement.translate.y() += diagonal / 50;
+    return placement;
+}
+
+}  // namespace kerf::app

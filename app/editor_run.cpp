@@ -1,0 +1,102 @@
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "app/editor.h"
+#include "app/window.h"
+#include "gpu/context.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr int kInvalidInput = 3;
+constexpr int kNoOpenGl = 4;
+constexpr double kLongestWait = 1;  // between two looks at what the system wants [s]
+
+/// The document of the command line, or the default one; without that the editor opens empty.
+std::optional<Document> firstDocument(const std::optional<std::filesystem::path>& file) {
+    if (file) {
+        return openDocument(*file);
+    }
+    try {
+        return openDefaultDocument();
+    } catch (const InputError& error) {
+        spdlog::warn("{}", error.what());
+        return std::nullopt;
+    }
+}
+
+EditorOptions optionsFor(const Window& window) {
+    const gpu::DeviceInfo device = gpu::queryDevice();
+    EditorOptions options;
+    options.width = std::max(1, window.width());
+    options.height = std::max(1, window.height());
+    options.scale = window.scale();
+    options.quality = device.software ? render::Quality::light : render::Quality::full;
+    options.device = device.renderer.substr(0, device.renderer.find(" ("));
+    return options;
+}
+
+class Clock {
+  public:
+    /// Seconds since the last lap.
+    double elapsed() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
+    }
+    double lap() {
+        const double seconds = elapsed();
+        last_ = std::chrono::steady_clock::now();
+        return seconds;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Draws while something moves, and else waits: a still picture costs nothing.
+void runLoop(Window& window, Editor& editor) {
+    Clock clock;
+    while (!window.closing()) {
+        window.waitEvents(std::min(editor.idleSeconds() - clock.elapsed(), kLongestWait));
+        const bool damaged = window.takeDamage();
+        if (!damaged && editor.idleSeconds() > clock.elapsed()) {
+            continue;
+        }
+        editor.resize(window.width(), window.height());
+        editor.frame(clock.lap());
+        window.setTitle(editor.title());
+        window.show(editor.picture());
+    }
+}
+
+void openWindow(std::optional<Document> document) {
+    Window window("Kerf");
+    Editor editor(optionsFor(window), std::move(document));
+    window.onInput([&editor](ui::InputEvent event) { editor.post(std::move(event)); });
+    runLoop(window, editor);
+    window.onInput(nullptr);
+}
+
+int fail(const std::exception& error, int exitCode) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return exitCode;
+}
+
+}  // namespace
+
+int runEditor(const std::optional<std::filesystem::path>& file) {
+    try {
+        openWindow(firstDocument(file));
+        return 0;
+    } catch (const InputError& error) {
+        return fail(error, kInvalidInput);
+    } catch (const WindowError& error) {
+        return fail(error, kNoOpenGl);
+    } catch (const gpu::ContextError& error) {
+        return fail(error, kNoOpenGl);
+    }
+}
+
+}  // namespace kerf::app

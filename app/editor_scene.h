@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor_document.h"
+#include "app/editor_stroke.h"
+#include "render/renderer.h"
+#include "sim/simulation.h"
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+/// An open document as it runs: the simulation, the stroke that is being drawn, the session that
+/// is being played, and what the plots remember.
+///
+/// A stroke needs steps to cut. While time is paused, each of its poses runs one step, so that the
+/// cut opens under the pointer; once the blade is lifted, time stands still again.
+class EditorScene {
+  public:
+    /// Throws gpu::ShaderError, gpu::OutOfMemory.
+    explicit EditorScene(Document document);
+    EditorScene(const EditorScene&) = delete;  // the player points into the document
+    EditorScene& operator=(const EditorScene&) = delete;
+
+    /// A change that a person asked for; ends the playing of a session. Returns "" or one sentence.
+    std::string execute(const Command& command);
+    /// One step with what is due before it: the session's events, or the next pose of the stroke.
+    void step();
+    /// Back to the start state, paused.
+    void reset();
+
+    // The stroke.
+    void beginStroke(const StrokeSpace& space, const Vec2& ndc);
+    BladeStroke& stroke() { return stroke_; }
+    const BladeStroke& stroke() const { return stroke_; }
+
+    bool playing = false;
+    /// How many steps the coming picture should show: `due` by the clock while playing, and what
+    /// the stroke needs so as not to fall behind.
+    int stepsWanted(int due) const;
+    /// Notes how fast pictures follow each other while time runs.
+    void recordFrameRate(double framesPerSecond);
+
+    const Document& document() const { return document_; }
+    Simulation& simulation() { return simulation_; }
+    const Simulation& simulation() const { return simulation_; }
+    /// As a number of the last report: 1 for an uncut body.
+    int pieceCount() const { return simulation_.report().pieces; }
+    /// Bounds of the body as it is (waits for the GPU).
+    Bounds bounds() { return meshBounds(simulation_.mesh()); }
+    /// Sentences that the simulation left for the person.
+    std::vector<std::string> takeMessages() { return simulation_.takeMessages(); }
+
+    /// What the renderer shows.
+    render::SceneView view();
+    /// What the panels show of it.
+    void describe(ui::PanelModel& model);
+
+  private:
+    void playSessionEvents();
+    void endPlayback();
+    bool playingBack() const;
+    void record();
+    void refreshPieces();
+
+    Document document_;
+    Simulation simulation_;
+    std::optional<SessionPlayer> player_;
+    BladeStroke stroke_;
+    ui::History history_;
+    std::vector<ui::PieceRow> pieces_;
+    int piecesStep_ = -1;  ///< step that pieces_ tells of
+    int piecesTriangles_ = -1;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+/// A sentence in the view that fades by itself; errors stay longer.
+class EditorToast {
+  public:
+    void show(std::string text, bool isError);
+    void pass(double elapsedSeconds);
+    bool visible() const { return remaining_ > 0; }
+    /// How long it stays as it is [s]; 0 while it fades.
+    double steadySeconds() const;
+    void describe(ui::PanelModel& model) const;
+
+  private:
+    std::string text_;
+    bool isError_ = false;
+    double remaining_ = 0;
+};
+
+}  // namespace kerf::app

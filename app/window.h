@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "gpu/framebuffer.h"
+#include "ui/input.h"
+
+namespace kerf::app {
+
+/// No window could be opened: what() is one sentence that says why and what to do. Exit code 4.
+class WindowError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A GLFW window with an OpenGL 4.5 core context, current on the thread that made it, its
+/// functions loaded. It only forwards: input goes to a function, a finished picture comes back.
+/// One at a time.
+class Window {
+  public:
+    /// Takes the screen's work area up to 1600 x 900. Throws WindowError, gpu::ContextError.
+    explicit Window(const std::string& title);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Where input goes, positions in pixels of the picture.
+    void onInput(std::function<void(ui::InputEvent)> receive);
+    /// Size of the picture [px]; 0 while the window is hidden.
+    int width() const;
+    int height() const;
+    /// Of the display, 1 = 96 dpi.
+    float scale() const;
+
+    void setTitle(const std::string& title);
+    bool closing() const;
+    /// Whether the window was resized or uncovered since the last call (true the first time).
+    bool takeDamage();
+    /// Forwards what has happened; waits up to `seconds` for something to.
+    void waitEvents(double seconds);
+    /// Shows a picture of the window's size.
+    void show(const gpu::Framebuffer& picture);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kerf::app

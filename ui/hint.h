@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/layout.h"
+#include "ui/panel_model.h"
+
+namespace kerf::ui {
+
+/// What to do first or next, in the view: at its lower edge, or in its middle while nothing is
+/// open. Takes no input.
+void drawHint(const PanelModel& model, const Rect& view);
+
+}  // namespace kerf::ui

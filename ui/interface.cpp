@@ -1,0 +1,186 @@
+#include "ui/interface.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <type_traits>
+
+#include "ui/help_overlay.h"
+#include "ui/hint.h"
+#include "ui/layout.h"
+#include "ui/parameters_panel.h"
+#include "ui/pieces_panel.h"
+#include "ui/plots_panel.h"
+#include "ui/status_bar.h"
+#include "ui/theme.h"
+#include "ui/toast.h"
+#include "ui/transport_panel.h"
+#include "ui/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+void mapKeys(ImGuiIO& io) {
+    static constexpr std::array<std::pair<int, Key>, 21> kKeys{{
+        {ImGuiKey_Tab, Key::tab},
+        {ImGuiKey_LeftArrow, Key::left},
+        {ImGuiKey_RightArrow, Key::right},
+        {ImGuiKey_UpArrow, Key::up},
+        {ImGuiKey_DownArrow, Key::down},
+        {ImGuiKey_PageUp, Key::pageUp},
+        {ImGuiKey_PageDown, Key::pageDown},
+        {ImGuiKey_Home, Key::home},
+        {ImGuiKey_End, Key::end},
+        {ImGuiKey_Insert, Key::insert},
+        {ImGuiKey_Delete, Key::del},
+        {ImGuiKey_Backspace, Key::backspace},
+        {ImGuiKey_Space, Key::space},
+        {ImGuiKey_Enter, Key::enter},
+        {ImGuiKey_Escape, Key::escape},
+        {ImGuiKey_A, Key::a},
+        {ImGuiKey_C, Key::c},
+        {ImGuiKey_V, Key::v},
+        {ImGuiKey_X, Key::x},
+        {ImGuiKey_Y, Key::y},
+        {ImGuiKey_Z, Key::z},
+    }};
+    for (const auto& [imguiKey, key] : kKeys) {
+        io.KeyMap[imguiKey] = static_cast<int>(key);
+    }
+}
+
+void applyModifiers(ImGuiIO& io, const Modifiers& modifiers) {
+    io.KeyShift = modifiers.shift;
+    io.KeyCtrl = modifiers.control;
+    io.KeyAlt = modifiers.alt;
+}
+
+struct Feed {
+    ImGuiIO& io;
+
+    void operator()(const PointerMove& e) const {
+        io.MousePos = {static_cast<float>(e.x), static_cast<float>(e.y)};
+        applyModifiers(io, e.modifiers);
+    }
+    void operator()(const ButtonChange& e) const {
+        io.MouseDown[static_cast<int>(e.button)] = e.down;
+        applyModifiers(io, e.modifiers);
+    }
+    void operator()(const Wheel& e) const {
+        io.MouseWheelH += static_cast<float>(e.x);
+        io.MouseWheel += static_cast<float>(e.y);
+    }
+    void operator()(const KeyChange& e) const {
+        io.KeysDown[static_cast<int>(e.key)] = e.down;
+        applyModifiers(io, e.modifiers);
+    }
+    void operator()(const Character& e) const { io.AddInputCharacter(e.code); }
+    void operator()(const FileDrop&) const {}
+    void operator()(const FocusLost&) const {
+        std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+        std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
+        applyModifiers(io, {});
+    }
+};
+
+void drawStrokeLine(const PanelModel& model, float scale) {
+    if (model.strokeLine.size() < 2) {
+        return;
+    }
+    std::vector<ImVec2> line;
+    for (const PlotPoint& p : model.strokeLine) {
+        line.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
+    }
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    draw.AddPolyline(line.data(), static_cast<int>(line.size()), IM_COL32(0, 0, 0, 90), 0,
+                     4 * scale);
+    draw.AddPolyline(line.data(), static_cast<int>(line.size()), Theme::kBlade, 0, 2 * scale);
+}
+
+void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
+    beginPanel("controls", rect);
+    drawTransport(model, actions);
+    drawParameters(model, actions);
+    drawPieces(model);
+    ImGui::End();
+}
+
+void drawPlotsPanel(const PanelModel& model, const Rect& rect) {
+    beginPanel("plots", rect);
+    drawPlots(model);
+    ImGui::End();
+}
+
+}  // namespace
+
+Interface::Interface(float scale) : context_(ImGui::CreateContext()), scale_(scale) {
+    makeCurrent();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.BackendPlatformName = "kerf input queue";
+    io.ConfigInputTextCursorBlink = false;
+    mapKeys(io);
+    applyTheme(scale);
+    loadFont(scale);
+    if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
+        ImGui::DestroyContext(context_);
+        throw std::runtime_error("the interface cannot use this OpenGL driver: update it");
+    }
+}
+
+Interface::~Interface() {
+    makeCurrent();
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext(context_);
+}
+
+void Interface::makeCurrent() const {
+    ImGui::SetCurrentContext(context_);
+}
+
+std::vector<Action> Interface::pass(std::span<const InputEvent> events, const PanelModel& model,
+                                    int width, int height, double elapsedSeconds) {
+    makeCurrent();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.DeltaTime = std::max(1e-4F, static_cast<float>(elapsedSeconds));
+    for (const InputEvent& event : events) {
+        std::visit(Feed{io}, event);
+    }
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+
+    std::vector<Action> actions;
+    const Layout layout = layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale_);
+    drawStrokeLine(model, scale_);
+    drawControls(model, layout.controls, actions);
+    drawPlotsPanel(model, layout.plots);
+    drawStatusBar(model, layout.status);
+    drawHint(model, layout.view);
+    drawHelp(model, layout.view, actions);
+    drawToast(model, layout.view);
+    ImGui::Render();
+    return actions;
+}
+
+void Interface::draw(const gpu::Framebuffer& picture) {
+    makeCurrent();
+    picture.bind();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Interface::ownsPointer() const {
+    makeCurrent();
+    return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Interface::ownsKeyboard() const {
+    makeCurrent();
+    return ImGui::GetIO().WantTextInput;
+}
+
+}  // namespace kerf::ui

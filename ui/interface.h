@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gpu/framebuffer.h"
+#include "ui/action.h"
+#include "ui/input.h"
+#include "ui/panel_model.h"
+
+struct ImGuiContext;
+
+namespace kerf::ui {
+
+/// All panels, drawn with Dear ImGui into an off-screen picture. Fed from the editor's own input
+/// queue, so that it behaves alike with a window and without one.
+class Interface {
+  public:
+    /// Needs a current OpenGL 4.5 context; `scale` is the display's (1 = 96 dpi).
+    explicit Interface(float scale);
+    ~Interface();
+    Interface(const Interface&) = delete;
+    Interface& operator=(const Interface&) = delete;
+
+    /// One pass over the panels with the input of one batch; the answers of the person. A pass
+    /// without draw() is fine: only the last one is shown.
+    std::vector<Action> pass(std::span<const InputEvent> events, const PanelModel& model, int width,
+                             int height, double elapsedSeconds);
+    /// Draws the last pass over `picture`, which must have the size of that pass.
+    void draw(const gpu::Framebuffer& picture);
+
+    /// Whether the pointer (or the keyboard) belonged to a panel in the last pass.
+    bool ownsPointer() const;
+    bool ownsKeyboard() const;
+
+  private:
+    void makeCurrent() const;
+
+    ImGuiContext* context_ = nullptr;
+    float scale_ = 1;
+};
+
+}  // namespace kerf::ui

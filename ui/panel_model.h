@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/params.h"
+#include "ui/history.h"
+
+namespace kerf::ui {
+
+/// One row of the pieces table.
+struct PieceRow {
+    int triangles = 0;
+    double volume = 0;  ///< [m^3]
+    double share = 0;   ///< of its rest volume, 1 = all
+};
+
+/// Time of the last step by stage, and of a frame on average [ms].
+struct StageTimes {
+    double deform = 0;
+    double collide = 0;
+    double cut = 0;
+    double frame = 0;
+};
+
+/// All that the panels show: filled by the editor every frame, read only here.
+struct PanelModel {
+    std::string name;    ///< of what is open; empty while nothing is
+    Params params;       ///< as they are
+    Params startParams;  ///< as they were when it was opened: what the reset mark returns to
+    bool playing = false;
+    bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
+    bool helpOpen = false;
+    bool wireframe = false;
+    int step = 0;
+    double time = 0;  ///< simulated [s]
+    int vertices = 0;
+    int triangles = 0;
+    std::string playback;  ///< "session step 12 of 900" while one is played
+    std::string device;    ///< what draws: "llvmpipe"
+    std::string hint;      ///< what to do first or next; empty for none
+    std::string toast;     ///< what just happened; empty for none
+    bool toastIsError = false;
+    float toastOpacity = 1;  ///< 0 to 1, while it fades
+    StageTimes stages;
+    std::vector<PieceRow> pieces;
+    const History* history = nullptr;   ///< never null while panels are drawn
+    std::vector<PlotPoint> strokeLine;  ///< the pointer's way across the view [px]
+};
+
+}  // namespace kerf::ui

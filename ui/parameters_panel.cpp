@@ -1,0 +1,187 @@
+#include "ui/parameters_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "ui/shortcuts.h"
+#include "ui/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr std::array<std::string_view, 4> kProminent{"time_step", "iterations", "ispc_stiffness",
+                                                     "gravity"};
+
+bool isProminent(const ParamInfo& info) {
+    return std::ranges::find(kProminent, info.name) != kProminent.end();
+}
+
+int decimalsFor(const ParamInfo& info) {
+    if (info.type == ParamType::vector || info.type == ParamType::optionalReal) {
+        return 2;
+    }
+    if (info.logarithmic) {
+        return std::clamp(-static_cast<int>(std::floor(std::log10(info.low))), 0, 6);
+    }
+    return std::clamp(2 - static_cast<int>(std::floor(std::log10(info.high))), 0, 6);
+}
+
+ImGuiSliderFlags sliderFlags(const ParamInfo& info) {
+    // Wide signed ranges get the logarithmic scale too: fine near zero, and zero easy to hit.
+    const bool wide = info.type == ParamType::vector || info.type == ParamType::optionalReal;
+    const ImGuiSliderFlags scale = info.logarithmic || wide ? ImGuiSliderFlags_Logarithmic : 0;
+    return ImGuiSliderFlags_AlwaysClamp | scale;
+}
+
+std::string tooltipOf(const ParamInfo& info) {
+    std::string text(info.meaning);
+    text += "\nIn a session: " + std::string(info.name);
+    return text;
+}
+
+/// A slider over a double. True while its value is being changed.
+bool slideReal(const ParamInfo& info, const char* id, double& value) {
+    const std::string format = sliderFormat(info);
+    return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &info.low, &info.high,
+                               format.c_str(), sliderFlags(info));
+}
+
+bool slideInteger(const ParamInfo& info, double& value) {
+    int whole = static_cast<int>(std::lround(value));
+    const bool changed =
+        ImGui::SliderInt("##value", &whole, static_cast<int>(info.low), static_cast<int>(info.high),
+                         sliderFormat(info).c_str(), sliderFlags(info));
+    value = whole;
+    return changed;
+}
+
+bool slideVector(const ParamInfo& info, Vec3& value) {
+    static constexpr std::array<const char*, 3> kAxes{"##x", "##y", "##z"};
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (ImGui::CalcItemWidth() - 2 * gap) / 3;
+    bool changed = false;
+    ParamInfo bare = info;
+    bare.unit = "";
+    for (int axis = 0; axis < 3; ++axis) {
+        ImGui::SetNextItemWidth(width);
+        changed |= slideReal(bare, kAxes[axis], value[axis]);
+        if (axis < 2) {
+            ImGui::SameLine(0, gap);
+        }
+    }
+    return changed;
+}
+
+bool slideOptional(const ParamInfo& info, ParamValue& value) {
+    bool present = !std::holds_alternative<std::monostate>(value);
+    bool changed = false;
+    if (ImGui::Checkbox("##present", &present)) {
+        value = present ? ParamValue{std::clamp(0.0, info.low, info.high)} : std::monostate{};
+        changed = true;
+    }
+    ImGui::SameLine();
+    if (double* number = std::get_if<double>(&value)) {
+        ImGui::SetNextItemWidth(-1);
+        changed |= slideReal(info, "##value", *number);
+    } else {
+        ImGui::TextDisabled("none");
+    }
+    return changed;
+}
+
+bool slideValue(const ParamInfo& info, ParamValue& value) {
+    switch (info.type) {
+        case ParamType::real:
+            return slideReal(info, "##value", std::get<double>(value));
+        case ParamType::integer:
+            return slideInteger(info, std::get<double>(value));
+        case ParamType::vector:
+            return slideVector(info, std::get<Vec3>(value));
+        case ParamType::optionalReal:
+            return slideOptional(info, value);
+    }
+    return false;
+}
+
+void drawLabelLine(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
+    const std::string label = info.type == ParamType::vector && !info.unit.empty()
+                                  ? std::string(info.label) + ", " + std::string(info.unit)
+                                  : std::string(info.label);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label.c_str());
+    itemTooltip(tooltipOf(info));
+    const ParamValue start = getParam(model.startParams, info.name);
+    if (getParam(model.params, info.name) == start) {
+        return;
+    }
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
+    if (resetButton("##reset")) {
+        actions.emplace_back(Command{SetParam{std::string(info.name), start}});
+    }
+    itemTooltip("Back to the value at the start");
+}
+
+void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
+    bool on = model.params.gravity.norm() > 0;
+    if (ImGui::Checkbox("##switch", &on)) {
+        actions.emplace_back(ActionId::toggleGravity);
+    }
+    itemTooltip(describeShortcut(ActionId::toggleGravity));
+    ImGui::SameLine();
+}
+
+void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
+    ImGui::PushID(info.name.data(), info.name.data() + info.name.size());
+    if (info.name == "gravity") {
+        drawGravitySwitch(model, actions);
+    }
+    drawLabelLine(info, model, actions);
+    ImGui::SetNextItemWidth(-1);
+    ParamValue value = getParam(model.params, info.name);
+    ImGui::BeginGroup();
+    const bool changed = slideValue(info, value);
+    ImGui::EndGroup();
+    if (!ImGui::IsItemActive()) {
+        itemTooltip(tooltipOf(info));
+    }
+    if (changed) {
+        actions.emplace_back(Command{SetParam{std::string(info.name), value}});
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+std::string sliderFormat(const ParamInfo& info) {
+    std::string unit;
+    for (const char c : info.unit) {
+        unit += c == '%' ? "%%" : std::string(1, c);
+    }
+    const std::string tail = unit.empty() ? "" : " " + unit;
+    if (info.type == ParamType::integer) {
+        return "%d" + tail;
+    }
+    return "%." + std::to_string(decimalsFor(info)) + "f" + tail;
+}
+
+void drawParameters(const PanelModel& model, std::vector<Action>& actions) {
+    sectionTitle("Simulation");
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3});
+    for (const std::string_view name : kProminent) {
+        drawRow(*findParam(name), model, actions);
+    }
+    if (ImGui::CollapsingHeader("More")) {
+        for (const ParamInfo& info : paramTable()) {
+            if (!isProminent(info)) {
+                drawRow(info, model, actions);
+            }
+        }
+    }
+    ImGui::PopStyleVar();
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/action.h"
+#include "ui/panel_model.h"
+
+namespace kerf::ui {
+
+/// A row per parameter of paramTable(): the four that people turn first on top, the rest under
+/// "More". Each answers with a SetParam command.
+void drawParameters(const PanelModel& model, std::vector<Action>& actions);
+
+/// The printf format of a slider: decimals that suit the range, and the unit ("%.4f s"). It does
+/// not follow the value, since ImGui rounds to it and scales logarithmic sliders by it.
+std::string sliderFormat(const ParamInfo& info);
+
+}  // namespace kerf::ui

@@ -1,0 +1,72 @@
+#include "ui/shortcuts.h"
+
+#include <array>
+#include <cassert>
+
+namespace kerf::ui {
+namespace {
+
+constexpr Modifiers kPlain{};
+
+constexpr std::array kShortcuts{
+    Shortcut{ActionId::playPause, Key::space, kPlain, "Space", "Play or pause", "Time"},
+    Shortcut{ActionId::stepOnce, Key::period, kPlain, ".", "One step", "Time"},
+    Shortcut{ActionId::reset, Key::r, kPlain, "R", "Back to the start", "Time"},
+    Shortcut{ActionId::toggleGravity, Key::v, kPlain, "V", "Gravity on or off", "Body"},
+    Shortcut{ActionId::cancel, Key::escape, kPlain, "Esc", "Stop the stroke, close the help",
+             "Body"},
+    Shortcut{ActionId::frameBody, Key::f, kPlain, "F", "Bring the model into view", "View"},
+    Shortcut{ActionId::resetView, Key::home, kPlain, "Home", "Back to the first view", "View"},
+    Shortcut{ActionId::viewFront, Key::digit1, kPlain, "1", "From the front", "View"},
+    Shortcut{ActionId::viewRight, Key::digit3, kPlain, "3", "From the right", "View"},
+    Shortcut{ActionId::viewTop, Key::digit7, kPlain, "7", "From the top", "View"},
+    Shortcut{ActionId::wireframe, Key::w, kPlain, "W", "Show the triangles", "View"},
+    Shortcut{ActionId::screenshot, Key::f12, kPlain, "F12", "Save a screenshot here", "Program"},
+    Shortcut{ActionId::help, Key::f1, kPlain, "F1", "This help", "Program"},
+    Shortcut{ActionId::help, Key::questionMark, kPlain, "?", "This help", "Program"},
+};
+
+constexpr std::array kPointerHints{
+    PointerHint{"Left drag", "Cut: the blade follows the pointer through the model"},
+    PointerHint{"Right drag, Alt+left drag", "Turn the view"},
+    PointerHint{"Middle drag, Shift+right drag", "Move the view"},
+    PointerHint{"Wheel", "Zoom to the pointer"},
+    PointerHint{"Ctrl+click a slider", "Type a value"},
+    PointerHint{"Drop a file", "Open a model or a session"},
+};
+
+}  // namespace
+
+std::span<const Shortcut> shortcutTable() {
+    return kShortcuts;
+}
+
+std::span<const PointerHint> pointerTable() {
+    return kPointerHints;
+}
+
+std::optional<ActionId> findAction(Key key, Modifiers modifiers) {
+    for (const Shortcut& row : kShortcuts) {
+        if (row.key == key && row.modifiers == modifiers) {
+            return row.id;
+        }
+    }
+    return std::nullopt;
+}
+
+const Shortcut& shortcutOf(ActionId id) {
+    for (const Shortcut& row : kShortcuts) {
+        if (row.id == id) {
+            return row;
+        }
+    }
+    assert(false && "every action stands in the shortcut table");
+    return kShortcuts.front();
+}
+
+std::string describeShortcut(ActionId id) {
+    const Shortcut& row = shortcutOf(id);
+    return std::string(row.label) + " (" + std::string(row.keyText) + ")";
+}
+
+}  // namespace kerf::ui

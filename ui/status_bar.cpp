@@ -1,0 +1,56 @@
+#include "ui/status_bar.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/shortcuts.h"
+#include "ui/theme.h"
+
+namespace kerf::ui {
+namespace {
+
+std::string stateOf(const PanelModel& model) {
+    if (model.stroking) {
+        return "cutting";
+    }
+    return model.playing ? "playing" : "paused";
+}
+
+std::string leftText(const PanelModel& model) {
+    if (model.name.empty()) {
+        return "Nothing open";
+    }
+    const std::size_t pieces = model.pieces.size();
+    return model.name + "   |   " + std::to_string(pieces) + (pieces == 1 ? " piece" : " pieces") +
+           "   |   " + std::to_string(model.vertices) + " vertices, " +
+           std::to_string(model.triangles) + " triangles   |   " + stateOf(model);
+}
+
+std::string rightText(const PanelModel& model) {
+    return model.device + "   |   " + std::string(shortcutOf(ActionId::help).keyText) + " help";
+}
+
+}  // namespace
+
+void drawStatusBar(const PanelModel& model, const Rect& rect) {
+    ImGui::SetNextWindowPos({rect.x, rect.y});
+    ImGui::SetNextWindowSize({rect.width, rect.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    const float padding = (rect.height - ImGui::GetFontSize()) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.6F * padding, padding});
+    ImGui::Begin("status", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::TextUnformatted(leftText(model).c_str());
+    const std::string right = rightText(model);
+    const float width = ImGui::CalcTextSize(right.c_str()).x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    ImGui::TextDisabled("%s", right.c_str());
+    ImGui::End();
+    ImGui::PopStyleVar(4);
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,86 @@
+#include "ui/widgets.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+#include "ui/theme.h"
+
+namespace kerf::ui {
+
+void beginPanel(const char* name, const Rect& rect) {
+    ImGui::SetNextWindowPos({rect.x, rect.y});
+    ImGui::SetNextWindowSize({rect.width, rect.height});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+float drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
+                 const BannerStyle& style) {
+    const float padding = ImGui::GetFontSize() * 0.8F;
+    const char* begin = text.data();
+    const char* end = begin + text.size();
+    const ImVec2 size = ImGui::CalcTextSize(begin, end, false, maxWidth - 2 * padding);
+    const ImVec2 box{size.x + 2 * padding, size.y + 1.4F * padding};
+    ImGui::SetNextWindowPos({std::floor(x - box.x / 2), std::floor(y - box.y / 2)});
+    ImGui::SetNextWindowSize(box);
+    ImGui::SetNextWindowBgAlpha(0.9F * style.opacity);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, style.opacity);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, 0.7F * padding});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoNav);
+    if (style.accent != 0) {
+        const ImVec2 low = ImGui::GetWindowPos();
+        ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + padding * 0.3F, low.y + box.y},
+                                                  style.accent, ImGui::GetStyle().WindowRounding,
+                                                  ImDrawFlags_RoundCornersLeft);
+    }
+    ImGui::PushTextWrapPos(box.x - padding + 1);
+    ImGui::TextUnformatted(begin, end);
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    return box.y;
+}
+
+void itemTooltip(std::string_view text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        return;
+    }
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void sectionTitle(const char* title) {
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.15F});
+    ImGui::TextDisabled("%s", title);
+    ImGui::Separator();
+}
+
+bool resetButton(const char* id) {
+    const float side = ImGui::GetFrameHeight();
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4{0, 0, 0, 0});
+    const bool pressed = ImGui::Button(id, {side, side});
+    ImGui::PopStyleColor();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 center{low.x + side / 2, low.y + side / 2};
+    const float radius = side * 0.22F;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.PathArcTo(center, radius, -2.4F, 2.6F, 16);
+    draw.PathStroke(Theme::kOrange, 0, side * 0.06F);
+    const ImVec2 tip{center.x + radius * std::cos(-2.4F), center.y + radius * std::sin(-2.4F)};
+    const float wing = radius * 0.8F;
+    draw.AddTriangleFilled({tip.x - wing * 0.35F, tip.y + wing * 0.75F},
+                           {tip.x + wing * 0.9F, tip.y + wing * 0.55F},
+                           {tip.x - wing * 0.1F, tip.y - wing * 0.7F}, Theme::kOrange);
+    return pressed;
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ui/layout.h"
+
+namespace kerf::ui {
+
+/// Begins a fixed panel that fills `rect`; end with ImGui::End().
+void beginPanel(const char* name, const Rect& rect);
+
+/// A text without interaction on a dark rounded ground, centred at (x, y) [px], wrapped at
+/// `maxWidth`. Returns its height.
+struct BannerStyle {
+    unsigned accent = 0;  ///< colour of the bar at its left, 0 for none
+    float opacity = 1;
+};
+float drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
+                 const BannerStyle& style);
+
+/// Shows `text` beside the last item while the pointer rests on it.
+void itemTooltip(std::string_view text);
+
+/// A heading of a group of rows.
+void sectionTitle(const char* title);
+
+/// A small square button with a turning arrow, drawn rather than taken from the font.
+bool resetButton(const char* id);
+
+}  // namespace kerf::ui
