@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -92,6 +93,13 @@ void removeEarlierResults(const OutputFolder& folder, const Session& session) {
     }
 }
 
+bool hasPictures(const Session& session) {
+    const auto isPicture = [](const SessionEvent& event) {
+        return std::holds_alternative<ScreenshotEvent>(event.action);
+    };
+    return std::any_of(session.events.begin(), session.events.end(), isPicture);
+}
+
 /// One run of one session.
 class Replay {
   public:
@@ -107,6 +115,9 @@ class Replay {
         summary_.model = session.model.name();
         summary_.renderer = gpu::queryDevice().renderer;
         summary_.before = countBody();
+        if (hasPictures(session)) {
+            renderer_.setRestShape(simulation_.mesh());
+        }
         metrics_.write(metricsHeader());
     }
 
@@ -123,14 +134,8 @@ class Replay {
     RunSummary takeSummary() { return std::move(summary_); }
 
     // What happens before a step.
-    void operator()(const MoveBlade& move) {
-        execute(move);
-        sweep_.push_back(move.blade);
-    }
-    void operator()(const LiftBlade& lift) {
-        execute(lift);
-        sweep_.clear();
-    }
+    void operator()(const MoveBlade& move) { execute(move); }
+    void operator()(const LiftBlade& lift) { execute(lift); }
     void operator()(const SetParam& set) { execute(set); }
 
     void operator()(const ScreenshotEvent& event) {
@@ -158,7 +163,16 @@ class Replay {
         metrics_.write(formatMetrics(row));
         summary_.statistics.add(row);
         checkInvariants(report);
-        logMessages(step);
+        followBlade();
+        logMessages();
+    }
+
+    void followBlade() {
+        if (const std::optional<Blade> blade = simulation_.blade()) {
+            sweep_.push_back(*blade);
+        } else {
+            sweep_.clear();
+        }
     }
 
     void applyActions(int step) {
@@ -209,7 +223,8 @@ class Replay {
         const int pieces = static_cast<int>(simulation_.pieces().pieces.size());
         if (event.pieces && pieces != *event.pieces) {
             fail("the model is in " + std::to_string(pieces) +
-                 " pieces where the session expects " + std::to_string(*event.pieces));
+                 (pieces == 1 ? " piece" : " pieces") + " where the session expects " +
+                 std::to_string(*event.pieces));
         }
     }
 
@@ -229,9 +244,9 @@ class Replay {
         summary_.failures.push_back("Step " + std::to_string(step_) + ": " + problem + ".");
     }
 
-    void logMessages(int step) {
+    void logMessages() {
         for (const std::string& message : simulation_.takeMessages()) {
-            spdlog::warn("step {}: {}", step, message);
+            spdlog::warn(message);
         }
     }
 

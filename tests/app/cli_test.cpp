@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "sim/params.h"
+#include "tests/support/run_kerf.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using test::ProgramRun;
+using test::readBytes;
+using test::runKerf;
+using test::TemporaryFolder;
+using test::writeText;
+
+/// The exit code is `code` and standard error one sentence that contains `words`.
+void expectMistake(const ProgramRun& run, int code, const std::string& words) {
+    EXPECT_EQ(run.exitCode, code) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    EXPECT_NE(run.errors.find(words), std::string::npos) << run.errors;
+}
+
+constexpr const char* kOpenBox = R"(v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+)";
+
+TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
+    for (const std::vector<std::string>& call : {std::vector<std::string>{"--help"},
+                                                 {"replay", "--help"},
+                                                 {"inspect", "--help"},
+                                                 {"compare", "--help"},
+                                                 {"--version"}}) {
+        const ProgramRun run = runKerf(call);
+        EXPECT_EQ(run.exitCode, 0) << call[0];
+        EXPECT_FALSE(run.out.empty()) << call[0];
+        EXPECT_EQ(run.errors, "") << call[0];
+    }
+}
+
+TEST(CommandLine, HelpNamesEveryVerbThatIsForPeople) {
+    const std::string help = runKerf({"--help"}).out;
+    for (const char* verb : {"replay", "inspect", "compare"}) {
+        EXPECT_NE(help.find(verb), std::string::npos) << verb;
+    }
+    EXPECT_EQ(help.find("import-worker"), std::string::npos);
+}
+
+TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
+    expectMistake(runKerf({"replay"}), 2, "SESSION");
+    expectMistake(runKerf({"replay", "a.kerf.json"}), 2, "--out");
+    expectMistake(runKerf({"replay", "a.kerf.json", "b.kerf.json", "--out", "x"}), 2,
+                  "b.kerf.json");
+    expectMistake(runKerf({"--no-such-option"}), 2, "--no-such-option");
+    expectMistake(runKerf({"experiment"}), 2, "neither a verb nor a file");
+    expectMistake(runKerf({"experiment", "all", "--out", "x"}), 2, "");
+    expectMistake(runKerf({"compare", "a.png"}), 2, "B");
+    expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "2"}), 2, "threshold");
+    expectMistake(runKerf({"a.obj", "inspect", "b.obj"}), 2, "verb comes first");
+}
+
+TEST(CommandLine, MissingInputsAreExitCode3) {
+    expectMistake(runKerf({"replay", "none.kerf.json", "--out", "x"}), 3, "none.kerf.json");
+    expectMistake(runKerf({"inspect", "none.obj"}), 3, "none.obj");
+    expectMistake(runKerf({"compare", "none.png", "none.png"}), 3, "none.png");
+}
+
+TEST(CommandLine, WrongSessionsAreExitCode3AndWriteNothing) {
+    const TemporaryFolder folder;
+    const std::string head =
+        R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": 5, )";
+    writeText(folder / "key.kerf.json", head + R"("params": {"gravty": [0, 0, 0]}})");
+    writeText(folder / "nan.kerf.json", head + "\n\"params\": {\"time_step\": NaN}}");
+    const auto replay = [&](const std::string& name) {
+        return runKerf({"replay", folder / name, "--out", folder / "out"});
+    };
+    expectMistake(replay("key.kerf.json"), 3,
+                  "key.kerf.json: params.gravty: there is no parameter");
+    expectMistake(replay("nan.kerf.json"), 3, "nan.kerf.json: line 2, column ");
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(CommandLine, AModelThatChangedIsRefused) {
+    const TemporaryFolder folder;
+    writeText(folder / "a.obj", kOpenBox);
+    writeText(folder / "a.kerf.json",
+              R"({"format": "kerf-session", "version": 1, "steps": 5, "model": {"path": "a.obj",
+                 "sha256": "0000000000000000000000000000000000000000000000000000000000000000"}})");
+    expectMistake(runKerf({"replay", folder / "a.kerf.json", "--out", folder / "out"}), 3,
+                  "a.obj: the model is not the one");
+}
+
+TEST(CommandLine, TextRenamedToObjIsRefused) {
+    const TemporaryFolder folder;
+    writeText(folder / "notes.obj", "Dear diary, today I did not model anything.\n");
+    expectMistake(runKerf({"inspect", folder / "notes.obj"}), 3, "notes.obj");
+}
+
+TEST(CommandLine, AnOpenMeshIsReportedAndRefused) {
+    const TemporaryFolder folder;
+    writeText(folder / "open.obj", kOpenBox);
+    const ProgramRun run = runKerf({"inspect", folder / "open.obj", "--json"});
+    expectMistake(run, 3, "3 open edges");
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_EQ(report["closed"], false);
+    EXPECT_EQ(report["cuttable"], false);
+    EXPECT_EQ(report["open_edges"], 3);
+}
+
+TEST(CommandLine, InspectReportsABuiltinModel) {
+    const ProgramRun run = runKerf({"inspect", "sphere80", "--json"});
+    ASSERT_EQ(run.exitCode, 0) << run.errors;
+    EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1);
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_EQ(report["vertices"], 42);
+    EXPECT_EQ(report["triangles"], 80);
+    EXPECT_EQ(report["pieces"], 1);
+    EXPECT_EQ(report["cuttable"], true);
+    EXPECT_NEAR(report["volume"].get<double>(), 0.4573, 1e-4);
+    EXPECT_EQ(runKerf({"inspect", "sphere80"}).exitCode, 0);
+}
+
+TEST(CommandLine, DocumentsEveryParameter) {
+    const std::string docs = readBytes(KERF_SOURCE_DIR "/docs/session-format.md");
+    for (const ParamInfo& info : paramTable()) {
+        EXPECT_NE(docs.find("| `" + std::string(info.name) + "` |"), std::string::npos)
+            << info.name;
+    }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/file_io.h"
+#include "app/metrics.h"
+#include "app/model_source.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::app {
+namespace {
+
+using test::readBytes;
+using test::TemporaryFolder;
+using test::writeText;
+
+double parsed(const std::string& text) {
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+TEST(FormatNumber, ReadsBackAsTheSameNumber) {
+    for (const double value : {0.1, 1.0 / 3, -9.81, 1e-300, 6.02214076e23, 0.99999999999999989}) {
+        EXPECT_EQ(parsed(formatNumber(value)), value);
+    }
+    EXPECT_EQ(formatNumber(0.1), "0.1");
+    EXPECT_EQ(formatNumber(0.1f), "0.1");
+}
+
+TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
+    MetricsRow row;
+    row.report.step = 3;
+    row.report.volume = 0.1;
+    row.report.closed = false;
+    row.frameMs = 2.5;
+    EXPECT_EQ(metricsHeader(),
+              "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
+              "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms\n");
+    EXPECT_EQ(formatMetrics(row), "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5\n");
+}
+
+TEST(Metrics, RangeOfASeries) {
+    Range range;
+    EXPECT_EQ(range.mean(), 0);
+    for (const double value : {4.0, -1.0, 3.0}) range.add(value);
+    EXPECT_EQ(range.mean(), 2);
+    EXPECT_EQ(range.min(), -1);
+    EXPECT_EQ(range.max(), 4);
+}
+
+TEST(Metrics, SummaryHoldsWhatScriptsReadFromIt) {
+    RunSummary summary;
+    summary.renderer = "llvmpipe";
+    summary.stateHash = "00000000000000ff";
+    summary.before = {12, 20, 12};
+    summary.pieces = {Piece{10, 7, 0.5, 0.5, 1}, Piece{14, 9, 0.25, 0.25, 1}};
+    MetricsRow row;
+    row.frameMs = 10;
+    row.report.volumeRatio = 1;
+    summary.statistics.add(row);
+    row.frameMs = 30;
+    row.report.volumeRatio = 0.5;
+    row.report.closed = false;
+    summary.statistics.add(row);
+    const auto json = nlohmann::json::parse(formatSummary(summary));
+    EXPECT_EQ(json["renderer"], "llvmpipe");
+    EXPECT_EQ(json["steps"], 2);
+    EXPECT_EQ(json["state_hash"], "00000000000000ff");
+    EXPECT_EQ(json["before"]["ispcs"], 12);
+    EXPECT_EQ(json["after"]["triangles"], 0);
+    EXPECT_EQ(json["pieces"][1]["volume"], 0.25);
+    EXPECT_EQ(json["volume_ratio"]["mean"], 0.75);
+    EXPECT_EQ(json["volume_ratio"]["min"], 0.5);
+    EXPECT_EQ(json["volume_ratio"]["final"], 0.5);
+    EXPECT_EQ(json["fps"]["mean"], 50);
+    EXPECT_EQ(json["fps"]["max"], 100);
+    EXPECT_EQ(json["stages_ms"]["cut"]["max"], 0);
+    EXPECT_EQ(json["closed_every_step"], false);
+}
+
+TEST(AtomicFile, AppearsOnlyWhenItIsComplete) {
+    const TemporaryFolder folder;
+    {
+        AtomicFile file(folder / "a.txt");
+        file.write("half");
+        EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "an abandoned file leaves nothing";
+    writeOutputFile(folder / "a.txt", "whole");
+    EXPECT_EQ(readBytes(folder / "a.txt"), "whole");
+}
+
+TEST(AtomicFile, KeepsTheOldFileUntilTheNewOneIsComplete) {
+    const TemporaryFolder folder;
+    writeText(folder / "a.txt", "old");
+    {
+        AtomicFile file(folder / "a.txt");
+        file.write("new");
+    }
+    EXPECT_EQ(readBytes(folder / "a.txt"), "old");
+}
+
+TEST(AtomicFile, FailuresNameTheFileAndTheReason) {
+    try {
+        writeOutputFile("/nonexistent/a.txt", "x");
+        FAIL() << "no error";
+    } catch (const OutputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "/nonexistent/a.txt: it could not be written (No such file or directory).");
+    }
+    EXPECT_THROW(writeOutputFile("/dev/full", "x"), OutputError);
+}
+
+}  // namespace
+}  // namespace kerf::app

@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "tests/support/run_kerf.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using test::ProgramRun;
+using test::readBytes;
+using test::runKerf;
+using test::TemporaryFolder;
+using test::writeText;
+
+/// A small sphere, cut in two while it rests, then dropped; quick enough to run several times.
+std::string smallSession(const std::string& moreEvents = "") {
+    return R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+      "params": {"iterations": 8, "gravity": [0, 0, 0], "floor": -0.55}, "steps": 40,
+      "events": [
+        {"step": 1, "type": "blade", "a": [-0.8, 0.62, 0.02], "b": [0.8, 0.58, 0.05]},
+        {"step": 13, "type": "blade", "a": [-0.8, -0.68, 0.02], "b": [0.8, -0.72, 0.05]},
+        {"step": 14, "type": "lift"},
+        {"step": 16, "type": "set", "name": "gravity", "value": [0, -9.81, 0]},
+        {"step": 8, "type": "screenshot", "file": "pictures/half.png", "width": 96, "height": 64},
+        {"step": 40, "type": "screenshot", "file": "end.png", "width": 96, "height": 64},
+        {"step": 40, "type": "export", "file": "end.obj"},
+        {"step": 40, "type": "check", "pieces": 2})" +
+           moreEvents + "]}";
+}
+
+ProgramRun replay(const TemporaryFolder& folder, const std::string& session, const std::string& out,
+                  const std::map<std::string, std::string>& environment = {}) {
+    writeText(folder / "test.kerf.json", session);
+    return runKerf({"replay", folder / "test.kerf.json", "--out", folder / out, "--json"},
+                   environment);
+}
+
+std::set<std::string> filesBelow(const std::filesystem::path& folder) {
+    std::set<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) {
+            files.insert(entry.path().lexically_relative(folder).generic_string());
+        }
+    }
+    return files;
+}
+
+/// metrics.csv without its last five columns, which are wall-clock time.
+std::string withoutTimes(const std::string& metrics) {
+    std::istringstream lines(metrics);
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+        std::size_t end = line.size();
+        for (int column = 0; column < 5; ++column) {
+            end = line.rfind(',', end - 1);
+        }
+        text += line.substr(0, end) + "\n";
+    }
+    return text;
+}
+
+TEST(Replay, WritesWhatTheContractSaysAndNothingElse) {
+    const TemporaryFolder folder;
+    const ProgramRun run = replay(folder, smallSession(), "out");
+    ASSERT_EQ(run.exitCode, 0) << run.errors;
+    EXPECT_EQ(filesBelow(folder / "out"),
+              (std::set<std::string>{"end.obj", "end.png", "final.ply", "metrics.csv",
+                                     "pictures/half.png", "summary.json"}));
+    EXPECT_EQ(filesBelow(folder.path()).size(), 7u) << "the session, and nothing beside DIR";
+    const auto printed = nlohmann::json::parse(run.out);
+    const auto summary = nlohmann::json::parse(readBytes(folder / "out/summary.json"));
+    EXPECT_EQ(printed["state_hash"], summary["state_hash"]);
+    EXPECT_EQ(summary["steps"], 40);
+    EXPECT_EQ(summary["before"]["triangles"], 80);
+    EXPECT_EQ(summary["pieces"].size(), 2u);
+    EXPECT_TRUE(summary["closed_every_step"]);
+    const std::string metrics = readBytes(folder / "out/metrics.csv");
+    EXPECT_EQ(std::count(metrics.begin(), metrics.end(), '\n'), 41);
+}
+
+TEST(Replay, SameBytesWhateverTheNumberOfThreads) {
+    const TemporaryFolder folder;
+    for (const char* threads : {"0", "1", "2"}) {
+        const ProgramRun run =
+            replay(folder, smallSession(), threads, {{"LP_NUM_THREADS", threads}});
+        ASSERT_EQ(run.exitCode, 0) << run.errors;
+    }
+    const auto hash = [&](const std::string& out) {
+        return nlohmann::json::parse(readBytes(folder / (out + "/summary.json")))["state_hash"];
+    };
+    for (const std::string other : {"1", "2"}) {
+        EXPECT_EQ(hash(other), hash("0"));
+        for (const char* file : {"/final.ply", "/end.obj", "/end.png", "/pictures/half.png"}) {
+            const std::string bytes = readBytes(folder / (other + file));
+            EXPECT_FALSE(bytes.empty()) << file;
+            EXPECT_EQ(bytes == readBytes(folder / ("0" + std::string(file))), true)
+                << file << " with " << other << " threads";
+        }
+        EXPECT_EQ(withoutTimes(readBytes(folder / (other + "/metrics.csv"))),
+                  withoutTimes(readBytes(folder / "0/metrics.csv")));
+    }
+}
+
+TEST(Replay, DivergenceIsNamedWithItsStepAndTheResultsStay) {
+    const TemporaryFolder folder;
+    const ProgramRun run = replay(
+        folder, smallSession(R"(, {"step": 5, "type": "check", "hash": "0123456789abcdef"})"),
+        "out");
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.errors.find("Step 5: the state hash is "), std::string::npos) << run.errors;
+    const auto summary = nlohmann::json::parse(readBytes(folder / "out/summary.json"));
+    EXPECT_EQ(summary["failures"].size(), 1u);
+}
+
+TEST(Replay, WrongNumberOfPiecesFailsTheCheck) {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        replay(folder, smallSession(R"(, {"step": 0, "type": "check", "pieces": 3})"), "out");
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.errors.find("Step 0: the model is in 1 piece where the session expects 3."),
+              std::string::npos)
+        << run.errors;
+}
+
+TEST(Replay, AnAbortedRunLeavesNoFinishedResults) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "out");
+    writeText(folder / "out/summary.json", "of an earlier run");
+    writeText(folder / "out/blocked", "a file where a folder should be");
+    const ProgramRun run = replay(
+        folder, smallSession(R"(, {"step": 9, "type": "export", "file": "blocked/x.ply"})"), "out");
+    EXPECT_EQ(run.exitCode, 5) << run.errors;
+    EXPECT_EQ(filesBelow(folder / "out"), (std::set<std::string>{"blocked", "pictures/half.png"}));
+}
+
+TEST(Replay, LinksDoNotLeadOutOfTheFolder) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "out");
+    std::filesystem::create_directories(folder / "elsewhere");
+    std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "out/pictures");
+    const ProgramRun run = replay(folder, smallSession(), "out");
+    EXPECT_EQ(run.exitCode, 5) << run.errors;
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "elsewhere"));
+}
+
+TEST(Replay, WithoutOpenGlNothingIsWritten) {
+    const TemporaryFolder folder;
+    const ProgramRun run = replay(folder, smallSession(), "out", {{"KERF_FORCE_NO_GL", "1"}});
+    EXPECT_EQ(run.exitCode, 4) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace kerf
