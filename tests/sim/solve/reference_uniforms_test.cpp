@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/solve/solver_uniforms.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+static_assert(sizeof(shared::SolverUniforms) == 96, "std140 size of the block");
+
+TEST(SolverUniforms, IspcStiffnessRunsFromNoneOverTheMaterialToRigid) {
+    EXPECT_EQ(ispcModulusFactor(0), 0);
+    EXPECT_DOUBLE_EQ(ispcModulusFactor(0.5), 1);
+    EXPECT_TRUE(std::isinf(ispcModulusFactor(1)));
+    for (double s = 0.05; s <= 1; s += 0.05) {
+        EXPECT_GT(ispcModulusFactor(s), ispcModulusFactor(s - 0.05)) << s;
+    }
+}
+
+TEST(SolverUniforms, PartsWithoutStiffnessAreOff) {
+    Params params;
+    EXPECT_EQ(solverUniforms(params).active_parts,
+              shared::kStretchPart | shared::kBendPart | shared::kIspcPart | shared::kFloorPart);
+    params.stretchStiffness = params.bendingStiffness = params.ispcStiffness = 0;
+    params.floor.reset();
+    EXPECT_EQ(solverUniforms(params).active_parts, 0u);
+}
+
+TEST(SolverUniforms, MeanWhatTheyAreNamed) {
+    Params params;
+    params.timeStep = 0.01;
+    params.iterations = 10;
+    params.damping = 0.002;
+    params.ispcStiffness = 1;
+    const shared::SolverUniforms u = solverUniforms(params);
+    EXPECT_FLOAT_EQ(u.substep, 0.001f);
+    EXPECT_EQ(u.substeps, 10u);
+    EXPECT_FLOAT_EQ(u.damping_ratio, 2);
+    EXPECT_FLOAT_EQ(u.stretch_compliance, 10);  // 1 / (1e5 Pa * (1e-3 s)^2)
+    EXPECT_EQ(u.ispc_compliance, 0);
+    EXPECT_FLOAT_EQ(u.drag_factor, std::exp(-0.001));
+    EXPECT_FLOAT_EQ(u.inverse_density, 0.001f);
+}
+
+TEST(SolverUniforms, CountTheModel) {
+    const BodyModel model = buildBodyModel(test::icosphere(0));
+    const shared::SolverUniforms u = solverUniforms(Params{}, model);
+    EXPECT_EQ(u.vertex_count, 12u);
+    EXPECT_EQ(u.edge_count, 30u);
+    EXPECT_EQ(u.bend_count, 30u);
+    EXPECT_EQ(u.ispc_count, 12u);
+    EXPECT_EQ(u.triangle_count, 20u);
+    EXPECT_EQ(u.piece_count, 1u);
+}
+
+}  // namespace
+}  // namespace kerf
