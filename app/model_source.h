@@ -22,11 +22,18 @@ const std::vector<std::string>& builtinModels();
 /// The file of a builtin model below assets/models. Throws InputError for an unknown name.
 std::filesystem::path builtinModelFile(const std::string& name);
 
-/// Reads the triangles of a model file through assimp, in a child process with limits, and welds
-/// them exactly. Throws InputError.
+/// Largest model file that is read [bytes].
+inline constexpr std::uintmax_t kMaxModelBytes = 1'000'000'000;
+
+struct ImportLimits;
+
+/// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, 3DS, DAE, FBX) through
+/// assimp, in a child process with limits, and welds them exactly. Throws InputError.
 TriangleSoup importModel(const std::filesystem::path& file);
+TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& limits);
 /// importModel, then refuses with the sentence of the report what cannot be cut.
-/// An inside-out model is turned; that is named in report->repairs.
+/// An inside-out model is turned; that is named in report->repairs. The report is filled for a
+/// refused model as well.
 SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nullptr);
 
 /// The hidden verb of the child process: reads `file`, writes the triangles to standard output.
