@@ -8,7 +8,8 @@ function(kerf_own_code target)
   endif()
   if(KERF_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
-                           -fno-omit-frame-pointer)
+                           -fno-omit-frame-pointer
+                           -Wno-maybe-uninitialized)  # misfires on instrumented standard headers
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
