@@ -4,17 +4,21 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "gpu/program.h"
+#include "shaders/shared/body_records.h"
 #include "shaders/shared/constraints.h"
+#include "shaders/shared/solver_uniforms.h"
 #include "tests/support/gl_fixture.h"
 
 namespace kerf::gpu {
 namespace {
 
-struct DriverLayout {
-    GLint offset = -1;
-    GLint stride = -1;
+/// A member of a record, as the C++ compiler laid it out.
+struct Member {
+    std::string name;
+    std::size_t offset;  // [bytes]
 };
 
 class Layout : public test::GlTest {
@@ -25,14 +29,35 @@ class Layout : public test::GlTest {
             Program::compute(std::string(KERF_SOURCE_DIR) + "/tests/gpu/shaders/layout.comp");
     }
 
-    void expect(const std::string& variable, std::size_t offset, std::size_t stride) {
-        SCOPED_TRACE(variable);
-        const DriverLayout layout = ask(variable);
-        EXPECT_EQ(layout.offset, static_cast<GLint>(offset));
-        EXPECT_EQ(layout.stride, static_cast<GLint>(stride));
+    /// `members` must be all of those that the driver knows in the array `array` of `block`.
+    void expectSame(const std::string& block, const std::string& array, std::size_t recordSize,
+                    const std::vector<Member>& members) const {
+        EXPECT_EQ(memberCount(block), static_cast<GLint>(members.size()))
+            << "list every member here";
+        for (const Member& member : members) {
+            SCOPED_TRACE(member.name);
+            const DriverLayout layout = ask(array + "[0]." + member.name);
+            EXPECT_EQ(layout.offset, static_cast<GLint>(member.offset));
+            EXPECT_EQ(layout.stride, static_cast<GLint>(recordSize));
+        }
     }
 
   private:
+    struct DriverLayout {
+        GLint offset = -1;
+        GLint stride = -1;
+    };
+
+    GLint memberCount(const std::string& block) const {
+        const GLuint index =
+            glGetProgramResourceIndex(program_.id(), GL_SHADER_STORAGE_BLOCK, block.c_str());
+        const GLenum asked = GL_NUM_ACTIVE_VARIABLES;
+        GLint count = 0;
+        glGetProgramResourceiv(program_.id(), GL_SHADER_STORAGE_BLOCK, index, 1, &asked, 1, nullptr,
+                               &count);
+        return count;
+    }
+
     DriverLayout ask(const std::string& variable) const {
         const GLuint index =
             glGetProgramResourceIndex(program_.id(), GL_BUFFER_VARIABLE, variable.c_str());
@@ -49,34 +74,70 @@ class Layout : public test::GlTest {
     Program program_;
 };
 
-#define EXPECT_SAME_LAYOUT(array, Record, member) \
-    expect(array "[0]." #member, offsetof(shared::Record, member), sizeof(shared::Record))
+#define MEMBER(Record, name) \
+    { #name, offsetof(shared::Record, name) }
 
 TEST_F(Layout, EdgeConstraint) {
-    EXPECT_SAME_LAYOUT("edges", EdgeConstraint, a);
-    EXPECT_SAME_LAYOUT("edges", EdgeConstraint, b);
-    EXPECT_SAME_LAYOUT("edges", EdgeConstraint, rest_length);
-    EXPECT_SAME_LAYOUT("edges", EdgeConstraint, geometry);
+    expectSame("Edges", "edges", sizeof(shared::EdgeConstraint),
+               {MEMBER(EdgeConstraint, a), MEMBER(EdgeConstraint, b),
+                MEMBER(EdgeConstraint, rest_length), MEMBER(EdgeConstraint, geometry)});
 }
 
 TEST_F(Layout, BendConstraint) {
-    EXPECT_SAME_LAYOUT("bends", BendConstraint, v0);
-    EXPECT_SAME_LAYOUT("bends", BendConstraint, v1);
-    EXPECT_SAME_LAYOUT("bends", BendConstraint, v2);
-    EXPECT_SAME_LAYOUT("bends", BendConstraint, v3);
-    EXPECT_SAME_LAYOUT("bends", BendConstraint, rest_angle);
-    EXPECT_SAME_LAYOUT("bends", BendConstraint, geometry);
+    expectSame("Bends", "bends", sizeof(shared::BendConstraint),
+               {MEMBER(BendConstraint, v0), MEMBER(BendConstraint, v1), MEMBER(BendConstraint, v2),
+                MEMBER(BendConstraint, v3), MEMBER(BendConstraint, rest_angle),
+                MEMBER(BendConstraint, geometry)});
 }
 
 TEST_F(Layout, IspcConstraint) {
-    EXPECT_SAME_LAYOUT("ispcs", IspcConstraint, vertex);
-    EXPECT_SAME_LAYOUT("ispcs", IspcConstraint, t0);
-    EXPECT_SAME_LAYOUT("ispcs", IspcConstraint, t1);
-    EXPECT_SAME_LAYOUT("ispcs", IspcConstraint, t2);
-    EXPECT_SAME_LAYOUT("ispcs", IspcConstraint, b1);
-    EXPECT_SAME_LAYOUT("ispcs", IspcConstraint, b2);
-    EXPECT_SAME_LAYOUT("ispcs", IspcConstraint, rest_length);
-    EXPECT_SAME_LAYOUT("ispcs", IspcConstraint, geometry);
+    expectSame(
+        "Ispcs", "ispcs", sizeof(shared::IspcConstraint),
+        {MEMBER(IspcConstraint, vertex), MEMBER(IspcConstraint, t0), MEMBER(IspcConstraint, t1),
+         MEMBER(IspcConstraint, t2), MEMBER(IspcConstraint, b1), MEMBER(IspcConstraint, b2),
+         MEMBER(IspcConstraint, rest_length), MEMBER(IspcConstraint, geometry)});
+}
+
+TEST_F(Layout, VertexLinks) {
+    expectSame("Links", "links", sizeof(shared::VertexLinks),
+               {MEMBER(VertexLinks, edges), MEMBER(VertexLinks, bends), MEMBER(VertexLinks, ispcs),
+                MEMBER(VertexLinks, piece)});
+}
+
+TEST_F(Layout, PieceRecord) {
+    expectSame("Pieces", "pieces", sizeof(shared::PieceRecord),
+               {MEMBER(PieceRecord, first_triangle), MEMBER(PieceRecord, triangle_count),
+                MEMBER(PieceRecord, first_block), MEMBER(PieceRecord, block_count),
+                MEMBER(PieceRecord, target_volume), MEMBER(PieceRecord, constrained)});
+}
+
+TEST_F(Layout, BlockRecord) {
+    expectSame("Blocks", "blocks", sizeof(shared::BlockRecord),
+               {MEMBER(BlockRecord, piece), MEMBER(BlockRecord, first_triangle),
+                MEMBER(BlockRecord, triangle_count), MEMBER(BlockRecord, unused_padding)});
+}
+
+TEST_F(Layout, VolumeSum) {
+    expectSame("VolumeSums", "volumeSums", sizeof(shared::VolumeSum),
+               {MEMBER(VolumeSum, volume), MEMBER(VolumeSum, denominator)});
+}
+
+TEST_F(Layout, BlockMeasure) {
+    expectSame("Measures", "measures", sizeof(shared::BlockMeasure),
+               {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_nonfinite)});
+}
+
+TEST_F(Layout, SolverUniforms) {
+    expectSame("Uniforms", "uniforms", sizeof(shared::SolverUniforms),
+               {MEMBER(SolverUniforms, gravity), MEMBER(SolverUniforms, substep),
+                MEMBER(SolverUniforms, drag_factor), MEMBER(SolverUniforms, inverse_density),
+                MEMBER(SolverUniforms, damping_ratio), MEMBER(SolverUniforms, stretch_compliance),
+                MEMBER(SolverUniforms, bend_compliance), MEMBER(SolverUniforms, ispc_compliance),
+                MEMBER(SolverUniforms, friction), MEMBER(SolverUniforms, floor_height),
+                MEMBER(SolverUniforms, active_parts), MEMBER(SolverUniforms, substeps),
+                MEMBER(SolverUniforms, vertex_count), MEMBER(SolverUniforms, edge_count),
+                MEMBER(SolverUniforms, bend_count), MEMBER(SolverUniforms, ispc_count),
+                MEMBER(SolverUniforms, triangle_count), MEMBER(SolverUniforms, piece_count)});
 }
 
 }  // namespace
