@@ -89,8 +89,6 @@ TEST(ReferenceSolver, FreeFlightKeepsLinearMomentumForFiveSeconds) {
     EXPECT_LT((after.linear - before.linear).norm(), 1e-11 * before.linear.norm());
     // A sweep keeps it about the points as they are; implicit steps turn a little on the way.
     EXPECT_LT((after.angular - before.angular).norm(), 0.02 * before.angular.norm());
-    std::printf("ANG %g LIN %g\n", (after.angular - before.angular).norm() / before.angular.norm(),
-                (after.linear - before.linear).norm() / before.linear.norm());
 }
 
 TEST(ReferenceSolver, ABodyAtRestWithoutGravityStaysAtRest) {
