@@ -1,0 +1,81 @@
+// Milliseconds of one time step of the builtin models at the default parameters: the GPU solver
+// beside the reference solver (double precision, one thread).
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+
+#include "app/model_source.h"
+#include "gpu/context.h"
+#include "sim/solve/gpu_solver.h"
+#include "sim/solve/reference_solver.h"
+#include "sim/solve/solver_uniforms.h"
+
+namespace kerf {
+namespace {
+
+/// Median of 15 calls, after one to warm up [ms].
+template <class Call>
+double medianMilliseconds(Call&& call) {
+    using Clock = std::chrono::steady_clock;
+    std::array<double, 15> times{};
+    call();
+    for (double& time : times) {
+        const Clock::time_point start = Clock::now();
+        call();
+        time = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
+    std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
+    return times[times.size() / 2];
+}
+
+BodyState atRest(const BodyModel& model) {
+    return {model.restPositions, std::vector<Vec3f>(model.restPositions.size(), Vec3f::Zero())};
+}
+
+double gpuStep(const BodyModel& model, const shared::SolverUniforms& uniforms) {
+    GpuSolver solver;
+    solver.setModel(model, atRest(model));
+    solver.setUniforms(uniforms);
+    return medianMilliseconds([&] {
+        solver.step();
+        solver.measure();  // waits for the GPU
+    });
+}
+
+double referenceStep(const BodyModel& model, const shared::SolverUniforms& uniforms) {
+    const ReferenceSolver solver(model, uniforms);
+    ReferenceState state = restState(model);
+    return medianMilliseconds([&] { solver.step(state); });
+}
+
+void benchModel(const std::string& name) {
+    const BodyModel model = buildBodyModel(app::loadModel(app::builtinModelFile(name)));
+    const shared::SolverUniforms uniforms = solverUniforms(Params{}, model);
+    const double ours = gpuStep(model, uniforms);
+    const double theirs = referenceStep(model, uniforms);
+    const nlohmann::ordered_json line = {
+        {"name", "step/" + name}, {"ours", ours},
+        {"theirs", theirs},       {"peer", "reference solver, double, one thread"},
+        {"ratio", theirs / ours}, {"unit", "ms"}};
+    std::puts(line.dump().c_str());
+}
+
+}  // namespace
+}  // namespace kerf
+
+int main() {
+    try {
+        const kerf::gpu::EglContext context;
+        for (const std::string& name : kerf::app::builtinModels()) {
+            kerf::benchModel(name);
+        }
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}
