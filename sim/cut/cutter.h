@@ -11,7 +11,15 @@
 namespace kerf {
 
 /// The four subdivision patterns of the paper (its Figure 4), and what goes beyond them.
-enum class SubdivisionPattern { oneToFour, oneToThreeA, oneToTwo, oneToThreeB, twoKinks, twoSegments, more };
+enum class SubdivisionPattern {
+    oneToFour,
+    oneToThreeA,
+    oneToTwo,
+    oneToThreeB,
+    twoKinks,
+    twoSegments,
+    more
+};
 inline constexpr int kSubdivisionPatterns = 7;
 
 /// What one step did. Only `cut` changes the mesh; all other outcomes leave every byte of it.
@@ -20,7 +28,7 @@ enum class CutOutcome {
     waiting,      ///< it moved less than the gate; the sweep accumulates
     withdrawing,  ///< it moves backwards inside its own slit
     cut,
-    refused,      ///< no valid result was found; `reason` says why, the next step sweeps further
+    refused,  ///< no valid result was found; `reason` says why, the next step sweeps further
 };
 
 /// The change of the mesh: all that the solver, the attributes and the GPU need.
@@ -37,9 +45,9 @@ struct CutStatistics {
     int touchedTriangles = 0;  ///< surface triangles that the strip met
     int wallTriangles = 0;     ///< new, both sides
     int splitVertices = 0;
-    int tries = 0;             ///< rungs of the retry ladder used
+    int tries = 0;  ///< rungs of the retry ladder used
     std::array<int, kSubdivisionPatterns> patterns{};
-    double volumeChange = 0;   ///< signed, of the step, before rounding [m^3]
+    double volumeChange = 0;  ///< signed, of the step, before rounding [m^3]
 };
 
 struct CutResult {

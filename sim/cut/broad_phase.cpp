@@ -1,0 +1,91 @@
+#include "sim/cut/broad_phase.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::cut {
+
+namespace {
+
+constexpr int kMostBins = 4096;
+
+Eigen::Matrix3d sweepFrame(const Blade& blade, const std::vector<Vec3>& points) {
+    const Vec3 along = (blade.b - blade.a).normalized();
+    Vec3 sweep = Vec3::Zero();
+    for (const Vec3& p : points) {
+        const Vec3 fromBlade = p - blade.a;
+        const Vec3 aside = fromBlade - along * along.dot(fromBlade);
+        if (aside.squaredNorm() > sweep.squaredNorm()) {
+            sweep = aside;
+        }
+    }
+    sweep = sweep.squaredNorm() > 0 ? sweep.normalized() : along.unitOrthogonal();
+    Eigen::Matrix3d frame;
+    frame.row(0) = along;
+    frame.row(1) = sweep;
+    frame.row(2) = along.cross(sweep);
+    return frame;
+}
+
+bool overlap(const Bounds& p, const Bounds& q) {
+    return (p.low.array() <= q.high.array()).all() && (q.low.array() <= p.high.array()).all();
+}
+
+}  // namespace
+
+BroadPhase::BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::vector<Vec3>& points,
+                       double margin, double binSize)
+    : frame_(sweepFrame(blade, points)) {
+    for (const Vec3& p : points) {
+        box_.add(toFrame(p));
+    }
+    box_.low.array() -= margin;
+    box_.high.array() += margin;
+    binSize_ = std::max(binSize, (box_.high.x() - box_.low.x()) / kMostBins);
+    bins_.resize(binOf(box_.high.x()) + 1);
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (!mesh.alive(t)) {
+            continue;
+        }
+        Bounds bounds;
+        for (const int v : mesh.triangle(t)) {
+            bounds.add(toFrame(mesh.position(v)));
+        }
+        if (!overlap(bounds, box_)) {
+            continue;
+        }
+        for (int bin = binOf(bounds.low.x()); bin <= binOf(bounds.high.x()); ++bin) {
+            bins_[bin].push_back(static_cast<int>(entries_.size()));
+        }
+        entries_.push_back({t, bounds});
+    }
+}
+
+int BroadPhase::binOf(double x) const {
+    const double inside = std::clamp(x, box_.low.x(), box_.high.x());
+    return static_cast<int>((inside - box_.low.x()) / binSize_);
+}
+
+std::vector<int> BroadPhase::query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const {
+    Bounds bounds;
+    for (const Vec3& p : {a, b, c}) {
+        bounds.add(toFrame(p));
+    }
+    const double slack = pad + 1e-6 * binSize_;  // covers the rounding of the rotation
+    bounds.low.array() -= slack;
+    bounds.high.array() += slack;
+    std::vector<int> found;
+    for (int bin = binOf(bounds.low.x()); bin <= binOf(bounds.high.x()); ++bin) {
+        for (const int entry : bins_[bin]) {
+            if (overlap(entries_[entry].bounds, bounds)) {
+                found.push_back(entries_[entry].triangle);
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/glue.h"
+
+namespace kerf::cut {
+
+/// A complete step, ready to be carried out.
+struct StepPlan {
+    CutCurves curves;
+    Outline outline;
+    Subdivision subdivision;
+    std::vector<NewTriangle> triangles;  ///< surface first, then W+, then W-
+    std::vector<GluePartner> partners;   ///< by 3 * triangle + edge
+    RungNode endA;                       ///< the ends of the new rung, in the air
+    RungNode endB;
+    double volumeChange = 0;
+};
+
+struct CommitResult {
+    CutDelta delta;
+    std::vector<RungNode> rung;
+    int splitVertices = 0;
+};
+
+/// Changes the mesh. Cannot fail. Every umbrella of the new surface becomes one vertex; the first
+/// one keeps the old number, others become mates of it.
+CommitResult commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke);
+
+}  // namespace kerf::cut

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/outline.h"
+#include "sim/cut/subdivide.h"
+
+namespace kerf::cut {
+
+/// The partner of a half-edge 3 * i + e of the new triangles: another one of them, or a half-edge
+/// of the mesh that stays.
+struct GluePartner {
+    int newHalfEdge = -1;
+    int meshHalfEdge = -1;
+};
+
+/// The gluing table of cutting 3.6. Topology comes from it alone, never from geometry; a partner
+/// that is missing or double refuses the step (throws StepFailure).
+std::vector<GluePartner> glue(const SurfaceMesh& mesh, const CutCurves& curves,
+                              const Outline& outline, const Subdivision& subdivision,
+                              const std::vector<NewTriangle>& triangles);
+
+}  // namespace kerf::cut

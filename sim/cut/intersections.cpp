@@ -1,0 +1,496 @@
+#include "sim/cut/intersections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "sim/cut/predicates.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Curve nodes keep this distance (as parameter or weight) from the ends of their edge and the
+// border of their triangle, so that positions of neighbours in one edge stay distinct.
+constexpr double kLeastParameter = 1e-9;
+// Stands for the sign of a vertex that both triangles share.
+constexpr int kShared = 9;
+
+/// A triangle of the mesh as the predicates see it.
+struct Corners {
+    std::array<Vec3, 3> at;
+    /// Corner numbers in canonical order, and whether that order reverses the orientation.
+    std::array<int, 3> order{0, 1, 2};
+    int parity = 1;
+};
+
+/// Signs of the corners of one triangle against the plane of the other.
+struct Signs {
+    std::array<int, 3> sign{};
+    std::array<double, 3> value{};
+    bool separated() const {
+        const auto allAre = [&](int s) {
+            return std::all_of(sign.begin(), sign.end(),
+                               [s](int x) { return x == s || x == kShared; });
+        };
+        return allAre(1) || allAre(-1);
+    }
+};
+
+struct Crossing {
+    int direction = 0;  ///< +1: from the negative to the positive side, -1: back, 0: none
+    double t = 0;
+    Vec3 weights = Vec3::Zero();
+};
+
+Vec2 project(const Vec3& p, int dropped) {
+    return {p[(dropped + 1) % 3], p[(dropped + 2) % 3]};
+}
+
+bool hasZeroArea(const std::array<Vec3, 3>& abc) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (orient2d(project(abc[0], axis), project(abc[1], axis), project(abc[2], axis)) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// An edge in the plane of the triangle: apart by an exact test in the dominant projection, or the
+// triangle has no area (then its edges carry the crossing), or degenerate.
+void requireApartInPlane(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc) {
+    const Vec3 normal = (abc[1] - abc[0]).cross(abc[2] - abc[0]);
+    Eigen::Index largest = 0;
+    normal.cwiseAbs().maxCoeff(&largest);
+    const int dropped = static_cast<int>(largest);
+    const Vec2 p2 = project(p, dropped);
+    const Vec2 q2 = project(q, dropped);
+    std::array<Vec2, 3> abc2;
+    int left = 0;
+    int right = 0;
+    for (int i = 0; i < 3; ++i) {
+        abc2[i] = project(abc[i], dropped);
+        const int side = orient2d(p2, q2, abc2[i]);
+        left += side > 0;
+        right += side < 0;
+    }
+    if (left == 3 || right == 3 || hasZeroArea(abc)) {
+        return;
+    }
+    const int orientation = orient2d(abc2[0], abc2[1], abc2[2]);
+    for (int i = 0; i < 3; ++i) {
+        const Vec2& from = abc2[i];
+        const Vec2& to = abc2[(i + 1) % 3];
+        if (orient2d(from, to, p2) * orientation < 0 && orient2d(from, to, q2) * orientation < 0) {
+            return;
+        }
+    }
+    throw StepFailure{"degenerate: an edge lies in a triangle"};
+}
+
+// The segment pq against the triangle abc, from the signs of p and q against its plane.
+Crossing pierce(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc,
+                const Orientation& ofP, const Orientation& ofQ) {
+    if (ofP.sign == 0 && ofQ.sign == 0) {
+        requireApartInPlane(p, q, abc);
+        return {};
+    }
+    if (ofP.sign == ofQ.sign) {
+        return {};
+    }
+    std::array<Orientation, 3> beside;
+    bool positive = false;
+    bool negative = false;
+    bool onEdge = false;
+    for (int i = 0; i < 3; ++i) {
+        beside[i] = orient3d(p, q, abc[i], abc[(i + 1) % 3]);
+        positive |= beside[i].sign > 0;
+        negative |= beside[i].sign < 0;
+        onEdge |= beside[i].sign == 0;
+    }
+    if (positive && negative) {
+        return {};
+    }
+    if (onEdge) {
+        throw StepFailure{"degenerate: an edge meets an edge"};
+    }
+    if (ofP.sign == 0 || ofQ.sign == 0) {
+        throw StepFailure{"degenerate: a vertex lies on a triangle"};
+    }
+    const double sum = beside[0].value + beside[1].value + beside[2].value;
+    const double fromP = std::fabs(ofP.value);
+    return {ofP.sign < 0 ? 1 : -1, fromP / (fromP + std::fabs(ofQ.value)),
+            Vec3(beside[1].value, beside[2].value, beside[0].value) / sum};
+}
+
+/// Works through all pairs of triangles.
+class Intersector {
+  public:
+    Intersector(const StepInput& in, const Strip& strip, const PredicatePositions& positions)
+        : in_(in), mesh_(in.mesh), strip_(strip), positions_(positions) {
+        for (const RungNode& node : in.rung) {
+            if (node.vertex >= 0) {
+                rungVertices_.insert(node.vertex);
+            }
+        }
+    }
+
+    CutCurves run() {
+        for (int s = 0; s < sizeOf(strip_.triangles); ++s) {
+            intersectStripTriangle(s);
+        }
+        for (auto& [edge, hits] : curves_.onEdge) {
+            orderAlongEdge(hits);
+        }
+        for (Node& node : curves_.nodes) {
+            place(node);
+        }
+        return std::move(curves_);
+    }
+
+  private:
+    /// The vertex that the two triangles share.
+    struct SharedVertex {
+        int count = 0;
+        int vertex = -1;
+        int meshCorner = -1;
+        int stripCorner = -1;
+        bool any() const { return count > 0; }
+    };
+
+    /// The pair in hand.
+    struct Pair {
+        int m;
+        int s;
+        Corners mesh;
+        std::array<Vec3, 3> strip;
+        Signs meshSigns;   ///< of the mesh corners against the strip triangle
+        Signs stripSigns;  ///< of the strip corners against the mesh triangle in canonical order
+        SharedVertex shared;
+        int entry = -1;
+        int exit = -1;
+        int hits = 0;
+    };
+
+    void intersectStripTriangle(int s) {
+        const Triangle& corners = strip_.triangles[s];
+        Bounds bounds;
+        std::array<Vec3, 3> at;
+        for (int i = 0; i < 3; ++i) {
+            at[i] = strip_.nodes[corners[i]].position;
+            bounds.add(at[i]);
+        }
+        for (const int m : in_.broadPhase.query(at[0], at[1], at[2], predicateDrift())) {
+            intersectPair(m, s, at, bounds);
+        }
+    }
+
+    // How far from its real position a vertex may be seen.
+    double predicateDrift() const {
+        const Attempt& attempt = in_.attempt;
+        const double closing = attempt.closed ? kCloseDistance : 0.0;
+        return (closing + 2 * attempt.shake + attempt.tolerance + attempt.gap) * in_.h;
+    }
+
+    void intersectPair(int m, int s, const std::array<Vec3, 3>& stripAt,
+                       const Bounds& stripBounds) {
+        Pair pair{m, s, seenCorners(m), stripAt, {}, {}, sharedVertex(m, s)};
+        if (apart(pair.mesh, stripBounds) || pair.shared.count >= 2 || isIgnoredFringe(m) ||
+            !signMeshCorners(pair) || !signStripCorners(pair)) {
+            return;
+        }
+        meshEdgesAgainstStrip(pair);
+        stripEdgesAgainstMesh(pair);
+        if (pair.shared.any()) {
+            endAtSharedVertex(pair);
+        }
+        if (pair.hits == 0) {
+            return;
+        }
+        if (pair.hits != 2 || pair.entry < 0 || pair.exit < 0) {
+            throw StepFailure{"two triangles meet in an impossible way"};
+        }
+        curves_.segmentsOfTriangle[m].push_back(sizeOf(curves_.segments));
+        curves_.segments.push_back({m, s, pair.entry, pair.exit});
+    }
+
+    Corners seenCorners(int m) const {
+        Corners corners;
+        const Triangle& ids = mesh_.triangle(m);
+        for (int i = 0; i < 3; ++i) {
+            corners.at[i] = positions_.at(ids[i]);
+        }
+        const auto sortPair = [&](int u, int v) {
+            int& first = corners.order[u];
+            int& second = corners.order[v];
+            if (comesBefore(corners.at[second], ids[second], corners.at[first], ids[first])) {
+                std::swap(first, second);
+                corners.parity = -corners.parity;
+            }
+        };
+        sortPair(0, 1);
+        sortPair(1, 2);
+        sortPair(0, 1);
+        return corners;
+    }
+
+    static bool apart(const Corners& mesh, const Bounds& strip) {
+        Bounds bounds;
+        for (const Vec3& p : mesh.at) {
+            bounds.add(p);
+        }
+        return (bounds.low.array() > strip.high.array()).any() ||
+               (bounds.high.array() < strip.low.array()).any();
+    }
+
+    SharedVertex sharedVertex(int m, int s) const {
+        SharedVertex shared;
+        for (int j = 0; j < 3; ++j) {
+            const StripNode& node = strip_.nodes[strip_.triangles[s][j]];
+            for (const std::vector<int>* vertices : {&node.vertices, &node.touching}) {
+                for (const int v : *vertices) {
+                    for (int i = 0; i < 3; ++i) {
+                        if (mesh_.triangle(m)[i] == v) {
+                            shared = {shared.count + 1, v, i, j};
+                        }
+                    }
+                }
+            }
+        }
+        return shared;
+    }
+
+    bool onRung(int v) const { return rungVertices_.count(v) > 0; }
+
+    bool isIgnoredFringe(int m) const {
+        if (!in_.attempt.ignoreFringe || mesh_.kind(m) != SurfaceKind::wall) {
+            return false;
+        }
+        const Triangle& ids = mesh_.triangle(m);
+        return std::any_of(ids.begin(), ids.end(), [&](int v) { return onRung(v); });
+    }
+
+    // False where the mesh triangle lies on one side of the strip triangle.
+    bool signMeshCorners(Pair& pair) const {
+        for (int i = 0; i < 3; ++i) {
+            if (pair.shared.any() && i == pair.shared.meshCorner) {
+                pair.meshSigns.sign[i] = kShared;
+                continue;
+            }
+            const Orientation o =
+                orient3d(pair.strip[0], pair.strip[1], pair.strip[2], pair.mesh.at[i]);
+            pair.meshSigns.sign[i] = o.sign;
+            pair.meshSigns.value[i] = o.value;
+        }
+        return !pair.meshSigns.separated();
+    }
+
+    bool signStripCorners(Pair& pair) const {
+        const auto& order = pair.mesh.order;
+        for (int i = 0; i < 3; ++i) {
+            if (pair.shared.any() && i == pair.shared.stripCorner) {
+                pair.stripSigns.sign[i] = kShared;
+                continue;
+            }
+            const Orientation o = orient3d(pair.mesh.at[order[0]], pair.mesh.at[order[1]],
+                                           pair.mesh.at[order[2]], pair.strip[i]);
+            pair.stripSigns.sign[i] = o.sign;
+            pair.stripSigns.value[i] = o.value;
+        }
+        return !pair.stripSigns.separated();
+    }
+
+    static void count(Pair& pair, bool isExit, int node) {
+        ++pair.hits;
+        (isExit ? pair.exit : pair.entry) = node;
+    }
+
+    // E nodes. Along a counter-clockwise half-edge from - to + the curve leaves the triangle.
+    void meshEdgesAgainstStrip(Pair& pair) {
+        const Triangle& ids = mesh_.triangle(pair.m);
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3;
+            if ((pair.shared.any() &&
+                 (i == pair.shared.meshCorner || j == pair.shared.meshCorner)) ||
+                (onRung(ids[i]) && onRung(ids[j]))) {
+                continue;
+            }
+            const bool swapped = comesBefore(pair.mesh.at[j], ids[j], pair.mesh.at[i], ids[i]);
+            const int from = swapped ? j : i;
+            const int to = swapped ? i : j;
+            const Crossing crossing = pierce(pair.mesh.at[from], pair.mesh.at[to], pair.strip,
+                                             meshSign(pair, from), meshSign(pair, to));
+            if (crossing.direction != 0) {
+                count(pair, (swapped ? -crossing.direction : crossing.direction) > 0,
+                      edgeNode(pair.s, ids[from], ids[to], crossing));
+            }
+        }
+    }
+
+    static Orientation meshSign(const Pair& pair, int i) {
+        return {pair.meshSigns.sign[i], pair.meshSigns.value[i]};
+    }
+    static Orientation stripSign(const Pair& pair, int i) {
+        return {pair.stripSigns.sign[i], pair.stripSigns.value[i]};
+    }
+
+    int edgeNode(int s, int from, int to, const Crossing& crossing) {
+        std::vector<EdgeHit>& hits = curves_.onEdge[edgeOf(from, to)];
+        for (const EdgeHit& hit : hits) {
+            if (hit.stripTriangle == s) {
+                return hit.node;
+            }
+        }
+        Node node;
+        node.kind = NodeKind::edge;
+        node.a = from;
+        node.b = to;
+        node.t = crossing.t;
+        const Triangle& corners = strip_.triangles[s];
+        for (int i = 0; i < 3; ++i) {
+            node.layout += crossing.weights[i] * strip_.nodes[corners[i]].layout;
+        }
+        hits.push_back({s, addNode(node)});
+        return hits.back().node;
+    }
+
+    // F nodes. Along a counter-clockwise half-edge of the strip from outside to inside the curve
+    // leaves the triangle.
+    void stripEdgesAgainstMesh(Pair& pair) {
+        const Triangle& ids = strip_.triangles[pair.s];
+        const auto& order = pair.mesh.order;
+        const std::array<Vec3, 3> canonical{pair.mesh.at[order[0]], pair.mesh.at[order[1]],
+                                            pair.mesh.at[order[2]]};
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3;
+            const int edge = strip_.triangleEdges[pair.s][i];
+            if ((pair.shared.any() &&
+                 (i == pair.shared.stripCorner || j == pair.shared.stripCorner)) ||
+                strip_.edges[edge].attached) {
+                continue;
+            }
+            const bool swapped = ids[i] > ids[j];
+            const int from = swapped ? j : i;
+            const int to = swapped ? i : j;
+            const Crossing crossing = pierce(pair.strip[from], pair.strip[to], canonical,
+                                             stripSign(pair, from), stripSign(pair, to));
+            if (crossing.direction != 0) {
+                const int outward = crossing.direction * pair.mesh.parity;
+                count(pair, (swapped ? -outward : outward) < 0,
+                      faceNode(pair, edge, ids[from], ids[to], crossing));
+            }
+        }
+    }
+
+    int faceNode(const Pair& pair, int edge, int from, int to, const Crossing& crossing) {
+        const auto known = curves_.onFace.find({edge, pair.m});
+        if (known != curves_.onFace.end()) {
+            return known->second;
+        }
+        Node node;
+        node.kind = NodeKind::face;
+        node.a = pair.m;
+        node.stripEdge = edge;
+        for (int i = 0; i < 3; ++i) {
+            node.weights[pair.mesh.order[i]] = crossing.weights[i];
+        }
+        const Vec2& start = strip_.nodes[from].layout;
+        node.layout = start + (strip_.nodes[to].layout - start) * crossing.t;
+        node.u = strip_.edges[edge].a == from ? crossing.t : 1 - crossing.t;
+        const int id = addNode(node);
+        curves_.onFace[{edge, pair.m}] = id;
+        curves_.faceNodesOfTriangle[pair.m].push_back(id);
+        return id;
+    }
+
+    void endAtSharedVertex(Pair& pair) {
+        if (pair.hits == 0) {
+            return;
+        }
+        if (pair.hits != 1) {
+            throw StepFailure{"two triangles meet twice beside a shared vertex"};
+        }
+        const StripNode& corner = strip_.nodes[strip_.triangles[pair.s][pair.shared.stripCorner]];
+        count(pair, pair.exit < 0, curves_.vertexNode(mesh_, pair.shared.vertex, corner.layout));
+    }
+
+    int addNode(const Node& node) {
+        curves_.nodes.push_back(node);
+        return sizeOf(curves_.nodes) - 1;
+    }
+
+    void orderAlongEdge(std::vector<EdgeHit>& hits) {
+        std::vector<Node>& nodes = curves_.nodes;
+        std::sort(hits.begin(), hits.end(), [&](const EdgeHit& p, const EdgeHit& q) {
+            return nodes[p.node].t != nodes[q.node].t ? nodes[p.node].t < nodes[q.node].t
+                                                      : p.node < q.node;
+        });
+        const int n = sizeOf(hits);
+        const double gap = std::min(kLeastParameter, 0.5 / (n + 1));
+        for (int i = 0; i < n; ++i) {
+            double& t = nodes[hits[i].node].t;
+            const double low =
+                std::max(gap * (i + 1), i > 0 ? nodes[hits[i - 1].node].t + gap : 0.0);
+            t = std::min(1 - gap * (n - i), std::max(t, low));
+        }
+    }
+
+    // Positions come from the real edges and triangles, also where predicates saw them elsewhere.
+    void place(Node& node) const {
+        if (node.kind == NodeKind::edge) {
+            placeOnEdge(node);
+        } else if (node.kind == NodeKind::face) {
+            placeOnFace(node);
+        }
+    }
+
+    void placeOnEdge(Node& node) const {
+        const auto lerp = [&](const Vec3& p, const Vec3& q) { return Vec3(p + (q - p) * node.t); };
+        node.position = lerp(mesh_.position(node.a), mesh_.position(node.b));
+        node.rest = lerp(mesh_.restPosition(node.a), mesh_.restPosition(node.b));
+        node.velocity = lerp(mesh_.velocity(node.a), mesh_.velocity(node.b));
+    }
+
+    void placeOnFace(Node& node) const {
+        node.weights = node.weights.cwiseMax(kLeastParameter);
+        node.weights /= node.weights.sum();
+        const Triangle& ids = mesh_.triangle(node.a);
+        for (const int i : seenCorners(node.a).order) {
+            node.position += node.weights[i] * mesh_.position(ids[i]);
+            node.rest += node.weights[i] * mesh_.restPosition(ids[i]);
+            node.velocity += node.weights[i] * mesh_.velocity(ids[i]);
+        }
+    }
+
+    const StepInput& in_;
+    const SurfaceMesh& mesh_;
+    const Strip& strip_;
+    const PredicatePositions& positions_;
+    std::set<int> rungVertices_;
+    CutCurves curves_;
+};
+
+}  // namespace
+
+int CutCurves::vertexNode(const SurfaceMesh& mesh, int v, const Vec2& layout) {
+    const auto known = nodeOfVertex.find(v);
+    if (known != nodeOfVertex.end()) {
+        return known->second;
+    }
+    Node node;
+    node.kind = NodeKind::vertex;
+    node.a = v;
+    node.layout = layout;
+    node.position = mesh.position(v);
+    node.rest = mesh.restPosition(v);
+    node.velocity = mesh.velocity(v);
+    nodes.push_back(node);
+    return nodeOfVertex[v] = sizeOf(nodes) - 1;
+}
+
+CutCurves intersect(const StepInput& in, const Strip& strip, const PredicatePositions& positions) {
+    return Intersector(in, strip, positions).run();
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sim/math.h"
+
+namespace kerf::cut {
+
+/// Reproducible pseudo-random numbers (xorshift64) for the blade's offset and for retries.
+class Jitter {
+  public:
+    explicit Jitter(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull + 1) {
+        for (int i = 0; i < 5; ++i) {
+            next();
+        }
+    }
+
+    /// In [0, 1).
+    double uniform() { return static_cast<double>(next() >> 11) * (1.0 / 9007199254740992.0); }
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+    Vec3 direction() {
+        while (true) {
+            const double x = uniform(-1, 1);
+            const double y = uniform(-1, 1);
+            const double z = uniform(-1, 1);
+            const Vec3 candidate(x, y, z);
+            const double length = candidate.norm();
+            if (length > 0.1 && length < 1) {
+                return candidate / length;
+            }
+        }
+    }
+
+  private:
+    std::uint64_t next() {
+        state_ ^= state_ << 13;
+        state_ ^= state_ >> 7;
+        state_ ^= state_ << 17;
+        return state_;
+    }
+
+    std::uint64_t state_;
+};
+
+}  // namespace kerf::cut

@@ -1,0 +1,456 @@
+#include "sim/cut/outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::cut {
+
+namespace {
+
+// Two curve ends in impossible order are swapped when closer than this share of h: coincident or
+// slightly inter-penetrating walls of an older slit.
+constexpr double kTieDistance = 0.25;
+// A shorter free piece beside the old front would leave the body connected through it.
+constexpr double kShortestStub = 0.1;
+
+/// What leads from one point of the border to the next.
+enum class Link {
+    stripEdge,   ///< a piece of a strip edge
+    none,        ///< nothing: both points are one strip node, seen from two sides of a gap
+    zeroFront,   ///< a front edge of length zero inside a cluster
+    stub,        ///< a free edge across the gap (Attempt::allowStub)
+    touchedEdge  ///< the mesh edge from a front end to a vertex that touches it
+};
+
+/// A point on the border of the strip.
+struct BorderPoint {
+    int node = -1;       ///< -1: a strip node without a curve node yet
+    int stripNode = -1;  ///< -1: between two strip nodes
+    int event = 0;       ///< +1: the body is entered here, -1: left
+    Link link = Link::stripEdge;
+    int edge = -1;  ///< strip edge that follows, for Link::stripEdge
+    double u = 0;
+    bool inside = false;  ///< of the piece that follows
+};
+
+class BorderWalk {
+  public:
+    BorderWalk(const StepInput& in, const Strip& strip, CutCurves& curves)
+        : in_(in), strip_(strip), curves_(curves) {}
+
+    Outline run() {
+        countCurveEnds();
+        collectFaceNodes();
+        collectPoints();
+        classify();
+        if (curves_.segments.empty() && !anyInside()) {
+            return {};
+        }
+        addCurves();
+        addBorder();
+        requireClosed();
+        return std::move(outline_);
+    }
+
+  private:
+    // The body is entered where a curve ends on the border, and left where one starts.
+    void countCurveEnds() {
+        events_.assign(curves_.nodes.size(), 0);
+        for (const Segment& segment : curves_.segments) {
+            --events_[segment.from];
+            ++events_[segment.to];
+        }
+    }
+
+    int eventOf(int node) const { return node < sizeOf(events_) ? events_[node] : 0; }
+
+    void collectFaceNodes() {
+        faceNodesOfEdge_.resize(strip_.edges.size());
+        for (const auto& [key, node] : curves_.onFace) {
+            if (strip_.edges[key.first].onBorder()) {
+                faceNodesOfEdge_[key.first].push_back(node);
+            }
+        }
+        for (std::vector<int>& nodes : faceNodesOfEdge_) {
+            std::sort(nodes.begin(), nodes.end(), [&](int p, int q) {
+                const double up = curves_.nodes[p].u;
+                const double uq = curves_.nodes[q].u;
+                return up != uq ? up < uq : p < q;
+            });
+        }
+    }
+
+    std::map<int, int> borderEdges() const {
+        std::map<int, int> edgeFrom;
+        for (int e = 0; e < sizeOf(strip_.edges); ++e) {
+            if (strip_.edges[e].onBorder() && !edgeFrom.emplace(strip_.edges[e].a, e).second) {
+                throw StepFailure{"the strip is pinched"};
+            }
+        }
+        return edgeFrom;
+    }
+
+    void collectPoints() {
+        const std::map<int, int> edgeFrom = borderEdges();
+        const int start = edgeFrom.begin()->first;
+        int v = start;
+        do {
+            const auto at = edgeFrom.find(v);
+            if (at == edgeFrom.end() || points_.size() > 1000000) {
+                throw StepFailure{"the border of the strip is open"};
+            }
+            const int edge = at->second;
+            collectAtNode(v, edge);
+            for (const int node : faceNodesOfEdge_[edge]) {
+                points_.push_back(
+                    {node, -1, eventOf(node), Link::stripEdge, edge, curves_.nodes[node].u});
+            }
+            v = strip_.edges[edge].b;
+        } while (v != start);
+    }
+
+    void collectAtNode(int v, int edge) {
+        std::vector<BorderPoint> here =
+            strip_.nodes[v].isCluster() ? clusterPoints(v) : vertexPoints(v);
+        addTouching(v, here);
+        if (here.empty() && in_.attempt.allowStub && sizeOf(strip_.nodes[v].vertices) == 2) {
+            here.push_back({ownNode(v, 0), v, 0, Link::stub});
+            here.push_back({ownNode(v, 1), v, 0});
+        }
+        if (here.empty()) {
+            here.push_back({-1, v, 0});
+        }
+        here.back().link = Link::stripEdge;
+        here.back().edge = edge;
+        points_.insert(points_.end(), here.begin(), here.end());
+    }
+
+    int ownNode(int v, int i) {
+        return curves_.vertexNode(in_.mesh, strip_.nodes[v].vertices[i], strip_.nodes[v].layout);
+    }
+
+    // Several front vertices at one place, joined by front edges of length zero.
+    std::vector<BorderPoint> clusterPoints(int v) {
+        const StripNode& strip = strip_.nodes[v];
+        std::vector<BorderPoint> points;
+        for (int i = 0; i < sizeOf(strip.vertices); ++i) {
+            const int node = ownNode(v, i);
+            const bool held = strip.attachedWithin[i] || (i > 0 && strip.attachedWithin[i - 1]);
+            if (held || eventOf(node) != 0) {
+                points.push_back({node, v, eventOf(node),
+                                  strip.attachedWithin[i] ? Link::zeroFront : Link::none});
+            }
+        }
+        return points;
+    }
+
+    std::vector<BorderPoint> vertexPoints(int v) const {
+        std::vector<BorderPoint> points;
+        for (const int vertex : strip_.nodes[v].vertices) {
+            const auto node = curves_.nodeOfVertex.find(vertex);
+            if (node != curves_.nodeOfVertex.end() && eventOf(node->second) != 0) {
+                points.push_back({node->second, v, eventOf(node->second), Link::none});
+            }
+        }
+        return points;
+    }
+
+    // Curves that end at a vertex of another piece lying here: the body is left before and
+    // entered after what happens at the own vertices.
+    void addTouching(int v, std::vector<BorderPoint>& here) {
+        std::vector<BorderPoint> touching;
+        for (const int vertex : strip_.nodes[v].touching) {
+            const auto node = curves_.nodeOfVertex.find(vertex);
+            if (node != curves_.nodeOfVertex.end() && eventOf(node->second) != 0) {
+                touching.push_back({node->second, v, eventOf(node->second), Link::none});
+            }
+        }
+        if (touching.empty()) {
+            return;
+        }
+        const bool before = strip_.attachedBefore(v);
+        const bool after = strip_.attachedAfter(v);
+        const bool pair = touching.size() == 2 && touching[0].event + touching[1].event == 0;
+        if (!here.empty() || (!before && !after) || (before == after && pair)) {
+            for (const BorderPoint& point : touching) {
+                here.insert(point.event < 0 ? here.begin() : here.end(), point);
+            }
+        } else if (touching.size() == 1 && sizeOf(strip_.nodes[v].vertices) == 1 &&
+                   before != after) {
+            endFrontAt(v, touching[0], here, before);
+        } else {
+            throw StepFailure{"a touching vertex carries the curve"};
+        }
+    }
+
+    // Only the touching vertex carries the event: the edge from the front end to it is cut.
+    void endFrontAt(int v, BorderPoint touching, std::vector<BorderPoint>& here, bool before) {
+        const BorderPoint own{ownNode(v, 0), v, 0, before ? Link::touchedEdge : Link::none};
+        if (before) {
+            here = {own, touching};
+        } else {
+            touching.link = Link::touchedEdge;
+            here = {touching, own};
+        }
+    }
+
+    bool isFront(const BorderPoint& point) const {
+        return point.link == Link::zeroFront ||
+               (point.link == Link::stripEdge && strip_.edges[point.edge].attached);
+    }
+
+    bool anyInside() const {
+        return std::any_of(points_.begin(), points_.end(),
+                           [](const BorderPoint& p) { return p.inside; });
+    }
+
+    void classify() {
+        bool anyEvent = false;
+        for (const BorderPoint& point : points_) {
+            if (std::abs(point.event) > 1) {
+                throw StepFailure{"two curves end at one point of the blade's border"};
+            }
+            anyEvent |= point.event != 0;
+        }
+        if (anyEvent) {
+            classifyByEvents();
+        } else {
+            const bool inside = std::any_of(points_.begin(), points_.end(),
+                                            [&](const BorderPoint& p) { return isFront(p); });
+            for (BorderPoint& point : points_) {
+                point.inside = inside;
+            }
+        }
+        for (const BorderPoint& point : points_) {
+            if (isFront(point) && !point.inside) {
+                throw StepFailure{"the front lies outside"};
+            }
+        }
+    }
+
+    // Start after the lowest prefix sum: nothing is inside there, unless the front says otherwise.
+    int firstPoint() const {
+        int lowest = 0;
+        int sum = 0;
+        int first = 0;
+        for (int i = 0; i < sizeOf(points_); ++i) {
+            sum += points_[i].event;
+            if (sum < lowest) {
+                lowest = sum;
+                first = (i + 1) % sizeOf(points_);
+            }
+        }
+        return first;
+    }
+
+    int windingBefore(int first) const {
+        int winding = 0;
+        for (int k = 0; k < sizeOf(points_); ++k) {
+            const BorderPoint& point = points_[(first + k) % sizeOf(points_)];
+            winding += point.event;
+            if (isFront(point) && winding < 1) {
+                return 1;
+            }
+        }
+        return 0;
+    }
+
+    void classifyByEvents() {
+        const int n = sizeOf(points_);
+        const int first = firstPoint();
+        int winding = windingBefore(first);
+        for (int k = 0; k < n; ++k) {
+            const int i = (first + k) % n;
+            if (k + 1 < n) {
+                swapIfImpossible(points_[i], points_[(i + 1) % n], winding);
+            }
+            winding += points_[i].event;
+            if (winding < 0 || winding > 1) {
+                throw StepFailure{"the blade's border enters the body twice"};
+            }
+            points_[i].inside = winding == 1;
+        }
+    }
+
+    void swapIfImpossible(BorderPoint& here, BorderPoint& next, int winding) const {
+        const bool between = here.stripNode < 0 && next.stripNode < 0 && here.edge == next.edge;
+        const bool impossible =
+            (winding == 1 && here.event == 1) || (winding == 0 && here.event == -1);
+        if (!between || !impossible || next.event != -here.event) {
+            return;
+        }
+        const StripEdge& edge = strip_.edges[here.edge];
+        const double length =
+            (strip_.nodes[edge.a].position - strip_.nodes[edge.b].position).norm();
+        if (std::fabs(next.u - here.u) * length < kTieDistance * in_.h) {
+            std::swap(here, next);
+        }
+    }
+
+    void addCurves() {
+        for (const Segment& segment : curves_.segments) {
+            outline_.edges.push_back({segment.from, segment.to, OutlineKind::cut});
+        }
+    }
+
+    void addBorder() {
+        const int n = sizeOf(points_);
+        for (int i = 0; i < n; ++i) {
+            const int j = (i + 1) % n;
+            if (points_[i].link == Link::stripEdge) {
+                addStripEdge(i, j);
+            } else {
+                addLink(i, j);
+            }
+        }
+    }
+
+    void addLink(int i, int j) {
+        const BorderPoint& point = points_[i];
+        if (point.link == Link::touchedEdge) {
+            addTouchedEdge(i, j);
+        } else if (point.inside && point.link == Link::none) {
+            throw StepFailure{"the gap in the front lies inside"};
+        } else if (point.inside) {
+            outline_.edges.push_back(
+                {nodeAt(i), nodeAt(j),
+                 point.link == Link::stub ? OutlineKind::free : OutlineKind::front});
+        }
+    }
+
+    void addTouchedEdge(int i, int j) {
+        if (!points_[i].inside) {
+            throw StepFailure{"the edge to a touching vertex lies outside"};
+        }
+        const int from = curves_.nodes[nodeAt(i)].a;
+        const int to = curves_.nodes[nodeAt(j)].a;
+        const int h = in_.mesh.findHalfEdge(from, to);
+        if (h < 0 || curves_.onEdge.count(edgeOf(from, to)) > 0) {
+            throw StepFailure{"no edge to a touching vertex"};
+        }
+        outline_.edges.push_back({nodeAt(i), nodeAt(j), OutlineKind::cut});
+        curves_.segmentsOfTriangle[h / 3];
+        curves_.segmentsOfTriangle[in_.mesh.twin(h) / 3];
+    }
+
+    void addStripEdge(int i, int j) {
+        if (!points_[i].inside) {
+            return;
+        }
+        const int edge = points_[i].edge;
+        const int from = nodeAt(i);
+        const int to = nodeAt(j);
+        if (strip_.edges[edge].attached) {
+            outline_.edges.push_back({from, to, OutlineKind::front});
+            return;
+        }
+        const bool newRung = strip_.onNewRung(edge);
+        if (!newRung) {
+            requireNoStub(edge, from, to);
+        }
+        addFreePiece(from, to, parameterOf(points_[i]), parameterOf(points_[j]), newRung);
+        const bool frontEnds = !points_[j].inside || points_[j].link != Link::stripEdge ||
+                               !strip_.onNewRung(points_[j].edge);
+        if (newRung && frontEnds) {
+            outline_.front.push_back({parameterOf(points_[j]), to, false});
+        }
+    }
+
+    void requireNoStub(int edge, int from, int to) const {
+        const StripEdge& e = strip_.edges[edge];
+        const bool onOldRung = strip_.isOld(e.a) && strip_.isOld(e.b);
+        const bool besideFront =
+            !strip_.nodes[e.a].vertices.empty() || !strip_.nodes[e.b].vertices.empty();
+        const double length = (curves_.nodes[to].position - curves_.nodes[from].position).norm();
+        if (!in_.attempt.allowStub && onOldRung && besideFront && length < kShortestStub * in_.h) {
+            throw StepFailure{"a free piece beside the old front"};
+        }
+    }
+
+    double parameterOf(const BorderPoint& point) const {
+        if (point.stripNode >= 0) {
+            return strip_.nodes[point.stripNode].s;
+        }
+        const StripEdge& edge = strip_.edges[point.edge];
+        const double from = strip_.nodes[edge.a].s;
+        return from + (strip_.nodes[edge.b].s - from) * point.u;
+    }
+
+    // Samples a free piece at spacing h.
+    void addFreePiece(int from, int to, double sFrom, double sTo, bool newRung) {
+        const Node start = curves_.nodes[from];
+        const Node end = curves_.nodes[to];
+        const double length = (end.position - start.position).norm();
+        const int pieces = std::max(1, static_cast<int>(std::lround(length / in_.h)));
+        int previous = from;
+        for (int k = 0; k < pieces; ++k) {
+            const double f = (k + 1) / static_cast<double>(pieces);
+            int next = to;
+            if (k + 1 < pieces) {
+                Node node;
+                node.position = start.position + (end.position - start.position) * f;
+                node.layout = start.layout + (end.layout - start.layout) * f;
+                curves_.nodes.push_back(node);
+                next = sizeOf(curves_.nodes) - 1;
+            }
+            outline_.edges.push_back({previous, next, OutlineKind::free});
+            if (newRung) {
+                const double at = k / static_cast<double>(pieces);
+                outline_.front.push_back({sFrom + (sTo - sFrom) * at, previous, true});
+            }
+            previous = next;
+        }
+    }
+
+    int nodeAt(int i) {
+        BorderPoint& point = points_[i];
+        if (point.node >= 0) {
+            return point.node;
+        }
+        const StripNode& at = strip_.nodes[point.stripNode];
+        if (at.vertices.size() > 1) {
+            throw StepFailure{"two front vertices at one point and no curve"};
+        }
+        if (at.vertices.size() == 1) {
+            point.node = ownNode(point.stripNode, 0);
+            return point.node;
+        }
+        Node node;
+        node.position = at.position;
+        node.layout = at.layout;
+        curves_.nodes.push_back(node);
+        point.node = sizeOf(curves_.nodes) - 1;
+        return point.node;
+    }
+
+    void requireClosed() const {
+        std::vector<int> out(curves_.nodes.size(), 0);
+        std::vector<int> in(curves_.nodes.size(), 0);
+        for (const OutlineEdge& edge : outline_.edges) {
+            ++out[edge.from];
+            ++in[edge.to];
+        }
+        for (int i = 0; i < sizeOf(curves_.nodes); ++i) {
+            const bool crossing = out[i] > 1 && curves_.nodes[i].kind != NodeKind::vertex;
+            if (out[i] != in[i] || crossing) {
+                throw StepFailure{"the border of the wall is not closed"};
+            }
+        }
+    }
+
+    const StepInput& in_;
+    const Strip& strip_;
+    CutCurves& curves_;
+    std::vector<int> events_;
+    std::vector<std::vector<int>> faceNodesOfEdge_;
+    std::vector<BorderPoint> points_;
+    Outline outline_;
+};
+
+}  // namespace
+
+Outline traceOutline(const StepInput& in, const Strip& strip, CutCurves& curves) {
+    return BorderWalk(in, strip, curves).run();
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/intersections.h"
+
+namespace kerf::cut {
+
+enum class OutlineKind {
+    cut,    ///< a curve segment: surface on both sides opens here
+    free,   ///< inside the body: the new front, the path of the tip, the start of a stroke
+    front,  ///< an edge of the old front, where the slit grows on
+};
+
+/// A directed border edge of the new wall, wall on its left in the layout plane.
+struct OutlineEdge {
+    int from;
+    int to;
+    OutlineKind kind;
+};
+
+/// A node of the new rung, in the order from B to A.
+struct FrontPoint {
+    double s;
+    int node;
+    bool attached;  ///< the edge to the next point lies inside the body
+};
+
+/// The border of that part of the strip that lies inside the body.
+struct Outline {
+    std::vector<OutlineEdge> edges;
+    std::vector<FrontPoint> front;
+};
+
+/// Walks the border of the strip, tells inside from outside, and collects the border of the wall.
+/// Adds nodes (free samples, front vertices) to `curves`. Empty where the blade swept only air.
+/// Throws StepFailure where inside and outside contradict each other.
+Outline traceOutline(const StepInput& in, const Strip& strip, CutCurves& curves);
+
+}  // namespace kerf::cut

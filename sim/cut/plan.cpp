@@ -1,0 +1,92 @@
+#include "sim/cut/plan.h"
+
+#include <Eigen/Geometry>
+
+#include "sim/cut/skin_map.h"
+#include "sim/cut/wall.h"
+
+namespace kerf::cut {
+
+namespace {
+
+RungNode airNode(const Strip& strip, int node, double s) {
+    return {strip.nodes[node].position, s, -1, false};
+}
+
+// W+ turns the triangles of the layout plane over, W- keeps them.
+void addWalls(const StepInput& in, const std::vector<WallSheet>& sheets, StepPlan& plan) {
+    for (const Sheet side : {Sheet::plus, Sheet::minus}) {
+        const int label = 2 * in.stroke + (side == Sheet::plus ? 0 : 1);
+        for (const WallSheet& sheet : sheets) {
+            for (const Triangle& t : sheet.triangles) {
+                Triangle c{};
+                for (int i = 0; i < 3; ++i) {
+                    c[i] = cornerId(in.mesh, plan.curves, t[i]);
+                }
+                if (side == Sheet::plus) {
+                    std::swap(c[1], c[2]);
+                }
+                plan.triangles.push_back({c, side, SurfaceKind::wall, label});
+            }
+        }
+    }
+}
+
+double signedVolume(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return a.dot(b.cross(c)) / 6;
+}
+
+double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan) {
+    const auto at = [&](int corner) -> const Vec3& {
+        return corner < mesh.vertexCount()
+                   ? mesh.position(corner)
+                   : plan.curves.nodes[corner - mesh.vertexCount()].position;
+    };
+    double added = 0;
+    for (const NewTriangle& t : plan.triangles) {
+        added += signedVolume(at(t.corners[0]), at(t.corners[1]), at(t.corners[2]));
+    }
+    double removed = 0;
+    for (const int t : plan.subdivision.replaced) {
+        const Triangle& c = mesh.triangle(t);
+        removed += signedVolume(mesh.position(c[0]), mesh.position(c[1]), mesh.position(c[2]));
+    }
+    return added - removed;
+}
+
+void requireFinite(const CutCurves& curves) {
+    for (const Node& node : curves.nodes) {
+        if (!node.position.allFinite() || !node.rest.allFinite() || !node.velocity.allFinite()) {
+            throw StepFailure{"a new vertex is not finite"};
+        }
+    }
+}
+
+}  // namespace
+
+PlannedStep planStep(const StepInput& in, const std::vector<int>& skinVertices) {
+    PlannedStep step;
+    StepPlan& plan = step.plan;
+    PredicatePositions positions(in);
+    const Strip strip = buildStrip(in, positions);
+    plan.endA = airNode(strip, strip.newRung.front(), 0);
+    plan.endB = airNode(strip, strip.newRung.back(), 1);
+    plan.curves = intersect(in, strip, positions);
+    plan.outline = traceOutline(in, strip, plan.curves);
+    if (plan.outline.edges.empty()) {
+        step.air = AirStep{plan.endA, plan.endB};
+        return step;
+    }
+    plan.subdivision = subdivide(in.mesh, plan.curves);
+    const std::vector<WallSheet> sheets = triangulateWall(in, strip, plan.outline, plan.curves);
+    mapFromSkin(in, skinVertices, sheets, plan.curves);
+    plan.triangles = plan.subdivision.triangles;
+    addWalls(in, sheets, plan);
+    plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);
+    plan.volumeChange = volumeChange(in.mesh, plan);
+    requireFinite(plan.curves);
+    step.wallTriangles = sizeOf(plan.triangles) - sizeOf(plan.subdivision.triangles);
+    return step;
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,167 @@
+#include "sim/cut/predicates.h"
+
+#include <cmath>
+
+namespace kerf::cut {
+
+namespace {
+
+// Error bounds of the filters, rounded up: (7 + 56 e) e and (3 + 16 e) e with e = 2^-53.
+constexpr double kFilter3d = 8e-16;
+constexpr double kFilter2d = 3.4e-16;
+
+struct TwoTerms {
+    double high;
+    double low;
+};
+
+TwoTerms exactSum(double a, double b) {
+    const double sum = a + b;
+    const double bRounded = sum - a;
+    return {sum, (a - (sum - bRounded)) + (b - bRounded)};
+}
+
+TwoTerms exactProduct(double a, double b) {
+    const double product = a * b;
+    return {product, std::fma(a, b, -product)};
+}
+
+/// A number as a sum of doubles that do not overlap, smallest first, zeros left out.
+template <int Capacity>
+struct Expansion {
+    std::array<double, Capacity> terms;
+    int count = 0;
+
+    void add(double b) {
+        double carry = b;
+        int kept = 0;
+        for (int i = 0; i < count; ++i) {
+            const TwoTerms sum = exactSum(carry, terms[i]);
+            if (sum.low != 0) {
+                terms[kept++] = sum.low;
+            }
+            carry = sum.high;
+        }
+        if (carry != 0) {
+            terms[kept++] = carry;
+        }
+        count = kept;
+    }
+
+    int sign() const { return count == 0 ? 0 : (terms[count - 1] > 0 ? 1 : -1); }
+
+    double value() const {
+        double sum = 0;
+        for (int i = 0; i < count; ++i) {
+            sum += terms[i];
+        }
+        return sum;
+    }
+};
+
+Expansion<2> difference(double a, double b) {
+    const TwoTerms terms = exactSum(a, -b);
+    Expansion<2> result;
+    result.add(terms.low);
+    result.add(terms.high);
+    return result;
+}
+
+template <int N, int M>
+Expansion<2 * N * M> operator*(const Expansion<N>& x, const Expansion<M>& y) {
+    Expansion<2 * N * M> result;
+    for (int i = 0; i < x.count; ++i) {
+        for (int j = 0; j < y.count; ++j) {
+            const TwoTerms product = exactProduct(x.terms[i], y.terms[j]);
+            result.add(product.low);
+            result.add(product.high);
+        }
+    }
+    return result;
+}
+
+template <int N, int M>
+Expansion<N + M> combine(const Expansion<N>& x, const Expansion<M>& y, double signOfY) {
+    Expansion<N + M> result;
+    for (int i = 0; i < x.count; ++i) {
+        result.add(x.terms[i]);
+    }
+    for (int j = 0; j < y.count; ++j) {
+        result.add(signOfY * y.terms[j]);
+    }
+    return result;
+}
+
+template <int N, int M>
+Expansion<N + M> operator+(const Expansion<N>& x, const Expansion<M>& y) {
+    return combine(x, y, 1.0);
+}
+
+template <int N, int M>
+Expansion<N + M> operator-(const Expansion<N>& x, const Expansion<M>& y) {
+    return combine(x, y, -1.0);
+}
+
+Orientation exactOrient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+    const auto ux = difference(b.x(), a.x());
+    const auto uy = difference(b.y(), a.y());
+    const auto uz = difference(b.z(), a.z());
+    const auto vx = difference(c.x(), a.x());
+    const auto vy = difference(c.y(), a.y());
+    const auto vz = difference(c.z(), a.z());
+    const auto determinant = (uy * vz - uz * vy) * difference(p.x(), a.x()) +
+                             (uz * vx - ux * vz) * difference(p.y(), a.y()) +
+                             (ux * vy - uy * vx) * difference(p.z(), a.z());
+    return {determinant.sign(), determinant.value()};
+}
+
+int exactOrient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
+    const auto determinant = difference(b.x(), a.x()) * difference(c.y(), a.y()) -
+                             difference(b.y(), a.y()) * difference(c.x(), a.x());
+    return determinant.sign();
+}
+
+}  // namespace
+
+Orientation orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+    const double ux = b.x() - a.x(), uy = b.y() - a.y(), uz = b.z() - a.z();
+    const double vx = c.x() - a.x(), vy = c.y() - a.y(), vz = c.z() - a.z();
+    const double wx = p.x() - a.x(), wy = p.y() - a.y(), wz = p.z() - a.z();
+    const double yz = uy * vz, zy = uz * vy, zx = uz * vx, xz = ux * vz, xy = ux * vy, yx = uy * vx;
+    const double determinant = (yz - zy) * wx + (zx - xz) * wy + (xy - yx) * wz;
+    const double magnitude = (std::fabs(yz) + std::fabs(zy)) * std::fabs(wx) +
+                             (std::fabs(zx) + std::fabs(xz)) * std::fabs(wy) +
+                             (std::fabs(xy) + std::fabs(yx)) * std::fabs(wz);
+    const double error = kFilter3d * magnitude;
+    if (determinant > error) {
+        return {1, determinant};
+    }
+    if (determinant < -error) {
+        return {-1, determinant};
+    }
+    return exactOrient3d(a, b, c, p);
+}
+
+int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
+    const double left = (b.x() - a.x()) * (c.y() - a.y());
+    const double right = (b.y() - a.y()) * (c.x() - a.x());
+    const double error = kFilter2d * (std::fabs(left) + std::fabs(right));
+    if (left - right > error) {
+        return 1;
+    }
+    if (left - right < -error) {
+        return -1;
+    }
+    return exactOrient2d(a, b, c);
+}
+
+bool comesBefore(const Vec3& p, int idP, const Vec3& q, int idQ) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (p[axis] != q[axis]) {
+            return p[axis] < q[axis];
+        }
+    }
+    return idP < idQ;
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,136 @@
+#include "sim/cut/skin_map.h"
+
+#include <Eigen/Dense>
+
+namespace kerf::cut {
+
+namespace {
+
+constexpr double kRidge = 1e-3;
+// Fewer samples do not determine an affine map.
+constexpr int kLeastSamples = 4;
+// More cost time and change nothing that can be seen: they are thinned evenly.
+constexpr int kMostSamples = 2000;
+
+struct Sample {
+    Vec3 position;
+    Vec3 offset;  ///< rest - position: the identity is its zero
+    Vec3 velocity;
+};
+
+std::vector<Sample> skinSamples(const StepInput& in, const std::vector<int>& skinVertices,
+                                int piece) {
+    std::vector<int> ofPiece;
+    for (const int v : skinVertices) {
+        if (in.pieceOfVertex[v] == piece) {
+            ofPiece.push_back(v);
+        }
+    }
+    const int stride = 1 + (sizeOf(ofPiece) - 1) / kMostSamples;
+    std::vector<Sample> samples;
+    for (int i = 0; i < sizeOf(ofPiece); i += stride) {
+        const Vec3& position = in.mesh.position(ofPiece[i]);
+        samples.push_back(
+            {position, in.mesh.restPosition(ofPiece[i]) - position, in.mesh.velocity(ofPiece[i])});
+    }
+    return samples;
+}
+
+// For chips without any skin vertex of their own.
+std::vector<Sample> rimSamples(const WallSheet& sheet, const std::vector<Node>& nodes) {
+    std::vector<Sample> samples;
+    for (const Triangle& t : sheet.triangles) {
+        for (const int id : t) {
+            const Node& node = nodes[id];
+            if (node.kind != NodeKind::wall) {
+                samples.push_back({node.position, node.rest - node.position, node.velocity});
+            }
+        }
+    }
+    return samples;
+}
+
+/// Weighted sums about the node.
+struct Moments {
+    double weight = 0;
+    Vec3 position = Vec3::Zero();
+    Vec3 offset = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d offsetByPosition = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d velocityByPosition = Eigen::Matrix3d::Zero();
+};
+
+Moments momentsAbout(const Vec3& center, const std::vector<Sample>& samples, double h) {
+    Moments m;
+    for (const Sample& sample : samples) {
+        const Vec3 q = sample.position - center;
+        const double distance = q.squaredNorm() + h * h;
+        const double w = 1 / (distance * distance);
+        const Vec3 wq = w * q;
+        m.weight += w;
+        m.position += wq;
+        m.offset += w * sample.offset;
+        m.velocity += w * sample.velocity;
+        m.spread += wq * q.transpose();
+        m.offsetByPosition += sample.offset * wq.transpose();
+        m.velocityByPosition += sample.velocity * wq.transpose();
+    }
+    return m;
+}
+
+void mapNode(const std::vector<Sample>& samples, double h, Node& node) {
+    const Moments m = momentsAbout(node.position, samples, h);
+    const Vec3 center = m.position / m.weight;
+    const Vec3 offset = m.offset / m.weight;
+    const Vec3 velocity = m.velocity / m.weight;
+    Eigen::Matrix3d spread = m.spread - m.position * center.transpose();
+    spread.diagonal().array() += kRidge * spread.trace() + 1e-30;
+    const Vec3 lever = spread.ldlt().solve(-center);
+    node.rest =
+        node.position + offset + (m.offsetByPosition - m.offset * center.transpose()) * lever;
+    node.velocity = velocity + (m.velocityByPosition - m.velocity * center.transpose()) * lever;
+}
+
+bool isOnSkin(const SurfaceMesh& mesh, int v) {
+    if (mesh.outgoing(v) < 0) {
+        return false;
+    }
+    bool all = true;
+    mesh.forEachOutgoing(v, [&](int h) { all = all && mesh.kind(h / 3) == SurfaceKind::skin; });
+    return all;
+}
+
+}  // namespace
+
+std::vector<int> findSkinVertices(const SurfaceMesh& mesh) {
+    std::vector<int> result;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (isOnSkin(mesh, v)) {
+            result.push_back(v);
+        }
+    }
+    return result;
+}
+
+void mapFromSkin(const StepInput& in, const std::vector<int>& skinVertices,
+                 const std::vector<WallSheet>& sheets, CutCurves& curves) {
+    std::vector<bool> mapped(curves.nodes.size(), false);
+    for (const WallSheet& sheet : sheets) {
+        std::vector<Sample> samples = skinSamples(in, skinVertices, sheet.piece);
+        if (sizeOf(samples) < kLeastSamples) {
+            samples = rimSamples(sheet, curves.nodes);
+        }
+        for (const Triangle& t : sheet.triangles) {
+            for (const int id : t) {
+                Node& node = curves.nodes[id];
+                if (node.kind == NodeKind::wall && !mapped[id]) {
+                    mapNode(samples, in.h, node);
+                    mapped[id] = true;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace kerf::cut

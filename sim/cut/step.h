@@ -1,0 +1,59 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "sim/cut/blade.h"
+#include "sim/cut/broad_phase.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf::cut {
+
+/// Thrown inside one try of a step. Nothing has been changed by then.
+struct StepFailure {
+    const char* reason;
+};
+
+/// One level of the retry ladder (cutting-robust 3.10). Lengths are shares of h.
+struct Attempt {
+    int index = 0;
+    double offsetScale = 1;     ///< length of the blade's offset, in units of the setting
+    bool closed = false;        ///< predicates see mates at their common mean position
+    bool touching = false;      ///< vertices of other pieces on a front node belong to it
+    double tolerance = 0;       ///< nodes closer than this are one
+    double shake = 0;           ///< virtual displacement of the front in the predicates
+    double gap = 0;             ///< front ends closer than this across a slit are one node
+    bool allowStub = false;     ///< the old rung may leave a short uncut edge
+    bool ignoreFringe = false;  ///< walls next to the front are not cut
+};
+
+/// All that one try of a step reads; nothing here changes during the try.
+struct StepInput {
+    const SurfaceMesh& mesh;
+    const BroadPhase& broadPhase;
+    const std::vector<int>& pieceOfVertex;
+    const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
+    Blade blade;
+    double h = 0;       ///< edge length of walls [m]
+    double offset = 0;  ///< length of the blade's offset at scale 1, share of h
+    std::uint64_t seed = 0;
+    int stroke = 0;
+    Attempt attempt;
+};
+
+/// Mates whose positions lie within this share of h of their mean close in `Attempt::closed`.
+inline constexpr double kCloseDistance = 1.0;
+
+/// An undirected pair of ids, the lower one first.
+using Edge = std::pair<int, int>;
+inline Edge edgeOf(int a, int b) {
+    return a < b ? Edge{a, b} : Edge{b, a};
+}
+
+template <class Container>
+int sizeOf(const Container& container) {
+    return static_cast<int>(container.size());
+}
+
+}  // namespace kerf::cut

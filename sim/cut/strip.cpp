@@ -1,0 +1,365 @@
+#include "sim/cut/strip.h"
+
+#include <algorithm>
+#include <set>
+
+#include "sim/cut/jitter.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Shares of h.
+constexpr double kNewRungSpacing = 0.45;
+constexpr double kPinnedDistance = 0.05;
+constexpr double kLeastSpacing = 1e-7;
+constexpr double kShakeNoise = 0.3;
+// More vertices than this at one node is not a crossing but a crumpled mesh.
+constexpr int kMostVerticesOfNode = 16;
+
+bool areMates(const SurfaceMesh& mesh, int a, int b) {
+    return mesh.mateGroup(a) >= 0 && mesh.mateGroup(a) == mesh.mateGroup(b);
+}
+
+double bladeLength(const StepInput& in) {
+    return (in.blade.b - in.blade.a).norm();
+}
+
+bool joinsPrevious(const StepInput& in, const Strip& strip, int i) {
+    const RungNode& node = in.rung[i];
+    if (i == 0 || node.vertex < 0 || in.rung[i - 1].vertex < 0 ||
+        sizeOf(strip.nodes.back().vertices) >= kMostVerticesOfNode) {
+        return false;
+    }
+    const double distance = (node.position - strip.nodes.back().position).norm();
+    if (in.rung[i - 1].attached) {
+        return distance < in.attempt.tolerance * in.h;
+    }
+    return distance < in.attempt.gap * in.h ||
+           (in.attempt.closed && areMates(in.mesh, node.vertex, in.rung[i - 1].vertex) &&
+            distance < kCloseDistance * in.h);
+}
+
+void joinPrevious(const StepInput& in, Strip& strip, int i) {
+    StripNode& last = strip.nodes.back();
+    const double count = sizeOf(last.vertices);
+    if (!in.attempt.closed) {
+        last.position = (last.position * count + in.rung[i].position) / (count + 1);
+    }
+    last.attachedWithin.back() = in.rung[i - 1].attached;
+    last.vertices.push_back(in.rung[i].vertex);
+    last.attachedWithin.push_back(false);
+    last.attached = in.rung[i].attached;
+}
+
+StripNode oldNode(const StepInput& in, const PredicatePositions& positions, const RungNode& from) {
+    StripNode node;
+    node.position = from.vertex >= 0 ? positions.ofMaterial(from.vertex) : from.position;
+    node.s = from.s;
+    node.layout = {from.s * bladeLength(in), 0};
+    node.attached = from.attached;
+    if (from.vertex >= 0) {
+        node.vertices = {from.vertex};
+        node.attachedWithin = {false};
+    }
+    return node;
+}
+
+void placeOldRung(const StepInput& in, const PredicatePositions& positions, Strip& strip) {
+    for (int i = 0; i < sizeOf(in.rung); ++i) {
+        if (joinsPrevious(in, strip, i)) {
+            joinPrevious(in, strip, i);
+        } else {
+            strip.nodes.push_back(oldNode(in, positions, in.rung[i]));
+        }
+    }
+    strip.oldCount = sizeOf(strip.nodes);
+    for (const RungNode& node : in.rung) {
+        const Vec3 above = in.blade.a + (in.blade.b - in.blade.a) * std::clamp(node.s, 0.0, 1.0);
+        strip.height = std::max(strip.height, (above - node.position).norm());
+    }
+}
+
+void pinVertices(const StripNode& node, PredicatePositions& positions) {
+    for (const int v : node.vertices) {
+        positions.pin(v, node.position);
+    }
+}
+
+// Front ends move outwards along the blade, everything a little at random: a sliver beside the
+// front that has flipped over lets go of it.
+void shakeFront(const StepInput& in, Strip& strip, PredicatePositions& positions) {
+    Jitter jitter(in.seed * 31 + static_cast<std::uint64_t>(in.stroke) * 7 +
+                  static_cast<std::uint64_t>(in.attempt.index) * 7919 +
+                  static_cast<std::uint64_t>(in.mesh.triangleSlots()));
+    const double length = in.attempt.shake * in.h;
+    const Vec3 along = (in.blade.b - in.blade.a).normalized();
+    for (int i = 0; i < strip.oldCount; ++i) {
+        StripNode& node = strip.nodes[i];
+        if (node.vertices.empty()) {
+            continue;
+        }
+        Vec3 move = jitter.direction() * (kShakeNoise * length);
+        const bool before = strip.attachedBefore(i);
+        if (sizeOf(node.vertices) == 1 && before != node.attached) {
+            const int beyond = before ? i + 1 : i - 1;
+            const bool exists = beyond >= 0 && beyond < strip.oldCount;
+            const double room =
+                exists ? (strip.nodes[beyond].position - node.position).norm() : 0.0;
+            move += along * ((before ? 1 : -1) * std::min(length, 0.3 * room));
+        }
+        node.position += move;
+        pinVertices(node, positions);
+    }
+}
+
+void joinTouchingVertices(const StepInput& in, Strip& strip, PredicatePositions& positions) {
+    std::set<int> ofRung;
+    for (const RungNode& node : in.rung) {
+        ofRung.insert(node.vertex);
+    }
+    const double radius = in.attempt.tolerance * in.h;
+    for (int i = 0; i < strip.oldCount; ++i) {
+        StripNode& node = strip.nodes[i];
+        if (node.vertices.empty()) {
+            continue;
+        }
+        const Vec3& p = node.position;
+        std::set<int> found;
+        for (const int t : in.broadPhase.query(p, p, p, radius)) {
+            for (const int v : in.mesh.triangle(t)) {
+                if (ofRung.count(v) == 0 && (in.mesh.position(v) - p).norm() < radius &&
+                    found.insert(v).second) {
+                    node.touching.push_back(v);
+                    positions.pin(v, p);
+                }
+            }
+        }
+        if (!node.touching.empty()) {
+            pinVertices(node, positions);
+        }
+    }
+}
+
+void separateParameters(const StepInput& in, Strip& strip) {
+    for (int i = 1; i < strip.oldCount; ++i) {
+        StripNode& node = strip.nodes[i];
+        if (node.s <= strip.nodes[i - 1].s) {
+            node.s = strip.nodes[i - 1].s + kLeastSpacing * in.h / bladeLength(in);
+            node.layout.x() = node.s * bladeLength(in);
+        }
+    }
+}
+
+// R1 has a point above every interior front node, never above a surface entry: for a straight
+// stroke that one would lie exactly in the surface.
+std::vector<double> newRungParameters(const StepInput& in, const Strip& strip) {
+    const double spacing = kNewRungSpacing * in.h / bladeLength(in);
+    std::vector<double> result{0.0};
+    for (int i = 1; i < strip.oldCount - 1; ++i) {
+        const StripNode& node = strip.nodes[i];
+        const bool interior =
+            node.attached && strip.attachedBefore(i) && sizeOf(node.vertices) == 1;
+        if (interior && node.s - result.back() > spacing && 1 - node.s > spacing) {
+            result.push_back(node.s);
+        }
+    }
+    result.push_back(1.0);
+    return result;
+}
+
+bool isPinned(const StepInput& in, const Strip& strip, const Vec3& bladeEnd, int oldEnd) {
+    return (bladeEnd - strip.nodes[oldEnd].position).norm() <
+           kPinnedDistance * std::min(in.h, strip.height);
+}
+
+void placeNewRung(const StepInput& in, Strip& strip) {
+    const std::vector<double> parameters = newRungParameters(in, strip);
+    const int last = sizeOf(parameters) - 1;
+    for (int j = 0; j <= last; ++j) {
+        const Vec3 onBlade = bladePoint(in, parameters[j]);
+        const int oldEnd = j == 0 ? 0 : strip.oldCount - 1;
+        if ((j == 0 || j == last) && isPinned(in, strip, onBlade, oldEnd)) {
+            strip.newRung.push_back(oldEnd);
+            continue;
+        }
+        StripNode node;
+        node.position = onBlade + bladeOffset(in, parameters[j]);
+        node.s = parameters[j];
+        node.layout = {node.s * bladeLength(in), strip.height};
+        strip.newRung.push_back(sizeOf(strip.nodes));
+        strip.nodes.push_back(node);
+    }
+}
+
+void zipRungs(Strip& strip) {
+    std::vector<int> lower(strip.oldCount);
+    std::vector<double> lowerS(strip.oldCount);
+    for (int i = 0; i < strip.oldCount; ++i) {
+        lower[i] = i;
+        lowerS[i] = strip.nodes[i].s;
+    }
+    std::vector<double> upperS;
+    for (const int node : strip.newRung) {
+        upperS.push_back(strip.nodes[node].s);
+    }
+    upperS.front() = 0;  // a pinned end keeps its own s on the old rung
+    upperS.back() = 1;
+    strip.triangles = zip(lower, lowerS, strip.newRung, upperS);
+    if (strip.triangles.empty()) {
+        throw StepFailure{"the blade swept no area"};
+    }
+}
+
+void connectEdges(Strip& strip) {
+    std::map<Edge, int> known;
+    for (int t = 0; t < sizeOf(strip.triangles); ++t) {
+        Triangle ids{};
+        for (int e = 0; e < 3; ++e) {
+            const int a = strip.triangles[t][e];
+            const int b = strip.triangles[t][(e + 1) % 3];
+            const auto [at, isNew] = known.emplace(edgeOf(a, b), sizeOf(strip.edges));
+            if (isNew) {
+                strip.edges.push_back({a, b, t});
+            } else {
+                strip.edges[at->second].second = t;
+            }
+            ids[e] = at->second;
+        }
+        strip.triangleEdges.push_back(ids);
+    }
+    for (int i = 0; i + 1 < strip.oldCount; ++i) {
+        if (!strip.nodes[i].attached) {
+            continue;
+        }
+        const auto at = known.find({i, i + 1});
+        if (at == known.end()) {
+            throw StepFailure{"a front edge is not in the strip"};
+        }
+        strip.edges[at->second].attached = true;
+    }
+}
+
+}  // namespace
+
+PredicatePositions::PredicatePositions(const StepInput& in)
+    : mesh_(in.mesh), closed_(in.attempt.closed), closeDistance_(kCloseDistance * in.h) {}
+
+Vec3 PredicatePositions::at(int v) const {
+    if (!pins_.empty()) {
+        const auto pin = pins_.find(v);
+        if (pin != pins_.end()) {
+            return pin->second;
+        }
+    }
+    return ofMaterial(v);
+}
+
+Vec3 PredicatePositions::ofMaterial(int v) const {
+    const int group = mesh_.mateGroup(v);
+    if (!closed_ || group < 0) {
+        return mesh_.position(v);
+    }
+    const std::vector<int>& mates = mesh_.matesOfGroup(group);
+    Vec3 mean = Vec3::Zero();
+    for (const int mate : mates) {
+        mean += mesh_.position(mate);
+    }
+    mean /= static_cast<double>(mates.size());
+    for (const int mate : mates) {
+        if ((mesh_.position(mate) - mean).norm() > closeDistance_) {
+            return mesh_.position(v);
+        }
+    }
+    return mean;
+}
+
+bool StripNode::isCluster() const {
+    return std::any_of(attachedWithin.begin(), attachedWithin.end(), [](char c) { return c != 0; });
+}
+
+bool Strip::isNew(int node) const {
+    return !isOld(node) || node == newRung.front() || node == newRung.back();
+}
+
+bool Strip::isRail(int edge) const {
+    const Edge ends = edgeOf(edges[edge].a, edges[edge].b);
+    return ends == edgeOf(0, newRung.front()) || ends == edgeOf(oldCount - 1, newRung.back());
+}
+
+bool Strip::onNewRung(int edge) const {
+    const StripEdge& e = edges[edge];
+    return isNew(e.a) && isNew(e.b) && !(isOld(e.a) && isOld(e.b)) && !isRail(edge);
+}
+
+Vec3 bladePoint(const StepInput& in, double s) {
+    return in.blade.a + (in.blade.b - in.blade.a) * s;
+}
+
+Vec3 bladeOffset(const StepInput& in, double s) {
+    const double length = in.offset * in.attempt.offsetScale * in.h;
+    // The stroke is part of the seed: equal offsets in three strokes through one point would keep
+    // the degeneracy (cutting-robust 3.2).
+    Jitter jitter(in.seed * 977 + static_cast<std::uint64_t>(in.stroke + 1) * 131 +
+                  static_cast<std::uint64_t>(in.attempt.offsetScale));
+    const Vec3 atA = jitter.direction();
+    const Vec3 turn = jitter.direction() * 0.3;
+    return (atA + turn * s) * length;
+}
+
+std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<double>& lowerS,
+                          const std::vector<int>& upper, const std::vector<double>& upperS) {
+    std::vector<Triangle> triangles;
+    const auto emit = [&](int a, int b, int c) {
+        if (a != b && b != c && a != c) {
+            triangles.push_back({a, b, c});
+        }
+    };
+    const int lastLower = sizeOf(lower) - 1;
+    const int lastUpper = sizeOf(upper) - 1;
+    const bool pinnedStart = upper.front() == lower.front();
+    const bool pinnedEnd = upper.back() == lower.back();
+    int i = 0;
+    int j = 0;
+    while (i < lastLower || j < lastUpper) {
+        bool advanceLower = i < lastLower && (j == lastUpper || lowerS[i + 1] <= upperS[j + 1]);
+        if (j == 0 && pinnedStart) {
+            advanceLower = false;
+        } else if (pinnedEnd && j + 1 == lastUpper && i < lastLower) {
+            advanceLower = true;
+        } else if (pinnedEnd && i + 1 == lastLower && j + 1 < lastUpper) {
+            advanceLower = false;
+        }
+        if (advanceLower) {
+            emit(lower[i], lower[i + 1], upper[j]);
+            ++i;
+        } else {
+            emit(upper[j + 1], upper[j], lower[i]);
+            ++j;
+        }
+    }
+    return triangles;
+}
+
+Strip buildStrip(const StepInput& in, PredicatePositions& positions) {
+    Strip strip;
+    placeOldRung(in, positions, strip);
+    for (int i = 0; i < strip.oldCount; ++i) {
+        if (sizeOf(strip.nodes[i].vertices) > 1) {
+            pinVertices(strip.nodes[i], positions);
+        }
+    }
+    if (in.attempt.shake > 0) {
+        shakeFront(in, strip, positions);
+    }
+    if (in.attempt.touching) {
+        joinTouchingVertices(in, strip, positions);
+    }
+    separateParameters(in, strip);
+    placeNewRung(in, strip);
+    zipRungs(strip);
+    connectEdges(strip);
+    return strip;
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "sim/cut/step.h"
+
+namespace kerf::cut {
+
+/// Where the predicates see the mesh vertices. Real positions, except that mates may close and
+/// that vertices on a front node are seen exactly there. Nothing real moves.
+class PredicatePositions {
+  public:
+    explicit PredicatePositions(const StepInput& in);
+
+    Vec3 at(int v) const;
+    /// Without the pins.
+    Vec3 ofMaterial(int v) const;
+    void pin(int v, const Vec3& p) { pins_[v] = p; }
+
+  private:
+    const SurfaceMesh& mesh_;
+    bool closed_;
+    double closeDistance_;
+    std::map<int, Vec3> pins_;
+};
+
+/// A corner of the strip. Layout coordinates: x = s |AB|, the old rung at y = 0.
+struct StripNode {
+    Vec3 position = Vec3::Zero();
+    Vec2 layout = Vec2::Zero();
+    double s = 0;
+    /// Mesh vertices that the node stands for: none in the air, several where the front crosses
+    /// an older slit or where front vertices coincide.
+    std::vector<int> vertices;
+    /// Parallel to `vertices`: the edge to the next of them is a front edge (of length zero).
+    std::vector<char> attachedWithin;
+    /// Vertices of other pieces that lie here (Attempt::touching).
+    std::vector<int> touching;
+    /// The edge to the next node of the old rung is a front edge of the mesh.
+    bool attached = false;
+
+    bool isCluster() const;
+};
+
+struct StripEdge {
+    int a = -1;
+    int b = -1;
+    int first = -1;   ///< triangle that runs a -> b
+    int second = -1;  ///< the other one, -1 on the border
+    bool attached = false;
+    bool onBorder() const { return second < 0; }
+};
+
+/// What the blade sweeps in one step: a triangulated band from the old rung R0 to the new one R1,
+/// counter-clockwise in the layout plane.
+struct Strip {
+    std::vector<StripNode> nodes;  ///< the old rung first
+    int oldCount = 0;
+    std::vector<int> newRung;  ///< nodes of R1 from A to B; ends may be shared with R0 (pinned)
+    double height = 0;         ///< largest distance between the rungs [m]
+    std::vector<Triangle> triangles;
+    std::vector<Triangle> triangleEdges;
+    std::vector<StripEdge> edges;
+
+    bool isOld(int node) const { return node < oldCount; }
+    /// Front edges on either side of an old node.
+    bool attachedBefore(int node) const { return node > 0 && nodes[node - 1].attached; }
+    bool attachedAfter(int node) const { return isOld(node) && nodes[node].attached; }
+    /// The edge lies on R1, rails excluded.
+    bool onNewRung(int edge) const;
+
+  private:
+    bool isNew(int node) const;
+    bool isRail(int edge) const;
+};
+
+/// The fixed displacement of the blade at parameter s, the same for a whole stroke.
+Vec3 bladeOffset(const StepInput& in, double s);
+Vec3 bladePoint(const StepInput& in, double s);
+
+/// Joins old and new rung. Throws StepFailure.
+Strip buildStrip(const StepInput& in, PredicatePositions& positions);
+
+/// Triangles between two chains (node ids and their s), the first below. With a shared end the
+/// other chain advances first, so that no triangle has three nodes on one rung.
+std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<double>& lowerS,
+                          const std::vector<int>& upper, const std::vector<double>& upperS);
+
+}  // namespace kerf::cut

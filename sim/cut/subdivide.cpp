@@ -1,0 +1,204 @@
+#include "sim/cut/subdivide.h"
+
+#include <map>
+
+#include "sim/cut/triangulation.h"
+
+namespace kerf::cut {
+
+namespace {
+
+/// How many nodes of each kind one triangle has.
+struct PatternCount {
+    int edgeNodes = 0;
+    int faceNodes = 0;
+    int vertexNodes = 0;
+    int segments = 0;
+};
+
+SubdivisionPattern patternOf(const PatternCount& n) {
+    if (n.segments == 2) {
+        return SubdivisionPattern::twoSegments;
+    }
+    if (n.segments == 1) {
+        if (n.edgeNodes == 1 && n.faceNodes == 1 && n.vertexNodes == 0) {
+            return SubdivisionPattern::oneToFour;
+        }
+        if (n.edgeNodes == 2 && n.faceNodes == 0 && n.vertexNodes == 0) {
+            return SubdivisionPattern::oneToThreeA;
+        }
+        if (n.edgeNodes == 1 && n.faceNodes == 0 && n.vertexNodes == 1) {
+            return SubdivisionPattern::oneToTwo;
+        }
+        if (n.edgeNodes == 0 && n.faceNodes == 1 && n.vertexNodes == 1) {
+            return SubdivisionPattern::oneToThreeB;
+        }
+        if (n.edgeNodes == 0 && n.faceNodes == 2) {
+            return SubdivisionPattern::twoKinks;
+        }
+    }
+    return SubdivisionPattern::more;
+}
+
+// A point of edge e of the triangle (0,0), (1,0), (0,1), exactly on the line: on the hypotenuse
+// x + y = 1 holds in doubles because the smaller coordinate is computed from the larger one.
+Vec2 pointOnEdge(int e, double t) {
+    if (e == 0) {
+        return {t, 0};
+    }
+    if (e == 2) {
+        return {0, 1 - t};
+    }
+    if (t >= 0.5) {
+        return {1 - t, t};
+    }
+    const double x = 1 - t;
+    return {x, 1 - x};
+}
+
+// From barycentric coordinates to lengths in the plane of the triangle.
+Eigen::Matrix2d triangleMetric(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    Eigen::Matrix2d metric = Eigen::Matrix2d::Identity();
+    const double length = ab.norm();
+    if (length > 0) {
+        metric << length, ab.dot(ac) / length, 0, ab.cross(ac).norm() / length;
+    }
+    return metric;
+}
+
+class TriangleSubdivision {
+  public:
+    TriangleSubdivision(const SurfaceMesh& mesh, const CutCurves& curves, int m)
+        : mesh_(mesh),
+          curves_(curves),
+          m_(m),
+          corners_(mesh.triangle(m)),
+          plane_({0, 0}, {1, 0}, {0, 1}),
+          ids_(corners_.begin(), corners_.end()) {
+        plane_.setMetric(triangleMetric(mesh.position(corners_[0]), mesh.position(corners_[1]),
+                                        mesh.position(corners_[2])));
+        for (int i = 0; i < 3; ++i) {
+            vertexOf_[corners_[i]] = i;
+        }
+    }
+
+    void run(const std::vector<int>& segments) {
+        addEdgeNodes();
+        addFaceNodes();
+        for (const int segment : segments) {
+            addSegment(curves_.segments[segment]);
+        }
+        count_.segments = sizeOf(segments);
+    }
+
+    void emit(Subdivision& result) const {
+        ++result.patterns[static_cast<int>(patternOf(count_))];
+        result.replaced.push_back(m_);
+        for (int t = 0; t < plane_.size(); ++t) {
+            const Triangle& c = plane_.corners(t);
+            result.triangles.push_back({{ids_[c[0]], ids_[c[1]], ids_[c[2]]},
+                                        Sheet::surface,
+                                        mesh_.kind(m_),
+                                        mesh_.wallLabel(m_)});
+        }
+    }
+
+  private:
+    void addPoint(int node, const Vec2& at) {
+        const Triangulation::Insertion inserted = plane_.insert(at);
+        if (inserted.vertex != sizeOf(ids_) || inserted.existed) {
+            throw StepFailure{"two curve nodes coincide in a triangle"};
+        }
+        ids_.push_back(cornerId(mesh_, curves_, node));
+        vertexOf_[ids_.back()] = inserted.vertex;
+    }
+
+    void addEdgeNodes() {
+        for (int e = 0; e < 3; ++e) {
+            const auto hits = curves_.onEdge.find(edgeOf(corners_[e], corners_[(e + 1) % 3]));
+            if (hits == curves_.onEdge.end()) {
+                continue;
+            }
+            for (const EdgeHit& hit : hits->second) {
+                const Node& node = curves_.nodes[hit.node];
+                addPoint(hit.node, pointOnEdge(e, node.a == corners_[e] ? node.t : 1 - node.t));
+                ++count_.edgeNodes;
+            }
+        }
+    }
+
+    void addFaceNodes() {
+        const auto nodes = curves_.faceNodesOfTriangle.find(m_);
+        if (nodes == curves_.faceNodesOfTriangle.end()) {
+            return;
+        }
+        for (const int node : nodes->second) {
+            const Vec3& weights = curves_.nodes[node].weights;
+            addPoint(node, {weights[1], weights[2]});
+            ++count_.faceNodes;
+        }
+    }
+
+    void addSegment(const Segment& segment) {
+        std::array<int, 2> ends{};
+        const std::array<int, 2> nodes{segment.from, segment.to};
+        for (int i = 0; i < 2; ++i) {
+            const auto end = vertexOf_.find(cornerId(mesh_, curves_, nodes[i]));
+            if (end == vertexOf_.end()) {
+                throw StepFailure{"a curve ends outside its triangle"};
+            }
+            ends[i] = end->second;
+            count_.vertexNodes += curves_.nodes[nodes[i]].kind == NodeKind::vertex;
+        }
+        if (!plane_.constrain(ends[0], ends[1])) {
+            throw StepFailure{"curves cross in a triangle"};
+        }
+    }
+
+    const SurfaceMesh& mesh_;
+    const CutCurves& curves_;
+    int m_;
+    Triangle corners_;
+    Triangulation plane_;
+    std::vector<int> ids_;
+    std::map<int, int> vertexOf_;
+    PatternCount count_;
+};
+
+// An edge or face with nodes and no curve through it would leave a hole.
+void requireComplete(const SurfaceMesh& mesh, const CutCurves& curves) {
+    const auto isReplaced = [&](int t) { return curves.segmentsOfTriangle.count(t) > 0; };
+    for (const auto& [edge, hits] : curves.onEdge) {
+        const int h = mesh.findHalfEdge(edge.first, edge.second);
+        if (h < 0 || !isReplaced(h / 3) || !isReplaced(mesh.twin(h) / 3)) {
+            throw StepFailure{"the curve stops at an edge"};
+        }
+    }
+    for (const auto& [triangle, nodes] : curves.faceNodesOfTriangle) {
+        if (!isReplaced(triangle)) {
+            throw StepFailure{"the curve stops in a triangle"};
+        }
+    }
+}
+
+}  // namespace
+
+int cornerId(const SurfaceMesh& mesh, const CutCurves& curves, int node) {
+    return curves.nodes[node].kind == NodeKind::vertex ? curves.nodes[node].a
+                                                       : mesh.vertexCount() + node;
+}
+
+Subdivision subdivide(const SurfaceMesh& mesh, const CutCurves& curves) {
+    requireComplete(mesh, curves);
+    Subdivision result;
+    for (const auto& [m, segments] : curves.segmentsOfTriangle) {
+        TriangleSubdivision triangle(mesh, curves, m);
+        triangle.run(segments);
+        triangle.emit(result);
+    }
+    return result;
+}
+
+}  // namespace kerf::cut

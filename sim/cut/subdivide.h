@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/cut/intersections.h"
+
+namespace kerf::cut {
+
+/// On which side of the cut a new triangle lies.
+enum class Sheet { surface, plus, minus };
+
+/// A new triangle. Corners are vertices of the mesh, or mesh.vertexCount() + node.
+struct NewTriangle {
+    Triangle corners;
+    Sheet sheet;
+    SurfaceKind kind;
+    int wallLabel;
+};
+
+/// The new number of a node: a V node is its mesh vertex.
+int cornerId(const SurfaceMesh& mesh, const CutCurves& curves, int node);
+
+struct Subdivision {
+    std::vector<NewTriangle> triangles;
+    std::vector<int> replaced;  ///< ascending
+    std::array<int, kSubdivisionPatterns> patterns{};
+};
+
+/// Divides every surface triangle that the strip meets along its curve segments. The four
+/// patterns of the paper come out as special cases of one constrained Delaunay triangulation in
+/// barycentric coordinates. Throws StepFailure.
+Subdivision subdivide(const SurfaceMesh& mesh, const CutCurves& curves);
+
+}  // namespace kerf::cut

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/cutter.h"
+
+namespace kerf::cut {
+
+/// How the blade moved since the old rung.
+struct SweepMotion {
+    double advance = 0;  ///< largest distance of a rung node to the line of the blade [m]
+    double axial = 0;    ///< largest distance of the rung's ends to the blade's ends [m]
+    bool anyAttached = false;
+};
+
+/// Takes the positions of rung vertices from the mesh, which may have moved.
+void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung);
+
+/// Measures s along the new blade, so that sliding along its axis (sawing, plunging) does not
+/// shear the strip. s is forced to increase. The blade must have a length.
+SweepMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung);
+
+/// More than half of the front would move back into its own slit.
+bool isWithdrawing(const SurfaceMesh& mesh, const Blade& blade, double h,
+                   const std::vector<RungNode>& rung);
+
+}  // namespace kerf::cut

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "sim/math.h"
+
+namespace kerf::cut {
+
+/// A small constrained Delaunay triangulation in the plane. Orientation is exact; the in-circle
+/// test is not, it only decides shape and never validity.
+///
+/// Edge e of a triangle runs from corner e to corner e + 1.
+class Triangulation {
+  public:
+    /// Starts with the triangle abc (counter-clockwise); everything happens inside it.
+    Triangulation(const Vec2& a, const Vec2& b, const Vec2& c);
+
+    /// The Delaunay criterion is applied to metric * point.
+    void setMetric(const Eigen::Matrix2d& metric) { metric_ = metric; }
+
+    struct Insertion {
+        int vertex = -1;       ///< -1 for a point outside
+        bool existed = false;  ///< a vertex already lies exactly there
+    };
+    Insertion insert(const Vec2& p);
+    /// Makes ab a constrained edge. False where that would cross another constraint or a vertex.
+    bool constrain(int a, int b);
+
+    enum class Where { outside, inside, onEdge, onVertex };
+    struct Location {
+        Where where = Where::outside;
+        int triangle = -1;
+        int index = -1;  ///< edge or corner of the triangle
+    };
+    Location locate(const Vec2& p);
+
+    int size() const { return static_cast<int>(faces_.size()); }
+    const Vec2& point(int v) const { return points_[v]; }
+    const Triangle& corners(int t) const { return faces_[t].corners; }
+    /// -1 at the outer border.
+    int neighbor(int t, int e) const { return faces_[t].neighbors[e]; }
+    bool constrained(int t, int e) const { return faces_[t].constrained[e]; }
+    /// A mark of the caller's, handed down when a triangle is divided. Constraints bound it.
+    bool marked(int t) const { return faces_[t].marked; }
+    void setMarked(int t, bool on) { faces_[t].marked = on; }
+
+    /// The edge of the neighbour across (t, e) that is the same edge.
+    int mirrorEdge(int t, int e) const;
+    int oppositeVertex(int t, int e) const;
+    /// The two triangles at (t, e) form a strictly convex quadrilateral.
+    bool convex(int t, int e) const;
+    void flip(int t, int e);
+
+  private:
+    struct Face {
+        Triangle corners;
+        Triangle neighbors;
+        std::array<bool, 3> constrained{false, false, false};
+        bool marked = false;
+    };
+    struct EdgeRef {
+        int triangle = -1;
+        int edge = -1;
+        bool found() const { return triangle >= 0; }
+    };
+
+    bool holds(int t, const Vec2& p, Location& location) const;
+    int walkTowards(const Vec2& p) const;
+    void splitFace(int t, int v);
+    void splitEdge(int t, int e, int v);
+    void splitBorderEdge(int t, int e, int v);
+    void linkNeighbor(int t, int from, int to, int neighbor);
+    void remember(int t);
+    bool shouldFlip(int t, int e) const;
+    void legalize(std::vector<std::array<int, 2>> pending);
+    int cornerOf(int t, int v) const;
+    /// Triangles around v as (triangle, corner of v).
+    std::vector<std::array<int, 2>> star(int v) const;
+    EdgeRef findEdge(int a, int b) const;
+    void markConstrained(const EdgeRef& edge);
+    EdgeRef firstCrossed(int a, int b) const;
+    bool collectCrossed(int a, int b, std::vector<std::array<int, 2>>& crossed) const;
+    bool flipAway(int a, int b, std::vector<std::array<int, 2>> crossed,
+                  std::vector<std::array<int, 2>>& created);
+    void restoreDelaunay(std::vector<std::array<int, 2>>& edges);
+
+    std::vector<Vec2> points_;
+    std::vector<Face> faces_;
+    std::vector<int> faceOfVertex_;
+    int lastFace_ = 0;
+    Eigen::Matrix2d metric_ = Eigen::Matrix2d::Identity();
+};
+
+}  // namespace kerf::cut

@@ -1,0 +1,439 @@
+#include "sim/cut/wall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "sim/cut/ears.h"
+#include "sim/cut/loops.h"
+#include "sim/cut/triangulation.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Shares of h.
+constexpr double kCoincident = 1e-11;
+constexpr double kTallSheet = 1.2;
+constexpr double kSteinerToNode = 0.6;
+constexpr double kSteinerToEdge = 0.4;
+constexpr int kMostSteinerPoints = 200000;
+constexpr int kChordPasses = 4;
+
+double cross2(const Vec2& u, const Vec2& v) {
+    return u.x() * v.y() - u.y() * v.x();
+}
+
+std::vector<OutlineEdge> allEdges(const Sheet2d& sheet) {
+    std::vector<OutlineEdge> edges = sheet.outer;
+    for (const Loop& hole : sheet.holes) {
+        edges.insert(edges.end(), hole.begin(), hole.end());
+    }
+    return edges;
+}
+
+bool triangleHas(const SurfaceMesh& mesh, int t, int v) {
+    const Triangle& corners = mesh.triangle(t);
+    return std::find(corners.begin(), corners.end(), v) != corners.end();
+}
+
+bool liesOnFace(const SurfaceMesh& mesh, const Node& node, int t) {
+    switch (node.kind) {
+        case NodeKind::face:
+            return node.a == t;
+        case NodeKind::edge:
+            return triangleHas(mesh, t, node.a) && triangleHas(mesh, t, node.b);
+        case NodeKind::vertex:
+            return triangleHas(mesh, t, node.a);
+        case NodeKind::wall:
+            break;
+    }
+    return false;
+}
+
+// A wall edge between two nodes of one surface face would lie IN the surface and close a chip of
+// no thickness (cutting-cleanup F1).
+bool shareFace(const SurfaceMesh& mesh, const Node& p, const Node& q) {
+    if (p.kind == NodeKind::wall || q.kind == NodeKind::wall) {
+        return false;
+    }
+    if (p.kind == NodeKind::vertex && q.kind == NodeKind::vertex) {
+        return mesh.findHalfEdge(p.a, q.a) >= 0;
+    }
+    const Node& first = p.kind == NodeKind::vertex ? q : p;
+    const Node& second = p.kind == NodeKind::vertex ? p : q;
+    if (first.kind == NodeKind::face) {
+        return liesOnFace(mesh, second, first.a);
+    }
+    const int h = mesh.findHalfEdge(first.a, first.b);
+    return h >= 0 &&
+           (liesOnFace(mesh, second, h / 3) || liesOnFace(mesh, second, mesh.twin(h) / 3));
+}
+
+/// One sheet as a constrained Delaunay triangulation in the layout plane.
+class SheetTriangulation {
+  public:
+    SheetTriangulation(const StepInput& in, const Strip& strip, const Sheet2d& sheet,
+                       CutCurves& curves)
+        : in_(in),
+          strip_(strip),
+          nodes_(curves.nodes),
+          edges_(allEdges(sheet)),
+          bounds_(boundsOf()),
+          plane_(enclosing(0), enclosing(1), enclosing(2)) {}
+
+    std::vector<Triangle> run() {
+        insertBorder();
+        constrainBorder();
+        markInside();
+        insertSteinerPoints();
+        flipChords();
+        return collect();
+    }
+
+  private:
+    struct Box {
+        Vec2 low = Vec2::Constant(1e300);
+        Vec2 high = Vec2::Constant(-1e300);
+    };
+
+    Box boundsOf() const {
+        Box box;
+        for (const OutlineEdge& edge : edges_) {
+            box.low = box.low.cwiseMin(nodes_[edge.from].layout);
+            box.high = box.high.cwiseMax(nodes_[edge.from].layout);
+        }
+        return box;
+    }
+
+    Vec2 enclosing(int corner) const {
+        const double size = (bounds_.high - bounds_.low).maxCoeff() + 1e-9;
+        const std::array<Vec2, 3> around{Vec2(-20, -15), Vec2(20, -15), Vec2(0, 25)};
+        return 0.5 * (bounds_.low + bounds_.high) + around[corner] * size;
+    }
+
+    // Coincident border nodes share a vertex of the triangulation; each corner later takes the
+    // node of the border edge that bounds its wedge.
+    void insertBorder() {
+        std::map<std::pair<long long, long long>, std::vector<int>> cells;
+        const double tolerance = kCoincident * in_.h;
+        for (const OutlineEdge& edge : edges_) {
+            for (const int node : {edge.from, edge.to}) {
+                if (vertexOfNode_.count(node) > 0) {
+                    continue;
+                }
+                const Vec2& p = nodes_[node].layout;
+                const long long x = static_cast<long long>(std::floor(p.x() / (4 * tolerance)));
+                const long long y = static_cast<long long>(std::floor(p.y() / (4 * tolerance)));
+                int vertex = -1;
+                for (long long dx = -1; dx <= 1 && vertex < 0; ++dx) {
+                    for (long long dy = -1; dy <= 1 && vertex < 0; ++dy) {
+                        vertex = coincident(cells, {x + dx, y + dy}, p, tolerance);
+                    }
+                }
+                if (vertex < 0) {
+                    vertex = plane_.insert(p).vertex;
+                    if (vertex < 0) {
+                        throw StepFailure{"a wall node lies outside the layout"};
+                    }
+                    cells[{x, y}].push_back(vertex);
+                }
+                vertexOfNode_[node] = vertex;
+                nodeOfVertex_.emplace(vertex, node);
+            }
+        }
+    }
+
+    int coincident(const std::map<std::pair<long long, long long>, std::vector<int>>& cells,
+                   const std::pair<long long, long long>& cell, const Vec2& p,
+                   double tolerance) const {
+        const auto found = cells.find(cell);
+        if (found == cells.end()) {
+            return -1;
+        }
+        for (const int vertex : found->second) {
+            if ((plane_.point(vertex) - p).cwiseAbs().maxCoeff() < tolerance) {
+                return vertex;
+            }
+        }
+        return -1;
+    }
+
+    void constrainBorder() {
+        for (const OutlineEdge& edge : edges_) {
+            const int a = vertexOfNode_[edge.from];
+            const int b = vertexOfNode_[edge.to];
+            if (a == b || !border_.emplace(std::pair{a, b}, edge).second ||
+                !plane_.constrain(a, b)) {
+                throw StepFailure{"the border of the wall crosses itself"};
+            }
+        }
+    }
+
+    bool isBorder(int t, int e) const {
+        const Triangle& c = plane_.corners(t);
+        return border_.count({c[e], c[(e + 1) % 3]}) > 0;
+    }
+
+    void markInside() {
+        std::vector<int> pending;
+        for (int t = 0; t < plane_.size(); ++t) {
+            plane_.setMarked(t, false);
+            for (int e = 0; e < 3; ++e) {
+                if (plane_.constrained(t, e) && isBorder(t, e) && !plane_.marked(t)) {
+                    plane_.setMarked(t, true);
+                    pending.push_back(t);
+                }
+            }
+        }
+        while (!pending.empty()) {
+            const int t = pending.back();
+            pending.pop_back();
+            for (int e = 0; e < 3; ++e) {
+                spreadMark(t, e, pending);
+            }
+        }
+    }
+
+    void spreadMark(int t, int e, std::vector<int>& pending) {
+        if (plane_.constrained(t, e)) {
+            if (!isBorder(t, e)) {
+                throw StepFailure{"inside and outside of the wall conflict"};
+            }
+            return;
+        }
+        const int other = plane_.neighbor(t, e);
+        if (other < 0) {
+            throw StepFailure{"the wall is unbounded"};
+        }
+        if (!plane_.marked(other)) {
+            plane_.setMarked(other, true);
+            pending.push_back(other);
+        }
+    }
+
+    // Only single big steps make sheets tall enough to need points inside: a hexagonal lattice.
+    void insertSteinerPoints() {
+        const Vec2 extent = bounds_.high - bounds_.low;
+        const double rowHeight = 0.866 * in_.h;
+        const double rows = std::floor(extent.y() / rowHeight);
+        const double columns = std::floor(extent.x() / in_.h);
+        if (extent.y() <= kTallSheet * in_.h || rows * columns > kMostSteinerPoints) {
+            return;
+        }
+        for (int j = 0; j <= static_cast<int>(rows); ++j) {
+            for (int i = 0; i <= static_cast<int>(columns); ++i) {
+                const double shift = j % 2 == 1 ? 0.5 : 0.0;
+                tryInsertSteiner({bounds_.low.x() + (i + shift) * in_.h,
+                                  bounds_.low.y() + (j + 0.5) * rowHeight});
+            }
+        }
+    }
+
+    void tryInsertSteiner(const Vec2& p) {
+        const Triangulation::Location at = plane_.locate(p);
+        if (at.where != Triangulation::Where::inside || !plane_.marked(at.triangle) ||
+            tooClose(at.triangle, p)) {
+            return;
+        }
+        Node node;
+        node.layout = p;
+        node.position = positionInStrip(p);
+        nodes_.push_back(node);
+        nodeOfSteiner_[plane_.insert(p).vertex] = sizeOf(nodes_) - 1;
+    }
+
+    bool tooClose(int t, const Vec2& p) const {
+        for (int i = 0; i < 3; ++i) {
+            const Vec2& a = plane_.point(plane_.corners(t)[i]);
+            const Vec2& b = plane_.point(plane_.corners(t)[(i + 1) % 3]);
+            if ((a - p).norm() < kSteinerToNode * in_.h) {
+                return true;
+            }
+            const double distance = std::fabs(cross2(b - a, p - a)) / (b - a).norm();
+            if (plane_.constrained(t, i) && distance < kSteinerToEdge * in_.h) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    Vec3 positionInStrip(const Vec2& p) const {
+        for (const Triangle& t : strip_.triangles) {
+            const StripNode& a = strip_.nodes[t[0]];
+            const StripNode& b = strip_.nodes[t[1]];
+            const StripNode& c = strip_.nodes[t[2]];
+            const Vec2 u = b.layout - a.layout;
+            const Vec2 v = c.layout - a.layout;
+            const double area = cross2(u, v);
+            if (std::fabs(area) < 1e-300) {
+                continue;
+            }
+            const double wb = cross2(p - a.layout, v) / area;
+            const double wc = cross2(u, p - a.layout) / area;
+            if (wb >= -1e-9 && wc >= -1e-9 && wb + wc <= 1 + 1e-9) {
+                return (1 - wb - wc) * a.position + wb * b.position + wc * c.position;
+            }
+        }
+        throw StepFailure{"an inner wall point lies outside the strip"};
+    }
+
+    // Null for an inner point.
+    const Node* borderNode(int vertex) const {
+        const auto found = nodeOfVertex_.find(vertex);
+        return found == nodeOfVertex_.end() ? nullptr : &nodes_[found->second];
+    }
+
+    bool isChord(int a, int b) const {
+        const Node* p = borderNode(a);
+        const Node* q = borderNode(b);
+        return p != nullptr && q != nullptr && shareFace(in_.mesh, *p, *q);
+    }
+
+    bool flipChord(int t, int e) {
+        if (plane_.constrained(t, e) || plane_.neighbor(t, e) < 0) {
+            return false;
+        }
+        const Triangle c = plane_.corners(t);
+        if (!isChord(c[e], c[(e + 1) % 3]) ||
+            isChord(c[(e + 2) % 3], plane_.oppositeVertex(t, e)) || !plane_.convex(t, e)) {
+            return false;
+        }
+        plane_.flip(t, e);
+        return true;
+    }
+
+    void flipChords() {
+        bool flipped = true;
+        for (int pass = 0; pass < kChordPasses && flipped; ++pass) {
+            flipped = false;
+            for (int t = 0; t < plane_.size(); ++t) {
+                for (int e = 0; e < 3 && plane_.marked(t); ++e) {
+                    if (flipChord(t, e)) {
+                        flipped = true;
+                        break;
+                    }
+                }
+            }
+        }
+    }
+
+    std::vector<Triangle> collect() const {
+        std::vector<Triangle> result;
+        for (int t = 0; t < plane_.size(); ++t) {
+            if (plane_.marked(t)) {
+                result.push_back({nodeOfCorner(t, 0), nodeOfCorner(t, 1), nodeOfCorner(t, 2)});
+            }
+        }
+        return result;
+    }
+
+    // Turns clockwise about the corner to the border edge that starts there.
+    int nodeOfCorner(int t, int corner) const {
+        const int v = plane_.corners(t)[corner];
+        const auto steiner = nodeOfSteiner_.find(v);
+        if (steiner != nodeOfSteiner_.end()) {
+            return steiner->second;
+        }
+        int current = t;
+        do {
+            int k = 0;
+            while (plane_.corners(current)[k] != v) {
+                ++k;
+            }
+            const auto edge = border_.find({v, plane_.corners(current)[(k + 1) % 3]});
+            if (plane_.constrained(current, k)) {
+                if (edge == border_.end()) {
+                    break;
+                }
+                return edge->second.from;
+            }
+            current = plane_.neighbor(current, k);
+        } while (current >= 0 && current != t);
+        throw StepFailure{"a wall corner has no border edge"};
+    }
+
+    const StepInput& in_;
+    const Strip& strip_;
+    std::vector<Node>& nodes_;
+    std::vector<OutlineEdge> edges_;
+    Box bounds_;
+    Triangulation plane_;
+    std::map<int, int> vertexOfNode_;
+    std::map<int, int> nodeOfVertex_;
+    std::map<int, int> nodeOfSteiner_;
+    std::map<std::pair<int, int>, OutlineEdge> border_;
+};
+
+std::vector<Triangle> triangulateSheet(const StepInput& in, const Strip& strip,
+                                       const Sheet2d& sheet, CutCurves& curves) {
+    const std::size_t nodesBefore = curves.nodes.size();
+    try {
+        return SheetTriangulation(in, strip, sheet, curves).run();
+    } catch (const StepFailure&) {
+        curves.nodes.resize(nodesBefore);
+        return cutEars(sheet, curves.nodes, in.h);
+    }
+}
+
+int pieceOf(const StepInput& in, const Node& node) {
+    switch (node.kind) {
+        case NodeKind::edge:
+        case NodeKind::vertex:
+            return in.pieceOfVertex[node.a];
+        case NodeKind::face:
+            return in.pieceOfVertex[in.mesh.triangle(node.a)[0]];
+        case NodeKind::wall:
+            break;
+    }
+    return -1;
+}
+
+// A sheet whose border lies on two pieces would join them.
+int requireOnePiece(const StepInput& in, const Sheet2d& sheet, const std::vector<Node>& nodes) {
+    int piece = -1;
+    for (const OutlineEdge& edge : allEdges(sheet)) {
+        const int here = pieceOf(in, nodes[edge.from]);
+        if (here >= 0 && piece >= 0 && here != piece) {
+            throw StepFailure{"the wall would join two pieces"};
+        }
+        piece = std::max(piece, here);
+    }
+    return piece;
+}
+
+void requireBorderOnce(const Outline& outline, const std::vector<WallSheet>& sheets) {
+    std::vector<std::pair<int, int>> directed;
+    for (const WallSheet& sheet : sheets) {
+        for (const Triangle& t : sheet.triangles) {
+            for (int e = 0; e < 3; ++e) {
+                directed.push_back({t[e], t[(e + 1) % 3]});
+            }
+        }
+    }
+    std::sort(directed.begin(), directed.end());
+    if (std::adjacent_find(directed.begin(), directed.end()) != directed.end()) {
+        throw StepFailure{"the wall uses an edge twice"};
+    }
+    for (const OutlineEdge& edge : outline.edges) {
+        if (!std::binary_search(directed.begin(), directed.end(), std::pair{edge.from, edge.to})) {
+            throw StepFailure{"the wall misses a border edge"};
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<WallSheet> triangulateWall(const StepInput& in, const Strip& strip,
+                                       const Outline& outline, CutCurves& curves) {
+    std::vector<WallSheet> result;
+    for (const Sheet2d& sheet : nestLoops(in, outline, curves.nodes)) {
+        const int piece = requireOnePiece(in, sheet, curves.nodes);
+        result.push_back({triangulateSheet(in, strip, sheet, curves), piece});
+    }
+    requireBorderOnce(outline, result);
+    return result;
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/cut/cutter.h"
+#include "sim/mesh/invariants.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf::test {
+
+/// The positions of a blade over one stroke, the first where it is put down.
+using Stroke = std::vector<Blade>;
+
+/// A blade of length `length` along `along` that travels `distance` in direction `travel`, at the
+/// middle of its way through `center`.
+Stroke straightStroke(const Vec3& center, const Vec3& along, const Vec3& travel, double length,
+                      double distance, int steps);
+
+/// For positions that stay doubles between steps.
+CutSettings exactSettings();
+
+/// What a stroke did, and the first invariant that broke ("" while all hold).
+struct CutCheck {
+    int steps = 0;
+    int cuts = 0;
+    int refused = 0;
+    int retried = 0;
+    int tries = 0;
+    std::string problem;
+};
+
+/// Runs between two steps, before the blade moves: deforms the mesh, rounds positions.
+using BetweenSteps = std::function<void(SurfaceMesh&, int step)>;
+
+/// Runs one stroke with `cutter` and checks every step: closed 2-manifold, volume and rest volume
+/// unchanged (relative 1e-9), walls mirrored, front edges there and unsplit, a step that does not
+/// cut leaves every byte, pieces never join.
+CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
+                   const BetweenSteps& between = {});
+CutCheck runStroke(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& stroke);
+
+/// Everything that a mesh holds, as text of bytes: equal exactly where the meshes are.
+std::string fingerprint(const SurfaceMesh& mesh);
+
+/// (I7) "" where every wall triangle has its mirror on the other side, compared by mate groups.
+std::string checkMirroredWalls(const SurfaceMesh& mesh);
+/// (I5) "" where every attached edge of the rung is an edge of the mesh between two walls.
+std::string checkFront(const SurfaceMesh& mesh, const std::vector<RungNode>& rung);
+/// Edges between the two walls of one stroke: the ends of slits inside the body.
+int slitEdges(const SurfaceMesh& mesh, int stroke);
+
+struct HalfSpaceVolumes {
+    double above = 0;
+    double below = 0;
+};
+/// Volumes of the mesh on both sides of a plane, from clipped triangles (independent of the
+/// cutter).
+HalfSpaceVolumes clipVolumes(const SurfaceMesh& mesh, const Vec3& point, const Vec3& normal);
+/// Mean signed distance of a piece's vertices to the plane.
+double meanSide(const SurfaceMesh& mesh, const PieceMap& map, int piece, const Vec3& point,
+                const Vec3& normal);
+
+}  // namespace kerf::test
