@@ -10,7 +10,7 @@ namespace {
 constexpr double kNearShare = 0.02;   // of the distance to the target
 constexpr double kFarShare = 80.0;    // of the distance to the target
 constexpr double kPoleMargin = 0.03;  // closest approach to the poles [rad]
-constexpr double kFrameMargin = 1.15;
+constexpr double kFrameMargin = 1.0;
 
 struct Frame {
     Vec3 forward;

@@ -14,21 +14,23 @@ Material ball(float facets) {
 
 Material banana() {
     Material material;
-    material.skin = {0.82f, 0.52f, 0.03f};
-    material.inner = {0.78f, 0.66f, 0.38f};
-    material.rind = {0.80f, 0.62f, 0.20f};
+    material.skin = {0.70f, 0.42f, 0.02f};
+    material.inner = {0.60f, 0.50f, 0.27f};
+    material.rind = {0.58f, 0.42f, 0.10f};
     material.pattern = MaterialPattern::pulp;
-    material.mottle = 0.55f;
+    material.mottle = 0.3f;
+    material.spots = 0.7f;
     return material;
 }
 
 Material octopus() {
     Material material;
-    material.skin = {0.42f, 0.07f, 0.17f};
-    material.inner = {0.78f, 0.50f, 0.46f};
-    material.rind = {0.52f, 0.13f, 0.20f};
+    material.skin = {0.40f, 0.045f, 0.12f};
+    material.inner = {0.66f, 0.40f, 0.36f};
+    material.rind = {0.42f, 0.08f, 0.13f};
     material.pattern = MaterialPattern::marbling;
-    material.mottle = 0.6f;
+    material.mottle = 0.5f;
+    material.spots = 0.6f;
     return material;
 }
 

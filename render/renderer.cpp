@@ -26,8 +26,8 @@ int shadowSize(Quality quality) {
     return quality == Quality::full ? 2048 : 1024;
 }
 
-int contactSize(Quality quality) {
-    return quality == Quality::full ? 256 : 128;
+int floorShadeSize(Quality quality) {
+    return quality == Quality::full ? 384 : 192;
 }
 
 /// The state that every picture starts from, whatever the interface left behind.
@@ -51,9 +51,8 @@ struct Renderer::State {
     explicit State(Quality quality)
         : samples(quality == Quality::full ? std::min(kSamples, gpu::queryDevice().maxSamples) : 1),
           shadow(shadowSize(quality)),
-          contact(contactSize(quality)),
-          surface(definesFor(quality)),
-          floor(definesFor(quality)) {
+          floorShade(floorShadeSize(quality)),
+          surface(definesFor(quality)) {
         // Core profile draws nothing without a vertex array, even where no attribute is read.
         glCreateVertexArrays(1, &vertexArray);
     }
@@ -72,7 +71,7 @@ struct Renderer::State {
     gpu::Framebuffer resolved;
     NormalsPass normals;
     ShadowPass shadow;
-    ContactPass contact;
+    FloorShadePass floorShade;
     SurfacePass surface;
     FloorPass floor;
     BladePass blade;
@@ -92,7 +91,7 @@ void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
     normals.run(scene.body);
     shadow.draw(scene, frame);
     if (scene.floor) {
-        contact.draw(scene, frame);
+        floorShade.draw(scene, frame);
     }
 }
 
@@ -104,12 +103,12 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     glDisable(GL_BLEND);
     glClear(GL_DEPTH_BUFFER_BIT);
     shadow.bind();
-    contact.bind();
+    floorShade.bind();
     if (frame.hasBody) {
         surface.draw(scene, frame, normals.normals());
     }
     blade.drawBlade(scene, frame);
-    floor.drawBackdrop(scene.floor.has_value());
+    floor.drawBackdrop(scene.floor.has_value(), frame);
     if (scene.floor) {
         floor.drawFloor(*scene.floor, frame, camera);
     }

@@ -17,11 +17,12 @@ namespace kerf::render {
 /// Colours and inner structure of a body, evaluated in rest space so that it stays attached.
 enum class MaterialPattern { pulp, rings, marbling };
 struct Material {
-    Eigen::Vector3f skin = {0.80f, 0.10f, 0.04f};   ///< linear albedo
-    Eigen::Vector3f inner = {0.52f, 0.58f, 0.24f};  ///< linear albedo of the cut faces
-    Eigen::Vector3f rind = {0.62f, 0.24f, 0.10f};   ///< linear albedo just below the skin
+    Eigen::Vector3f skin = {0.74f, 0.070f, 0.035f};  ///< linear albedo
+    Eigen::Vector3f inner = {0.46f, 0.50f, 0.19f};   ///< linear albedo of the cut faces
+    Eigen::Vector3f rind = {0.50f, 0.13f, 0.05f};    ///< linear albedo just below the skin
     MaterialPattern pattern = MaterialPattern::rings;
-    float mottle = 0.25f;  ///< strength of the skin's colour variation, 0 to 1
+    float mottle = 0.15f;  ///< strength of the skin's broad colour variation, 0 to 1
+    float spots = 0;       ///< strength of the spots on the skin, 0 to 1
     float facets = 0;      ///< share of flat shading on the skin, for very coarse models, 0 to 1
 };
 /// The look of a builtin model by name ("sphere768", "banana", "octopus"); a default for others.

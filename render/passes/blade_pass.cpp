@@ -13,7 +13,7 @@ using shared::vec4;
 
 struct BladeVertex {
     vec4 position;  // w: height above the cutting edge, 0 to 1
-    vec4 normal;
+    vec4 normal;    // w: 1 on the ground bevel
 };
 static_assert(sizeof(BladeVertex) == 32);
 
@@ -84,8 +84,8 @@ class KnifeBuilder {
         return end + height_ * (kSection[i][0] * side_ + kSection[i][1] * spine_);
     }
 
-    void add(const Vec3& end, int i, const Vec3& normal) {
-        vertices_.push_back({packed(at(end, i), kSection[i][1]), packed(normal, 0)});
+    void add(const Vec3& end, int i, const Vec3& normal, bool bevel) {
+        vertices_.push_back({packed(at(end, i), kSection[i][1]), packed(normal, bevel)});
     }
 
     void addFace(int i, int j) {
@@ -97,16 +97,16 @@ class KnifeBuilder {
                                           {blade_.a, j},
                                           {blade_.b, i},
                                           {blade_.b, j}}) {
-            add(end, corner, normal);
+            add(end, corner, normal, i == 0 || j == 0);
         }
     }
 
     void addEnd(const Vec3& end) {
         const Vec3 normal = (end - middle(blade_)).normalized();
         for (int i = 1; i < 4; ++i) {
-            add(end, 0, normal);
-            add(end, i, normal);
-            add(end, i + 1, normal);
+            add(end, 0, normal, false);
+            add(end, i, normal, false);
+            add(end, i + 1, normal, false);
         }
     }
 
@@ -162,7 +162,7 @@ void BladePass::drawBlade(const SceneView& scene, const Frame& frame) {
     vertices_.assign(knife);
     vertices_.bindStorage(shared::kBindSegments);
     steel_.use();
-    setLight(steel_, frame);
+    steel_.set("keyDirection", frame.keyDirection);
     steel_.set("viewProjection", frame.viewProjection);
     steel_.set("eye", frame.eye);
     glDepthFunc(GL_LESS);

@@ -8,7 +8,7 @@ namespace kerf::render {
 namespace {
 
 constexpr float kContactFalloff = 0.085f;  // of the body's size
-constexpr float kContactBlur = 0.011f;     // distance between taps, of the body's size
+constexpr float kContactBlur = 0.010f;     // distance between taps, of the body's size
 
 void drawBodyDepth(const gpu::Program& program, const gpu::Framebuffer& map,
                    const Eigen::Matrix4f& matrix, const BodyView& body) {
@@ -52,35 +52,38 @@ void ShadowPass::bind() const {
     map_.depth().bind(shared::kUnitShadow);
 }
 
-ContactPass::ContactPass(int size)
+FloorShadePass::FloorShadePass(int size)
     : depthProgram_(gpu::Program::graphics("render/shadow.vert", "render/depth_only.frag")),
-      heightProgram_(gpu::Program::graphics("render/fullscreen.vert", "render/ground_height.frag")),
-      blurProgram_(gpu::Program::graphics("render/fullscreen.vert", "render/blur.frag")),
-      heights_(0, GL_DEPTH_COMPONENT32F, size, size),
-      shade_(GL_R16F, GL_DEPTH_COMPONENT16, size, size),
-      scratch_(GL_R16F, GL_DEPTH_COMPONENT16, size, size) {}
+      shadeProgram_(gpu::Program::graphics("render/fullscreen.vert", "render/floor_shade.frag")),
+      blurProgram_(gpu::Program::graphics("render/fullscreen.vert", "render/floor_blur.frag")),
+      fromBelow_(0, GL_DEPTH_COMPONENT32F, size, size),
+      alongKey_(0, GL_DEPTH_COMPONENT32F, size, size),
+      shade_(GL_RG16F, GL_DEPTH_COMPONENT16, size, size),
+      scratch_(GL_RG16F, GL_DEPTH_COMPONENT16, size, size) {}
 
-void ContactPass::draw(const SceneView& scene, const Frame& frame) {
-    drawBodyDepth(depthProgram_, heights_, frame.groundMatrix, scene.body);
-    heights_.depth().bind(0);
-    heightProgram_.use();
-    heightProgram_.set("depthRange", frame.groundRange);
-    heightProgram_.set("falloff", kContactFalloff * frame.bodySize);
+void FloorShadePass::draw(const SceneView& scene, const Frame& frame) {
+    drawBodyDepth(depthProgram_, fromBelow_, frame.shadeMatrix, scene.body);
+    drawBodyDepth(depthProgram_, alongKey_, frame.shadeMatrixAlongKey, scene.body);
+    fromBelow_.depth().bind(0);
+    alongKey_.depth().bind(1);
+    shadeProgram_.use();
+    shadeProgram_.set("depthRange", frame.shadeRange);
+    shadeProgram_.set("falloff", kContactFalloff * frame.bodySize);
     drawFullscreen(shade_);
-    const float stride = kContactBlur * frame.bodySize / (2 * frame.groundReach);
+    const float stride = kContactBlur * frame.bodySize / (2 * frame.shadeReach);
     blur(shade_, scratch_, {stride, 0});
     blur(scratch_, shade_, {0, stride});
 }
 
-void ContactPass::blur(const gpu::Framebuffer& from, const gpu::Framebuffer& to,
-                       const Eigen::Vector2f& stride) {
+void FloorShadePass::blur(const gpu::Framebuffer& from, const gpu::Framebuffer& to,
+                          const Eigen::Vector2f& stride) {
     from.color().bind(0);
     blurProgram_.use();
     blurProgram_.set("stride", stride);
     drawFullscreen(to);
 }
 
-void ContactPass::bind() const {
+void FloorShadePass::bind() const {
     shade_.color().bind(shared::kUnitGround);
 }
 

@@ -20,11 +20,11 @@ class ShadowPass {
     gpu::Framebuffer map_;
 };
 
-/// How much of the sky the body hides from each point of the floor: the body's height above the
-/// floor, seen from below, turned into darkness and blurred.
-class ContactPass {
+/// What the body takes from each point of the floor: from the sky where it is close above, and from
+/// the key light. Heights above the floor, seen from below and along the light, then blurred.
+class FloorShadePass {
   public:
-    explicit ContactPass(int size);
+    explicit FloorShadePass(int size);
     void draw(const SceneView& scene, const Frame& frame);
     /// Binds the result for floor.frag.
     void bind() const;
@@ -34,9 +34,10 @@ class ContactPass {
               const Eigen::Vector2f& stride);
 
     gpu::Program depthProgram_;
-    gpu::Program heightProgram_;
+    gpu::Program shadeProgram_;
     gpu::Program blurProgram_;
-    gpu::Framebuffer heights_;
+    gpu::Framebuffer fromBelow_;
+    gpu::Framebuffer alongKey_;
     gpu::Framebuffer shade_;
     gpu::Framebuffer scratch_;
 };

@@ -19,13 +19,14 @@ double gridCell(double bodySize) {
     return wanted / power < 1.5 ? power : (wanted / power < 5 ? 2 * power : 10 * power);
 }
 
-FloorPass::FloorPass(const gpu::Defines& defines)
+FloorPass::FloorPass()
     : backdrop_(gpu::Program::graphics("render/fullscreen.vert", "render/background.frag")),
-      floor_(gpu::Program::graphics("render/floor.vert", "render/floor.frag", defines)) {}
+      floor_(gpu::Program::graphics("render/floor.vert", "render/floor.frag")) {}
 
-void FloorPass::drawBackdrop(bool hasFloor) const {
+void FloorPass::drawBackdrop(bool hasFloor, const Frame& frame) const {
     backdrop_.use();
-    backdrop_.set("glow", hasFloor ? 0.15f : 1.0f);
+    backdrop_.set("hasFloor", hasFloor ? 1.0f : 0.0f);
+    backdrop_.set("pictureToWorld", frame.pictureToWorld);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -36,10 +37,10 @@ void FloorPass::drawFloor(double height, const Frame& frame, const Camera& camer
     const double distance = (camera.eye - camera.target).norm();
     const float reach = float(kFadeReach * std::max(double(frame.bodySize), distance));
     floor_.use();
-    setLight(floor_, frame);
+    floor_.set("keyDirection", frame.keyDirection);
     floor_.set("viewProjection", frame.viewProjection);
     floor_.set("eye", frame.eye);
-    floor_.set("groundMatrix", frame.groundMatrix);
+    floor_.set("shadeMatrix", frame.shadeMatrix);
     floor_.set("hasBody", frame.hasBody ? 1.0f : 0.0f);
     floor_.set("floorHeight", float(height));
     floor_.set("floorCenter", Eigen::Vector2f(float(camera.target.x()), float(camera.target.z())));

@@ -8,10 +8,10 @@ namespace kerf::render {
 /// The backdrop, and the grid floor that fades into it.
 class FloorPass {
   public:
-    explicit FloorPass(const gpu::Defines& defines);
+    FloorPass();
     /// Where nothing was drawn yet.
-    void drawBackdrop(bool hasFloor) const;
-    /// Blended over the backdrop, with shadow and contact map bound.
+    void drawBackdrop(bool hasFloor, const Frame& frame) const;
+    /// Blended over the backdrop, with its shade bound.
     void drawFloor(double height, const Frame& frame, const Camera& camera) const;
 
   private:

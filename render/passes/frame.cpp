@@ -6,8 +6,8 @@ namespace kerf::render {
 namespace {
 
 const Vec3 kKeyDirection = Vec3(-0.18, 0.86, 0.48).normalized();
-constexpr double kContactRange = 0.8;   // of the body's size: height above which nothing darkens
-constexpr double kContactMargin = 0.3;  // of the body's size, around the focus
+constexpr double kShadeRange = 2.0;   // of the body's size: heights that are told apart
+constexpr double kShadeMargin = 0.2;  // of the body's size, around the darkened floor
 
 Bounds focusOf(const SceneView& scene) {
     if (!scene.focus.empty()) {
@@ -53,12 +53,24 @@ void aimKeyLight(Frame& frame, int shadowSize) {
     frame.shadowTexel = float(texel);
 }
 
-/// The floor seen from straight below, depth 0 at the floor.
-void aimContactMap(Frame& frame, double floor) {
-    const Vec3 center = frame.focus.center();
-    const Vec3 half = 0.5 * (frame.focus.high - frame.focus.low);
-    const double reach = steppedUp(std::max(half.x(), half.z()) + kContactMargin * frame.bodySize);
-    const double range = kContactRange * frame.bodySize;
+/// The floor's rectangle that the focus can darken (x and z), margin included.
+Bounds shadedFloor(const Frame& frame, double floor) {
+    const double height = std::max(frame.focus.high.y() - floor, 0.0);
+    const Vec3 shift = -kKeyDirection * (height / kKeyDirection.y());
+    Bounds shaded = frame.focus;
+    shaded.add(frame.focus.low + shift);
+    shaded.add(frame.focus.high + shift);
+    shaded.low -= Vec3::Constant(kShadeMargin * frame.bodySize);
+    shaded.high += Vec3::Constant(kShadeMargin * frame.bodySize);
+    return shaded;
+}
+
+void aimFloorShade(Frame& frame, double floor) {
+    const Bounds shaded = shadedFloor(frame, floor);
+    const Vec3 center = shaded.center();
+    const Vec3 half = 0.5 * (shaded.high - shaded.low);
+    const double reach = steppedUp(std::max(half.x(), half.z()));
+    const double range = kShadeRange * frame.bodySize;
     Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
     m(0, 0) = 1 / reach;
     m(0, 3) = -center.x() / reach;
@@ -67,9 +79,16 @@ void aimContactMap(Frame& frame, double floor) {
     m(2, 1) = 2 / range;
     m(2, 3) = -2 * floor / range - 1;
     m(3, 3) = 1;
-    frame.groundMatrix = m.cast<float>();
-    frame.groundRange = float(range);
-    frame.groundReach = float(reach);
+    Eigen::Matrix4d shear = Eigen::Matrix4d::Identity();
+    for (const int axis : {0, 2}) {
+        const double slope = kKeyDirection[axis] / kKeyDirection.y();
+        shear(axis, 1) = -slope;
+        shear(axis, 3) = slope * floor;
+    }
+    frame.shadeMatrix = m.cast<float>();
+    frame.shadeMatrixAlongKey = (m * shear).cast<float>();
+    frame.shadeRange = float(range);
+    frame.shadeReach = float(reach);
 }
 
 }  // namespace
@@ -78,7 +97,11 @@ Frame frameOf(const SceneView& scene, const Camera& camera, int width, int heigh
     Frame frame;
     frame.width = width;
     frame.height = height;
-    frame.viewProjection = camera.projection(double(width) / height) * camera.view();
+    const Eigen::Matrix4f projection = camera.projection(double(width) / height);
+    Eigen::Matrix4f turn = camera.view();
+    frame.viewProjection = projection * turn;
+    turn.topRightCorner<3, 1>().setZero();
+    frame.pictureToWorld = (projection * turn).inverse();
     frame.eye = camera.eye.cast<float>();
     frame.hasBody = scene.body.positions != nullptr && scene.body.triangleCount > 0;
     frame.focus = focusOf(scene);
@@ -86,7 +109,7 @@ Frame frameOf(const SceneView& scene, const Camera& camera, int width, int heigh
     frame.bodySize = float(std::max(sized.diagonal(), 1e-6));
     aimKeyLight(frame, shadowSize);
     if (scene.floor) {
-        aimContactMap(frame, *scene.floor);
+        aimFloorShade(frame, *scene.floor);
     }
     return frame;
 }

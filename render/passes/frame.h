@@ -10,16 +10,20 @@ struct Frame {
     int width = 0;
     int height = 0;
     Eigen::Matrix4f viewProjection = Eigen::Matrix4f::Identity();
+    Eigen::Matrix4f pictureToWorld = Eigen::Matrix4f::Identity();  ///< clip space to eye offsets
     Vec3f eye = Vec3f::Zero();
     bool hasBody = false;
-    float bodySize = 1;                                          ///< diagonal at rest [m]
-    Bounds focus;                                                ///< never empty
-    Vec3f keyDirection = Vec3f::UnitY();                         ///< towards the key light
-    Eigen::Matrix4f lightMatrix = Eigen::Matrix4f::Identity();   ///< world to the shadow map
-    float shadowTexel = 0;                                       ///< [m]
-    Eigen::Matrix4f groundMatrix = Eigen::Matrix4f::Identity();  ///< world to the contact map
-    float groundRange = 1;  ///< height that the contact map's depth range stands for [m]
-    float groundReach = 1;  ///< half side of the contact map [m]
+    float bodySize = 1;                                         ///< diagonal at rest [m]
+    Bounds focus;                                               ///< never empty
+    Vec3f keyDirection = Vec3f::UnitY();                        ///< towards the key light
+    Eigen::Matrix4f lightMatrix = Eigen::Matrix4f::Identity();  ///< world to the shadow map
+    float shadowTexel = 0;                                      ///< [m]
+    /// World to the map of the floor's shade, straight up and sheared along the key light; depth 0
+    /// at the floor, 1 at shadeRange [m] above it; shadeReach is half its side [m].
+    Eigen::Matrix4f shadeMatrix = Eigen::Matrix4f::Identity();
+    Eigen::Matrix4f shadeMatrixAlongKey = Eigen::Matrix4f::Identity();
+    float shadeRange = 1;
+    float shadeReach = 1;
 };
 
 Frame frameOf(const SceneView& scene, const Camera& camera, int width, int height, int shadowSize);

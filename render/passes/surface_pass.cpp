@@ -35,6 +35,7 @@ void SurfacePass::setMaterial(const SceneView& scene) const {
     program_.set("rindColor", material.rind);
     program_.set("pattern", static_cast<int>(material.pattern));
     program_.set("mottle", material.mottle);
+    program_.set("spots", material.spots);
     program_.set("facets", material.facets);
     program_.set("restCenter", Vec3f(bounds.center().cast<float>()));
     program_.set("restExtent", Vec3f(extent.cwiseMax(1e-6).cast<float>()));

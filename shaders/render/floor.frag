@@ -1,16 +1,17 @@
 // The floor: matt, shadowed, with an anti-aliased grid that fades into the backdrop.
 #include "light.glsl"
+#include "render_bindings.h"
 #include "tone.glsl"
 
-layout(binding = kUnitGround) uniform sampler2D groundOcclusion;
+layout(binding = kUnitGround) uniform sampler2D floorShade;
 
 in vec3 worldPosition;
 uniform vec3 eye;
-uniform float cell;        // side of a small grid cell [m]
+uniform float cell;         // side of a small grid cell [m]
 uniform vec2 floorCenter;
-uniform float fadeStart;   // [m] from floorCenter
-uniform float fadeEnd;     // [m]
-uniform mat4 groundMatrix; // world to the contact map
+uniform float fadeStart;    // [m] from floorCenter
+uniform float fadeEnd;      // [m]
+uniform mat4 shadeMatrix;   // world to the map of floorShade
 uniform float hasBody;
 out vec4 color;
 
@@ -32,36 +33,34 @@ float axisCover(float p, float pixel, float width) {
     return smoothstep(drawn + pixel, drawn - pixel, abs(p)) * min(1.0, 1.4 * width / drawn);
 }
 
-float contactShade(vec3 point) {
-    vec2 uv = (groundMatrix * vec4(point, 1)).xy * 0.5 + 0.5;
-    if (any(lessThan(uv, vec2(0))) || any(greaterThan(uv, vec2(1)))) {
-        return 1.0;
+// x: share of the sky that the body hides, y: share of the key light that it takes.
+vec2 shadeAt(vec3 point) {
+    vec2 uv = (shadeMatrix * vec4(point, 1)).xy * 0.5 + 0.5;
+    if (hasBody == 0.0 || any(lessThan(uv, vec2(0))) || any(greaterThan(uv, vec2(1)))) {
+        return vec2(0);
     }
-    return 1.0 - 0.86 * textureLod(groundOcclusion, uv, 0).r;
+    return textureLod(floorShade, uv, 0).rg;
 }
 
-vec3 floorColor() {
-    vec2 p = worldPosition.xz;
+vec3 floorColor(vec2 p) {
     vec2 pixel = fwidth(p);
-    vec3 albedo = vec3(0.052, 0.058, 0.070);
-    float small = gridCover(p / cell, pixel / cell, 0.016);
-    float large = gridCover(p / (5.0 * cell), pixel / (5.0 * cell), 0.0075);
-    albedo = mix(albedo, vec3(0.115, 0.125, 0.145), 0.55 * small);
-    albedo = mix(albedo, vec3(0.17, 0.185, 0.215), 0.75 * large);
-    albedo = mix(albedo, vec3(0.42, 0.09, 0.08), 0.85 * axisCover(p.y, pixel.y, 0.018 * cell));
-    albedo = mix(albedo, vec3(0.08, 0.16, 0.46), 0.85 * axisCover(p.x, pixel.x, 0.018 * cell));
-    return albedo;
+    vec3 albedo = vec3(0.050, 0.056, 0.067);
+    float small = gridCover(p / cell, pixel / cell, 0.014);
+    float large = gridCover(p / (5.0 * cell), pixel / (5.0 * cell), 0.0055);
+    albedo = mix(albedo, vec3(0.105, 0.115, 0.135), 0.40 * small);
+    albedo = mix(albedo, vec3(0.15, 0.165, 0.195), 0.62 * large);
+    albedo = mix(albedo, vec3(0.42, 0.09, 0.08), 0.8 * axisCover(p.y, pixel.y, 0.016 * cell));
+    return mix(albedo, vec3(0.08, 0.16, 0.46), 0.8 * axisCover(p.x, pixel.x, 0.016 * cell));
 }
 
 void main() {
-    vec3 n = vec3(0, 1, 0);
-    float lit = hasBody > 0.0 ? keyVisibility(worldPosition, n) : 1.0;
-    float open = hasBody > 0.0 ? contactShade(worldPosition) : 1.0;
-    float facing = keyDirection.y;
-    vec3 light = kKeyColor * facing * 0.36 * lit * mix(open, 1.0, 0.35) + kSkyColor * 1.05 * open;
+    vec2 shade = shadeAt(worldPosition);
+    float open = 1.0 - 0.88 * shade.x;
+    vec3 key = kKeyColor * (0.36 * keyDirection.y * (1.0 - 0.92 * shade.y) * (1.0 - 0.6 * shade.x));
+    vec3 light = key + kSkyColor * open;
     float away = distance(worldPosition.xz, floorCenter);
     float fade = 1.0 - smoothstep(fadeStart, fadeEnd, away);
     // From below, the floor is a pane of glass.
     float opacity = eye.y >= worldPosition.y ? fade : 0.25 * fade;
-    color = vec4(display(floorColor() * light), opacity);
+    color = vec4(display(floorColor(worldPosition.xz) * light), opacity);
 }

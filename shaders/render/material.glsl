@@ -5,7 +5,8 @@ uniform vec3 skinColor;
 uniform vec3 innerColor;
 uniform vec3 rindColor;
 uniform int pattern;       // 0 pulp, 1 rings, 2 marbling
-uniform float mottle;      // strength of the skin's variation
+uniform float mottle;      // strength of the skin's broad variation
+uniform float spots;       // strength of the spots on the skin
 uniform vec3 restCenter;
 uniform vec3 restExtent;   // half sides of the rest bounds [m]
 
@@ -63,18 +64,31 @@ vec3 innerAlbedo(vec3 rest) {
                               : (pattern == 1 ? ringed(rest, depth) : marbled(rest, depth));
     float soft = max(fwidth(depth), 0.012);
     float rind = 1.0 - smoothstep(kRindShare - soft, kRindShare + soft, depth);
-    float pith = exp(-pow((depth - kRindShare) / 0.035, 2.0));
-    flesh = mix(flesh, min(flesh * 1.35 + 0.06, vec3(0.9)), 0.55 * pith);
+    float pith = exp(-pow((depth - kRindShare - 0.02) / 0.03, 2.0));
+    flesh = mix(flesh, min(flesh * 1.35 + 0.06, vec3(0.9)), 0.7 * pith);
     return mix(flesh, rindColor, rind);
 }
 
-vec3 skinAlbedo(vec3 rest) {
-    if (mottle == 0.0) {
-        return skinColor;
+// Round spots of different sizes: balls around jittered points, one in each unit cell.
+float spotCover(vec3 p) {
+    ivec3 base = ivec3(floor(p - 0.5));
+    float cover = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        ivec3 cell = base + ivec3(i & 1, (i >> 1) & 1, i >> 2);
+        float pick = hash(cell);
+        vec3 jitter = vec3(fract(pick * 61.0), fract(pick * 467.0), fract(pick * 3571.0)) - 0.5;
+        float radius = 0.04 + 0.26 * pick * pick;
+        float away = distance(p, vec3(cell) + 0.5 + 0.5 * jitter);
+        cover = max(cover, 1.0 - smoothstep(radius - 0.05, radius + 0.02, away));
     }
+    return cover;
+}
+
+vec3 skinAlbedo(vec3 rest) {
     vec3 u = inUnits(rest);
-    float broad = valueNoise(u * 3.5) - 0.5;
-    float spots = smoothstep(0.66, 0.80, valueNoise(u * 17.0));
-    vec3 c = skinColor * (1.0 + mottle * 0.5 * broad);
-    return mix(c, c * vec3(0.45, 0.36, 0.32), 0.8 * mottle * spots);
+    vec3 c = skinColor * (1.0 + mottle * (valueNoise(u * 3.5) - 0.5));
+    if (spots > 0.0) {
+        c = mix(c, c * vec3(0.42, 0.34, 0.34), spots * spotCover(u * 9.0));
+    }
+    return c;
 }

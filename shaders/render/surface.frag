@@ -1,5 +1,6 @@
 // The body: skin outside, inner structure on the walls of a cut.
 #include "light.glsl"
+#include "shadow.glsl"
 #include "tone.glsl"
 #include "material.glsl"
 
@@ -22,13 +23,14 @@ struct Look {
     float gloss;
     float roughness;
     float rim;
+    float fill;       // light from the side of the viewer: cut faces read at once from anywhere
 };
 
 Look lookOf(vec3 rest) {
     if (kind == 0u) {
-        return Look(skinAlbedo(rest), 0.18, 0.055, 0.36, 1.0);
+        return Look(skinAlbedo(rest), 0.18, 0.045, 0.36, 1.0, 0.16);
     }
-    return Look(innerAlbedo(rest), 0.32, 0.03, 0.42, 0.25);
+    return Look(innerAlbedo(rest), 0.30, 0.025, 0.42, 0.2, 0.62);
 }
 
 // GGX lobe with the visibility term folded into a constant.
@@ -54,14 +56,12 @@ vec3 shade(Look look, vec3 n, vec3 v) {
     float nl = dot(n, keyDirection);
     float nv = clamp(dot(n, v), 0.0, 1.0);
     float lit = keyVisibility(worldPosition, n);
-    float wrapped = max((nl + look.wrap) / (1.0 + look.wrap), 0.0);
-    // Past the terminator the wrapped light is scattered inside and keeps the body's own colour.
     float direct = max(nl, 0.0);
-    float visible = mix(0.35 * lit, lit, smoothstep(0.0, 0.35, nl));
-    vec3 scatter = look.albedo * (wrapped - direct) * (0.4 + 0.6 * lit);
+    // What creeps past the terminator was scattered inside: no sharp shadow cuts it.
+    float scattered = max((nl + look.wrap) / (1.0 + look.wrap), 0.0) - direct;
     float open = openness(n);
-    vec3 light = look.albedo * kKeyColor * direct * visible + kKeyColor * 0.6 * scatter;
-    light += look.albedo * ambientLight(n) * open;
+    vec3 light = look.albedo * kKeyColor * (direct * lit + 0.4 * scattered);
+    light += look.albedo * (ambientLight(n) + look.fill * kFillColor * nv) * open;
     float fresnel = pow(1.0 - nv, 4.0);
     float spec = highlight(n, v, look.roughness) * direct * lit;
     light += kKeyColor * look.gloss * spec;
