@@ -30,7 +30,7 @@ std::string cleaned(std::string_view message) {
     std::string line(message.substr(0, message.find('\n')));
     std::ranges::replace_if(
         line, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-    return line.empty() ? "no reason given" : line;
+    return line.empty() ? "no reason given" : line.substr(0, line.find_last_not_of(". ") + 1);
 }
 
 ImportHeader readHeader(std::string_view answer) {
@@ -48,7 +48,8 @@ ImportHeader readHeader(std::string_view answer) {
 [[noreturn]] void throwFailure(const ImportHeader& head, std::string_view body) {
     const std::uint64_t size =
         std::min<std::uint64_t>({head.messageLength, body.size(), kMaxMessage});
-    throw InputError(cleaned(body.substr(0, size)));
+    throw InputError("it can't be read (" + cleaned(body.substr(0, size)) +
+                     "); check that it is what its extension says, or export it again");
 }
 
 void checkCounts(const ImportHeader& head) {

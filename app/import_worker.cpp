@@ -8,7 +8,6 @@
 #include <assimp/Importer.hpp>
 #include <cerrno>
 #include <memory>
-#include <new>
 #include <string>
 
 #include "app/import_process.h"
@@ -62,6 +61,17 @@ void appendMesh(const aiMesh& mesh, TriangleSoup& soup) {
     }
 }
 
+/// Says in words of ours what assimp puts into its own.
+std::string plainReason(const std::string& message) {
+    if (message.find("mNumMeshes is 0") != std::string::npos) {
+        return "there is no surface in it";
+    }
+    if (message.find("bad_alloc") != std::string::npos) {
+        return "it needs more memory than a model may";
+    }
+    return message;
+}
+
 /// Node transforms are applied, polygons triangulated, points and lines left out.
 TriangleSoup readTriangles(const std::filesystem::path& file) {
     Assimp::Importer importer;
@@ -72,7 +82,7 @@ TriangleSoup readTriangles(const std::filesystem::path& file) {
         file.string(), aiProcess_Triangulate | aiProcess_SortByPType |
                            aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure);
     if (scene == nullptr) {
-        throw InputError(importer.GetErrorString());
+        throw InputError(plainReason(importer.GetErrorString()));
     }
     TriangleSoup soup;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
@@ -102,10 +112,8 @@ bool writeAll(int descriptor, std::string_view bytes) {
 std::string answerFor(const std::filesystem::path& file) {
     try {
         return encodeImport(readTriangles(file));
-    } catch (const std::bad_alloc&) {
-        return encodeImportFailure("it needs more memory than a model may");
     } catch (const std::exception& error) {
-        return encodeImportFailure(error.what());
+        return encodeImportFailure(plainReason(error.what()));
     }
 }
 

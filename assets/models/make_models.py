@@ -124,6 +124,8 @@ def contour(shape, low, high, step):
         return (i * counts[1] + j) * counts[2] + k
 
     inside = values < 0
+    border = (np.stack([ix, iy, iz], -1) % (counts - 1) == 0).any(axis=-1).ravel()
+    assert not inside[border].any(), "the shape reaches out of the box"
     i, j, k = (a[:-1, :-1, :-1].ravel() for a in (ix, iy, iz))
     corners = np.stack([node(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2)) for c in range(8)], 1)
     crossed = inside[corners].any(axis=1) & ~inside[corners].all(axis=1)
@@ -323,8 +325,8 @@ class Remesher:
         faces = np.array(self.faces)
         points = np.array(self.points)
         for _ in range(rounds):
-            points = project(self.shape, self.relaxed(points, faces))
-        self.points = [tuple(map(float, p)) for p in points]
+            points = project(self.shape, self.relaxed(points, faces), steps=2)
+        self.points = [tuple(map(float, p)) for p in project(self.shape, points, steps=2)]
 
     @staticmethod
     def relaxed(points, faces):
@@ -343,7 +345,7 @@ class Remesher:
         normal = unit(normal)
         return points + 0.8 * (move - normal * dot(move, normal)[:, None])
 
-    def run(self, rounds):
+    def run(self, rounds=8):
         for _ in range(rounds):
             self.split_long()
             self.collapse_short()
@@ -483,7 +485,7 @@ def banana():
     shape = Banana()
     centres = shape.chain.start
     points, faces = contour(shape, centres.min(axis=0) - 0.16, centres.max(axis=0) + 0.16, 0.02)
-    return Remesher(project(shape, points), faces, shape, BANANA_EDGE).run(10)
+    return Remesher(project(shape, points), faces, shape, BANANA_EDGE).run()
 
 
 # ---------------------------------------------------------------- octopus
@@ -551,8 +553,8 @@ class Octopus:
 
 def octopus():
     shape = Octopus()
-    points, faces = contour(shape, (-0.65, -0.15, -0.65), (0.65, 0.80, 0.65), 0.019)
-    return Remesher(project(shape, points), faces, shape, OCTOPUS_EDGE).run(10)
+    points, faces = contour(shape, (-0.60, -0.06, -0.60), (0.60, 0.74, 0.60), 0.019)
+    return Remesher(project(shape, points), faces, shape, OCTOPUS_EDGE).run()
 
 
 # ---------------------------------------------------------------- output

@@ -1,8 +1,10 @@
 #include "tests/support/shapes.h"
 
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace kerf::test {
@@ -191,6 +193,34 @@ SurfaceMesh bentTube(int along, int around) {
 
 SurfaceMesh box(const Vec3& size, int n) {
     return meshOf(boxSoup(size, n));
+}
+
+TriangleSoup builtinSoup(const std::string& name) {
+    const std::string path = std::string(KERF_SOURCE_DIR) + "/assets/models/" + name + ".obj";
+    std::ifstream file(path);
+    TriangleSoup soup;
+    for (std::string word; file >> word;) {
+        if (word == "v") {
+            Vec3& p = soup.positions.emplace_back();
+            file >> p.x() >> p.y() >> p.z();
+        } else if (word == "f") {
+            auto& [a, b, c] = soup.triangles.emplace_back();
+            file >> a >> b >> c;
+            a -= 1;
+            b -= 1;
+            c -= 1;
+        } else {
+            std::getline(file, word);
+        }
+    }
+    if (soup.triangles.empty()) {
+        throw std::runtime_error("no triangles in " + path);
+    }
+    return soup;
+}
+
+SurfaceMesh builtin(const std::string& name) {
+    return meshOf(builtinSoup(name));
 }
 
 TriangleSoup joined(const TriangleSoup& first, const TriangleSoup& second, const Vec3& offset) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_soup.h"
 
@@ -27,6 +29,11 @@ SurfaceMesh cubeSphere(int n, double radius = 0.5);
 SurfaceMesh torus(int around = 32, int across = 16, double radius = 0.35, double tube = 0.15);
 SurfaceMesh bentTube(int along = 24, int around = 12);
 SurfaceMesh box(const Vec3& size = Vec3::Ones(), int n = 1);
+
+/// A builtin model as its file has it, read without assimp and without a child process: "sphere20",
+/// "sphere80", "sphere768", "banana" or "octopus".
+TriangleSoup builtinSoup(const std::string& name);
+SurfaceMesh builtin(const std::string& name);
 
 /// Both soups in one, `second` moved by `offset`.
 TriangleSoup joined(const TriangleSoup& first, const TriangleSoup& second, const Vec3& offset);
