@@ -1,5 +1,6 @@
 #include "sim/cut/subdivide.h"
 
+#include <algorithm>
 #include <map>
 
 #include "sim/cut/triangulation.h"
@@ -68,13 +69,45 @@ Eigen::Matrix2d triangleMetric(const Vec3& a, const Vec3& b, const Vec3& c) {
     return metric;
 }
 
+// The first of all copies of a material point stands for it.
+int materialPoint(const SurfaceMesh& mesh, int v) {
+    const int group = mesh.mateGroup(v);
+    return group < 0 ? v : mesh.matesOfGroup(group).front();
+}
+
+/// The corners of a triangle, ordered by material points. Where an older slit is cut again, both
+/// of its walls are then divided by the same arithmetic and stay mirrored, also where the
+/// Delaunay criterion has ties.
+struct CanonicalTriangle {
+    Triangle corners;
+    std::array<int, 3> order{0, 1, 2};  ///< their places in the mesh triangle
+    bool mirrored = false;
+};
+
+CanonicalTriangle canonicalTriangle(const SurfaceMesh& mesh, int m) {
+    const Triangle& in = mesh.triangle(m);
+    CanonicalTriangle out{in};
+    const auto sortPair = [&](int i, int j) {
+        if (materialPoint(mesh, out.corners[j]) < materialPoint(mesh, out.corners[i])) {
+            std::swap(out.corners[i], out.corners[j]);
+            std::swap(out.order[i], out.order[j]);
+            out.mirrored = !out.mirrored;
+        }
+    };
+    sortPair(0, 1);
+    sortPair(1, 2);
+    sortPair(0, 1);
+    return out;
+}
+
 class TriangleSubdivision {
   public:
     TriangleSubdivision(const SurfaceMesh& mesh, const CutCurves& curves, int m)
         : mesh_(mesh),
           curves_(curves),
           m_(m),
-          corners_(mesh.triangle(m)),
+          canonical_(canonicalTriangle(mesh, m)),
+          corners_(canonical_.corners),
           plane_({0, 0}, {1, 0}, {0, 1}),
           ids_(corners_.begin(), corners_.end()) {
         plane_.setMetric(triangleMetric(mesh.position(corners_[0]), mesh.position(corners_[1]),
@@ -84,9 +117,12 @@ class TriangleSubdivision {
         }
     }
 
-    void run(const std::vector<int>& segments) {
+    void run(std::vector<int> segments) {
         addEdgeNodes();
         addFaceNodes();
+        std::sort(segments.begin(), segments.end(), [&](int p, int q) {
+            return curves_.segments[p].stripTriangle < curves_.segments[q].stripTriangle;
+        });
         for (const int segment : segments) {
             addSegment(curves_.segments[segment]);
         }
@@ -97,7 +133,10 @@ class TriangleSubdivision {
         ++result.patterns[static_cast<int>(patternOf(count_))];
         result.replaced.push_back(m_);
         for (int t = 0; t < plane_.size(); ++t) {
-            const Triangle& c = plane_.corners(t);
+            Triangle c = plane_.corners(t);
+            if (canonical_.mirrored) {
+                std::swap(c[1], c[2]);
+            }
             result.triangles.push_back({{ids_[c[0]], ids_[c[1]], ids_[c[2]]},
                                         Sheet::surface,
                                         mesh_.kind(m_),
@@ -121,7 +160,11 @@ class TriangleSubdivision {
             if (hits == curves_.onEdge.end()) {
                 continue;
             }
-            for (const EdgeHit& hit : hits->second) {
+            std::vector<EdgeHit> along = hits->second;
+            if (curves_.nodes[along.front().node].a != corners_[e]) {
+                std::reverse(along.begin(), along.end());
+            }
+            for (const EdgeHit& hit : along) {
                 const Node& node = curves_.nodes[hit.node];
                 addPoint(hit.node, pointOnEdge(e, node.a == corners_[e] ? node.t : 1 - node.t));
                 ++count_.edgeNodes;
@@ -134,9 +177,13 @@ class TriangleSubdivision {
         if (nodes == curves_.faceNodesOfTriangle.end()) {
             return;
         }
-        for (const int node : nodes->second) {
+        std::vector<int> inOrder = nodes->second;
+        std::sort(inOrder.begin(), inOrder.end(), [&](int p, int q) {
+            return curves_.nodes[p].stripEdge < curves_.nodes[q].stripEdge;
+        });
+        for (const int node : inOrder) {
             const Vec3& weights = curves_.nodes[node].weights;
-            addPoint(node, {weights[1], weights[2]});
+            addPoint(node, {weights[canonical_.order[1]], weights[canonical_.order[2]]});
             ++count_.faceNodes;
         }
     }
@@ -160,6 +207,7 @@ class TriangleSubdivision {
     const SurfaceMesh& mesh_;
     const CutCurves& curves_;
     int m_;
+    CanonicalTriangle canonical_;
     Triangle corners_;
     Triangulation plane_;
     std::vector<int> ids_;
