@@ -81,6 +81,16 @@ TEST(BodyModel, EveryVertexOfAClosedShapeGetsAnIspc) {
     }
 }
 
+TEST(BodyModel, EveryVertexOfTheBuiltinModelsGetsAnIspc) {
+    for (const char* name : {"sphere20", "sphere80", "sphere768", "banana", "octopus"}) {
+        const SurfaceMesh mesh = test::builtin(name);
+        const BodyModel model = buildBodyModel(mesh);
+        expectConsistent(model, mesh);
+        EXPECT_EQ(model.ispcs.size(), static_cast<std::size_t>(mesh.vertexCount())) << name;
+        EXPECT_EQ(model.bends.size(), model.edges.size()) << name;
+    }
+}
+
 TEST(BodyModel, IspcsOfASphereAreItsDiameters) {
     const double radius = 0.5;
     const BodyModel exact = buildBodyModel(test::icosphere(0, radius));
