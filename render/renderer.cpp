@@ -11,6 +11,7 @@
 #include "render/passes/floor_pass.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
+#include "render/passes/smooth_pass.h"
 #include "render/passes/surface_pass.h"
 
 namespace kerf::render {
@@ -63,11 +64,10 @@ struct Renderer::State {
     void makeTargets(int width, int height);
     void drawShadows(const SceneView& scene, const Frame& frame);
     void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
-    bool multisampled() const { return samples > 1; }
 
     int samples;
     std::uint32_t vertexArray = 0;
-    gpu::Framebuffer sampled;
+    gpu::Framebuffer drawn;
     gpu::Framebuffer resolved;
     NormalsPass normals;
     ShadowPass shadow;
@@ -75,6 +75,7 @@ struct Renderer::State {
     SurfacePass surface;
     FloorPass floor;
     BladePass blade;
+    SmoothPass smoothing;
 };
 
 void Renderer::State::makeTargets(int width, int height) {
@@ -82,9 +83,7 @@ void Renderer::State::makeTargets(int width, int height) {
         return;
     }
     resolved = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height);
-    if (multisampled()) {
-        sampled = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height, samples);
-    }
+    drawn = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height, samples);
 }
 
 void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
@@ -96,7 +95,7 @@ void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
 }
 
 void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, const Frame& frame) {
-    (multisampled() ? sampled : resolved).bind();
+    drawn.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
@@ -114,8 +113,10 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     }
     blade.drawSweep(scene, frame);
     blade.drawEdges(scene, frame);
-    if (multisampled()) {
-        sampled.blitColorTo(resolved);
+    if (samples > 1) {
+        drawn.blitColorTo(resolved);
+    } else {
+        smoothing.draw(scene, frame, drawn, resolved);
     }
 }
 

@@ -18,8 +18,8 @@ namespace kerf::render {
 enum class MaterialPattern { pulp, rings, marbling };
 struct Material {
     Eigen::Vector3f skin = {0.74f, 0.070f, 0.035f};  ///< linear albedo
-    Eigen::Vector3f inner = {0.46f, 0.50f, 0.19f};   ///< linear albedo of the cut faces
-    Eigen::Vector3f rind = {0.50f, 0.13f, 0.05f};    ///< linear albedo just below the skin
+    Eigen::Vector3f inner = {0.42f, 0.46f, 0.17f};   ///< linear albedo of the cut faces
+    Eigen::Vector3f rind = {0.44f, 0.10f, 0.04f};    ///< linear albedo just below the skin
     MaterialPattern pattern = MaterialPattern::rings;
     float mottle = 0.15f;  ///< strength of the skin's broad colour variation, 0 to 1
     float spots = 0;       ///< strength of the spots on the skin, 0 to 1

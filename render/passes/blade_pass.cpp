@@ -17,7 +17,6 @@ struct BladeVertex {
 };
 static_assert(sizeof(BladeVertex) == 32);
 
-constexpr double kHeight = 0.11;      // of the body's size
 constexpr double kThickness = 0.05;   // half, of the height
 constexpr double kBevelHeight = 0.3;  // where the ground bevel ends, of the height
 const Eigen::Vector4f kSheetTint = {0.10f, 0.62f, 0.52f, 0.30f};
@@ -157,7 +156,7 @@ void BladePass::drawBlade(const SceneView& scene, const Frame& frame) {
     if (!scene.blade || (scene.blade->b - scene.blade->a).norm() < 1e-9) {
         return;
     }
-    const double height = kHeight * frame.bodySize;
+    const double height = kBladeHeight * frame.bodySize;
     const auto knife = KnifeBuilder(*scene.blade, spineDirection(scene), height).build();
     vertices_.assign(knife);
     vertices_.bindStorage(shared::kBindSegments);

@@ -5,6 +5,9 @@
 
 namespace kerf::render {
 
+/// Height of the drawn blade, of the body's size.
+inline constexpr double kBladeHeight = 0.11;
+
 /// What all passes of one picture share, worked out from the scene and the camera.
 struct Frame {
     int width = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "gpu/program.h"
 #include "render/depth_field.h"
 #include "render/passes/frame.h"
@@ -9,15 +11,18 @@ namespace kerf::render {
 /// The body itself: skin, walls, wireframe.
 class SurfacePass {
   public:
+    /// `defines` of the quality tier go into every program.
     explicit SurfacePass(const gpu::Defines& defines);
     void setRestShape(const SurfaceMesh& uncut);
     /// Into the bound target, with the shadow map bound.
     void draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) const;
 
   private:
-    void setMaterial(const SceneView& scene) const;
+    void drawKind(const gpu::Program& program, const SceneView& scene, const Frame& frame) const;
+    void setMaterial(const gpu::Program& program, const SceneView& scene) const;
 
-    gpu::Program program_;
+    std::array<gpu::Program, 2> skins_;  // without and with spots
+    std::array<gpu::Program, 3> walls_;  // by MaterialPattern
     DepthTexture depth_;
 };
 

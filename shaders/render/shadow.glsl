@@ -17,7 +17,7 @@ float shadowTap(vec2 uv, float depth, vec2 size) {
 
 #ifdef SOFT_SHADOWS
 const int kSearchTaps = 12;
-const int kFilterTaps = 28;
+const int kFilterTaps = 20;
 
 vec2 disk(int i, int count) {
     float r = sqrt((float(i) + 0.5) / float(count));

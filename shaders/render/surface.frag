@@ -1,14 +1,18 @@
-// The body: skin outside, inner structure on the walls of a cut.
+// The body: its skin, or with WALLS the walls of a cut. Two programs rather than a branch, since
+// llvmpipe walks through both sides of every branch.
 #include "light.glsl"
 #include "shadow.glsl"
 #include "tone.glsl"
-#include "material.glsl"
+#ifdef WALLS
+#include "inner.glsl"
+#else
+#include "skin.glsl"
+#endif
 
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec3 restPosition;
 in vec3 corners;
-flat in uint kind;
 
 uniform vec3 eye;
 uniform float bodySize;     // diagonal at rest [m]
@@ -26,12 +30,11 @@ struct Look {
     float fill;       // light from the side of the viewer: cut faces read at once from anywhere
 };
 
-Look lookOf(vec3 rest) {
-    if (kind == 0u) {
-        return Look(skinAlbedo(rest), 0.18, 0.045, 0.36, 1.0, 0.16);
-    }
-    return Look(innerAlbedo(rest), 0.30, 0.025, 0.42, 0.2, 0.62);
-}
+#ifdef WALLS
+Look lookOf(vec3 rest) { return Look(innerAlbedo(rest), 0.30, 0.025, 0.42, 0.2, 0.62); }
+#else
+Look lookOf(vec3 rest) { return Look(skinAlbedo(rest), 0.18, 0.045, 0.36, 1.0, 0.16); }
+#endif
 
 // GGX lobe with the visibility term folded into a constant.
 float highlight(vec3 n, vec3 v, float roughness) {
@@ -61,7 +64,8 @@ vec3 shade(Look look, vec3 n, vec3 v) {
     float scattered = max((nl + look.wrap) / (1.0 + look.wrap), 0.0) - direct;
     float open = openness(n);
     vec3 light = look.albedo * kKeyColor * (direct * lit + 0.4 * scattered);
-    light += look.albedo * (ambientLight(n) + look.fill * kFillColor * nv) * open;
+    float fill = look.fill * nv * (1.0 - 0.7 * direct * lit);
+    light += look.albedo * (ambientLight(n) + fill * kFillColor) * open;
     float fresnel = pow(1.0 - nv, 4.0);
     float spec = highlight(n, v, look.roughness) * direct * lit;
     light += kKeyColor * look.gloss * spec;

@@ -2,6 +2,12 @@
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
 layout(std430, binding = kBindNormals) readonly buffer Normals { vec4 normals[]; };
 
+#ifdef WALLS
+const uint kKind = 1u;
+#else
+const uint kKind = 0u;
+#endif
+
 uniform mat4 viewProjection;
 uniform float facets;
 
@@ -9,7 +15,6 @@ out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 restPosition;
 out vec3 corners;
-flat out uint kind;
 
 vec3 faceNormal(uvec4 triangle) {
     vec3 a = positions[triangle.x].xyz;
@@ -22,13 +27,14 @@ void main() {
     uvec4 triangle = triangles[gl_VertexID / 3];
     int corner = gl_VertexID % 3;
     uint vertex = triangle[corner];
-    kind = triangle.w & 1u;
     worldPosition = positions[vertex].xyz;
     restPosition = restPositions[vertex].xyz;
-    worldNormal = normals[2u * vertex + kind].xyz;
-    if (facets > 0.0 && kind == 0u) {
-        worldNormal = mix(worldNormal, faceNormal(triangle), facets);
-    }
+    worldNormal = normals[2u * vertex + kKind].xyz;
+#ifndef WALLS
+    worldNormal = mix(worldNormal, faceNormal(triangle), facets);
+#endif
     corners = vec3(corner == 0, corner == 1, corner == 2);
-    gl_Position = viewProjection * vec4(worldPosition, 1);
+    // Triangles of the other kind fall outside the picture.
+    bool drawn = (triangle.w & 1u) == kKind;
+    gl_Position = drawn ? viewProjection * vec4(worldPosition, 1) : vec4(2, 2, 2, 1);
 }
