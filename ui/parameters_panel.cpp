@@ -37,6 +37,19 @@ ImGuiSliderFlags sliderFlags(const ParamInfo& info) {
     return ImGuiSliderFlags_AlwaysClamp | scale;
 }
 
+/// "m/s^2" as people write it: with a raised digit.
+std::string unitText(const ParamInfo& info) {
+    std::string text;
+    for (std::size_t i = 0; i < info.unit.size(); ++i) {
+        if (info.unit.substr(i, 2) == "^2" || info.unit.substr(i, 2) == "^3") {
+            text += info.unit[++i] == '2' ? "\u00b2" : "\u00b3";
+        } else {
+            text += info.unit[i];
+        }
+    }
+    return text;
+}
+
 std::string tooltipOf(const ParamInfo& info) {
     std::string text(info.meaning);
     text += "\nIn a session: " + std::string(info.name);
@@ -109,7 +122,7 @@ bool slideValue(const ParamInfo& info, ParamValue& value) {
 
 void drawLabelLine(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
     const std::string label = info.type == ParamType::vector && !info.unit.empty()
-                                  ? std::string(info.label) + ", " + std::string(info.unit)
+                                  ? std::string(info.label) + ", " + unitText(info)
                                   : std::string(info.label);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label.c_str());
@@ -157,11 +170,7 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
 }  // namespace
 
 std::string sliderFormat(const ParamInfo& info) {
-    std::string unit;
-    for (const char c : info.unit) {
-        unit += c == '%' ? "%%" : std::string(1, c);
-    }
-    const std::string tail = unit.empty() ? "" : " " + unit;
+    const std::string tail = info.unit.empty() ? "" : " " + unitText(info);
     if (info.type == ParamType::integer) {
         return "%d" + tail;
     }

@@ -13,7 +13,7 @@ void drawHeaderRow() {
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 1.6F);
     ImGui::TableSetupColumn("triangles");
-    ImGui::TableSetupColumn("volume");
+    ImGui::TableSetupColumn("litres");
     ImGui::TableSetupColumn("% of rest");
     ImGui::TableHeadersRow();
 }
@@ -25,8 +25,7 @@ void drawPieceRow(int index, const PieceRow& piece) {
     ImGui::TableNextColumn();
     ImGui::Text("%d", piece.triangles);
     ImGui::TableNextColumn();
-    // Litres: bodies here are between a fruit and a barrel.
-    ImGui::Text("%.4g L", 1000 * piece.volume);
+    ImGui::Text("%.4g", 1000 * piece.volume);
     ImGui::TableNextColumn();
     ImGui::Text("%.1f", 100 * piece.share);
 }

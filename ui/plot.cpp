@@ -73,7 +73,7 @@ void drawTicksY(ImDrawList& draw, const Frame& frame) {
 
 void drawTicksX(ImDrawList& draw, const Frame& frame, std::string_view unit) {
     const float line = ImGui::GetFontSize();
-    const int most = std::max(2, static_cast<int>((frame.high.x - frame.low.x) / (4 * line)));
+    const int most = std::max(2, static_cast<int>((frame.high.x - frame.low.x) / (2.4F * line)));
     const PlotTicks ticks = niceTicks(frame.x, most);
     for (const double value : ticks.values) {
         const float x = std::round(frame.atX(value));

@@ -30,7 +30,7 @@ PlotTicks niceTicks(const PlotRange& range, int maxCount) {
     const double first = std::ceil((range.low - slack) / step);
     const double last = std::floor((range.high + slack) / step);
     for (double k = first; k <= last; ++k) {
-        ticks.values.push_back(k * step);
+        ticks.values.push_back(k * step + 0.0);  // never "-0"
     }
     ticks.decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
     return ticks;

@@ -35,9 +35,11 @@ float drawBanner(const char* name, std::string_view text, float x, float y, floa
                      ImGuiWindowFlags_NoNav);
     if (style.accent != 0) {
         const ImVec2 low = ImGui::GetWindowPos();
-        ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + padding * 0.3F, low.y + box.y},
-                                                  style.accent, ImGui::GetStyle().WindowRounding,
-                                                  ImDrawFlags_RoundCornersLeft);
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        draw.PushClipRect(low, {low.x + box.x, low.y + box.y});
+        draw.AddRectFilled(low, {low.x + padding * 0.3F, low.y + box.y}, style.accent,
+                           ImGui::GetStyle().WindowRounding, ImDrawFlags_RoundCornersLeft);
+        draw.PopClipRect();
     }
     ImGui::PushTextWrapPos(box.x - padding + 1);
     ImGui::TextUnformatted(begin, end);

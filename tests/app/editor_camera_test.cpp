@@ -1,0 +1,75 @@
+#include "app/editor_camera.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf::app {
+namespace {
+
+using ui::Button;
+
+render::Camera camera() {
+    return {.eye = {0, 0, 5}};
+}
+
+TEST(CameraControl, TheLeftButtonBelongsToTheBlade) {
+    EXPECT_FALSE(CameraControl{}.press({Button::left, true, {}}));
+    EXPECT_FALSE(CameraControl{}.press({Button::left, true, {.shift = true}}));
+}
+
+TEST(CameraControl, RightOrAltLeftOrbits) {
+    for (const ui::ButtonChange press : {ui::ButtonChange{Button::right, true, {}},
+                                         ui::ButtonChange{Button::left, true, {.alt = true}}}) {
+        CameraControl control;
+        render::Camera moved = camera();
+        ASSERT_TRUE(control.press(press));
+        EXPECT_TRUE(control.move(moved, 100, 0, 720));
+        EXPECT_EQ(moved.target, camera().target);
+        EXPECT_LT(moved.eye.x(), -0.1) << "the scene follows the pointer to the right";
+        EXPECT_NEAR((moved.eye - moved.target).norm(), 5, 1e-9);
+    }
+}
+
+TEST(CameraControl, MiddleOrShiftRightPans) {
+    for (const ui::ButtonChange press : {ui::ButtonChange{Button::middle, true, {}},
+                                         ui::ButtonChange{Button::right, true, {.shift = true}}}) {
+        CameraControl control;
+        render::Camera moved = camera();
+        ASSERT_TRUE(control.press(press));
+        EXPECT_TRUE(control.move(moved, 72, 0, 720));
+        EXPECT_LT(moved.target.x(), -0.01);
+        EXPECT_EQ(moved.eye - moved.target, camera().eye - camera().target);
+    }
+}
+
+TEST(CameraControl, ReleaseEndsTheDrag) {
+    CameraControl control;
+    render::Camera moved = camera();
+    control.press({Button::right, true, {}});
+    control.release(Button::left);
+    EXPECT_TRUE(control.dragging());
+    control.release(Button::right);
+    EXPECT_FALSE(control.move(moved, 100, 100, 720));
+    EXPECT_EQ(moved.eye, camera().eye);
+}
+
+TEST(CameraControl, TheWheelZoomsIn) {
+    render::Camera moved = camera();
+    CameraControl::zoom(moved, 1, {0, 0}, 1.5);
+    EXPECT_LT((moved.eye - moved.target).norm(), 5);
+    CameraControl::zoom(moved, -1, {0, 0}, 1.5);
+    EXPECT_NEAR((moved.eye - moved.target).norm(), 5, 1e-9);
+}
+
+TEST(LookAlong, KeepsTargetAndDistance) {
+    for (const auto& [view, direction] :
+         {std::pair{AxisView::front, Vec3(0, 0, 1)}, std::pair{AxisView::right, Vec3(1, 0, 0)},
+          std::pair{AxisView::top, Vec3(0, 1, 0)}}) {
+        render::Camera moved{.eye = {3, 4, 0}, .target = {0, 0, 0}};
+        lookAlong(moved, view);
+        EXPECT_NEAR((moved.eye - 5 * direction).norm(), 0, 1e-9);
+        EXPECT_TRUE(moved.view().allFinite());
+    }
+}
+
+}  // namespace
+}  // namespace kerf::app

@@ -1,0 +1,143 @@
+#include "app/editor_stroke.h"
+
+#include <gmock/gmock.h>
+
+namespace kerf::app {
+namespace {
+
+constexpr double kAspect = 16.0 / 9;
+
+Bounds unitBounds() {
+    Bounds bounds;
+    bounds.add(Vec3(-1, -1, -1));
+    bounds.add(Vec3(1, 1, 1));
+    return bounds;
+}
+
+StrokeSpace space() {
+    return {render::Camera{}, kAspect, unitBounds()};
+}
+
+std::vector<Blade> drainPoses(BladeStroke& stroke) {
+    std::vector<Blade> poses;
+    while (const std::optional<Command> command = stroke.next()) {
+        if (const auto* move = std::get_if<MoveBlade>(&*command)) {
+            poses.push_back(move->blade);
+        }
+    }
+    return poses;
+}
+
+TEST(StrokeSpace, TheBladeLiesOnTheRayThroughThePointer) {
+    const render::Camera camera;
+    const Vec2 ndc(0.3, -0.2);
+    const Blade blade = space().bladeAt(ndc);
+    const Vec3 ray = camera.rayDirection(ndc, kAspect);
+    EXPECT_NEAR(((blade.a - camera.eye).cross(ray)).norm(), 0, 1e-12);
+    EXPECT_NEAR(((blade.b - camera.eye).cross(ray)).norm(), 0, 1e-12);
+    EXPECT_LT((blade.a - camera.eye).dot(ray), (blade.b - camera.eye).dot(ray));
+}
+
+TEST(StrokeSpace, TheBladeGoesThroughAllOfTheBody) {
+    const render::Camera camera;
+    const Vec3 forward = (camera.target - camera.eye).normalized();
+    const Blade blade = space().bladeAt({0, 0});
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        EXPECT_LT(blade.a.dot(forward), p.dot(forward));
+        EXPECT_GT(blade.b.dot(forward), p.dot(forward));
+    }
+}
+
+TEST(StrokeSpace, FromInsideTheBodyTheBladeStaysBeforeTheEye) {
+    render::Camera camera;
+    camera.eye = Vec3(0.1, 0, 0.2);
+    const Vec3 forward = (camera.target - camera.eye).normalized();
+    const Blade blade = StrokeSpace(camera, kAspect, unitBounds()).bladeAt({0.5, 0.5});
+    EXPECT_GT((blade.a - camera.eye).dot(forward), 0);
+    EXPECT_GT((blade.b - blade.a).dot(forward), 0);
+}
+
+TEST(StrokeSpace, AStraightStrokeSweepsAPlane) {
+    const Blade first = space().bladeAt({0.1, 0.9});
+    const Blade last = space().bladeAt({-0.2, -0.9});
+    const Vec3 normal = (first.b - first.a).cross(last.a - first.a).normalized();
+    const Blade middle = space().bladeAt({-0.05, 0});
+    EXPECT_NEAR((middle.a - first.a).dot(normal), 0, 1e-12);
+    EXPECT_NEAR((middle.b - first.a).dot(normal), 0, 1e-12);
+}
+
+TEST(BladeStroke, AClickDoesNothing) {
+    BladeStroke stroke;
+    stroke.begin(space(), {0, 0});
+    stroke.end();
+    EXPECT_EQ(stroke.pending(), 0U);
+    EXPECT_EQ(stroke.next(), std::nullopt);
+}
+
+TEST(BladeStroke, LongMovesAreDividedAndNoneIsLost) {
+    const StrokeSpace where = space();
+    BladeStroke stroke;
+    stroke.begin(where, {0, 0.9});
+    stroke.moveTo({0, -0.9});
+    stroke.end();
+    const std::vector<Blade> poses = drainPoses(stroke);
+    ASSERT_GT(poses.size(), 20U);
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+        EXPECT_LE(where.distance(poses[i - 1], poses[i]), where.maxStep() * (1 + 1e-9));
+    }
+    EXPECT_NEAR(where.distance(poses.front(), where.bladeAt({0, 0.9})), 0, 1e-12);
+    EXPECT_NEAR(where.distance(poses.back(), where.bladeAt({0, -0.9})), 0, 1e-12);
+}
+
+TEST(BladeStroke, SmallMovesAreGatheredAndTheLastPointIsReached) {
+    const StrokeSpace where = space();
+    BladeStroke stroke;
+    stroke.begin(where, {0, 0.5});
+    for (int i = 1; i <= 1000; ++i) {
+        stroke.moveTo({0, 0.5 - i * 1e-3});
+    }
+    stroke.end();
+    const std::vector<Blade> poses = drainPoses(stroke);
+    EXPECT_LT(poses.size(), 500U);
+    EXPECT_NEAR(where.distance(poses.back(), where.bladeAt({0, -0.5})), 0, 1e-9);
+}
+
+TEST(BladeStroke, TheLiftComesAfterTheLastPose) {
+    BladeStroke stroke;
+    stroke.begin(space(), {0, 0.5});
+    stroke.moveTo({0, -0.5});
+    stroke.end();
+    std::optional<Command> last;
+    while (std::optional<Command> command = stroke.next()) {
+        last = command;
+    }
+    ASSERT_TRUE(last.has_value());
+    EXPECT_TRUE(std::holds_alternative<LiftBlade>(*last));
+    EXPECT_TRUE(stroke.sweep().empty());
+}
+
+TEST(BladeStroke, CancelForgetsWhatIsToComeAndLifts) {
+    BladeStroke stroke;
+    stroke.begin(space(), {0, 0.5});
+    stroke.moveTo({0, -0.5});
+    for (int i = 0; i < 3; ++i) {
+        stroke.next();
+    }
+    EXPECT_EQ(stroke.sweep().size(), 3U);
+    stroke.cancel();
+    EXPECT_FALSE(stroke.drawing());
+    ASSERT_EQ(stroke.pending(), 1U);
+    EXPECT_TRUE(std::holds_alternative<LiftBlade>(*stroke.next()));
+}
+
+TEST(BladeStroke, CancelBeforeTheFirstStepLeavesNothing) {
+    BladeStroke stroke;
+    stroke.begin(space(), {0, 0.5});
+    stroke.moveTo({0, -0.5});
+    stroke.cancel();
+    EXPECT_EQ(stroke.next(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace kerf::app

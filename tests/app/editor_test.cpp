@@ -1,0 +1,302 @@
+// The whole editor without a window: events in, pictures out.
+#include "app/editor.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+#include "tests/support/temporary_folder.h"
+#include "ui/layout.h"
+
+namespace kerf::app {
+namespace {
+
+using ui::Button;
+using ui::Key;
+
+constexpr int kWidth = 960;
+constexpr int kHeight = 540;
+constexpr double kFrameSeconds = 1.0 / 60;
+
+/// A sphere in the middle of the view, weightless and paused.
+Document sphereDocument() {
+    Document document{.name = "ball",
+                      .session = {},
+                      .mesh = test::cubeSphere(8, 0.5),
+                      .restBounds = {},
+                      .camera = {},
+                      .note = {}};
+    document.session.model.builtin = "sphere768";
+    document.session.params.gravity = Vec3::Zero();
+    document.session.params.floor = -0.6;
+    document.session.params.iterations = 4;
+    document.restBounds = meshBounds(document.mesh);
+    document.camera.eye = Vec3(0, 0.4, 3);
+    document.camera.target = Vec3::Zero();
+    return document;
+}
+
+class EditorTest : public test::GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        EditorOptions options;
+        options.width = kWidth;
+        options.height = kHeight;
+        options.quality = render::Quality::light;
+        options.byTheClock = false;
+        options.screenshotFolder = folder.path();
+        editor = std::make_unique<Editor>(options, sphereDocument());
+        frames(2);
+    }
+    void TearDown() override {
+        editor.reset();
+        GlTest::TearDown();
+    }
+
+    void frames(int count) {
+        for (int i = 0; i < count; ++i) {
+            editor->frame(kFrameSeconds);
+        }
+    }
+    /// Frames until nothing moves any more.
+    void settle() {
+        for (int i = 0; i < 400 && editor->idleSeconds() == 0; ++i) {
+            editor->frame(kFrameSeconds);
+        }
+    }
+    void moveTo(double x, double y) { editor->post(ui::PointerMove{x, y, {}}); }
+    void press(bool down, Button button = Button::left) {
+        editor->post(ui::ButtonChange{button, down, {}});
+    }
+    void tap(Key key) {
+        editor->post(ui::KeyChange{key, true, {}});
+        editor->post(ui::KeyChange{key, false, {}});
+        frames(1);
+    }
+    /// All events at once, as a hand faster than the frames would send them.
+    void drag(const Vec2& from, const Vec2& to, int points, Button button = Button::left) {
+        moveTo(from.x(), from.y());
+        press(true, button);
+        for (int i = 1; i <= points; ++i) {
+            const Vec2 p = from + (to - from) * i / points;
+            moveTo(p.x(), p.y());
+        }
+        press(false, button);
+    }
+    const ui::PanelModel& panels() const { return editor->panels(); }
+
+    test::TemporaryFolder folder;
+    std::unique_ptr<Editor> editor;
+};
+
+const Vec2 kTop(kWidth / 2.0, 20);
+const Vec2 kBottom(kWidth / 2.0, kHeight - 40.0);
+
+TEST_F(EditorTest, OpensPausedAndSaysWhatToDoFirst) {
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    EXPECT_FALSE(panels().playing);
+    EXPECT_EQ(panels().step, 0);
+    EXPECT_THAT(panels().hint, ::testing::HasSubstr("Drag"));
+}
+
+TEST_F(EditorTest, AStrokeFromTopToBottomCutsTheSphereInTwo) {
+    drag(kTop, kBottom, 30);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+    ASSERT_EQ(panels().pieces.size(), 2U);
+    EXPECT_NEAR(panels().pieces[0].share, 1, 0.02);
+    EXPECT_FALSE(panels().playing) << "a paused stroke leaves time paused";
+    EXPECT_GT(panels().step, 0) << "but its poses ran steps";
+    ASSERT_EQ(panels().history->marks.size(), 1U);
+}
+
+TEST_F(EditorTest, TwoMoveEventsAreEnoughForAStroke) {
+    drag(kTop, kBottom, 1);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+}
+
+TEST_F(EditorTest, AStrokeBesideTheBodyChangesNothing) {
+    drag(Vec2(kWidth * 0.36, 20), Vec2(kWidth * 0.36, kHeight - 60), 10);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    EXPECT_EQ(panels().triangles, 768);
+}
+
+TEST_F(EditorTest, EscapeStopsTheStroke) {
+    moveTo(kTop.x(), kTop.y());
+    press(true);
+    moveTo(kBottom.x(), kBottom.y());
+    frames(2);
+    tap(Key::escape);
+    press(false);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    EXPECT_FALSE(panels().stroking);
+}
+
+TEST_F(EditorTest, ASliderDragChangesItsParameterAndTheResetKeyBringsItBack) {
+    const ui::Rect panel = ui::layoutPanels(kWidth, kHeight, 1).controls;
+    const double before = panels().params.timeStep;
+    for (double y = 60; y < 200 && panels().params.timeStep == before; y += 8) {
+        drag(Vec2(panel.x + 0.3 * panel.width, y), Vec2(panel.x + 0.9 * panel.width, y), 5);
+        settle();
+    }
+    EXPECT_GT(panels().params.timeStep, before);
+    EXPECT_EQ(panels().triangles, 768) << "the drag over the panel is no stroke";
+    tap(Key::r);
+    frames(1);
+    EXPECT_EQ(panels().params.timeStep, before);
+}
+
+TEST_F(EditorTest, SpacePlaysAndPausesAndTheDotSteps) {
+    tap(Key::space);
+    frames(5);
+    EXPECT_TRUE(panels().playing);
+    EXPECT_GT(panels().step, 3);
+    tap(Key::space);
+    frames(2);
+    const int paused = panels().step;
+    frames(3);
+    EXPECT_EQ(panels().step, paused);
+    tap(Key::period);
+    frames(1);
+    EXPECT_EQ(panels().step, paused + 1);
+    EXPECT_FALSE(panels().history->volumePercent.empty());
+}
+
+TEST_F(EditorTest, ResetJoinsThePiecesAgain) {
+    drag(kTop, kBottom, 10);
+    settle();
+    tap(Key::r);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    EXPECT_EQ(panels().step, 0);
+    EXPECT_EQ(panels().triangles, 768);
+    EXPECT_TRUE(panels().history->volumePercent.empty());
+}
+
+TEST_F(EditorTest, TheRightButtonTurnsTheViewAndCutsNothing) {
+    const render::Image before = editor->readPicture();
+    drag(kTop, kTop + Vec2(200, 50), 5, Button::right);
+    settle();
+    EXPECT_GT(render::compareImages(before, editor->readPicture()).differingPixels, 1000);
+    EXPECT_EQ(panels().step, 0);
+    tap(Key::home);
+    moveTo(0, 0);
+    settle();
+}
+
+TEST_F(EditorTest, PausedAndUntouchedItRests) {
+    settle();
+    EXPECT_GT(editor->idleSeconds(), 1);
+    moveTo(kWidth / 2.0, kHeight / 2.0);
+    EXPECT_EQ(editor->idleSeconds(), 0);
+}
+
+TEST_F(EditorTest, F12SavesThePictureAndSaysWhere) {
+    moveTo(kWidth / 2.0, 5);
+    settle();
+    const render::Image shown = editor->readPicture();
+    tap(Key::f12);
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+        files.push_back(entry.path());
+    }
+    ASSERT_EQ(files.size(), 1U);
+    EXPECT_THAT(files[0].filename().string(),
+                ::testing::MatchesRegex("kerf-[0-9]{8}-[0-9]{6}\\.png"));
+    EXPECT_EQ(render::compareImages(shown, render::readPng(files[0])).differingPixels, 0);
+    frames(1);
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr(files[0].filename().string()));
+}
+
+TEST_F(EditorTest, WhatCannotBeOpenedLeavesTheSceneAsItWas) {
+    drag(kTop, kBottom, 10);
+    settle();
+    test::writeText(folder / "broken.kerf.json", "{\"format\": \"kerf-session\"");
+    editor->post(ui::FileDrop{{folder / "broken.kerf.json"}});
+    frames(2);
+    EXPECT_TRUE(panels().toastIsError);
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("broken.kerf.json"));
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+    editor->post(ui::FileDrop{{folder / "missing.obj"}});
+    frames(2);
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("missing.obj"));
+}
+
+TEST_F(EditorTest, ADroppedSessionIsPlayed) {
+    test::writeText(folder / "slice.kerf.json", R"({
+        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
+        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
+                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
+                   {"step": 41, "type": "lift"}]})");
+    editor->post(ui::FileDrop{{folder / "slice.kerf.json"}});
+    frames(2);
+    EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
+    tap(Key::space);
+    frames(3);
+    EXPECT_THAT(panels().playback, ::testing::HasSubstr("of 60"));
+    frames(45);
+    EXPECT_EQ(editor->title(), "Kerf - slice - 2 pieces");
+}
+
+TEST_F(EditorTest, ChangingAParameterEndsThePlayingOfASession) {
+    test::writeText(folder / "slice.kerf.json", R"({
+        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
+        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
+                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]}]})");
+    editor->open(folder / "slice.kerf.json");
+    tap(Key::space);
+    frames(5);
+    tap(Key::v);
+    frames(45);
+    EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
+    EXPECT_EQ(panels().playback, "");
+}
+
+TEST_F(EditorTest, TheSameEventsGiveTheSamePicture) {
+    const auto run = [&] {
+        tap(Key::r);
+        drag(kTop, kBottom, 12);
+        settle();
+        moveTo(kWidth / 2.0, 5);
+        settle();
+        return editor->readPicture().pixels;
+    };
+    const std::vector<std::uint8_t> first = run();
+    EXPECT_EQ(first, run());
+}
+
+TEST_F(EditorTest, AnEmptyEditorInvitesAFile) {
+    EditorOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    Editor empty(options, std::nullopt);
+    empty.frame(kFrameSeconds);
+    empty.post(ui::KeyChange{Key::space, true, {}});
+    empty.post(ui::PointerMove{480, 270, {}});
+    empty.post(ui::ButtonChange{Button::left, true, {}});
+    empty.frame(kFrameSeconds);
+    EXPECT_EQ(empty.title(), "Kerf");
+    EXPECT_THAT(empty.panels().hint, ::testing::HasSubstr("Drop a model"));
+}
+
+TEST(FitPlacement, BringsAnySizeToTheFloorOfTheView) {
+    Bounds bounds;
+    bounds.add(Vec3(100, -50, 30));
+    bounds.add(Vec3(160, 30, 30));
+    const Placement placement = fitPlacement(bounds, 1.5);
+    const Vec3 low = placement.apply(bounds.low);
+    const Vec3 high = placement.apply(bounds.high);
+    EXPECT_NEAR((high - low).norm(), 1.5, 1e-12);
+    EXPECT_NEAR(low.y(), 0.03, 1e-12);
+    EXPECT_NEAR((low + high).x(), 0, 1e-12);
+    EXPECT_NEAR((low + high).z(), 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace kerf::app

@@ -1,0 +1,42 @@
+#include "ui/layout.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf::ui {
+namespace {
+
+bool overlap(const Rect& a, const Rect& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+           b.y < a.y + a.height;
+}
+
+class LayoutTest : public ::testing::TestWithParam<std::array<float, 3>> {
+  protected:
+    float width() const { return GetParam()[0]; }
+    float height() const { return GetParam()[1]; }
+    Layout layout() const { return layoutPanels(width(), height(), GetParam()[2]); }
+};
+
+TEST_P(LayoutTest, PanelsDoNotOverlap) {
+    const Layout l = layout();
+    EXPECT_FALSE(overlap(l.controls, l.plots));
+    EXPECT_FALSE(overlap(l.controls, l.status));
+    EXPECT_FALSE(overlap(l.plots, l.status));
+    EXPECT_FALSE(overlap(l.view, l.controls));
+    EXPECT_FALSE(overlap(l.view, l.plots));
+}
+
+TEST_P(LayoutTest, TheFreeViewHasTheMiddleOfThePicture) {
+    const Layout l = layout();
+    EXPECT_NEAR(l.view.x + l.view.width / 2, width() / 2, 1e-3);
+    EXPECT_GE(l.view.width, width() / 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest,
+                         ::testing::Values(std::array{1280.0F, 720.0F, 1.0F},
+                                           std::array{2560.0F, 1440.0F, 2.0F},
+                                           std::array{640.0F, 360.0F, 1.0F},
+                                           std::array{800.0F, 600.0F, 2.0F}));
+
+}  // namespace
+}  // namespace kerf::ui

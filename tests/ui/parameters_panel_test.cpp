@@ -1,0 +1,37 @@
+#include "ui/parameters_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace kerf::ui {
+namespace {
+
+std::string shown(std::string_view name, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, sliderFormat(*findParam(name)).c_str(), value);
+    return text;
+}
+
+TEST(SliderFormat, ShowsTheUnitAndDecimalsThatSuitTheRange) {
+    EXPECT_EQ(shown("time_step", 0.005), "0.0050 s");
+    EXPECT_EQ(shown("ispc_stiffness", 0.5), "0.50");
+    EXPECT_EQ(shown("gravity", -9.81), "-9.81 m/s\u00b2");
+    EXPECT_EQ(shown("youngs_modulus", 1e5), "100000 Pa");
+    EXPECT_EQ(sliderFormat(*findParam("iterations")), "%d");
+}
+
+TEST(SliderFormat, LosesNothingOfTheSmallestValue) {
+    for (const ParamInfo& info : paramTable()) {
+        if (info.type != ParamType::real || info.low <= 0) {
+            continue;
+        }
+        // What a slider writes back is what it shows: the lower end has to survive that.
+        EXPECT_NEAR(std::atof(shown(info.name, info.low).c_str()), info.low, 0.5 * info.low)
+            << info.name;
+        EXPECT_GT(std::atof(shown(info.name, info.low).c_str()), 0) << info.name;
+    }
+}
+
+}  // namespace
+}  // namespace kerf::ui
