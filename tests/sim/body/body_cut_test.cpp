@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <numeric>
+#include <vector>
+
+#include "sim/body/body_model.h"
+#include "sim/body/ispc_builder.h"
+#include "sim/body/ray_tree.h"
+#include "sim/body/shape_error.h"
+#include "sim/solve/reference_solver.h"
+#include "sim/solve/solver_uniforms.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+RayTree wallTree(const SurfaceMesh& mesh) {
+    std::vector<int> walls;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t) && mesh.kind(t) == SurfaceKind::wall) {
+            walls.push_back(t);
+        }
+    }
+    return RayTree(mesh, walls);
+}
+
+/// ISPCs that a wall separates; their own ends, which may lie on walls, do not count.
+int separatedIspcs(const SurfaceMesh& mesh, const BodyModel& model) {
+    const RayTree walls = wallTree(mesh);
+    int separated = 0;
+    for (const auto& ispc : model.ispcs) {
+        const Vec3 start = mesh.restPosition(static_cast<int>(ispc.vertex));
+        const Vec3 inner = 1e-3 * (restEnd(mesh, ispc) - start);
+        separated += walls.crosses(start + inner, restEnd(mesh, ispc) - inner);
+    }
+    return separated;
+}
+
+int sharedIspcs(const BodyModel& a, const BodyModel& b) {
+    int shared = 0;
+    std::size_t j = 0;
+    for (const auto& ispc : a.ispcs) {
+        while (j < b.ispcs.size() && b.ispcs[j].vertex < ispc.vertex) {
+            ++j;
+        }
+        shared += j < b.ispcs.size() && std::memcmp(&ispc, &b.ispcs[j], sizeof ispc) == 0;
+    }
+    return shared;
+}
+
+/// A body that is cut step by step, with its model carried along.
+struct CutBody {
+    SurfaceMesh mesh;
+    BodyModel model;
+    int changes = 0;
+
+    explicit CutBody(SurfaceMesh whole) : mesh(std::move(whole)), model(buildBodyModel(mesh)) {}
+
+    template <class Check>
+    void run(const test::Stroke& stroke, Check&& check) {
+        Cutter cutter(mesh, test::exactSettings());
+        cutter.begin(stroke.front());
+        for (std::size_t i = 1; i < stroke.size(); ++i) {
+            apply(cutter.advance(stroke[i]), check);
+        }
+        apply(cutter.finish(), check);
+    }
+
+    template <class Check>
+    void apply(const CutResult& result, Check&& check) {
+        if (result.outcome == CutOutcome::cut) {
+            const BodyModel before = std::move(model);
+            model = updateBodyModel(before, mesh, result.delta);
+            ++changes;
+            check(before);
+        }
+    }
+};
+
+test::Stroke strokeDown(int steps) {
+    return test::straightStroke(Vec3(0.013, 0.021, 0.034), Vec3(1, 0.05, 0.1).normalized(),
+                                -Vec3::UnitY(), 3.0, 2.4, steps);
+}
+
+TEST(BodyCut, TheModelFollowsTheCutStepByStep) {
+    CutBody body(test::icosphere(3));
+    const double mass = body.model.uncutRestVolume;
+    body.run(strokeDown(40), [&](const BodyModel& before) {
+        const double sum =
+            std::accumulate(body.model.unitMass.begin(), body.model.unitMass.end(), 0.0);
+        EXPECT_NEAR(sum, mass, 1e-5 * mass);
+        EXPECT_EQ(separatedIspcs(body.mesh, body.model), 0) << "after change " << body.changes;
+        // A step touches a band of the body; the rest keeps its ISPCs.
+        EXPECT_GT(sharedIspcs(before, body.model), before.ispcs.size() / 2);
+        EXPECT_EQ(2 * body.model.edges.size(), 3 * body.model.triangles.size());
+    });
+    EXPECT_GT(body.changes, 5);
+    ASSERT_EQ(body.model.pieces.size(), 2u);
+    int used = 0;
+    for (const int piece : body.model.pieceOfVertex) {
+        used += piece >= 0;
+    }
+    EXPECT_GT(body.model.ispcs.size(), 0.98 * used);
+}
+
+/// Vertices of each piece.
+std::vector<std::vector<int>> verticesByPiece(const BodyModel& model) {
+    std::vector<std::vector<int>> vertices(model.pieces.size());
+    for (std::size_t v = 0; v < model.pieceOfVertex.size(); ++v) {
+        if (model.pieceOfVertex[v] >= 0) {
+            vertices[model.pieceOfVertex[v]].push_back(static_cast<int>(v));
+        }
+    }
+    return vertices;
+}
+
+void expectHalvesToFallSoftly(const SurfaceMesh& whole) {
+    CutBody body(whole);
+    const double diagonal = meshBounds(body.mesh).diagonal();
+    body.run(strokeDown(40), [](const BodyModel&) {});
+    ASSERT_EQ(body.model.pieces.size(), 2u);
+    const auto vertices = verticesByPiece(body.model);
+
+    const ReferenceSolver solver(body.model, solverUniforms(Params{}, body.model));
+    ReferenceState state = restState(body.model);
+    const std::vector<Vec3> rest = state.positions;
+    for (Vec3& p : state.positions) {
+        p.y() += 1;
+    }
+    const int steps = 300;
+    std::vector<double> mean(2, 0.0);
+    std::vector<double> peak(2, 0.0);
+    for (int i = 0; i < steps; ++i) {
+        solver.step(state);
+        const std::vector<double> volumes = solver.volumes(state);
+        for (int p = 0; p < 2; ++p) {
+            mean[p] += volumes[p] / body.model.pieces[p].restVolume / steps;
+            peak[p] = std::max(peak[p], rmsShapeError(rest, state.positions, vertices[p]));
+        }
+    }
+    for (int p = 0; p < 2; ++p) {
+        EXPECT_NEAR(mean[p], 1, 0.005);
+        EXPECT_GT(peak[p], 0.03 * diagonal);
+        EXPECT_LT(peak[p], 0.15 * diagonal);
+    }
+    for (const Vec3& v : state.velocities) {
+        EXPECT_LT(v.norm(), 10);
+    }
+}
+
+TEST(BodyCut, HalvesFallSoftlyAndKeepTheirVolume) {
+    for (const int subdivisions : {0, 1, 2}) {
+        SCOPED_TRACE(subdivisions);
+        expectHalvesToFallSoftly(test::icosphere(subdivisions));
+    }
+}
+
+}  // namespace
+}  // namespace kerf
