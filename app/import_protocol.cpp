@@ -25,11 +25,11 @@ void append(std::string& bytes, const T* items, std::size_t count) {
     bytes.append(reinterpret_cast<const char*>(items), count * sizeof(T));
 }
 
-/// One printable line.
+/// One line of printable ASCII: what a reader quotes from a damaged file may be anything.
 std::string cleaned(std::string_view message) {
     std::string line(message.substr(0, message.find('\n')));
     std::ranges::replace_if(
-        line, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+        line, [](char c) { return c < ' ' || c > '~'; }, '?');
     return line.empty() ? "no reason given" : line.substr(0, line.find_last_not_of(". ") + 1);
 }
 

@@ -184,7 +184,7 @@ std::string checkUmbrellas(const SurfaceMesh& mesh) {
 }
 
 std::string checkSimpleComplex(const SurfaceMesh& mesh) {
-    const std::string fault = checkCorners(mesh);
+    std::string fault = checkCorners(mesh);
     if (!fault.empty()) {
         return fault;
     }
@@ -217,7 +217,7 @@ std::string checkFinite(const SurfaceMesh& mesh) {
 
 std::string checkClosedManifold(const SurfaceMesh& mesh) {
     for (const auto check : {checkTwins, checkUmbrellas, checkSimpleComplex, checkFinite}) {
-        const std::string fault = check(mesh);
+        std::string fault = check(mesh);
         if (!fault.empty()) {
             return fault;
         }

@@ -322,8 +322,8 @@ TEST(ImportProtocol, RoundTrip) {
 }
 
 TEST(ImportProtocol, FailureIsOneCleanLine) {
-    EXPECT_EQ(sentenceOf([] { decodeImport(encodeImportFailure("no\tgood.\nreally")); }),
-              "it can't be read (no good); check that it is what its extension says, or export it "
+    EXPECT_EQ(sentenceOf([] { decodeImport(encodeImportFailure("no\xFFgood.\nreally")); }),
+              "it can't be read (no?good); check that it is what its extension says, or export it "
               "again");
 }
 
