@@ -153,28 +153,20 @@ class Commit {
     void buildRung() {
         std::vector<RungNode>& rung = result_.rung;
         const std::vector<FrontPoint>& front = plan_.outline.front;
-        rung.push_back(plan_.endA);
+        if (!plan_.outline.endAInside) {
+            rung.push_back(plan_.endA);
+        }
         for (int k = sizeOf(front) - 1; k >= 0; --k) {
             const int vertex = vertexOf(front[k].node);
             // The flags run from B to A, the rung from A to B.
             rung.push_back(
                 {mesh_.position(vertex), front[k].s, vertex, k > 0 && front[k - 1].attached});
         }
-        rung.push_back(plan_.endB);
-        dropInnerEnds(rung);
+        if (!plan_.outline.endBInside) {
+            rung.push_back(plan_.endB);
+        }
         for (int k = 1; k < sizeOf(rung); ++k) {
             rung[k].s = std::max(rung[k].s, rung[k - 1].s);
-        }
-    }
-
-    // An end that lies inside is a vertex already and needs no air node.
-    static void dropInnerEnds(std::vector<RungNode>& rung) {
-        if (rung.size() >= 3 && rung[1].s <= 1e-12 && rung[1].vertex >= 0) {
-            rung.erase(rung.begin());
-        }
-        if (rung.size() >= 3 && rung[rung.size() - 2].s >= 1 - 1e-12 &&
-            rung[rung.size() - 2].vertex >= 0) {
-            rung.pop_back();
         }
     }
 

@@ -27,6 +27,8 @@ constexpr double kAxialSlide = 4;
 // Largest distance (share of h) over which predicates see a vertex elsewhere.
 constexpr double kBroadPhaseMargin = 1.5;
 constexpr double kBinSize = 1.0;
+// Keeps passes apart from those of strokes that an earlier cutter made.
+constexpr int kPassesPerStroke = 1000;
 
 double defaultWallEdge(const SurfaceMesh& mesh) {
     double sum = 0;
@@ -81,6 +83,10 @@ std::vector<int> labelPieces(const SurfaceMesh& mesh) {
     return piece;
 }
 
+bool isInAir(const std::vector<RungNode>& rung) {
+    return std::all_of(rung.begin(), rung.end(), [](const RungNode& n) { return n.vertex < 0; });
+}
+
 CutResult outcome(CutOutcome what) {
     CutResult result;
     result.outcome = what;
@@ -94,6 +100,7 @@ struct Cutter::State {
     CutSettings settings;
     double h = 0;
     int stroke = -1;
+    int pass = 0;  ///< goes up each time the blade starts from the air
     bool inStroke = false;
     Blade blade{};  ///< the last one given
     std::vector<RungNode> rung{};
@@ -115,11 +122,12 @@ struct Cutter::State {
 // The rung carries the offset of the stroke from the start: otherwise a blade that is put down
 // exactly on a vertex would stay there in every retry.
 void Cutter::State::placeRung(const Blade& at) {
+    ++pass;
     rung = {{at.a, 0, -1, false}, {at.b, 1, -1, false}};
     const std::vector<int> noPieces;
     const cut::BroadPhase nothing(mesh, at, {at.a, at.b}, 0, h);
-    const cut::StepInput in{mesh, nothing,         noPieces,      rung,   at,
-                            h,    settings.offset, settings.seed, stroke, {}};
+    const cut::StepInput in{mesh,          nothing, noPieces, rung, at, h, settings.offset,
+                            settings.seed, stroke,  pass,     {}};
     rung[0].position += cut::bladeOffset(in, 0);
     rung[1].position += cut::bladeOffset(in, 1);
 }
@@ -171,10 +179,12 @@ CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from)
                                 settings.offset,
                                 settings.seed,
                                 stroke,
+                                pass,
                                 cut::attemptAt(i, settings.tolerance, retrySeed)};
         try {
             CutResult result = accept(cut::planStep(in, skinVertices));
             result.statistics.tries = i + 1;
+            result.reason = reason;
             return result;
         } catch (const cut::StepFailure& failure) {
             reason = failure.reason;
@@ -195,6 +205,7 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step) {
     }
     cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
     rung = std::move(committed.rung);
+    pass += isInAir(rung);
     CutResult result = outcome(CutOutcome::cut);
     result.delta = std::move(committed.delta);
     result.statistics.touchedTriangles = cut::sizeOf(step.plan.subdivision.replaced);
@@ -217,6 +228,7 @@ Cutter::Cutter(SurfaceMesh& mesh, const CutSettings& settings)
     : state_(std::make_unique<State>(State{mesh, settings})) {
     state_->h = settings.wallEdgeLength > 0 ? settings.wallEdgeLength : defaultWallEdge(mesh);
     state_->stroke = strokesSoFar(mesh) - 1;
+    state_->pass = kPassesPerStroke * strokesSoFar(mesh);
 }
 
 Cutter::~Cutter() = default;

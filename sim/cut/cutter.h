@@ -54,6 +54,7 @@ struct CutResult {
     CutOutcome outcome = CutOutcome::air;
     CutDelta delta;
     CutStatistics statistics;
+    /// Why the last failed try of the step failed; empty where the first one succeeded.
     std::string reason;
 };
 

@@ -349,6 +349,10 @@ class BorderWalk {
             requireNoStub(edge, from, to);
         }
         addFreePiece(from, to, parameterOf(points_[i]), parameterOf(points_[j]), newRung);
+        if (newRung) {
+            outline_.endBInside |= points_[i].stripNode == strip_.newRung.back();
+            outline_.endAInside |= points_[j].stripNode == strip_.newRung.front();
+        }
         const bool frontEnds = !points_[j].inside || points_[j].link != Link::stripEdge ||
                                !strip_.onNewRung(points_[j].edge);
         if (newRung && frontEnds) {

@@ -30,6 +30,8 @@ struct FrontPoint {
 struct Outline {
     std::vector<OutlineEdge> edges;
     std::vector<FrontPoint> front;
+    bool endAInside = false;  ///< the blade's end A, at which the front then starts
+    bool endBInside = false;
 };
 
 /// Walks the border of the strip, tells inside from outside, and collects the border of the wall.

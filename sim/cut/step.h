@@ -39,6 +39,7 @@ struct StepInput {
     double offset = 0;  ///< length of the blade's offset at scale 1, share of h
     std::uint64_t seed = 0;
     int stroke = 0;
+    int pass = 0;  ///< of the blade through the body, counted over all strokes
     Attempt attempt;
 };
 

@@ -298,9 +298,9 @@ Vec3 bladePoint(const StepInput& in, double s) {
 
 Vec3 bladeOffset(const StepInput& in, double s) {
     const double length = in.offset * in.attempt.offsetScale * in.h;
-    // The stroke is part of the seed: equal offsets in three strokes through one point would keep
-    // the degeneracy (cutting-robust 3.2).
-    Jitter jitter(in.seed * 977 + static_cast<std::uint64_t>(in.stroke + 1) * 131 +
+    // The pass is part of the seed: with equal offsets, strokes through one point and a blade that
+    // comes back the same way would meet the older slits exactly (cutting-robust 3.2).
+    Jitter jitter(in.seed * 977 + static_cast<std::uint64_t>(in.pass) * 131 +
                   static_cast<std::uint64_t>(in.attempt.offsetScale));
     const Vec3 atA = jitter.direction();
     const Vec3 turn = jitter.direction() * 0.3;

@@ -75,7 +75,7 @@ struct Strip {
     bool isRail(int edge) const;
 };
 
-/// The fixed displacement of the blade at parameter s, the same for a whole stroke.
+/// The fixed displacement of the blade at parameter s, the same for a whole pass.
 Vec3 bladeOffset(const StepInput& in, double s);
 Vec3 bladePoint(const StepInput& in, double s);
 
