@@ -25,8 +25,8 @@ struct Expected {
     double minHeightRatio;  ///< height to longest edge of the worst triangle
 };
 
-void PrintTo(const Expected& expected, std::ostream* out) {
-    *out << expected.name;
+std::ostream& operator<<(std::ostream& out, const Expected& expected) {
+    return out << expected.name;
 }
 
 class BuiltinModel : public ::testing::TestWithParam<Expected> {};
