@@ -1,0 +1,303 @@
+#include "sim/simulation.h"
+
+#include <glad/gl.h>
+#include <gmock/gmock.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+#include "sim/body/shape_error.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kRadius = 0.5;
+
+class SimulationTest : public test::GlTest {};
+
+Params weightless() {
+    Params params;
+    params.gravity = Vec3::Zero();
+    params.floor.reset();
+    return params;
+}
+
+/// The floor lies `drop` below the lowest point of a body of radius 0.5 around the origin.
+Params dropped(double drop) {
+    Params params;
+    params.floor = -kRadius - drop;
+    return params;
+}
+
+/// A blade along x at height y, a little off the middle so that it meets no vertex exactly.
+Blade bladeAt(double y) {
+    return {{-1, y, 0.013}, {1, y, 0.013}};
+}
+
+/// Takes the blade from `top` down to `bottom` in `steps` steps and lifts it. `each` runs after
+/// every step.
+void cutDown(
+    Simulation& simulation, double top, double bottom, int steps,
+    const std::function<void()>& each = [] {}) {
+    for (int i = 0; i <= steps; ++i) {
+        const double y = top + (bottom - top) * i / steps;
+        ASSERT_EQ(simulation.execute(MoveBlade{bladeAt(y)}), "");
+        simulation.step();
+        each();
+    }
+    ASSERT_EQ(simulation.execute(LiftBlade{}), "");
+    simulation.step();
+    each();
+}
+
+void run(Simulation& simulation, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        simulation.step();
+    }
+}
+
+double topSpeed(Simulation& simulation) {
+    double top = 0;
+    const SurfaceMesh& mesh = simulation.mesh();
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        top = std::max(top, mesh.velocity(v).norm());
+    }
+    return top;
+}
+
+double shapeError(Simulation& simulation) {
+    const SurfaceMesh& mesh = simulation.mesh();
+    std::vector<int> all(mesh.vertexCount());
+    std::iota(all.begin(), all.end(), 0);
+    return rmsShapeError(mesh.restPositions(), mesh.positions(), all);
+}
+
+TEST_F(SimulationTest, ReportsTheBodyBeforeTheFirstStep) {
+    Simulation simulation(test::cubeSphere(8), weightless());
+    const StepReport& report = simulation.report();
+    EXPECT_EQ(simulation.stepCount(), 0);
+    EXPECT_EQ(report.vertices, 386);
+    EXPECT_EQ(report.triangles, 768);
+    EXPECT_EQ(report.ispcs, 386);
+    EXPECT_EQ(report.pieces, 1);
+    EXPECT_NEAR(report.volumeRatio, 1, 1e-6);
+    EXPECT_TRUE(report.closed);
+}
+
+TEST_F(SimulationTest, StaysAtRestWithoutForces) {
+    Simulation simulation(test::cubeSphere(8), weightless());
+    run(simulation, 50);
+    EXPECT_LT(topSpeed(simulation), 5e-4);
+    EXPECT_LT(shapeError(simulation), 1e-6);
+}
+
+TEST_F(SimulationTest, RefusesBadParametersWithASentence) {
+    Simulation simulation(test::icosphere(1), Params{});
+    EXPECT_NE(simulation.execute(SetParam{"gravitas", 1.0}), "");
+    EXPECT_NE(simulation.execute(SetParam{"time_step", 1e3}), "");
+    EXPECT_NE(simulation.execute(SetParam{"time_step", 0.0}), "");
+    EXPECT_NE(simulation.execute(SetParam{"gravity", 1.0}), "");
+    EXPECT_NE(simulation.execute(SetParam{"density", std::nan("")}), "");
+    EXPECT_TRUE(simulation.params() == Params{});
+    EXPECT_EQ(simulation.execute(SetParam{"density", 500.0}), "");
+    EXPECT_EQ(simulation.params().density, 500);
+}
+
+TEST_F(SimulationTest, RefusesABladeThatIsNone) {
+    Simulation simulation(test::icosphere(1), Params{});
+    Blade blade = bladeAt(1);
+    blade.b.z() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(simulation.execute(MoveBlade{blade}), "");
+    blade.b = blade.a;
+    EXPECT_NE(simulation.execute(MoveBlade{blade}), "");
+    simulation.step();
+    EXPECT_FALSE(simulation.blade().has_value());
+}
+
+TEST_F(SimulationTest, AppliesParametersFromTheNextStepOn) {
+    Simulation simulation(test::icosphere(1), weightless());
+    run(simulation, 2);
+    EXPECT_EQ(simulation.execute(SetParam{"gravity", Vec3(0, 3, 0)}), "");
+    EXPECT_EQ(simulation.execute(SetParam{"air_drag", 0.0}), "");
+    run(simulation, 10);
+    const Vec3& velocity = simulation.mesh().velocity(0);
+    EXPECT_NEAR(velocity.y(), 3 * 10 * 0.005, 1e-3);
+}
+
+TEST_F(SimulationTest, DroppedSphereIsSoftAndKeepsItsVolume) {
+    for (const SurfaceMesh& mesh : {test::icosphere(0), test::icosphere(1), test::cubeSphere(8)}) {
+        SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
+        Simulation simulation(mesh, dropped(0.5));
+        const double diagonal = meshBounds(mesh).diagonal();
+        constexpr int kSteps = 200;
+        double meanVolume = 0;
+        double peakError = 0;
+        for (int step = 0; step < kSteps; ++step) {
+            meanVolume += simulation.step().volumeRatio / kSteps;
+            peakError = std::max(peakError, shapeError(simulation) / diagonal);
+            ASSERT_EQ(checkFinite(simulation.mesh()), "");
+        }
+        EXPECT_GT(meanVolume, 0.995);
+        EXPECT_NEAR(simulation.report().volumeRatio, 1, 1e-3);
+        EXPECT_GT(peakError, 0.03);
+        EXPECT_GT(meshBounds(simulation.mesh()).low.y(), *simulation.params().floor - 1e-4);
+        EXPECT_TRUE(simulation.takeMessages().empty());
+    }
+}
+
+TEST_F(SimulationTest, ABladeThatMissesChangesNothing) {
+    Simulation with(test::icosphere(2), dropped(0.1));
+    Simulation without(test::icosphere(2), dropped(0.1));
+    for (int step = 0; step < 20; ++step) {
+        const double y = 1 - 0.1 * step;
+        with.execute(MoveBlade{Blade{{-1, y, 2}, {1, y, 2}}});
+        with.step();
+        without.step();
+    }
+    EXPECT_EQ(with.stateHash(), without.stateHash());
+    EXPECT_EQ(with.lastCut().outcome, CutOutcome::air);
+}
+
+TEST_F(SimulationTest, CutsInTwoAtRestWithoutMovingAnything) {
+    Simulation simulation(test::cubeSphere(8), weightless());
+    const double diagonal = meshBounds(simulation.mesh()).diagonal();
+    double fastest = 0;
+    cutDown(simulation, 0.7, -0.7, 30, [&] {
+        EXPECT_TRUE(simulation.report().closed);
+        EXPECT_NEAR(simulation.report().volumeRatio, 1, 1e-4);
+        fastest = std::max(fastest, topSpeed(simulation));
+    });
+    for (int i = 0; i < 20; ++i) {
+        simulation.step();
+        fastest = std::max(fastest, topSpeed(simulation));
+    }
+    EXPECT_EQ(simulation.report().pieces, 2);
+    EXPECT_LT(fastest, 1e-3 * diagonal);
+    EXPECT_GT(simulation.report().vertices, 386);
+    EXPECT_EQ(checkClosedManifold(simulation.mesh()), "");
+    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    ASSERT_EQ(simulation.pieces().pieces.size(), 2u);
+    const auto& pieces = simulation.pieces().pieces;
+    EXPECT_NEAR(pieces[0].volume + pieces[1].volume, meshRestVolume(test::cubeSphere(8)), 1e-5);
+}
+
+TEST_F(SimulationTest, HalvesFallApartAndKeepTheirVolume) {
+    Simulation simulation(test::cubeSphere(8), [] {
+        Params params = dropped(0.3);
+        params.gravity = Vec3::Zero();
+        return params;
+    }());
+    cutDown(simulation, 0.7, -0.7, 30);
+    ASSERT_EQ(simulation.report().pieces, 2);
+    simulation.execute(SetParam{"gravity", Vec3(0, -9.81, 0)});
+    double meanVolume = 0;
+    constexpr int kSteps = 250;
+    for (int i = 0; i < kSteps; ++i) {
+        meanVolume += simulation.step().volumeRatio / kSteps;
+        ASSERT_TRUE(simulation.report().closed);
+    }
+    EXPECT_GT(meanVolume, 0.995);
+    EXPECT_GT(simulation.report().volumeRatio, 0.999);
+    EXPECT_EQ(checkFinite(simulation.mesh()), "");
+}
+
+TEST_F(SimulationTest, ABladeThatStandsStillCutsNothing) {
+    Simulation simulation(test::cubeSphere(8), weightless());
+    for (int i = 0; i <= 10; ++i) {
+        simulation.execute(MoveBlade{bladeAt(0.7 - 0.05 * i)});
+        simulation.step();
+    }
+    const int triangles = simulation.report().triangles;
+    ASSERT_GT(triangles, 768);
+    for (int i = 0; i < 5; ++i) {
+        simulation.execute(MoveBlade{bladeAt(0.2)});
+        EXPECT_EQ(simulation.step().touchedTriangles, 0);
+    }
+    EXPECT_EQ(simulation.report().triangles, triangles);
+    EXPECT_TRUE(simulation.blade().has_value());
+}
+
+TEST_F(SimulationTest, ResetIsAFreshSimulation) {
+    Simulation simulation(test::icosphere(2), dropped(0.1));
+    const std::string fresh = simulation.stateHash();
+    const auto play = [&] {
+        cutDown(simulation, 0.7, -0.3, 20);
+        simulation.execute(SetParam{"gravity", Vec3(0, 4, 0)});
+        run(simulation, 5);
+        return simulation.stateHash();
+    };
+    const std::string first = play();
+    EXPECT_NE(first, fresh);
+    simulation.reset();
+    EXPECT_EQ(simulation.stateHash(), fresh);
+    EXPECT_EQ(simulation.stepCount(), 0);
+    EXPECT_EQ(simulation.report().pieces, 1);
+    EXPECT_TRUE(simulation.params() == dropped(0.1));
+    EXPECT_FALSE(simulation.blade().has_value());
+    EXPECT_EQ(play(), first);
+}
+
+TEST_F(SimulationTest, RecoversFromNumbersThatAreNotFinite) {
+    Simulation simulation(test::icosphere(2), dropped(0.1));
+    run(simulation, 3);
+    const std::vector<Vec3> good = simulation.mesh().positions();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    glNamedBufferSubData(simulation.bodyView().positions->id(), 0, sizeof nan, &nan);
+    simulation.step();
+    EXPECT_THAT(simulation.takeMessages(), testing::ElementsAre(testing::StartsWith("step 3: ")));
+    EXPECT_EQ(simulation.mesh().positions(), good);
+    EXPECT_EQ(topSpeed(simulation), 0);
+    run(simulation, 3);
+    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    EXPECT_EQ(checkFinite(simulation.mesh()), "");
+}
+
+std::string hashOfACut() {
+    Simulation simulation(test::cubeSphere(6), dropped(0.05));
+    cutDown(simulation, 0.7, -0.7, 25);
+    run(simulation, 20);
+    return simulation.stateHash();
+}
+
+TEST_F(SimulationTest, RunsTwiceToTheSameHash) {
+    EXPECT_EQ(hashOfACut(), hashOfACut());
+}
+
+// Run by the next test in child processes.
+TEST_F(SimulationTest, PrintsTheHashOfACut) {
+    const std::string hash = hashOfACut();
+    EXPECT_EQ(hash.size(), 16u);
+    std::printf("hash %s\n", hash.c_str());
+}
+
+std::string hashWithThreads(const char* threads) {
+    const std::string self = std::filesystem::read_symlink("/proc/self/exe");
+    const std::string command = std::string("LP_NUM_THREADS=") + threads + " '" + self +
+                                "' --gtest_filter=SimulationTest.PrintsTheHashOfACut";
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string hash;
+    char line[256];
+    while (std::fgets(line, sizeof line, pipe)) {
+        char found[17] = {};
+        if (std::sscanf(line, "hash %16s", found) == 1) {
+            hash = found;
+        }
+    }
+    return pclose(pipe) == 0 ? hash : "";
+}
+
+TEST_F(SimulationTest, TheNumberOfThreadsChangesNoBit) {
+    const std::string expected = hashOfACut();
+    for (const char* threads : {"0", "1", "2"}) {
+        EXPECT_EQ(hashWithThreads(threads), expected) << threads << " threads";
+    }
+}
+
+}  // namespace
+}  // namespace kerf
