@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/body/body_model.h"
+#include "sim/solve/front_anchors.h"
 #include "sim/solve/gpu_solver.h"
 #include "sim/solve/solver_uniforms.h"
 #include "sim/solve/volume_targets.h"
@@ -111,6 +112,8 @@ struct Simulation::State {
     // The phases of a step.
     void applyParameters();
     void solve();
+    void holdFront();
+    void releaseFront();
     void recoverFromNonFinite();
     void cutAll();
     void publish();
@@ -138,6 +141,7 @@ struct Simulation::State {
     BodyModel model;
     GpuSolver solver;
     VolumeTargets volumeTargets;
+    std::vector<Anchor> anchors;
     bool meshLags = false;
     bool closed = true;
 
@@ -204,7 +208,9 @@ void Simulation::State::solve() {
     if (volumeTargets.fade(params.timeStep)) {
         solver.setVolumeTargets(volumeTargets.targets());
     }
+    holdFront();
     solver.step();
+    releaseFront();
     measure = solver.measure();
     if (measure.finite) {
         solver.saveState();
@@ -215,6 +221,24 @@ void Simulation::State::solve() {
     pieces.reset();
     report.deformMs = solver.takeDeformMilliseconds();
     report.collideMs = solver.takeCollideMilliseconds();
+}
+
+/// See findFrontAnchors.
+void Simulation::State::holdFront() {
+    if (!standsInMaterial(cutter->rung())) {
+        return;
+    }
+    syncMesh();
+    anchors = findFrontAnchors(mesh, model, cutter->rung(), uncut.vertexCount(), params.timeStep);
+    for (const Anchor& anchor : anchors) {
+        solver.anchor(anchor.vertex, anchor.velocity.cast<float>());
+    }
+}
+
+void Simulation::State::releaseFront() {
+    for (const Anchor& anchor : std::exchange(anchors, {})) {
+        solver.release(anchor.vertex);
+    }
 }
 
 void Simulation::State::recoverFromNonFinite() {

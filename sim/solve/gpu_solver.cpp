@@ -203,6 +203,21 @@ void GpuSolver::setVolumeTargets(std::span<const VolumeTarget> targets) {
     pieceBuffer_.assign(pieces_);
 }
 
+void GpuSolver::anchor(int vertex, const Vec3f& velocity) {
+    setInverseUnitMass(vertex, 0.0f);
+    const shared::vec4 value = packed(velocity, 0.0f);
+    velocities_.write(vertex, std::span<const shared::vec4>(&value, 1));
+}
+
+void GpuSolver::release(int vertex) {
+    setInverseUnitMass(vertex, inverseUnitMass_[vertex]);
+}
+
+void GpuSolver::setInverseUnitMass(int vertex, float value) {
+    const std::size_t w = 4 * static_cast<std::size_t>(vertex) + 3;
+    positions_.write(w, std::span<const float>(&value, 1));
+}
+
 void GpuSolver::step() {
     for (uint i = 0; i < uniforms_.substeps; ++i) {
         deformTimer_.begin();

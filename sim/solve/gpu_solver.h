@@ -46,6 +46,10 @@ class GpuSolver {
     /// One per piece.
     void setVolumeTargets(std::span<const VolumeTarget> targets);
 
+    /// A vertex that goes on with `velocity`, whatever pulls at it, until released.
+    void anchor(int vertex, const Vec3f& velocity);
+    void release(int vertex);
+
     /// One time step: uniforms.substeps substeps.
     void step();
 
@@ -90,6 +94,7 @@ class GpuSolver {
     void uploadTopology(const BodyModel& model);
     void uploadPieces(const BodyModel& model);
     void uploadUniforms();
+    void setInverseUnitMass(int vertex, float value);
     void bindBody() const;
     void run(const gpu::Program& kernel, std::uint32_t threads);
     void runOverConstraints(const gpu::Program& kernel, const gpu::Buffer& records,

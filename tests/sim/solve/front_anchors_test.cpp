@@ -1,0 +1,88 @@
+#include "sim/solve/front_anchors.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kStep = 0.005;
+
+/// A sphere with a slit half way down, at rest.
+struct SlitSphere {
+    SlitSphere() {
+        Cutter cutter(mesh, {});
+        cutter.begin({{-1, 0.7, 0.013}, {1, 0.7, 0.013}});
+        for (int i = 1; i <= 14; ++i) {
+            cutter.advance({{-1, 0.7 - 0.05 * i, 0.013}, {1, 0.7 - 0.05 * i, 0.013}});
+        }
+        rung = cutter.rung();
+        model = buildBodyModel(mesh);
+    }
+    std::vector<Anchor> anchors() const {
+        return findFrontAnchors(mesh, model, rung, skinVertices, kStep);
+    }
+
+    SurfaceMesh mesh = test::cubeSphere(8);
+    int skinVertices = mesh.vertexCount();
+    std::vector<RungNode> rung;
+    BodyModel model;
+};
+
+TEST(FrontAnchors, HoldsTheInnerFrontOnly) {
+    const SlitSphere sphere;
+    const std::vector<Anchor> anchors = sphere.anchors();
+    ASSERT_GT(anchors.size(), 4u);
+    for (const Anchor& anchor : anchors) {
+        EXPECT_GE(anchor.vertex, sphere.skinVertices);
+        EXPECT_LT(sphere.mesh.position(anchor.vertex).norm(), 0.5);
+    }
+}
+
+TEST(FrontAnchors, StandsStillAtRest) {
+    for (const Anchor& anchor : SlitSphere().anchors()) {
+        EXPECT_LT(anchor.velocity.norm(), 1e-6);
+    }
+}
+
+TEST(FrontAnchors, GoesAlongWithTheBody) {
+    SlitSphere sphere;
+    const Vec3 velocity(0.3, -2, 0.1);
+    for (int v = 0; v < sphere.mesh.vertexCount(); ++v) {
+        sphere.mesh.setVelocity(v, velocity);
+    }
+    for (const Anchor& anchor : sphere.anchors()) {
+        EXPECT_LT((anchor.velocity - velocity).norm(), 1e-6);
+    }
+}
+
+TEST(FrontAnchors, PullsAStrayedVertexBackAtAModestSpeed) {
+    SlitSphere sphere;
+    const int strayed = sphere.anchors()[2].vertex;
+    sphere.mesh.setPosition(strayed, sphere.mesh.position(strayed) + Vec3(0, 0, 0.001));
+    EXPECT_NEAR(sphere.anchors()[2].velocity.z(), -0.001 / kStep, 1e-3);
+    sphere.mesh.setPosition(strayed, sphere.mesh.position(strayed) + Vec3(0, 0, 0.1));
+    EXPECT_NEAR(sphere.anchors()[2].velocity.z(), -1, 1e-6);
+}
+
+TEST(FrontAnchors, FollowsAStretch) {
+    // The ridge holds the fit towards the identity by 1e-3 of the trace.
+    SlitSphere sphere;
+    const Vec3 stretch(1.2, 0.9, 1.0);
+    for (int v = 0; v < sphere.mesh.vertexCount(); ++v) {
+        sphere.mesh.setPosition(v, sphere.mesh.restPosition(v).cwiseProduct(stretch));
+    }
+    for (const Anchor& anchor : sphere.anchors()) {
+        EXPECT_LT(anchor.velocity.norm() * kStep, 0.02 * sphere.model.edgeLength);
+    }
+}
+
+TEST(FrontAnchors, AreNoneOutsideAStroke) {
+    SlitSphere sphere;
+    sphere.rung.clear();
+    EXPECT_TRUE(sphere.anchors().empty());
+}
+
+}  // namespace
+}  // namespace kerf
