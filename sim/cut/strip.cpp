@@ -323,8 +323,8 @@ std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<doubl
     int j = 0;
     while (i < lastLower || j < lastUpper) {
         bool advanceLower = i < lastLower && (j == lastUpper || lowerS[i + 1] <= upperS[j + 1]);
-        if (j == 0 && pinnedStart) {
-            advanceLower = false;
+        if (i == 0 && pinnedStart) {
+            advanceLower = j > 0;
         } else if (pinnedEnd && j + 1 == lastUpper && i < lastLower) {
             advanceLower = true;
         } else if (pinnedEnd && i + 1 == lastLower && j + 1 < lastUpper) {

@@ -73,8 +73,8 @@ std::string checkDelta(const SurfaceMesh& mesh, const CutDelta& delta) {
 std::string checkCut(const SurfaceMesh& mesh, const Cutter& cutter, const CutResult& result,
                      const Before& before) {
     for (const std::string& problem :
-         {checkClosedManifold(mesh), checkConserved(mesh, before), checkMirroredWalls(mesh),
-          checkFront(mesh, cutter.rung()), checkDelta(mesh, result.delta)}) {
+         {checkClosedManifold(mesh), checkConserved(mesh, before), checkFront(mesh, cutter.rung()),
+          checkDelta(mesh, result.delta)}) {
         if (!problem.empty()) {
             return problem;
         }
@@ -96,6 +96,9 @@ void countStep(const CutResult& result, CutCheck& check) {
     check.refused += result.outcome == CutOutcome::refused;
     check.retried += result.outcome == CutOutcome::cut && result.statistics.tries > 1;
     check.tries += result.statistics.tries;
+    if (result.outcome == CutOutcome::refused) {
+        check.reason = result.reason;
+    }
 }
 
 double tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -165,6 +168,9 @@ CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
         const CutResult result = i < stroke.size() ? cutter.advance(stroke[i]) : cutter.finish();
         countStep(result, check);
         check.problem = checkStep(mesh, cutter, result, before);
+    }
+    if (check.problem.empty()) {
+        check.unmirrored = checkMirroredWalls(mesh);
     }
     return check;
 }

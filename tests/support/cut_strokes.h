@@ -29,14 +29,16 @@ struct CutCheck {
     int retried = 0;
     int tries = 0;
     std::string problem;
+    std::string unmirrored;  ///< checkMirroredWalls after the stroke
+    std::string reason;      ///< of the last refusal
 };
 
 /// Runs between two steps, before the blade moves: deforms the mesh, rounds positions.
 using BetweenSteps = std::function<void(SurfaceMesh&, int step)>;
 
 /// Runs one stroke with `cutter` and checks every step: closed 2-manifold, volume and rest volume
-/// unchanged (relative 1e-9), walls mirrored, front edges there and unsplit, a step that does not
-/// cut leaves every byte, pieces never join.
+/// unchanged (relative 1e-9), front edges there and unsplit, the delta names every triangle at a
+/// new vertex, a step that does not cut leaves every byte, pieces never join.
 CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
                    const BetweenSteps& between = {});
 CutCheck runStroke(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& stroke);

@@ -17,6 +17,7 @@ void expectHalves(SurfaceMesh mesh, const Stroke& stroke, const Vec3& point, con
     const double whole = meshVolume(mesh);
     const CutCheck check = test::runStroke(mesh, test::exactSettings(), stroke);
     EXPECT_EQ(check.problem, "");
+    EXPECT_EQ(check.unmirrored, "");
     EXPECT_EQ(check.refused, 0);
     EXPECT_GT(check.cuts, 0);
     const PieceMap map = findPieces(mesh);

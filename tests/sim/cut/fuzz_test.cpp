@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+
+#include "tests/support/cut_fuzz.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::uint64_t kFirstSeed = 1000;
+constexpr int kRuns = 60;
+
+// KERF_FUZZ_SECONDS runs longer, KERF_FUZZ_SEED elsewhere (KERF_FUZZ_RUNS=1 repeats one seed).
+double environmentNumber(const char* name, double otherwise) {
+    const char* text = std::getenv(name);
+    return text == nullptr ? otherwise : std::atof(text);
+}
+
+test::FuzzReport runFuzz() {
+    using Clock = std::chrono::steady_clock;
+    const auto first = static_cast<std::uint64_t>(environmentNumber("KERF_FUZZ_SEED", kFirstSeed));
+    const double seconds = environmentNumber("KERF_FUZZ_SECONDS", 0);
+    const int runs = static_cast<int>(environmentNumber("KERF_FUZZ_RUNS", kRuns));
+    const auto elapsed = [start = Clock::now()] {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    test::FuzzReport report;
+    for (int i = 0; seconds > 0 ? elapsed() < seconds : i < runs; ++i) {
+        test::fuzzOnce(first + static_cast<std::uint64_t>(i), report);
+    }
+    std::cout << "first seed " << first << "\n" << report.table();
+    return report;
+}
+
+TEST(CutFuzz, MeshesStayClosedAndStepsSucceed) {
+    const test::FuzzReport report = runFuzz();
+    for (const bool rounded : {false, true}) {
+        const test::FuzzFigures sum = report.total(rounded);
+        EXPECT_EQ(sum.invalid, 0);
+        EXPECT_LE(sum.refused, 0.005 * sum.cuts) << "of " << sum.cuts << " steps";
+        EXPECT_LE(sum.unseparated, 0.01 * sum.strokes) << "of " << sum.strokes << " strokes";
+    }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,386 @@
+#include "tests/support/cut_fuzz.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "sim/cut/cutter.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf::test {
+
+namespace {
+
+class Dice {
+  public:
+    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+    // std::uniform_real_distribution differs between libraries; seeds should not.
+    double uniform(double low = 0, double high = 1) {
+        return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+    }
+    int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+    bool chance(double p) { return uniform() < p; }
+    Vec3 direction() {
+        while (true) {
+            const double x = uniform(-1, 1);
+            const double y = uniform(-1, 1);
+            const double z = uniform(-1, 1);
+            const Vec3 v(x, y, z);
+            if (v.norm() > 0.1 && v.norm() < 1) {
+                return v.normalized();
+            }
+        }
+    }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+/// A small head with eight arms, star-shaped.
+SurfaceMesh urchin() {
+    TriangleSoup soup = icosphereSoup(3, 1.0);
+    for (Vec3& p : soup.positions) {
+        double radius = 0.3;
+        for (int k = 0; k < 8; ++k) {
+            const double angle = 2 * M_PI * k / 8 + 0.1;
+            const Vec3 arm = Vec3(std::cos(angle), -0.4, std::sin(angle)).normalized();
+            radius += 0.5 * std::pow(std::max(0.0, p.dot(arm)), 30);
+        }
+        p *= radius;
+    }
+    return meshOf(soup);
+}
+
+SurfaceMesh randomBody(Dice& dice, std::string& name) {
+    switch (dice.below(7)) {
+        case 0:
+            name = "icosphere 20";
+            return icosphere(0);
+        case 1:
+            name = "icosphere 80";
+            return icosphere(1);
+        case 2:
+            name = "icosphere 1280";
+            return icosphere(3);
+        case 3:
+            name = "cube sphere 768";
+            return cubeSphere(8);
+        case 4:
+            name = "torus 1024";
+            return torus();
+        case 5:
+            name = "bent tube";
+            return bentTube();
+        default:
+            name = "urchin";
+            return urchin();
+    }
+}
+
+double meanEdge(const SurfaceMesh& mesh) {
+    return std::min(meanEdgeLength(mesh), meshBounds(mesh).diagonal() / 12);
+}
+
+int randomTriangle(Dice& dice, const SurfaceMesh& mesh) {
+    while (true) {
+        const int t = dice.below(mesh.triangleSlots());
+        if (mesh.alive(t)) {
+            return t;
+        }
+    }
+}
+
+/// Where and how a stroke goes.
+struct Course {
+    Vec3 center;
+    Vec3 along;  ///< of the blade, from A to B
+    Vec3 travel;
+    Vec3 normal;
+    double diagonal;
+    double h;
+    int steps;
+};
+
+void orthogonalize(Course& course) {
+    course.travel -= course.along * course.along.dot(course.travel);
+    course.travel.normalize();
+    course.normal = course.along.cross(course.travel);
+}
+
+Course randomCourse(Dice& dice, const SurfaceMesh& mesh, double h) {
+    const Bounds bounds = meshBounds(mesh);
+    const Triangle& t = mesh.triangle(randomTriangle(dice, mesh));
+    Course course;
+    course.center = (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
+    if (dice.chance(0.5)) {
+        course.center += dice.uniform() * (bounds.center() - course.center);
+    }
+    course.along = dice.direction();
+    course.travel = dice.direction();
+    course.diagonal = bounds.diagonal();
+    course.h = h;
+    orthogonalize(course);
+    course.steps =
+        std::max(6, static_cast<int>(2.3 * course.diagonal / (h * dice.uniform(0.3, 1.5))));
+    return course;
+}
+
+// Axis directions, through a vertex, the origin, or along an edge.
+void align(Dice& dice, const SurfaceMesh& mesh, Course& course) {
+    const int axis = dice.below(3);
+    course.along = Vec3::Unit(axis) * (dice.chance(0.5) ? 1 : -1);
+    course.travel = Vec3::Unit((axis + 1 + dice.below(2)) % 3) * (dice.chance(0.5) ? 1 : -1);
+    const Triangle& t = mesh.triangle(randomTriangle(dice, mesh));
+    const Vec3& a = mesh.position(t[0]);
+    const Vec3 edge = mesh.position(t[1]) - a;
+    const int kind = dice.below(3);
+    course.center = kind == 1 ? Vec3(Vec3::Zero()) : a;
+    if (kind == 2 && edge.norm() > 1e-3 * course.h) {
+        course.travel = edge.normalized();
+        if (course.along.cross(course.travel).norm() < 0.2) {
+            course.along = course.travel.unitOrthogonal();
+        }
+        course.along -= course.travel * course.travel.dot(course.along);
+        course.along.normalize();
+    }
+    course.normal = course.along.cross(course.travel);
+}
+
+struct Bend {
+    double curvature = 0;
+    double twist = 0;
+    double phase = 0;
+};
+
+Stroke throughStroke(const Course& c, const Bend& bend) {
+    Stroke stroke;
+    for (int i = 0; i <= c.steps; ++i) {
+        const double u = i / static_cast<double>(c.steps) - 0.5;
+        const double wobble = bend.curvature != 0 ? 0.03 * std::sin(6 * u + bend.phase) : 0;
+        const Vec3 middle = c.center + c.travel * (2.3 * c.diagonal * u) +
+                            c.normal * (c.diagonal * (bend.curvature * u * u + wobble));
+        const Vec3 along = (c.along + c.normal * (2 * bend.twist * u)).normalized();
+        stroke.push_back(
+            {middle - along * (1.3 * c.diagonal), middle + along * (1.3 * c.diagonal)});
+    }
+    return stroke;
+}
+
+/// The tip at `depth` behind the surface point, the handle far outside, moving by `way`.
+Stroke incision(Dice& dice, Course c, FuzzMode mode) {
+    const double depth = dice.uniform(0.05, 0.3) * c.diagonal;
+    const double way = dice.uniform(0.5, 1.6) * c.diagonal;
+    const double phase = dice.uniform(0, 6);
+    c.steps = std::max(8, static_cast<int>(way / (c.h * dice.uniform(0.3, 1.0))));
+    Stroke stroke;
+    for (int i = 0; i <= c.steps; ++i) {
+        const double u = i / static_cast<double>(c.steps);
+        double x = u - 0.5;
+        double sink = depth;
+        double slide = 0;
+        Vec3 along = c.along;
+        if (mode == FuzzMode::wander) {
+            sink = depth * (1 + 0.6 * std::sin(5 * u + phase));
+            along = (c.along + 0.5 * c.normal * std::sin(3 * u + phase)).normalized();
+        } else if (mode == FuzzMode::saw) {
+            slide = 0.4 * depth * std::sin(1.3 * i + phase);
+        } else if (mode == FuzzMode::reverse) {
+            x = u + 0.18 * std::sin(6 * M_PI * u) - 0.5;
+        } else if (mode == FuzzMode::pivot) {
+            const double angle = 1.6 * (u - 0.5);
+            along = c.along * std::cos(angle) + c.travel * std::sin(angle);
+            x = 0;
+        }
+        const Vec3 tip = c.center + c.travel * (x * way) + c.along * sink + along * slide;
+        stroke.push_back({tip - along * (1.6 * c.diagonal), tip});
+    }
+    return stroke;
+}
+
+/// Three strokes through the line along `normal` at the centre.
+Stroke concurrentStroke(Course c, int index) {
+    const double angle = 1.1 * index;
+    const Vec3 along = c.normal;
+    const Vec3 travel = c.along * std::cos(angle) + c.travel * std::sin(angle);
+    return straightStroke(c.center, along, travel, 2.6 * c.diagonal, 2.3 * c.diagonal, c.steps);
+}
+
+int strokesOf(Dice& dice, FuzzMode mode) {
+    switch (mode) {
+        case FuzzMode::crossing:
+        case FuzzMode::realigned:
+            return 2 + dice.below(3);
+        case FuzzMode::concurrent:
+            return 3;
+        case FuzzMode::incision:
+        case FuzzMode::wander:
+            return 1 + dice.below(2);
+        default:
+            return 1;
+    }
+}
+
+Stroke randomStroke(Dice& dice, const SurfaceMesh& mesh, FuzzMode mode, double h) {
+    Course course = randomCourse(dice, mesh, h);
+    Bend bend;
+    bend.phase = dice.uniform(-1, 1);
+    const bool mixed = (mode == FuzzMode::crossing || mode == FuzzMode::fast) && dice.chance(0.5);
+    switch (mode) {
+        case FuzzMode::incision:
+        case FuzzMode::wander:
+        case FuzzMode::pivot:
+        case FuzzMode::saw:
+        case FuzzMode::reverse:
+            return incision(dice, course, mode);
+        case FuzzMode::aligned:
+        case FuzzMode::realigned:
+            align(dice, mesh, course);
+            break;
+        case FuzzMode::fast:
+            course.steps = std::max(3, course.steps / 8);
+            break;
+        default:
+            break;
+    }
+    if (mode == FuzzMode::curved || mixed) {
+        bend.curvature = dice.uniform(-0.5, 0.5);
+    }
+    if (mode == FuzzMode::twisted || mixed) {
+        bend.twist = dice.uniform(-0.5, 0.5);
+    }
+    if (dice.chance(0.05)) {
+        course.steps = 1 + dice.below(3);
+    }
+    return throughStroke(course, bend);
+}
+
+void roundToFloats(SurfaceMesh& mesh) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, mesh.position(v).cast<float>().cast<double>());
+    }
+}
+
+void deform(SurfaceMesh& mesh, double diagonal, double time) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 p = mesh.position(v) / diagonal;
+        mesh.setPosition(v, mesh.position(v) + 0.01 * diagonal *
+                                                   Vec3(std::sin(6 * p.y() + time),
+                                                        std::sin(5 * p.z() + 2 * time),
+                                                        std::sin(4 * p.x() + time)));
+    }
+}
+
+BetweenSteps disturbance(FuzzMode mode, bool rounded, double diagonal, double phase) {
+    return [=](SurfaceMesh& mesh, int step) {
+        if (mode == FuzzMode::deform) {
+            deform(mesh, diagonal, phase + step);
+        }
+        if (rounded) {
+            roundToFloats(mesh);
+        }
+    };
+}
+
+void count(const CutCheck& check, bool unseparated, const std::string& name, FuzzFigures& figures) {
+    ++figures.strokes;
+    figures.cuts += check.cuts;
+    figures.refused += check.refused;
+    figures.retried += check.retried;
+    figures.unseparated += unseparated;
+    figures.unmirrored += !check.unmirrored.empty();
+    figures.invalid += !check.problem.empty();
+    if (!check.problem.empty() || !check.unmirrored.empty() || unseparated || check.refused > 0) {
+        figures.notes.push_back(name + ": " + check.problem + check.unmirrored + " " +
+                                std::to_string(check.refused) + " refused of " +
+                                std::to_string(check.cuts + check.refused) +
+                                (unseparated ? ", not separated " : " ") + check.reason);
+    }
+}
+
+void add(const FuzzFigures& from, FuzzFigures& to) {
+    to.strokes += from.strokes;
+    to.cuts += from.cuts;
+    to.refused += from.refused;
+    to.retried += from.retried;
+    to.unseparated += from.unseparated;
+    to.unmirrored += from.unmirrored;
+    to.invalid += from.invalid;
+    to.notes.insert(to.notes.end(), from.notes.begin(), from.notes.end());
+}
+
+void writeRow(std::ostringstream& out, const std::string& name, const FuzzFigures& f) {
+    out.width(18);
+    out << std::left << name << " strokes " << f.strokes << ", cutting steps " << f.cuts
+        << ", refused " << f.refused << ", retried " << f.retried << ", unseparated "
+        << f.unseparated << ", unmirrored " << f.unmirrored << ", invalid " << f.invalid << "\n";
+}
+
+}  // namespace
+
+const char* nameOf(FuzzMode mode) {
+    static const std::array<const char*, kFuzzModes> names{
+        "straight",   "curved",   "twisted", "fast",  "aligned", "crossing", "realigned",
+        "concurrent", "incision", "wander",  "pivot", "saw",     "reverse",  "deform"};
+    return names[static_cast<int>(mode)];
+}
+
+bool goesThrough(FuzzMode mode) {
+    return mode < FuzzMode::incision;
+}
+
+std::string FuzzReport::table() const {
+    std::ostringstream out;
+    for (const bool ofRounded : {false, true}) {
+        out << (ofRounded ? "positions rounded to floats\n" : "positions in doubles\n");
+        for (int mode = 0; mode < kFuzzModes; ++mode) {
+            writeRow(out, nameOf(static_cast<FuzzMode>(mode)), (ofRounded ? rounded : exact)[mode]);
+        }
+        const FuzzFigures sum = total(ofRounded);
+        writeRow(out, "all", sum);
+        for (const std::string& note : sum.notes) {
+            out << "  " << note << "\n";
+        }
+    }
+    return out.str();
+}
+
+FuzzFigures FuzzReport::total(bool ofRounded) const {
+    FuzzFigures sum;
+    for (const FuzzFigures& figures : ofRounded ? rounded : exact) {
+        add(figures, sum);
+    }
+    return sum;
+}
+
+void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
+    Dice dice(seed);
+    std::string body;
+    SurfaceMesh mesh = randomBody(dice, body);
+    const auto mode = static_cast<FuzzMode>(dice.below(kFuzzModes));
+    const bool rounded = dice.chance(0.4);
+    const double h = meanEdge(mesh);
+    CutSettings settings = rounded ? CutSettings{} : exactSettings();
+    settings.seed = seed;
+    Cutter cutter(mesh, settings);
+    const int strokes = strokesOf(dice, mode);
+    const Course shared = randomCourse(dice, mesh, h);
+    for (int i = 0; i < strokes; ++i) {
+        const Stroke stroke = mode == FuzzMode::concurrent ? concurrentStroke(shared, i)
+                                                           : randomStroke(dice, mesh, mode, h);
+        const double phase = dice.uniform(0, 6);
+        const CutCheck check = runStroke(
+            cutter, mesh, stroke, disturbance(mode, rounded, meshBounds(mesh).diagonal(), phase));
+        const bool unseparated = goesThrough(mode) && slitEdges(mesh, i) > 0;
+        const std::string name = "seed " + std::to_string(seed) + " " + body + " " + nameOf(mode) +
+                                 " stroke " + std::to_string(i);
+        count(check, unseparated, name,
+              (rounded ? report.rounded : report.exact)[static_cast<int>(mode)]);
+        if (!check.problem.empty()) {
+            return;
+        }
+    }
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kerf::test {
+
+/// What a random stroke is like.
+enum class FuzzMode {
+    straight,    ///< right through
+    curved,      ///< right through on a bent path
+    twisted,     ///< right through, the blade turns about its path
+    fast,        ///< right through, many edge lengths a step
+    aligned,     ///< right through in axis directions, through a vertex or along an edge
+    crossing,    ///< several strokes right through, one after the other
+    realigned,   ///< several aligned strokes, also exactly along older slits
+    concurrent,  ///< three strokes through one line
+    incision,    ///< the tip stays inside
+    wander,      ///< the tip turns and changes depth
+    pivot,       ///< about the tip inside
+    saw,         ///< forwards while sliding along its axis
+    reverse,     ///< goes back and forth
+    deform,      ///< the body moves smoothly while it is cut
+};
+inline constexpr int kFuzzModes = 14;
+const char* nameOf(FuzzMode mode);
+/// The stroke passes the whole body, so it must leave no slit that ends inside.
+bool goesThrough(FuzzMode mode);
+
+struct FuzzFigures {
+    int strokes = 0;
+    int cuts = 0;
+    int refused = 0;
+    int retried = 0;
+    int unseparated = 0;  ///< strokes right through that left the end of a slit inside the body
+    int unmirrored = 0;   ///< strokes after which some wall triangle has no mirror
+    int invalid = 0;      ///< strokes in which an invariant broke
+    std::vector<std::string> notes;  ///< one line for each stroke worth looking at
+};
+
+struct FuzzReport {
+    std::array<FuzzFigures, kFuzzModes> exact;    ///< positions stay doubles
+    std::array<FuzzFigures, kFuzzModes> rounded;  ///< positions are rounded to floats every step
+    std::string table() const;
+    FuzzFigures total(bool ofRounded) const;
+};
+
+/// One random body and its strokes; `seed` decides everything.
+void fuzzOnce(std::uint64_t seed, FuzzReport& report);
+
+}  // namespace kerf::test
