@@ -13,12 +13,14 @@ using shared::vec4;
 
 struct BladeVertex {
     vec4 position;  // w: height above the cutting edge, 0 to 1
-    vec4 normal;    // w: 1 on the ground bevel
+    vec4 normal;    // w: shine, 1 on the ground bevel, 0 on the flat, less on the back
 };
 static_assert(sizeof(BladeVertex) == 32);
 
 constexpr double kThickness = 0.05;   // half, of the height
 constexpr double kBevelHeight = 0.3;  // where the ground bevel ends, of the height
+// The back is a pixel thin in most pictures: dark, it doesn't sparkle.
+constexpr double kBackShine = -0.45;
 const Eigen::Vector4f kSheetTint = {0.10f, 0.62f, 0.52f, 0.30f};
 const Eigen::Vector4f kEdgeTint = {0.30f, 0.95f, 0.80f, 1.0f};
 constexpr float kEdgeWidth = 1.6f;  // [px]
@@ -83,29 +85,30 @@ class KnifeBuilder {
         return end + height_ * (kSection[i][0] * side_ + kSection[i][1] * spine_);
     }
 
-    void add(const Vec3& end, int i, const Vec3& normal, bool bevel) {
-        vertices_.push_back({packed(at(end, i), kSection[i][1]), packed(normal, bevel)});
+    void add(const Vec3& end, int i, const Vec3& normal, double shine) {
+        vertices_.push_back({packed(at(end, i), kSection[i][1]), packed(normal, shine)});
     }
 
     void addFace(int i, int j) {
         const Vec3 across = at(blade_.a, j) - at(blade_.a, i);
         const Vec3 normal = across.cross(blade_.b - blade_.a).normalized();
+        const double shine = i == 0 || j == 0 ? 1 : (i == 2 ? kBackShine : 0);
         for (const auto& [end, corner] : {std::pair{blade_.a, i},
                                           {blade_.b, i},
                                           {blade_.a, j},
                                           {blade_.a, j},
                                           {blade_.b, i},
                                           {blade_.b, j}}) {
-            add(end, corner, normal, i == 0 || j == 0);
+            add(end, corner, normal, shine);
         }
     }
 
     void addEnd(const Vec3& end) {
         const Vec3 normal = (end - middle(blade_)).normalized();
         for (int i = 1; i < 4; ++i) {
-            add(end, 0, normal, false);
-            add(end, i, normal, false);
-            add(end, i + 1, normal, false);
+            add(end, 0, normal, 0);
+            add(end, i, normal, 0);
+            add(end, i + 1, normal, 0);
         }
     }
 

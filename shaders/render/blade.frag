@@ -4,7 +4,7 @@
 in vec3 worldPosition;
 in vec3 worldNormal;
 in float height;
-in float bevel;
+in float shine;
 uniform vec3 eye;
 out vec4 color;
 
@@ -21,7 +21,7 @@ void main() {
     vec3 steel = vec3(0.74, 0.78, 0.82);
     vec3 light = steel * surroundings(reflect(-v, n));
     light += steel * 0.12 * (ambientLight(n) + kKeyColor * max(dot(n, keyDirection), 0.0));
-    light *= mix(mix(0.95, 0.5, height), 1.4, bevel);
+    light *= mix(mix(0.95, 0.5, height), 1.4, shine);
     light += vec3(0.05, 0.55, 0.45) * exp(-28.0 * height);
     color = vec4(display(light), 1);
 }

@@ -2,7 +2,7 @@
 #include "render_bindings.h"
 struct BladeVertex {
     vec4 position;  // w: height above the cutting edge, 0 to 1
-    vec4 normal;    // w: 1 on the ground bevel
+    vec4 normal;    // w: shine, 1 on the ground bevel, 0 on the flat, less on the back
 };
 layout(std430, binding = kBindSegments) readonly buffer Vertices { BladeVertex vertices[]; };
 
@@ -10,13 +10,13 @@ uniform mat4 viewProjection;
 out vec3 worldPosition;
 out vec3 worldNormal;
 out float height;
-out float bevel;
+out float shine;
 
 void main() {
     BladeVertex vertex = vertices[gl_VertexID];
     worldPosition = vertex.position.xyz;
     worldNormal = vertex.normal.xyz;
-    bevel = vertex.normal.w;
+    shine = vertex.normal.w;
     height = vertex.position.w;
     gl_Position = viewProjection * vec4(worldPosition, 1);
 }

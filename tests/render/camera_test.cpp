@@ -1,0 +1,134 @@
+#include "render/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace kerf::render {
+namespace {
+
+Vec3 project(const Camera& camera, const Vec3& point, double aspect) {
+    const Eigen::Vector4f clip =
+        camera.projection(aspect) * camera.view() * Vec3f(point.cast<float>()).homogeneous();
+    return clip.head<3>().cast<double>() / double(clip.w());
+}
+
+Bounds unitBox() {
+    Bounds box;
+    box.add(Vec3(-1, -1, -1));
+    box.add(Vec3(1, 1, 1));
+    return box;
+}
+
+double elevation(const Camera& camera) {
+    return std::asin((camera.eye - camera.target).normalized().y());
+}
+
+TEST(Camera, TargetIsInTheMiddleOfThePicture) {
+    Camera camera;
+    camera.target = Vec3(0.3, -0.2, 0.5);
+    const Vec3 ndc = project(camera, camera.target, 16.0 / 9);
+    EXPECT_NEAR(ndc.x(), 0, 1e-5);
+    EXPECT_NEAR(ndc.y(), 0, 1e-5);
+    EXPECT_GT(ndc.z(), -1);
+    EXPECT_LT(ndc.z(), 1);
+}
+
+TEST(Camera, RayIsTheInverseOfTheProjection) {
+    Camera camera;
+    for (const Vec2& ndc : {Vec2(0, 0), Vec2(0.7, -0.4), Vec2(-0.9, 0.95)}) {
+        const Vec3 point = camera.eye + 3.7 * camera.rayDirection(ndc, 1.5);
+        const Vec3 back = project(camera, point, 1.5);
+        EXPECT_NEAR(back.x(), ndc.x(), 1e-5);
+        EXPECT_NEAR(back.y(), ndc.y(), 1e-5);
+    }
+    EXPECT_NEAR(camera.rayDirection({0.3, 0.1}, 1.5).norm(), 1, 1e-12);
+}
+
+TEST(Camera, VerticalFieldOfViewSpansTheHeight) {
+    Camera camera;
+    camera.eye = Vec3(0, 0, 5);
+    camera.fovY = 60;
+    const double half = 5 * std::tan(30 * std::numbers::pi / 180);
+    EXPECT_NEAR(project(camera, Vec3(0, half, 0), 2).y(), 1, 1e-5);
+    EXPECT_NEAR(project(camera, Vec3(2 * half, 0, 0), 2).x(), 1, 1e-5);
+}
+
+TEST(Camera, OrbitKeepsDistanceAndStopsBeforeThePoles) {
+    Camera camera;
+    const double before = (camera.eye - camera.target).norm();
+    camera.orbit(0.8, 0.2);
+    EXPECT_NEAR((camera.eye - camera.target).norm(), before, 1e-9);
+    camera.orbit(0, 10);
+    EXPECT_GT(elevation(camera), 1.5);
+    EXPECT_LT(elevation(camera), 0.5 * std::numbers::pi);
+    camera.orbit(0, -20);
+    EXPECT_LT(elevation(camera), -1.5);
+    EXPECT_GT(elevation(camera), -0.5 * std::numbers::pi);
+}
+
+TEST(Camera, OrbitLeavesAStraightViewFromAbove) {
+    Camera camera;
+    camera.eye = Vec3(0, 5, 0);
+    EXPECT_TRUE(camera.view().allFinite());
+    camera.orbit(0, -0.5);
+    EXPECT_LT(elevation(camera), 1.3);
+    EXPECT_NEAR(camera.eye.norm(), 5, 1e-9);
+}
+
+TEST(Camera, OrbitByYawAndPitchTurnsByTheseAngles) {
+    Camera camera;
+    camera.eye = Vec3(0, 0, 4);
+    camera.orbit(0.5, 0.3);
+    EXPECT_NEAR(elevation(camera), 0.3, 1e-9);
+    EXPECT_NEAR(std::atan2(camera.eye.x(), camera.eye.z()), 0.5, 1e-9);
+}
+
+TEST(Camera, PanMovesTheTargetByAShareOfTheViewHeight) {
+    Camera camera;
+    const Vec3 target = camera.target;
+    camera.pan(0.1, -0.25);
+    const Vec3 ndc = project(camera, target, 1);
+    EXPECT_NEAR(ndc.x(), -0.2, 1e-5);
+    EXPECT_NEAR(ndc.y(), 0.5, 1e-5);
+}
+
+TEST(Camera, ZoomKeepsThePointUnderThePointer) {
+    Camera camera;
+    const Vec2 pointer(0.4, -0.3);
+    const double distance = (camera.target - camera.eye).norm();
+    const Vec3 forward = (camera.target - camera.eye) / distance;
+    const Vec3 ray = camera.rayDirection(pointer, 1.6);
+    const Vec3 under = camera.eye + ray * (distance / ray.dot(forward));
+    camera.zoom(0.5, pointer, 1.6);
+    EXPECT_NEAR((camera.target - camera.eye).norm(), 0.5 * distance, 1e-9);
+    const Vec3 ndc = project(camera, under, 1.6);
+    EXPECT_NEAR(ndc.x(), pointer.x(), 1e-5);
+    EXPECT_NEAR(ndc.y(), pointer.y(), 1e-5);
+}
+
+TEST(Camera, FrameFillsTheViewWithTheBounds) {
+    Camera camera;
+    const Vec3 direction = (camera.target - camera.eye).normalized();
+    camera.frame(unitBox());
+    EXPECT_NEAR((camera.target - camera.eye).normalized().dot(direction), 1, 1e-12);
+    double reach = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 point(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        const Vec3 ndc = project(camera, point, 1);
+        reach = std::max({reach, std::abs(ndc.x()), std::abs(ndc.y())});
+    }
+    EXPECT_LE(reach, 1 + 1e-5);
+    EXPECT_GT(reach, 0.9);
+}
+
+TEST(Camera, FrameOfNothingChangesNothing) {
+    Camera camera;
+    const Vec3 eye = camera.eye;
+    camera.frame(Bounds{});
+    EXPECT_EQ(camera.eye, eye);
+}
+
+}  // namespace
+}  // namespace kerf::render

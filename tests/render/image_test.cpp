@@ -1,0 +1,141 @@
+#include "render/image.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::render {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+Image gradient(int width, int height) {
+    Image image{width, height, {}};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            for (const int channel : {x * 7, y * 11, x * y, 255 - x}) {
+                image.pixels.push_back(static_cast<std::uint8_t>(channel));
+            }
+        }
+    }
+    return image;
+}
+
+std::string readError(const fs::path& file) {
+    try {
+        readPng(file);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+using test::readBytes;
+using test::writeText;
+
+class ImageFile : public testing::Test {
+  protected:
+    test::TemporaryFolder folder_;
+    fs::path file_ = folder_.path() / "picture.png";
+};
+
+TEST_F(ImageFile, ComesBackAsWritten) {
+    const Image image = gradient(33, 17);
+    writePng(image, file_);
+    const Image back = readPng(file_);
+    EXPECT_EQ(back.width, 33);
+    EXPECT_EQ(back.height, 17);
+    EXPECT_EQ(back.pixels, image.pixels);
+}
+
+TEST_F(ImageFile, EqualPicturesGiveEqualBytes) {
+    writePng(gradient(20, 20), file_);
+    const std::string first = readBytes(file_);
+    writePng(gradient(20, 20), file_);
+    EXPECT_EQ(readBytes(file_), first);
+}
+
+TEST_F(ImageFile, WritingLeavesNoOtherFile) {
+    writePng(gradient(4, 4), file_);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
+}
+
+TEST_F(ImageFile, WritingIntoAMissingFolderNamesTheFile) {
+    const fs::path lost = folder_.path() / "missing" / "a.png";
+    try {
+        writePng(gradient(4, 4), lost);
+        FAIL() << "written";
+    } catch (const std::runtime_error& error) {
+        EXPECT_THAT(error.what(), HasSubstr(lost.string()));
+        EXPECT_THAT(error.what(), HasSubstr("No such file or directory"));
+    }
+}
+
+TEST_F(ImageFile, WritingOverAFolderLeavesNothingBehind) {
+    fs::create_directories(file_ / "inside");
+    EXPECT_THROW(writePng(gradient(4, 4), file_), std::runtime_error);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
+}
+
+TEST_F(ImageFile, MissingFileIsNamed) {
+    EXPECT_THAT(readError(file_), HasSubstr(file_.string()));
+    EXPECT_THAT(readError(file_), HasSubstr("no such file"));
+}
+
+TEST_F(ImageFile, TextIsNotAPng) {
+    writeText(file_, "not a picture");
+    EXPECT_THAT(readError(file_), HasSubstr("not a PNG"));
+}
+
+TEST_F(ImageFile, FolderIsRefused) {
+    EXPECT_THAT(readError(folder_.path()), HasSubstr("not a regular file"));
+}
+
+TEST_F(ImageFile, CutOffFileIsDamaged) {
+    writePng(gradient(64, 64), file_);
+    const std::string bytes = readBytes(file_);
+    writeText(file_, bytes.substr(0, bytes.size() / 2));
+    EXPECT_THAT(readError(file_), HasSubstr("damaged"));
+    writeText(file_, bytes.substr(0, 12));
+    EXPECT_THAT(readError(file_), HasSubstr("damaged"));
+}
+
+TEST(CompareImages, EqualOnes) {
+    const ImageDifference difference = compareImages(gradient(9, 9), gradient(9, 9));
+    EXPECT_TRUE(difference.sameSize);
+    EXPECT_EQ(difference.meanError, 0);
+    EXPECT_EQ(difference.maxError, 0);
+    EXPECT_EQ(difference.differingPixels, 0);
+}
+
+TEST(CompareImages, CountsPixelsAndErrors) {
+    const Image a{2, 1, {0, 0, 0, 255, 10, 10, 10, 255}};
+    const Image b{2, 1, {0, 0, 2, 255, 10, 10, 61, 255}};
+    const ImageDifference difference = compareImages(a, b);
+    EXPECT_DOUBLE_EQ(difference.maxError, 51 / 255.0);
+    EXPECT_DOUBLE_EQ(difference.meanError, 53 / 255.0 / 8);
+    EXPECT_EQ(difference.differingPixels, 1);
+}
+
+TEST(CompareImages, PictureIsRedWhereTheyDiffer) {
+    const Image a{2, 1, {0, 0, 0, 255, 10, 10, 10, 255}};
+    const Image b{2, 1, {0, 0, 0, 255, 90, 10, 10, 255}};
+    const std::vector<std::uint8_t> picture = compareImages(a, b).picture.pixels;
+    EXPECT_EQ(picture[0], picture[1]);
+    EXPECT_EQ(picture[1], picture[2]);
+    EXPECT_GT(picture[4], picture[5] + 100);
+}
+
+TEST(CompareImages, OtherSizesAreNotCompared) {
+    const ImageDifference difference = compareImages(gradient(9, 9), gradient(9, 8));
+    EXPECT_FALSE(difference.sameSize);
+    EXPECT_EQ(difference.maxError, 1);
+}
+
+}  // namespace
+}  // namespace kerf::render

@@ -1,0 +1,256 @@
+#include "render/renderer.h"
+
+#include <glad/gl.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "gpu/context.h"
+#include "render/passes/normals_pass.h"
+#include "shaders/shared/shared_types.h"
+#include "tests/support/body_upload.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf::render {
+namespace {
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 180;
+
+/// A body with all that a picture of it needs.
+struct Stage {
+    explicit Stage(const SurfaceMesh& mesh) : body(mesh) {
+        scene.body = body.view();
+        scene.restBounds = body.restBounds;
+        scene.focus = body.bounds;
+        scene.material = materialFor("sphere768");
+        scene.floor = body.bounds.low.y();
+        camera.frame(body.bounds);
+    }
+    Image picture(Renderer& renderer) const {
+        renderer.draw(scene, camera, kWidth, kHeight);
+        return renderer.readPicture();
+    }
+    test::UploadedBody body;
+    SceneView scene;
+    Camera camera;
+};
+
+const std::uint8_t* pixelAt(const Image& image, int x, int y) {
+    return &image.pixels[std::size_t(4) * (std::size_t(y) * image.width + x)];
+}
+
+bool isReddish(const std::uint8_t* pixel) {
+    return pixel[0] > pixel[2] + 40;
+}
+
+long countReddish(const Image& image) {
+    long count = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+        count += isReddish(&image.pixels[i]) ? 1 : 0;
+    }
+    return count;
+}
+
+class RendererTest : public test::GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        light_ = std::make_unique<Renderer>(Quality::light);
+    }
+    Image pictureOf(const Stage& stage) { return stage.picture(*light_); }
+
+    std::unique_ptr<Renderer> light_;
+};
+
+TEST_F(RendererTest, DrawsTheBodyWhereItIs) {
+    const Image picture = pictureOf(Stage(test::cubeSphere(8)));
+    ASSERT_EQ(picture.width, kWidth);
+    ASSERT_EQ(picture.height, kHeight);
+    EXPECT_TRUE(isReddish(pixelAt(picture, kWidth / 2, kHeight / 2)));
+    EXPECT_FALSE(isReddish(pixelAt(picture, 2, kHeight / 2)));
+    // A sphere of radius 0.5 framed by its box: about a fifth of the picture.
+    const double share = double(countReddish(picture)) / (kWidth * kHeight);
+    EXPECT_GT(share, 0.12);
+    EXPECT_LT(share, 0.35);
+}
+
+TEST_F(RendererTest, TopRowIsTheTopOfTheScene) {
+    Stage stage(test::cubeSphere(8));
+    stage.scene.floor.reset();
+    stage.camera.eye += Vec3(0, 0.3, 0);
+    stage.camera.target += Vec3(0, 0.3, 0);
+    const Image picture = pictureOf(stage);
+    EXPECT_TRUE(isReddish(pixelAt(picture, kWidth / 2, kHeight - 20)));
+    EXPECT_FALSE(isReddish(pixelAt(picture, kWidth / 2, 10)));
+}
+
+TEST_F(RendererTest, PictureIsOpaqueAndFreeOfBlackHoles) {
+    const Image picture = pictureOf(Stage(test::openedSphere(10, 0.05, 0.25)));
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+        ASSERT_EQ(picture.pixels[i + 3], 255);
+        ASSERT_GT(picture.pixels[i] + picture.pixels[i + 1] + picture.pixels[i + 2], 6);
+    }
+}
+
+TEST_F(RendererTest, TheSameSceneGivesTheSameBytes) {
+    Stage stage(test::openedSphere(8, 0.05, 0.25));
+    stage.scene.blade = Blade{Vec3(-1, 0.5, 0), Vec3(1, 0.5, 0)};
+    stage.scene.sweep = {{Vec3(-1, 1.2, 0), Vec3(1, 1.2, 0)}, *stage.scene.blade};
+    const Image first = pictureOf(stage);
+    // Another size, another scene and a foreign state in between must not matter.
+    light_->draw(SceneView{}, Camera{}, 64, 64);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 3, 3);
+    glEnable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    EXPECT_EQ(pictureOf(stage).pixels, first.pixels);
+    Renderer other(Quality::light);
+    EXPECT_EQ(stage.picture(other).pixels, first.pixels);
+}
+
+TEST_F(RendererTest, FullQualityIsTheSamePictureButSmoother) {
+    const Stage stage(test::cubeSphere(8));
+    Renderer full(Quality::full);
+    const ImageDifference difference = compareImages(pictureOf(stage), stage.picture(full));
+    EXPECT_LT(difference.meanError, 0.01);
+    EXPECT_GT(difference.differingPixels, 0);
+}
+
+TEST_F(RendererTest, EmptySceneDrawsFloorAndBackdrop) {
+    SceneView scene;
+    scene.floor = -0.5;
+    light_->draw(scene, Camera{}, kWidth, kHeight);
+    const Image picture = light_->readPicture();
+    EXPECT_LT(countReddish(picture), kWidth * kHeight / 20);
+    EXPECT_GT(pixelAt(picture, kWidth / 2, kHeight - 5)[2], 30);
+}
+
+TEST_F(RendererTest, WallsLookUnlikeSkin) {
+    Stage stage(test::openedSphere(12, 0.05, 0.5));
+    stage.camera.eye = Vec3(4, 1.5, 0.8);
+    stage.camera.frame(stage.body.bounds);
+    const Image cut = pictureOf(stage);
+    long pale = 0;
+    for (std::size_t i = 0; i < cut.pixels.size(); i += 4) {
+        const std::uint8_t* pixel = &cut.pixels[i];
+        pale += pixel[1] > 120 && pixel[1] > pixel[2] + 20 ? 1 : 0;
+    }
+    EXPECT_GT(pale, 200);
+}
+
+TEST_F(RendererTest, BodyDarkensTheFloorBelow) {
+    Stage stage(test::cubeSphere(8));
+    stage.camera.eye = Vec3(0, 1.2, 3);
+    stage.camera.frame(stage.body.bounds);
+    const Image with = pictureOf(stage);
+    stage.scene.body = BodyView{};
+    const Image without = pictureOf(stage);
+    long darker = 0;
+    for (std::size_t i = 0; i < with.pixels.size(); i += 4) {
+        darker += with.pixels[i + 2] + 8 < without.pixels[i + 2] ? 1 : 0;
+    }
+    EXPECT_GT(darker, 300);
+}
+
+TEST_F(RendererTest, BladeAndSweepAreDrawn) {
+    Stage stage(test::cubeSphere(8));
+    const Image bare = pictureOf(stage);
+    stage.scene.blade = Blade{Vec3(-0.7, 0.55, 0), Vec3(0.7, 0.55, 0)};
+    const Image blade = pictureOf(stage);
+    EXPECT_GT(compareImages(bare, blade).differingPixels, 100);
+    stage.scene.sweep = {{Vec3(-0.7, 0.8, 0), Vec3(0.7, 0.8, 0)}, *stage.scene.blade};
+    EXPECT_GT(compareImages(blade, pictureOf(stage)).differingPixels, 300);
+}
+
+TEST_F(RendererTest, DegenerateBladeAndCameraAreHarmless) {
+    Stage stage(test::cubeSphere(4));
+    stage.scene.blade = Blade{Vec3(0, 1, 0), Vec3(0, 1, 0)};
+    stage.scene.sweep = {*stage.scene.blade, *stage.scene.blade};
+    stage.camera.eye = Vec3(0, 3, 0);
+    EXPECT_GT(countReddish(pictureOf(stage)), 100);
+    stage.scene.blade = Blade{Vec3(0, -9, 0), Vec3(0, 9, 0)};
+    EXPECT_GT(countReddish(pictureOf(stage)), 100);
+}
+
+TEST_F(RendererTest, WireframeShowsEdges) {
+    Stage stage(test::cubeSphere(8));
+    const Image plain = pictureOf(stage);
+    stage.scene.wireframe = true;
+    EXPECT_GT(compareImages(plain, pictureOf(stage)).differingPixels, 1000);
+}
+
+/// Normals from the definition, in double precision: angle-weighted, one kind of triangle only.
+Vec3 referenceNormal(const SurfaceMesh& mesh, int vertex, SurfaceKind kind) {
+    Vec3 sum = Vec3::Zero();
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        for (int c = 0; c < 3 && mesh.alive(t) && mesh.kind(t) == kind; ++c) {
+            if (mesh.triangle(t)[c] == vertex) {
+                const Vec3 p = mesh.position(vertex);
+                const Vec3 u = mesh.position(mesh.triangle(t)[(c + 1) % 3]) - p;
+                const Vec3 v = mesh.position(mesh.triangle(t)[(c + 2) % 3]) - p;
+                const Vec3 n = u.cross(v);
+                sum += n.normalized() * std::atan2(n.norm(), u.dot(v));
+            }
+        }
+    }
+    return sum;
+}
+
+TEST_F(RendererTest, NormalsAgreeWithTheDefinition) {
+    const SurfaceMesh mesh = test::openedSphere(6, 0.1, 0.3);
+    const test::UploadedBody body(mesh);
+    NormalsPass pass;
+    pass.run(body.view());
+    const auto normals = pass.normals().read<shared::vec4>(0, 2 * body.vertexCount);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        for (const SurfaceKind kind : {SurfaceKind::skin, SurfaceKind::wall}) {
+            const Vec3 expected = referenceNormal(mesh, v, kind);
+            const shared::vec4& n = normals[std::size_t(2 * v) + std::size_t(kind)];
+            if (expected.norm() > 0) {
+                EXPECT_LT((Vec3(n.x, n.y, n.z) - expected.normalized()).norm(), 2e-5) << v;
+            }
+        }
+    }
+}
+
+/// Compares with tests/golden/NAME.png; with KERF_UPDATE_GOLDEN=1 writes it instead.
+void expectGolden(const Image& picture, const std::string& name, double tolerance) {
+    const std::filesystem::path golden =
+        std::filesystem::path(KERF_SOURCE_DIR) / "tests/golden" / (name + ".png");
+    if (std::getenv("KERF_UPDATE_GOLDEN") != nullptr) {
+        writePng(picture, golden);
+        return;
+    }
+    const ImageDifference difference = compareImages(readPng(golden), picture);
+    EXPECT_TRUE(difference.sameSize);
+    EXPECT_LE(difference.meanError, tolerance);
+    if (testing::Test::HasFailure()) {
+        const std::filesystem::path folder = KERF_BINARY_DIR;
+        writePng(picture, folder / (name + "-now.png"));
+        writePng(difference.picture, folder / (name + "-difference.png"));
+    }
+}
+
+TEST_F(RendererTest, GoldenSphereUnderTheBlade) {
+    Stage stage(test::cubeSphere(8));
+    stage.scene.blade = Blade{Vec3(-0.7, 0.3, 0), Vec3(0.7, 0.3, 0)};
+    stage.scene.sweep = {{Vec3(-0.7, 0.8, 0), Vec3(0.7, 0.8, 0)}, *stage.scene.blade};
+    expectGolden(pictureOf(stage), "sphere-under-the-blade", 0.004);
+}
+
+TEST_F(RendererTest, GoldenOpenedSphere) {
+    Stage stage(test::openedSphere(16, 0.05, 0.4));
+    stage.camera.eye = Vec3(4, 1.5, 1.4);
+    stage.camera.frame(stage.body.bounds);
+    light_->setRestShape(test::cubeSphere(12, 1.0));
+    expectGolden(pictureOf(stage), "opened-sphere", 0.004);
+}
+
+}  // namespace
+}  // namespace kerf::render
