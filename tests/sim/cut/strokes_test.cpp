@@ -1,0 +1,286 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sim/cut/cutter.h"
+#include "sim/mesh/invariants.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+using test::CutCheck;
+using test::Stroke;
+
+const Vec3 kCenter(0.013, 0.021, 0.034);
+
+int piecesOf(const SurfaceMesh& mesh) {
+    return static_cast<int>(findPieces(mesh).pieces.size());
+}
+
+Stroke through(const Vec3& along, const Vec3& travel, int steps = 60) {
+    return test::straightStroke(kCenter, along, travel, 3.0, 2.4, steps);
+}
+
+/// The handle stays 1 m above, the tip goes along +x at height `tipY` (a unit sphere of diameter
+/// 1 ends at 0.5).
+Stroke incision(double tipY, double fromX, double toX, int steps) {
+    Stroke stroke;
+    for (int i = 0; i <= steps; ++i) {
+        const double x = fromX + (toX - fromX) * i / steps;
+        stroke.push_back({{x, 1.5, 0.011}, {x, tipY, 0.013}});
+    }
+    return stroke;
+}
+
+void expectSound(const CutCheck& check) {
+    EXPECT_EQ(check.problem, "");
+    EXPECT_EQ(check.unmirrored, "");
+    EXPECT_EQ(check.refused, 0) << check.reason;
+}
+
+TEST(Cut, IncisionStaysOnePieceAndClosed) {
+    SurfaceMesh mesh = test::icosphere(3);
+    expectSound(test::runStroke(mesh, test::exactSettings(), incision(0.25, -0.7, 0.7, 60)));
+    EXPECT_EQ(piecesOf(mesh), 1);
+    EXPECT_GT(test::slitEdges(mesh, 0), 5) << "the slit ends inside";
+}
+
+TEST(Cut, MatesBehindTheFrontLieAtEqualPositions) {
+    SurfaceMesh mesh = test::icosphere(3);
+    test::runStroke(mesh, test::exactSettings(), incision(0.25, -0.7, 0.1, 40));
+    int mates = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.mateGroup(v) < 0) {
+            continue;
+        }
+        const std::vector<int>& group = mesh.matesOfGroup(mesh.mateGroup(v));
+        EXPECT_EQ(group.size(), 2u);
+        for (const int mate : group) {
+            EXPECT_EQ(mesh.position(mate), mesh.position(v));
+            EXPECT_EQ(mesh.restPosition(mate), mesh.restPosition(v));
+        }
+        ++mates;
+    }
+    EXPECT_GT(mates, 20);
+}
+
+TEST(Cut, BladeThatMissesChangesNothing) {
+    SurfaceMesh mesh = test::icosphere(2);
+    const std::string before = test::fingerprint(mesh);
+    const Stroke beside =
+        test::straightStroke({0, 0, 0.8}, Vec3::UnitX(), -Vec3::UnitY(), 3, 2, 40);
+    const CutCheck check = test::runStroke(mesh, test::exactSettings(), beside);
+    expectSound(check);
+    EXPECT_EQ(check.cuts, 0);
+    EXPECT_EQ(test::fingerprint(mesh), before);
+}
+
+TEST(Cut, BladeWhollyInsideChangesNothing) {
+    SurfaceMesh mesh = test::icosphere(2);
+    const std::string before = test::fingerprint(mesh);
+    const Stroke inside =
+        test::straightStroke(kCenter, Vec3::UnitX(), -Vec3::UnitY(), 0.3, 0.3, 10);
+    EXPECT_EQ(test::runStroke(mesh, test::exactSettings(), inside).cuts, 0);
+    EXPECT_EQ(test::fingerprint(mesh), before);
+}
+
+TEST(Cut, StandingStillAndNoLengthWait) {
+    SurfaceMesh mesh = test::icosphere(1);
+    Cutter cutter(mesh, test::exactSettings());
+    const Blade blade{{-1, 0, 0}, {1, 0, 0}};
+    cutter.begin(blade);
+    EXPECT_EQ(cutter.advance(blade).outcome, CutOutcome::waiting);
+    EXPECT_EQ(cutter.advance({{1, 1, 1}, {1, 1, 1}}).outcome, CutOutcome::waiting);
+    EXPECT_TRUE(cutter.inStroke());
+    cutter.advance(blade);
+    EXPECT_EQ(cutter.finish().outcome, CutOutcome::waiting);
+    EXPECT_FALSE(cutter.inStroke());
+    EXPECT_TRUE(cutter.rung().empty());
+}
+
+TEST(Cut, GateHoldsShortMovesBackAndFinishFlushesThem) {
+    SurfaceMesh mesh = test::icosphere(2);
+    CutSettings settings = test::exactSettings();
+    settings.wallEdgeLength = 0.2;
+    Cutter cutter(mesh, settings);
+    cutter.begin({{-1, 0.6, 0.01}, {1, 0.6, 0.02}});
+    EXPECT_EQ(cutter.advance({{-1, 0.52, 0.01}, {1, 0.52, 0.02}}).outcome, CutOutcome::waiting);
+    EXPECT_EQ(cutter.advance({{-1, 0.48, 0.01}, {1, 0.48, 0.02}}).outcome, CutOutcome::cut);
+    EXPECT_EQ(cutter.advance({{-1, 0.45, 0.01}, {1, 0.45, 0.02}}).outcome, CutOutcome::waiting);
+    EXPECT_EQ(cutter.finish().outcome, CutOutcome::cut);
+    EXPECT_EQ(checkClosedManifold(mesh), "");
+}
+
+TEST(Cut, WithdrawingTheBladeChangesNothing) {
+    SurfaceMesh mesh = test::icosphere(3);
+    Cutter cutter(mesh, test::exactSettings());
+    const Stroke forward = incision(0.1, -0.7, 0.0, 40);
+    cutter.begin(forward.front());
+    for (const Blade& blade : forward) {
+        cutter.advance(blade);
+    }
+    const std::string before = test::fingerprint(mesh);
+    int withdrawing = 0;
+    for (int i = 39; i > 20; --i) {
+        withdrawing += cutter.advance(forward[i]).outcome == CutOutcome::withdrawing;
+    }
+    EXPECT_GT(withdrawing, 5);
+    EXPECT_EQ(test::fingerprint(mesh), before);
+    EXPECT_EQ(cutter.advance(incision(0.1, 0.1, 0.1, 1)[0]).outcome, CutOutcome::cut);
+    EXPECT_EQ(checkClosedManifold(mesh), "");
+}
+
+TEST(Cut, TwoCrossingStrokesGiveFourQuarters) {
+    SurfaceMesh mesh = test::icosphere(3);
+    Cutter cutter(mesh, test::exactSettings());
+    expectSound(test::runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY())));
+    EXPECT_EQ(piecesOf(mesh), 2);
+    expectSound(test::runStroke(cutter, mesh, through(Vec3::UnitZ(), -Vec3::UnitY())));
+    EXPECT_EQ(piecesOf(mesh), 4);
+    EXPECT_EQ(cutter.refusedSteps(), 0);
+}
+
+TEST(Cut, ThreeStrokesThroughOneLineGiveSixWedges) {
+    SurfaceMesh mesh = test::icosphere(3);
+    Cutter cutter(mesh, CutSettings{});
+    for (int i = 0; i < 3; ++i) {
+        const double angle = 0.2 + 1.05 * i;
+        const Vec3 travel(0, std::sin(angle), std::cos(angle));
+        expectSound(test::runStroke(cutter, mesh, through(Vec3::UnitX(), travel)));
+    }
+    // The strokes pass each other by their offsets: six wedges and perhaps one sliver between.
+    EXPECT_GE(piecesOf(mesh), 6);
+    EXPECT_LE(piecesOf(mesh), 7);
+}
+
+TEST(Cut, PivotAboutTheTipAndSawing) {
+    for (const bool saw : {false, true}) {
+        SurfaceMesh mesh = test::icosphere(3);
+        Stroke stroke;
+        for (int i = 0; i <= 60; ++i) {
+            const double u = i / 60.0 - 0.5;
+            const Vec3 along =
+                Vec3(saw ? 0 : std::sin(1.6 * u), -std::cos(1.6 * u), 0.05).normalized();
+            const Vec3 tip = Vec3(saw ? 1.2 * u : 0.03, 0.1, 0.01) +
+                             along * (saw ? 0.1 * std::sin(1.3 * i) : 0.0);
+            stroke.push_back({tip - along * 1.5, tip});
+        }
+        const CutCheck check = test::runStroke(mesh, test::exactSettings(), stroke);
+        expectSound(check);
+        EXPECT_GT(check.cuts, 5);
+    }
+}
+
+TEST(Cut, CutsABodyThatDeformsSmoothly) {
+    SurfaceMesh mesh = test::icosphere(3);
+    Cutter cutter(mesh, CutSettings{});
+    const CutCheck check = test::runStroke(
+        cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()), [](SurfaceMesh& body, int step) {
+            for (int v = 0; v < body.vertexCount(); ++v) {
+                const Vec3 p = body.position(v);
+                const Vec3 moved = p + 0.003 * Vec3(std::sin(6 * p.y() + step), std::sin(5 * p.z()),
+                                                    std::sin(4 * p.x() + step));
+                body.setPosition(v, moved.cast<float>().cast<double>());
+            }
+        });
+    EXPECT_EQ(check.problem, "");
+    EXPECT_LE(check.refused, 1) << check.reason;
+    EXPECT_GE(piecesOf(mesh), 2);
+}
+
+TEST(Cut, ScrambledBodyIsRefusedUntouched) {
+    // Random positions make the surface pierce itself everywhere. Each step either succeeds with a
+    // closed mesh or leaves every byte; runStroke checks both.
+    SurfaceMesh mesh = test::icosphere(2);
+    std::mt19937_64 engine(11);
+    Cutter cutter(mesh, test::exactSettings());
+    const CutCheck check = test::runStroke(
+        cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY(), 30), [&](SurfaceMesh& body, int) {
+            for (int v = 0; v < body.vertexCount(); ++v) {
+                Vec3 p = body.position(v);
+                for (int axis = 0; axis < 3; ++axis) {
+                    p[axis] += 0.1 * (static_cast<double>(engine() >> 11) * 0x1p-53 - 0.5);
+                }
+                body.setPosition(v, p);
+            }
+        });
+    EXPECT_EQ(check.problem, "");
+    EXPECT_GT(check.refused, 0);
+    EXPECT_NE(check.reason, "");
+    EXPECT_EQ(cutter.refusedSteps(), check.refused);
+}
+
+TEST(Cut, SameStrokeTwiceGivesTheSameBytes) {
+    std::vector<std::string> results;
+    for (int run = 0; run < 2; ++run) {
+        SurfaceMesh mesh = test::torus();
+        Cutter cutter(mesh, CutSettings{});
+        test::runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()));
+        test::runStroke(cutter, mesh, incision(0.05, -0.7, 0.7, 40));
+        results.push_back(test::fingerprint(mesh));
+    }
+    EXPECT_EQ(results[0], results[1]);
+}
+
+TEST(Cut, WallsCarryTheirStrokeAndSide) {
+    SurfaceMesh mesh = test::icosphere(2);
+    Cutter cutter(mesh, test::exactSettings());
+    test::runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()));
+    test::runStroke(cutter, mesh, through(Vec3::UnitZ(), -Vec3::UnitY()));
+    std::array<int, 4> count{};
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t) && mesh.kind(t) == SurfaceKind::wall) {
+            ASSERT_GE(mesh.wallLabel(t), 0);
+            ASSERT_LT(mesh.wallLabel(t), 4);
+            ++count[mesh.wallLabel(t)];
+        }
+    }
+    EXPECT_GT(count[0], 0);
+    EXPECT_EQ(count[0], count[1]);
+    EXPECT_GT(count[2], 0);
+    EXPECT_EQ(count[2], count[3]);
+}
+
+// The body is an affine image of its rest shape and moves with an affine velocity field.
+TEST(Cut, WallsTakeRestPositionsAndVelocitiesFromTheSkin) {
+    SurfaceMesh mesh = test::icosphere(3);
+    Eigen::Matrix3d stretch;
+    stretch << 1.1, 0.08, 0.0, -0.05, 0.9, 0.04, 0.02, 0.0, 1.05;
+    Eigen::Matrix3d spin;
+    spin << 0, -0.4, 0.1, 0.4, 0, 0.2, -0.1, -0.2, 0.3;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, stretch * mesh.restPosition(v));
+        mesh.setVelocity(v, spin * mesh.position(v));
+    }
+    const double h = meanEdgeLength(mesh);
+    expectSound(
+        test::runStroke(mesh, test::exactSettings(), through(Vec3::UnitX(), -Vec3::UnitY())));
+    double worstRest = 0;
+    double worstVelocity = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        worstRest = std::max(worstRest,
+                             (stretch.inverse() * mesh.position(v) - mesh.restPosition(v)).norm());
+        worstVelocity =
+            std::max(worstVelocity, (spin * mesh.position(v) - mesh.velocity(v)).norm());
+    }
+    // The ridge pulls the linear part by 1e-3 of the samples' spread towards the identity.
+    EXPECT_LT(worstRest, 0.02 * h);
+    EXPECT_LT(worstVelocity, 0.01);
+}
+
+TEST(Cut, WallEdgesAreComparableOnCoarseBodies) {
+    SurfaceMesh mesh = test::icosphere(0);
+    test::runStroke(mesh, CutSettings{}, through(Vec3::UnitX(), -Vec3::UnitY()));
+    int walls = 0;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        walls += mesh.alive(t) && mesh.kind(t) == SurfaceKind::wall;
+    }
+    EXPECT_GT(walls, 100);
+    EXPECT_LT(walls, 600);
+}
+
+}  // namespace
+}  // namespace kerf
