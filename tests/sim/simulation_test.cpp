@@ -207,6 +207,20 @@ TEST_F(SimulationTest, HalvesFallApartAndKeepTheirVolume) {
     EXPECT_EQ(checkFinite(simulation.mesh()), "");
 }
 
+TEST_F(SimulationTest, CutsASaggingBodyInTwo) {
+    // Scene i of cutting-moving: without the anchored front this ends at 12 m/s in one piece.
+    Simulation simulation(test::cubeSphere(8), dropped(0));
+    run(simulation, 60);
+    double fastest = 0;
+    cutDown(simulation, 0.75, -0.75, 120, [&] {
+        EXPECT_TRUE(simulation.report().closed);
+        fastest = std::max(fastest, topSpeed(simulation));
+    });
+    EXPECT_EQ(simulation.report().pieces, 2);
+    EXPECT_LT(fastest, 8);
+    EXPECT_NEAR(simulation.report().volumeRatio, 1, 2e-3);
+}
+
 TEST_F(SimulationTest, ABladeThatStandsStillCutsNothing) {
     Simulation simulation(test::cubeSphere(8), weightless());
     for (int i = 0; i <= 10; ++i) {
