@@ -99,11 +99,12 @@ struct Cutter::State {
     SurfaceMesh& mesh;
     CutSettings settings;
     double h = 0;
-    int stroke = -1;
+    int stroke = 0;
     int pass = 0;  ///< goes up each time the blade starts from the air
     bool inStroke = false;
     Blade blade{};  ///< the last one given
     std::vector<RungNode> rung{};
+    bool madeWalls = false;  ///< in this stroke
     std::vector<int> skinVertices{};
     int refused = 0;
     int refusedInARow = 0;
@@ -166,6 +167,9 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to,
 CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from) {
     const cut::BroadPhase candidates = findCandidates(to, from);
     const std::vector<int> pieces = labelPieces(mesh);
+    if (skinVertices.empty()) {
+        skinVertices = cut::findSkinVertices(mesh);
+    }
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
     std::string reason;
@@ -204,6 +208,7 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step) {
         return outcome(CutOutcome::air);
     }
     cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
+    madeWalls = true;
     rung = std::move(committed.rung);
     pass += isInAir(rung);
     CutResult result = outcome(CutOutcome::cut);
@@ -227,8 +232,8 @@ void Cutter::State::countRefusal(const Blade& to) {
 Cutter::Cutter(SurfaceMesh& mesh, const CutSettings& settings)
     : state_(std::make_unique<State>(State{mesh, settings})) {
     state_->h = settings.wallEdgeLength > 0 ? settings.wallEdgeLength : defaultWallEdge(mesh);
-    state_->stroke = strokesSoFar(mesh) - 1;
-    state_->pass = kPassesPerStroke * strokesSoFar(mesh);
+    state_->stroke = strokesSoFar(mesh);
+    state_->pass = kPassesPerStroke * state_->stroke;
 }
 
 Cutter::~Cutter() = default;
@@ -237,11 +242,12 @@ Cutter& Cutter::operator=(Cutter&&) noexcept = default;
 
 void Cutter::begin(const Blade& blade) {
     State& state = *state_;
-    ++state.stroke;
+    state.stroke += state.madeWalls;  // a stroke that only met air leaves its number to the next
+    state.madeWalls = false;
     state.inStroke = true;
     state.blade = blade;
     state.refusedInARow = 0;
-    state.skinVertices = cut::findSkinVertices(state.mesh);
+    state.skinVertices.clear();
     state.placeRung(blade);
 }
 
