@@ -169,6 +169,7 @@ struct Getter {
 std::span<const ParamInfo> paramTable() {
     static const std::vector<ParamInfo> table = [] {
         std::vector<ParamInfo> infos;
+        infos.reserve(kRows.size());
         for (const Row& row : kRows) {
             infos.push_back(row.info);
         }

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <numeric>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "sim/body/shape_error.h"
 #include "sim/solve/reference_solver.h"
 #include "sim/solve/solver_uniforms.h"
+#include "tests/sim/body/ispc_bits.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
 
@@ -31,7 +31,7 @@ int separatedIspcs(const SurfaceMesh& mesh, const BodyModel& model) {
     const RayTree walls = wallTree(mesh);
     int separated = 0;
     for (const auto& ispc : model.ispcs) {
-        const Vec3 start = mesh.restPosition(static_cast<int>(ispc.vertex));
+        const Vec3& start = mesh.restPosition(static_cast<int>(ispc.vertex));
         const Vec3 inner = 1e-3 * (restEnd(mesh, ispc) - start);
         separated += walls.crosses(start + inner, restEnd(mesh, ispc) - inner);
     }
@@ -45,7 +45,7 @@ int sharedIspcs(const BodyModel& a, const BodyModel& b) {
         while (j < b.ispcs.size() && b.ispcs[j].vertex < ispc.vertex) {
             ++j;
         }
-        shared += j < b.ispcs.size() && std::memcmp(&ispc, &b.ispcs[j], sizeof ispc) == 0;
+        shared += j < b.ispcs.size() && test::sameBits(ispc, b.ispcs[j]);
     }
     return shared;
 }

@@ -11,6 +11,7 @@
 #include "sim/body/ispc_builder.h"
 #include "sim/mesh/invariants.h"
 #include "tests/sim/body/hand_cut.h"
+#include "tests/sim/body/ispc_bits.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -18,11 +19,6 @@ namespace {
 
 double totalMass(const BodyModel& model) {
     return std::accumulate(model.unitMass.begin(), model.unitMass.end(), 0.0);
-}
-
-template <class T>
-bool sameBits(const T& a, const T& b) {
-    return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
 /// Everything that must hold in any model.
@@ -164,7 +160,7 @@ TEST_F(CutBox, KeepsUntouchedIspcsBitForBit) {
             continue;
         }
         const auto same = std::ranges::find_if(
-            after.ispcs, [&](const auto& other) { return sameBits(other, ispc); });
+            after.ispcs, [&](const auto& other) { return test::sameBits(other, ispc); });
         EXPECT_NE(same, after.ispcs.end()) << ispc.vertex;
         ++kept;
     }
@@ -188,7 +184,7 @@ TEST_F(CutBox, ADeltaThatTouchesNothingKeepsAllIspcs) {
     const BodyModel again = updateBodyModel(after, mesh, nothing);
     ASSERT_EQ(again.ispcs.size(), after.ispcs.size());
     for (std::size_t i = 0; i < again.ispcs.size(); ++i) {
-        EXPECT_TRUE(sameBits(again.ispcs[i], after.ispcs[i])) << i;
+        EXPECT_TRUE(test::sameBits(again.ispcs[i], after.ispcs[i])) << i;
     }
 }
 

@@ -19,6 +19,7 @@ TEST(ShapeError, IsZeroForARigidMotion) {
     const std::vector<Vec3> rest = test::bentTube(8, 6).restPositions();
     const Eigen::AngleAxisd turn(2.5, Vec3(1, -2, 0.5).normalized());
     std::vector<Vec3> moved;
+    moved.reserve(rest.size());
     for (const Vec3& p : rest) {
         moved.push_back(turn * p + Vec3(3, -7, 11));
     }
