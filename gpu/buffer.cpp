@@ -81,7 +81,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 
 void Buffer::resize(std::size_t bytes) {
     updateBarrier();
-    reserve(bytes, size_);
+    reserve(std::max(bytes, kEmptyBytes), size_);
     clearRange(id_, size_, bytes);
     size_ = bytes;
 }

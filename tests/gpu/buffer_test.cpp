@@ -74,6 +74,13 @@ TEST_F(BufferTest, EmptyAssignLeavesBindableZeros) {
     buffer.bindStorage(0);
 }
 
+TEST_F(BufferTest, ResizedToNothingCanBeBound) {
+    Buffer buffer;
+    buffer.resize(0);
+    EXPECT_EQ(buffer.size(), 0u);
+    buffer.bindStorage(0);
+}
+
 TEST_F(BufferTest, ClearZeroesTheSizeInUse) {
     Buffer buffer;
     buffer.assign(counting(7));

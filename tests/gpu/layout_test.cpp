@@ -106,15 +106,15 @@ TEST_F(Layout, VertexLinks) {
 
 TEST_F(Layout, PieceRecord) {
     expectSame("Pieces", "pieces", sizeof(shared::PieceRecord),
-               {MEMBER(PieceRecord, first_triangle), MEMBER(PieceRecord, triangle_count),
-                MEMBER(PieceRecord, first_block), MEMBER(PieceRecord, block_count),
-                MEMBER(PieceRecord, target_volume), MEMBER(PieceRecord, constrained)});
+               {MEMBER(PieceRecord, origin), MEMBER(PieceRecord, first_block),
+                MEMBER(PieceRecord, block_count), MEMBER(PieceRecord, constrained),
+                MEMBER(PieceRecord, target_volume)});
 }
 
 TEST_F(Layout, BlockRecord) {
     expectSame("Blocks", "blocks", sizeof(shared::BlockRecord),
-               {MEMBER(BlockRecord, piece), MEMBER(BlockRecord, first_triangle),
-                MEMBER(BlockRecord, triangle_count), MEMBER(BlockRecord, unused_padding)});
+               {MEMBER(BlockRecord, piece), MEMBER(BlockRecord, first_place),
+                MEMBER(BlockRecord, place_count)});
 }
 
 TEST_F(Layout, VolumeSum) {
