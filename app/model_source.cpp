@@ -8,6 +8,7 @@
 
 #include "app/import_process.h"
 #include "app/import_protocol.h"
+#include "gpu/program.h"
 
 namespace kerf::app {
 
@@ -132,7 +133,7 @@ fs::path builtinModelFile(const std::string& name) {
         }
         throw InputError("there is no builtin model '" + name + "'; choose one of " + known);
     }
-    return fs::path(KERF_SOURCE_DIR) / "assets" / "models" / (name + ".obj");
+    return gpu::dataPath("assets/models/" + name + ".obj");
 }
 
 TriangleSoup importModel(const fs::path& file, const ImportLimits& limits) {
