@@ -11,10 +11,10 @@ SHARED_CONST uint kVelocitiesBinding = 2u;    // vec4: [m/s]
 SHARED_CONST uint kDisplacementBinding = 3u;  // vec4: d = P - X of this substep [m]
 SHARED_CONST uint kLinksBinding = 4u;         // VertexLinks
 SHARED_CONST uint kConstraintsBinding = 5u;   // EdgeConstraint, BendConstraint or IspcConstraint
-SHARED_CONST uint kOffsetsBinding = 6u;       // incidence of the same elements: CSR offsets
-SHARED_CONST uint kEntriesBinding = 7u;       // and entries, 4 * element + slot
+SHARED_CONST uint kOffsetsBinding = 6u;       // per vertex: CSR offsets into
+SHARED_CONST uint kEntriesBinding = 7u;       // 4 * element + slot, or neighbours
 SHARED_CONST uint kCorrectionsBinding = 8u;   // vec4 per element and slot [m]
-SHARED_CONST uint kTrianglesBinding = 9u;     // uvec4: corners, kind | piece << 8
+SHARED_CONST uint kVertexOrderBinding = 9u;   // uint: the used vertices, piece after piece
 SHARED_CONST uint kGradientsBinding = 10u;    // vec4 per vertex: dV/dp [m^2]
 SHARED_CONST uint kPiecesBinding = 11u;       // PieceRecord
 SHARED_CONST uint kBlocksBinding = 12u;       // BlockRecord

@@ -16,28 +16,26 @@ struct VertexLinks {
     uint piece;  // kNoPiece for unused vertices
 };
 
-// A closed piece: its triangles and blocks lie together.
+// A closed piece: its blocks lie together.
 struct PieceRecord {
-    uint first_triangle;
-    uint triangle_count;
+    uint origin;  // a vertex of it, about which its volume is measured
     uint first_block;
     uint block_count;
-    float target_volume;  // [m^3]
     uint constrained;     // 0: chips, which get no volume constraint
+    float target_volume;  // [m^3]
 };
 
-// The triangles that one work group sums up.
+// The vertices that one work group sums up: places in the order of vertices by piece.
 struct BlockRecord {
     uint piece;
-    uint first_triangle;
-    uint triangle_count;
-    uint unused_padding;
+    uint first_place;
+    uint place_count;
 };
 
 // Of one block, in a substep.
 struct VolumeSum {
-    float volume;       // [m^3], tetrahedra against the first vertex of the piece
-    float denominator;  // sum of w |dV/dp|^2, each vertex shared among its triangles
+    float volume;       // share of the volume [m^3]: a third of the sum of (p - origin) . dV/dp
+    float denominator;  // sum of w |dV/dp|^2
 };
 
 // Of one block, after a step.

@@ -1,7 +1,8 @@
-// dV/dp of each vertex: a sixth of the sum of (p_j - p) x (p_k - p) over its triangles. Around a
-// closed umbrella this equals the gradient about any origin, and it is small and exact in floats.
-// Reads X, d, triangles and their incidence. Writes gradients.
-// One thread per vertex. A storage barrier follows, then volume_sum.
+// dV/dp of each vertex, and what the volume constraint sums of it over a block: the volume, a third
+// of (p - origin) . dV/dp since V is homogeneous of degree 3, and w |dV/dp|^2. First each thread
+// over its own vertices, in order, then a tree over the group: both orders are fixed.
+// Reads X, d, neighbours, vertex order, pieces, blocks. Writes gradients and block sums.
+// One group per block. A storage barrier follows, then volume_correct.
 #include "bindings.h"
 #include "body_records.h"
 #include "solver_uniforms.h"
@@ -11,26 +12,42 @@ layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUnif
 layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kOffsetsBinding) readonly buffer Offsets { uint offsets[]; };
-layout(std430, binding = kEntriesBinding) readonly buffer Entries { uint entries[]; };
-layout(std430, binding = kTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
+layout(std430, binding = kEntriesBinding) readonly buffer Neighbours { uint neighbours[]; };
+layout(std430, binding = kVertexOrderBinding) readonly buffer Order { uint vertexOrder[]; };
 layout(std430, binding = kGradientsBinding) writeonly buffer Gradients { vec4 gradients[]; };
+layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
+layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
+layout(std430, binding = kBlockSumsBinding) writeonly buffer Sums { VolumeSum sums[]; };
 
-vec3 relative(uint v, vec3 x, vec3 d) {
-    return (positions[v].xyz - x) + (displacement[v].xyz - d);
+shared vec2 partial[kGroupSize];
+
+vec3 span(uint from, uint to) {
+    return (positions[to].xyz - positions[from].xyz) +
+        (displacement[to].xyz - displacement[from].xyz);
 }
 
+#include "sim/volume_gradient.glsl"
+
 void main() {
-    uint v = gl_GlobalInvocationID.x;
-    if (v >= uniforms.vertex_count) return;
-    vec3 x = positions[v].xyz;
-    vec3 d = displacement[v].xyz;
-    vec3 sum = vec3(0.0);
-    for (uint k = offsets[v]; k < offsets[v + 1u]; ++k) {
-        uvec4 corners = triangles[entries[k] >> 2];
-        uint slot = entries[k] & 3u;
-        uint following = slot == 0u ? corners.y : (slot == 1u ? corners.z : corners.x);
-        uint preceding = slot == 0u ? corners.z : (slot == 1u ? corners.x : corners.y);
-        sum += cross(relative(following, x, d), relative(preceding, x, d));
+    BlockRecord block = blocks[gl_WorkGroupID.x];
+    uint origin = pieces[block.piece].origin;
+    uint self = gl_LocalInvocationID.x;
+    vec2 sum = vec2(0.0);
+    for (uint i = self; i < block.place_count; i += kGroupSize) {
+        uint v = vertexOrder[block.first_place + i];
+        vec3 g = volumeGradient(v);
+        gradients[v] = vec4(g, 0.0);
+        sum += vec2(dot(span(origin, v), g) / 3.0,
+                    uniforms.inverse_density * positions[v].w * dot(g, g));
     }
-    gradients[v] = vec4(sum / 6.0, 0.0);
+    partial[self] = sum;
+    for (uint reach = kGroupSize / 2u; reach > 0u; reach /= 2u) {
+        barrier();
+        if (self < reach) {
+            partial[self] += partial[self + reach];
+        }
+    }
+    if (self == 0u) {
+        sums[gl_WorkGroupID.x] = VolumeSum(partial[0].x, partial[0].y);
+    }
 }

@@ -18,8 +18,8 @@ static_assert(sizeof(shared::EdgeConstraint) == 16);
 static_assert(sizeof(shared::BendConstraint) == 24);
 static_assert(sizeof(shared::IspcConstraint) == 32);
 static_assert(sizeof(shared::VertexLinks) == 16);
-static_assert(sizeof(shared::PieceRecord) == 24);
-static_assert(sizeof(shared::BlockRecord) == 16);
+static_assert(sizeof(shared::PieceRecord) == 20);
+static_assert(sizeof(shared::BlockRecord) == 12);
 static_assert(sizeof(shared::VolumeSum) == 8);
 static_assert(sizeof(shared::BlockMeasure) == 32);
 
@@ -71,17 +71,68 @@ std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
     return links;
 }
 
-uint blockSize(uint triangleCount) {
-    const uint perThread = (triangleCount + shared::kGroupSize * kMaxBlocksPerPiece - 1) /
-                           (shared::kGroupSize * kMaxBlocksPerPiece);
-    return shared::kGroupSize * std::max(perThread, 1u);
+struct Spoke {
+    uint following;
+    uint preceding;
+};
+
+/// Puts the triangles around a vertex in counter-clockwise order.
+void sortUmbrella(std::span<Spoke> spokes) {
+    for (std::size_t i = 1; i < spokes.size(); ++i) {
+        const auto next = std::find_if(spokes.begin() + i, spokes.end(), [&](const Spoke& spoke) {
+            return spoke.following == spokes[i - 1].preceding;
+        });
+        assert(next != spokes.end() && "each vertex has one umbrella");
+        std::iter_swap(spokes.begin() + i, next);
+    }
 }
 
-void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, const PieceModel& range) {
-    const uint size = blockSize(range.triangleCount);
-    for (uint first = 0; first < range.triangleCount; first += size) {
-        blocks.push_back(
-            {piece, range.firstTriangle + first, std::min(size, range.triangleCount - first), 0});
+/// The vertices around each vertex, counter-clockwise; offsets are those of the triangle incidence.
+std::vector<uint> neighbours(const BodyModel& model) {
+    const Incidence& incidence = model.triangleIncidence;
+    std::vector<uint> out;
+    out.reserve(incidence.entries.size());
+    std::vector<Spoke> spokes;
+    for (std::size_t v = 0; v + 1 < incidence.offsets.size(); ++v) {
+        spokes.clear();
+        for (uint k = incidence.offsets[v]; k < incidence.offsets[v + 1]; ++k) {
+            const auto& corners = model.triangles[incidence.entries[k] / 4];
+            const uint slot = incidence.entries[k] % 4;
+            spokes.push_back({corners[(slot + 1) % 3], corners[(slot + 2) % 3]});
+        }
+        sortUmbrella(spokes);
+        for (const Spoke& spoke : spokes) {
+            out.push_back(spoke.following);
+        }
+    }
+    return out;
+}
+
+/// The used vertices, piece after piece, inside a piece by index.
+std::vector<uint> verticesByPiece(const BodyModel& model) {
+    std::vector<uint> next(1, 0);
+    for (const PieceModel& piece : model.pieces) {
+        next.push_back(next.back() + piece.vertexCount);
+    }
+    std::vector<uint> out(next.back());
+    for (uint v = 0; v < model.pieceOfVertex.size(); ++v) {
+        if (const int piece = model.pieceOfVertex[v]; piece >= 0) {
+            out[next[piece]++] = v;
+        }
+    }
+    return out;
+}
+
+uint blockSize(uint vertexCount) {
+    const uint most = shared::kGroupSize * kMaxBlocksPerPiece;
+    return shared::kGroupSize * std::max((vertexCount + most - 1) / most, 1u);
+}
+
+void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint firstPlace,
+                  uint vertexCount) {
+    const uint size = blockSize(vertexCount);
+    for (uint done = 0; done < vertexCount; done += size) {
+        blocks.push_back({piece, firstPlace + done, std::min(size, vertexCount - done)});
     }
 }
 
@@ -109,7 +160,6 @@ GpuSolver::GpuSolver() {
     kernels_.ispc = gpu::Program::compute("sim/ispc.comp");
     kernels_.gatherCorrections = gpu::Program::compute("sim/gather_corrections.comp");
     kernels_.volumeGradient = gpu::Program::compute("sim/volume_gradient.comp");
-    kernels_.volumeSum = gpu::Program::compute("sim/volume_sum.comp");
     kernels_.volumeCorrect = gpu::Program::compute("sim/volume_correct.comp");
     kernels_.floor = gpu::Program::compute("sim/floor.comp");
     kernels_.finish = gpu::Program::compute("sim/finish.comp");
@@ -148,19 +198,22 @@ void GpuSolver::uploadTopology(const BodyModel& model) {
     bendIncidence_.assign(model.bendIncidence);
     ispcIncidence_.assign(model.ispcIncidence);
     triangleIncidence_.assign(model.triangleIncidence);
+    neighbours_.assign(neighbours(model));
 }
 
 void GpuSolver::uploadPieces(const BodyModel& model) {
+    const std::vector<uint> order = verticesByPiece(model);
     pieces_.clear();
     blocks_.clear();
-    for (uint p = 0; p < model.pieces.size(); ++p) {
-        const PieceModel& piece = model.pieces[p];
+    uint firstPlace = 0;
+    for (const PieceModel& piece : model.pieces) {
         const uint firstBlock = size32(blocks_.size());
-        appendBlocks(blocks_, p, piece);
-        pieces_.push_back({piece.firstTriangle, piece.triangleCount, firstBlock,
-                           size32(blocks_.size()) - firstBlock,
-                           static_cast<float>(piece.restVolume), piece.holdsVolume ? 1u : 0u});
+        appendBlocks(blocks_, size32(pieces_.size()), firstPlace, piece.vertexCount);
+        pieces_.push_back({order[firstPlace], firstBlock, size32(blocks_.size()) - firstBlock,
+                           piece.holdsVolume ? 1u : 0u, static_cast<float>(piece.restVolume)});
+        firstPlace += piece.vertexCount;
     }
+    vertexOrder_.assign(order);
     pieceBuffer_.assign(pieces_);
     blockBuffer_.assign(blocks_);
     blockSums_.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::VolumeSum));
@@ -266,11 +319,16 @@ void GpuSolver::runOverConstraints(const gpu::Program& kernel, const gpu::Buffer
 
 void GpuSolver::solveVolume() {
     bindBody();
-    triangleIncidence_.bind();
     blockSums_.bindStorage(shared::kBlockSumsBinding);
-    run(kernels_.volumeGradient, uniforms_.vertex_count);
-    run(kernels_.volumeSum, size32(blocks_.size()) * shared::kGroupSize);
+    runOverBlocks(kernels_.volumeGradient);
     run(kernels_.volumeCorrect, uniforms_.vertex_count);
+}
+
+void GpuSolver::runOverBlocks(const gpu::Program& kernel) {
+    triangleIncidence_.offsets.bindStorage(shared::kOffsetsBinding);
+    neighbours_.bindStorage(shared::kEntriesBinding);
+    vertexOrder_.bindStorage(shared::kVertexOrderBinding);
+    run(kernel, size32(blocks_.size()) * shared::kGroupSize);
 }
 
 void GpuSolver::collideFloor() {
@@ -291,7 +349,6 @@ void GpuSolver::bindBody() const {
     velocities_.bindStorage(shared::kVelocitiesBinding);
     displacement_.bindStorage(shared::kDisplacementBinding);
     links_.bindStorage(shared::kLinksBinding);
-    triangles_.bindStorage(shared::kTrianglesBinding);
     gradients_.bindStorage(shared::kGradientsBinding);
     pieceBuffer_.bindStorage(shared::kPiecesBinding);
     blockBuffer_.bindStorage(shared::kBlocksBinding);
@@ -306,7 +363,7 @@ void GpuSolver::run(const gpu::Program& kernel, uint threads) {
 BodyMeasure GpuSolver::measure() {
     bindBody();
     blockMeasures_.bindStorage(shared::kBlockSumsBinding);
-    run(kernels_.measure, size32(blocks_.size()) * shared::kGroupSize);
+    runOverBlocks(kernels_.measure);
     const auto measures = blockMeasures_.read<shared::BlockMeasure>(0, blocks_.size());
     BodyMeasure out;
     out.pieceVolumes.assign(pieces_.size(), 0.0);

@@ -87,8 +87,8 @@ class GpuSolver {
         void bind() const;
     };
     struct Kernels {
-        gpu::Program stretch, bend, ispc, gatherCorrections, volumeGradient, volumeSum,
-            volumeCorrect, floor, finish, measure;
+        gpu::Program stretch, bend, ispc, gatherCorrections, volumeGradient, volumeCorrect, floor,
+            finish, measure;
     };
 
     void uploadTopology(const BodyModel& model);
@@ -99,6 +99,7 @@ class GpuSolver {
     void run(const gpu::Program& kernel, std::uint32_t threads);
     void runOverConstraints(const gpu::Program& kernel, const gpu::Buffer& records,
                             std::uint32_t count, const IncidenceBuffers& incidence);
+    void runOverBlocks(const gpu::Program& kernel);
     bool active(shared::uint part) const { return (uniforms_.active_parts & part) != 0; }
 
     Kernels kernels_;
@@ -110,7 +111,7 @@ class GpuSolver {
     gpu::Buffer uniformBuffer_;
     gpu::Buffer positions_, velocities_, displacement_, restPositions_;
     gpu::Buffer savedPositions_;
-    gpu::Buffer links_, triangles_;
+    gpu::Buffer links_, triangles_, vertexOrder_, neighbours_;
     gpu::Buffer edges_, bends_, ispcs_, corrections_;
     IncidenceBuffers edgeIncidence_, bendIncidence_, ispcIncidence_, triangleIncidence_;
     gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, blockMeasures_;
