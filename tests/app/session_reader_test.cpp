@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(All, SessionErrors, ::testing::Values(
     BadSession{"EyeAtTarget", sessionWith(R"("view": {"eye": [1, 1, 1], "target": [1, 1, 1]})"), "view: eye and target are the same"},
     BadSession{"UpAlongView", sessionWith(R"("view": {"eye": [0, 5, 0], "target": [0, 1, 0]})"), "view.up: up must not point"},
     BadSession{"FlatView", sessionWith(R"("view": {"eye": [0, 5, 0], "target": [0, 1, 1], "fov_y": 180})"), "view.fov_y: 180 is out of range"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& each) { return std::string(each.param.name); });
 // clang-format on
 
 TEST(SessionReader, DeepNestingIsRefusedWhileParsing) {

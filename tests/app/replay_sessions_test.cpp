@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <set>
+
+#include "app/session.h"
+#include "sim/body/shape_error.h"
+#include "sim/simulation.h"
+#include "tests/support/gl_fixture.h"
+
+namespace kerf::app {
+namespace {
+
+std::filesystem::path sessionFile(const std::string& name) {
+    return std::filesystem::path(KERF_SOURCE_DIR) / "assets/sessions" / (name + ".kerf.json");
+}
+
+TEST(ShippedSessions, AreReadWithoutWarnings) {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(
+             std::filesystem::path(KERF_SOURCE_DIR) / "assets/sessions")) {
+        EXPECT_EQ(readSession(entry.path()).warnings, std::vector<std::string>{});
+        names.insert(entry.path().filename().stem().stem().string());
+    }
+    EXPECT_EQ(names, (std::set<std::string>{"banana", "drop-in", "first-cut", "octopus", "sphere20",
+                                            "sphere768", "sphere80"}));
+}
+
+TEST(ShippedSessions, DropInIsASphereInTheMiddleOfTheDefaultView) {
+    const Session session = readSession(sessionFile("drop-in"));
+    EXPECT_EQ(session.params.gravity, Vec3::Zero());
+    EXPECT_FALSE(session.view.has_value());
+    const Bounds bounds = meshBounds(loadSessionModel(session));
+    const render::Camera camera = sessionCamera(session, bounds);
+    EXPECT_LT((camera.target - bounds.center()).norm(), 1e-9);
+}
+
+/// The bars that a body must clear while it is cut and falls.
+struct Bar {
+    const char* session;
+    double peakDeformation;  ///< least RMS at impact, share of the diagonal
+};
+
+class ShippedModels : public test::GlTest, public ::testing::WithParamInterface<Bar> {};
+
+/// Largest RMS deformation of a piece after rigid alignment [m].
+double largestDeformation(Simulation& simulation) {
+    const SurfaceMesh& mesh = simulation.mesh();
+    const PieceMap& pieces = simulation.pieces();
+    double largest = 0;
+    for (int piece = 0; piece < static_cast<int>(pieces.pieces.size()); ++piece) {
+        std::vector<int> vertices;
+        for (int v = 0; v < mesh.vertexCount(); ++v) {
+            if (pieces.ofVertex[v] == piece) vertices.push_back(v);
+        }
+        largest =
+            std::max(largest, rmsShapeError(mesh.restPositions(), mesh.positions(), vertices));
+    }
+    return largest;
+}
+
+/// Runs the commands of a session, without its pictures.
+class SessionRun {
+  public:
+    explicit SessionRun(const Session& session)
+        : player_(session), simulation_(loadSessionModel(session), session.params) {}
+
+    const StepReport& step(int number) {
+        for (const SessionAction& action : player_.actionsAt(number)) {
+            std::visit(*this, action);
+        }
+        return simulation_.step();
+    }
+    Simulation& simulation() { return simulation_; }
+
+    template <class Action>
+    void operator()(const Action& action) {
+        if constexpr (std::is_constructible_v<Command, Action>) {
+            EXPECT_EQ(simulation_.execute(action), "");
+        }
+    }
+
+  private:
+    SessionPlayer player_;
+    Simulation simulation_;
+};
+
+TEST_P(ShippedModels, CutInTwoKeepTheirVolumeStayClosedAndAreSoft) {
+    const Session session = readSession(sessionFile(GetParam().session));
+    SessionRun run(session);
+    const double diagonal = meshBounds(run.simulation().mesh()).diagonal();
+    double volumeSum = 0;
+    double peakDeformation = 0;
+    for (int step = 0; step < session.steps; ++step) {
+        const StepReport& report = run.step(step);
+        ASSERT_TRUE(report.closed) << "step " << step;
+        ASSERT_TRUE(std::isfinite(report.volume)) << "step " << step;
+        volumeSum += report.volumeRatio;
+        if (step % 4 == 0) {
+            peakDeformation = std::max(peakDeformation, largestDeformation(run.simulation()));
+        }
+    }
+    const StepReport& end = run.simulation().report();
+    EXPECT_EQ(end.pieces, 2);
+    EXPECT_GE(volumeSum / session.steps, 0.995);
+    EXPECT_GE(end.volumeRatio, 0.999);
+    EXPECT_GE(peakDeformation / diagonal, GetParam().peakDeformation);
+    EXPECT_EQ(run.simulation().takeMessages(), std::vector<std::string>{});
+    RecordProperty("peak_deformation_percent", std::to_string(100 * peakDeformation / diagonal));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedModels,
+                         ::testing::Values(Bar{"sphere20", 0.03}, Bar{"sphere80", 0.03},
+                                           Bar{"sphere768", 0.03}),
+                         [](const auto& each) { return std::string(each.param.session); });
+
+}  // namespace
+}  // namespace kerf::app
