@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/cut/air_edges.h"
 #include "sim/cut/ladder.h"
 #include "sim/cut/plan.h"
 #include "sim/cut/skin_map.h"
@@ -24,8 +25,9 @@ constexpr double kLeastFlushOffsets = 4;
 constexpr double kStandingStill = 1e-9;
 // Sliding along the axis in the air by more than this many times the advance restarts the rung.
 constexpr double kAxialSlide = 4;
-// Largest distance (share of h) over which predicates see a vertex elsewhere.
-constexpr double kBroadPhaseMargin = 1.5;
+// Largest distance (share of h) from the sweep at which a triangle can matter: predicates see
+// vertices elsewhere, and the rung is led around skin that moved across it.
+constexpr double kBroadPhaseMargin = 3;
 constexpr double kBinSize = 1.0;
 // Keeps passes apart from those of strokes that an earlier cutter made.
 constexpr int kPassesPerStroke = 1000;
@@ -114,7 +116,7 @@ struct Cutter::State {
         return std::max(kLeastFlush, kLeastFlushOffsets * settings.offset) * h;
     }
     CutResult sweep(const Blade& to, double gate);
-    CutResult cut(const Blade& to, const std::vector<RungNode>& from);
+    CutResult cut(const Blade& to, std::vector<RungNode> from);
     CutResult accept(const cut::PlannedStep& step);
     void countRefusal(const Blade& to);
     cut::BroadPhase findCandidates(const Blade& to, const std::vector<RungNode>& from) const;
@@ -164,8 +166,9 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to,
 }
 
 // Climbs the retry ladder: nothing is committed until one attempt succeeds.
-CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from) {
+CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
     const cut::BroadPhase candidates = findCandidates(to, from);
+    cut::clearAirEdges(mesh, candidates, to, h, from);
     const std::vector<int> pieces = labelPieces(mesh);
     if (skinVertices.empty()) {
         skinVertices = cut::findSkinVertices(mesh);

@@ -1,0 +1,152 @@
+#include "sim/cut/air_edges.h"
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "sim/cut/predicates.h"
+#include "sim/cut/step.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Heights above the skin that are tried, shares of h.
+constexpr std::array<double, 7> kHeights{0.15, 0.3, 0.5, 0.8, 1.2, 1.8, 2.5};
+// Shorter edges cross an older slit and belong to the strip's clusters (share of h).
+constexpr double kShortestAirEdge = 0.05;
+
+class AirEdges {
+  public:
+    AirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const Blade& blade, double h)
+        : mesh_(mesh), broadPhase_(broadPhase), blade_(blade), h_(h) {}
+
+    /// The nodes to put between two neighbours of the rung; nothing where none are needed or
+    /// none help.
+    std::vector<RungNode> detour(const RungNode& from, const RungNode& to) const {
+        const bool held = from.vertex >= 0 || to.vertex >= 0;
+        const double length = (to.position - from.position).norm();
+        if (!held || length < kShortestAirEdge * h_ || isClear({from, to})) {
+            return {};
+        }
+        for (const double height : kHeights) {
+            for (const bool backwards : {false, true}) {
+                const std::vector<RungNode> path = pathAbove(from, to, height * h_, backwards);
+                if (isOrdered(path) && isClear(path)) {
+                    return {path.begin() + 1, path.end() - 1};
+                }
+            }
+        }
+        return {};
+    }
+
+  private:
+    // Straight up from the skin, or half backwards to where the blade came from.
+    std::vector<RungNode> pathAbove(const RungNode& from, const RungNode& to, double height,
+                                    bool backwards) const {
+        std::vector<RungNode> path{from};
+        for (const RungNode& end : {from, to}) {
+            if (end.vertex < 0) {
+                continue;
+            }
+            Vec3 up = outwardNormal(end.vertex);
+            if (backwards) {
+                up = (up + awayFromBlade(end)).normalized();
+            }
+            path.push_back(airNode(end.position + height * up));
+        }
+        path.push_back(to);
+        return path;
+    }
+
+    RungNode airNode(const Vec3& position) const {
+        const Vec3 along = blade_.b - blade_.a;
+        return {position, (position - blade_.a).dot(along) / along.squaredNorm(), -1, false};
+    }
+
+    Vec3 awayFromBlade(const RungNode& node) const {
+        const Vec3 along = (blade_.b - blade_.a).normalized();
+        const Vec3 fromA = node.position - blade_.a;
+        return (fromA - along * along.dot(fromA)).normalized();
+    }
+
+    // The two walls of the slit cancel; what remains is the skin's.
+    Vec3 outwardNormal(int v) const {
+        Vec3 normal = Vec3::Zero();
+        mesh_.forEachOutgoing(v, [&](int h) {
+            normal += (mesh_.position(mesh_.target(h)) - mesh_.position(v))
+                          .cross(mesh_.position(mesh_.apex(h)) - mesh_.position(v));
+        });
+        return normal.squaredNorm() > 0 ? Vec3(normal.normalized()) : normal;
+    }
+
+    static bool isOrdered(const std::vector<RungNode>& path) {
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+            if (path[i].s >= path[i + 1].s) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    bool isClear(const std::vector<RungNode>& path) const {
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+            if (isPierced(path[i], path[i + 1])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    bool isPierced(const RungNode& from, const RungNode& to) const {
+        for (const int t : broadPhase_.query(from.position, to.position, to.position, 0)) {
+            if (!touches(t, from.vertex) && !touches(t, to.vertex) &&
+                crosses(from.position, to.position, t)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool touches(int t, int v) const {
+        const Triangle& c = mesh_.triangle(t);
+        return v >= 0 && (c[0] == v || c[1] == v || c[2] == v);
+    }
+
+    bool crosses(const Vec3& p, const Vec3& q, int t) const {
+        const Triangle& ids = mesh_.triangle(t);
+        const std::array<Vec3, 3> c{mesh_.position(ids[0]), mesh_.position(ids[1]),
+                                    mesh_.position(ids[2])};
+        const int ofP = orient3d(c[0], c[1], c[2], p).sign;
+        if (ofP * orient3d(c[0], c[1], c[2], q).sign >= 0) {
+            return false;
+        }
+        int sum = 0;
+        for (int i = 0; i < 3; ++i) {
+            sum += orient3d(p, q, c[i], c[(i + 1) % 3]).sign;
+        }
+        return sum == 3 || sum == -3;
+    }
+
+    const SurfaceMesh& mesh_;
+    const BroadPhase& broadPhase_;
+    const Blade& blade_;
+    double h_;
+};
+
+}  // namespace
+
+void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const Blade& blade,
+                   double h, std::vector<RungNode>& rung) {
+    const AirEdges edges(mesh, broadPhase, blade, h);
+    std::vector<RungNode> cleared;
+    for (std::size_t i = 0; i < rung.size(); ++i) {
+        cleared.push_back(rung[i]);
+        if (i + 1 < rung.size() && !rung[i].attached) {
+            const std::vector<RungNode> detour = edges.detour(rung[i], rung[i + 1]);
+            cleared.insert(cleared.end(), detour.begin(), detour.end());
+        }
+    }
+    rung = std::move(cleared);
+}
+
+}  // namespace kerf::cut
