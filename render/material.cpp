@@ -36,7 +36,7 @@ Material octopus() {
 
 Material clay() {
     Material material;
-    material.skin = {0.10f, 0.30f, 0.38f};
+    material.skin = {0.045f, 0.17f, 0.23f};
     material.inner = {0.72f, 0.58f, 0.42f};
     material.rind = {0.30f, 0.36f, 0.34f};
     material.pattern = MaterialPattern::marbling;
