@@ -104,7 +104,8 @@ struct Editor::State {
     // Time.
     void advance(double elapsedSeconds);
     int stepsDue(double elapsedSeconds);
-    void runSteps(int count);
+    /// `needed` steps whatever they cost, up to `due` ones while they are fast.
+    void runSteps(int needed, int due);
     void measureRate(double elapsedSeconds, bool ran);
     bool running() const;
 
@@ -277,7 +278,7 @@ void Editor::State::performOnScene(ui::ActionId id) {
             return;
         case ui::ActionId::stepOnce:
             scene->playing = false;
-            runSteps(1);
+            runSteps(1, 0);
             return;
         case ui::ActionId::reset:
             scene->reset();
@@ -379,10 +380,11 @@ int Editor::State::stepsDue(double elapsedSeconds) {
     return due;
 }
 
-void Editor::State::runSteps(int count) {
+void Editor::State::runSteps(int needed, int due) {
     const double start = secondsNow();
-    for (int n = 0; n < count; ++n) {
-        if (options.byTheClock && n > 0 && secondsNow() - start > kStepBudgetSeconds) {
+    for (int n = 0; n < std::max(needed, due); ++n) {
+        const bool late = options.byTheClock && secondsNow() - start > kStepBudgetSeconds;
+        if (late && n >= std::max(1, needed)) {
             break;
         }
         scene->step();
@@ -397,7 +399,7 @@ void Editor::State::runSteps(int count) {
 void Editor::State::advance(double elapsedSeconds) {
     const bool ran = running();
     if (ran) {
-        runSteps(scene->stepsWanted(stepsDue(elapsedSeconds)));
+        runSteps(scene->strokeSteps(), stepsDue(elapsedSeconds));
     }
     measureRate(elapsedSeconds, ran);
     if (scene != nullptr && !scene->stroke().drawing() && scene->stroke().pending() == 0) {

@@ -104,9 +104,9 @@ void EditorScene::beginStroke(const StrokeSpace& space, const Vec2& ndc) {
     stroke_.begin(space, ndc);
 }
 
-int EditorScene::stepsWanted(int due) const {
+int EditorScene::strokeSteps() const {
     const int backlog = static_cast<int>((stroke_.pending() + kStrokeBacklog - 1) / kStrokeBacklog);
-    return std::max(playing ? due : 0, std::min(backlog, kMaxStrokeSteps));
+    return std::min(backlog, kMaxStrokeSteps);
 }
 
 render::SceneView EditorScene::view() {

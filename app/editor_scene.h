@@ -37,9 +37,8 @@ class EditorScene {
     const BladeStroke& stroke() const { return stroke_; }
 
     bool playing = false;
-    /// How many steps the coming picture should show: `due` by the clock while playing, and what
-    /// the stroke needs so as not to fall behind.
-    int stepsWanted(int due) const;
+    /// Steps that the stroke needs for the coming picture so as not to fall behind the hand.
+    int strokeSteps() const;
     /// Notes how fast pictures follow each other while time runs.
     void recordFrameRate(double framesPerSecond);
 

@@ -6,7 +6,7 @@
 namespace kerf::app {
 namespace {
 
-constexpr double kMaxStepShare = 1.0 / 80;  // of the body's diagonal
+constexpr double kMaxStepShare = 1.0 / 60;  // of the body's diagonal
 constexpr double kMinStepShare = 0.25;      // of the longest step: shorter moves are gathered
 constexpr double kOvershoot = 0.5;          // of the diagonal, beyond the body at both ends
 constexpr double kNearestShare = 0.05;      // of the distance to the body: A stays before the eye

@@ -131,7 +131,10 @@ void drawCurve(ImDrawList& draw, const Frame& frame, const PlotSpec& spec) {
         line.push_back({x, frame.atY(column.mean)});
     }
     const float thickness = ImGui::GetFontSize() / 10;
-    draw.AddPolyline(line.data(), static_cast<int>(line.size()), spec.color, 0, thickness);
+    // Segment by segment: ImGui's polyline thins out where a curve turns sharply.
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        draw.AddLine(line[i - 1], line[i], spec.color, thickness);
+    }
     if (line.size() == 1) {
         draw.AddCircleFilled(line.front(), thickness, spec.color);
     }
@@ -165,6 +168,13 @@ void drawCrosshair(ImDrawList& draw, const Frame& frame, const PlotSpec& spec) {
                       formatNumber(p.x, 2).c_str(), std::string(spec.xUnit).c_str());
 }
 
+PlotRange valueRange(const PlotSpec& spec) {
+    if (spec.points.empty() && spec.reference) {
+        return {*spec.reference - spec.minSpan / 2, *spec.reference + spec.minSpan / 2};
+    }
+    return paddedRange(spec.points, spec.minSpan);
+}
+
 Frame placeFrame(const PlotSpec& spec, float height) {
     const float line = ImGui::GetFontSize();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -174,7 +184,7 @@ Frame placeFrame(const PlotSpec& spec, float height) {
     frame.low = {std::round(corner.x + 2.9F * line), std::round(corner.y)};
     frame.high = {std::round(corner.x + width), std::round(corner.y + height - 1.3F * line)};
     frame.x = timeRange(spec.points);
-    frame.y = paddedRange(spec.points, spec.minSpan);
+    frame.y = valueRange(spec);
     return frame;
 }
 

@@ -10,15 +10,15 @@ namespace kerf::ui {
 namespace {
 
 using ::testing::DoubleNear;
-using ::testing::ElementsAre;
 using ::testing::Pointwise;
 
 TEST(NiceTicks, AreRoundNumbersInsideTheRange) {
     EXPECT_THAT(niceTicks({0, 1}, 6).values,
-                Pointwise(DoubleNear(1e-12), {0, 0.2, 0.4, 0.6, 0.8, 1}));
-    EXPECT_THAT(niceTicks({-3, 18}, 5).values, Pointwise(DoubleNear(1e-12), {0, 10}));
+                Pointwise(DoubleNear(1e-12), std::vector<double>{0, 0.2, 0.4, 0.6, 0.8, 1}));
+    EXPECT_THAT(niceTicks({-3, 18}, 5).values,
+                Pointwise(DoubleNear(1e-12), std::vector<double>{0, 10}));
     EXPECT_THAT(niceTicks({99.6, 100.1}, 4).values,
-                Pointwise(DoubleNear(1e-9), {99.6, 99.8, 100.0}));
+                Pointwise(DoubleNear(1e-9), std::vector<double>{99.6, 99.8, 100.0}));
 }
 
 TEST(NiceTicks, LabelsTellNeighboursApart) {
