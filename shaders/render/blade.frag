@@ -9,7 +9,7 @@ uniform vec3 eye;
 out vec4 color;
 
 vec3 surroundings(vec3 r) {
-    vec3 c = mix(vec3(0.03, 0.033, 0.04), vec3(0.42, 0.48, 0.58), smoothstep(-0.4, 0.9, r.y));
+    vec3 c = mix(vec3(0.11, 0.12, 0.14), vec3(0.42, 0.48, 0.58), smoothstep(-0.4, 0.9, r.y));
     float key = clamp(dot(r, keyDirection), 0.0, 1.0);
     return c + kKeyColor * (0.9 * pow(key, 24.0) + 0.18 * pow(key, 3.0));
 }
