@@ -14,6 +14,10 @@ SHARED_CONST uint kFloorPart = 8u;
 // |C| of a bend is clamped here [rad]: the form that comes back after a snap-through.
 SHARED_CONST float kMaxBendError = 0.3f;
 
+// A vertex that starts a substep below the floor comes up at this speed [m/s] and not at once,
+// which would shoot it off.
+SHARED_CONST float kMaxLiftSpeed = 1.0f;
+
 // Compliance of a constraint over h^2: geometry * (stretch|bend|ispc)_compliance.
 struct SolverUniforms {
     vec4 gravity;              // xyz [m/s^2]; w unused

@@ -1,5 +1,5 @@
-// Lifts vertices onto the floor; Coulomb friction shortens their tangential displacement by at most
-// friction * lift. Reads X. Reads and writes d. One thread per vertex. A storage barrier follows.
+// Lifts vertices onto the floor, those that start below it at no more than kMaxLiftSpeed; Coulomb
+// friction shortens their tangential displacement by at most friction * lift. Reads X. Reads and writes d. One thread per vertex. A storage barrier follows.
 #include "bindings.h"
 #include "body_records.h"
 #include "solver_uniforms.h"
@@ -13,7 +13,8 @@ void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     vec3 d = displacement[v].xyz;
-    float lift = (uniforms.floor_height - positions[v].y) - d.y;
+    float lowest = min(uniforms.floor_height - positions[v].y, kMaxLiftSpeed * uniforms.substep);
+    float lift = lowest - d.y;
     if (!(lift > 0.0) || positions[v].w == 0.0) return;
     d.y += lift;
     float slip = length(d.xz);

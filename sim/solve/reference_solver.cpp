@@ -185,7 +185,10 @@ void ReferenceSolver::collideFloor(ReferenceState& state) const {
     }
     for (std::size_t v = 0; v < state.positions.size(); ++v) {
         Vec3& d = state.displacements[v];
-        const double lift = (uniforms_.floor_height - state.positions[v].y()) - d.y();
+        const double lowest =
+            std::min(uniforms_.floor_height - state.positions[v].y(),
+                     shared::kMaxLiftSpeed * static_cast<double>(uniforms_.substep));
+        const double lift = lowest - d.y();
         if (inverseMass_[v] <= 0 || lift <= 0) {
             continue;
         }

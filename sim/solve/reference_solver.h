@@ -47,8 +47,8 @@ class ReferenceSolver {
     void solveIspcs(ReferenceState& state) const;
     /// Rigid volume constraint of each piece that holds one, about the mean of its vertices.
     void solveVolume(ReferenceState& state) const;
-    /// Lifts vertices onto the floor; friction shortens their tangential displacement by at most
-    /// friction * lift.
+    /// Lifts vertices onto the floor, those that start below it at no more than kMaxLiftSpeed;
+    /// friction shortens their tangential displacement by at most friction * lift.
     void collideFloor(ReferenceState& state) const;
     /// v = d / h exp(-c h) (not for kinematic vertices), X += d, d = 0.
     void finishSubstep(ReferenceState& state) const;

@@ -151,6 +151,19 @@ TEST_F(SimulationTest, DroppedSphereIsSoftAndKeepsItsVolume) {
     }
 }
 
+TEST_F(SimulationTest, ARaisedFloorLiftsTheBodyGently) {
+    Simulation simulation(test::icosphere(2), dropped(0));
+    run(simulation, 20);
+    EXPECT_EQ(simulation.execute(SetParam{"floor", *simulation.params().floor + 0.2}), "");
+    double fastest = 0;
+    for (int i = 0; i < 80; ++i) {
+        simulation.step();
+        fastest = std::max(fastest, topSpeed(simulation));
+    }
+    EXPECT_LT(fastest, 4);
+    EXPECT_GT(meshBounds(simulation.mesh()).low.y(), *simulation.params().floor - 1e-3);
+}
+
 TEST_F(SimulationTest, ABladeThatMissesChangesNothing) {
     Simulation with(test::icosphere(2), dropped(0.1));
     Simulation without(test::icosphere(2), dropped(0.1));

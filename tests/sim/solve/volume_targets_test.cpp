@@ -1,0 +1,70 @@
+#include "sim/solve/volume_targets.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace kerf {
+namespace {
+
+PieceModel piece(double restVolume, bool holdsVolume = true) {
+    PieceModel out;
+    out.restVolume = restVolume;
+    out.holdsVolume = holdsVolume;
+    return out;
+}
+
+BodyModel whole() {
+    BodyModel model;
+    model.pieces = {piece(2)};
+    model.pieceOfVertex = {0, 0, 0, 0};
+    return model;
+}
+
+/// The whole in two, and a chip of new vertices only.
+BodyModel halves() {
+    BodyModel model;
+    model.pieces = {piece(1.2), piece(0.8), piece(1e-9, false)};
+    model.pieceOfVertex = {1, 0, 0, 1, 0, 1, 2, 2, 2, 2};
+    return model;
+}
+
+TEST(VolumeTargets, StartAtTheRestVolume) {
+    VolumeTargets targets;
+    targets.reset(whole());
+    ASSERT_EQ(targets.targets().size(), 1u);
+    EXPECT_EQ(targets.targets()[0].volume, 2);
+    EXPECT_TRUE(targets.targets()[0].constrained);
+    EXPECT_FALSE(targets.fade(0.1));
+}
+
+TEST(VolumeTargets, OfPartsFadeFromTheCurrentToTheRestVolume) {
+    VolumeTargets targets;
+    targets.reset(whole());
+    const double volumes[] = {1.19, 0.81, 5};
+    targets.follow(whole(), halves(), volumes);
+    EXPECT_DOUBLE_EQ(targets.targets()[0].volume, 1.19);
+    EXPECT_DOUBLE_EQ(targets.targets()[1].volume, 0.81);
+    EXPECT_FALSE(targets.targets()[2].constrained);
+    EXPECT_TRUE(targets.fade(0.1));
+    EXPECT_NEAR(targets.targets()[0].volume, 1.2 - 0.01 * std::exp(-1), 1e-12);
+    EXPECT_NEAR(targets.targets()[1].volume, 0.8 + 0.01 * std::exp(-1), 1e-12);
+    while (targets.fade(0.1)) {
+    }
+    EXPECT_EQ(targets.targets()[0].volume, 1.2);
+    EXPECT_EQ(targets.targets()[1].volume, 0.8);
+}
+
+TEST(VolumeTargets, GoOnThroughACutThatSeparatesNothing) {
+    VolumeTargets targets;
+    targets.reset(whole());
+    const double volumes[] = {1.19, 0.81, 1e-9};
+    targets.follow(whole(), halves(), volumes);
+    const double later[] = {1.1, 0.9, 1e-9};
+    targets.follow(halves(), halves(), later);
+    EXPECT_DOUBLE_EQ(targets.targets()[0].volume, 1.19);
+    EXPECT_DOUBLE_EQ(targets.targets()[1].volume, 0.81);
+}
+
+}  // namespace
+}  // namespace kerf
