@@ -108,15 +108,24 @@ become_root() {
     as_root=(sudo)
 }
 
-# configure PRESET FOLDER TESTS: only where it has not been done; ninja sees later changes itself.
+# configure PRESET FOLDER [OPTION...]: only where it has not been done with these options (such as
+# KERF_TESTS) on; ninja sees later changes itself.
 configure() {
-    local preset=$1 folder=$2 tests=$3
-    if [[ -f $folder/build.ninja ]] &&
-        { [[ $tests == OFF ]] || grep -q '^KERF_TESTS:BOOL=ON' "$folder/CMakeCache.txt"; }; then
+    local preset=$1 folder=$2 option missing=
+    local -a switches=()
+    shift 2
+    for option in "$@"; do
+        switches+=("-D$option=ON")
+        grep -qs "^$option:BOOL=ON" "$folder/CMakeCache.txt" || missing=yes
+    done
+    if [[ -f $folder/build.ninja && -z $missing ]]; then
         return
     fi
+    if [[ ! -f $folder/CMakeCache.txt && $* != *KERF_TESTS* ]]; then
+        switches+=(-DKERF_TESTS=OFF)
+    fi
     say "configuring $preset in $folder"
-    (cd "$root" && quietly cmake --preset "$preset" -DKERF_TESTS="$tests") ||
+    (cd "$root" && quietly cmake --preset "$preset" "${switches[@]}") ||
         fail "CMake could not configure the build (see above)"
 }
 
