@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "sim/params.h"
 #include "tests/support/run_kerf.h"
+#include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {
@@ -23,14 +25,19 @@ void expectMistake(const ProgramRun& run, int code, const std::string& words) {
     EXPECT_NE(run.errors.find(words), std::string::npos) << run.errors;
 }
 
-constexpr const char* kOpenBox = R"(v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-)";
+/// A box that lacks one triangle, as the text of an OBJ file.
+std::string openBox() {
+    TriangleSoup soup = test::boxSoup();
+    soup.triangles.pop_back();
+    std::ostringstream text;
+    for (const Vec3& p : soup.positions) {
+        text << "v " << p.x() << " " << p.y() << " " << p.z() << "\n";
+    }
+    for (const auto& [a, b, c] : soup.triangles) {
+        text << "f " << a + 1 << " " << b + 1 << " " << c + 1 << "\n";
+    }
+    return text.str();
+}
 
 TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
     for (const std::vector<std::string>& call : {std::vector<std::string>{"--help"},
@@ -89,7 +96,7 @@ TEST(CommandLine, WrongSessionsAreExitCode3AndWriteNothing) {
 
 TEST(CommandLine, AModelThatChangedIsRefused) {
     const TemporaryFolder folder;
-    writeText(folder / "a.obj", kOpenBox);
+    writeText(folder / "a.obj", openBox());
     writeText(folder / "a.kerf.json",
               R"({"format": "kerf-session", "version": 1, "steps": 5, "model": {"path": "a.obj",
                  "sha256": "0000000000000000000000000000000000000000000000000000000000000000"}})");
@@ -105,7 +112,7 @@ TEST(CommandLine, TextRenamedToObjIsRefused) {
 
 TEST(CommandLine, AnOpenMeshIsReportedAndRefused) {
     const TemporaryFolder folder;
-    writeText(folder / "open.obj", kOpenBox);
+    writeText(folder / "open.obj", openBox());
     const ProgramRun run = runKerf({"inspect", folder / "open.obj", "--json"});
     expectMistake(run, 3, "3 open edges");
     const auto report = nlohmann::json::parse(run.out);

@@ -111,7 +111,11 @@ TEST(AtomicFile, FailuresNameTheFileAndTheReason) {
         EXPECT_STREQ(error.what(),
                      "/nonexistent/a.txt: it could not be written (No such file or directory).");
     }
-    EXPECT_THROW(writeOutputFile("/dev/full", "x"), OutputError);
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "a.txt");
+    EXPECT_THROW(writeOutputFile(folder / "a.txt", "x"), OutputError);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1)
+        << "the hidden file is gone";
 }
 
 }  // namespace
