@@ -1,10 +1,9 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
 
 namespace kerf {
 

@@ -17,10 +17,10 @@ namespace kerf {
 
 /// One row of metrics.csv, known after a step.
 struct StepReport {
-    int step = 0;             ///< index of the step that just ran, from 0
-    double time = 0;          ///< simulated time at its end [s]
-    double volume = 0;        ///< sum over pieces [m^3]
-    double volumeRatio = 1;   ///< against the uncut rest shape
+    int step = 0;            ///< index of the step that just ran, from 0
+    double time = 0;         ///< simulated time at its end [s]
+    double volume = 0;       ///< sum over pieces [m^3]
+    double volumeRatio = 1;  ///< against the uncut rest shape
     int pieces = 1;
     int vertices = 0;
     int triangles = 0;

@@ -4,7 +4,7 @@
 #include "shared_types.h"
 SHARED_BEGIN
 
-SHARED_CONST uint kGroupSize = 256u;   // threads of a work group, in every kernel
+SHARED_CONST uint kGroupSize = 256u;  // threads of a work group, in every kernel
 SHARED_CONST uint kNoPiece = 0xffffffffu;
 
 // How many constraints of each type touch a vertex: mass-splitting Jacobi gives each of them the
@@ -40,8 +40,8 @@ struct VolumeSum {
 
 // Of one block, after a step.
 struct BlockMeasure {
-    vec4 low_volume;       // xyz: smallest coordinates [m]; w: volume as above [m^3]
-    vec4 high_nonfinite;   // xyz: largest coordinates [m]; w: > 0 where a number is not finite
+    vec4 low_volume;      // xyz: smallest coordinates [m]; w: volume as above [m^3]
+    vec4 high_nonfinite;  // xyz: largest coordinates [m]; w: > 0 where a number is not finite
 };
 
 SHARED_END

@@ -27,9 +27,9 @@ class SurfaceMesh {
     int aliveTriangles() const { return aliveTriangles_; }
 
     // Per vertex.
-    const Vec3& position(int v) const { return positions_[v]; }            ///< current [m]
-    const Vec3& restPosition(int v) const { return restPositions_[v]; }    ///< [m]
-    const Vec3& velocity(int v) const { return velocities_[v]; }           ///< [m/s]
+    const Vec3& position(int v) const { return positions_[v]; }          ///< current [m]
+    const Vec3& restPosition(int v) const { return restPositions_[v]; }  ///< [m]
+    const Vec3& velocity(int v) const { return velocities_[v]; }         ///< [m/s]
     void setPosition(int v, const Vec3& p) { positions_[v] = p; }
     void setRestPosition(int v, const Vec3& p) { restPositions_[v] = p; }
     void setVelocity(int v, const Vec3& u) { velocities_[v] = u; }
