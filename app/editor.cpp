@@ -69,6 +69,7 @@ struct Editor::State {
     EditorToast toast;
     std::vector<ui::PlotPoint> strokeLine;
     bool sceneChanged = true;
+    bool closing = false;
     bool helpOpen = false;
     bool wireframe = false;
     bool screenshotWanted = false;
@@ -196,9 +197,10 @@ void Editor::State::onButton(const ui::ButtonChange& change) {
 }
 
 void Editor::State::beginStroke() {
-    if (scene == nullptr || scene->stroke().pending() > 0) {
-        return;  // one stroke at a time: the last one is still being cut
+    if (scene == nullptr) {
+        return;
     }
+    // Where an earlier stroke is still being cut, this one's poses queue up behind it.
     scene->beginStroke(StrokeSpace(camera, aspect(), scene->bounds()), toNdc(pointer));
     strokeLine = {{pointer.x(), pointer.y()}};
 }
@@ -262,6 +264,9 @@ void Editor::State::perform(ui::ActionId id) {
             return;
         case ui::ActionId::cancel:
             cancel();
+            return;
+        case ui::ActionId::quit:
+            closing = true;
             return;
         default:
             if (scene != nullptr) {
@@ -428,7 +433,12 @@ std::string Editor::State::hint() const {
         return weightless ? "Press V for gravity, then Space to let the pieces fall."
                           : "Press Space to let the pieces fall.";
     }
-    return strokedOnce || scene->playing ? "" : "Drag across the model to cut it.";
+    if (strokedOnce || scene->playing) {
+        return "";
+    }
+    return scene->playingBack()
+               ? "Press Space to play the session, or drag across the model to cut it."
+               : "Drag across the model to cut it.";
 }
 
 void Editor::State::describe() {
@@ -530,6 +540,10 @@ double Editor::idleSeconds() const {
         return 0;
     }
     return s.toast.visible() ? s.toast.steadySeconds() : kForever;
+}
+
+bool Editor::closing() const {
+    return state_->closing;
 }
 
 const gpu::Framebuffer& Editor::picture() const {

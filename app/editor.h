@@ -44,6 +44,9 @@ class Editor {
     /// How long nothing will change without input [s]; 0 while something moves.
     double idleSeconds() const;
 
+    /// Whether the person asked to leave.
+    bool closing() const;
+
     /// Scene and panels, as the window shows them.
     const gpu::Framebuffer& picture() const;
     render::Image readPicture() const;
@@ -60,8 +63,8 @@ class Editor {
     std::unique_ptr<State> state_;
 };
 
-/// The editor in a window, until it is closed. Returns the exit code: 0; 3 where `file` cannot be
-/// opened, 4 without a window or OpenGL 4.5, each with one sentence on standard error.
+/// The editor in a window, until it is closed; returns 0. Throws InputError where `file` cannot be
+/// opened, gpu::ContextError without a window or OpenGL 4.5.
 int runEditor(const std::optional<std::filesystem::path>& file);
 
 }  // namespace kerf::app

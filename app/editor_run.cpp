@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "app/editor.h"
 #include "app/window.h"
@@ -11,8 +10,6 @@
 namespace kerf::app {
 namespace {
 
-constexpr int kInvalidInput = 3;
-constexpr int kNoOpenGl = 4;
 constexpr double kLongestWait = 1;  // between two looks at what the system wants [s]
 
 /// The document of the command line, or the default one; without that the editor opens empty.
@@ -58,7 +55,7 @@ class Clock {
 /// Draws while something moves, and else waits: a still picture costs nothing.
 void runLoop(Window& window, Editor& editor) {
     Clock clock;
-    while (!window.closing()) {
+    while (!window.closing() && !editor.closing()) {
         window.waitEvents(std::min(editor.idleSeconds() - clock.elapsed(), kLongestWait));
         const bool damaged = window.takeDamage();
         if (!damaged && editor.idleSeconds() > clock.elapsed()) {
@@ -79,24 +76,12 @@ void openWindow(std::optional<Document> document) {
     window.onInput(nullptr);
 }
 
-int fail(const std::exception& error, int exitCode) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return exitCode;
-}
-
 }  // namespace
 
 int runEditor(const std::optional<std::filesystem::path>& file) {
-    try {
-        openWindow(firstDocument(file));
-        return 0;
-    } catch (const InputError& error) {
-        return fail(error, kInvalidInput);
-    } catch (const WindowError& error) {
-        return fail(error, kNoOpenGl);
-    } catch (const gpu::ContextError& error) {
-        return fail(error, kNoOpenGl);
-    }
+    // The file first: a wrong one is told without a window flashing up.
+    openWindow(firstDocument(file));
+    return 0;
 }
 
 }  // namespace kerf::app

@@ -37,6 +37,8 @@ class EditorScene {
     const BladeStroke& stroke() const { return stroke_; }
 
     bool playing = false;
+    /// Whether the session's own events are still to come.
+    bool playingBack() const;
     /// Steps that the stroke needs for the coming picture so as not to fall behind the hand.
     int strokeSteps() const;
     /// Notes how fast pictures follow each other while time runs.
@@ -60,7 +62,6 @@ class EditorScene {
   private:
     void playSessionEvents();
     void endPlayback();
-    bool playingBack() const;
     void record();
     void refreshPieces();
 

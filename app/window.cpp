@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
@@ -26,9 +27,10 @@ std::string lastGlfwError() {
 }
 
 [[noreturn]] void failToOpen(const std::string& reason) {
-    throw WindowError("No window can be opened (" + reason +
-                      "): start Kerf on a display with OpenGL 4.5, or use \"kerf replay\", which "
-                      "needs none.");
+    throw gpu::ContextError(
+        "No window can be opened (" + reason +
+        "): start Kerf on a display with OpenGL 4.5, or use \"kerf replay\", which "
+        "needs none.");
 }
 
 ui::Key offset(ui::Key first, int by) {
@@ -223,7 +225,8 @@ void Window::State::connect() {
 }
 
 Window::Window(const std::string& title) : state_(std::make_unique<State>()) {
-    if (std::getenv("KERF_FORCE_NO_GL") != nullptr) {
+    const char* forced = std::getenv("KERF_FORCE_NO_GL");  // the same switch as headless
+    if (forced != nullptr && std::string_view(forced) == "1") {
         failToOpen("KERF_FORCE_NO_GL is set");
     }
     if (glfwInit() != GLFW_TRUE) {

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "gpu/framebuffer.h"
@@ -10,18 +9,13 @@
 
 namespace kerf::app {
 
-/// No window could be opened: what() is one sentence that says why and what to do. Exit code 4.
-class WindowError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
-
 /// A GLFW window with an OpenGL 4.5 core context, current on the thread that made it, its
 /// functions loaded. It only forwards: input goes to a function, a finished picture comes back.
 /// One at a time.
 class Window {
   public:
-    /// Takes the screen's work area up to 1600 x 900. Throws WindowError, gpu::ContextError.
+    /// Takes the screen's work area up to 1600 x 900. Throws gpu::ContextError
+    /// where no window or no OpenGL 4.5 is to be had.
     explicit Window(const std::string& title);
     ~Window();
     Window(const Window&) = delete;

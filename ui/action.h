@@ -23,6 +23,7 @@ enum class ActionId : std::uint8_t {
     wireframe,
     screenshot,
     help,
+    quit,
 };
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.

@@ -7,6 +7,7 @@ namespace kerf::ui {
 namespace {
 
 constexpr Modifiers kPlain{};
+constexpr Modifiers kControl{.control = true};
 
 constexpr std::array kShortcuts{
     Shortcut{ActionId::playPause, Key::space, kPlain, "Space", "Play or pause", "Time"},
@@ -24,6 +25,7 @@ constexpr std::array kShortcuts{
     Shortcut{ActionId::screenshot, Key::f12, kPlain, "F12", "Save a screenshot here", "Program"},
     Shortcut{ActionId::help, Key::f1, kPlain, "F1", "This help", "Program"},
     Shortcut{ActionId::help, Key::questionMark, kPlain, "?", "This help", "Program"},
+    Shortcut{ActionId::quit, Key::q, kControl, "Ctrl+Q", "Leave", "Program"},
 };
 
 constexpr std::array kPointerHints{

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "sim/mesh/invariants.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -90,6 +91,17 @@ class EditorTest : public test::GlTest {
     std::unique_ptr<Editor> editor;
 };
 
+/// What the panels leave free: they show measured times.
+std::vector<std::uint8_t> viewPixels(const render::Image& image) {
+    const ui::Rect view = ui::layoutPanels(kWidth, kHeight, 1).view;
+    std::vector<std::uint8_t> pixels;
+    for (int y = 0; y < static_cast<int>(view.height); ++y) {
+        const auto row = image.pixels.begin() + 4 * (y * kWidth + static_cast<int>(view.x));
+        pixels.insert(pixels.end(), row, row + 4 * static_cast<int>(view.width));
+    }
+    return pixels;
+}
+
 const Vec2 kTop(kWidth / 2.0, 20);
 const Vec2 kBottom(kWidth / 2.0, kHeight - 40.0);
 
@@ -117,8 +129,17 @@ TEST_F(EditorTest, TwoMoveEventsAreEnoughForAStroke) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
+TEST_F(EditorTest, ASecondStrokeWaitsForTheFirst) {
+    drag(kTop, kBottom, 3);
+    drag(Vec2(kWidth / 3.0, kHeight / 2.0), Vec2(kWidth / 1.5, kHeight / 2.0), 3);
+    frames(1);
+    EXPECT_TRUE(panels().stroking);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 4 pieces");
+}
+
 TEST_F(EditorTest, AStrokeBesideTheBodyChangesNothing) {
-    drag(Vec2(kWidth * 0.36, 20), Vec2(kWidth * 0.36, kHeight - 60), 10);
+    drag(Vec2(kWidth / 3.0, 20), Vec2(kWidth / 3.0, kHeight - 60), 10);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_EQ(panels().triangles, 768);
@@ -236,6 +257,7 @@ TEST_F(EditorTest, ADroppedSessionIsPlayed) {
     editor->post(ui::FileDrop{{folder / "slice.kerf.json"}});
     frames(2);
     EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
+    EXPECT_THAT(panels().hint, ::testing::HasSubstr("play the session"));
     tap(Key::space);
     frames(3);
     EXPECT_THAT(panels().playback, ::testing::HasSubstr("of 60"));
@@ -265,7 +287,7 @@ TEST_F(EditorTest, TheSameEventsGiveTheSamePicture) {
         settle();
         moveTo(kWidth / 2.0, 5);
         settle();
-        return editor->readPicture().pixels;
+        return viewPixels(editor->readPicture());
     };
     const std::vector<std::uint8_t> first = run();
     EXPECT_EQ(first, run());
