@@ -263,7 +263,7 @@ CutResult Cutter::advance(const Blade& blade) {
 CutResult Cutter::finish() {
     State& state = *state_;
     assert(state.inStroke);
-    const CutResult result = state.sweep(state.blade, state.leastFlush());
+    CutResult result = state.sweep(state.blade, state.leastFlush());
     state.inStroke = false;
     state.rung.clear();
     return result;

@@ -67,7 +67,8 @@ struct RungNode {
 };
 
 struct CutSettings {
-    /// Edge length of new walls [m]; 0 takes the mean edge length of the mesh.
+    /// Edge length h of new walls [m]. 0 takes the mean edge length of the skin at rest, at most a
+    /// twelfth of the body's diagonal: coarse bodies get walls finer than their skin.
     double wallEdgeLength = 0;
     /// A step that advances less than this share of the edge length waits (cutting-moving: 0.5).
     double gate = 0.5;
@@ -92,13 +93,15 @@ class Cutter {
 
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);
-    /// Sweeps from where the last successful step ended to `blade`.
+    /// Sweeps from where the last successful step ended to `blade`. After three refusals in a row
+    /// the front is let go, stays as a slit, and the sweep starts anew at the blade.
     CutResult advance(const Blade& blade);
     /// Ends the stroke: sweeps what the gate held back, then lets go of the front.
     CutResult finish();
 
     bool inStroke() const;
-    /// The old rung, from A to B: empty outside a stroke.
+    /// The old rung, from A to B: empty outside a stroke. Positions are those after the last step
+    /// that moved it; vertices follow the mesh.
     const std::vector<RungNode>& rung() const;
     int refusedSteps() const;
 
