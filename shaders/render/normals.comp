@@ -1,5 +1,6 @@
 // Two normals per vertex: over its skin triangles and over its wall triangles, so that the edge of
-// a wound stays crisp. Weighted by corner angle: subdividing a flat face doesn't change them.
+// a wound stays crisp. Weighted by corner angle, so that subdividing a flat face doesn't change them;
+// slivers count less, because a little motion turns them over.
 // Reads positions, triangles, incidence; writes normals. One thread per vertex; a storage barrier
 // follows. The gather runs in the order of the incidence list: the same bits every time.
 #include "render_bindings.h"
@@ -9,6 +10,9 @@ layout(local_size_x = kNormalsGroupSize) in;
 layout(std430, binding = kBindIncidenceOffsets) readonly buffer Offsets { uint offsets[]; };
 layout(std430, binding = kBindIncidence) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = kBindNormals) writeonly buffer Normals { vec4 normals[]; };
+
+// Triangles whose height is a smaller share of their longest edge are slivers.
+const float kSliverQuality = 0.2;
 
 uniform uint vertexCount;
 
@@ -21,7 +25,9 @@ vec3 weightedNormal(uvec4 triangle, uint corner) {
     if (!(twiceArea > 1e-20)) {
         return vec3(0);
     }
-    return n * (atan(twiceArea, dot(u, v)) / twiceArea);
+    float longest = max(dot(u, u), max(dot(v, v), dot(u - v, u - v)));
+    float shape = min(1.0, twiceArea / (kSliverQuality * longest));
+    return n * (shape * atan(twiceArea, dot(u, v)) / twiceArea);
 }
 
 vec4 unit(vec3 n) {
