@@ -9,6 +9,9 @@ namespace kerf::app {
 
 namespace {
 
+// The default view stands this much further away than the model alone needs: pieces fall and roll.
+constexpr double kRoomToFall = 1.25;
+
 void requireDigest(const std::filesystem::path& file, const std::string& expected) {
     if (!expected.empty() && sha256OfFile(file) != expected) {
         throw InputError(file.filename().string() +
@@ -60,6 +63,7 @@ render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
     camera.target = bounds.center();
     camera.eye = camera.target + Vec3(3, 2, 4);
     camera.frame(bounds);
+    camera.zoom(kRoomToFall, Vec2::Zero(), 1);
     return camera;
 }
 
