@@ -132,7 +132,7 @@ std::string encodeObj(ExportMesh mesh) {
         text += 'f';
         for (const int corner : face.corners) {
             const std::string index = std::to_string(corner + 1);
-            text += " " + index + "//" + index;
+            text.append(" ").append(index).append("//").append(index);
         }
         text += '\n';
         last = &face;

@@ -43,7 +43,7 @@ class OutputFolder {
 
     /// Where `name` lies, its own folder made. Throws OutputError where a link leads outside.
     std::filesystem::path place(const std::string& name) const {
-        const std::filesystem::path file = folder_ / name;
+        std::filesystem::path file = folder_ / name;
         std::error_code error;
         std::filesystem::create_directories(file.parent_path(), error);
         const auto parent = std::filesystem::canonical(file.parent_path(), error);

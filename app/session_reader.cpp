@@ -137,7 +137,7 @@ void readFormat(ObjectReader& top) {
 }
 
 std::string readDigest(const Node& node) {
-    const std::string digest = readString(node);
+    std::string digest = readString(node);
     const auto isHex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
     if (digest.size() != 64 || !std::all_of(digest.begin(), digest.end(), isHex)) {
         fail(node.place, "expected 64 lower-case hexadecimal digits.");
@@ -293,7 +293,7 @@ ExportEvent readExport(ObjectReader& object) {
 }
 
 std::string readStateHash(const Node& node) {
-    const std::string hash = readString(node);
+    std::string hash = readString(node);
     if (hash.size() != 16 || hash.find_first_not_of("0123456789abcdef") != std::string::npos) {
         fail(node.place, "expected 16 lower-case hexadecimal digits.");
     }
@@ -403,7 +403,7 @@ Session readSession(const std::filesystem::path& file) {
     try {
         Session session = parseSession(text, std::filesystem::absolute(file).parent_path());
         for (std::string& warning : session.warnings) {
-            warning = file.filename().string() + ": " + warning;
+            warning.insert(0, file.filename().string() + ": ");
         }
         return session;
     } catch (const InputError& error) {
