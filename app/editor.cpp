@@ -516,7 +516,8 @@ void Editor::post(ui::InputEvent event) {
 }
 
 void Editor::resize(int width, int height) {
-    if (width > 0 && height > 0) {
+    const bool same = width == state_->options.width && height == state_->options.height;
+    if (width > 0 && height > 0 && !same) {
         state_->options.width = width;
         state_->options.height = height;
         state_->settlePasses = kSettlePasses;

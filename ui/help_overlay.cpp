@@ -24,7 +24,7 @@ void drawEntry(std::string_view keys, std::string_view label) {
 }
 
 void drawGroupTitle(std::string_view title) {
-    ImGui::TableNextRow();
+    ImGui::TableNextRow(0, 1.6F * ImGui::GetFontSize());
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", std::string(title).c_str());
 }

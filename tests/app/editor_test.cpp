@@ -211,6 +211,12 @@ TEST_F(EditorTest, TheRightButtonTurnsTheViewAndCutsNothing) {
 
 TEST_F(EditorTest, PausedAndUntouchedItRests) {
     settle();
+    editor->resize(kWidth, kHeight);
+    EXPECT_GT(editor->idleSeconds(), 1);
+    editor->resize(kWidth + 10, kHeight);
+    EXPECT_EQ(editor->idleSeconds(), 0);
+    settle();
+    EXPECT_EQ(editor->picture().width(), kWidth + 10);
     EXPECT_GT(editor->idleSeconds(), 1);
     moveTo(kWidth / 2.0, kHeight / 2.0);
     EXPECT_EQ(editor->idleSeconds(), 0);
