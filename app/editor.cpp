@@ -398,6 +398,7 @@ void Editor::State::runSteps(int needed, int due) {
     settlePasses = kSettlePasses;  // the panels show a step one pass later
     for (const std::string& message : scene->takeMessages()) {
         spdlog::warn("{}", message);
+        toast.show(message, false);
     }
 }
 
