@@ -29,6 +29,7 @@ libcli11-dev        reads the command line
 nlohmann-json3-dev  reads and writes session files
 libspdlog-dev       writes the log
 libstb-dev          reads and writes pictures
+fonts-dejavu-core   is the font of the panels
 nettle-dev          hashes states and files
 '
 test_packages='
@@ -37,6 +38,7 @@ libgmock-dev        offers the tests matchers
 xvfb                is a display for the window tests
 xauth               lets programs onto that display
 xdotool             moves the mouse in the window tests
+python3-numpy       remakes the builtin models, to compare them
 '
 format_packages='
 clang-format        checks the layout of the code
