@@ -96,7 +96,7 @@ struct Editor::State {
     void perform(ui::ActionId id);
     void performOnScene(ui::ActionId id);
     void moveCamera(ui::ActionId id);
-    void execute(const Command& command);
+    void choose(const SetParam& choice);
     void cancel();
     void toggleGravity();
     void open(const std::filesystem::path& file);
@@ -239,15 +239,15 @@ void Editor::State::apply(const ui::Action& action) {
     if (const auto* id = std::get_if<ui::ActionId>(&action)) {
         perform(*id);
     } else {
-        execute(std::get<Command>(action));
+        choose(std::get<SetParam>(action));
     }
 }
 
-void Editor::State::execute(const Command& command) {
+void Editor::State::choose(const SetParam& choice) {
     if (scene == nullptr) {
         return;
     }
-    if (const std::string problem = scene->execute(command); !problem.empty()) {
+    if (const std::string problem = scene->choose(choice); !problem.empty()) {
         toast.show(problem, true);
     }
     sceneChanged = true;
@@ -336,7 +336,7 @@ void Editor::State::toggleGravity() {
     const bool on = scene->simulation().params().gravity.norm() > 0;
     const Vec3 before = scene->document().session.params.gravity;
     const Vec3 switchedOn = before.norm() > 0 ? before : kEarthGravity;
-    execute(SetParam{"gravity", on ? Vec3(Vec3::Zero()) : switchedOn});
+    choose(SetParam{"gravity", on ? Vec3(Vec3::Zero()) : switchedOn});
 }
 
 void Editor::State::open(const std::filesystem::path& file) {
@@ -353,6 +353,7 @@ void Editor::State::show(Document document) {
     const std::string note = document.note;
     scene = std::make_unique<EditorScene>(std::move(document));
     camera = scene->document().camera;
+    renderer.setRestShape(scene->document().mesh);
     cameraControl.releaseAll();
     strokeLine.clear();
     strokedOnce = false;

@@ -35,9 +35,13 @@ EditorScene::EditorScene(Document document)
     refreshPieces();
 }
 
-std::string EditorScene::execute(const Command& command) {
-    endPlayback();
-    return simulation_.execute(command);
+std::string EditorScene::choose(const SetParam& choice) {
+    std::string problem = simulation_.execute(choice);
+    if (problem.empty()) {
+        std::erase_if(choices_, [&](const SetParam& old) { return old.name == choice.name; });
+        choices_.push_back(choice);
+    }
+    return problem;
 }
 
 bool EditorScene::playingBack() const {
@@ -94,6 +98,9 @@ void EditorScene::reset() {
     playing = false;
     stroke_.clear();
     simulation_.reset();
+    for (const SetParam& choice : choices_) {
+        simulation_.execute(choice);
+    }
     history_.clear();
     player_.emplace(document_.session);
     refreshPieces();

@@ -24,11 +24,11 @@ class EditorScene {
     EditorScene(const EditorScene&) = delete;  // the player points into the document
     EditorScene& operator=(const EditorScene&) = delete;
 
-    /// A change that a person asked for; ends the playing of a session. Returns "" or one sentence.
-    std::string execute(const Command& command);
+    /// A parameter that a person chose; it outlives reset(). Returns "" or one sentence.
+    std::string choose(const SetParam& choice);
     /// One step with what is due before it: the session's events, or the next pose of the stroke.
     void step();
-    /// Back to the start state, paused.
+    /// Back to the start state, paused, with the parameters that a person chose since.
     void reset();
 
     // The stroke.
@@ -69,6 +69,7 @@ class EditorScene {
     Simulation simulation_;
     std::optional<SessionPlayer> player_;
     BladeStroke stroke_;
+    std::vector<SetParam> choices_;  ///< one per name, in the order of the last change
     ui::History history_;
     std::vector<ui::PieceRow> pieces_;
     int piecesStep_ = -1;  ///< step that pieces_ tells of

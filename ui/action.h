@@ -27,6 +27,6 @@ enum class ActionId : std::uint8_t {
 };
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
-using Action = std::variant<ActionId, Command>;
+using Action = std::variant<ActionId, SetParam>;
 
 }  // namespace kerf::ui

@@ -133,7 +133,7 @@ void drawLabelLine(const ParamInfo& info, const PanelModel& model, std::vector<A
     }
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
     if (resetButton("##reset")) {
-        actions.emplace_back(Command{SetParam{std::string(info.name), start}});
+        actions.emplace_back(SetParam{std::string(info.name), start});
     }
     itemTooltip("Back to the value at the start");
 }
@@ -162,7 +162,7 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
         itemTooltip(tooltipOf(info));
     }
     if (changed) {
-        actions.emplace_back(Command{SetParam{std::string(info.name), value}});
+        actions.emplace_back(SetParam{std::string(info.name), value});
     }
     ImGui::PopID();
 }

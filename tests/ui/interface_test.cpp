@@ -35,10 +35,9 @@ class InterfaceTest : public test::GlTest {
     std::vector<Action> pass(const std::vector<InputEvent>& events) {
         std::vector<Action> actions = interface->pass(events, model, kWidth, kHeight, 1.0 / 60);
         for (const Action& action : actions) {
-            if (const auto* command = std::get_if<Command>(&action)) {
-                const auto& set = std::get<SetParam>(*command);
-                EXPECT_EQ(setParam(model.params, set.name, set.value), "");
-                changed.insert(set.name);
+            if (const auto* set = std::get_if<SetParam>(&action)) {
+                EXPECT_EQ(setParam(model.params, set->name, set->value), "");
+                changed.insert(set->name);
             } else {
                 asked.push_back(std::get<ActionId>(action));
             }
