@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """Makes Kerf's five builtin models. Needs Debian's python3 and python3-numpy, nothing else.
 
-    /usr/bin/python3 assets/models/make_models.py [FOLDER]
+    /usr/bin/python3 assets/models/make_models.py [FOLDER [NAME...]]
 
-writes sphere20.obj, sphere80.obj, sphere768.obj, banana.obj and octopus.obj into FOLDER (default:
-the folder of this script) and prints a line of figures for each. The result is the same, byte for
+writes sphere20.obj, sphere80.obj, sphere768.obj, banana.obj and octopus.obj (or those named) into
+FOLDER (default: the folder of this script) and prints a line of figures for each. The result is the same, byte for
 byte, each time: array arithmetic is limited to + - * / and sqrt, and there is no randomness.
 
 The spheres are written down directly. Banana and octopus are described by an implicit function
