@@ -16,6 +16,7 @@
 #include "app/compare_verb.h"
 #include "app/editor.h"
 #include "app/file_io.h"
+#include "app/import_process.h"
 #include "app/inspect_verb.h"
 #include "app/model_source.h"
 #include "app/replay_verb.h"
@@ -46,6 +47,11 @@ struct Parser {
     CLI::App* worker = nullptr;
 };
 
+/// An empty name is a mistake of the script that called, most often an unset variable.
+std::string refuseEmpty(const std::string& text) {
+    return text.empty() ? "the name is empty" : "";
+}
+
 constexpr const char* kExitCodes =
     "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 input missing or invalid,\n"
     "4 no usable OpenGL 4.5, 5 out of memory or another limit.";
@@ -54,9 +60,11 @@ void describeReplay(Parser& parser, Arguments& arguments) {
     parser.replay = parser.app.add_subcommand(
         "replay", "Run a session headless, as fast as it can, and write its results");
     parser.replay->add_option("SESSION", arguments.replay.session, "A *.kerf.json file")
-        ->required();
+        ->required()
+        ->check(refuseEmpty);
     parser.replay->add_option("--out", arguments.replay.out, "Folder for the results")
         ->required()
+        ->check(refuseEmpty)
         ->type_name("DIR");
     parser.replay->add_flag("--json", arguments.replay.json, "Print one JSON object");
 }
@@ -66,7 +74,8 @@ void describeInspect(Parser& parser, Arguments& arguments) {
         parser.app.add_subcommand("inspect", "Say what a model is and whether it can be cut");
     parser.inspect
         ->add_option("MODEL", arguments.inspect.model, "A model file, or the name of a builtin one")
-        ->required();
+        ->required()
+        ->check(refuseEmpty);
     parser.inspect->add_flag("--json", arguments.inspect.json, "Print one JSON object");
 }
 
@@ -113,8 +122,15 @@ void setUpLog() {
     spdlog::set_pattern("%^%l%$: %v");
 }
 
+/// Names of files may hold anything; nothing of it may break the line or steer the terminal.
+std::string printable(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    return text;
+}
+
 int complain(const std::string& sentence, int exitCode) {
-    std::cerr << "kerf: " << sentence << "\n";
+    std::cerr << "kerf: " << printable(sentence) << "\n";
     return exitCode;
 }
 
@@ -122,7 +138,8 @@ int complain(const std::string& sentence, int exitCode) {
 bool looksLikeVerb(const std::filesystem::path& file) {
     const std::string text = file.string();
     const auto isWord = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-'; };
-    return std::all_of(text.begin(), text.end(), isWord) && !std::filesystem::exists(file);
+    std::error_code error;
+    return std::all_of(text.begin(), text.end(), isWord) && !std::filesystem::exists(file, error);
 }
 
 int runEditorVerb(const std::filesystem::path& file) {
@@ -165,6 +182,8 @@ int runVerbSafely(const Parser& parser, Arguments& arguments) {
         return complain(error.what(), kExitLimit);
     } catch (const OutputError& error) {
         return complain(error.what(), kExitLimit);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return complain(error.path1().string() + ": " + error.code().message() + ".", kExitInput);
     } catch (const std::bad_alloc&) {
         return complain("Out of memory; try a smaller model.", kExitLimit);
     }
@@ -182,6 +201,7 @@ int endParsing(const Parser& parser, const CLI::ParseError& error) {
 
 int runCommandLine(int argc, char** argv) {
     setUpLog();
+    readModelsWithThisProgram();
     Arguments arguments;
     Parser parser;
     describe(parser, arguments);

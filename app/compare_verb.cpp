@@ -52,7 +52,7 @@ int compareVerb(const CompareArguments& arguments, std::ostream& out, std::ostre
         }
         return equal ? 0 : 1;
     } catch (const std::exception& error) {
-        errors << error.what() << '\n';
+        errors << "kerf: " << error.what() << '\n';
         return 3;
     }
 }

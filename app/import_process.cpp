@@ -174,12 +174,22 @@ void setLimitFrom(const char* variable, __rlimit_resource resource) {
 
 }  // namespace
 
+namespace {
+
+bool thisProgramReads = false;
+
+}  // namespace
+
+void readModelsWithThisProgram() {
+    thisProgramReads = true;
+}
+
 std::filesystem::path importProgram() {
     if (const char* chosen = std::getenv("KERF_EXECUTABLE"); chosen != nullptr) {
         return chosen;
     }
-    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
-    return self.filename() == "kerf" ? self : self.parent_path() / "kerf";
+    const std::filesystem::path self = "/proc/self/exe";
+    return thisProgramReads ? self : std::filesystem::read_symlink(self).parent_path() / "kerf";
 }
 
 ImportOutcome runImportProcess(const std::filesystem::path& program,

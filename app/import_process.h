@@ -23,8 +23,10 @@ struct ImportOutcome {
     bool tooLong = false;  ///< the answer ran past kMaxImportAnswer
 };
 
+/// Says that this program has the verb `import-worker`, whatever its name; tests don't.
+void readModelsWithThisProgram();
 /// The program that has the verb `import-worker`: $KERF_EXECUTABLE where set, else this program
-/// where its name is kerf, else kerf in the same folder.
+/// where it said so, else kerf in the same folder.
 std::filesystem::path importProgram();
 
 /// Runs `program import-worker file` and collects what it says. The child inherits no open files,

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -71,6 +72,30 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
     expectMistake(runKerf({"compare", "a.png"}), 2, "B");
     expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "2"}), 2, "threshold");
     expectMistake(runKerf({"a.obj", "inspect", "b.obj"}), 2, "verb comes first");
+}
+
+TEST(CommandLine, EmptyNamesAreWrongUsage) {
+    expectMistake(runKerf({"replay", "", "--out", "x"}), 2, "SESSION: the name is empty");
+    expectMistake(runKerf({"replay", "a.kerf.json", "--out", ""}), 2, "--out: the name is empty");
+    expectMistake(runKerf({"inspect", ""}), 2, "MODEL: the name is empty");
+}
+
+TEST(CommandLine, NamesThatNoFileCanHaveAreMistakes) {
+    const std::string longName(5000, 'a');
+    expectMistake(runKerf({longName}), 2, "neither a verb nor a file");
+    expectMistake(runKerf({"inspect", longName}), 3, "");
+    expectMistake(runKerf({"inspect", longName + ".obj"}), 3, "");
+    expectMistake(runKerf({"replay", longName, "--out", "x"}), 3, "");
+    expectMistake(runKerf({"inspect", "two\nlines\x1b[31m.obj"}), 3, "two?lines?[31m.obj");
+}
+
+TEST(CommandLine, ReadsModelsUnderAnyNameOfTheProgram) {
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(KERF_BINARY_DIR "/kerf", folder / "other");
+    const std::string call = "'" + (folder / "other").string() + "' inspect sphere20 >'" +
+                             (folder / "out").string() + "'";
+    EXPECT_EQ(std::system(call.c_str()), 0);
+    EXPECT_NE(readBytes(folder / "out").find("triangles  20"), std::string::npos);
 }
 
 TEST(CommandLine, MissingInputsAreExitCode3) {
