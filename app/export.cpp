@@ -43,10 +43,18 @@ Vec3 areaVector(const SurfaceMesh& mesh, int t) {
     return (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a));
 }
 
+/// At the front of a slit the normals of its two walls cancel each other: there the first triangle
+/// with an area stands for all.
 Vec3f vertexNormal(const SurfaceMesh& mesh, int v) {
     Vec3 sum = Vec3::Zero();
-    mesh.forEachOutgoing(v, [&](int h) { sum += areaVector(mesh, h / 3); });
-    return sum.stableNormalized().cast<float>();
+    Vec3 first = Vec3::Zero();
+    mesh.forEachOutgoing(v, [&](int h) {
+        const Vec3 area = areaVector(mesh, h / 3);
+        sum += area;
+        first = first.isZero(0) ? area : first;
+    });
+    const Vec3& normal = sum.isZero(0) ? first : sum;
+    return (normal.isZero(0) ? Vec3(Vec3::UnitY()) : normal.stableNormalized()).cast<float>();
 }
 
 ExportMesh compact(const SurfaceMesh& mesh, const PieceMap& pieces) {

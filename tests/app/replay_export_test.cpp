@@ -66,6 +66,22 @@ TEST(Export, PlyHoldsSharedVerticesUnitNormalsAndPieces) {
     EXPECT_EQ(facesOfPiece, (std::map<int, int>{{0, 12}, {1, 12}}));
 }
 
+/// Two triangles back to back, as the walls at the front of a slit lie before it opens.
+SurfaceMesh closedSlit() {
+    return SurfaceMesh::fromTriangles({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
+                                      {{0, 1, 2}, {0, 2, 1}});
+}
+
+TEST(Export, PlyNormalsHaveLengthOneWhereWallsCancelEachOther) {
+    const std::string bytes = encode(closedSlit(), MeshFormat::ply);
+    const std::size_t start = bytes.find("end_header\n") + std::strlen("end_header\n");
+    for (std::size_t v = 0; v < 3; ++v) {
+        Vec3f normal;
+        std::memcpy(normal.data(), bytes.data() + start + v * 24 + 12, 12);
+        EXPECT_NEAR(normal.norm(), 1, 1e-6) << "vertex " << v;
+    }
+}
+
 TEST(Export, PlyMarksTheFacesOfCuts) {
     SurfaceMesh mesh = box();
     const Triangle corners = mesh.triangle(0);
