@@ -1,6 +1,7 @@
 #include "app/session.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "app/sha256.h"
 #include "sim/mesh/invariants.h"
@@ -11,6 +12,11 @@ namespace {
 
 // The default view stands this much further away than the model alone needs: pieces fall and roll.
 constexpr double kRoomToFall = 1.25;
+
+// Bounds of a model in the world: its longest side [m], and how far it reaches from the origin.
+constexpr double kMinPlacedLength = 1e-6;
+constexpr double kMaxPlacedReach = 1e6;
+constexpr double kMaxReachInLengths = 20000;
 
 void requireDigest(const std::filesystem::path& file, const std::string& expected) {
     if (!expected.empty() && sha256OfFile(file) != expected) {
@@ -25,6 +31,22 @@ void place(SurfaceMesh& mesh, const Placement& placement) {
         const Vec3 placed = placement.apply(mesh.restPosition(v));
         mesh.setPosition(v, placed);
         mesh.setRestPosition(v, placed);
+    }
+}
+
+/// The solver and the pictures work in floats, whose steps grow with the distance from the origin.
+void requireRoomInFloats(const Bounds& bounds) {
+    const double length = (bounds.high - bounds.low).maxCoeff();
+    const double reach =
+        std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());
+    if (length < kMinPlacedLength || reach > kMaxPlacedReach ||
+        reach > kMaxReachInLengths * length) {
+        std::ostringstream message;
+        message << "placement: the model would be " << length << " m long and reach " << reach
+                << " m from the origin, but must be at least " << kMinPlacedLength
+                << " m long and reach at most " << kMaxPlacedReach << " m and "
+                << kMaxReachInLengths << " times its length; scale or move it.";
+        throw InputError(message.str());
     }
 }
 
@@ -52,6 +74,7 @@ SurfaceMesh loadSessionModel(const Session& session) {
     requireDigest(file, session.model.sha256);
     SurfaceMesh mesh = loadModel(file);
     place(mesh, session.placement);
+    requireRoomInFloats(meshBounds(mesh));
     return mesh;
 }
 

@@ -84,7 +84,8 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
 /// is given). Throws InputError rather than write what parseSession would refuse.
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder = {});
 
-/// The model of a session, placed in the world. Throws InputError, also where its sha256 differs.
+/// The model of a session, placed in the world. Throws InputError, also where its sha256 differs
+/// or where it would be too small or too far from the origin for floats.
 SurfaceMesh loadSessionModel(const Session& session);
 
 /// The session's view, or the default one: from the front right above, framing `bounds`.

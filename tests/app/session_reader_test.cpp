@@ -190,6 +190,27 @@ TEST(SessionReader, FilesAboveTheCapAreRefusedUnread) {
     EXPECT_THROW(readSession(folder / "big.kerf.json"), InputError);
 }
 
+/// The sentence with which the model of a session is refused; empty where it is not.
+std::string refusalOfModel(const std::string& placement) {
+    try {
+        loadSessionModel(parseSession(sessionWith("\"placement\": " + placement), "."));
+        return "";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+TEST(SessionModel, MustBeWhereFloatsAreFineEnough) {
+    EXPECT_EQ(refusalOfModel(R"({"translate": [10000, 0, 0]})"), "");
+    EXPECT_EQ(refusalOfModel(R"({"scale": 100000, "translate": [500000, 0, 0]})"), "");
+    for (const char* placement :
+         {R"({"translate": [1e6, 0, 0]})", R"({"scale": 1e-4, "translate": [0, -10, 0]})",
+          R"({"scale": 1e6, "translate": [1e6, 0, 0]})", R"({"scale": 1e-6})"}) {
+        const std::string sentence = refusalOfModel(placement);
+        EXPECT_EQ(sentence.find("placement: the model would be"), 0) << placement << sentence;
+    }
+}
+
 TEST(SessionWriter, RoundTripKeepsEveryBit) {
     Session session =
         parseSession(sessionWith(R"("params": {"time_step": 0.0033333333333333335, "floor": null},
