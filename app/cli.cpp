@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -52,6 +53,15 @@ std::string refuseEmpty(const std::string& text) {
     return text.empty() ? "the name is empty" : "";
 }
 
+/// CLI::Range lets NaN pass.
+std::string refuseOutsideOfOne(const std::string& text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    const bool valid = read.ec == std::errc() && read.ptr == end && value >= 0 && value <= 1;
+    return valid ? "" : "'" + text + "' is no number from 0 to 1";
+}
+
 constexpr const char* kExitCodes =
     "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 input missing or invalid,\n"
     "4 no usable OpenGL 4.5, 5 out of memory or another limit.";
@@ -86,7 +96,7 @@ void describeCompare(Parser& parser, Arguments& arguments) {
     parser.compare
         ->add_option("--threshold", arguments.compare.threshold,
                      "Largest mean channel difference that passes")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(refuseOutsideOfOne)
         ->type_name("T");
     parser.compare
         ->add_option("--diff", arguments.compareDiff,

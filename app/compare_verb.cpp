@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "app/cli.h"
+#include "app/file_io.h"
 #include "render/image.h"
 
 namespace kerf::app {
@@ -34,6 +36,14 @@ void printLine(const Image& a, const Image& b, const ImageDifference& difference
         << threshold << '\n';
 }
 
+void writeDifference(const Image& picture, const std::filesystem::path& file) {
+    try {
+        render::writePng(picture, file);
+    } catch (const std::runtime_error& error) {
+        throw OutputError(error.what());
+    }
+}
+
 }  // namespace
 
 int compareVerb(const CompareArguments& arguments, std::ostream& out, std::ostream& errors) {
@@ -43,7 +53,7 @@ int compareVerb(const CompareArguments& arguments, std::ostream& out, std::ostre
         const ImageDifference difference = render::compareImages(a, b);
         const bool equal = difference.sameSize && difference.meanError <= arguments.threshold;
         if (!equal && arguments.diff && difference.sameSize) {
-            render::writePng(difference.picture, *arguments.diff);
+            writeDifference(difference.picture, *arguments.diff);
         }
         if (arguments.json) {
             printJson(difference, equal, arguments.threshold, out);
@@ -51,6 +61,9 @@ int compareVerb(const CompareArguments& arguments, std::ostream& out, std::ostre
             printLine(a, b, difference, equal, arguments.threshold, out);
         }
         return equal ? 0 : 1;
+    } catch (const OutputError& error) {
+        errors << "kerf: " << error.what() << '\n';
+        return kExitLimit;
     } catch (const std::exception& error) {
         errors << "kerf: " << error.what() << '\n';
         return 3;

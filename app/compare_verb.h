@@ -16,8 +16,8 @@ struct CompareArguments {
 };
 
 /// Prints one line (or one JSON object) about the two pictures on `out`. Returns the exit code:
-/// 0 within the threshold, 1 they differ (in size too), 3 a picture can't be read or the
-/// difference can't be written (one sentence on `errors`).
+/// 0 within the threshold, 1 they differ (in size too), 3 a picture can't be read, 5
+/// the difference can't be written (one sentence on `errors`).
 int compareVerb(const CompareArguments& arguments, std::ostream& out, std::ostream& errors);
 
 }  // namespace kerf::app

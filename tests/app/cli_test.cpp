@@ -71,6 +71,7 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
     expectMistake(runKerf({"experiment", "all", "--out", "x"}), 2, "");
     expectMistake(runKerf({"compare", "a.png"}), 2, "B");
     expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "2"}), 2, "threshold");
+    expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "nan"}), 2, "threshold");
     expectMistake(runKerf({"a.obj", "inspect", "b.obj"}), 2, "verb comes first");
 }
 

@@ -70,6 +70,13 @@ TEST_F(CompareVerb, UnreadablePictureGivesThreeAndOneSentence) {
     EXPECT_THAT(errors_.str(), HasSubstr("missing.png"));
 }
 
+TEST_F(CompareVerb, UnwritableDifferenceGivesFiveAndOneSentence) {
+    write("b.png", 20, 4);
+    arguments_.diff = folder_ / "missing/diff.png";
+    EXPECT_EQ(run(), 5);
+    EXPECT_THAT(errors_.str(), HasSubstr("missing/diff.png"));
+}
+
 TEST_F(CompareVerb, JsonIsOneObject) {
     write("b.png", 20, 4);
     arguments_.json = true;
