@@ -178,10 +178,18 @@ int runVerb(const Parser& parser, Arguments& arguments) {
     return runEditorVerb(arguments.file);
 }
 
+/// A result that nobody got is no success: a full disk behind `kerf inspect MODEL --json > FILE`.
+int checkStandardOutput(int exitCode) {
+    std::cout.flush();
+    return std::cout
+               ? exitCode
+               : complain("Standard output could not be written; is the disk full?", kExitLimit);
+}
+
 /// runVerb with every error as a sentence and an exit code.
 int runVerbSafely(const Parser& parser, Arguments& arguments) {
     try {
-        return runVerb(parser, arguments);
+        return checkStandardOutput(runVerb(parser, arguments));
     } catch (const InputError& error) {
         return complain(error.what(), kExitInput);
     } catch (const gpu::ContextError& error) {

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -97,6 +98,13 @@ TEST(CommandLine, ReadsModelsUnderAnyNameOfTheProgram) {
                              (folder / "out").string() + "'";
     EXPECT_EQ(std::system(call.c_str()), 0);
     EXPECT_NE(readBytes(folder / "out").find("triangles  20"), std::string::npos);
+}
+
+TEST(CommandLine, AResultThatCannotBeWrittenIsExitCode5) {
+    const int status =
+        std::system("'" KERF_BINARY_DIR "/kerf' inspect sphere20 >/dev/full 2>/dev/null");
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 5);
 }
 
 TEST(CommandLine, MissingInputsAreExitCode3) {
