@@ -11,11 +11,12 @@ struct Camera {
     Vec3 up = {0, 1, 0};
     double fovY = 35;  ///< vertical field of view [degrees]
 
+    /// World to eye space.
     Eigen::Matrix4f view() const;
     /// Depth range chosen from the distance to the target.
     Eigen::Matrix4f projection(double aspect) const;
-    double nearPlane() const;
-    double farPlane() const;
+    double nearPlane() const;  ///< [m]
+    double farPlane() const;   ///< [m]
 
     /// Rotates about the target: yaw about up, pitch about the right axis, clamped short of the
     /// poles [rad].

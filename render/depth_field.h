@@ -29,6 +29,7 @@ DepthField measureDepth(const SurfaceMesh& mesh, int resolution);
 class DepthTexture {
   public:
     DepthTexture() = default;
+    /// Uploads the field.
     explicit DepthTexture(const DepthField& field);
     ~DepthTexture();
     DepthTexture(DepthTexture&& other) noexcept;

@@ -28,6 +28,7 @@ struct ImageDifference {
     long differingPixels = 0;  ///< with a channel difference above 2/255
     Image picture;             ///< grey where equal, red where not
 };
+/// Pictures of different sizes are as far apart as can be, without a picture of the difference.
 ImageDifference compareImages(const Image& a, const Image& b);
 
 }  // namespace kerf::render

@@ -14,8 +14,9 @@
 
 namespace kerf::render {
 
-/// Colours and inner structure of a body, evaluated in rest space so that it stays attached.
+/// What a cut shows inside a body.
 enum class MaterialPattern { pulp, rings, marbling };
+/// Colours and inner structure of a body, evaluated in rest space so that they stay attached.
 struct Material {
     Eigen::Vector3f skin = {0.74f, 0.070f, 0.035f};  ///< linear albedo
     Eigen::Vector3f inner = {0.42f, 0.46f, 0.17f};   ///< linear albedo of the cut faces

@@ -29,6 +29,7 @@ struct Params {
 /// A number, a vector, or nothing (for parameters that may be absent, as the floor).
 using ParamValue = std::variant<double, Vec3, std::monostate>;
 
+/// Which kind of value a parameter takes.
 enum class ParamType { real, integer, vector, optionalReal };
 
 /// One row of the table that the panels, the session file and the docs share.
@@ -43,7 +44,9 @@ struct ParamInfo {
     bool logarithmic = false;  ///< slider scale
 };
 
+/// All parameters, in the order in which panels and sessions list them.
 std::span<const ParamInfo> paramTable();
+/// The row of a parameter, null for an unknown name.
 const ParamInfo* findParam(std::string_view name);
 /// The value that setParam would set it to; std::monostate for an unknown name.
 ParamValue getParam(const Params& params, std::string_view name);

@@ -10,6 +10,7 @@ namespace kerf {
 /// 64-bit FNV-1a over 32-bit words, least significant byte first: the same on every machine.
 class StateHash {
   public:
+    /// Four bytes.
     void add(std::uint32_t word);
     /// The bits of the number as a float.
     void add(const Vec3& value);

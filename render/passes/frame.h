@@ -29,6 +29,7 @@ struct Frame {
     float shadeReach = 1;
 };
 
+/// `shadowSize`: side of the shadow map [px].
 Frame frameOf(const SceneView& scene, const Camera& camera, int width, int height, int shadowSize);
 
 /// Uniforms of light.glsl.

@@ -1,4 +1,4 @@
-// Solves each bend once against the displacement as it stands (physics.md, Dihedral):
+// Solves each bend once against the displacement as it stands:
 //
 //            v2            e = v1 - v0, nA = e x (v2 - v0), nB = (v3 - v0) x e
 //           /  |           theta = atan2((nA x nB) . e / |e|, nA . nB): flat 0, convex > 0

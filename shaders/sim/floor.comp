@@ -1,5 +1,6 @@
 // Lifts vertices onto the floor, those that start below it at no more than kMaxLiftSpeed; Coulomb
-// friction shortens their tangential displacement by at most friction * lift. Reads X. Reads and writes d. One thread per vertex. A storage barrier follows.
+// friction shortens their tangential displacement by at most friction * lift.
+// Reads X. Reads and writes d. One thread per vertex. A storage barrier follows.
 #include "bindings.h"
 #include "body_records.h"
 #include "solver_uniforms.h"

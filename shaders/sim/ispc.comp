@@ -1,5 +1,5 @@
 // Solves each internal shape-preserving constraint once against the displacement as it stands
-// (physics.md, ISPC): r = p_v - (b0 p_0 + b1 p_1 + b2 p_2), C = |r| - L0.
+// (XPBD, mass split among the ISPCs of a vertex): r = p_v - (b0 p_0 + b1 p_1 + b2 p_2), C = |r| - L0.
 // Reads X, d, links, ISPCs. Writes a correction per ISPC and vertex. One thread per ISPC.
 // A storage barrier follows, then gather_corrections.
 #include "bindings.h"

@@ -1,5 +1,5 @@
 // Predicts the displacement of the substep, d = h (v + h g), and solves the edges against it: one
-// mass-splitting Jacobi sweep (physics.md, Edge; cutting-moving.md 3.7 for gamma).
+// mass-splitting Jacobi sweep of XPBD, damped in proportion to stiffness (gamma = beta / h).
 // Reads X, velocities, links, edges and their incidence. Writes d.
 // One thread per vertex: it works each incident edge out anew, in the fixed order of the incidence,
 // and predicts its neighbours from their velocities, so that no second buffer is needed.

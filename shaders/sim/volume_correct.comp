@@ -1,4 +1,4 @@
-// Brings each closed piece back to its target volume (physics.md, Volume; rigid, alpha = 0).
+// Brings each closed piece back to its target volume, as a rigid constraint (alpha = 0).
 // Reads X (inverse mass), gradients, links, pieces, block sums. Reads and writes d.
 // One thread per vertex: each adds up the few block sums of its piece in order.
 // A storage barrier follows.

@@ -9,6 +9,7 @@
 
 namespace kerf {
 
+// The vertices of an element; the place of each is its slot (see Incidence).
 inline std::array<std::uint32_t, 2> verticesOf(const shared::EdgeConstraint& c) {
     return {c.a, c.b};
 }

@@ -15,13 +15,14 @@ struct StepPlan {
     std::vector<GluePartner> partners;   ///< by 3 * triangle + edge
     RungNode endA;                       ///< the ends of the new rung, in the air
     RungNode endB;
-    double volumeChange = 0;
+    double volumeChange = 0;  ///< signed, before rounding [m^3]
 };
 
+/// What a step made of the mesh.
 struct CommitResult {
     CutDelta delta;
-    std::vector<RungNode> rung;
-    int splitVertices = 0;
+    std::vector<RungNode> rung;  ///< the new one, from A to B
+    int splitVertices = 0;       ///< copies of vertices that were made
 };
 
 /// Changes the mesh. Cannot fail. Every umbrella of the new surface becomes one vertex; the first

@@ -14,8 +14,8 @@ struct GluePartner {
     int meshHalfEdge = -1;
 };
 
-/// The gluing table of cutting 3.6. Topology comes from it alone, never from geometry; a partner
-/// that is missing or double refuses the step (throws StepFailure).
+/// Finds the partner of every new half-edge by a table. Topology comes from it alone, never from
+/// geometry; a partner that is missing or double refuses the step (throws StepFailure).
 std::vector<GluePartner> glue(const SurfaceMesh& mesh, const CutCurves& curves,
                               const Outline& outline, const Subdivision& subdivision,
                               const std::vector<NewTriangle>& triangles);

@@ -7,6 +7,7 @@
 
 namespace kerf::cut {
 
+/// Where a node of the new surface lies.
 enum class NodeKind {
     edge,    ///< a mesh edge pierces a strip triangle (E)
     face,    ///< a strip edge pierces a mesh triangle (F)
@@ -38,6 +39,7 @@ struct Segment {
     int to;
 };
 
+/// Where a mesh edge pierces a triangle of the strip.
 struct EdgeHit {
     int stripTriangle;
     int node;

@@ -6,6 +6,7 @@
 
 namespace kerf::cut {
 
+/// What lies across a border edge of the new wall.
 enum class OutlineKind {
     cut,    ///< a curve segment: surface on both sides opens here
     free,   ///< inside the body: the new front, the path of the tip, the start of a stroke

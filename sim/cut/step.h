@@ -15,7 +15,7 @@ struct StepFailure {
     const char* reason;
 };
 
-/// One level of the retry ladder (cutting-robust 3.10). Lengths are shares of h.
+/// One level of the retry ladder. Lengths are shares of h.
 struct Attempt {
     int index = 0;
     double offsetScale = 1;     ///< length of the blade's offset, in units of the setting

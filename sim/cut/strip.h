@@ -13,9 +13,11 @@ class PredicatePositions {
   public:
     explicit PredicatePositions(const StepInput& in);
 
+    /// With the pins.
     Vec3 at(int v) const;
     /// Without the pins.
     Vec3 ofMaterial(int v) const;
+    /// From now on v is seen at p.
     void pin(int v, const Vec3& p) { pins_[v] = p; }
 
   private:
@@ -40,15 +42,17 @@ struct StripNode {
     /// The edge to the next node of the old rung is a front edge of the mesh.
     bool attached = false;
 
+    /// Several vertices, joined by front edges of length zero.
     bool isCluster() const;
 };
 
+/// An edge of the strip between the nodes a and b.
 struct StripEdge {
     int a = -1;
     int b = -1;
-    int first = -1;   ///< triangle that runs a -> b
-    int second = -1;  ///< the other one, -1 on the border
-    bool attached = false;
+    int first = -1;         ///< triangle that runs a -> b
+    int second = -1;        ///< the other one, -1 on the border
+    bool attached = false;  ///< a front edge of the mesh
     bool onBorder() const { return second < 0; }
 };
 
@@ -77,6 +81,7 @@ struct Strip {
 
 /// The fixed displacement of the blade at parameter s, the same for a whole pass.
 Vec3 bladeOffset(const StepInput& in, double s);
+/// The point of the blade at parameter s, without the offset.
 Vec3 bladePoint(const StepInput& in, double s);
 
 /// Joins old and new rung. Throws StepFailure.

@@ -21,6 +21,7 @@ struct NewTriangle {
 /// The new number of a node: a V node is its mesh vertex.
 int cornerId(const SurfaceMesh& mesh, const CutCurves& curves, int node);
 
+/// All triangles that a step puts in the place of those that the strip meets.
 struct Subdivision {
     std::vector<NewTriangle> triangles;
     std::vector<int> replaced;  ///< ascending

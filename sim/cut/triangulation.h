@@ -19,6 +19,7 @@ class Triangulation {
     /// The Delaunay criterion is applied to metric * point.
     void setMetric(const Eigen::Matrix2d& metric) { metric_ = metric; }
 
+    /// What became of an inserted point.
     struct Insertion {
         int vertex = -1;       ///< -1 for a point outside
         bool existed = false;  ///< a vertex already lies exactly there
@@ -27,6 +28,7 @@ class Triangulation {
     /// Makes ab a constrained edge. False where that would cross another constraint or a vertex.
     bool constrain(int a, int b);
 
+    /// Where a point lies: in the closed triangle `triangle`, or outside all.
     enum class Where { outside, inside, onEdge, onVertex };
     struct Location {
         Where where = Where::outside;
@@ -47,9 +49,11 @@ class Triangulation {
 
     /// The edge of the neighbour across (t, e) that is the same edge.
     int mirrorEdge(int t, int e) const;
+    /// The corner of the neighbour across (t, e) that is not on the edge.
     int oppositeVertex(int t, int e) const;
     /// The two triangles at (t, e) form a strictly convex quadrilateral.
     bool convex(int t, int e) const;
+    /// Replaces the edge by the other diagonal; the quadrilateral must be convex.
     void flip(int t, int e);
 
   private:

@@ -15,10 +15,10 @@ struct Anchor {
 };
 
 /// The front of an unfinished slit lies in uncut material, of which a surface mesh knows nothing:
-/// left to its two walls alone it would slide about and throw off each new row (cutting-moving
-/// 3.1). So every inner vertex of the front is carried along: to where the affine map rest ->
-/// current, fitted around it to the outer skin of its piece, puts its rest position.
-/// `skinVertices`: the vertices below this index are those of the uncut model. `timeStep` [s].
+/// left to its two walls alone it would slide about and throw off each new row. So every inner
+/// vertex of the front is carried along: to where the affine map rest -> current, fitted around it
+/// to the outer skin of its piece, puts its rest position. `skinVertices`: the vertices below this
+/// index are those of the uncut model. `timeStep` [s].
 std::vector<Anchor> findFrontAnchors(const SurfaceMesh& mesh, const BodyModel& model,
                                      const std::vector<RungNode>& rung, int skinVertices,
                                      double timeStep);

@@ -42,6 +42,7 @@ class ReferenceSolver {
 
     /// v += h g, d = h v; kinematic vertices: d = h v.
     void predict(ReferenceState& state) const;
+    /// One Jacobi sweep over the constraints of a type.
     void solveEdges(ReferenceState& state) const;
     void solveBends(ReferenceState& state) const;
     void solveIspcs(ReferenceState& state) const;

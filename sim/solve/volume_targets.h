@@ -10,7 +10,7 @@ namespace kerf {
 
 /// At which volume each piece is held. A piece that has just come off has a current volume up to a
 /// few per cent off its rest volume, which a rigid constraint would take as a jump; so its target
-/// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s) (cutting-moving 3.10).
+/// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s).
 class VolumeTargets {
   public:
     /// All pieces at their rest volumes.
