@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "gpu/program.h"
+#include "gpu/data_path.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {

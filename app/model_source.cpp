@@ -8,7 +8,8 @@
 
 #include "app/import_process.h"
 #include "app/import_protocol.h"
-#include "gpu/program.h"
+#include "gpu/data_path.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 
@@ -127,11 +128,8 @@ const std::vector<std::string>& builtinModels() {
 
 fs::path builtinModelFile(const std::string& name) {
     if (std::ranges::find(builtinModels(), name) == builtinModels().end()) {
-        std::string known;
-        for (const std::string& model : builtinModels()) {
-            known += (known.empty() ? "" : ", ") + model;
-        }
-        throw InputError("there is no builtin model '" + name + "'; choose one of " + known);
+        throw InputError("there is no builtin model '" + name + "'; choose one of " +
+                         joined(builtinModels(), ", "));
     }
     return gpu::dataPath("assets/models/" + name + ".obj");
 }
@@ -154,8 +152,8 @@ SurfaceMesh loadModel(const fs::path& file, MeshReport* report) {
     if (found.insideOutPieces > 0) {
         const int turned = turnOutward(soup);
         found = inspectTriangles(soup);
-        found.repairs.push_back("turned " + std::to_string(turned) + " inside-out " +
-                                (turned == 1 ? "piece" : "pieces"));
+        found.repairs.push_back("turned " +
+                                counted(turned, "inside-out piece", "inside-out pieces"));
     }
     if (report != nullptr) {
         *report = found;

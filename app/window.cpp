@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <string_view>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
@@ -180,8 +178,8 @@ void Window::State::onResize(GLFWwindow* window, int /*width*/, int /*height*/) 
 }
 
 void Window::State::open(const std::string& name) {
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, gpu::kNeededMajor);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, gpu::kNeededMinor);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     // The picture is drawn off-screen: the window needs neither depth nor samples of its own.
@@ -225,8 +223,7 @@ void Window::State::connect() {
 }
 
 Window::Window(const std::string& title) : state_(std::make_unique<State>()) {
-    const char* forced = std::getenv("KERF_FORCE_NO_GL");  // the same switch as headless
-    if (forced != nullptr && std::string_view(forced) == "1") {
+    if (gpu::isContextForbidden()) {
         failToOpen("KERF_FORCE_NO_GL is set");
     }
     if (glfwInit() != GLFW_TRUE) {

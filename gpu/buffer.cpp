@@ -102,6 +102,11 @@ void Buffer::reserve(std::size_t bytes, std::size_t keep) {
     capacity_ = capacity;
 }
 
+void Buffer::copyFrom(const Buffer& other) {
+    resize(other.size_);
+    glCopyNamedBufferSubData(other.id_, id_, 0, 0, static_cast<GLsizeiptr>(other.size_));
+}
+
 void Buffer::clear() {
     updateBarrier();
     clearRange(id_, 0, size_);

@@ -54,6 +54,8 @@ class Buffer {
         return out;
     }
 
+    /// Takes the size in use and the content of `other`, copied on the GPU. Throws OutOfMemory.
+    void copyFrom(const Buffer& other);
     /// Fills the size in use with zero bits.
     void clear();
 

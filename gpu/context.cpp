@@ -10,9 +10,6 @@
 namespace kerf::gpu {
 namespace {
 
-constexpr int kNeededMajor = 4;
-constexpr int kNeededMinor = 5;
-
 std::atomic<int> debugErrors{0};
 
 std::string text(GLenum name) {

@@ -12,6 +12,13 @@ class ContextError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The version that every context must have at least.
+inline constexpr int kNeededMajor = 4;
+inline constexpr int kNeededMinor = 5;
+
+/// Whether the variable KERF_FORCE_NO_GL forbids making a context, for tests of what then happens.
+bool isContextForbidden();
+
 /// What the driver says of itself.
 struct DeviceInfo {
     std::string vendor;
@@ -25,11 +32,12 @@ struct DeviceInfo {
 /// surfaceless on Mesa. Current on the thread that made it until destroyed.
 class EglContext {
   public:
-    /// Throws ContextError. KERF_FORCE_NO_GL=1 in the environment makes it fail (for tests).
+    /// Throws ContextError.
     EglContext();
     ~EglContext();
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
+    /// Makes it the current one again where another took its place. Throws ContextError.
     void makeCurrent();
 
   private:
@@ -37,10 +45,12 @@ class EglContext {
     std::unique_ptr<State> state_;
 };
 
+/// Finds an OpenGL function by its name.
+using ProcLoader = void (*(*)(const char* name))();
+
 /// Loads the OpenGL functions of the context that is current on this thread, through
 /// `getProcAddress` (glfwGetProcAddress, eglGetProcAddress). Throws ContextError where it is older
 /// than 4.5 core.
-using ProcLoader = void (*(*)(const char* name))();
 void loadFunctions(ProcLoader getProcAddress);
 
 /// What the current context runs on.

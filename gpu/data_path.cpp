@@ -1,7 +1,7 @@
+#include "gpu/data_path.h"
+
 #include <cstdlib>
 #include <system_error>
-
-#include "gpu/program.h"
 
 namespace kerf::gpu {
 namespace {

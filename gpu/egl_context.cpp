@@ -126,9 +126,9 @@ EGLConfig chooseConfig(EGLDisplay display) {
 EGLContext createContext(EGLDisplay display, bool debug) {
     eglBindAPI(EGL_OPENGL_API);
     const std::array<EGLint, 9> wanted = {EGL_CONTEXT_MAJOR_VERSION,
-                                          4,
+                                          kNeededMajor,
                                           EGL_CONTEXT_MINOR_VERSION,
-                                          5,
+                                          kNeededMinor,
                                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                           EGL_CONTEXT_OPENGL_DEBUG,
@@ -181,8 +181,12 @@ struct EglContext::State {
     }
 };
 
+bool isContextForbidden() {
+    return environmentSwitch("KERF_FORCE_NO_GL");
+}
+
 EglContext::EglContext() {
-    if (environmentSwitch("KERF_FORCE_NO_GL")) {
+    if (isContextForbidden()) {
         throw ContextError(
             "No OpenGL 4.5 context: it is switched off by KERF_FORCE_NO_GL; unset that variable.");
     }

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "gpu/data_path.h"
 #include "gpu/shader_source.h"
 
 namespace kerf::gpu {

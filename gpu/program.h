@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -17,19 +16,12 @@ class ShaderError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Folder of the shaders: $KERF_DATA_DIR/shaders, else shaders/ beside or one above the folder of
-/// the executable, else the source tree that it was built from.
-std::filesystem::path shaderRoot();
-
-/// Same search for any data of the project ("assets/models").
-std::filesystem::path dataPath(std::string_view relative);
-
 /// Preprocessor definitions put behind #version: name and value.
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-/// A linked OpenGL program (move only). Sources are paths below shaderRoot(); #include "x" is
-/// resolved against the including file, then against shaderRoot() and shaderRoot()/shared.
-/// The file need not carry #version: "#version 450 core" is put in front.
+/// A linked OpenGL program (move only). Sources are paths below shaderRoot() (data_path.h);
+/// #include "x" is resolved against the including file, then against shaderRoot() and
+/// shaderRoot()/shared. The file need not carry #version: "#version 450 core" is put in front.
 class Program {
   public:
     /// Both throw ShaderError.

@@ -10,7 +10,6 @@ namespace {
 constexpr double kNearShare = 0.02;   // of the distance to the target
 constexpr double kFarShare = 80.0;    // of the distance to the target
 constexpr double kPoleMargin = 0.03;  // closest approach to the poles [rad]
-constexpr double kFrameMargin = 1.0;
 
 struct Frame {
     Vec3 forward;
@@ -115,15 +114,12 @@ void Camera::frame(const Bounds& bounds) {
     const Vec3 center = bounds.center();
     double needed = 0;
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 q = Vec3(corner & 1 ? bounds.high.x() : bounds.low.x(),
-                            corner & 2 ? bounds.high.y() : bounds.low.y(),
-                            corner & 4 ? bounds.high.z() : bounds.low.z()) -
-                       center;
+        const Vec3 q = bounds.corner(corner) - center;
         const double sideways = std::max(std::abs(q.dot(frame.right)), std::abs(q.dot(frame.up)));
         needed = std::max(needed, sideways / tangent - q.dot(frame.forward));
     }
     target = center;
-    eye = center - frame.forward * std::max(kFrameMargin * needed, 1e-6);
+    eye = center - frame.forward * std::max(needed, 1e-6);
 }
 
 Vec3 Camera::rayDirection(const Vec2& ndc, double aspect) const {

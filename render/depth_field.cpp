@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/mesh/closest_point.h"
+
 namespace kerf::render {
 namespace {
 
@@ -14,34 +16,6 @@ constexpr int kPaddingCells = 2;  // samples outside the bounds
 constexpr double kFar = 1e30;
 // Keeps rows of samples off the vertices and edges of regular models, where parity is ambiguous.
 constexpr double kOffGrid[3] = {0.0137, 0.0271, 0.0419};
-
-Vec3 closestPoint(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    // Ericson, Real-Time Collision Detection, 5.1.5.
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const Vec3 ap = p - a;
-    const double d1 = ab.dot(ap);
-    const double d2 = ac.dot(ap);
-    if (d1 <= 0 && d2 <= 0) return a;
-    const Vec3 bp = p - b;
-    const double d3 = ab.dot(bp);
-    const double d4 = ac.dot(bp);
-    if (d3 >= 0 && d4 <= d3) return b;
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * (d1 / (d1 - d3));
-    const Vec3 cp = p - c;
-    const double d5 = ab.dot(cp);
-    const double d6 = ac.dot(cp);
-    if (d6 >= 0 && d5 <= d6) return c;
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * (d2 / (d2 - d6));
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-    }
-    const double sum = va + vb + vc;
-    return a + ab * (vb / sum) + ac * (vc / sum);
-}
 
 /// The work behind measureDepth: distances and the triangle that gave each.
 class Measurement {
@@ -72,7 +46,7 @@ class Measurement {
         Bounds bounds;
         for (int t = 0; t < mesh_.triangleSlots(); ++t) {
             for (int c = 0; c < 3 && mesh_.alive(t); ++c) {
-                bounds.add(mesh_.restPosition(mesh_.triangle(t)[c]));
+                bounds.add(corner(t, c));
             }
         }
         const Vec3 extent = bounds.high - bounds.low;
@@ -101,8 +75,11 @@ class Measurement {
     }
 
     void tryTriangle(int cell, const Vec3& p, int t) {
-        const double d =
-            (closestPoint(p, corner(t, 0), corner(t, 1), corner(t, 2)) - p).squaredNorm();
+        const Vec3& a = corner(t, 0);
+        const Vec3& b = corner(t, 1);
+        const Vec3& c = corner(t, 2);
+        const Vec3 weights = closestWeights(p, a, b, c);
+        const double d = (weights.x() * a + weights.y() * b + weights.z() * c - p).squaredNorm();
         if (d < distance_[cell]) {
             distance_[cell] = d;
             nearest_[cell] = t;

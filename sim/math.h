@@ -15,6 +15,7 @@ using Vec3f = Eigen::Vector3f;
 /// Corners of a triangle, counter-clockwise seen from outside.
 using Triangle = std::array<int, 3>;
 
+/// An axis-parallel box, empty until something is added.
 struct Bounds {
     Vec3 low = Vec3::Constant(1e300);
     Vec3 high = Vec3::Constant(-1e300);
@@ -22,8 +23,27 @@ struct Bounds {
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     }
+    void add(const Bounds& other) {
+        low = low.cwiseMin(other.low);
+        high = high.cwiseMax(other.high);
+    }
+    /// Moves every side outwards.
+    void widen(double margin) {
+        low.array() -= margin;
+        high.array() += margin;
+    }
     bool empty() const { return low.x() > high.x(); }
+    /// Touching boxes overlap.
+    bool overlaps(const Bounds& other) const {
+        return (low.array() <= other.high.array()).all() &&
+               (other.low.array() <= high.array()).all();
+    }
     Vec3 center() const { return 0.5 * (low + high); }
+    /// Corner 0 to 7: bit k of the index takes the high side along axis k.
+    Vec3 corner(int index) const {
+        return {index & 1 ? high.x() : low.x(), index & 2 ? high.y() : low.y(),
+                index & 4 ? high.z() : low.z()};
+    }
     double diagonal() const { return empty() ? 0.0 : (high - low).norm(); }
 };
 

@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <chrono>
 #include <utility>
 
 #include "sim/body/body_model.h"
@@ -11,24 +10,13 @@
 #include "sim/solve/solver_uniforms.h"
 #include "sim/solve/volume_targets.h"
 #include "sim/state_hash.h"
+#include "sim/stopwatch.h"
 
 namespace kerf {
 
 namespace {
 
 using BladeAction = std::variant<MoveBlade, LiftBlade>;
-
-/// Milliseconds since it was made.
-class Stopwatch {
-  public:
-    double milliseconds() const {
-        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-    }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
-};
 
 bool samePose(const Blade& a, const Blade& b) {
     return a.a == b.a && a.b == b.b;
@@ -80,13 +68,8 @@ Bounds sweptBox(const std::vector<RungNode>& rung, const Blade& blade, double ma
     for (const RungNode& node : rung) {
         box.add(node.position);
     }
-    box.low.array() -= margin;
-    box.high.array() += margin;
+    box.widen(margin);
     return box;
-}
-
-bool overlap(const Bounds& a, const Bounds& b) {
-    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
 bool standsInMaterial(const std::vector<RungNode>& rung) {
@@ -286,7 +269,7 @@ void Simulation::State::cut(const LiftBlade&) {
 /// Whether the cutter must look: a front is in the material, or the strip meets the body's box.
 bool Simulation::State::mayTouch(const Blade& to) const {
     const std::vector<RungNode>& rung = cutter->rung();
-    return standsInMaterial(rung) || overlap(sweptBox(rung, to, model.edgeLength), measure.bounds);
+    return standsInMaterial(rung) || sweptBox(rung, to, model.edgeLength).overlaps(measure.bounds);
 }
 
 void Simulation::State::accept(const CutResult& result) {

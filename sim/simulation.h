@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,6 +59,7 @@ class Simulation {
     /// call.
     std::vector<std::string> takeMessages();
 
+    /// What the renderer draws from; valid until the next step or reset.
     BodyView bodyView() const;
     /// The mesh with current positions and velocities (waits for the GPU where they are newer).
     const SurfaceMesh& mesh();

@@ -1,5 +1,6 @@
 #include "render/passes/frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kerf::render {
@@ -60,8 +61,7 @@ Bounds shadedFloor(const Frame& frame, double floor) {
     Bounds shaded = frame.focus;
     shaded.add(frame.focus.low + shift);
     shaded.add(frame.focus.high + shift);
-    shaded.low -= Vec3::Constant(kShadeMargin * frame.bodySize);
-    shaded.high += Vec3::Constant(kShadeMargin * frame.bodySize);
+    shaded.widen(kShadeMargin * frame.bodySize);
     return shaded;
 }
 

@@ -29,17 +29,15 @@ class PictureRectangle {
 
     void add(const Bounds& bounds) {
         for (int corner = 0; corner < 8; ++corner) {
-            add(Vec3(corner & 1 ? bounds.high.x() : bounds.low.x(),
-                     corner & 2 ? bounds.high.y() : bounds.low.y(),
-                     corner & 4 ? bounds.high.z() : bounds.low.z()));
+            add(bounds.corner(corner));
         }
     }
 
     void add(const Blade& blade, double margin) {
         for (const Vec3& end : {blade.a, blade.b}) {
             Bounds around;
-            around.add(end - Vec3::Constant(margin));
-            around.add(end + Vec3::Constant(margin));
+            around.add(end);
+            around.widen(margin);
             add(around);
         }
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace kerf {
 
@@ -22,19 +21,12 @@ double halfSurface(const Bounds& box) {
     return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
 }
 
-void add(Bounds& box, const Bounds& other) {
-    box.low = box.low.cwiseMin(other.low);
-    box.high = box.high.cwiseMax(other.high);
-}
-
 Bounds widenedBounds(const SurfaceMesh& mesh, int triangle) {
     Bounds box;
     for (const int v : mesh.triangle(triangle)) {
         box.add(mesh.restPosition(v));
     }
-    const Vec3 margin = Vec3::Constant(4 * kBorder * box.diagonal());
-    box.low -= margin;
-    box.high += margin;
+    box.widen(4 * kBorder * box.diagonal());
     return box;
 }
 
@@ -99,7 +91,7 @@ struct RayTree::Builder {
     Bounds boundsOf(const Task& task) const {
         Bounds box;
         for (int i = task.first; i < task.first + task.count; ++i) {
-            add(box, items[i].bounds);
+            box.add(items[i].bounds);
         }
         return box;
     }
@@ -141,7 +133,7 @@ struct RayTree::Builder {
         for (int i = task.first; i < task.first + task.count; ++i) {
             const double share = (items[i].center[axis] - low) / extent;
             const int bin = std::min(kBins - 1, static_cast<int>(share * kBins));
-            add(boxes[bin], items[i].bounds);
+            boxes[bin].add(items[i].bounds);
             ++counts[bin];
         }
         std::array<double, kBins> rightCost{};
@@ -149,7 +141,7 @@ struct RayTree::Builder {
         Bounds left;
         int leftCount = 0;
         for (int bin = 0; bin + 1 < kBins; ++bin) {
-            add(left, boxes[bin]);
+            left.add(boxes[bin]);
             leftCount += counts[bin];
             const double cost = leftCount * halfSurface(left) + rightCost[bin + 1];
             if (leftCount > 0 && leftCount < task.count && cost < best.cost) {
@@ -165,7 +157,7 @@ struct RayTree::Builder {
         Bounds right;
         int count = 0;
         for (int bin = kBins - 1; bin > 0; --bin) {
-            add(right, boxes[bin]);
+            right.add(boxes[bin]);
             count += counts[bin];
             rightCost[bin] = count * halfSurface(right);
         }

@@ -2,13 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 namespace kerf::cut {
 
 namespace {
 
 constexpr int kMostBins = 4096;
+constexpr double kRotationRounding = 1e-6;  // of the bins: what turning into the frame may move
 
 Eigen::Matrix3d sweepFrame(const Blade& blade, const std::vector<Vec3>& points) {
     const Vec3 along = (blade.b - blade.a).normalized();
@@ -28,10 +28,6 @@ Eigen::Matrix3d sweepFrame(const Blade& blade, const std::vector<Vec3>& points) 
     return frame;
 }
 
-bool overlap(const Bounds& p, const Bounds& q) {
-    return (p.low.array() <= q.high.array()).all() && (q.low.array() <= p.high.array()).all();
-}
-
 }  // namespace
 
 BroadPhase::BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::vector<Vec3>& points,
@@ -40,8 +36,7 @@ BroadPhase::BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::v
     for (const Vec3& p : points) {
         box_.add(toFrame(p));
     }
-    box_.low.array() -= margin;
-    box_.high.array() += margin;
+    box_.widen(margin);
     binSize_ = std::max(binSize, (box_.high.x() - box_.low.x()) / kMostBins);
     bins_.resize(binOf(box_.high.x()) + 1);
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
@@ -52,7 +47,7 @@ BroadPhase::BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::v
         for (const int v : mesh.triangle(t)) {
             bounds.add(toFrame(mesh.position(v)));
         }
-        if (!overlap(bounds, box_)) {
+        if (!bounds.overlaps(box_)) {
             continue;
         }
         for (int bin = binOf(bounds.low.x()); bin <= binOf(bounds.high.x()); ++bin) {
@@ -72,13 +67,11 @@ std::vector<int> BroadPhase::query(const Vec3& a, const Vec3& b, const Vec3& c, 
     for (const Vec3& p : {a, b, c}) {
         bounds.add(toFrame(p));
     }
-    const double slack = pad + 1e-6 * binSize_;  // covers the rounding of the rotation
-    bounds.low.array() -= slack;
-    bounds.high.array() += slack;
+    bounds.widen(pad + kRotationRounding * binSize_);
     std::vector<int> found;
     for (int bin = binOf(bounds.low.x()); bin <= binOf(bounds.high.x()); ++bin) {
         for (const int entry : bins_[bin]) {
-            if (overlap(entries_[entry].bounds, bounds)) {
+            if (entries_[entry].bounds.overlaps(bounds)) {
                 found.push_back(entries_[entry].triangle);
             }
         }

@@ -111,12 +111,6 @@ class Commit {
         return n.kind == NodeKind::vertex ? n.a : vertexOfNode_[node];
     }
 
-    // The first of all copies of a material point stands for it.
-    int materialPoint(int v) const {
-        const int group = mesh_.mateGroup(v);
-        return group < 0 ? v : mesh_.matesOfGroup(group).front();
-    }
-
     template <class Key>
     void joinByKey(std::map<Key, int>& known, const Key& key, int vertex) {
         if (vertex < 0) {
@@ -128,12 +122,13 @@ class Commit {
         }
     }
 
-    // Where the strip crosses an older slit it meets both walls in the same material points
-    // (cutting-cleanup F2: a tip vertex stands for itself).
+    // Where the strip crosses an older slit it meets both walls in the same material points; the
+    // vertices at the tip of the slit have no copies and stand for themselves.
     void joinMatesOfCurves() {
         std::map<std::array<int, 3>, int> onEdge;
         for (const auto& [edge, hits] : plan_.curves.onEdge) {
-            const Edge material = edgeOf(materialPoint(edge.first), materialPoint(edge.second));
+            const Edge material =
+                edgeOf(mesh_.materialPoint(edge.first), mesh_.materialPoint(edge.second));
             for (const EdgeHit& hit : hits) {
                 joinByKey(onEdge, {material.first, material.second, hit.stripTriangle},
                           vertexOfNode_[hit.node]);
@@ -143,7 +138,7 @@ class Commit {
         for (const auto& [key, node] : plan_.curves.onFace) {
             std::array<int, 3> corners = replacedCorners_.at(key.second);
             for (int& corner : corners) {
-                corner = materialPoint(corner);
+                corner = mesh_.materialPoint(corner);
             }
             std::sort(corners.begin(), corners.end());
             joinByKey(onFace, {corners[0], corners[1], corners[2], key.first}, vertexOfNode_[node]);

@@ -8,6 +8,7 @@
 #include "sim/cut/plan.h"
 #include "sim/cut/skin_map.h"
 #include "sim/cut/sweep.h"
+#include "sim/mesh/invariants.h"
 
 namespace kerf {
 
@@ -58,33 +59,6 @@ int strokesSoFar(const SurfaceMesh& mesh) {
     return last < 0 ? 0 : last / 2 + 1;
 }
 
-// Piece of every vertex, numbered by their lowest vertex; -1 where no triangle uses it.
-std::vector<int> labelPieces(const SurfaceMesh& mesh) {
-    std::vector<int> piece(mesh.vertexCount(), -1);
-    std::vector<int> pending;
-    int pieces = 0;
-    for (int start = 0; start < mesh.vertexCount(); ++start) {
-        if (piece[start] >= 0 || mesh.outgoing(start) < 0) {
-            continue;
-        }
-        piece[start] = pieces;
-        pending.assign(1, start);
-        while (!pending.empty()) {
-            const int v = pending.back();
-            pending.pop_back();
-            mesh.forEachOutgoing(v, [&](int h) {
-                int& label = piece[mesh.target(h)];
-                if (label < 0) {
-                    label = pieces;
-                    pending.push_back(mesh.target(h));
-                }
-            });
-        }
-        ++pieces;
-    }
-    return piece;
-}
-
 bool isInAir(const std::vector<RungNode>& rung) {
     return std::all_of(rung.begin(), rung.end(), [](const RungNode& n) { return n.vertex < 0; });
 }
@@ -108,7 +82,6 @@ struct Cutter::State {
     std::vector<RungNode> rung{};
     bool madeWalls = false;  ///< in this stroke
     std::vector<int> skinVertices{};
-    int refused = 0;
     int refusedInARow = 0;
 
     void placeRung(const Blade& at);
@@ -161,7 +134,7 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to,
     for (const RungNode& node : from) {
         points.push_back(node.position);
     }
-    const double widestOffset = 216 * settings.offset;
+    const double widestOffset = cut::largestOffsetScale() * settings.offset;
     return {mesh, to, points, (kBroadPhaseMargin + widestOffset) * h, kBinSize * h};
 }
 
@@ -169,7 +142,7 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to,
 CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
     const cut::BroadPhase candidates = findCandidates(to, from);
     cut::clearAirEdges(mesh, candidates, to, h, from);
-    const std::vector<int> pieces = labelPieces(mesh);
+    const std::vector<int> pieces = findPieces(mesh).ofVertex;
     if (skinVertices.empty()) {
         skinVertices = cut::findSkinVertices(mesh);
     }
@@ -225,7 +198,6 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step) {
 }
 
 void Cutter::State::countRefusal(const Blade& to) {
-    ++refused;
     if (++refusedInARow >= kRefusalsBeforeDetach) {
         refusedInARow = 0;
         placeRung(to);
@@ -274,9 +246,6 @@ bool Cutter::inStroke() const {
 }
 const std::vector<RungNode>& Cutter::rung() const {
     return state_->rung;
-}
-int Cutter::refusedSteps() const {
-    return state_->refused;
 }
 
 }  // namespace kerf

@@ -41,15 +41,17 @@ struct CutDelta {
     int firstNewVertex = 0;
 };
 
+/// Counts of one step.
 struct CutStatistics {
-    int touchedTriangles = 0;  ///< surface triangles that the strip met
-    int wallTriangles = 0;     ///< new, both sides
-    int splitVertices = 0;
-    int tries = 0;  ///< rungs of the retry ladder used
-    std::array<int, kSubdivisionPatterns> patterns{};
+    int touchedTriangles = 0;                          ///< surface triangles that the strip met
+    int wallTriangles = 0;                             ///< new, both sides
+    int splitVertices = 0;                             ///< copies of vertices that were made
+    int tries = 0;                                     ///< levels of the retry ladder used
+    std::array<int, kSubdivisionPatterns> patterns{};  ///< triangles by SubdivisionPattern
     double volumeChange = 0;  ///< signed, of the step, before rounding [m^3]
 };
 
+/// What came of one movement of the blade.
 struct CutResult {
     CutOutcome outcome = CutOutcome::air;
     CutDelta delta;
@@ -66,18 +68,19 @@ struct RungNode {
     bool attached = false;  ///< the edge to the next node is a front edge of the mesh
 };
 
+/// How finely a cutter works.
 struct CutSettings {
     /// Edge length h of new walls [m]. 0 takes the mean edge length of the skin at rest, at most a
     /// twelfth of the body's diagonal: coarse bodies get walls finer than their skin.
     double wallEdgeLength = 0;
-    /// A step that advances less than this share of the edge length waits (cutting-moving: 0.5).
+    /// A step that advances less than this share of the edge length waits.
     double gate = 0.5;
-    /// Fixed offset of the blade per stroke, as a share of the edge length: 1e-7 for double
+    /// Fixed offset of the blade per pass, as a share of the edge length: 1e-7 for double
     /// positions, 1e-3 where they come back from the GPU as floats.
     double offset = 1e-3;
     /// Nodes closer than this share of the edge length are one: 1e-9 for doubles, 1e-5 for floats.
     double tolerance = 1e-5;
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;  ///< of the offsets and of the retries
 };
 
 /// Cuts a mesh by strokes of a blade. Each step is one transaction: a closed mesh and the strip
@@ -99,11 +102,11 @@ class Cutter {
     /// Ends the stroke: sweeps what the gate held back, then lets go of the front.
     CutResult finish();
 
+    /// Between begin() and finish().
     bool inStroke() const;
     /// The old rung, from A to B: empty outside a stroke. Positions are those after the last step
     /// that moved it; vertices follow the mesh.
     const std::vector<RungNode>& rung() const;
-    int refusedSteps() const;
 
   private:
     struct State;

@@ -89,11 +89,6 @@ class DuplicateEdges {
                isWall(t) && isWall(o);
     }
 
-    int materialPoint(int v) const {
-        const int group = mesh_.mateGroup(v);
-        return group < 0 ? v : mesh_.matesOfGroup(group).front();
-    }
-
     std::vector<int> copiesOf(int v) const {
         const int group = mesh_.mateGroup(v);
         return group < 0 ? std::vector<int>{v} : mesh_.matesOfGroup(group);
@@ -104,7 +99,7 @@ class DuplicateEdges {
         std::vector<int> result;
         for (const int side : {h, mesh_.twin(h)}) {
             if (isWall(side / 3)) {
-                result.push_back(materialPoint(mesh_.apex(side)));
+                result.push_back(mesh_.materialPoint(mesh_.apex(side)));
             }
         }
         return result;

@@ -239,8 +239,7 @@ class Intersector {
         for (const Vec3& p : mesh.at) {
             bounds.add(p);
         }
-        return (bounds.low.array() > strip.high.array()).any() ||
-               (bounds.high.array() < strip.low.array()).any();
+        return !bounds.overlaps(strip);
     }
 
     SharedVertex sharedVertex(int m, int s) const {

@@ -62,6 +62,10 @@ int attemptCount() {
     return kFixedLevels + kRandomLevels;
 }
 
+double largestOffsetScale() {
+    return std::ranges::max(kLevels, {}, &Level::offsetScale).offsetScale;
+}
+
 Attempt attemptAt(int index, double tolerance, std::uint64_t seed) {
     const Level level = index < kFixedLevels ? kLevels[index] : randomLevel(index, seed);
     Attempt attempt;

@@ -13,7 +13,9 @@ namespace {
 constexpr double kNewRungSpacing = 0.45;
 constexpr double kPinnedDistance = 0.05;
 constexpr double kLeastSpacing = 1e-7;
-constexpr double kShakeNoise = 0.3;
+constexpr double kShakeNoise = 0.3;  // of the shake: what is random of it
+constexpr double kShakeRoom = 0.3;   // of the distance to the next node: as far as an end may move
+constexpr double kOffsetTurn = 0.3;  // of the offset: how much it differs between A and B
 // More vertices than this at one node is not a crossing but a crumpled mesh.
 constexpr int kMostVerticesOfNode = 16;
 
@@ -106,7 +108,7 @@ void shakeFront(const StepInput& in, Strip& strip, PredicatePositions& positions
             const bool exists = beyond >= 0 && beyond < strip.oldCount;
             const double room =
                 exists ? (strip.nodes[beyond].position - node.position).norm() : 0.0;
-            move += along * ((before ? 1 : -1) * std::min(length, 0.3 * room));
+            move += along * ((before ? 1 : -1) * std::min(length, kShakeRoom * room));
         }
         node.position += move;
         pinVertices(node, positions);
@@ -299,11 +301,11 @@ Vec3 bladePoint(const StepInput& in, double s) {
 Vec3 bladeOffset(const StepInput& in, double s) {
     const double length = in.offset * in.attempt.offsetScale * in.h;
     // The pass is part of the seed: with equal offsets, strokes through one point and a blade that
-    // comes back the same way would meet the older slits exactly (cutting-robust 3.2).
+    // comes back the same way would meet the older slits exactly.
     Jitter jitter(in.seed * 977 + static_cast<std::uint64_t>(in.pass) * 131 +
                   static_cast<std::uint64_t>(in.attempt.offsetScale));
     const Vec3 atA = jitter.direction();
-    const Vec3 turn = jitter.direction() * 0.3;
+    const Vec3 turn = jitter.direction() * kOffsetTurn;
     return (atA + turn * s) * length;
 }
 

@@ -69,12 +69,6 @@ Eigen::Matrix2d triangleMetric(const Vec3& a, const Vec3& b, const Vec3& c) {
     return metric;
 }
 
-// The first of all copies of a material point stands for it.
-int materialPoint(const SurfaceMesh& mesh, int v) {
-    const int group = mesh.mateGroup(v);
-    return group < 0 ? v : mesh.matesOfGroup(group).front();
-}
-
 /// The corners of a triangle, ordered by material points. Where an older slit is cut again, both
 /// of its walls are then divided by the same arithmetic and stay mirrored, also where the
 /// Delaunay criterion has ties.
@@ -88,7 +82,7 @@ CanonicalTriangle canonicalTriangle(const SurfaceMesh& mesh, int m) {
     const Triangle& in = mesh.triangle(m);
     CanonicalTriangle out{in};
     const auto sortPair = [&](int i, int j) {
-        if (materialPoint(mesh, out.corners[j]) < materialPoint(mesh, out.corners[i])) {
+        if (mesh.materialPoint(out.corners[j]) < mesh.materialPoint(out.corners[i])) {
             std::swap(out.corners[i], out.corners[j]);
             std::swap(out.order[i], out.order[j]);
             out.mirrored = !out.mirrored;

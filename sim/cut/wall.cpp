@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "sim/cut/ears.h"
 #include "sim/cut/loops.h"
@@ -53,7 +52,7 @@ bool liesOnFace(const SurfaceMesh& mesh, const Node& node, int t) {
 }
 
 // A wall edge between two nodes of one surface face would lie IN the surface and close a chip of
-// no thickness (cutting-cleanup F1).
+// no thickness.
 bool shareFace(const SurfaceMesh& mesh, const Node& p, const Node& q) {
     if (p.kind == NodeKind::wall || q.kind == NodeKind::wall) {
         return false;

@@ -1,7 +1,8 @@
 #include "sim/mesh/invariants.h"
 
-#include <algorithm>
 #include <numeric>
+
+#include "sim/mesh/union_find.h"
 
 namespace kerf {
 
@@ -134,29 +135,40 @@ double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
     return sum;
 }
 
-int findRoot(std::vector<int>& parent, int v) {
-    while (parent[v] != v) {
-        parent[v] = parent[parent[v]];
-        v = parent[v];
-    }
-    return v;
-}
-
-/// Parent links towards the lowest vertex of each component; -1 for unused vertices.
-std::vector<int> joinVertices(const SurfaceMesh& mesh) {
-    std::vector<int> parent(mesh.vertexCount());
-    std::iota(parent.begin(), parent.end(), 0);
+/// The lowest vertex of each vertex's component; -1 for unused vertices.
+std::vector<int> lowestOfComponent(const SurfaceMesh& mesh) {
+    UnionFind components(mesh.vertexCount());
     std::vector<char> used(mesh.vertexCount(), 0);
     forEachHalfEdge(mesh, [&](int h) {
-        const int a = findRoot(parent, mesh.origin(h));
-        const int b = findRoot(parent, mesh.target(h));
-        parent[std::max(a, b)] = std::min(a, b);
+        components.join(mesh.origin(h), mesh.target(h));
         used[mesh.origin(h)] = 1;
     });
+    std::vector<int> lowest(mesh.vertexCount(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        parent[v] = used[v] ? findRoot(parent, v) : -1;
+        if (used[v]) {
+            lowest[v] = components.root(v);
+        }
     }
-    return parent;
+    return lowest;
+}
+
+/// Numbers the components by their lowest vertex and counts their vertices.
+PieceMap numberPieces(const SurfaceMesh& mesh) {
+    PieceMap map;
+    const std::vector<int> lowest = lowestOfComponent(mesh);
+    map.ofVertex.assign(mesh.vertexCount(), -1);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (lowest[v] < 0) {
+            continue;
+        }
+        if (lowest[v] == v) {
+            map.ofVertex[v] = static_cast<int>(map.pieces.size());
+            map.pieces.emplace_back();
+        }
+        map.ofVertex[v] = map.ofVertex[lowest[v]];
+        ++map.pieces[map.ofVertex[v]].vertices;
+    }
+    return map;
 }
 
 }  // namespace
@@ -226,20 +238,7 @@ std::string checkClosedManifold(const SurfaceMesh& mesh) {
 }
 
 PieceMap findPieces(const SurfaceMesh& mesh) {
-    PieceMap map;
-    const std::vector<int> root = joinVertices(mesh);
-    map.ofVertex.assign(mesh.vertexCount(), -1);
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (root[v] < 0) {
-            continue;
-        }
-        if (root[v] == v) {
-            map.ofVertex[v] = static_cast<int>(map.pieces.size());
-            map.pieces.emplace_back();
-        }
-        map.ofVertex[v] = map.ofVertex[root[v]];
-        ++map.pieces[map.ofVertex[v]].vertices;
-    }
+    PieceMap map = numberPieces(mesh);
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
             Piece& piece = map.pieces[map.ofVertex[mesh.triangle(t)[0]]];
@@ -258,14 +257,6 @@ double meshVolume(const SurfaceMesh& mesh) {
 
 double meshRestVolume(const SurfaceMesh& mesh) {
     return volumeOf(mesh, mesh.restPositions());
-}
-
-double meanEdgeLength(const SurfaceMesh& mesh) {
-    double sum = 0;
-    forEachHalfEdge(mesh, [&](int h) {
-        sum += (mesh.position(mesh.target(h)) - mesh.position(mesh.origin(h))).norm();
-    });
-    return mesh.aliveTriangles() > 0 ? sum / (3 * mesh.aliveTriangles()) : 0.0;
 }
 
 Bounds meshBounds(const SurfaceMesh& mesh) {

@@ -40,8 +40,7 @@ PieceMap findPieces(const SurfaceMesh& mesh);
 /// Sum of signed tetrahedra over all triangles [m^3].
 double meshVolume(const SurfaceMesh& mesh);
 double meshRestVolume(const SurfaceMesh& mesh);
-/// Mean edge length of the living triangles [m].
-double meanEdgeLength(const SurfaceMesh& mesh);
+/// Of the current positions of the living triangles [m].
 Bounds meshBounds(const SurfaceMesh& mesh);
 
 }  // namespace kerf

@@ -83,6 +83,10 @@ class SurfaceMesh {
     void makeMates(int a, int b);
     /// Group id or -1 for a vertex that was never copied.
     int mateGroup(int v) const { return mateGroup_[v]; }
+    /// The first of all copies of v's material point, which stands for it; v where there are none.
+    int materialPoint(int v) const {
+        return mateGroup_[v] < 0 ? v : mateMembers_[mateGroup_[v]].front();
+    }
     /// Members of a group, in the order in which they joined.
     const std::vector<int>& matesOfGroup(int group) const { return mateMembers_[group]; }
 

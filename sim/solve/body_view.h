@@ -19,8 +19,6 @@ struct BodyView {
     const gpu::Buffer* incidence = nullptr;
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;
-    /// Grows by one whenever the connectivity changed (normals and overlays may cache by it).
-    std::uint64_t topologyVersion = 0;
 };
 
 }  // namespace kerf

@@ -1,11 +1,11 @@
 #include "sim/solve/gpu_solver.h"
 
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <cassert>
 
 #include "shaders/shared/bindings.h"
+#include "sim/body/incidence.h"
+#include "sim/solve/solver_uniforms.h"
 
 namespace kerf {
 
@@ -56,16 +56,12 @@ std::vector<float> inverses(const std::vector<float>& masses) {
     return out;
 }
 
-uint countAt(const Incidence& incidence, std::size_t v) {
-    return incidence.offsets[v + 1] - incidence.offsets[v];
-}
-
 std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
     std::vector<shared::VertexLinks> links(model.restPositions.size());
     for (std::size_t v = 0; v < links.size(); ++v) {
         const int piece = model.pieceOfVertex[v];
-        links[v] = {countAt(model.edgeIncidence, v), countAt(model.bendIncidence, v),
-                    countAt(model.ispcIncidence, v),
+        links[v] = {valence(model.edgeIncidence, v), valence(model.bendIncidence, v),
+                    valence(model.ispcIncidence, v),
                     piece < 0 ? shared::kNoPiece : static_cast<uint>(piece)};
     }
     return links;
@@ -136,12 +132,6 @@ void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint fir
     }
 }
 
-void copyBuffer(const gpu::Buffer& from, gpu::Buffer& to) {
-    to.resize(from.size());
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glCopyNamedBufferSubData(from.id(), to.id(), 0, 0, static_cast<GLsizeiptr>(from.size()));
-}
-
 }  // namespace
 
 void GpuSolver::IncidenceBuffers::assign(const Incidence& incidence) {
@@ -171,14 +161,8 @@ void GpuSolver::setModel(const BodyModel& model, const BodyState& state) {
     uploadTopology(model);
     uploadPieces(model);
     setState(state);
-    uniforms_.vertex_count = size32(model.restPositions.size());
-    uniforms_.edge_count = size32(model.edges.size());
-    uniforms_.bend_count = size32(model.bends.size());
-    uniforms_.ispc_count = size32(model.ispcs.size());
-    uniforms_.triangle_count = size32(model.triangles.size());
-    uniforms_.piece_count = size32(model.pieces.size());
+    setCounts(uniforms_, model);
     uploadUniforms();
-    ++topologyVersion_;
 }
 
 void GpuSolver::uploadTopology(const BodyModel& model) {
@@ -388,12 +372,12 @@ std::vector<Vec3f> GpuSolver::readDisplacements() const {
 }
 
 void GpuSolver::saveState() {
-    copyBuffer(positions_, savedPositions_);
+    savedPositions_.copyFrom(positions_);
 }
 
 void GpuSolver::restoreStateAtRest() {
     assert(savedPositions_.size() == positions_.size());
-    copyBuffer(savedPositions_, positions_);
+    positions_.copyFrom(savedPositions_);
     velocities_.clear();
 }
 
@@ -404,8 +388,7 @@ BodyView GpuSolver::view() const {
             &triangleIncidence_.offsets,
             &triangleIncidence_.entries,
             uniforms_.vertex_count,
-            uniforms_.triangle_count,
-            topologyVersion_};
+            uniforms_.triangle_count};
 }
 
 }  // namespace kerf

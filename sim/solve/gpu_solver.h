@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -29,8 +28,8 @@ struct BodyMeasure {
 
 /// The soft body on the GPU: the phases of ReferenceSolver in floats, in the same order, with
 /// results that do not depend on the number of threads. Base positions X, the displacement d of a
-/// substep and velocities v are kept apart (see physics.md, 5). Inside a substep a vertex is at
-/// X + d.
+/// substep and velocities v are kept apart: absolute positions in floats lose momentum. Inside a
+/// substep a vertex is at X + d.
 class GpuSolver {
   public:
     /// Compiles the kernels. Throws gpu::ShaderError.
@@ -61,6 +60,7 @@ class GpuSolver {
     void collideFloor();
     void finishSubstep();
 
+    /// Of the positions between steps; waits for the GPU.
     BodyMeasure measure();
     /// All positions and velocities; waits for the GPU.
     BodyState readState() const;
@@ -71,6 +71,7 @@ class GpuSolver {
     void saveState();
     void restoreStateAtRest();
 
+    /// The buffers themselves; valid while the solver lives and until setModel().
     BodyView view() const;
     /// GPU time of the steps since the last call [ms].
     double takeDeformMilliseconds() { return deformTimer_.takeMilliseconds(); }
@@ -118,7 +119,6 @@ class GpuSolver {
 
     gpu::Timer deformTimer_;
     gpu::Timer collideTimer_;
-    std::uint64_t topologyVersion_ = 0;
     long dispatches_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #include "sim/solve/reference_solver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "sim/body/incidence.h"

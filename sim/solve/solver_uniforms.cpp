@@ -53,14 +53,18 @@ shared::SolverUniforms solverUniforms(const Params& params) {
     return u;
 }
 
+void setCounts(shared::SolverUniforms& uniforms, const BodyModel& model) {
+    uniforms.vertex_count = static_cast<uint>(model.restPositions.size());
+    uniforms.edge_count = static_cast<uint>(model.edges.size());
+    uniforms.bend_count = static_cast<uint>(model.bends.size());
+    uniforms.ispc_count = static_cast<uint>(model.ispcs.size());
+    uniforms.triangle_count = static_cast<uint>(model.triangles.size());
+    uniforms.piece_count = static_cast<uint>(model.pieces.size());
+}
+
 shared::SolverUniforms solverUniforms(const Params& params, const BodyModel& model) {
     shared::SolverUniforms u = solverUniforms(params);
-    u.vertex_count = static_cast<uint>(model.restPositions.size());
-    u.edge_count = static_cast<uint>(model.edges.size());
-    u.bend_count = static_cast<uint>(model.bends.size());
-    u.ispc_count = static_cast<uint>(model.ispcs.size());
-    u.triangle_count = static_cast<uint>(model.triangles.size());
-    u.piece_count = static_cast<uint>(model.pieces.size());
+    setCounts(u, model);
     return u;
 }
 

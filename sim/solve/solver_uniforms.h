@@ -14,7 +14,10 @@ double ispcModulusFactor(double stiffness);
 /// What the parameters mean for one substep h = timeStep / iterations; counts are 0.
 shared::SolverUniforms solverUniforms(const Params& params);
 
-/// The same with the counts of `model`.
+/// Sets the counts to those of `model`.
+void setCounts(shared::SolverUniforms& uniforms, const BodyModel& model);
+
+/// solverUniforms(params) with the counts of `model`.
 shared::SolverUniforms solverUniforms(const Params& params, const BodyModel& model);
 
 }  // namespace kerf

@@ -88,6 +88,17 @@ TEST_F(BufferTest, ClearZeroesTheSizeInUse) {
     EXPECT_THAT(buffer.read<int>(0, 7), Each(0));
 }
 
+TEST_F(BufferTest, ACopyHasSizeAndContentAndIsOnItsOwn) {
+    Buffer original;
+    original.assign(counting(3));
+    Buffer copy;
+    copy.assign(counting(9));
+    copy.copyFrom(original);
+    original.clear();
+    EXPECT_EQ(copy.size(), 12u);
+    EXPECT_THAT(copy.read<int>(0, 3), ElementsAre(1, 2, 3));
+}
+
 TEST_F(BufferTest, MoveTakesTheStorageAlong) {
     Buffer first;
     first.assign(counting(2));

@@ -1,13 +1,12 @@
 #include "gpu/program.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include "gpu/buffer.h"
+#include "gpu/data_path.h"
 #include "gpu/shader_source.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::gpu {
 namespace {
@@ -20,14 +19,8 @@ using ::testing::StartsWith;
 /// A folder for shaders that a test writes.
 class ProgramTest : public test::GlTest {
   protected:
-    ProgramTest()
-        : folder_(fs::path(::testing::TempDir()) / ("kerf_program_" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~ProgramTest() override { fs::remove_all(folder_); }
-
     std::string write(const std::string& name, const std::string& text) {
-        std::ofstream(folder_ / name) << text;
+        test::writeText(folder_ / name, text);
         return folder_ / name;
     }
 
@@ -40,7 +33,7 @@ class ProgramTest : public test::GlTest {
         return "compiled";
     }
 
-    fs::path folder_;
+    test::TemporaryFolder folder_;
 };
 
 const std::string kMain = "layout(local_size_x = 1) in;\nvoid main() {}\n";

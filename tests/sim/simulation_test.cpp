@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -221,7 +220,7 @@ TEST_F(SimulationTest, HalvesFallApartAndKeepTheirVolume) {
 }
 
 TEST_F(SimulationTest, CutsASaggingBodyInTwo) {
-    // Scene i of cutting-moving: without the anchored front this ends at 12 m/s in one piece.
+    // Without the anchored front this ends at 12 m/s in one piece.
     Simulation simulation(test::cubeSphere(8), dropped(0));
     run(simulation, 60);
     double fastest = 0;

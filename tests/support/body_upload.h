@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "gpu/buffer.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/solve/body_view.h"

@@ -5,6 +5,7 @@
 #include <random>
 #include <sstream>
 
+#include "sim/body/rest_geometry.h"
 #include "sim/cut/cutter.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
@@ -80,7 +81,7 @@ SurfaceMesh randomBody(Dice& dice, std::string& name) {
 }
 
 double meanEdge(const SurfaceMesh& mesh) {
-    return std::min(meanEdgeLength(mesh), meshBounds(mesh).diagonal() / 12);
+    return std::min(meanRestEdgeLength(mesh), meshBounds(mesh).diagonal() / 12);
 }
 
 int randomTriangle(Dice& dice, const SurfaceMesh& mesh) {

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kVolumeTolerance = 1e-9;
 
-int materialPoint(const SurfaceMesh& mesh, int v) {
-    const int group = mesh.mateGroup(v);
-    return group < 0 ? v : mesh.matesOfGroup(group).front();
-}
-
 /// The state that a step must conserve.
 struct Before {
     double volume;
@@ -208,7 +203,7 @@ std::string checkMirroredWalls(const SurfaceMesh& mesh) {
         }
         std::array<int, 3> points{};
         for (int i = 0; i < 3; ++i) {
-            points[i] = materialPoint(mesh, mesh.triangle(t)[i]);
+            points[i] = mesh.materialPoint(mesh.triangle(t)[i]);
         }
         std::sort(points.begin(), points.end());
         balance[{mesh.wallLabel(t) / 2, points}] += mesh.wallLabel(t) % 2 == 0 ? 1 : -1;

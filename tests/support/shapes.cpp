@@ -223,6 +223,19 @@ SurfaceMesh builtin(const std::string& name) {
     return meshOf(builtinSoup(name));
 }
 
+std::string objText(const TriangleSoup& soup) {
+    std::string text;
+    for (const Vec3& p : soup.positions) {
+        text += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
+                std::to_string(p.z()) + "\n";
+    }
+    for (const auto& [a, b, c] : soup.triangles) {
+        text += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " +
+                std::to_string(c + 1) + "\n";
+    }
+    return text;
+}
+
 TriangleSoup joined(const TriangleSoup& first, const TriangleSoup& second, const Vec3& offset) {
     TriangleSoup both = first;
     const int shift = static_cast<int>(first.positions.size());

@@ -35,6 +35,9 @@ SurfaceMesh box(const Vec3& size = Vec3::Ones(), int n = 1);
 TriangleSoup builtinSoup(const std::string& name);
 SurfaceMesh builtin(const std::string& name);
 
+/// The soup as the text of an OBJ file, six decimals a coordinate.
+std::string objText(const TriangleSoup& soup);
+
 /// Both soups in one, `second` moved by `offset`.
 TriangleSoup joined(const TriangleSoup& first, const TriangleSoup& second, const Vec3& offset);
 

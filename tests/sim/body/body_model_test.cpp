@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
-#include <set>
 
 #include "sim/body/incidence.h"
 #include "sim/body/ispc_builder.h"

@@ -5,10 +5,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/body/rest_geometry.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
+
+TEST(RestGeometry, MeanEdgeOfAnIcosahedron) {
+    EXPECT_NEAR(meanRestEdgeLength(test::icosphere(0, 0.5)),
+                0.5 / std::sin(2 * std::numbers::pi / 5), 1e-12);
+}
 
 TEST(ConstraintBuilder, EveryEdgeOnceWithItsLengthAndCrossSection) {
     const SurfaceMesh mesh = test::box(Vec3::Ones(), 1);

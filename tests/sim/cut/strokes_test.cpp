@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "sim/body/rest_geometry.h"
 #include "sim/cut/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
@@ -140,7 +141,6 @@ TEST(Cut, TwoCrossingStrokesGiveFourQuarters) {
     EXPECT_EQ(piecesOf(mesh), 2);
     expectSound(test::runStroke(cutter, mesh, through(Vec3::UnitZ(), -Vec3::UnitY())));
     EXPECT_EQ(piecesOf(mesh), 4);
-    EXPECT_EQ(cutter.refusedSteps(), 0);
 }
 
 TEST(Cut, ThreeStrokesThroughOneLineGiveSixWedges) {
@@ -235,7 +235,6 @@ TEST(Cut, ScrambledBodyIsRefusedUntouched) {
     EXPECT_EQ(check.problem, "");
     EXPECT_GT(check.refused, 0);
     EXPECT_NE(check.reason, "");
-    EXPECT_EQ(cutter.refusedSteps(), check.refused);
 }
 
 TEST(Cut, SameStrokeTwiceGivesTheSameBytes) {
@@ -280,7 +279,7 @@ TEST(Cut, WallsTakeRestPositionsAndVelocitiesFromTheSkin) {
         mesh.setPosition(v, stretch * mesh.restPosition(v));
         mesh.setVelocity(v, spin * mesh.position(v));
     }
-    const double h = meanEdgeLength(mesh);
+    const double h = meanRestEdgeLength(mesh);
     expectSound(
         test::runStroke(mesh, test::exactSettings(), through(Vec3::UnitX(), -Vec3::UnitY())));
     double worstRest = 0;

@@ -1,16 +1,14 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -86,26 +84,19 @@ INSTANTIATE_TEST_SUITE_P(Assets, BuiltinModel,
                                            Expected{"octopus", 5800, 11596, 2, 0.4}),
                          [](const auto& test) { return test.param.name; });
 
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(BuiltinModels, ScriptMakesTheCommittedFiles) {
     if (std::system("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
         GTEST_SKIP() << "python3-numpy is not installed; the script needs it";
     }
-    std::string pattern = (fs::temp_directory_path() / "kerf-models-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    const test::TemporaryFolder made;
     const fs::path folder = fs::path(KERF_SOURCE_DIR) / "assets" / "models";
     const std::string command = "/usr/bin/python3 -B '" + (folder / "make_models.py").string() +
-                                "' '" + pattern + "' >/dev/null";
+                                "' '" + made.path().string() + "' >/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0);
     for (const char* name : {"sphere20", "sphere80", "sphere768", "banana", "octopus"}) {
         const std::string file = std::string(name) + ".obj";
-        EXPECT_TRUE(bytesOf(folder / file) == bytesOf(fs::path(pattern) / file)) << file;
+        EXPECT_TRUE(test::readBytes(folder / file) == test::readBytes(made / file)) << file;
     }
-    fs::remove_all(pattern);
 }
 
 }  // namespace

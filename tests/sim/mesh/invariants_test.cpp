@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -139,11 +138,6 @@ TEST(Measures, VolumeOfATorus) {
     const SurfaceMesh mesh = test::torus(256, 128, 0.35, 0.15);
     const double exact = 2 * std::numbers::pi * std::numbers::pi * 0.35 * 0.15 * 0.15;
     EXPECT_NEAR(meshVolume(mesh), exact, 1e-3 * exact);
-}
-
-TEST(Measures, MeanEdgeOfAnIcosahedron) {
-    EXPECT_NEAR(meanEdgeLength(test::icosphere(0, 0.5)), 0.5 / std::sin(2 * std::numbers::pi / 5),
-                1e-12);
 }
 
 TEST(Pieces, OrderedByTheirLowestVertex) {

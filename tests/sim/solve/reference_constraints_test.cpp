@@ -2,31 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
+#include "tests/support/shaken_state.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
-
-/// A body out of shape, in the middle of a substep.
-ReferenceState shakenState(const BodyModel& model, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> noise(-0.02, 0.02);
-    ReferenceState state = restState(model);
-    for (std::size_t v = 0; v < state.positions.size(); ++v) {
-        state.positions[v] += Vec3(noise(random), noise(random), noise(random));
-        state.displacements[v] = Vec3(noise(random), noise(random), noise(random));
-    }
-    return state;
-}
 
 /// The gradient of each constraint against central differences of its value.
 template <class Constraint>
 void expectGradients(const std::vector<Constraint>& constraints, const BodyModel& model) {
     const double step = 1e-6;
     const unsigned seed = 3;
-    ReferenceState state = shakenState(model, seed);
+    ReferenceState state = test::shakenState(model, seed, 0.02, 0.02);
     for (const Constraint& constraint : constraints) {
         const auto exact = linearize(constraint, state, 1.0);
         ASSERT_TRUE(exact.valid);

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <numeric>
-#include <random>
 
 #include "sim/body/shape_error.h"
 #include "sim/solve/solver_uniforms.h"
+#include "tests/support/shaken_state.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -33,17 +32,6 @@ Momentum momentumOf(const ReferenceSolver& solver, const ReferenceState& before,
     return momentum;
 }
 
-ReferenceState shakenState(const BodyModel& model, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> noise(-0.01, 0.01);
-    ReferenceState state = restState(model);
-    for (std::size_t v = 0; v < state.positions.size(); ++v) {
-        state.positions[v] += Vec3(noise(random), noise(random), noise(random));
-        state.displacements[v] = 0.1 * Vec3(noise(random), noise(random), noise(random));
-    }
-    return state;
-}
-
 using Phase = void (ReferenceSolver::*)(ReferenceState&) const;
 
 TEST(ReferenceSolver, EverySweepConservesMomentum) {
@@ -51,7 +39,7 @@ TEST(ReferenceSolver, EverySweepConservesMomentum) {
     const ReferenceSolver solver(model, solverUniforms(Params{}, model));
     for (const Phase phase : {&ReferenceSolver::solveEdges, &ReferenceSolver::solveBends,
                               &ReferenceSolver::solveIspcs, &ReferenceSolver::solveVolume}) {
-        const ReferenceState before = shakenState(model, 5);
+        const ReferenceState before = test::shakenState(model, 5, 0.01, 0.001);
         ReferenceState after = before;
         (solver.*phase)(after);
         std::vector<Vec3> change;
@@ -77,7 +65,7 @@ TEST(ReferenceSolver, FreeFlightKeepsLinearMomentumForFiveSeconds) {
     const BodyModel model = buildBodyModel(test::icosphere(1));
     const Params params = freeFlight();
     const ReferenceSolver solver(model, solverUniforms(params, model));
-    ReferenceState state = shakenState(model, 9);
+    ReferenceState state = test::shakenState(model, 9, 0.01, 0.001);
     for (std::size_t v = 0; v < state.velocities.size(); ++v) {
         state.velocities[v] = Vec3(1, 2, -0.5) + Vec3(0, 0.7, 0.2).cross(state.positions[v]);
     }
