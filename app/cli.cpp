@@ -8,7 +8,6 @@
 #include <cctype>
 #include <charconv>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -16,6 +15,7 @@
 
 #include "app/compare_verb.h"
 #include "app/editor.h"
+#include "app/exit_codes.h"
 #include "app/file_io.h"
 #include "app/import_process.h"
 #include "app/inspect_verb.h"
@@ -35,7 +35,6 @@ struct Arguments {
     ReplayArguments replay;
     InspectArguments inspect;
     CompareArguments compare;
-    std::filesystem::path compareDiff;
     std::filesystem::path workerFile;
 };
 
@@ -99,7 +98,7 @@ void describeCompare(Parser& parser, Arguments& arguments) {
         ->check(refuseOutsideOfOne)
         ->type_name("T");
     parser.compare
-        ->add_option("--diff", arguments.compareDiff,
+        ->add_option("--diff", arguments.compare.diff,
                      "Picture of the difference, written only where they differ")
         ->type_name("D.png");
     parser.compare->add_flag("--json", arguments.compare.json, "Print one JSON object");
@@ -163,17 +162,10 @@ int runEditorVerb(const std::filesystem::path& file) {
     return runEditor(file);
 }
 
-int runCompare(Arguments& arguments) {
-    if (!arguments.compareDiff.empty()) {
-        arguments.compare.diff = arguments.compareDiff;
-    }
-    return compareVerb(arguments.compare, std::cout, std::cerr);
-}
-
-int runVerb(const Parser& parser, Arguments& arguments) {
+int runVerb(const Parser& parser, const Arguments& arguments) {
     if (parser.replay->parsed()) return replayVerb(arguments.replay, std::cout, std::cerr);
     if (parser.inspect->parsed()) return inspectVerb(arguments.inspect, std::cout);
-    if (parser.compare->parsed()) return runCompare(arguments);
+    if (parser.compare->parsed()) return compareVerb(arguments.compare, std::cout);
     if (parser.worker->parsed()) return runImportWorker(arguments.workerFile);
     return runEditorVerb(arguments.file);
 }
@@ -187,7 +179,7 @@ int checkStandardOutput(int exitCode) {
 }
 
 /// runVerb with every error as a sentence and an exit code.
-int runVerbSafely(const Parser& parser, Arguments& arguments) {
+int runVerbSafely(const Parser& parser, const Arguments& arguments) {
     try {
         return checkStandardOutput(runVerb(parser, arguments));
     } catch (const InputError& error) {

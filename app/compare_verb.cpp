@@ -1,10 +1,9 @@
 #include "app/compare_verb.h"
 
-#include <exception>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli.h"
+#include "app/exit_codes.h"
 #include "app/file_io.h"
 #include "render/image.h"
 
@@ -36,38 +35,22 @@ void printLine(const Image& a, const Image& b, const ImageDifference& difference
         << threshold << '\n';
 }
 
-void writeDifference(const Image& picture, const std::filesystem::path& file) {
-    try {
-        render::writePng(picture, file);
-    } catch (const std::runtime_error& error) {
-        throw OutputError(error.what());
-    }
-}
-
 }  // namespace
 
-int compareVerb(const CompareArguments& arguments, std::ostream& out, std::ostream& errors) {
-    try {
-        const Image a = render::readPng(arguments.a);
-        const Image b = render::readPng(arguments.b);
-        const ImageDifference difference = render::compareImages(a, b);
-        const bool equal = difference.sameSize && difference.meanError <= arguments.threshold;
-        if (!equal && arguments.diff && difference.sameSize) {
-            writeDifference(difference.picture, *arguments.diff);
-        }
-        if (arguments.json) {
-            printJson(difference, equal, arguments.threshold, out);
-        } else {
-            printLine(a, b, difference, equal, arguments.threshold, out);
-        }
-        return equal ? 0 : 1;
-    } catch (const OutputError& error) {
-        errors << "kerf: " << error.what() << '\n';
-        return kExitLimit;
-    } catch (const std::exception& error) {
-        errors << "kerf: " << error.what() << '\n';
-        return 3;
+int compareVerb(const CompareArguments& arguments, std::ostream& out) {
+    const Image a = readPicture(arguments.a);
+    const Image b = readPicture(arguments.b);
+    const ImageDifference difference = render::compareImages(a, b);
+    const bool equal = difference.sameSize && difference.meanError <= arguments.threshold;
+    if (!equal && !arguments.diff.empty() && difference.sameSize) {
+        writePicture(difference.picture, arguments.diff);
     }
+    if (arguments.json) {
+        printJson(difference, equal, arguments.threshold, out);
+    } else {
+        printLine(a, b, difference, equal, arguments.threshold, out);
+    }
+    return equal ? kExitDone : kExitCheckFailed;
 }
 
 }  // namespace kerf::app

@@ -4,14 +4,15 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <array>
 #include <ctime>
 
 #include "app/editor_camera.h"
 #include "app/editor_scene.h"
 #include "app/editor_toast.h"
 #include "app/input_queue.h"
+#include "sim/stopwatch.h"
+#include "sim/text.h"
 #include "ui/interface.h"
 #include "ui/shortcuts.h"
 
@@ -24,12 +25,8 @@ constexpr int kMaxBatchesPerPicture = 16;
 constexpr int kSettlePasses = 2;  // passes after the last input, for panels that answer late
 constexpr double kForever = 1e9;
 constexpr double kRateSmoothing = 0.1;
+constexpr std::array<float, 3> kEmptyColor{0.06F, 0.065F, 0.08F};  // while nothing is open
 const Vec3 kEarthGravity{0, -9.81, 0};
-
-double secondsNow() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
-}
 
 /// kerf-YYYYMMDD-HHMMSS.png, numbered where that is taken.
 std::filesystem::path freeScreenshotFile(const std::filesystem::path& folder) {
@@ -43,10 +40,6 @@ std::filesystem::path freeScreenshotFile(const std::filesystem::path& folder) {
         file = folder / (std::string(stem) + "-" + std::to_string(n) + ".png");
     }
     return std::filesystem::absolute(file).lexically_normal();
-}
-
-std::string pieceText(int pieces) {
-    return std::to_string(pieces) + (pieces == 1 ? " piece" : " pieces");
 }
 
 }  // namespace
@@ -387,9 +380,9 @@ int Editor::State::stepsDue(double elapsedSeconds) {
 }
 
 void Editor::State::runSteps(int needed, int due) {
-    const double start = secondsNow();
+    const Stopwatch watch;
     for (int n = 0; n < std::max(needed, due); ++n) {
-        const bool late = options.byTheClock && secondsNow() - start > kStepBudgetSeconds;
+        const bool late = options.byTheClock && watch.seconds() > kStepBudgetSeconds;
         if (late && n >= std::max(1, needed)) {
             break;
         }
@@ -483,7 +476,7 @@ void Editor::State::draw() {
         renderer.target().blitColorTo(picture);
     } else {
         picture.bind();
-        glClearColor(0.06F, 0.065F, 0.08F, 1);
+        glClearColor(kEmptyColor[0], kEmptyColor[1], kEmptyColor[2], 1);
         glClear(GL_COLOR_BUFFER_BIT);
     }
     interface.draw(picture);
@@ -563,7 +556,7 @@ std::string Editor::title() const {
         return "Kerf";
     }
     return "Kerf - " + state_->scene->document().name + " - " +
-           pieceText(state_->scene->pieceCount());
+           counted(state_->scene->pieceCount(), "piece", "pieces");
 }
 
 const ui::PanelModel& Editor::panels() const {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +14,7 @@
 
 namespace kerf::app {
 
+/// What surrounds the editor: its window or its test.
 struct EditorOptions {
     int width = 1280;  ///< of the picture [px]
     int height = 720;
@@ -37,7 +37,9 @@ class Editor {
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
+    /// Puts input into the queue for the next frame.
     void post(ui::InputEvent event);
+    /// Of the picture [px]; ignored where a side is 0, as of a hidden window.
     void resize(int width, int height);
     /// One picture; `elapsedSeconds` since the one before.
     void frame(double elapsedSeconds);

@@ -1,13 +1,16 @@
 #include "app/editor_document.h"
 
+#include <cstdio>
 #include <string_view>
 
 #include "gpu/data_path.h"
 #include "sim/mesh/invariants.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 namespace {
 
+constexpr double kFloorGap = 0.02;  // of the diagonal
 constexpr std::string_view kSessionEnding = ".kerf.json";
 
 bool isSession(const std::filesystem::path& file) {
@@ -22,26 +25,10 @@ std::string shortName(const std::filesystem::path& file) {
     return file.stem().string();
 }
 
-void placeMesh(SurfaceMesh& mesh, const Placement& placement) {
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const Vec3 placed = placement.apply(mesh.position(v));
-        mesh.setPosition(v, placed);
-        mesh.setRestPosition(v, placed);
-    }
-}
-
-std::string joined(const std::vector<std::string>& phrases) {
-    std::string text;
-    for (const std::string& phrase : phrases) {
-        text += (text.empty() ? "" : "; ") + phrase;
-    }
-    return text;
-}
-
 std::string modelNote(const MeshReport& report, double scale) {
     char text[64];
     std::snprintf(text, sizeof text, "Scaled by %.4g to fit the view.", scale);
-    const std::string repairs = joined(report.repairs);
+    const std::string repairs = joined(report.repairs, "; ");
     return repairs.empty() ? text : std::string(text) + " Repaired: " + repairs + ".";
 }
 
@@ -57,7 +44,7 @@ Document openModel(const std::filesystem::path& file) {
     Session session;
     session.model.path = std::filesystem::absolute(file);
     session.placement = fitPlacement(meshBounds(mesh), kModelDiagonal);
-    placeMesh(mesh, session.placement);
+    place(mesh, session.placement);
     std::string note = modelNote(report, session.placement.scale);
     return finish(shortName(file), std::move(session), std::move(mesh), std::move(note));
 }
@@ -65,7 +52,7 @@ Document openModel(const std::filesystem::path& file) {
 Document openSession(const std::filesystem::path& file) {
     Session session = readSession(file);
     SurfaceMesh mesh = loadSessionModel(session);
-    std::string note = joined(session.warnings);
+    std::string note = joined(session.warnings, "; ");
     return finish(shortName(file), std::move(session), std::move(mesh), std::move(note));
 }
 
@@ -86,7 +73,7 @@ Placement fitPlacement(const Bounds& bounds, double diagonal) {
     }
     const Vec3 center = bounds.center();
     placement.translate = -placement.scale * Vec3(center.x(), bounds.low.y(), center.z());
-    placement.translate.y() += diagonal / 50;
+    placement.translate.y() += kFloorGap * diagonal;
     return placement;
 }
 

@@ -1,11 +1,11 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "app/editor.h"
 #include "app/window.h"
 #include "gpu/context.h"
+#include "sim/stopwatch.h"
 
 namespace kerf::app {
 namespace {
@@ -36,33 +36,17 @@ EditorOptions optionsFor(const Window& window) {
     return options;
 }
 
-class Clock {
-  public:
-    /// Seconds since the last lap.
-    double elapsed() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
-    }
-    double lap() {
-        const double seconds = elapsed();
-        last_ = std::chrono::steady_clock::now();
-        return seconds;
-    }
-
-  private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 /// Draws while something moves, and else waits: a still picture costs nothing.
 void runLoop(Window& window, Editor& editor) {
-    Clock clock;
+    Stopwatch watch;
     while (!window.closing() && !editor.closing()) {
-        window.waitEvents(std::min(editor.idleSeconds() - clock.elapsed(), kLongestWait));
+        window.waitEvents(std::min(editor.idleSeconds() - watch.seconds(), kLongestWait));
         const bool damaged = window.takeDamage();
-        if (!damaged && editor.idleSeconds() > clock.elapsed()) {
+        if (!damaged && editor.idleSeconds() > watch.seconds()) {
             continue;
         }
         editor.resize(window.width(), window.height());
-        editor.frame(clock.lap());
+        editor.frame(watch.restart());
         window.setTitle(editor.title());
         window.show(editor.picture());
     }

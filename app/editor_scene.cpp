@@ -3,6 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <type_traits>
+
+#include "app/scene_view.h"
 
 namespace kerf::app {
 namespace {
@@ -11,20 +14,16 @@ constexpr std::size_t kStrokeBacklog = 8;  // poses that may wait per step of a 
 constexpr int kMaxStrokeSteps = 4;         // per picture
 constexpr int kPiecesEvery = 10;           // steps between two looks at the pieces' volumes
 
-bool isCommand(const SessionAction& action) {
-    return std::holds_alternative<MoveBlade>(action) || std::holds_alternative<LiftBlade>(action) ||
-           std::holds_alternative<SetParam>(action);
-}
-
-/// The command of an event that has one.
-Command asCommand(const SessionAction& action) {
-    if (const auto* move = std::get_if<MoveBlade>(&action)) {
-        return *move;
-    }
-    if (const auto* set = std::get_if<SetParam>(&action)) {
-        return *set;
-    }
-    return LiftBlade{};
+/// The command of an event that has one; pictures, exports and checks have none.
+std::optional<Command> commandOf(const SessionAction& action) {
+    const auto convert = [](const auto& event) -> std::optional<Command> {
+        if constexpr (std::is_constructible_v<Command, decltype(event)>) {
+            return Command(event);
+        } else {
+            return std::nullopt;
+        }
+    };
+    return std::visit(convert, action);
 }
 
 }  // namespace
@@ -62,10 +61,11 @@ void EditorScene::playSessionEvents() {
     }
     // Screenshots, exports and checks are the replay's business: a person only watches here.
     for (const SessionAction& action : player_->actionsAt(simulation_.stepCount())) {
-        if (!isCommand(action)) {
+        const std::optional<Command> command = commandOf(action);
+        if (!command) {
             continue;
         }
-        if (const std::string problem = simulation_.execute(asCommand(action)); !problem.empty()) {
+        if (const std::string problem = simulation_.execute(*command); !problem.empty()) {
             spdlog::warn("step {}: {}", simulation_.stepCount(), problem);
         }
     }
@@ -117,15 +117,8 @@ int EditorScene::strokeSteps() const {
 }
 
 render::SceneView EditorScene::view() {
-    render::SceneView view;
-    view.body = simulation_.bodyView();
-    view.material = render::materialFor(document_.session.model.name());
-    view.restBounds = document_.restBounds;
-    view.floor = simulation_.params().floor;
-    view.blade = simulation_.blade();
-    view.sweep = stroke_.sweep();
-    view.focus = bounds();
-    return view;
+    return sceneOf(simulation_, document_.session.model.name(), document_.restBounds,
+                   stroke_.sweep());
 }
 
 void EditorScene::refreshPieces() {

@@ -9,11 +9,13 @@ namespace kerf::app {
 /// A sentence in the view that fades by itself; errors stay longer.
 class EditorToast {
   public:
+    /// Takes the place of what is shown.
     void show(std::string text, bool isError);
     void pass(double elapsedSeconds);
     bool visible() const { return remaining_ > 0; }
     /// How long it stays as it is [s]; 0 while it fades.
     double steadySeconds() const;
+    /// Sets text, kind and opacity of the model's toast.
     void describe(ui::PanelModel& model) const;
 
   private:

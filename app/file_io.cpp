@@ -112,6 +112,22 @@ void writeOutputFile(const std::filesystem::path& file, std::string_view bytes) 
     output.commit();
 }
 
+render::Image readPicture(const std::filesystem::path& file) {
+    try {
+        return render::readPng(file);
+    } catch (const std::runtime_error& error) {
+        throw InputError(error.what());
+    }
+}
+
+void writePicture(const render::Image& picture, const std::filesystem::path& file) {
+    try {
+        render::writePng(picture, file);
+    } catch (const std::runtime_error& error) {
+        throw OutputError(error.what());
+    }
+}
+
 std::string formatNumber(double value) {
     return shortestText(value);
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "render/image.h"
+
 namespace kerf::app {
 
 /// A result could not be written: what() is one sentence with the file and the system's reason.
@@ -44,6 +46,10 @@ class AtomicFile {
 
 /// AtomicFile in one call.
 void writeOutputFile(const std::filesystem::path& file, std::string_view bytes);
+
+/// render::readPng and render::writePng, which throw InputError and OutputError here.
+render::Image readPicture(const std::filesystem::path& file);
+void writePicture(const render::Image& picture, const std::filesystem::path& file);
 
 /// Shortest decimal text that reads back as the same number, whatever the locale.
 std::string formatNumber(double value);

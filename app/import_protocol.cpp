@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/model_source.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr char kMagic[8] = {'K', 'E', 'R', 'F', 'M', 'E', 'S', '1'};
 constexpr std::uint64_t kMaxMessage = 1000;
+constexpr std::uint64_t kLeastTriangles = 4;  // a tetrahedron; the sentence below says it
 
 ImportHeader header(std::uint64_t failed) {
     ImportHeader head{};
@@ -59,9 +61,8 @@ void checkCounts(const ImportHeader& head) {
                          std::to_string(kMaxImportTriangles) + " and " +
                          std::to_string(kMaxImportVertices) + " are read; decimate the model");
     }
-    if (head.triangles < 4) {
-        throw InputError(std::to_string(head.triangles) +
-                         (head.triangles == 1 ? " triangle" : " triangles") +
+    if (head.triangles < kLeastTriangles) {
+        throw InputError(counted(head.triangles, "triangle", "triangles") +
                          ", but a solid needs at least 4; export the model as a triangle mesh");
     }
 }
@@ -72,9 +73,8 @@ void checkIndices(const TriangleSoup& soup) {
         return std::ranges::any_of(t, [&](int v) { return v < 0 || v >= count; });
     });
     if (bad > 0) {
-        throw InputError(std::to_string(bad) +
-                         (bad == 1 ? " triangle names a vertex that is not there"
-                                   : " triangles name vertices that are not there") +
+        throw InputError(counted(bad, "triangle names a vertex that is not there",
+                                 "triangles name vertices that are not there") +
                          "; the file is damaged, export it again");
     }
 }
@@ -130,10 +130,9 @@ void checkImportedPositions(const TriangleSoup& soup) {
     const auto bad =
         std::ranges::count_if(soup.positions, [](const Vec3& p) { return !p.allFinite(); });
     if (bad > 0) {
-        throw InputError(std::to_string(bad) +
-                         (bad == 1 ? " vertex has a coordinate that is"
-                                   : " vertices have coordinates that are") +
-                         " not a finite number; the file is damaged, export it again");
+        throw InputError(
+            counted(bad, "vertex has a coordinate that is", "vertices have coordinates that are") +
+            " not a finite number; the file is damaged, export it again");
     }
     Bounds bounds;
     for (const Vec3& p : soup.positions) {

@@ -31,6 +31,7 @@ static_assert(sizeof(ImportHeader) == 40);
 inline constexpr std::uint64_t kMaxImportAnswer =
     sizeof(ImportHeader) + kMaxImportVertices * 24 + kMaxImportTriangles * 12;
 
+/// Answers of the reader process: the triangles, or why there are none.
 std::string encodeImport(const TriangleSoup& soup);
 std::string encodeImportFailure(std::string_view message);
 

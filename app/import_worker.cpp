@@ -4,10 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <assimp/Importer.hpp>
 #include <cerrno>
-#include <memory>
 #include <string>
 
 #include "app/import_process.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli.h"
+#include "app/exit_codes.h"
 #include "app/file_io.h"
 #include "app/model_source.h"
 

@@ -72,6 +72,7 @@ struct RunSummary {
         failures;  ///< checks and invariants that did not hold, one sentence each
 };
 
+/// The keys of summary.json (docs/session-format.md).
 nlohmann::ordered_json toJson(const RunSummary& summary);
 /// The text of summary.json.
 std::string formatSummary(const RunSummary& summary);

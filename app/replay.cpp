@@ -3,31 +3,21 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/export.h"
 #include "app/file_io.h"
+#include "app/scene_view.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
 #include "sim/simulation.h"
+#include "sim/stopwatch.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 
 namespace {
-
-class StopWatch {
-  public:
-    double milliseconds() const {
-        const std::chrono::duration<double, std::milli> passed = Clock::now() - start_;
-        return passed.count();
-    }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
-};
 
 /// The folder that a replay writes into, and what it wrote.
 class OutputFolder {
@@ -75,10 +65,6 @@ class OutputFolder {
     std::filesystem::path folder_;
     std::vector<std::string> written_;
 };
-
-constexpr const char* kMetricsFile = "metrics.csv";
-constexpr const char* kMeshFile = "final.ply";
-constexpr const char* kSummaryFile = "summary.json";
 
 void removeEarlierResults(const OutputFolder& folder, const Session& session) {
     for (const char* name : {kSummaryFile, kMetricsFile, kMeshFile}) {
@@ -139,9 +125,11 @@ class Replay {
     void operator()(const SetParam& set) { execute(set); }
 
     void operator()(const ScreenshotEvent& event) {
-        const StopWatch watch;
-        renderer_.draw(sceneView(), camera_, event.width, event.height);
-        writePicture(renderer_.readPicture(), event.file);
+        const Stopwatch watch;
+        renderer_.draw(sceneOf(simulation_, session_.model.name(), restBounds_, sweep_), camera_,
+                       event.width, event.height);
+        writePicture(renderer_.readPicture(), folder_.place(event.file));
+        folder_.noteWritten(event.file);
         renderMs_ += watch.milliseconds();
     }
     void operator()(const ExportEvent& event) {
@@ -155,7 +143,7 @@ class Replay {
 
   private:
     void runStep(int step) {
-        const StopWatch watch;
+        const Stopwatch watch;
         renderMs_ = 0;
         applyActions(step);
         const StepReport& report = simulation_.step();
@@ -189,28 +177,6 @@ class Replay {
         }
     }
 
-    render::SceneView sceneView() {
-        render::SceneView scene;
-        scene.body = simulation_.bodyView();
-        scene.material = render::materialFor(session_.model.name());
-        scene.restBounds = restBounds_;
-        scene.floor = simulation_.params().floor;
-        scene.blade = simulation_.blade();
-        scene.sweep = sweep_;
-        scene.focus = meshBounds(simulation_.mesh());
-        return scene;
-    }
-
-    void writePicture(const render::Image& picture, const std::string& name) {
-        const std::filesystem::path file = folder_.place(name);
-        try {
-            render::writePng(picture, file);
-        } catch (const std::runtime_error& error) {
-            throw OutputError(error.what());
-        }
-        folder_.noteWritten(name);
-    }
-
     void checkHash(const CheckEvent& event) {
         const std::string hash = event.hash ? simulation_.stateHash() : "";
         if (event.hash && hash != *event.hash) {
@@ -222,9 +188,8 @@ class Replay {
     void checkPieces(const CheckEvent& event) {
         const int pieces = static_cast<int>(simulation_.pieces().pieces.size());
         if (event.pieces && pieces != *event.pieces) {
-            fail("the model is in " + std::to_string(pieces) +
-                 (pieces == 1 ? " piece" : " pieces") + " where the session expects " +
-                 std::to_string(*event.pieces));
+            fail("the model is in " + counted(pieces, "piece", "pieces") +
+                 " where the session expects " + std::to_string(*event.pieces));
         }
     }
 

@@ -13,6 +13,7 @@ namespace kerf::app {
 /// Called before each step with the steps done and the steps to do.
 using ReplayProgress = std::function<void(int done, int total)>;
 
+/// What came of a replay.
 struct ReplayResult {
     RunSummary summary;
     /// What was written, relative to the output folder, in the order of writing.

@@ -5,12 +5,13 @@
 
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
-#include "app/cli.h"
+#include "app/exit_codes.h"
 #include "app/replay.h"
 #include "gpu/context.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 
@@ -28,7 +29,7 @@ class ProgressLine {
 
     void show(int done, int total) {
         const auto now = Clock::now();
-        if (!terminal_ || now - last_ < std::chrono::milliseconds(100)) {
+        if (!terminal_ || now - last_ < kRefresh) {
             return;
         }
         last_ = now;
@@ -40,6 +41,7 @@ class ProgressLine {
 
   private:
     using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::milliseconds kRefresh{100};
     bool terminal_ = ::isatty(STDERR_FILENO) == 1;
     bool shown_ = false;
     Clock::time_point last_ = Clock::now();
@@ -60,17 +62,13 @@ std::string percent(double ratio) {
     return text;
 }
 
-std::string piecesText(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " piece" : " pieces");
-}
-
 void printForPeople(const ReplayResult& result, const std::filesystem::path& folder,
                     std::ostream& out) {
     const RunSummary& summary = result.summary;
     const RunStatistics& run = summary.statistics;
-    out << summary.model << ": " << run.steps << " steps, " << piecesText(summary.pieces.size())
-        << ", " << summary.before.triangles << " triangles before and " << summary.after.triangles
-        << " after\n";
+    out << summary.model << ": " << run.steps << " steps, "
+        << counted(summary.pieces.size(), "piece", "pieces") << ", " << summary.before.triangles
+        << " triangles before and " << summary.after.triangles << " after\n";
     out << "volume: mean " << percent(run.volumeRatio.mean()) << ", min "
         << percent(run.volumeRatio.min()) << ", final " << percent(run.finalVolumeRatio)
         << " of rest\n";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "app/import_protocol.h"
 #include "app/sha256.h"
 #include "sim/mesh/invariants.h"
 
@@ -13,9 +14,7 @@ namespace {
 // The default view stands this much further away than the model alone needs: pieces fall and roll.
 constexpr double kRoomToFall = 1.25;
 
-// Bounds of a model in the world: its longest side [m], and how far it reaches from the origin.
-constexpr double kMinPlacedLength = 1e-6;
-constexpr double kMaxPlacedReach = 1e6;
+// How far a model in the world may reach from the origin, of its longest side.
 constexpr double kMaxReachInLengths = 20000;
 
 void requireDigest(const std::filesystem::path& file, const std::string& expected) {
@@ -26,25 +25,17 @@ void requireDigest(const std::filesystem::path& file, const std::string& expecte
     }
 }
 
-void place(SurfaceMesh& mesh, const Placement& placement) {
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const Vec3 placed = placement.apply(mesh.restPosition(v));
-        mesh.setPosition(v, placed);
-        mesh.setRestPosition(v, placed);
-    }
-}
-
 /// The solver and the pictures work in floats, whose steps grow with the distance from the origin.
 void requireRoomInFloats(const Bounds& bounds) {
     const double length = (bounds.high - bounds.low).maxCoeff();
     const double reach =
         std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());
-    if (length < kMinPlacedLength || reach > kMaxPlacedReach ||
+    if (length < kMinImportExtent || reach > kMaxImportExtent ||
         reach > kMaxReachInLengths * length) {
         std::ostringstream message;
         message << "placement: the model would be " << length << " m long and reach " << reach
-                << " m from the origin, but must be at least " << kMinPlacedLength
-                << " m long and reach at most " << kMaxPlacedReach << " m and "
+                << " m from the origin, but must be at least " << kMinImportExtent
+                << " m long and reach at most " << kMaxImportExtent << " m and "
                 << kMaxReachInLengths << " times its length; scale or move it.";
         throw InputError(message.str());
     }
@@ -59,6 +50,14 @@ Vec3 Placement::apply(const Vec3& point) const {
                                   Eigen::AngleAxisd(radians.x(), Vec3::UnitX()))
                                      .toRotationMatrix();
     return turn * (scale * point) + translate;
+}
+
+void place(SurfaceMesh& mesh, const Placement& placement) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 placed = placement.apply(mesh.restPosition(v));
+        mesh.setPosition(v, placed);
+        mesh.setRestPosition(v, placed);
+    }
 }
 
 std::filesystem::path ModelReference::file() const {

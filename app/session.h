@@ -19,6 +19,11 @@ inline constexpr int kMaxSteps = 1'000'000;
 inline constexpr int kMaxPictureSize = 8192;          ///< [pixels], each way
 inline constexpr double kMaxSessionCoordinate = 1e6;  ///< [m]
 
+/// What every replay writes into its output folder; a session's own files have other names.
+inline constexpr const char* kMetricsFile = "metrics.csv";
+inline constexpr const char* kSummaryFile = "summary.json";
+inline constexpr const char* kMeshFile = "final.ply";
+
 /// Scale, then rotate (about the world's x, then y, then z axis; degrees), then translate [m].
 struct Placement {
     double scale = 1;
@@ -27,9 +32,12 @@ struct Placement {
 
     Vec3 apply(const Vec3& point) const;
 };
+/// Moves a mesh at rest: positions and rest positions.
+void place(SurfaceMesh& mesh, const Placement& placement);
 
+/// Which model a session is about.
 struct ModelReference {
-    std::string builtin;         ///< or
+    std::string builtin;         ///< name of a builtin model, or
     std::filesystem::path path;  ///< absolute once read
     std::string sha256;          ///< optional
 
@@ -59,6 +67,7 @@ struct CheckEvent {
 using SessionAction =
     std::variant<MoveBlade, LiftBlade, SetParam, ScreenshotEvent, ExportEvent, CheckEvent>;
 
+/// Something that happens before a step.
 struct SessionEvent {
     int step = 0;  ///< applied before this step; equal to Session::steps: after the last one
     SessionAction action;
@@ -88,7 +97,8 @@ std::string formatSession(const Session& session, const std::filesystem::path& b
 /// or where it would be too small or too far from the origin for floats.
 SurfaceMesh loadSessionModel(const Session& session);
 
-/// The session's view, or the default one: from the front right above, framing `bounds`.
+/// The session's view, or the default one: from the front right above, `bounds` in the middle and
+/// room around it for what falls.
 render::Camera sessionCamera(const Session& session, const Bounds& bounds);
 
 /// The commands of one step, blade poses interpolated between key poses.

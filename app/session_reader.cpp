@@ -6,12 +6,22 @@
 #include "app/file_io.h"
 #include "app/session.h"
 #include "app/session_json.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 
 namespace {
 
 using nlohmann::json;
+
+constexpr double kLeastScale = 1e-6;
+constexpr double kLargestScale = 1e6;
+constexpr double kLargestTurn = 36000;  // [degrees]
+constexpr double kLeastFieldOfView = 1;
+constexpr double kLargestFieldOfView = 150;  // [degrees]
+constexpr double kLeastSine = 1e-6;          // between the line of sight and the camera's up
+constexpr std::size_t kSha256Digits = 64;
+constexpr std::size_t kStateHashDigits = 16;
 
 /// A value and where it stands in the file: "events[3].a".
 struct Node {
@@ -21,14 +31,6 @@ struct Node {
 
 [[noreturn]] void fail(const std::string& place, const std::string& problem) {
     throw InputError(place + ": " + problem);
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) {
-        text += (text.empty() ? "" : ", ") + word;
-    }
-    return text;
 }
 
 std::string rangeText(double low, double high) {
@@ -136,13 +138,12 @@ void readFormat(ObjectReader& top) {
     }
 }
 
-std::string readDigest(const Node& node) {
-    std::string digest = readString(node);
-    const auto isHex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
-    if (digest.size() != 64 || !std::all_of(digest.begin(), digest.end(), isHex)) {
-        fail(node.place, "expected 64 lower-case hexadecimal digits.");
+std::string readHexadecimal(const Node& node, std::size_t digits) {
+    std::string text = readString(node);
+    if (text.size() != digits || text.find_first_not_of("0123456789abcdef") != std::string::npos) {
+        fail(node.place, "expected " + std::to_string(digits) + " lower-case hexadecimal digits.");
     }
-    return digest;
+    return text;
 }
 
 ModelReference readModel(const Node& node, const std::filesystem::path& baseFolder,
@@ -160,13 +161,13 @@ ModelReference readModel(const Node& node, const std::filesystem::path& baseFold
         const auto& names = builtinModels();
         if (std::find(names.begin(), names.end(), model.builtin) == names.end()) {
             fail(builtin->place, "there is no builtin model '" + model.builtin + "'; there are " +
-                                     joined(names) + ".");
+                                     joined(names, ", ") + ".");
         }
     } else {
         model.path = std::filesystem::absolute(baseFolder / readString(*path)).lexically_normal();
     }
     if (digest) {
-        model.sha256 = readDigest(*digest);
+        model.sha256 = readHexadecimal(*digest, kSha256Digits);
     }
     object.warnAboutTheRest(warnings);
     return model;
@@ -176,10 +177,10 @@ Placement readPlacement(const Node& node, std::vector<std::string>& warnings) {
     ObjectReader object(node);
     Placement placement;
     if (const auto scale = object.optional("scale")) {
-        placement.scale = readNumber(*scale, 1e-6, 1e6);
+        placement.scale = readNumber(*scale, kLeastScale, kLargestScale);
     }
     if (const auto rotate = object.optional("rotate")) {
-        placement.rotate = readVector(*rotate, 36000);
+        placement.rotate = readVector(*rotate, kLargestTurn);
     }
     if (const auto translate = object.optional("translate")) {
         placement.translate = readVector(*translate, kMaxSessionCoordinate);
@@ -259,7 +260,7 @@ std::string readOutputName(const Node& node) {
         fail(node.place,
              "'" + name + "' is not a file inside the output folder; use a plain name.");
     }
-    for (const char* own : {"metrics.csv", "summary.json", "final.ply"}) {
+    for (const char* own : {kMetricsFile, kSummaryFile, kMeshFile}) {
         if (path == own) {
             fail(node.place, "'" + name + "' is written by the replay itself; use another name.");
         }
@@ -292,18 +293,10 @@ ExportEvent readExport(ObjectReader& object) {
     return event;
 }
 
-std::string readStateHash(const Node& node) {
-    std::string hash = readString(node);
-    if (hash.size() != 16 || hash.find_first_not_of("0123456789abcdef") != std::string::npos) {
-        fail(node.place, "expected 16 lower-case hexadecimal digits.");
-    }
-    return hash;
-}
-
 CheckEvent readCheck(ObjectReader& object, const std::string& place) {
     CheckEvent event;
     if (const auto hash = object.optional("hash")) {
-        event.hash = readStateHash(*hash);
+        event.hash = readHexadecimal(*hash, kStateHashDigits);
     }
     if (const auto pieces = object.optional("pieces")) {
         event.pieces = readInteger(*pieces, 1, kMaxSteps);
@@ -359,13 +352,13 @@ render::Camera readView(const Node& node, std::vector<std::string>& warnings) {
         camera.up = readVector(*up, kMaxSessionCoordinate);
     }
     if (const auto fov = object.optional("fov_y")) {
-        camera.fovY = readNumber(*fov, 1, 150);
+        camera.fovY = readNumber(*fov, kLeastFieldOfView, kLargestFieldOfView);
     }
     const Vec3 forward = camera.target - camera.eye;
     if (forward.norm() == 0) {
         fail(node.place, "eye and target are the same point.");
     }
-    if (forward.cross(camera.up).norm() < 1e-6 * forward.norm() * camera.up.norm() ||
+    if (forward.cross(camera.up).norm() < kLeastSine * forward.norm() * camera.up.norm() ||
         camera.up.norm() == 0) {
         fail(object.place("up"), "up must not point along the line of sight.");
     }

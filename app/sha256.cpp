@@ -4,6 +4,7 @@
 
 #include <array>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "app/model_source.h"
@@ -12,9 +13,7 @@ namespace kerf::app {
 
 namespace {
 
-void add(sha256_ctx& context, std::string_view bytes) {
-    sha256_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
-}
+constexpr std::size_t kReadBlock = 1 << 16;
 
 std::string finish(sha256_ctx& context) {
     std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
@@ -30,13 +29,6 @@ std::string finish(sha256_ctx& context) {
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-    sha256_ctx context;
-    sha256_init(&context);
-    add(context, bytes);
-    return finish(context);
-}
-
 std::string sha256OfFile(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!std::filesystem::is_regular_file(file) || !stream) {
@@ -44,10 +36,11 @@ std::string sha256OfFile(const std::filesystem::path& file) {
     }
     sha256_ctx context;
     sha256_init(&context);
-    std::vector<char> block(1 << 16);
+    std::vector<std::uint8_t> block(kReadBlock);
     while (stream) {
-        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-        add(context, {block.data(), static_cast<std::size_t>(stream.gcount())});
+        stream.read(reinterpret_cast<char*>(block.data()),
+                    static_cast<std::streamsize>(block.size()));
+        sha256_update(&context, static_cast<std::size_t>(stream.gcount()), block.data());
     }
     return finish(context);
 }

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
-#include <string>
 #include <variant>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <type_traits>
 
 #include "ui/help_overlay.h"
 #include "ui/hint.h"

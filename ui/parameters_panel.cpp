@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "ui/shortcuts.h"
 #include "ui/widgets.h"

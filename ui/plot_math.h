@@ -6,6 +6,7 @@
 
 namespace kerf::ui {
 
+/// A value y at x.
 struct PlotPoint {
     double x = 0;
     double y = 0;
@@ -17,6 +18,7 @@ struct PlotMark {
     std::string label;
 };
 
+/// What an axis shows.
 struct PlotRange {
     double low = 0;
     double high = 1;

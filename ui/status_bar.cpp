@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "sim/text.h"
 #include "ui/shortcuts.h"
 #include "ui/theme.h"
 
@@ -21,10 +22,9 @@ std::string leftText(const PanelModel& model) {
     if (model.name.empty()) {
         return "Nothing open";
     }
-    const std::size_t pieces = model.pieces.size();
-    return model.name + "   |   " + std::to_string(pieces) + (pieces == 1 ? " piece" : " pieces") +
-           "   |   " + std::to_string(model.vertices) + " vertices, " +
-           std::to_string(model.triangles) + " triangles   |   " + stateOf(model);
+    return model.name + "   |   " + counted(model.pieces.size(), "piece", "pieces") + "   |   " +
+           std::to_string(model.vertices) + " vertices, " + std::to_string(model.triangles) +
+           " triangles   |   " + stateOf(model);
 }
 
 std::string rightText(const PanelModel& model) {

@@ -18,7 +18,6 @@ struct Theme {
     static constexpr ImU32 kPlotGround = IM_COL32(30, 34, 43, 255);
     static constexpr ImU32 kMark = IM_COL32(190, 196, 208, 120);
     static constexpr ImU32 kBlade = IM_COL32(64, 224, 190, 255);
-    static constexpr ImU32 kOverlay = IM_COL32(18, 20, 26, 225);
 };
 
 /// Sets style and colours of the current ImGui context; `scale` is the display's (1 = 96 dpi).

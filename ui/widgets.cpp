@@ -17,8 +17,8 @@ void beginPanel(const char* name, const Rect& rect) {
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
-float drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
-                 const BannerStyle& style) {
+void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
+                const BannerStyle& style) {
     const float padding = ImGui::GetFontSize() * 0.8F;
     const char* begin = text.data();
     const char* end = begin + text.size();
@@ -46,7 +46,6 @@ float drawBanner(const char* name, std::string_view text, float x, float y, floa
     ImGui::PopTextWrapPos();
     ImGui::End();
     ImGui::PopStyleVar(2);
-    return box.y;
 }
 
 void itemTooltip(std::string_view text) {

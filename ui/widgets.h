@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "ui/layout.h"
@@ -10,14 +9,15 @@ namespace kerf::ui {
 /// Begins a fixed panel that fills `rect`; end with ImGui::End().
 void beginPanel(const char* name, const Rect& rect);
 
-/// A text without interaction on a dark rounded ground, centred at (x, y) [px], wrapped at
-/// `maxWidth`. Returns its height.
+/// How a banner looks.
 struct BannerStyle {
     unsigned accent = 0;  ///< colour of the bar at its left, 0 for none
     float opacity = 1;
 };
-float drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
-                 const BannerStyle& style);
+/// A text without interaction on a dark rounded ground, centred at (x, y) [px], wrapped at
+/// `maxWidth`.
+void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
+                const BannerStyle& style);
 
 /// Shows `text` beside the last item while the pointer rests on it.
 void itemTooltip(std::string_view text);

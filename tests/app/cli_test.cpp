@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "sim/params.h"
 #include "tests/support/run_kerf.h"
@@ -31,14 +30,7 @@ void expectMistake(const ProgramRun& run, int code, const std::string& words) {
 std::string openBox() {
     TriangleSoup soup = test::boxSoup();
     soup.triangles.pop_back();
-    std::ostringstream text;
-    for (const Vec3& p : soup.positions) {
-        text << "v " << p.x() << " " << p.y() << " " << p.z() << "\n";
-    }
-    for (const auto& [a, b, c] : soup.triangles) {
-        text << "f " << a + 1 << " " << b + 1 << " " << c + 1 << "\n";
-    }
-    return text.str();
+    return test::objText(soup);
 }
 
 TEST(CommandLine, HelpAndVersionGoToStandardOutput) {

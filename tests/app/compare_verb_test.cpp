@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/file_io.h"
+#include "app/model_source.h"
 #include "render/image.h"
 #include "tests/support/temporary_folder.h"
 
@@ -26,13 +28,12 @@ class CompareVerb : public testing::Test {
         render::writePng({4, height, std::vector<std::uint8_t>(bytes, level)}, folder_ / name);
         return folder_ / name;
     }
-    int run() { return compareVerb(arguments_, out_, errors_); }
-    bool wroteDiff() const { return std::filesystem::exists(*arguments_.diff); }
+    int run() { return compareVerb(arguments_, out_); }
+    bool wroteDiff() const { return std::filesystem::exists(arguments_.diff); }
 
     test::TemporaryFolder folder_;
     CompareArguments arguments_;
     std::ostringstream out_;
-    std::ostringstream errors_;
 };
 
 TEST_F(CompareVerb, EqualPicturesGiveZeroAndNoDiff) {
@@ -46,7 +47,6 @@ TEST_F(CompareVerb, DifferentPicturesGiveOneAndADiff) {
     EXPECT_EQ(run(), 1);
     EXPECT_THAT(out_.str(), HasSubstr("differ: mean 0.039"));
     EXPECT_TRUE(wroteDiff());
-    EXPECT_EQ(errors_.str(), "");
 }
 
 TEST_F(CompareVerb, ThresholdForgives) {
@@ -63,18 +63,16 @@ TEST_F(CompareVerb, OtherSizeGivesOne) {
     EXPECT_THAT(out_.str(), HasSubstr("4x4 and 4x5"));
 }
 
-TEST_F(CompareVerb, UnreadablePictureGivesThreeAndOneSentence) {
+TEST_F(CompareVerb, UnreadablePictureIsAnInputErrorThatNamesIt) {
     arguments_.b = folder_ / "missing.png";
-    EXPECT_EQ(run(), 3);
+    EXPECT_THAT([this] { run(); }, testing::ThrowsMessage<InputError>(HasSubstr("missing.png")));
     EXPECT_EQ(out_.str(), "");
-    EXPECT_THAT(errors_.str(), HasSubstr("missing.png"));
 }
 
-TEST_F(CompareVerb, UnwritableDifferenceGivesFiveAndOneSentence) {
+TEST_F(CompareVerb, DifferenceThatCannotBeWrittenIsAnOutputError) {
     write("b.png", 20, 4);
-    arguments_.diff = folder_ / "missing/diff.png";
-    EXPECT_EQ(run(), 5);
-    EXPECT_THAT(errors_.str(), HasSubstr("missing/diff.png"));
+    arguments_.diff = folder_ / "nowhere" / "diff.png";
+    EXPECT_THAT([this] { run(); }, testing::ThrowsMessage<OutputError>(HasSubstr("nowhere")));
 }
 
 TEST_F(CompareVerb, JsonIsOneObject) {

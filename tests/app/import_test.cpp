@@ -1,10 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "app/model_source.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
@@ -36,33 +36,13 @@ std::string sentenceOf(F&& f) {
 /// A folder of its own for each test.
 class Import : public ::testing::Test {
   protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "kerf-import-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-        folder_ = pattern;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     fs::path write(const std::string& name, const std::string& content) {
         fs::create_directories((folder_ / name).parent_path());
-        std::ofstream(folder_ / name, std::ios::binary) << content;
+        test::writeText(folder_ / name, content);
         return folder_ / name;
     }
-    fs::path folder_;
+    test::TemporaryFolder folder_;
 };
-
-std::string objText(const TriangleSoup& soup) {
-    std::string text;
-    for (const Vec3& p : soup.positions) {
-        text += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
-                std::to_string(p.z()) + "\n";
-    }
-    for (const auto& [a, b, c] : soup.triangles) {
-        text += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " +
-                std::to_string(c + 1) + "\n";
-    }
-    return text;
-}
 
 std::string offText(const TriangleSoup& soup) {
     std::string text = "OFF\n" + std::to_string(soup.positions.size()) + " " +
@@ -157,8 +137,9 @@ TEST_F(Import, UnknownBuiltinModelNamesTheKnownOnes) {
 
 TEST_F(Import, FormatsGiveTheSameBox) {
     const TriangleSoup box = test::boxSoup(Vec3(1, 2, 3));
-    for (const fs::path& file : {write("box.obj", objText(box)), write("box.OFF", offText(box)),
-                                 write("box.ply", plyText(box)), write("box.stl", stlBytes(box))}) {
+    for (const fs::path& file :
+         {write("box.obj", test::objText(box)), write("box.OFF", offText(box)),
+          write("box.ply", plyText(box)), write("box.stl", stlBytes(box))}) {
         const SurfaceMesh mesh = loadModel(file);
         EXPECT_EQ(mesh.vertexCount(), 8) << file;
         EXPECT_NEAR(meshVolume(mesh), 6, 1e-6) << file;
@@ -199,7 +180,7 @@ TEST_F(Import, InsideOutModelIsTurnedAndSaysSo) {
         std::swap(t[0], t[1]);
     }
     MeshReport report;
-    const SurfaceMesh mesh = loadModel(write("ball.obj", objText(ball)), &report);
+    const SurfaceMesh mesh = loadModel(write("ball.obj", test::objText(ball)), &report);
     EXPECT_GT(meshVolume(mesh), 0);
     EXPECT_THAT(report.repairs, ::testing::ElementsAre("turned 1 inside-out piece"));
 }
@@ -207,7 +188,7 @@ TEST_F(Import, InsideOutModelIsTurnedAndSaysSo) {
 TEST_F(Import, OpenModelIsRefusedWithItsReport) {
     TriangleSoup ball = test::icosphereSoup(1);
     ball.triangles.pop_back();
-    const fs::path file = write("ball.obj", objText(ball));
+    const fs::path file = write("ball.obj", test::objText(ball));
     MeshReport report;
     EXPECT_EQ(sentenceOf([&] { loadModel(file, &report); }),
               file.string() +
@@ -220,7 +201,7 @@ TEST_F(Import, OpenModelIsRefusedWithItsReport) {
 TEST_F(Import, MissingFileFolderEmptyFile) {
     EXPECT_EQ(sentenceOf([&] { loadModel("/nowhere/a.obj"); }),
               "/nowhere/a.obj: no such file; check the path");
-    EXPECT_THAT(sentenceOf([&] { loadModel(folder_); }), HasSubstr("this is a folder"));
+    EXPECT_THAT(sentenceOf([&] { loadModel(folder_.path()); }), HasSubstr("this is a folder"));
     EXPECT_THAT(sentenceOf([&] { loadModel(write("a.obj", "")); }), HasSubstr("is empty"));
     EXPECT_THAT(sentenceOf([&] { loadModel("/dev/null"); }), HasSubstr("not a regular file"));
 }
@@ -294,16 +275,16 @@ TEST_F(Import, HugeCountsInASmallFileEndInASentence) {
 }
 
 TEST_F(Import, NotANumber) {
-    std::string text = objText(test::boxSoup());
+    std::string text = test::objText(test::boxSoup());
     text.replace(text.find("v ") + 2, 9, "nan");
     EXPECT_THAT(sentenceOf([&] { loadModel(write("a.obj", text)); }),
                 HasSubstr("1 vertex has a coordinate that is not a finite number"));
 }
 
 TEST_F(Import, FileNameThatLooksLikeAnOption) {
-    write("--help.obj", objText(test::boxSoup()));
+    write("--help.obj", test::objText(test::boxSoup()));
     const fs::path before = fs::current_path();
-    fs::current_path(folder_);
+    fs::current_path(folder_.path());
     EXPECT_EQ(importModel("--help.obj").triangles.size(), 12u);
     fs::current_path(before);
 }

@@ -261,8 +261,13 @@ TEST(Placement, ScalesThenTurnsAboutXThenYThenZThenMoves) {
 }
 
 TEST(Sha256, MatchesThePublishedVectors) {
-    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "empty", "");
+    test::writeText(folder / "abc", "abc");
+    EXPECT_EQ(sha256OfFile(folder / "empty"),
+              "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(sha256OfFile(folder / "abc"),
+              "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
 }  // namespace

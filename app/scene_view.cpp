@@ -1,0 +1,18 @@
+#include "app/scene_view.h"
+
+namespace kerf::app {
+
+render::SceneView sceneOf(Simulation& simulation, const std::string& modelName,
+                          const Bounds& restBounds, const std::vector<Blade>& sweep) {
+    render::SceneView scene;
+    scene.body = simulation.bodyView();
+    scene.material = render::materialFor(modelName);
+    scene.restBounds = restBounds;
+    scene.floor = simulation.params().floor;
+    scene.blade = simulation.blade();
+    scene.sweep = sweep;
+    scene.focus = meshBounds(simulation.mesh());
+    return scene;
+}
+
+}  // namespace kerf::app
