@@ -29,6 +29,8 @@ constexpr char kCpuVariable[] = "KERF_IMPORT_CPU_SECONDS";
 constexpr char kMemoryVariable[] = "KERF_IMPORT_ADDRESS_SPACE";
 constexpr std::size_t kMaxLog = 64 * 1024;
 
+bool thisProgramReads = false;  // see readModelsWithThisProgram
+
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kLimitAddressSpace = false;  // AddressSanitizer reserves terabytes.
 #else
@@ -171,12 +173,6 @@ void setLimitFrom(const char* variable, __rlimit_resource resource) {
         setLimit(resource, std::strtoull(text, nullptr, 10));
     }
 }
-
-}  // namespace
-
-namespace {
-
-bool thisProgramReads = false;
 
 }  // namespace
 
