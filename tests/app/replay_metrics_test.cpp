@@ -104,14 +104,15 @@ TEST(AtomicFile, KeepsTheOldFileUntilTheNewOneIsComplete) {
 }
 
 TEST(AtomicFile, FailuresNameTheFileAndTheReason) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "missing/a.txt";
     try {
-        writeOutputFile("/nonexistent/a.txt", "x");
+        writeOutputFile(file, "x");
         FAIL() << "no error";
     } catch (const OutputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "/nonexistent/a.txt: it could not be written (No such file or directory).");
+        EXPECT_EQ(error.what(),
+                  file.string() + ": it could not be written (No such file or directory).");
     }
-    const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "a.txt");
     EXPECT_THROW(writeOutputFile(folder / "a.txt", "x"), OutputError);
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1)
