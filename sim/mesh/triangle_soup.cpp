@@ -9,6 +9,9 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "sim/mesh/union_find.h"
+#include "sim/text.h"
+
 namespace kerf {
 
 namespace {
@@ -88,28 +91,6 @@ void forEachEdge(const std::vector<Side>& sides, F&& f) {
         begin = end;
     }
 }
-
-class UnionFind {
-  public:
-    explicit UnionFind(std::size_t size) : parent_(size) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-    int root(int i) {
-        while (parent_[i] != i) {
-            parent_[i] = parent_[parent_[i]];
-            i = parent_[i];
-        }
-        return i;
-    }
-    void join(int a, int b) {
-        a = root(a);
-        b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<int> parent_;
-};
 
 void countEdges(const std::vector<Side>& sides, MeshReport& report) {
     forEachEdge(sides, [&](auto begin, auto end) {
@@ -231,6 +212,15 @@ std::vector<bool> findInsideOut(const TriangleSoup& soup, const std::vector<Tria
     return insideOut;
 }
 
+/// Pieces that still have negative volume once those that are inside out have been turned.
+int countCavities(const TrianglePieces& pieces, const std::vector<bool>& insideOut) {
+    int cavities = 0;
+    for (std::size_t i = 0; i < pieces.volumes.size(); ++i) {
+        cavities += insideOut[i] ? pieces.volumes[i] > 0 : pieces.volumes[i] < 0;
+    }
+    return cavities;
+}
+
 /// A piece encloses nothing where its volume is within rounding of zero.
 int countFlat(const TrianglePieces& pieces) {
     constexpr double kFlatRatio = 1e-9;
@@ -263,10 +253,6 @@ void countElements(const TriangleSoup& soup, MeshReport& report) {
         report.degenerateTriangles +=
             inRange && (hasRepeatedCorner(t) || areaVector(soup, t).isZero(0));
     }
-}
-
-std::string counted(int count, const std::string& one, const std::string& many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 /// One kind of fault: how much of it, what it means and what to do.
@@ -304,6 +290,8 @@ std::vector<Fault> listFaults(const MeshReport& r) {
          "a cut needs an inside; give it thickness in a modelling tool"},
         {r.insideOutPieces, "piece that is inside out", "pieces that are inside out",
          "the triangles face inwards; flip the normals in a modelling tool"},
+        {r.cavities, "cavity", "cavities",
+         "hollow bodies can't be cut yet; remove the inner surface in a modelling tool"},
     };
 }
 
@@ -366,6 +354,7 @@ MeshReport inspectTriangles(const TriangleSoup& welded) {
         report.flatPieces = countFlat(pieces);
         const std::vector<bool> insideOut = findInsideOut(welded, proper, pieces);
         report.insideOutPieces = static_cast<int>(std::ranges::count(insideOut, true));
+        report.cavities = countCavities(pieces, insideOut);
         report.oriented = report.insideOutPieces == 0 && report.volume > 0;
     }
     report.problem = describeProblem(report);

@@ -33,6 +33,7 @@ struct MeshReport {
     int outOfRangeIndices = 0;  ///< triangles that name a vertex that is not there
     int insideOutPieces = 0;    ///< closed pieces that face inwards; see turnOutward
     int flatPieces = 0;         ///< closed pieces that enclose no volume
+    int cavities = 0;           ///< closed pieces that bound a hollow inside another one
     bool closed = false;
     bool manifold = false;
     bool oriented = false;             ///< consistently, and outward (positive volume)

@@ -198,14 +198,15 @@ TEST(TurnOutward, CavityStays) {
     for (std::size_t t = 12; t < hollow.triangles.size(); ++t) {
         turn(hollow.triangles[t]);
     }
-    EXPECT_TRUE(inspectTriangles(hollow).cuttable);
+    EXPECT_EQ(inspectTriangles(hollow).cavities, 1);
+    EXPECT_THAT(inspectTriangles(hollow).problem, testing::StartsWith("1 cavity: hollow bodies"));
     EXPECT_EQ(turnOutward(hollow), 0);
 
     for (Triangle& t : hollow.triangles) {
         turn(t);
     }
     EXPECT_EQ(turnOutward(hollow), 2);
-    EXPECT_TRUE(inspectTriangles(hollow).cuttable);
+    EXPECT_EQ(inspectTriangles(hollow).cavities, 1);
 }
 
 }  // namespace
