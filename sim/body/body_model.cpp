@@ -112,7 +112,7 @@ Touched findTouched(const SurfaceMesh& mesh, const CutDelta& delta) {
     Touched touched{std::vector<char>(mesh.triangleSlots(), 0),
                     std::vector<char>(mesh.vertexCount(), 0)};
     for (const auto* list :
-         {&delta.removedTriangles, &delta.addedTriangles, &delta.relabelledTriangles}) {
+         {&delta.removedTriangles, &delta.addedTriangles, &delta.changedTriangles}) {
         for (const int t : *list) {
             touched.triangles[t] = 1;
             if (mesh.alive(t)) {

@@ -69,7 +69,7 @@ class Commit {
                 if (spoke >= 3 * firstTriangle_) {
                     seen[spoke - 3 * firstTriangle_] = true;
                 } else if (mesh_.origin(spoke) != vertex) {
-                    result_.delta.relabelledTriangles.push_back(spoke / 3);
+                    result_.delta.changedTriangles.push_back(spoke / 3);
                 }
                 mesh_.setCorner(spoke / 3, spoke % 3, vertex);
                 spoke = mesh_.rotate(spoke);
@@ -199,7 +199,7 @@ class Commit {
         }
         const std::vector<int> changed =
             splitDuplicateEdges(mesh_, firstTriangle_, stroke_, frontEdges);
-        std::vector<int>& relabelled = result_.delta.relabelledTriangles;
+        std::vector<int>& relabelled = result_.delta.changedTriangles;
         relabelled.insert(relabelled.end(), changed.begin(), changed.end());
     }
 
@@ -208,10 +208,10 @@ class Commit {
         for (int t = firstTriangle_; t < mesh_.triangleSlots(); ++t) {
             delta.addedTriangles.push_back(t);
         }
-        std::sort(delta.relabelledTriangles.begin(), delta.relabelledTriangles.end());
-        delta.relabelledTriangles.erase(
-            std::unique(delta.relabelledTriangles.begin(), delta.relabelledTriangles.end()),
-            delta.relabelledTriangles.end());
+        std::sort(delta.changedTriangles.begin(), delta.changedTriangles.end());
+        delta.changedTriangles.erase(
+            std::unique(delta.changedTriangles.begin(), delta.changedTriangles.end()),
+            delta.changedTriangles.end());
     }
 
     SurfaceMesh& mesh_;

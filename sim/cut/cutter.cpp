@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include "sim/cut/air_edges.h"
+#include "sim/cut/cleanup/cleanup.h"
 #include "sim/cut/ladder.h"
 #include "sim/cut/plan.h"
 #include "sim/cut/skin_map.h"
@@ -83,6 +85,7 @@ struct Cutter::State {
     bool madeWalls = false;  ///< in this stroke
     std::vector<int> skinVertices{};
     int refusedInARow = 0;
+    std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
     void placeRung(const Blade& at);
     double leastFlush() const {
@@ -92,6 +95,7 @@ struct Cutter::State {
     CutResult cut(const Blade& to, std::vector<RungNode> from);
     CutResult accept(const cut::PlannedStep& step);
     void countRefusal(const Blade& to);
+    void cleanUpAtEnd(CutResult& result);
     cut::BroadPhase findCandidates(const Blade& to, const std::vector<RungNode>& from) const;
 };
 
@@ -183,6 +187,9 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step) {
         rung = {step.air->endA, step.air->endB};
         return outcome(CutOutcome::air);
     }
+    if (settings.cleanUp && !cleanup) {
+        cleanup.emplace(mesh, h);
+    }
     cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
     madeWalls = true;
     rung = std::move(committed.rung);
@@ -194,6 +201,9 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step) {
     result.statistics.splitVertices = committed.splitVertices;
     result.statistics.patterns = step.plan.subdivision.patterns;
     result.statistics.volumeChange = step.plan.volumeChange;
+    if (cleanup) {
+        result.statistics.cleanup = cleanup->behindFront(rung, result.delta);
+    }
     return result;
 }
 
@@ -202,6 +212,21 @@ void Cutter::State::countRefusal(const Blade& to) {
         refusedInARow = 0;
         placeRung(to);
     }
+}
+
+void Cutter::State::cleanUpAtEnd(CutResult& result) {
+    if (!cleanup) {
+        return;
+    }
+    if (result.outcome != CutOutcome::cut) {
+        result.delta.firstNewVertex = mesh.vertexCount();
+    }
+    const CleanupStatistics before = result.statistics.cleanup;
+    CleanupStatistics& sum = result.statistics.cleanup = cleanup->atEnd(result.delta);
+    sum.collapses += before.collapses;
+    sum.flips += before.flips;
+    sum.slides += before.slides;
+    cleanup.reset();
 }
 
 Cutter::Cutter(SurfaceMesh& mesh, const CutSettings& settings)
@@ -223,6 +248,7 @@ void Cutter::begin(const Blade& blade) {
     state.blade = blade;
     state.refusedInARow = 0;
     state.skinVertices.clear();
+    state.cleanup.reset();
     state.placeRung(blade);
 }
 
@@ -238,6 +264,7 @@ CutResult Cutter::finish() {
     CutResult result = state.sweep(state.blade, state.leastFlush());
     state.inStroke = false;
     state.rung.clear();
+    state.cleanUpAtEnd(result);
     return result;
 }
 

@@ -22,7 +22,8 @@ enum class SubdivisionPattern {
 };
 inline constexpr int kSubdivisionPatterns = 7;
 
-/// What one step did. Only `cut` changes the mesh; all other outcomes leave every byte of it.
+/// What one step did. Only `cut` changes the mesh; all other outcomes leave every byte of it. The
+/// end of a stroke may clean up in any outcome; the delta tells.
 enum class CutOutcome {
     air,          ///< the blade swept no material
     waiting,      ///< it moved less than the gate; the sweep accumulates
@@ -35,10 +36,29 @@ enum class CutOutcome {
 struct CutDelta {
     std::vector<int> removedTriangles;
     std::vector<int> addedTriangles;
-    /// Living old triangles of which a corner now is another vertex.
-    std::vector<int> relabelledTriangles;
-    /// Vertices from this index to mesh.vertexCount() are new.
+    /// Living old triangles of which a corner now is another vertex or lies elsewhere.
+    std::vector<int> changedTriangles;
+    /// Vertices from this index to mesh.vertexCount() are new; some may have no triangle.
     int firstNewVertex = 0;
+    /// Living old vertices whose position, rest position or velocity the clean-up changed.
+    std::vector<int> movedVertices;
+    /// Old vertices that the clean-up took out of all triangles.
+    std::vector<int> deadVertices;
+
+    /// Nothing changed.
+    bool empty() const {
+        return removedTriangles.empty() && addedTriangles.empty() && changedTriangles.empty();
+    }
+};
+
+/// What the clean-up of slivers did.
+struct CleanupStatistics {
+    int collapses = 0;  ///< of material edges, all copies together
+    int flips = 0;
+    int slides = 0;
+    /// Upper bound of what the clean-up of the stroke has changed so far of the body's volume or
+    /// rest volume, as a share.
+    double volumeSpent = 0;
 };
 
 /// Counts of one step.
@@ -48,7 +68,8 @@ struct CutStatistics {
     int splitVertices = 0;                             ///< copies of vertices that were made
     int tries = 0;                                     ///< levels of the retry ladder used
     std::array<int, kSubdivisionPatterns> patterns{};  ///< triangles by SubdivisionPattern
-    double volumeChange = 0;  ///< signed, of the step, before rounding [m^3]
+    double volumeChange = 0;  ///< signed, of the step, before clean-up and rounding [m^3]
+    CleanupStatistics cleanup;
 };
 
 /// What came of one movement of the blade.
@@ -81,6 +102,8 @@ struct CutSettings {
     /// Nodes closer than this share of the edge length are one: 1e-9 for doubles, 1e-5 for floats.
     double tolerance = 1e-5;
     std::uint64_t seed = 1;  ///< of the offsets and of the retries
+    /// Remove the slivers that a cut leaves, behind the front after each step and at the end.
+    bool cleanUp = true;
 };
 
 /// Cuts a mesh by strokes of a blade. Each step is one transaction: a closed mesh and the strip
@@ -99,7 +122,7 @@ class Cutter {
     /// Sweeps from where the last successful step ended to `blade`. After three refusals in a row
     /// the front is let go, stays as a slit, and the sweep starts anew at the blade.
     CutResult advance(const Blade& blade);
-    /// Ends the stroke: sweeps what the gate held back, then lets go of the front.
+    /// Ends the stroke: sweeps what the gate held back, lets go of the front, cleans up.
     CutResult finish();
 
     /// Between begin() and finish().

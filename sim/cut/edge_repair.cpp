@@ -11,17 +11,6 @@ bool intersects(const std::vector<int>& p, const std::vector<int>& q) {
                        [&](int x) { return std::find(q.begin(), q.end(), x) != q.end(); });
 }
 
-void link(SurfaceMesh& mesh, int h, int g) {
-    mesh.setTwin(h, g);
-    mesh.setTwin(g, h);
-}
-
-void setTriangle(SurfaceMesh& mesh, int t, const Triangle& corners) {
-    for (int i = 0; i < 3; ++i) {
-        mesh.setCorner(t, i, corners[i]);
-    }
-}
-
 class DuplicateEdges {
   public:
     DuplicateEdges(SurfaceMesh& mesh, int firstTriangle, int stroke,
@@ -211,18 +200,18 @@ int splitEdgeAtMiddle(SurfaceMesh& mesh, int h) {
     const int m = mesh.addVertex(0.5 * (mesh.position(a) + mesh.position(b)),
                                  0.5 * (mesh.restPosition(a) + mesh.restPosition(b)),
                                  0.5 * (mesh.velocity(a) + mesh.velocity(b)));
-    setTriangle(mesh, t, {a, m, c});
-    setTriangle(mesh, o, {b, m, d});
+    mesh.setCorners(t, {a, m, c});
+    mesh.setCorners(o, {b, m, d});
     const int t1 = mesh.addTriangle({m, b, c}, mesh.kind(t), mesh.wallLabel(t));
     const int o1 = mesh.addTriangle({m, a, d}, mesh.kind(o), mesh.wallLabel(o));
-    link(mesh, 3 * t, 3 * o1);
-    link(mesh, 3 * t + 1, 3 * t1 + 2);
-    link(mesh, 3 * t1, 3 * o);
-    link(mesh, 3 * o + 1, 3 * o1 + 2);
+    mesh.link(3 * t, 3 * o1);
+    mesh.link(3 * t + 1, 3 * t1 + 2);
+    mesh.link(3 * t1, 3 * o);
+    mesh.link(3 * o + 1, 3 * o1 + 2);
     const std::array<int, 4> after{3 * t1 + 1, 3 * t + 2, 3 * o1 + 1, 3 * o + 2};
     for (int i = 0; i < 4; ++i) {  // a partner may be one of the four itself
         const auto moved = std::find(before.begin(), before.end(), outer[i]);
-        link(mesh, after[i], moved == before.end() ? outer[i] : after[moved - before.begin()]);
+        mesh.link(after[i], moved == before.end() ? outer[i] : after[moved - before.begin()]);
     }
     mesh.setOutgoing(m, 3 * t1);
     mesh.setOutgoing(a, 3 * t);

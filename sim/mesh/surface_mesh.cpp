@@ -1,5 +1,6 @@
 #include "sim/mesh/surface_mesh.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -59,6 +60,12 @@ int SurfaceMesh::findHalfEdge(int u, int v) const {
     return found;
 }
 
+int SurfaceMesh::valence(int v) const {
+    int count = 0;
+    forEachOutgoing(v, [&](int) { ++count; });
+    return count;
+}
+
 int SurfaceMesh::addVertex(const Vec3& position, const Vec3& rest, const Vec3& velocity) {
     positions_.push_back(position);
     restPositions_.push_back(rest);
@@ -82,6 +89,12 @@ void SurfaceMesh::removeTriangle(int t) {
     --aliveTriangles_;
 }
 
+void SurfaceMesh::removeVertex(int v) {
+    leaveMates(v);
+    outgoing_[v] = -1;
+    velocities_[v] = Vec3::Zero();
+}
+
 int SurfaceMesh::groupOf(int v) {
     if (mateGroup_[v] < 0) {
         mateGroup_[v] = static_cast<int>(mateMembers_.size());
@@ -101,6 +114,14 @@ void SurfaceMesh::makeMates(int a, int b) {
         mateMembers_[keep].push_back(v);
     }
     mateMembers_[join].clear();
+}
+
+void SurfaceMesh::leaveMates(int v) {
+    if (mateGroup_[v] >= 0) {
+        std::vector<int>& members = mateMembers_[mateGroup_[v]];
+        members.erase(std::find(members.begin(), members.end(), v));
+        mateGroup_[v] = -1;
+    }
 }
 
 }  // namespace kerf

@@ -71,17 +71,30 @@ class SurfaceMesh {
         } while (h != first);
     }
 
+    /// Number of triangles around v.
+    int valence(int v) const;
+
     // Editing, for the cutter. Adjacency is the caller's business until the edit is complete.
     int addVertex(const Vec3& position, const Vec3& rest, const Vec3& velocity);
     int addTriangle(const Triangle& corners, SurfaceKind kind, int wallLabel);
     void removeTriangle(int t);
+    /// Of a vertex without triangles: it leaves its mates and rests from now on.
+    void removeVertex(int v);
     void setCorner(int t, int corner, int v) { triangles_[t][corner] = v; }
+    void setCorners(int t, const Triangle& corners) { triangles_[t] = corners; }
     void setTwin(int h, int g) { twins_[h / 3][h % 3] = g; }
+    /// Makes h and g each other's twins.
+    void link(int h, int g) {
+        setTwin(h, g);
+        setTwin(g, h);
+    }
     void setOutgoing(int v, int h) { outgoing_[v] = h; }
 
     // Mates: copies of one material point.
     void makeMates(int a, int b);
-    /// Group id or -1 for a vertex that was never copied.
+    /// Makes v a material point of its own.
+    void leaveMates(int v);
+    /// Group id or -1 for a vertex without copies.
     int mateGroup(int v) const { return mateGroup_[v]; }
     /// The first of all copies of v's material point, which stands for it; v where there are none.
     int materialPoint(int v) const {

@@ -49,8 +49,8 @@ std::string checkDelta(const SurfaceMesh& mesh, const CutDelta& delta) {
         }
     }
     const std::set<int> listed(delta.addedTriangles.begin(), delta.addedTriangles.end());
-    const std::set<int> relabelled(delta.relabelledTriangles.begin(),
-                                   delta.relabelledTriangles.end());
+    const std::set<int> relabelled(delta.changedTriangles.begin(),
+                                   delta.changedTriangles.end());
     for (int v = delta.firstNewVertex; v < mesh.vertexCount(); ++v) {
         std::string problem;
         mesh.forEachOutgoing(v, [&](int h) {

@@ -73,7 +73,7 @@ class HandCut {
                 }
             }
             if (changed) {
-                delta_.relabelledTriangles.push_back(t);
+                delta_.changedTriangles.push_back(t);
             }
         }
     }

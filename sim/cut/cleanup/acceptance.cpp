@@ -1,0 +1,99 @@
+#include "sim/cut/cleanup/acceptance.h"
+
+#include <algorithm>
+
+#include "sim/cut/cleanup/limits.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Cosines of the largest turns.
+constexpr double kTurnFromSector = 0.35;
+constexpr double kTurnOfTriangle = 0.6;
+constexpr double kTurnOfSliver = 0.1;
+// Twice the area (share of h^2) below which a direction says nothing, and below which it is none.
+constexpr double kSliverArea = 1e-4;
+constexpr double kNoArea = 1e-12;
+// How much better the worst triangle must be where their number stays.
+constexpr double kClearlyBetter = 1.2;
+constexpr double kNotWorse = 0.999;
+
+bool looksAlong(const Vec3& a, const Vec3& b, double cosine) {
+    return a.dot(b) >= cosine * a.norm() * b.norm();
+}
+
+bool keepsOrientation(const SurfaceMesh& mesh, double h, const Patch& patch,
+                      const PatchTriangle& t) {
+    const Vec3 now = crossOf(cornersAfter(mesh, patch, t));
+    const Vec3 before = crossOf(cornersOf(mesh, t.slot));
+    const double sliver = kSliverArea * h * h;
+    if (now.norm() < kNoArea * h * h) {
+        return false;
+    }
+    const bool sectorTells = t.reference.norm() > sliver;
+    const bool triangleTells = before.norm() > sliver;
+    if (!sectorTells && !triangleTells) {
+        return looksAlong(now, t.reference, kTurnOfSliver);
+    }
+    return (!sectorTells || looksAlong(now, t.reference, kTurnFromSector)) &&
+           (!triangleTells || looksAlong(now, before, kTurnOfTriangle));
+}
+
+}  // namespace
+
+double triangleScore(const std::array<Vec3, 3>& corners, double h) {
+    const std::array<double, 3> squares{(corners[1] - corners[0]).squaredNorm(),
+                                        (corners[2] - corners[1]).squaredNorm(),
+                                        (corners[0] - corners[2]).squaredNorm()};
+    const auto [shortest, longest] = std::minmax_element(squares.begin(), squares.end());
+    if (*longest <= 0) {
+        return 0;
+    }
+    const double quality = crossOf(corners).norm() / *longest;
+    return std::min({1.0, quality / kGoodQuality, std::sqrt(*shortest) / (kGoodEdge * h)});
+}
+
+double triangleScore(const SurfaceMesh& mesh, int triangle, double h) {
+    return triangleScore(cornersOf(mesh, triangle), h);
+}
+
+void Scores::add(double score) {
+    worst = std::min(worst, score);
+    bad += score < 1;
+}
+
+Scores scoresBefore(const Workspace& workspace, const std::vector<Patch>& patches) {
+    Scores scores;
+    for (const Patch& patch : patches) {
+        for (const int t : patch.before) {
+            scores.add(triangleScore(workspace.mesh, t, workspace.h));
+        }
+    }
+    return scores;
+}
+
+Scores scoresAfter(const Workspace& workspace, const std::vector<Patch>& patches) {
+    Scores scores;
+    for (const Patch& patch : patches) {
+        for (const PatchTriangle& t : patch.after) {
+            scores.add(triangleScore(cornersAfter(workspace.mesh, patch, t), workspace.h));
+        }
+    }
+    return scores;
+}
+
+bool improves(const Scores& before, const Scores& after) {
+    const bool fewer = after.bad < before.bad && after.worst >= kNotWorse * before.worst;
+    return fewer || after.bad == 0 || after.worst > kClearlyBetter * before.worst + 1e-15;
+}
+
+bool keepsOrientation(const Workspace& workspace, const std::vector<Patch>& patches) {
+    return std::all_of(patches.begin(), patches.end(), [&](const Patch& patch) {
+        return std::all_of(patch.after.begin(), patch.after.end(), [&](const PatchTriangle& t) {
+            return keepsOrientation(workspace.mesh, workspace.h, patch, t);
+        });
+    });
+}
+
+}  // namespace kerf::cut

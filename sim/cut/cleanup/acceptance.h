@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/cleanup/patch.h"
+#include "sim/cut/cleanup/workspace.h"
+
+namespace kerf::cut {
+
+/// min(1, height over longest edge / kGoodQuality, shortest edge / (kGoodEdge h)): 1 is good.
+double triangleScore(const std::array<Vec3, 3>& corners, double h);
+double triangleScore(const SurfaceMesh& mesh, int triangle, double h);
+
+/// The worst score of some triangles, and how many of them are not good.
+struct Scores {
+    double worst = 1;
+    int bad = 0;
+    void add(double score);
+};
+
+Scores scoresBefore(const Workspace& workspace, const std::vector<Patch>& patches);
+Scores scoresAfter(const Workspace& workspace, const std::vector<Patch>& patches);
+/// Fewer bad triangles and none worse, or a clearly better worst one, or all good.
+bool improves(const Scores& before, const Scores& after);
+
+/// No triangle turns over: each looks where its sector looked, and nearly where it looked itself
+/// unless it was a sliver.
+bool keepsOrientation(const Workspace& workspace, const std::vector<Patch>& patches);
+
+}  // namespace kerf::cut

@@ -1,0 +1,48 @@
+#include <algorithm>
+
+#include "sim/cut/cleanup/collapse.h"
+#include "sim/cut/cleanup/collapse_topology.h"
+
+namespace kerf::cut {
+
+namespace {
+
+void mergeVertices(const CollapsePlan& plan, Workspace& workspace) {
+    SurfaceMesh& mesh = workspace.mesh;
+    for (const auto& [gone, kept] : plan.merges) {
+        for (const int t : collapseHalfEdge(mesh, mesh.findHalfEdge(gone, kept))) {
+            workspace.removeTriangle(t);
+        }
+        workspace.removeVertex(gone);
+    }
+}
+
+// What is left of the point that goes consists of copies of the one that stays.
+void joinMates(const CollapsePlan& plan, SurfaceMesh& mesh) {
+    for (const Patch& patch : plan.patches) {
+        if (patch.joins) {
+            mesh.leaveMates(patch.vertex);
+        }
+    }
+    for (const Patch& patch : plan.patches) {
+        if (patch.joins) {
+            mesh.makeMates(plan.to, patch.vertex);
+        }
+    }
+}
+
+}  // namespace
+
+void carryOut(const CollapsePlan& plan, Workspace& workspace) {
+    mergeVertices(plan, workspace);
+    joinMates(plan, workspace.mesh);
+    std::vector<int> copies;
+    for (const Patch& patch : plan.patches) {
+        workspace.moveVertex(patch);
+        copies.push_back(patch.vertex);
+    }
+    workspace.setDeviation(copies, plan.deviation);
+    workspace.spend(plan.defect);
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,167 @@
+#include "sim/cut/cleanup/cleanup.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "sim/cut/cleanup/acceptance.h"
+#include "sim/cut/cleanup/collapse.h"
+#include "sim/cut/cleanup/flip.h"
+#include "sim/cut/cleanup/limits.h"
+#include "sim/cut/cleanup/slide.h"
+
+namespace kerf::cut {
+
+namespace {
+
+constexpr int kMostPasses = 10;
+// Of two collapses the better is the one with the better worst triangle, less this for the whole
+// of the allowed deviation; one that reaches kGoodEnough ends the search.
+constexpr double kPriceOfDeviation = 0.2;
+constexpr double kGoodEnough = 0.6;
+
+struct Sliver {
+    double score;
+    int triangle;
+    bool operator<(const Sliver& other) const {
+        return std::pair(score, triangle) < std::pair(other.score, other.triangle);
+    }
+};
+
+/// One run over a set of triangles.
+class SliverRemoval {
+  public:
+    explicit SliverRemoval(Workspace& workspace)
+        : workspace_(workspace), mesh_(workspace.mesh) {}
+
+    CleanupStatistics run(std::vector<int> triangles) {
+        for (int pass = 0; pass < kMostPasses; ++pass) {
+            const std::vector<Sliver> slivers = findSlivers(std::move(triangles));
+            if (!improveAll(slivers)) {
+                break;
+            }
+            triangles = workspace_.takeChanged();
+            if (pass == 0) {  // what failed may succeed beside what changed
+                for (const Sliver& sliver : slivers) {
+                    triangles.push_back(sliver.triangle);
+                }
+            }
+        }
+        return statistics_;
+    }
+
+  private:
+    bool isGood(int t) const { return triangleScore(mesh_, t, workspace_.h) >= 1; }
+
+    /// The worst first.
+    std::vector<Sliver> findSlivers(std::vector<int> triangles) const {
+        std::sort(triangles.begin(), triangles.end());
+        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        std::vector<Sliver> slivers;
+        for (const int t : triangles) {
+            if (mesh_.alive(t) && !isGood(t)) {
+                slivers.push_back({triangleScore(mesh_, t, workspace_.h), t});
+            }
+        }
+        std::sort(slivers.begin(), slivers.end());
+        return slivers;
+    }
+
+    bool improveAll(const std::vector<Sliver>& slivers) {
+        bool any = false;
+        for (const Sliver& sliver : slivers) {
+            if (mesh_.alive(sliver.triangle) && !isGood(sliver.triangle)) {
+                any = improve(sliver.triangle) || any;
+            }
+        }
+        return any;
+    }
+
+    bool improve(int t) {
+        if (const std::optional<CollapsePlan> plan = bestCollapse(t)) {
+            carryOut(*plan, workspace_);
+            ++statistics_.collapses;
+            return true;
+        }
+        if (flipEdge(workspace_, edgesByLength(mesh_, t)[2])) {
+            ++statistics_.flips;
+            return true;
+        }
+        if (slideVertex(workspace_, t)) {
+            ++statistics_.slides;
+            return true;
+        }
+        return false;
+    }
+
+    double worth(const CollapsePlan& plan) const {
+        return plan.score - kPriceOfDeviation * plan.deviation / (kMostDeviation * workspace_.h);
+    }
+
+    std::optional<CollapsePlan> bestCollapse(int t) const {
+        std::optional<CollapsePlan> best;
+        for (const int h : edgesByLength(mesh_, t)) {
+            if (edgeLength(mesh_, h) > kLongestCollapse * workspace_.h) {
+                break;
+            }
+            const MaterialStar u = starOf(mesh_, mesh_.origin(h));
+            const MaterialStar v = starOf(mesh_, mesh_.target(h));
+            if (u.point == v.point) {
+                continue;
+            }
+            consider(u, v, best);
+            consider(v, u, best);
+            if (best && worth(*best) >= kGoodEnough) {
+                break;
+            }
+        }
+        return best;
+    }
+
+    void consider(const MaterialStar& from, const MaterialStar& to,
+                  std::optional<CollapsePlan>& best) const {
+        for (const CollapseTarget target : {CollapseTarget::end, CollapseTarget::middle}) {
+            std::optional<CollapsePlan> plan = planCollapse(workspace_, from, to, target);
+            if (plan && (!best || worth(*plan) > worth(*best))) {
+                best = std::move(plan);
+            }
+        }
+    }
+
+    Workspace& workspace_;
+    const SurfaceMesh& mesh_;
+    CleanupStatistics statistics_;
+};
+
+}  // namespace
+
+Cleanup::Cleanup(SurfaceMesh& mesh, double h)
+    : workspace_(mesh, h), firstTriangle_(mesh.triangleSlots()) {}
+
+CleanupStatistics Cleanup::behindFront(const std::vector<RungNode>& rung, CutDelta& delta) {
+    workspace_.followMesh();
+    workspace_.lockOnly(rung);
+    std::vector<int> triangles = std::exchange(lastStep_, delta.addedTriangles);
+    lastStep_.insert(lastStep_.end(), delta.changedTriangles.begin(), delta.changedTriangles.end());
+    triangles.insert(triangles.end(), lastStep_.begin(), lastStep_.end());
+    return clean(triangles, delta);
+}
+
+CleanupStatistics Cleanup::atEnd(CutDelta& delta) {
+    workspace_.followMesh();
+    workspace_.lockOnly({});
+    std::vector<int> triangles = std::exchange(lastStep_, {});
+    for (int t = firstTriangle_; t < workspace_.mesh.triangleSlots(); ++t) {
+        triangles.push_back(t);
+    }
+    return clean(triangles, delta);
+}
+
+CleanupStatistics Cleanup::clean(const std::vector<int>& triangles, CutDelta& delta) {
+    CleanupStatistics statistics = SliverRemoval(workspace_).run(triangles);
+    workspace_.moveChangesTo(delta);
+    statistics.volumeSpent = workspace_.volumeSpent();
+    return statistics;
+}
+
+}  // namespace kerf::cut

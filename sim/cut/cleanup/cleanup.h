@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/cleanup/workspace.h"
+#include "sim/cut/cutter.h"
+
+namespace kerf::cut {
+
+/// Removes the slivers that a stroke leaves: collapses, flips and slides that treat all copies of
+/// a material point alike, so that walls stay mirrored. Each keeps the volume of every piece,
+/// current and at rest, to kVolumePerOperation of the body, and moves skin and rims by no more
+/// than kMostDeviation of an edge, summed up over the stroke.
+class Cleanup {
+  public:
+    /// For one stroke on `mesh`, which must outlive it; h is the edge length of walls [m].
+    Cleanup(SurfaceMesh& mesh, double h);
+
+    /// Cleans what the last two steps made. Vertices of the rung, all their copies, and the edges
+    /// between them stay as they are. `delta` is that of the step; the changes are added to it.
+    CleanupStatistics behindFront(const std::vector<RungNode>& rung, CutDelta& delta);
+    /// Cleans all that the stroke made, the end of the slit included.
+    CleanupStatistics atEnd(CutDelta& delta);
+
+  private:
+    CleanupStatistics clean(const std::vector<int>& triangles, CutDelta& delta);
+
+    Workspace workspace_;
+    int firstTriangle_;         ///< of the stroke
+    std::vector<int> lastStep_;  ///< triangles of the step before
+};
+
+}  // namespace kerf::cut

@@ -1,0 +1,211 @@
+#include "sim/cut/cleanup/flip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cut/cleanup/acceptance.h"
+#include "sim/cut/cleanup/limits.h"
+#include "sim/cut/cleanup/material.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Cosine of the largest turn of the new triangles from the old ones.
+constexpr double kLargestTurn = 0.5;
+// Twice the areas (shares of h^2) below which the old pair has no direction, or a new one none.
+constexpr double kNoPair = 1e-6;
+constexpr double kNoArea = 1e-9;
+constexpr int kLeastValence = 4;
+
+/// An edge a -> b with the apexes c on its left and d on its right; flipped it is c -> d.
+struct Quad {
+    int halfEdge;
+    int a, b, c, d;
+};
+
+/// The same quad at its places.
+struct QuadShape {
+    Vec3 a, b, c, d;
+
+    double volume() const { return std::fabs((b - a).dot((c - a).cross(d - a)) / 6); }
+    /// Distance between the lines of the two diagonals.
+    double height() const {
+        const Vec3 across = (b - a).cross(d - c);
+        return across.norm() > 0 ? std::fabs((c - a).dot(across)) / across.norm() : 0;
+    }
+};
+
+// t = abc and o = bad become t = cad and o = dbc.
+void flip(SurfaceMesh& mesh, const Quad& q) {
+    const int h = q.halfEdge;
+    const int g = mesh.twin(h);
+    const int t = h / 3, o = g / 3;
+    const int outerBc = mesh.twin(SurfaceMesh::next(h));
+    const int outerCa = mesh.twin(SurfaceMesh::previous(h));
+    const int outerAd = mesh.twin(SurfaceMesh::next(g));
+    const int outerDb = mesh.twin(SurfaceMesh::previous(g));
+    mesh.setCorners(t, {q.c, q.a, q.d});
+    mesh.setCorners(o, {q.d, q.b, q.c});
+    mesh.link(3 * t, outerCa);
+    mesh.link(3 * t + 1, outerAd);
+    mesh.link(3 * t + 2, 3 * o + 2);
+    mesh.link(3 * o, outerDb);
+    mesh.link(3 * o + 1, outerBc);
+    mesh.setOutgoing(q.c, 3 * t);
+    mesh.setOutgoing(q.a, 3 * t + 1);
+    mesh.setOutgoing(q.d, 3 * o);
+    mesh.setOutgoing(q.b, 3 * o + 1);
+}
+
+class Flip {
+  public:
+    Flip(Workspace& workspace, int h)
+        : workspace_(workspace),
+          mesh_(workspace.mesh),
+          h_(h),
+          from_(starOf(mesh_, mesh_.origin(h))) {}
+
+    bool run() {
+        if (!isFlippable() || !findCopies() || !keepsComplex()) {
+            return false;
+        }
+        Scores before;
+        Scores after;
+        for (const Quad& quad : quads_) {
+            if (!isConvex(quad)) {
+                return false;
+            }
+            addScores(quad, before, after);
+            measure(quad);
+        }
+        if (!improves(before, after) || !staysNear() || !workspace_.allows(defect_, onWalls_)) {
+            return false;
+        }
+        carryOut();
+        return true;
+    }
+
+  private:
+    // Smooth in the material, with two different points opposite to it; fronts are locked.
+    bool isFlippable() {
+        const MaterialEdge* edge = from_.edgeTo(mesh_.materialPoint(mesh_.target(h_)));
+        if (edge == nullptr || edge->isFeature() || edge->sides[0].apex == edge->sides[1].apex) {
+            return false;
+        }
+        onWalls_ = edge->type() == MaterialEdgeType::wall;
+        const auto locked = [&](int u, int v) {
+            return workspace_.isLocked(u) && workspace_.isLocked(v);
+        };
+        return !locked(mesh_.origin(h_), mesh_.target(h_)) &&
+               !locked(mesh_.apex(h_), mesh_.apex(mesh_.twin(h_)));
+    }
+
+    // One copy in the skin, two in walls.
+    bool findCopies() {
+        const int to = mesh_.materialPoint(mesh_.target(h_));
+        for (const int v : from_.copies) {
+            mesh_.forEachOutgoing(v, [&](int h) {
+                if (mesh_.materialPoint(mesh_.target(h)) == to) {
+                    quads_.push_back({h, v, mesh_.target(h), mesh_.apex(h),
+                                      mesh_.apex(mesh_.twin(h))});
+                }
+            });
+        }
+        return quads_.size() == (onWalls_ ? 2 : 1) && isInOneSheet();
+    }
+
+    bool isInOneSheet() const {
+        return std::all_of(quads_.begin(), quads_.end(), [&](const Quad& q) {
+            return mesh_.wallLabel(q.halfEdge / 3) == mesh_.wallLabel(mesh_.twin(q.halfEdge) / 3);
+        });
+    }
+
+    bool keepsComplex() const {
+        const Quad& first = quads_.front();
+        if (starOf(mesh_, first.c).edgeTo(mesh_.materialPoint(first.d)) != nullptr) {
+            return false;
+        }
+        const Quad& last = quads_.back();
+        const bool sameEnds = std::minmax(first.c, first.d) == std::minmax(last.c, last.d);
+        if (quads_.size() > 1 && sameEnds) {
+            return false;
+        }
+        return std::all_of(quads_.begin(), quads_.end(), [&](const Quad& q) {
+            return q.c != q.d && mesh_.valence(q.a) >= kLeastValence &&
+                   mesh_.valence(q.b) >= kLeastValence;
+        });
+    }
+
+    QuadShape shapeOf(const Quad& q, const std::vector<Vec3>& positions) const {
+        return {positions[q.a], positions[q.b], positions[q.c], positions[q.d]};
+    }
+
+    bool isConvex(const Quad& quad) const {
+        const QuadShape q = shapeOf(quad, mesh_.positions());
+        const Vec3 first = (q.a - q.c).cross(q.d - q.c);
+        const Vec3 second = (q.b - q.d).cross(q.c - q.d);
+        const Vec3 old = (q.b - q.a).cross(q.c - q.a) + (q.a - q.b).cross(q.d - q.b);
+        const double square = workspace_.h * workspace_.h;
+        const auto looksAsBefore = [&](const Vec3& n) {
+            return n.norm() >= kNoArea * square &&
+                   n.dot(old) >= kLargestTurn * n.norm() * old.norm();
+        };
+        return old.norm() >= kNoPair * square && looksAsBefore(first) && looksAsBefore(second);
+    }
+
+    void addScores(const Quad& quad, Scores& before, Scores& after) const {
+        const double h = workspace_.h;
+        const QuadShape q = shapeOf(quad, mesh_.positions());
+        before.add(triangleScore(mesh_, quad.halfEdge / 3, h));
+        before.add(triangleScore(mesh_, mesh_.twin(quad.halfEdge) / 3, h));
+        after.add(triangleScore({q.c, q.a, q.d}, h));
+        after.add(triangleScore({q.d, q.b, q.c}, h));
+    }
+
+    void measure(const Quad& quad) {
+        const QuadShape current = shapeOf(quad, mesh_.positions());
+        defect_.current = std::max(defect_.current, current.volume());
+        defect_.rest = std::max(defect_.rest, shapeOf(quad, mesh_.restPositions()).volume());
+        if (!onWalls_) {
+            deviation_ = std::max(deviation_, current.height());
+        }
+    }
+
+    bool staysNear() {
+        const Quad& q = quads_.front();
+        deviation_ += workspace_.deviationAt({q.a, q.b, q.c, q.d});
+        return deviation_ <= kMostDeviation * workspace_.h;
+    }
+
+    void carryOut() {
+        for (const Quad& quad : quads_) {
+            const int other = mesh_.twin(quad.halfEdge) / 3;
+            flip(workspace_.mesh, quad);
+            workspace_.noteChanged(quad.halfEdge / 3);
+            workspace_.noteChanged(other);
+            for (const int v : {quad.c, quad.d}) {
+                workspace_.setDeviation(
+                    {v}, std::max(deviation_, workspace_.deviationAt({v})));
+            }
+        }
+        workspace_.spend(defect_);
+    }
+
+    Workspace& workspace_;
+    const SurfaceMesh& mesh_;
+    int h_;
+    MaterialStar from_;
+    bool onWalls_ = false;
+    std::vector<Quad> quads_;
+    VolumeDefect defect_;
+    double deviation_ = 0;
+};
+
+}  // namespace
+
+bool flipEdge(Workspace& workspace, int h) {
+    return Flip(workspace, h).run();
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "sim/cut/cleanup/workspace.h"
+
+namespace kerf::cut {
+
+/// Flips the material edge of half-edge h on all its copies, if that improves the triangles beside
+/// it, keeps the volume, and neither a feature nor a locked edge is in the way. Returns whether.
+bool flipEdge(Workspace& workspace, int h);
+
+}  // namespace kerf::cut

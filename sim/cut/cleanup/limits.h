@@ -1,0 +1,24 @@
+#pragma once
+
+namespace kerf::cut {
+
+// What the clean-up calls a sliver, and how far it may go. Lengths are shares of h.
+
+/// Height over longest edge from which a triangle is good.
+inline constexpr double kGoodQuality = 0.05;
+/// Shortest edge from which a triangle is good.
+inline constexpr double kGoodEdge = 0.06;
+/// Longest edge that is collapsed.
+inline constexpr double kLongestCollapse = 0.6;
+/// How far surface and rim may move, summed up over all operations at one place.
+inline constexpr double kMostDeviation = 0.014;
+/// Volume that one operation may change, as a share of the body; ten times that where it touches
+/// walls alone, whose two sides cancel.
+inline constexpr double kVolumePerOperation = 3e-9;
+inline constexpr double kWallsCancel = 10;
+/// Volume that a whole stroke may change, summed up by amount, as a share of the body.
+inline constexpr double kVolumePerStroke = 3e-7;
+/// Copies closer than this lie at one place and stay there.
+inline constexpr double kCoincident = 1e-12;
+
+}  // namespace kerf::cut

@@ -1,0 +1,231 @@
+#include "sim/cut/cleanup/placement.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cut/cleanup/limits.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Directions in which the volume changes by less than this share of the most (squared) are left
+// alone: they would need long ways.
+constexpr double kWeakDirection = 1e-2;
+constexpr double kNoDirection = 1e-12;
+// Rest shapes stretched by more than this do not get longer ways.
+constexpr double kMostStretch = 4;
+// How much more the volume of the body counts than that of its sides where not all can be kept.
+constexpr double kSumOverParts = 10;
+
+using Solver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>;
+
+/// gradient . d = change
+struct VolumeEquation {
+    Vec3 gradient = Vec3::Zero();
+    double change = 0;
+};
+
+double tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return a.dot(b.cross(c)) / 6;
+}
+
+/// Of moving the patch's vertex from `place`, with all else where `positions` has it.
+VolumeEquation equationAt(const SurfaceMesh& mesh, const std::vector<Vec3>& positions,
+                          const Patch& patch, const Vec3& place) {
+    VolumeEquation equation;
+    for (const int t : patch.before) {
+        const Triangle& c = mesh.triangle(t);
+        equation.change += tetrahedron(positions[c[0]] - place, positions[c[1]] - place,
+                                       positions[c[2]] - place);
+    }
+    for (const PatchTriangle& t : patch.after) {
+        const auto at = std::find(t.corners.begin(), t.corners.end(), patch.vertex);
+        const auto corner = at - t.corners.begin();
+        equation.gradient += (positions[t.corners[(corner + 1) % 3]] - place)
+                                 .cross(positions[t.corners[(corner + 2) % 3]] - place) /
+                             6;
+    }
+    return equation;
+}
+
+Eigen::Matrix3d outerSum(const std::vector<Vec3>& gradients) {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const Vec3& g : gradients) {
+        sum += g * g.transpose();
+    }
+    return sum;
+}
+
+Vec3 shortestSolution(const std::vector<VolumeEquation>& equations, double h) {
+    std::vector<Vec3> gradients;
+    Vec3 right = Vec3::Zero();
+    for (const VolumeEquation& equation : equations) {
+        gradients.push_back(equation.gradient);
+        right += equation.gradient * equation.change;
+    }
+    const Solver solver(outerSum(gradients));
+    const double most = solver.eigenvalues()[2];
+    const double least = std::max(kWeakDirection * most, 1e-8 * h * h * h * h);
+    Vec3 solution = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const double value = solver.eigenvalues()[k];
+        if (value > least) {
+            const Vec3 axis = solver.eigenvectors().col(k);
+            solution += axis * (axis.dot(right) / value);
+        }
+    }
+    return solution;
+}
+
+Vec3 shortened(const Vec3& way, double most) {
+    const double length = way.norm();
+    return length > most ? Vec3(way * (most / length)) : way;
+}
+
+double residual(const std::vector<VolumeEquation>& equations, const Vec3& way) {
+    double sum = 0;
+    for (const VolumeEquation& equation : equations) {
+        sum += std::fabs(equation.change - equation.gradient.dot(way));
+    }
+    return sum;
+}
+
+VolumeEquation sumOf(const std::vector<VolumeEquation>& equations) {
+    VolumeEquation sum;
+    for (const VolumeEquation& equation : equations) {
+        sum.gradient += equation.gradient;
+        sum.change += equation.change;
+    }
+    return sum;
+}
+
+struct Displacement {
+    Vec3 way = Vec3::Zero();
+    double defect = 0;
+};
+
+/// Where more than two sheets meet not every piece can keep its volume; then the body does.
+Displacement displaceTogether(const std::vector<VolumeEquation>& equations, double h,
+                              double longest, double tolerable) {
+    Displacement result;
+    result.way = shortened(shortestSolution(equations, h), longest);
+    result.defect = residual(equations, result.way);
+    if (result.defect <= tolerable || equations.size() <= 2) {
+        return result;
+    }
+    const VolumeEquation sum = sumOf(equations);
+    const Vec3 way = shortestSolution({sum}, h);
+    const double defect =
+        residual(equations, way) / kSumOverParts + std::fabs(sum.change - sum.gradient.dot(way));
+    if (way.norm() < longest && defect < result.defect) {
+        result = {way, defect};
+    }
+    return result;
+}
+
+bool haveOnePlace(const std::vector<Vec3>& positions, const std::vector<int>& vertices, double h) {
+    return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
+        return (positions[v] - positions[vertices[0]]).norm() <= kCoincident * h;
+    });
+}
+
+/// Whether all copies that stay, and all that go, lie at one place each.
+bool isClosed(const std::vector<Vec3>& positions, const std::vector<Patch>& patches, double h) {
+    std::vector<int> staying;
+    std::vector<int> going;
+    for (const Patch& patch : patches) {
+        (patch.joins ? going : staying).push_back(patch.vertex);
+        going.insert(going.end(), patch.merged.begin(), patch.merged.end());
+    }
+    return haveOnePlace(positions, staying, h) && haveOnePlace(positions, going, h);
+}
+
+/// The current or the rest shape.
+struct Shape {
+    const std::vector<Vec3>& positions;
+    Vec3 Patch::*place;
+    double longestWay;  ///< [m]
+    double tolerable;   ///< [m^3]
+};
+
+double placeIn(const Workspace& workspace, const Shape& shape, std::vector<Patch>& patches) {
+    const double h = workspace.h;
+    std::vector<VolumeEquation> equations;
+    for (const Patch& patch : patches) {
+        equations.push_back(equationAt(workspace.mesh, shape.positions, patch, patch.*shape.place));
+    }
+    double defect = 0;
+    if (isClosed(shape.positions, patches, h)) {
+        const Displacement together =
+            displaceTogether(equations, h, shape.longestWay, shape.tolerable);
+        for (Patch& patch : patches) {
+            patch.*shape.place += together.way;
+        }
+        return together.defect;
+    }
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        const Vec3 way = shortened(shortestSolution({equations[k]}, h), shape.longestWay);
+        patches[k].*shape.place += way;
+        defect += residual({equations[k]}, way);
+    }
+    return defect;
+}
+
+}  // namespace
+
+VolumeDefect placeByVolume(const Workspace& workspace, std::vector<Patch>& patches) {
+    const SurfaceMesh& mesh = workspace.mesh;
+    const VolumeDefect tolerable = workspace.mostPerOperation();
+    const double longest = kMostDeviation * workspace.h;
+    const double stretch = std::min(kMostStretch, restStretch(mesh, patches.front().vertex));
+    const Shape current{mesh.positions(), &Patch::position, longest, tolerable.current};
+    const Shape rest{mesh.restPositions(), &Patch::rest, longest * stretch, tolerable.rest};
+    return {placeIn(workspace, current, patches), placeIn(workspace, rest, patches)};
+}
+
+VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
+    VolumeDefect defect;
+    for (const Patch& patch : patches) {
+        defect.current +=
+            std::fabs(equationAt(mesh, mesh.positions(), patch, patch.position).change);
+        defect.rest += std::fabs(equationAt(mesh, mesh.restPositions(), patch, patch.rest).change);
+    }
+    return defect;
+}
+
+Vec3 volumeGradient(const SurfaceMesh& mesh, const std::vector<Vec3>& positions, int vertex) {
+    Vec3 gradient = Vec3::Zero();
+    const Vec3& place = positions[vertex];
+    mesh.forEachOutgoing(vertex, [&](int h) {
+        gradient +=
+            (positions[mesh.target(h)] - place).cross(positions[mesh.apex(h)] - place) / 6;
+    });
+    return gradient;
+}
+
+Vec3 projectOnConstantVolume(const std::vector<Vec3>& gradients, const Vec3& direction) {
+    const Solver solver(outerSum(gradients));
+    const double most = solver.eigenvalues()[2];
+    Vec3 projected = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        if (solver.eigenvalues()[k] <= kNoDirection * most) {
+            const Vec3 axis = solver.eigenvectors().col(k);
+            projected += axis * axis.dot(direction);
+        }
+    }
+    return projected;
+}
+
+double restStretch(const SurfaceMesh& mesh, int vertex) {
+    double rest = 0;
+    double current = 0;
+    mesh.forEachOutgoing(vertex, [&](int h) {
+        rest += (mesh.restPosition(mesh.target(h)) - mesh.restPosition(vertex)).norm();
+        current += (mesh.position(mesh.target(h)) - mesh.position(vertex)).norm();
+    });
+    return rest / std::max(current, 1e-300);
+}
+
+}  // namespace kerf::cut

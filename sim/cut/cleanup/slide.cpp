@@ -1,0 +1,168 @@
+#include "sim/cut/cleanup/slide.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+
+#include "sim/cut/cleanup/acceptance.h"
+#include "sim/cut/cleanup/deviation.h"
+#include "sim/cut/cleanup/limits.h"
+#include "sim/cut/cleanup/placement.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// How far beyond good a slide aims, so that rounding does not undo it.
+constexpr double kBeyondQuality = 1.3;
+constexpr double kBeyondEdge = 1.2;
+// Least share of a wanted direction that keeps volumes.
+constexpr double kLeastPush = 0.2;
+constexpr double kLeastStretch = 0.3;
+// Edges too short to tell a direction (shares of h).
+constexpr double kNoBase = 1e-9;
+constexpr double kNoEdge = 1e-6;
+constexpr double kRestReach = 4;  // times the way that rest edges allow
+constexpr double kRidge = 1e-6;   // of the trace, towards the identity
+
+class Slide {
+  public:
+    Slide(Workspace& workspace, int vertex)
+        : workspace_(workspace), mesh_(workspace.mesh), star_(starOf(mesh_, vertex)) {
+        for (const int v : star_.copies) {
+            gradients_.push_back(volumeGradient(mesh_, mesh_.positions(), v));
+            restGradients_.push_back(volumeGradient(mesh_, mesh_.restPositions(), v));
+        }
+    }
+
+    /// Moves all copies by `length` along `direction` (a unit vector), as far as volumes let it.
+    bool push(const Vec3& direction, double length, double leastShare) {
+        const Vec3 way = projectOnConstantVolume(gradients_, direction);
+        const double share = way.dot(direction);
+        return share >= leastShare && (moveBy(way * (length / share)) ||
+                                       moveBy(way * (0.5 * length / share)));
+    }
+
+    /// Area vector of the sector that holds a triangle.
+    Vec3 sectorOf(int triangle) const {
+        for (const int v : star_.copies) {
+            for (const PatchTriangle& t : patchOfMove(mesh_, star_, v).after) {
+                if (t.slot == triangle) {
+                    return t.reference;
+                }
+            }
+        }
+        return Vec3::Zero();
+    }
+
+  private:
+    bool moveBy(const Vec3& way) {
+        if (workspace_.isLocked(star_.copies[0])) {
+            return false;
+        }
+        std::vector<Patch> patches = patchesMovedBy(way);
+        const VolumeDefect defect = volumeDefect(mesh_, patches);
+        if (!improves(scoresBefore(workspace_, patches), scoresAfter(workspace_, patches)) ||
+            !keepsOrientation(workspace_, patches) ||
+            !workspace_.allows(defect, isWallOnly(mesh_, patches))) {
+            return false;
+        }
+        const double deviation = deviationOf(mesh_, star_, star_, patches) +
+                                 workspace_.deviationAt(star_.copies);
+        if (deviation > kMostDeviation * workspace_.h) {
+            return false;
+        }
+        for (const Patch& patch : patches) {
+            workspace_.moveVertex(patch);
+        }
+        workspace_.setDeviation(star_.copies, deviation);
+        workspace_.spend(defect);
+        return true;
+    }
+
+    std::vector<Patch> patchesMovedBy(const Vec3& way) const {
+        const Vec3 restWay = restWayOf(way);
+        std::vector<Patch> patches;
+        for (const int v : star_.copies) {
+            patches.push_back(patchOfMove(mesh_, star_, v));
+            patches.back().position = mesh_.position(v) + way;
+            patches.back().rest = mesh_.restPosition(v) + restWay;
+            patches.back().velocity = mesh_.velocity(v);
+        }
+        return patches;
+    }
+
+    // The affine map that takes current edges to rest edges best, then as volumes allow.
+    Vec3 restWayOf(const Vec3& way) const {
+        Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+        Eigen::Matrix3d change = Eigen::Matrix3d::Zero();
+        for (const int v : star_.copies) {
+            mesh_.forEachOutgoing(v, [&](int h) {
+                const Vec3 edge = mesh_.position(mesh_.target(h)) - mesh_.position(v);
+                const Vec3 rest = mesh_.restPosition(mesh_.target(h)) - mesh_.restPosition(v);
+                spread += edge * edge.transpose();
+                change += (rest - edge) * edge.transpose();
+            });
+        }
+        spread.diagonal().array() += kRidge * spread.trace() + 1e-300;
+        const Vec3 mapped = way + change * spread.ldlt().solve(way);
+        const Vec3 restWay = projectOnConstantVolume(restGradients_, mapped);
+        const double most = kRestReach * way.norm() * restStretch(mesh_, star_.copies[0]);
+        return restWay.norm() > most ? Vec3(restWay * (most / restWay.norm())) : restWay;
+    }
+
+    Workspace& workspace_;
+    const SurfaceMesh& mesh_;
+    MaterialStar star_;
+    std::vector<Vec3> gradients_;
+    std::vector<Vec3> restGradients_;
+};
+
+bool pushApexFrom(Workspace& workspace, int base) {
+    const SurfaceMesh& mesh = workspace.mesh;
+    const double h = workspace.h;
+    const int apex = mesh.apex(base);
+    const Vec3& a = mesh.position(mesh.origin(base));
+    const Vec3 ab = mesh.position(mesh.target(base)) - a;
+    const double length = ab.norm();
+    if (length < kNoBase * h) {
+        return false;
+    }
+    const Vec3 fromA = mesh.position(apex) - a;
+    const double height = (fromA - ab * (fromA.dot(ab) / (length * length))).norm();
+    const double wanted = std::max(kBeyondQuality * kGoodQuality * length,
+                                   kBeyondEdge * kGoodEdge * h);
+    if (height >= wanted) {
+        return false;
+    }
+    Slide slide(workspace, apex);
+    const Vec3 direction = slide.sectorOf(base / 3).cross(ab);
+    return direction.norm() > 0 &&
+           slide.push(direction.normalized(), wanted - height, kLeastPush);
+}
+
+bool pushApart(Workspace& workspace, int moving, int staying) {
+    const SurfaceMesh& mesh = workspace.mesh;
+    const double h = workspace.h;
+    const Vec3 edge = mesh.position(moving) - mesh.position(staying);
+    const double length = edge.norm();
+    if (length < kNoEdge * h || length > kGoodEdge * h) {
+        return false;
+    }
+    return Slide(workspace, moving)
+        .push(edge / length, kBeyondEdge * kGoodEdge * h - length, kLeastStretch);
+}
+
+}  // namespace
+
+bool slideVertex(Workspace& workspace, int triangle) {
+    const SurfaceMesh& mesh = workspace.mesh;
+    const std::array<int, 3> edges = edgesByLength(mesh, triangle);
+    const int u = mesh.origin(edges[0]);
+    const int v = mesh.target(edges[0]);
+    return pushApexFrom(workspace, edges[2]) || pushApexFrom(workspace, edges[1]) ||
+           pushApexFrom(workspace, edges[0]) || pushApart(workspace, u, v) ||
+           pushApart(workspace, v, u);
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/cleanup/patch.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf::cut {
+
+/// Volume change of the current and of the rest shape, by amount [m^3].
+struct VolumeDefect {
+    double current = 0;
+    double rest = 0;
+};
+
+/// What the clean-up of a stroke carries from operation to operation: the mesh, which vertices are
+/// locked, how far each place has moved, how much volume may still change, and what it changed.
+class Workspace {
+  public:
+    Workspace(SurfaceMesh& mesh, double h);
+
+    SurfaceMesh& mesh;
+    const double h;  ///< edge length of walls [m]
+
+    /// Locks all copies of the rung's vertices, and nothing else.
+    void lockOnly(const std::vector<RungNode>& rung);
+    bool isLocked(int vertex) const { return lockedIn_[vertex] == round_; }
+
+    /// How far the surface at these vertices has moved in this stroke [m].
+    double deviationAt(const std::vector<int>& copies) const;
+    void setDeviation(const std::vector<int>& copies, double deviation);
+
+    /// What one operation may change.
+    VolumeDefect mostPerOperation() const;
+    bool allows(const VolumeDefect& defect, bool wallsOnly) const;
+    void spend(const VolumeDefect& defect);
+    /// Share of the body's volume that the stroke's clean-up has changed, an upper bound.
+    double volumeSpent() const;
+
+    // Changes go through these, so that they are remembered.
+    void noteChanged(int triangle) { changed_.push_back(triangle); }
+    /// To where the patch plans it; all its triangles have changed then.
+    void moveVertex(const Patch& patch);
+    void removeTriangle(int triangle);
+    void removeVertex(int vertex);
+    /// Triangles changed since the last call; some may be dead by now.
+    std::vector<int> takeChanged();
+
+    /// Adds all changes since the last call to `delta`, which holds what a step did before.
+    void moveChangesTo(CutDelta& delta);
+    /// Makes room for vertices that a step has added.
+    void followMesh();
+
+  private:
+    double bodyVolume_;
+    double restVolume_;
+    VolumeDefect spent_;
+    std::vector<double> deviation_;  ///< by vertex [m]
+    std::vector<int> lockedIn_;      ///< by vertex: the round in which it was locked
+    int round_ = 0;
+    std::vector<int> changed_;
+    std::vector<int> allChanged_;
+    std::vector<int> moved_;
+    std::vector<int> removedTriangles_;
+    std::vector<int> deadVertices_;
+};
+
+}  // namespace kerf::cut
