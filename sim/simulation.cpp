@@ -36,11 +36,19 @@ Vec3 roundedToFloat(const Vec3& a) {
     return a.cast<float>().cast<double>();
 }
 
-/// New vertices become what the GPU will hold, so that both sides go on from the same numbers.
-void roundVertices(SurfaceMesh& mesh, int first) {
-    for (int v = first; v < mesh.vertexCount(); ++v) {
-        mesh.setPosition(v, roundedToFloat(mesh.position(v)));
-        mesh.setVelocity(v, roundedToFloat(mesh.velocity(v)));
+void roundVertex(SurfaceMesh& mesh, int v) {
+    mesh.setPosition(v, roundedToFloat(mesh.position(v)));
+    mesh.setVelocity(v, roundedToFloat(mesh.velocity(v)));
+}
+
+/// New and moved vertices become what the GPU will hold, so that both sides go on from the same
+/// numbers.
+void roundVertices(SurfaceMesh& mesh, const CutDelta& delta) {
+    for (int v = delta.firstNewVertex; v < mesh.vertexCount(); ++v) {
+        roundVertex(mesh, v);
+    }
+    for (const int v : delta.movedVertices) {
+        roundVertex(mesh, v);
     }
 }
 
@@ -278,13 +286,13 @@ void Simulation::State::accept(const CutResult& result) {
     if (result.outcome == CutOutcome::refused) {
         say("step {}: the cut was refused ({}); the blade goes on", stepsDone, result.reason);
     }
-    if (result.outcome == CutOutcome::cut) {
+    if (!result.delta.empty()) {
         adoptNewTopology(result.delta);
     }
 }
 
 void Simulation::State::adoptNewTopology(const CutDelta& delta) {
-    roundVertices(mesh, delta.firstNewVertex);
+    roundVertices(mesh, delta);
     const BodyModel before = std::exchange(model, {});
     model = updateBodyModel(before, mesh, delta);
     solver.setModel(model, stateOf(mesh));

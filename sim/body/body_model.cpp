@@ -104,8 +104,8 @@ void appendIspc(BodyModel& model, const CastIspc& ispc) {
 
 /// What a cut touched.
 struct Touched {
-    std::vector<char> triangles;  ///< by mesh slot: removed, added or relabelled
-    std::vector<char> vertices;   ///< corners of added and relabelled triangles
+    std::vector<char> triangles;  ///< by mesh slot: removed, added or changed
+    std::vector<char> vertices;   ///< corners of added and changed triangles
 };
 
 Touched findTouched(const SurfaceMesh& mesh, const CutDelta& delta) {
@@ -125,11 +125,14 @@ Touched findTouched(const SurfaceMesh& mesh, const CutDelta& delta) {
     return touched;
 }
 
+/// Walls that are new or lie elsewhere.
 std::vector<int> newWalls(const SurfaceMesh& mesh, const CutDelta& delta) {
     std::vector<int> walls;
-    for (const int t : delta.addedTriangles) {
-        if (mesh.alive(t) && mesh.kind(t) == SurfaceKind::wall) {
-            walls.push_back(t);
+    for (const auto* list : {&delta.addedTriangles, &delta.changedTriangles}) {
+        for (const int t : *list) {
+            if (mesh.alive(t) && mesh.kind(t) == SurfaceKind::wall) {
+                walls.push_back(t);
+            }
         }
     }
     return walls;

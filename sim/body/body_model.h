@@ -66,7 +66,7 @@ struct BodyState {
 BodyModel buildBodyModel(const SurfaceMesh& mesh);
 
 /// The model after a cut: edges and bends are built anew; an ISPC is kept, bit for bit, unless its
-/// vertex is a corner of a new or relabelled triangle, its triangle died or was relabelled, its
+/// vertex is a corner of a new or changed triangle, its triangle died or changed, its
 /// rest segment crosses a new wall, or its ends fell into two pieces. Those vertices get a new one,
 /// cast in rest space.
 BodyModel updateBodyModel(const BodyModel& before, const SurfaceMesh& mesh, const CutDelta& delta);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <sstream>
 
@@ -284,6 +285,13 @@ BetweenSteps disturbance(FuzzMode mode, bool rounded, double diagonal, double ph
     };
 }
 
+void addCleanup(const CleanupStatistics& from, CleanupStatistics& to) {
+    to.collapses += from.collapses;
+    to.flips += from.flips;
+    to.slides += from.slides;
+    to.volumeSpent = std::max(to.volumeSpent, from.volumeSpent);
+}
+
 void count(const CutCheck& check, bool unseparated, const std::string& name, FuzzFigures& figures) {
     ++figures.strokes;
     figures.cuts += check.cuts;
@@ -292,6 +300,9 @@ void count(const CutCheck& check, bool unseparated, const std::string& name, Fuz
     figures.unseparated += unseparated;
     figures.unmirrored += !check.unmirrored.empty();
     figures.invalid += !check.problem.empty();
+    figures.quality.add(check.quality);
+    figures.mostVolumeChange = std::max(figures.mostVolumeChange, check.volumeChange);
+    addCleanup(check.cleanup, figures.cleanup);
     if (!check.problem.empty() || !check.unmirrored.empty() || unseparated || check.refused > 0) {
         figures.notes.push_back(name + ": " + check.problem + check.unmirrored + " " +
                                 std::to_string(check.refused) + " refused of " +
@@ -308,14 +319,26 @@ void add(const FuzzFigures& from, FuzzFigures& to) {
     to.unseparated += from.unseparated;
     to.unmirrored += from.unmirrored;
     to.invalid += from.invalid;
+    to.quality.add(from.quality);
+    to.mostVolumeChange = std::max(to.mostVolumeChange, from.mostVolumeChange);
+    addCleanup(from.cleanup, to.cleanup);
     to.notes.insert(to.notes.end(), from.notes.begin(), from.notes.end());
+}
+
+void writeSlivers(std::ostringstream& out, const char* of, const SliverCount& count) {
+    out << ", " << of << " " << count.triangles << " (below 0.02: " << count.below002
+        << ", below 0.001: " << count.below0001 << ")";
 }
 
 void writeRow(std::ostringstream& out, const std::string& name, const FuzzFigures& f) {
     out.width(18);
     out << std::left << name << " strokes " << f.strokes << ", cutting steps " << f.cuts
         << ", refused " << f.refused << ", retried " << f.retried << ", unseparated "
-        << f.unseparated << ", unmirrored " << f.unmirrored << ", invalid " << f.invalid << "\n";
+        << f.unseparated << ", unmirrored " << f.unmirrored << ", invalid " << f.invalid;
+    writeSlivers(out, "skin", f.quality.skin);
+    writeSlivers(out, "walls", f.quality.walls);
+    out << ", collapses " << f.cleanup.collapses << " flips " << f.cleanup.flips << " slides "
+        << f.cleanup.slides << ", volume changed " << f.mostVolumeChange << "\n";
 }
 
 }  // namespace
@@ -364,6 +387,7 @@ void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
     const double h = meanEdge(mesh);
     CutSettings settings = rounded ? CutSettings{} : exactSettings();
     settings.seed = seed;
+    settings.cleanUp = std::getenv("KERF_FUZZ_NO_CLEANUP") == nullptr;
     Cutter cutter(mesh, settings);
     const int strokes = strokesOf(dice, mode);
     const Course shared = randomCourse(dice, mesh, h);

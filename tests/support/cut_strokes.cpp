@@ -25,16 +25,26 @@ Before remember(const SurfaceMesh& mesh) {
             fingerprint(mesh)};
 }
 
-std::string checkConserved(const SurfaceMesh& mesh, const Before& before) {
-    const double scale = std::fabs(before.volume);
-    if (std::fabs(meshVolume(mesh) - before.volume) > kVolumeTolerance * scale) {
+double relativeChange(double now, double before) {
+    return std::fabs(now - before) / std::fabs(before);
+}
+
+std::string checkConserved(const SurfaceMesh& mesh, const CutResult& result, const Before& before,
+                           double admitted) {
+    const double tolerance = kVolumeTolerance + admitted;
+    if (relativeChange(meshVolume(mesh), before.volume) > tolerance) {
         return "the volume changed";
     }
-    if (std::fabs(meshRestVolume(mesh) - before.restVolume) >
-        kVolumeTolerance * std::fabs(before.restVolume)) {
+    if (relativeChange(meshRestVolume(mesh), before.restVolume) > tolerance) {
         return "the rest volume changed";
     }
-    return findPieces(mesh).pieces.size() < before.pieces ? "pieces were joined" : "";
+    const std::size_t pieces = findPieces(mesh).pieces.size();
+    if (pieces < before.pieces) {
+        return "pieces were joined";
+    }
+    return result.outcome != CutOutcome::cut && pieces != before.pieces
+               ? "the clean-up changed the number of pieces"
+               : "";
 }
 
 std::string checkDelta(const SurfaceMesh& mesh, const CutDelta& delta) {
@@ -49,27 +59,33 @@ std::string checkDelta(const SurfaceMesh& mesh, const CutDelta& delta) {
         }
     }
     const std::set<int> listed(delta.addedTriangles.begin(), delta.addedTriangles.end());
-    const std::set<int> relabelled(delta.changedTriangles.begin(),
-                                   delta.changedTriangles.end());
+    const std::set<int> changed(delta.changedTriangles.begin(), delta.changedTriangles.end());
+    std::vector<int> vertices = delta.movedVertices;
     for (int v = delta.firstNewVertex; v < mesh.vertexCount(); ++v) {
-        std::string problem;
+        vertices.push_back(v);
+    }
+    for (const int v : vertices) {
+        bool complete = true;
         mesh.forEachOutgoing(v, [&](int h) {
-            if (listed.count(h / 3) == 0 && relabelled.count(h / 3) == 0) {
-                problem = "a triangle at a new vertex is not in the delta";
-            }
+            complete = complete && (listed.count(h / 3) > 0 || changed.count(h / 3) > 0);
         });
-        if (!problem.empty()) {
-            return problem;
+        if (!complete) {
+            return "a triangle at a new or moved vertex is not in the delta";
+        }
+    }
+    for (const int v : delta.deadVertices) {
+        if (mesh.outgoing(v) >= 0) {
+            return "a dead vertex has a triangle";
         }
     }
     return "";
 }
 
-std::string checkCut(const SurfaceMesh& mesh, const Cutter& cutter, const CutResult& result,
-                     const Before& before) {
+std::string checkChange(const SurfaceMesh& mesh, const Cutter& cutter, const CutResult& result,
+                        const Before& before, double admitted) {
     for (const std::string& problem :
-         {checkClosedManifold(mesh), checkConserved(mesh, before), checkFront(mesh, cutter.rung()),
-          checkDelta(mesh, result.delta)}) {
+         {checkClosedManifold(mesh), checkConserved(mesh, result, before, admitted),
+          checkFront(mesh, cutter.rung()), checkDelta(mesh, result.delta)}) {
         if (!problem.empty()) {
             return problem;
         }
@@ -78,9 +94,9 @@ std::string checkCut(const SurfaceMesh& mesh, const Cutter& cutter, const CutRes
 }
 
 std::string checkStep(const SurfaceMesh& mesh, const Cutter& cutter, const CutResult& result,
-                      const Before& before) {
-    if (result.outcome == CutOutcome::cut) {
-        return checkCut(mesh, cutter, result, before);
+                      const Before& before, double admitted) {
+    if (!result.delta.empty()) {
+        return checkChange(mesh, cutter, result, before, admitted);
     }
     return fingerprint(mesh) == before.bytes ? "" : "a step that did not cut changed the mesh";
 }
@@ -91,6 +107,11 @@ void countStep(const CutResult& result, CutCheck& check) {
     check.refused += result.outcome == CutOutcome::refused;
     check.retried += result.outcome == CutOutcome::cut && result.statistics.tries > 1;
     check.tries += result.statistics.tries;
+    check.cleanup.collapses += result.statistics.cleanup.collapses;
+    check.cleanup.flips += result.statistics.cleanup.flips;
+    check.cleanup.slides += result.statistics.cleanup.slides;
+    check.cleanup.volumeSpent =
+        std::max(check.cleanup.volumeSpent, result.statistics.cleanup.volumeSpent);
     if (result.outcome == CutOutcome::refused) {
         check.reason = result.reason;
     }
@@ -123,6 +144,14 @@ double volumeAbove(std::array<Vec3, 3> p, const Vec3& normal) {
     return volume;
 }
 
+double heightOverLongestEdge(const SurfaceMesh& mesh, int t) {
+    const Triangle& corners = mesh.triangle(t);
+    const Vec3 u = mesh.position(corners[1]) - mesh.position(corners[0]);
+    const Vec3 v = mesh.position(corners[2]) - mesh.position(corners[0]);
+    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
+    return longest > 0 ? u.cross(v).norm() / longest : 0;
+}
+
 template <class T>
 void append(std::string& bytes, const T& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
@@ -144,6 +173,38 @@ Stroke straightStroke(const Vec3& center, const Vec3& along, const Vec3& travel,
     return stroke;
 }
 
+void SliverCount::add(const SliverCount& other) {
+    triangles += other.triangles;
+    below002 += other.below002;
+    below0001 += other.below0001;
+}
+
+void StrokeQuality::add(const StrokeQuality& other) {
+    skin.add(other.skin);
+    walls.add(other.walls);
+}
+
+SliverCount StrokeQuality::all() const {
+    SliverCount sum = skin;
+    sum.add(walls);
+    return sum;
+}
+
+StrokeQuality qualityOf(const SurfaceMesh& mesh, const std::vector<int>& triangles) {
+    StrokeQuality result;
+    for (const int t : triangles) {
+        if (!mesh.alive(t)) {
+            continue;
+        }
+        const double quality = heightOverLongestEdge(mesh, t);
+        SliverCount& count = mesh.kind(t) == SurfaceKind::skin ? result.skin : result.walls;
+        ++count.triangles;
+        count.below002 += quality < 0.02;
+        count.below0001 += quality < 0.001;
+    }
+    return result;
+}
+
 CutSettings exactSettings() {
     CutSettings settings;
     settings.offset = 1e-7;
@@ -154,6 +215,7 @@ CutSettings exactSettings() {
 CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
                    const BetweenSteps& between) {
     CutCheck check;
+    std::set<int> made;
     cutter.begin(stroke.front());
     for (std::size_t i = 1; i <= stroke.size() && check.problem.empty(); ++i) {
         if (between) {
@@ -161,9 +223,16 @@ CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
         }
         const Before before = remember(mesh);
         const CutResult result = i < stroke.size() ? cutter.advance(stroke[i]) : cutter.finish();
+        const double spentBefore = check.cleanup.volumeSpent;
         countStep(result, check);
-        check.problem = checkStep(mesh, cutter, result, before);
+        check.problem =
+            checkStep(mesh, cutter, result, before, check.cleanup.volumeSpent - spentBefore);
+        check.volumeChange += std::max(relativeChange(meshVolume(mesh), before.volume),
+                                       relativeChange(meshRestVolume(mesh), before.restVolume));
+        made.insert(result.delta.addedTriangles.begin(), result.delta.addedTriangles.end());
+        made.insert(result.delta.changedTriangles.begin(), result.delta.changedTriangles.end());
     }
+    check.quality = qualityOf(mesh, {made.begin(), made.end()});
     if (check.problem.empty()) {
         check.unmirrored = checkMirroredWalls(mesh);
     }

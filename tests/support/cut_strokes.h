@@ -21,6 +21,26 @@ Stroke straightStroke(const Vec3& center, const Vec3& along, const Vec3& travel,
 /// For positions that stay doubles between steps.
 CutSettings exactSettings();
 
+/// How many triangles there are, and how many of them are slivers: quality is height over longest
+/// edge.
+struct SliverCount {
+    int triangles = 0;
+    int below002 = 0;   ///< quality below 0.02
+    int below0001 = 0;  ///< quality below 0.001
+    void add(const SliverCount& other);
+};
+
+/// The new triangles of a stroke.
+struct StrokeQuality {
+    SliverCount skin;
+    SliverCount walls;
+    void add(const StrokeQuality& other);
+    SliverCount all() const;
+};
+
+/// Counts the living ones of `triangles`, at current positions.
+StrokeQuality qualityOf(const SurfaceMesh& mesh, const std::vector<int>& triangles);
+
 /// What a stroke did, and the first invariant that broke ("" while all hold).
 struct CutCheck {
     int steps = 0;
@@ -28,6 +48,10 @@ struct CutCheck {
     int refused = 0;
     int retried = 0;
     int tries = 0;
+    CleanupStatistics cleanup;  ///< of the whole stroke
+    double volumeChange = 0;    ///< by steps and clean-up of the stroke, relative, the larger of
+                                ///< current and rest
+    StrokeQuality quality;      ///< of all triangles that it added or changed
     std::string problem;
     std::string unmirrored;  ///< checkMirroredWalls after the stroke
     std::string reason;      ///< of the last refusal
@@ -37,8 +61,9 @@ struct CutCheck {
 using BetweenSteps = std::function<void(SurfaceMesh&, int step)>;
 
 /// Runs one stroke with `cutter` and checks every step: closed 2-manifold, volume and rest volume
-/// unchanged (relative 1e-9), front edges there and unsplit, the delta names every triangle at a
-/// new vertex, a step that does not cut leaves every byte, pieces never join.
+/// unchanged (relative 1e-9 and what the clean-up admits), front edges there and unsplit, the delta
+/// names every triangle at a new, moved or dead vertex, a step with an empty delta leaves every
+/// byte, pieces never join, and the clean-up alone changes no number of pieces.
 CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
                    const BetweenSteps& between = {});
 CutCheck runStroke(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& stroke);
