@@ -26,12 +26,10 @@ class Collapse {
           mesh_(workspace.mesh),
           from_(from),
           to_(to),
-          target_(target),
-          toIsLocked_(workspace.isLocked(to.copies[0])) {}
+          target_(target) {}
 
     std::optional<CollapsePlan> run() {
-        if (workspace_.isLocked(from_.copies[0]) || !keepsFeatures() ||
-            !keepsMaterialComplex(from_, to_)) {
+        if (!keepsFeatures() || !keepsMaterialComplex(from_, to_)) {
             return std::nullopt;
         }
         std::optional<CopyPairing> pairing = pairCopies(mesh_, from_, to_);
@@ -39,7 +37,7 @@ class Collapse {
             return std::nullopt;
         }
         makePatches(*pairing);
-        if (!movesOnlyOneCorner() || !place() || !improves() ||
+        if (workspace_.touchesLocked(plan_.patches) || !movesOnlyOneCorner() || !place() || !improves() ||
             !keepsOrientation(workspace_, plan_.patches) || !staysNear()) {
             return std::nullopt;
         }
@@ -76,7 +74,7 @@ class Collapse {
 
     bool mayMeetInTheMiddle(const CopyPairing& pairing) const {
         return target_ == CollapseTarget::end ||
-               (!toIsLocked_ && !to_.isCorner() && from_.featureCount() == to_.featureCount() &&
+               (!to_.isCorner() && from_.featureCount() == to_.featureCount() &&
                 pairing.isOneToOne(from_, to_));
     }
 
@@ -148,8 +146,7 @@ class Collapse {
     }
 
     bool place() {
-        plan_.defect = toIsLocked_ ? volumeDefect(mesh_, plan_.patches)
-                                   : placeByVolume(workspace_, plan_.patches);
+        plan_.defect = placeByVolume(workspace_, plan_.patches);
         return workspace_.allows(plan_.defect, isWallOnly(mesh_, plan_.patches));
     }
 
@@ -174,7 +171,6 @@ class Collapse {
     const MaterialStar& from_;
     const MaterialStar& to_;
     CollapseTarget target_;
-    bool toIsLocked_;
     bool closed_ = false;
     CollapsePlan plan_;
 };

@@ -1,6 +1,7 @@
 #include "sim/cut/cleanup/flip.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim/cut/cleanup/acceptance.h"
@@ -87,18 +88,17 @@ class Flip {
     }
 
   private:
-    // Smooth in the material, with two different points opposite to it; fronts are locked.
+    // Smooth in the material, with two different points opposite to it, away from the front.
     bool isFlippable() {
         const MaterialEdge* edge = from_.edgeTo(mesh_.materialPoint(mesh_.target(h_)));
         if (edge == nullptr || edge->isFeature() || edge->sides[0].apex == edge->sides[1].apex) {
             return false;
         }
         onWalls_ = edge->type() == MaterialEdgeType::wall;
-        const auto locked = [&](int u, int v) {
-            return workspace_.isLocked(u) && workspace_.isLocked(v);
-        };
-        return !locked(mesh_.origin(h_), mesh_.target(h_)) &&
-               !locked(mesh_.apex(h_), mesh_.apex(mesh_.twin(h_)));
+        const std::array<int, 4> corners{mesh_.origin(h_), mesh_.target(h_), mesh_.apex(h_),
+                                         mesh_.apex(mesh_.twin(h_))};
+        return std::none_of(corners.begin(), corners.end(),
+                            [&](int v) { return workspace_.isLocked(v); });
     }
 
     // One copy in the skin, two in walls.

@@ -57,12 +57,10 @@ class Slide {
 
   private:
     bool moveBy(const Vec3& way) {
-        if (workspace_.isLocked(star_.copies[0])) {
-            return false;
-        }
-        std::vector<Patch> patches = patchesMovedBy(way);
+        const std::vector<Patch> patches = patchesMovedBy(way);
         const VolumeDefect defect = volumeDefect(mesh_, patches);
-        if (!improves(scoresBefore(workspace_, patches), scoresAfter(workspace_, patches)) ||
+        if (workspace_.touchesLocked(patches) ||
+            !improves(scoresBefore(workspace_, patches), scoresAfter(workspace_, patches)) ||
             !keepsOrientation(workspace_, patches) ||
             !workspace_.allows(defect, isWallOnly(mesh_, patches))) {
             return false;
@@ -82,31 +80,38 @@ class Slide {
 
     std::vector<Patch> patchesMovedBy(const Vec3& way) const {
         const Vec3 restWay = restWayOf(way);
+        const Vec3 velocityWay = mapped(way, [&](int v) { return mesh_.velocity(v); });
         std::vector<Patch> patches;
         for (const int v : star_.copies) {
             patches.push_back(patchOfMove(mesh_, star_, v));
             patches.back().position = mesh_.position(v) + way;
             patches.back().rest = mesh_.restPosition(v) + restWay;
-            patches.back().velocity = mesh_.velocity(v);
+            patches.back().velocity = mesh_.velocity(v) + velocityWay;
         }
         return patches;
     }
 
-    // The affine map that takes current edges to rest edges best, then as volumes allow.
-    Vec3 restWayOf(const Vec3& way) const {
+    // How a quantity at vertices changes along `way`, by the linear field that fits the edges best.
+    template <class Quantity>
+    Vec3 mapped(const Vec3& way, Quantity&& quantity) const {
         Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
         Eigen::Matrix3d change = Eigen::Matrix3d::Zero();
         for (const int v : star_.copies) {
             mesh_.forEachOutgoing(v, [&](int h) {
                 const Vec3 edge = mesh_.position(mesh_.target(h)) - mesh_.position(v);
-                const Vec3 rest = mesh_.restPosition(mesh_.target(h)) - mesh_.restPosition(v);
                 spread += edge * edge.transpose();
-                change += (rest - edge) * edge.transpose();
+                change += (quantity(mesh_.target(h)) - quantity(v)) * edge.transpose();
             });
         }
         spread.diagonal().array() += kRidge * spread.trace() + 1e-300;
-        const Vec3 mapped = way + change * spread.ldlt().solve(way);
-        const Vec3 restWay = projectOnConstantVolume(restGradients_, mapped);
+        return change * spread.ldlt().solve(way);
+    }
+
+    // As the rest shape goes along, then as its volumes allow.
+    Vec3 restWayOf(const Vec3& way) const {
+        const Vec3 offset = mapped(
+            way, [&](int v) { return Vec3(mesh_.restPosition(v) - mesh_.position(v)); });
+        const Vec3 restWay = projectOnConstantVolume(restGradients_, way + offset);
         const double most = kRestReach * way.norm() * restStretch(mesh_, star_.copies[0]);
         return restWay.norm() > most ? Vec3(restWay * (most / restWay.norm())) : restWay;
     }

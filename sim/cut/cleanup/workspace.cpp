@@ -66,6 +66,16 @@ void Workspace::lockOnly(const std::vector<RungNode>& rung) {
     }
 }
 
+bool Workspace::touchesLocked(const std::vector<Patch>& patches) const {
+    const auto hasLockedCorner = [&](int t) {
+        const Triangle& corners = mesh.triangle(t);
+        return std::any_of(corners.begin(), corners.end(), [&](int v) { return isLocked(v); });
+    };
+    return std::any_of(patches.begin(), patches.end(), [&](const Patch& patch) {
+        return std::any_of(patch.before.begin(), patch.before.end(), hasLockedCorner);
+    });
+}
+
 double Workspace::deviationAt(const std::vector<int>& copies) const {
     double most = 0;
     for (const int v : copies) {

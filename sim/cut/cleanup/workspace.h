@@ -26,6 +26,9 @@ class Workspace {
     /// Locks all copies of the rung's vertices, and nothing else.
     void lockOnly(const std::vector<RungNode>& rung);
     bool isLocked(int vertex) const { return lockedIn_[vertex] == round_; }
+    /// A triangle of the patches has a locked corner. What lies at the front stays as it is until
+    /// the blade has passed: moving it would move where the body is cut next.
+    bool touchesLocked(const std::vector<Patch>& patches) const;
 
     /// How far the surface at these vertices has moved in this stroke [m].
     double deviationAt(const std::vector<int>& copies) const;
