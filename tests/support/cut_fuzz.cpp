@@ -354,6 +354,20 @@ bool goesThrough(FuzzMode mode) {
     return mode < FuzzMode::incision;
 }
 
+bool leavesSlabs(FuzzMode mode) {
+    return mode == FuzzMode::realigned || mode == FuzzMode::concurrent || mode == FuzzMode::reverse;
+}
+
+SliverCount FuzzReport::ordinarySlivers(bool ofRounded) const {
+    SliverCount sum;
+    for (int mode = 0; mode < kFuzzModes; ++mode) {
+        if (!leavesSlabs(static_cast<FuzzMode>(mode))) {
+            sum.add((ofRounded ? rounded : exact)[mode].quality.all());
+        }
+    }
+    return sum;
+}
+
 std::string FuzzReport::table() const {
     std::ostringstream out;
     for (const bool ofRounded : {false, true}) {
@@ -363,6 +377,8 @@ std::string FuzzReport::table() const {
         }
         const FuzzFigures sum = total(ofRounded);
         writeRow(out, "all", sum);
+        writeSlivers(out, "modes without slabs", ordinarySlivers(ofRounded));
+        out << "\n";
         for (const std::string& note : sum.notes) {
             out << "  " << note << "\n";
         }

@@ -31,6 +31,10 @@ const char* nameOf(FuzzMode mode);
 /// The stroke passes the whole body, so it must leave no slit that ends inside.
 bool goesThrough(FuzzMode mode);
 
+/// The stroke leaves slabs thinner than any sliver by its nature: it runs along an older slit, or
+/// its own, or through a line that other slits share.
+bool leavesSlabs(FuzzMode mode);
+
 struct FuzzFigures {
     int strokes = 0;
     int cuts = 0;
@@ -50,6 +54,8 @@ struct FuzzReport {
     std::array<FuzzFigures, kFuzzModes> rounded;  ///< positions are rounded to floats every step
     std::string table() const;
     FuzzFigures total(bool ofRounded) const;
+    /// New triangles of all modes that leave no slabs.
+    SliverCount ordinarySlivers(bool ofRounded) const;
 };
 
 /// One random body and its strokes; `seed` decides everything.

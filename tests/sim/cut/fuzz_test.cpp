@@ -12,7 +12,8 @@ namespace {
 constexpr std::uint64_t kFirstSeed = 1000;
 constexpr int kRuns = 150;
 
-// KERF_FUZZ_SECONDS runs longer, KERF_FUZZ_SEED elsewhere (KERF_FUZZ_RUNS=1 repeats one seed).
+// KERF_FUZZ_SECONDS runs longer, KERF_FUZZ_SEED elsewhere (KERF_FUZZ_RUNS=1 repeats one seed);
+// KERF_FUZZ_NO_CLEANUP shows what the cut alone leaves, and fails on it.
 double environmentNumber(const char* name, double otherwise) {
     const char* text = std::getenv(name);
     return text == nullptr ? otherwise : std::atof(text);
@@ -41,6 +42,10 @@ TEST(CutFuzz, MeshesStayClosedAndStepsSucceed) {
         EXPECT_EQ(sum.invalid, 0);
         EXPECT_LE(sum.refused, 0.005 * sum.cuts) << "of " << sum.cuts << " steps";
         EXPECT_EQ(sum.unseparated, 0) << "of " << sum.strokes << " strokes";
+        EXPECT_LE(sum.mostVolumeChange, 1e-6);
+        const test::SliverCount slivers = report.ordinarySlivers(rounded);
+        EXPECT_LE(slivers.below002, 0.005 * slivers.triangles) << "of " << slivers.triangles;
+        EXPECT_LE(slivers.below0001, 1e-4 * slivers.triangles + 1) << "of " << slivers.triangles;
         EXPECT_LE(sum.unmirrored, 0.01 * sum.strokes) << "of " << sum.strokes << " strokes";
     }
 }

@@ -11,11 +11,13 @@ namespace {
 using test::CutCheck;
 using test::Stroke;
 
-void expectHalves(SurfaceMesh mesh, const Stroke& stroke, const Vec3& point, const Vec3& normal,
-                  int pieces) {
+void expectHalves(SurfaceMesh mesh, bool cleanUp, const Stroke& stroke, const Vec3& point,
+                  const Vec3& normal, int pieces) {
     const test::HalfSpaceVolumes expected = test::clipVolumes(mesh, point, normal);
     const double whole = meshVolume(mesh);
-    const CutCheck check = test::runStroke(mesh, test::exactSettings(), stroke);
+    CutSettings settings = test::exactSettings();
+    settings.cleanUp = cleanUp;
+    const CutCheck check = test::runStroke(mesh, settings, stroke);
     EXPECT_EQ(check.problem, "");
     EXPECT_EQ(check.unmirrored, "");
     EXPECT_EQ(check.refused, 0);
@@ -30,7 +32,15 @@ void expectHalves(SurfaceMesh mesh, const Stroke& stroke, const Vec3& point, con
     // The blade is offset by 1e-7 of an edge, so the parts differ by that much area swept.
     EXPECT_NEAR(above, expected.above, 1e-7 * whole);
     EXPECT_NEAR(below, expected.below, 1e-7 * whole);
-    EXPECT_NEAR(above + below, whole, 1e-9 * whole);
+    EXPECT_NEAR(above + below, whole, (cleanUp ? 1e-7 : 1e-9) * whole);
+}
+
+void expectHalves(const SurfaceMesh& mesh, const Stroke& stroke, const Vec3& point,
+                  const Vec3& normal, int pieces) {
+    for (const bool cleanUp : {false, true}) {
+        SCOPED_TRACE(cleanUp ? "with clean-up" : "without clean-up");
+        expectHalves(mesh, cleanUp, stroke, point, normal, pieces);
+    }
 }
 
 /// Blade along `along`, moving in direction `travel`, through `center`; it clears a unit body.

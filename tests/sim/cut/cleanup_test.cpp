@@ -1,0 +1,293 @@
+#include "sim/cut/cleanup/cleanup.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "sim/cut/cleanup/limits.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/invariants.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+using test::CutCheck;
+using test::Stroke;
+
+constexpr double kWallEdge = 0.07;
+const Vec3 kCenter(0.013, 0.021, 0.034);
+
+CutSettings settingsWith(bool cleanUp) {
+    CutSettings settings = test::exactSettings();
+    settings.wallEdgeLength = kWallEdge;
+    settings.cleanUp = cleanUp;
+    return settings;
+}
+
+Stroke through(const Vec3& along, const Vec3& travel) {
+    return test::straightStroke(kCenter, along, travel, 3.0, 2.4, 50);
+}
+
+/// From above, the tip at height 0.1 and then deeper, turning.
+Stroke incision() {
+    Stroke stroke;
+    for (int i = 0; i <= 30; ++i) {
+        const double u = i / 30.0;
+        const double x = -0.7 + 1.1 * u;
+        stroke.push_back({{x, 1.5, 0.011}, {x + 0.1 * u, 0.1 - 0.15 * u, 0.013 + 0.1 * u * u}});
+    }
+    return stroke;
+}
+
+/// Strokes on one body; the last one is cleaned.
+struct Case {
+    const char* name;
+    SurfaceMesh mesh;
+    std::vector<Stroke> strokes;
+};
+
+std::vector<Case> cases() {
+    const Stroke down = through(Vec3::UnitX(), -Vec3::UnitY());
+    const Stroke aside = through(Vec3(1, 0.2, 0.1).normalized(), Vec3(-0.1, 0.03, 1).normalized());
+    return {{"sphere, right through", test::icosphere(3), {down}},
+            {"coarse sphere, right through", test::icosphere(0), {down}},
+            {"torus, right through", test::torus(), {aside}},
+            {"bent tube, right through", test::bentTube(), {down}},
+            {"sphere, incision", test::icosphere(3), {incision()}},
+            {"sphere, across a cut", test::icosphere(3), {down, aside}},
+            {"sphere, incision across a cut", test::icosphere(3), {aside, incision()}}};
+}
+
+struct Cleaned {
+    SurfaceMesh before;
+    SurfaceMesh after;
+    CutDelta delta;
+    CleanupStatistics statistics;
+    std::vector<int> made;  ///< triangles from the first of the last stroke on
+};
+
+/// Cuts without clean-up, then cleans what the last stroke made.
+Cleaned cleanAtEnd(const Case& c) {
+    SurfaceMesh mesh = c.mesh;
+    Cutter cutter(mesh, settingsWith(false));
+    for (std::size_t i = 0; i + 1 < c.strokes.size(); ++i) {
+        EXPECT_EQ(test::runStroke(cutter, mesh, c.strokes[i]).problem, "");
+    }
+    cut::Cleanup cleanup(mesh, kWallEdge);
+    const int first = mesh.triangleSlots();
+    EXPECT_EQ(test::runStroke(cutter, mesh, c.strokes.back()).problem, "");
+    Cleaned result{mesh, mesh, {}, {}, {}};
+    result.delta.firstNewVertex = mesh.vertexCount();
+    result.statistics = cleanup.atEnd(result.delta);
+    result.after = mesh;
+    for (int t = first; t < mesh.triangleSlots(); ++t) {
+        result.made.push_back(t);
+    }
+    return result;
+}
+
+void expectEqualPieces(const SurfaceMesh& before, const SurfaceMesh& after) {
+    const PieceMap old = findPieces(before);
+    const PieceMap now = findPieces(after);
+    ASSERT_EQ(now.pieces.size(), old.pieces.size());
+    // Numbered by their lowest vertex, which may have gone; every living vertex stays in its piece.
+    for (int v = 0; v < after.vertexCount(); ++v) {
+        if (now.ofVertex[v] < 0) {
+            continue;
+        }
+        const Piece& a = old.pieces[old.ofVertex[v]];
+        const Piece& b = now.pieces[now.ofVertex[v]];
+        ASSERT_NEAR(b.volume, a.volume, 1e-6 * a.volume);
+        ASSERT_NEAR(b.restVolume, a.restVolume, 1e-6 * a.restVolume);
+    }
+}
+
+TEST(Cleanup, KeepsTheMeshClosedAndEveryPiecesVolume) {
+    for (const Case& c : cases()) {
+        SCOPED_TRACE(c.name);
+        const Cleaned cleaned = cleanAtEnd(c);
+        EXPECT_GT(cleaned.statistics.collapses, 0);
+        EXPECT_EQ(checkClosedManifold(cleaned.after), "");
+        EXPECT_EQ(test::checkMirroredWalls(cleaned.after), "");
+        EXPECT_LT(cleaned.statistics.volumeSpent, 1e-6);
+        expectEqualPieces(cleaned.before, cleaned.after);
+    }
+}
+
+TEST(Cleanup, LeavesHardlyASliver) {
+    test::StrokeQuality before;
+    test::StrokeQuality after;
+    for (const Case& c : cases()) {
+        const Cleaned cleaned = cleanAtEnd(c);
+        before.add(test::qualityOf(cleaned.before, cleaned.made));
+        after.add(test::qualityOf(cleaned.after, cleaned.made));
+    }
+    EXPECT_GT(before.all().below002, before.all().triangles / 50) << "the cases hold slivers";
+    EXPECT_GT(before.all().below0001, 0);
+    EXPECT_LE(after.all().below002, 0.002 * after.all().triangles);
+    EXPECT_EQ(after.all().below0001, 0);
+}
+
+struct Segment {
+    Vec3 a, b;
+};
+
+/// Edges between skin and walls: the outline of the wound.
+std::vector<Segment> rimOf(const SurfaceMesh& mesh) {
+    std::vector<Segment> rim;
+    for (int h = 0; h < 3 * mesh.triangleSlots(); ++h) {
+        if (mesh.alive(h / 3) && mesh.kind(h / 3) == SurfaceKind::skin &&
+            mesh.kind(mesh.twin(h) / 3) == SurfaceKind::wall) {
+            rim.push_back({mesh.position(mesh.origin(h)), mesh.position(mesh.target(h))});
+        }
+    }
+    return rim;
+}
+
+double distance(const Vec3& p, const Segment& s) {
+    const Vec3 ab = s.b - s.a;
+    const double t = std::clamp((p - s.a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+    return (p - s.a - t * ab).norm();
+}
+
+/// The farthest of points along `from` from `to`.
+double farthest(const std::vector<Segment>& from, const std::vector<Segment>& to) {
+    double most = 0;
+    for (const Segment& s : from) {
+        for (const double t : {0.0, 0.25, 0.5, 0.75}) {
+            const Vec3 p = s.a + t * (s.b - s.a);
+            double least = 1e300;
+            for (const Segment& other : to) {
+                least = std::min(least, distance(p, other));
+            }
+            most = std::max(most, least);
+        }
+    }
+    return most;
+}
+
+TEST(Cleanup, KeepsTheOutlineOfTheWound) {
+    for (const Case& c : cases()) {
+        SCOPED_TRACE(c.name);
+        const Cleaned cleaned = cleanAtEnd(c);
+        const std::vector<Segment> before = rimOf(cleaned.before);
+        const std::vector<Segment> after = rimOf(cleaned.after);
+        EXPECT_LT(after.size(), before.size());
+        // Each point is held to the limit; the way between two may deviate by a little more.
+        const double most = 1.5 * cut::kMostDeviation * kWallEdge;
+        EXPECT_LT(farthest(before, after), most);
+        EXPECT_LT(farthest(after, before), most);
+    }
+}
+
+bool sameTriangle(const SurfaceMesh& a, const SurfaceMesh& b, int t) {
+    if (a.alive(t) != b.alive(t) || !a.alive(t)) {
+        return a.alive(t) == b.alive(t);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int v = b.triangle(t)[i];
+        if (a.triangle(t)[i] != v || a.position(v) != b.position(v) ||
+            a.restPosition(v) != b.restPosition(v)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+TEST(Cleanup, DeltaNamesAllThatChanged) {
+    for (const Case& c : cases()) {
+        SCOPED_TRACE(c.name);
+        const Cleaned cleaned = cleanAtEnd(c);
+        const CutDelta& delta = cleaned.delta;
+        const std::set<int> removed(delta.removedTriangles.begin(), delta.removedTriangles.end());
+        const std::set<int> changed(delta.changedTriangles.begin(), delta.changedTriangles.end());
+        const std::set<int> moved(delta.movedVertices.begin(), delta.movedVertices.end());
+        const std::set<int> dead(delta.deadVertices.begin(), delta.deadVertices.end());
+        EXPECT_TRUE(delta.addedTriangles.empty());
+        ASSERT_EQ(cleaned.after.triangleSlots(), cleaned.before.triangleSlots());
+        for (int t = 0; t < cleaned.after.triangleSlots(); ++t) {
+            EXPECT_EQ(removed.count(t) > 0, cleaned.before.alive(t) && !cleaned.after.alive(t));
+            if (cleaned.after.alive(t) && !sameTriangle(cleaned.before, cleaned.after, t)) {
+                EXPECT_EQ(changed.count(t), 1u) << t;
+            }
+        }
+        for (int v = 0; v < cleaned.after.vertexCount(); ++v) {
+            const bool lives = cleaned.after.outgoing(v) >= 0;
+            EXPECT_EQ(dead.count(v) > 0, cleaned.before.outgoing(v) >= 0 && !lives);
+            if (lives && cleaned.before.position(v) != cleaned.after.position(v)) {
+                EXPECT_EQ(moved.count(v), 1u) << v;
+            }
+        }
+    }
+}
+
+TEST(Cleanup, MatesStayAtOnePlace) {
+    SurfaceMesh mesh = test::icosphere(3);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setVelocity(v, mesh.position(v).cross(Vec3(0.3, -0.2, 0.5)));
+    }
+    Cutter cutter(mesh, settingsWith(true));
+    const CutCheck check = test::runStroke(cutter, mesh, incision());
+    EXPECT_EQ(check.problem, "");
+    EXPECT_GT(check.cleanup.collapses, 10);
+    EXPECT_GT(check.cleanup.slides, 0);
+    int mates = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const int point = mesh.materialPoint(v);
+        mates += point != v;
+        EXPECT_EQ(mesh.position(v), mesh.position(point));
+        EXPECT_EQ(mesh.restPosition(v), mesh.restPosition(point));
+        EXPECT_EQ(mesh.velocity(v), mesh.velocity(point));
+    }
+    EXPECT_GT(mates, 20);
+}
+
+// What lies at the rung decides where the next step cuts.
+TEST(Cleanup, ChangesNothingAtTheFront) {
+    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh plain = mesh;
+    Cutter cutter(mesh, settingsWith(true));
+    Cutter plainCutter(plain, settingsWith(false));
+    const Stroke stroke = through(Vec3::UnitX(), -Vec3::UnitY());
+    cutter.begin(stroke.front());
+    plainCutter.begin(stroke.front());
+    int collapses = 0;
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+        collapses += cutter.advance(stroke[i]).statistics.cleanup.collapses;
+        plainCutter.advance(stroke[i]);
+        ASSERT_EQ(cutter.rung().size(), plainCutter.rung().size());
+        for (std::size_t k = 0; k < cutter.rung().size(); ++k) {
+            const RungNode& node = cutter.rung()[k];
+            EXPECT_LT((node.position - plainCutter.rung()[k].position).norm(), 1e-4 * kWallEdge);
+            if (node.vertex >= 0) {
+                EXPECT_EQ(node.position, mesh.position(node.vertex));
+            }
+        }
+    }
+    EXPECT_GT(collapses, 0);
+}
+
+TEST(Cleanup, OfTheSameStrokeTwiceGivesTheSameBytes) {
+    std::vector<std::string> results;
+    for (int run = 0; run < 2; ++run) {
+        results.push_back(test::fingerprint(cleanAtEnd(cases()[5]).after));
+    }
+    EXPECT_EQ(results[0], results[1]);
+}
+
+TEST(Cleanup, SwitchedOffChangesNothing) {
+    SurfaceMesh mesh = test::icosphere(3);
+    Cutter cutter(mesh, settingsWith(false));
+    const CutCheck check = test::runStroke(cutter, mesh, incision());
+    EXPECT_GT(check.cuts, 5);
+    EXPECT_EQ(check.cleanup.collapses + check.cleanup.flips + check.cleanup.slides, 0);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        EXPECT_GE(mesh.outgoing(v), 0);
+    }
+}
+
+}  // namespace
+}  // namespace kerf
