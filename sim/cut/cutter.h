@@ -56,8 +56,8 @@ struct CleanupStatistics {
     int collapses = 0;  ///< of material edges, all copies together
     int flips = 0;
     int slides = 0;
-    /// Upper bound of what the clean-up of the stroke has changed so far of the body's volume or
-    /// rest volume, as a share.
+    /// Upper bound of what the clean-up of the stroke has changed so far of the body's volume and
+    /// rest volume, both together, as a share.
     double volumeSpent = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "sim/mesh/closest_point.h"
 
+#include <algorithm>
+
 namespace kerf {
 
 Vec3 closestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -36,6 +38,13 @@ Vec3 closestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) 
         return {0, 1 - t, t};
     }
     return Vec3(overA, overB, overC) / (overA + overB + overC);
+}
+
+double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 ab = b - a;
+    const double square = ab.squaredNorm();
+    const double t = square > 0 ? std::clamp((p - a).dot(ab) / square, 0.0, 1.0) : 0.0;
+    return (p - a - t * ab).norm();
 }
 
 }  // namespace kerf

@@ -140,7 +140,7 @@ Cleanup::Cleanup(SurfaceMesh& mesh, double h)
 
 CleanupStatistics Cleanup::behindFront(const std::vector<RungNode>& rung, CutDelta& delta) {
     workspace_.followMesh();
-    workspace_.lockOnly(rung);
+    workspace_.keepAround(rung);
     std::vector<int> triangles = std::exchange(lastStep_, delta.addedTriangles);
     lastStep_.insert(lastStep_.end(), delta.changedTriangles.begin(), delta.changedTriangles.end());
     triangles.insert(triangles.end(), lastStep_.begin(), lastStep_.end());
@@ -149,7 +149,7 @@ CleanupStatistics Cleanup::behindFront(const std::vector<RungNode>& rung, CutDel
 
 CleanupStatistics Cleanup::atEnd(CutDelta& delta) {
     workspace_.followMesh();
-    workspace_.lockOnly({});
+    workspace_.keepAround({});
     std::vector<int> triangles = std::exchange(lastStep_, {});
     for (int t = firstTriangle_; t < workspace_.mesh.triangleSlots(); ++t) {
         triangles.push_back(t);

@@ -16,8 +16,8 @@ class Cleanup {
     /// For one stroke on `mesh`, which must outlive it; h is the edge length of walls [m].
     Cleanup(SurfaceMesh& mesh, double h);
 
-    /// Cleans what the last two steps made. Vertices of the rung, all their copies, and the edges
-    /// between them stay as they are. `delta` is that of the step; the changes are added to it.
+    /// Cleans what the last two steps made, but nothing beside the rung. `delta` is that of the
+    /// step; the changes are added to it.
     CleanupStatistics behindFront(const std::vector<RungNode>& rung, CutDelta& delta);
     /// Cleans all that the stroke made, the end of the slit included.
     CleanupStatistics atEnd(CutDelta& delta);

@@ -37,7 +37,7 @@ class Collapse {
             return std::nullopt;
         }
         makePatches(*pairing);
-        if (workspace_.touchesLocked(plan_.patches) || !movesOnlyOneCorner() || !place() || !improves() ||
+        if (workspace_.touchesRung(plan_.patches) || !movesOnlyOneCorner() || !place() || !improves() ||
             !keepsOrientation(workspace_, plan_.patches) || !staysNear()) {
             return std::nullopt;
         }

@@ -20,13 +20,6 @@ double distanceToTriangle(const Vec3& p, const Corners& t) {
                          : std::min({(p - t[0]).norm(), (p - t[1]).norm(), (p - t[2]).norm()});
 }
 
-double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 ab = b - a;
-    const double square = ab.squaredNorm();
-    const double t = square > 0 ? std::clamp((p - a).dot(ab) / square, 0.0, 1.0) : 0.0;
-    return (p - a - t * ab).norm();
-}
-
 double distanceToAny(const Vec3& p, const std::vector<Corners>& triangles) {
     double least = kFar;
     for (const Corners& t : triangles) {

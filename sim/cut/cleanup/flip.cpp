@@ -1,7 +1,6 @@
 #include "sim/cut/cleanup/flip.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "sim/cut/cleanup/acceptance.h"
@@ -88,17 +87,14 @@ class Flip {
     }
 
   private:
-    // Smooth in the material, with two different points opposite to it, away from the front.
+    // Smooth in the material, with two different points opposite to it.
     bool isFlippable() {
         const MaterialEdge* edge = from_.edgeTo(mesh_.materialPoint(mesh_.target(h_)));
         if (edge == nullptr || edge->isFeature() || edge->sides[0].apex == edge->sides[1].apex) {
             return false;
         }
         onWalls_ = edge->type() == MaterialEdgeType::wall;
-        const std::array<int, 4> corners{mesh_.origin(h_), mesh_.target(h_), mesh_.apex(h_),
-                                         mesh_.apex(mesh_.twin(h_))};
-        return std::none_of(corners.begin(), corners.end(),
-                            [&](int v) { return workspace_.isLocked(v); });
+        return true;
     }
 
     // One copy in the skin, two in walls.
@@ -112,7 +108,13 @@ class Flip {
                 }
             });
         }
-        return quads_.size() == (onWalls_ ? 2 : 1) && isInOneSheet();
+        return quads_.size() == (onWalls_ ? 2 : 1) && isInOneSheet() && isBehindFront();
+    }
+
+    bool isBehindFront() const {
+        return std::none_of(quads_.begin(), quads_.end(), [&](const Quad& q) {
+            return workspace_.touchesRung({q.halfEdge / 3, mesh_.twin(q.halfEdge) / 3});
+        });
     }
 
     bool isInOneSheet() const {

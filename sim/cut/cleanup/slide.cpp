@@ -59,7 +59,7 @@ class Slide {
     bool moveBy(const Vec3& way) {
         const std::vector<Patch> patches = patchesMovedBy(way);
         const VolumeDefect defect = volumeDefect(mesh_, patches);
-        if (workspace_.touchesLocked(patches) ||
+        if (workspace_.touchesRung(patches) ||
             !improves(scoresBefore(workspace_, patches), scoresAfter(workspace_, patches)) ||
             !keepsOrientation(workspace_, patches) ||
             !workspace_.allows(defect, isWallOnly(mesh_, patches))) {

@@ -7,11 +7,15 @@
 
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/material.h"
+#include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf::cut {
 
 namespace {
+
+// Nothing within this share of h of the rung is changed.
+constexpr double kRungReach = 0.1;
 
 void sortUnique(std::vector<int>& list) {
     std::sort(list.begin(), list.end());
@@ -51,29 +55,44 @@ Workspace::Workspace(SurfaceMesh& m, double edge)
 
 void Workspace::followMesh() {
     deviation_.resize(mesh.vertexCount(), 0.0);
-    lockedIn_.resize(mesh.vertexCount(), -1);
+    onRungIn_.resize(mesh.vertexCount(), -1);
 }
 
-void Workspace::lockOnly(const std::vector<RungNode>& rung) {
+void Workspace::keepAround(const std::vector<RungNode>& rung) {
     ++round_;
+    rung_.clear();
     for (const RungNode& node : rung) {
-        if (node.vertex < 0) {
-            continue;
-        }
-        for (const int copy : livingCopies(mesh, node.vertex)) {
-            lockedIn_[copy] = round_;
+        rung_.push_back(node.position);
+        if (node.vertex >= 0) {
+            for (const int copy : livingCopies(mesh, node.vertex)) {
+                onRungIn_[copy] = round_;
+            }
         }
     }
 }
 
-bool Workspace::touchesLocked(const std::vector<Patch>& patches) const {
-    const auto hasLockedCorner = [&](int t) {
-        const Triangle& corners = mesh.triangle(t);
-        return std::any_of(corners.begin(), corners.end(), [&](int v) { return isLocked(v); });
-    };
-    return std::any_of(patches.begin(), patches.end(), [&](const Patch& patch) {
-        return std::any_of(patch.before.begin(), patch.before.end(), hasLockedCorner);
-    });
+bool Workspace::touchesRung(const std::vector<int>& triangles) const {
+    Bounds bounds;
+    for (const int t : triangles) {
+        for (const int v : mesh.triangle(t)) {
+            if (onRungIn_[v] == round_) {
+                return true;
+            }
+            bounds.add(mesh.position(v));
+        }
+    }
+    const double reach = 0.5 * bounds.diagonal() + kRungReach * h;
+    for (std::size_t k = 0; k + 1 < rung_.size(); ++k) {
+        if (distanceToSegment(bounds.center(), rung_[k], rung_[k + 1]) < reach) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool Workspace::touchesRung(const std::vector<Patch>& patches) const {
+    return std::any_of(patches.begin(), patches.end(),
+                       [&](const Patch& patch) { return touchesRung(patch.before); });
 }
 
 double Workspace::deviationAt(const std::vector<int>& copies) const {
@@ -108,7 +127,7 @@ void Workspace::spend(const VolumeDefect& defect) {
 }
 
 double Workspace::volumeSpent() const {
-    return std::max(spent_.current / bodyVolume_, spent_.rest / restVolume_);
+    return spent_.current / bodyVolume_ + spent_.rest / restVolume_;
 }
 
 void Workspace::moveVertex(const Patch& patch) {

@@ -14,8 +14,8 @@ struct VolumeDefect {
     double rest = 0;
 };
 
-/// What the clean-up of a stroke carries from operation to operation: the mesh, which vertices are
-/// locked, how far each place has moved, how much volume may still change, and what it changed.
+/// What the clean-up of a stroke carries from operation to operation: the mesh, where the rung
+/// is, how far each place has moved, how much volume may still change, and what it changed.
 class Workspace {
   public:
     Workspace(SurfaceMesh& mesh, double h);
@@ -23,12 +23,12 @@ class Workspace {
     SurfaceMesh& mesh;
     const double h;  ///< edge length of walls [m]
 
-    /// Locks all copies of the rung's vertices, and nothing else.
-    void lockOnly(const std::vector<RungNode>& rung);
-    bool isLocked(int vertex) const { return lockedIn_[vertex] == round_; }
-    /// A triangle of the patches has a locked corner. What lies at the front stays as it is until
-    /// the blade has passed: moving it would move where the body is cut next.
-    bool touchesLocked(const std::vector<Patch>& patches) const;
+    /// Keeps the surroundings of the rung as they are, and of nothing else: where the body is cut
+    /// next, and what the blade's air meets, must not move.
+    void keepAround(const std::vector<RungNode>& rung);
+    /// A triangle has a copy of a vertex of the rung as corner, or the rung comes near them.
+    bool touchesRung(const std::vector<int>& triangles) const;
+    bool touchesRung(const std::vector<Patch>& patches) const;
 
     /// How far the surface at these vertices has moved in this stroke [m].
     double deviationAt(const std::vector<int>& copies) const;
@@ -38,7 +38,8 @@ class Workspace {
     VolumeDefect mostPerOperation() const;
     bool allows(const VolumeDefect& defect, bool wallsOnly) const;
     void spend(const VolumeDefect& defect);
-    /// Share of the body's volume that the stroke's clean-up has changed, an upper bound.
+    /// Share of the body's volume and of its rest volume that the stroke's clean-up has changed,
+    /// both together, an upper bound.
     double volumeSpent() const;
 
     // Changes go through these, so that they are remembered.
@@ -60,7 +61,8 @@ class Workspace {
     double restVolume_;
     VolumeDefect spent_;
     std::vector<double> deviation_;  ///< by vertex [m]
-    std::vector<int> lockedIn_;      ///< by vertex: the round in which it was locked
+    std::vector<Vec3> rung_;         ///< from A to B
+    std::vector<int> onRungIn_;      ///< by vertex: the round in which it was on the rung
     int round_ = 0;
     std::vector<int> changed_;
     std::vector<int> allChanged_;
