@@ -1,6 +1,7 @@
 #include "sim/cut/cleanup/acceptance.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/cut/cleanup/limits.h"
 
@@ -12,9 +13,10 @@ namespace {
 constexpr double kTurnFromSector = 0.35;
 constexpr double kTurnOfTriangle = 0.6;
 constexpr double kTurnOfSliver = 0.1;
-// Twice the area (share of h^2) below which a direction says nothing, and below which it is none.
+// Twice the area (share of h^2) below which a direction says nothing.
 constexpr double kSliverArea = 1e-4;
-constexpr double kNoArea = 1e-12;
+// Triangles thinner than this share of h look anywhere: crowds of points around an exact hit.
+constexpr double kFlat = 1e-5;
 // How much better the worst triangle must be where their number stays.
 constexpr double kClearlyBetter = 1.2;
 constexpr double kNotWorse = 0.999;
@@ -23,13 +25,25 @@ bool looksAlong(const Vec3& a, const Vec3& b, double cosine) {
     return a.dot(b) >= cosine * a.norm() * b.norm();
 }
 
+double longestSquare(const std::array<Vec3, 3>& corners) {
+    return std::max({(corners[1] - corners[0]).squaredNorm(),
+                     (corners[2] - corners[1]).squaredNorm(),
+                     (corners[0] - corners[2]).squaredNorm()});
+}
+
+/// Over the longest edge.
+double heightOf(const std::array<Vec3, 3>& corners) {
+    const double square = longestSquare(corners);
+    return square > 0 ? crossOf(corners).norm() / std::sqrt(square) : 0;
+}
+
 bool keepsOrientation(const SurfaceMesh& mesh, double h, const Patch& patch,
                       const PatchTriangle& t) {
     const Vec3 now = crossOf(cornersAfter(mesh, patch, t));
     const Vec3 before = crossOf(cornersOf(mesh, t.slot));
     const double sliver = kSliverArea * h * h;
-    if (now.norm() < kNoArea * h * h) {
-        return false;
+    if (heightOf(cornersAfter(mesh, patch, t)) < kFlat * h) {
+        return true;
     }
     const bool sectorTells = t.reference.norm() > sliver;
     const bool triangleTells = before.norm() > sliver;
@@ -43,15 +57,15 @@ bool keepsOrientation(const SurfaceMesh& mesh, double h, const Patch& patch,
 }  // namespace
 
 double triangleScore(const std::array<Vec3, 3>& corners, double h) {
-    const std::array<double, 3> squares{(corners[1] - corners[0]).squaredNorm(),
-                                        (corners[2] - corners[1]).squaredNorm(),
-                                        (corners[0] - corners[2]).squaredNorm()};
-    const auto [shortest, longest] = std::minmax_element(squares.begin(), squares.end());
-    if (*longest <= 0) {
+    const double longest = longestSquare(corners);
+    if (longest <= 0) {
         return 0;
     }
-    const double quality = crossOf(corners).norm() / *longest;
-    return std::min({1.0, quality / kGoodQuality, std::sqrt(*shortest) / (kGoodEdge * h)});
+    const double shortest = std::min({(corners[1] - corners[0]).squaredNorm(),
+                                      (corners[2] - corners[1]).squaredNorm(),
+                                      (corners[0] - corners[2]).squaredNorm()});
+    const double quality = crossOf(corners).norm() / longest;
+    return std::min({1.0, quality / kGoodQuality, std::sqrt(shortest) / (kGoodEdge * h)});
 }
 
 double triangleScore(const SurfaceMesh& mesh, int triangle, double h) {

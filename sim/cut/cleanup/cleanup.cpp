@@ -70,7 +70,8 @@ class SliverRemoval {
     bool improveAll(const std::vector<Sliver>& slivers) {
         bool any = false;
         for (const Sliver& sliver : slivers) {
-            if (mesh_.alive(sliver.triangle) && !isGood(sliver.triangle)) {
+            if (mesh_.alive(sliver.triangle) && !isGood(sliver.triangle) &&
+                !workspace_.trianglesTouchRung({sliver.triangle})) {
                 any = improve(sliver.triangle) || any;
             }
         }

@@ -113,7 +113,7 @@ class Flip {
 
     bool isBehindFront() const {
         return std::none_of(quads_.begin(), quads_.end(), [&](const Quad& q) {
-            return workspace_.touchesRung({q.halfEdge / 3, mesh_.twin(q.halfEdge) / 3});
+            return workspace_.trianglesTouchRung({q.halfEdge / 3, mesh_.twin(q.halfEdge) / 3});
         });
     }
 

@@ -71,7 +71,7 @@ void Workspace::keepAround(const std::vector<RungNode>& rung) {
     }
 }
 
-bool Workspace::touchesRung(const std::vector<int>& triangles) const {
+bool Workspace::trianglesTouchRung(const std::vector<int>& triangles) const {
     Bounds bounds;
     for (const int t : triangles) {
         for (const int v : mesh.triangle(t)) {
@@ -92,7 +92,7 @@ bool Workspace::touchesRung(const std::vector<int>& triangles) const {
 
 bool Workspace::touchesRung(const std::vector<Patch>& patches) const {
     return std::any_of(patches.begin(), patches.end(),
-                       [&](const Patch& patch) { return touchesRung(patch.before); });
+                       [&](const Patch& patch) { return trianglesTouchRung(patch.before); });
 }
 
 double Workspace::deviationAt(const std::vector<int>& copies) const {

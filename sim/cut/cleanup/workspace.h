@@ -27,7 +27,7 @@ class Workspace {
     /// next, and what the blade's air meets, must not move.
     void keepAround(const std::vector<RungNode>& rung);
     /// A triangle has a copy of a vertex of the rung as corner, or the rung comes near them.
-    bool touchesRung(const std::vector<int>& triangles) const;
+    bool trianglesTouchRung(const std::vector<int>& triangles) const;
     bool touchesRung(const std::vector<Patch>& patches) const;
 
     /// How far the surface at these vertices has moved in this stroke [m].
