@@ -40,11 +40,11 @@ struct FuzzFigures {
     int cuts = 0;
     int refused = 0;
     int retried = 0;
-    int unseparated = 0;  ///< strokes right through that left the end of a slit inside the body
-    int unmirrored = 0;   ///< strokes after which some wall triangle has no mirror
-    int invalid = 0;      ///< strokes in which an invariant broke
-    StrokeQuality quality;         ///< of the new triangles after each stroke
-    double mostVolumeChange = 0;   ///< of a stroke, relative
+    int unseparated = 0;    ///< strokes right through that left the end of a slit inside the body
+    int unmirrored = 0;     ///< strokes after which some wall triangle has no mirror
+    int invalid = 0;        ///< strokes in which an invariant broke
+    StrokeQuality quality;  ///< of the new triangles after each stroke
+    double mostVolumeChange = 0;  ///< of a stroke, relative
     CleanupStatistics cleanup;
     std::vector<std::string> notes;  ///< one line for each stroke worth looking at
 };

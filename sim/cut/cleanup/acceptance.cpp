@@ -61,9 +61,9 @@ double triangleScore(const std::array<Vec3, 3>& corners, double h) {
     if (longest <= 0) {
         return 0;
     }
-    const double shortest = std::min({(corners[1] - corners[0]).squaredNorm(),
-                                      (corners[2] - corners[1]).squaredNorm(),
-                                      (corners[0] - corners[2]).squaredNorm()});
+    const double shortest =
+        std::min({(corners[1] - corners[0]).squaredNorm(), (corners[2] - corners[1]).squaredNorm(),
+                  (corners[0] - corners[2]).squaredNorm()});
     const double quality = crossOf(corners).norm() / longest;
     return std::min({1.0, quality / kGoodQuality, std::sqrt(shortest) / (kGoodEdge * h)});
 }

@@ -31,8 +31,7 @@ struct Sliver {
 /// One run over a set of triangles.
 class SliverRemoval {
   public:
-    explicit SliverRemoval(Workspace& workspace)
-        : workspace_(workspace), mesh_(workspace.mesh) {}
+    explicit SliverRemoval(Workspace& workspace) : workspace_(workspace), mesh_(workspace.mesh) {}
 
     CleanupStatistics run(std::vector<int> triangles) {
         for (int pass = 0; pass < kMostPasses; ++pass) {
@@ -100,13 +99,16 @@ class SliverRemoval {
     }
 
     std::optional<CollapsePlan> bestCollapse(int t) const {
+        const Triangle& corners = mesh_.triangle(t);
+        const std::array<MaterialStar, 3> stars{
+            starOf(mesh_, corners[0]), starOf(mesh_, corners[1]), starOf(mesh_, corners[2])};
         std::optional<CollapsePlan> best;
         for (const int h : edgesByLength(mesh_, t)) {
             if (edgeLength(mesh_, h) > kLongestCollapse * workspace_.h) {
                 break;
             }
-            const MaterialStar u = starOf(mesh_, mesh_.origin(h));
-            const MaterialStar v = starOf(mesh_, mesh_.target(h));
+            const MaterialStar& u = stars[h % 3];
+            const MaterialStar& v = stars[(h + 1) % 3];
             if (u.point == v.point) {
                 continue;
             }

@@ -26,7 +26,7 @@ class Cleanup {
     CleanupStatistics clean(const std::vector<int>& triangles, CutDelta& delta);
 
     Workspace workspace_;
-    int firstTriangle_;         ///< of the stroke
+    int firstTriangle_;          ///< of the stroke
     std::vector<int> lastStep_;  ///< triangles of the step before
 };
 

@@ -22,11 +22,7 @@ class Collapse {
   public:
     Collapse(const Workspace& workspace, const MaterialStar& from, const MaterialStar& to,
              CollapseTarget target)
-        : workspace_(workspace),
-          mesh_(workspace.mesh),
-          from_(from),
-          to_(to),
-          target_(target) {}
+        : workspace_(workspace), mesh_(workspace.mesh), from_(from), to_(to), target_(target) {}
 
     std::optional<CollapsePlan> run() {
         if (!keepsFeatures() || !keepsMaterialComplex(from_, to_)) {
@@ -37,8 +33,8 @@ class Collapse {
             return std::nullopt;
         }
         makePatches(*pairing);
-        if (workspace_.touchesRung(plan_.patches) || !movesOnlyOneCorner() || !place() || !improves() ||
-            !keepsOrientation(workspace_, plan_.patches) || !staysNear()) {
+        if (workspace_.touchesRung(plan_.patches) || !movesOnlyOneCorner() || !place() ||
+            !improves() || !keepsOrientation(workspace_, plan_.patches) || !staysNear()) {
             return std::nullopt;
         }
         plan_.from = from_.copies[0];
@@ -57,8 +53,8 @@ class Collapse {
         if (!edge->isFeature()) {
             return false;
         }
-        return !from_.isCorner() || (target_ == CollapseTarget::end &&
-                                     edgeLength() <= kMostDeviation * workspace_.h);
+        return !from_.isCorner() ||
+               (target_ == CollapseTarget::end && edgeLength() <= kMostDeviation * workspace_.h);
     }
 
     double edgeLength() const {
@@ -138,10 +134,9 @@ class Collapse {
             return point == from_.point || point == to_.point;
         };
         return std::all_of(plan_.patches.begin(), plan_.patches.end(), [&](const Patch& patch) {
-            return std::all_of(
-                patch.after.begin(), patch.after.end(), [&](const PatchTriangle& t) {
-                    return std::count_if(t.corners.begin(), t.corners.end(), isMoving) == 1;
-                });
+            return std::all_of(patch.after.begin(), patch.after.end(), [&](const PatchTriangle& t) {
+                return std::count_if(t.corners.begin(), t.corners.end(), isMoving) == 1;
+            });
         });
     }
 

@@ -49,8 +49,8 @@ bool keepsMaterialComplex(const MaterialStar& from, const MaterialStar& to) {
     return std::all_of(from.edges.begin(), from.edges.end(), [&](const MaterialEdge& edge) {
         const MaterialEdge* other =
             edge.neighbour == to.point ? nullptr : to.edgeTo(edge.neighbour);
-        return other == nullptr || (between.hasApex(edge.neighbour) &&
-                                    !(edge.isFeature() && other->isFeature()));
+        return other == nullptr ||
+               (between.hasApex(edge.neighbour) && !(edge.isFeature() && other->isFeature()));
     });
 }
 

@@ -129,8 +129,7 @@ double deviationOf(const SurfaceMesh& mesh, const MaterialStar& from, const Mate
     const bool wallsOnly = isWallOnly(mesh, patches);
     double most = 0;
     for (const Patch& patch : patches) {
-        most = std::max({most,
-                         wallsOnly ? wallDeviation(mesh, patch) : skinDeviation(mesh, patch),
+        most = std::max({most, wallsOnly ? wallDeviation(mesh, patch) : skinDeviation(mesh, patch),
                          rimDeviation(mesh, from, to, patch)});
     }
     return most;

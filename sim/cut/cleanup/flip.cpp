@@ -103,8 +103,8 @@ class Flip {
         for (const int v : from_.copies) {
             mesh_.forEachOutgoing(v, [&](int h) {
                 if (mesh_.materialPoint(mesh_.target(h)) == to) {
-                    quads_.push_back({h, v, mesh_.target(h), mesh_.apex(h),
-                                      mesh_.apex(mesh_.twin(h))});
+                    quads_.push_back(
+                        {h, v, mesh_.target(h), mesh_.apex(h), mesh_.apex(mesh_.twin(h))});
                 }
             });
         }
@@ -187,8 +187,7 @@ class Flip {
             workspace_.noteChanged(quad.halfEdge / 3);
             workspace_.noteChanged(other);
             for (const int v : {quad.c, quad.d}) {
-                workspace_.setDeviation(
-                    {v}, std::max(deviation_, workspace_.deviationAt({v})));
+                workspace_.setDeviation({v}, std::max(deviation_, workspace_.deviationAt({v})));
             }
         }
         workspace_.spend(defect_);

@@ -56,9 +56,8 @@ const MaterialEdge* MaterialStar::edgeTo(int neighbour) const {
 }
 
 int MaterialStar::featureCount() const {
-    return static_cast<int>(std::count_if(edges.begin(), edges.end(), [](const MaterialEdge& edge) {
-        return edge.isFeature();
-    }));
+    return static_cast<int>(std::count_if(
+        edges.begin(), edges.end(), [](const MaterialEdge& edge) { return edge.isFeature(); }));
 }
 
 bool MaterialStar::isCorner() const {

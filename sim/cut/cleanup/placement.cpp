@@ -37,8 +37,8 @@ VolumeEquation equationAt(const SurfaceMesh& mesh, const std::vector<Vec3>& posi
     VolumeEquation equation;
     for (const int t : patch.before) {
         const Triangle& c = mesh.triangle(t);
-        equation.change += tetrahedron(positions[c[0]] - place, positions[c[1]] - place,
-                                       positions[c[2]] - place);
+        equation.change +=
+            tetrahedron(positions[c[0]] - place, positions[c[1]] - place, positions[c[2]] - place);
     }
     for (const PatchTriangle& t : patch.after) {
         const auto at = std::find(t.corners.begin(), t.corners.end(), patch.vertex);
@@ -199,8 +199,7 @@ Vec3 volumeGradient(const SurfaceMesh& mesh, const std::vector<Vec3>& positions,
     Vec3 gradient = Vec3::Zero();
     const Vec3& place = positions[vertex];
     mesh.forEachOutgoing(vertex, [&](int h) {
-        gradient +=
-            (positions[mesh.target(h)] - place).cross(positions[mesh.apex(h)] - place) / 6;
+        gradient += (positions[mesh.target(h)] - place).cross(positions[mesh.apex(h)] - place) / 6;
     });
     return gradient;
 }

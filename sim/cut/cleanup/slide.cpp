@@ -39,8 +39,8 @@ class Slide {
     bool push(const Vec3& direction, double length, double leastShare) {
         const Vec3 way = projectOnConstantVolume(gradients_, direction);
         const double share = way.dot(direction);
-        return share >= leastShare && (moveBy(way * (length / share)) ||
-                                       moveBy(way * (0.5 * length / share)));
+        return share >= leastShare &&
+               (moveBy(way * (length / share)) || moveBy(way * (0.5 * length / share)));
     }
 
     /// Area vector of the sector that holds a triangle.
@@ -65,8 +65,8 @@ class Slide {
             !workspace_.allows(defect, isWallOnly(mesh_, patches))) {
             return false;
         }
-        const double deviation = deviationOf(mesh_, star_, star_, patches) +
-                                 workspace_.deviationAt(star_.copies);
+        const double deviation =
+            deviationOf(mesh_, star_, star_, patches) + workspace_.deviationAt(star_.copies);
         if (deviation > kMostDeviation * workspace_.h) {
             return false;
         }
@@ -109,8 +109,8 @@ class Slide {
 
     // As the rest shape goes along, then as its volumes allow.
     Vec3 restWayOf(const Vec3& way) const {
-        const Vec3 offset = mapped(
-            way, [&](int v) { return Vec3(mesh_.restPosition(v) - mesh_.position(v)); });
+        const Vec3 offset =
+            mapped(way, [&](int v) { return Vec3(mesh_.restPosition(v) - mesh_.position(v)); });
         const Vec3 restWay = projectOnConstantVolume(restGradients_, way + offset);
         const double most = kRestReach * way.norm() * restStretch(mesh_, star_.copies[0]);
         return restWay.norm() > most ? Vec3(restWay * (most / restWay.norm())) : restWay;
@@ -135,15 +135,14 @@ bool pushApexFrom(Workspace& workspace, int base) {
     }
     const Vec3 fromA = mesh.position(apex) - a;
     const double height = (fromA - ab * (fromA.dot(ab) / (length * length))).norm();
-    const double wanted = std::max(kBeyondQuality * kGoodQuality * length,
-                                   kBeyondEdge * kGoodEdge * h);
+    const double wanted =
+        std::max(kBeyondQuality * kGoodQuality * length, kBeyondEdge * kGoodEdge * h);
     if (height >= wanted) {
         return false;
     }
     Slide slide(workspace, apex);
     const Vec3 direction = slide.sectorOf(base / 3).cross(ab);
-    return direction.norm() > 0 &&
-           slide.push(direction.normalized(), wanted - height, kLeastPush);
+    return direction.norm() > 0 && slide.push(direction.normalized(), wanted - height, kLeastPush);
 }
 
 bool pushApart(Workspace& workspace, int moving, int staying) {
