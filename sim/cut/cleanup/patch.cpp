@@ -21,6 +21,7 @@ std::vector<SectorTriangle> sectorsAround(const SurfaceMesh& mesh, const Materia
     std::vector<int> spokes;
     mesh.forEachOutgoing(vertex, [&](int h) { spokes.push_back(h); });
     std::vector<bool> starts;
+    starts.reserve(spokes.size());
     for (const int h : spokes) {
         starts.push_back(isFeatureSpoke(mesh, star, h));
     }

@@ -153,6 +153,7 @@ struct Shape {
 double placeIn(const Workspace& workspace, const Shape& shape, std::vector<Patch>& patches) {
     const double h = workspace.h;
     std::vector<VolumeEquation> equations;
+    equations.reserve(patches.size());
     for (const Patch& patch : patches) {
         equations.push_back(equationAt(workspace.mesh, shape.positions, patch, patch.*shape.place));
     }
