@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::uint64_t kFirstSeed = 1000;
 constexpr int kRuns = 150;
+// Slivers that one spot may keep where several cuts meet within a thousandth of an edge.
+constexpr int kCrowd = 12;
 
 // KERF_FUZZ_SECONDS runs longer, KERF_FUZZ_SEED elsewhere (KERF_FUZZ_RUNS=1 repeats one seed);
 // KERF_FUZZ_NO_CLEANUP shows what the cut alone leaves, and fails on it.
@@ -45,8 +47,9 @@ TEST(CutFuzz, MeshesStayClosedAndStepsSucceed) {
         EXPECT_LE(sum.mostVolumeChange, 1e-6);
         const test::SliverCount slivers = report.ordinarySlivers(rounded);
         EXPECT_LE(slivers.below002, 0.005 * slivers.triangles) << "of " << slivers.triangles;
-        // Less than 1e-4 of them over thousands of strokes; but they come a dozen in one place.
-        EXPECT_LE(slivers.below0001, 1e-4 * slivers.triangles + 12) << "of " << slivers.triangles;
+        // They come in crowds: two crowds in a short run say nothing about thousands of strokes.
+        EXPECT_LE(slivers.below0001, 1e-4 * slivers.triangles + 2 * kCrowd)
+            << "of " << slivers.triangles;
         EXPECT_LE(sum.unmirrored, 0.01 * sum.strokes) << "of " << sum.strokes << " strokes";
     }
 }
