@@ -369,6 +369,9 @@ const StepReport& Simulation::report() const {
 std::optional<Blade> Simulation::blade() const {
     return state_->blade;
 }
+const std::vector<RungNode>& Simulation::rung() const {
+    return state_->cutter->rung();
+}
 const CutResult& Simulation::lastCut() const {
     return state_->lastCut;
 }
