@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "sim/cut/air_edges.h"
+#include "sim/cut/air_ties.h"
 #include "sim/cut/ladder.h"
 #include "sim/cut/plan.h"
 #include "sim/cut/skin_map.h"
@@ -80,11 +81,14 @@ struct Cutter::State {
     bool inStroke = false;
     Blade blade{};  ///< the last one given
     std::vector<RungNode> rung{};
+    cut::AirTies airTies{};  ///< of the rung
     bool madeWalls = false;  ///< in this stroke
     std::vector<int> skinVertices{};
     int refusedInARow = 0;
 
     void placeRung(const Blade& at);
+    void setRung(std::vector<RungNode> next);
+    void followMesh();
     double leastFlush() const {
         return std::max(kLeastFlush, kLeastFlushOffsets * settings.offset) * h;
     }
@@ -106,14 +110,25 @@ void Cutter::State::placeRung(const Blade& at) {
                             settings.seed, stroke,  pass,     {}};
     rung[0].position += cut::bladeOffset(in, 0);
     rung[1].position += cut::bladeOffset(in, 1);
+    setRung(rung);
+}
+
+void Cutter::State::setRung(std::vector<RungNode> next) {
+    rung = std::move(next);
+    airTies = cut::AirTies(mesh, h, rung);
+}
+
+void Cutter::State::followMesh() {
+    cut::followMesh(mesh, rung);
+    airTies.follow(mesh, rung);
 }
 
 CutResult Cutter::State::sweep(const Blade& to, double gate) {
     if ((to.b - to.a).norm() <= kStandingStill * h) {
         return outcome(CutOutcome::waiting);
     }
+    followMesh();
     std::vector<RungNode> from = rung;
-    cut::followMesh(mesh, from);
     const cut::SweepMotion motion = cut::reparametrize(to, h, from);
     if (motion.advance < std::max(gate, kStandingStill * h)) {
         const bool slides = motion.axial > kAxialSlide * motion.advance && motion.axial > gate;
@@ -141,7 +156,7 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to,
 // Climbs the retry ladder: nothing is committed until one attempt succeeds.
 CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
     const cut::BroadPhase candidates = findCandidates(to, from);
-    cut::clearAirEdges(mesh, candidates, to, h, from);
+    cut::clearAirEdges(mesh, candidates, to, h, airTies, from);
     const std::vector<int> pieces = findPieces(mesh).ofVertex;
     if (skinVertices.empty()) {
         skinVertices = cut::findSkinVertices(mesh);
@@ -180,12 +195,12 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
 CutResult Cutter::State::accept(const cut::PlannedStep& step) {
     refusedInARow = 0;
     if (step.air) {
-        rung = {step.air->endA, step.air->endB};
+        setRung({step.air->endA, step.air->endB});
         return outcome(CutOutcome::air);
     }
     cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
     madeWalls = true;
-    rung = std::move(committed.rung);
+    setRung(std::move(committed.rung));
     pass += isInAir(rung);
     CutResult result = outcome(CutOutcome::cut);
     result.delta = std::move(committed.delta);
