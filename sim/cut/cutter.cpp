@@ -84,6 +84,7 @@ struct Cutter::State {
     cut::AirTies airTies{};  ///< of the rung
     bool madeWalls = false;  ///< in this stroke
     std::vector<int> skinVertices{};
+    cut::FlatSkin flatSkin{};
     int refusedInARow = 0;
 
     void placeRung(const Blade& at);
@@ -106,7 +107,7 @@ void Cutter::State::placeRung(const Blade& at) {
     rung = {{at.a, 0, -1, false}, {at.b, 1, -1, false}};
     const std::vector<int> noPieces;
     const cut::BroadPhase nothing(mesh, at, {at.a, at.b}, 0, h);
-    const cut::StepInput in{mesh,          nothing, noPieces, rung, at, h, settings.offset,
+    const cut::StepInput in{mesh,          nothing, noPieces, flatSkin, rung, at, h, settings.offset,
                             settings.seed, stroke,  pass,     {}};
     rung[0].position += cut::bladeOffset(in, 0);
     rung[1].position += cut::bladeOffset(in, 1);
@@ -160,6 +161,7 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
     const std::vector<int> pieces = findPieces(mesh).ofVertex;
     if (skinVertices.empty()) {
         skinVertices = cut::findSkinVertices(mesh);
+        flatSkin = cut::FlatSkin(mesh);
     }
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
@@ -168,6 +170,7 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
         const cut::StepInput in{mesh,
                                 candidates,
                                 pieces,
+                                flatSkin,
                                 from,
                                 to,
                                 h,

@@ -188,7 +188,8 @@ class Intersector {
     // How far from its real position a vertex may be seen.
     double predicateDrift() const {
         const Attempt& attempt = in_.attempt;
-        const double closing = attempt.closed ? kCloseDistance : 0.0;
+        const bool moved = attempt.closed || attempt.unfold != Unfold::nothing;
+        const double closing = moved ? kCloseDistance : 0.0;
         return (closing + 2 * attempt.shake + attempt.tolerance + attempt.gap) * in_.h;
     }
 

@@ -17,10 +17,14 @@ struct Level {
     double tolerance;
     double shake;
     double gap;
+    Unfold unfold = Unfold::nothing;
 };
 
-constexpr std::array<Level, 17> kLevels{{
+constexpr std::array<Level, 20> kLevels{{
     {1, false, false, 0, 0, 0},
+    {1, false, false, 0, 0, 0, Unfold::front},
+    {1, false, false, 0, 0, 0, Unfold::frontRing},
+    {6, true, false, 0, 0, 0, Unfold::frontRing},
     {6, false, true, 0, 0, 0},
     {6, true, true, 0, 0, 0},
     {6, false, false, 0, 1e-4, 0},
@@ -72,6 +76,7 @@ Attempt attemptAt(int index, double tolerance, std::uint64_t seed) {
     attempt.index = index;
     attempt.offsetScale = level.offsetScale;
     attempt.closed = level.closed;
+    attempt.unfold = level.unfold;
     attempt.touching = level.touching;
     attempt.tolerance = std::max(level.tolerance, tolerance);
     attempt.shake = level.shake;

@@ -1,6 +1,7 @@
 #include "sim/cut/strip.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "sim/cut/jitter.h"
@@ -16,6 +17,7 @@ constexpr double kLeastSpacing = 1e-7;
 constexpr double kShakeNoise = 0.3;  // of the shake: what is random of it
 constexpr double kShakeRoom = 0.3;   // of the distance to the next node: as far as an end may move
 constexpr double kOffsetTurn = 0.3;  // of the offset: how much it differs between A and B
+constexpr double kOnSkin = 1e-3;     // of h, at rest: how far from the skin a vertex lies on it
 // More vertices than this at one node is not a crossing but a crumpled mesh.
 constexpr int kMostVerticesOfNode = 16;
 
@@ -112,6 +114,35 @@ void shakeFront(const StepInput& in, Strip& strip, PredicatePositions& positions
         }
         node.position += move;
         pinVertices(node, positions);
+    }
+}
+
+// A front vertex on the skin that slipped over the triangle beside it is seen where it belongs.
+void unfoldFront(const StepInput& in, Strip& strip, PredicatePositions& positions) {
+    const auto unfolded = [&](int v) -> std::optional<Vec3> {
+        const auto flat = in.flatSkin.positionOf(in.mesh, v, kOnSkin * in.h);
+        const bool near = flat && (*flat - in.mesh.position(v)).norm() < kCloseDistance * in.h;
+        return near ? flat : std::nullopt;
+    };
+    for (int i = 0; i < strip.oldCount; ++i) {
+        StripNode& node = strip.nodes[i];
+        for (const int v : node.vertices) {
+            if (const auto flat = unfolded(v)) {
+                node.position = *flat;
+            }
+            if (in.attempt.unfold != Unfold::frontRing) {
+                continue;
+            }
+            in.mesh.forEachOutgoing(v, [&](int h) {
+                const int neighbour = in.mesh.target(h);
+                if (const auto flat = unfolded(neighbour)) {
+                    positions.pin(neighbour, *flat);
+                }
+            });
+        }
+    }
+    for (int i = 0; i < strip.oldCount; ++i) {
+        pinVertices(strip.nodes[i], positions);
     }
 }
 
@@ -324,7 +355,7 @@ std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<doubl
     int i = 0;
     int j = 0;
     while (i < lastLower || j < lastUpper) {
-        bool advanceLower = i < lastLower && (j == lastUpper || lowerS[i + 1] <= upperS[j + 1]);
+        bool advanceLower = i < lastLower && (j == lastUpper || lowerS[i + 1] < upperS[j + 1]);
         if (i == 0 && pinnedStart) {
             advanceLower = j > 0;
         } else if (pinnedEnd && j + 1 == lastUpper && i < lastLower) {
@@ -350,6 +381,9 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions) {
         if (sizeOf(strip.nodes[i].vertices) > 1) {
             pinVertices(strip.nodes[i], positions);
         }
+    }
+    if (in.attempt.unfold != Unfold::nothing) {
+        unfoldFront(in, strip, positions);
     }
     if (in.attempt.shake > 0) {
         shakeFront(in, strip, positions);

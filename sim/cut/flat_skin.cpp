@@ -1,0 +1,53 @@
+#include "sim/cut/flat_skin.h"
+
+#include "sim/mesh/closest_point.h"
+
+namespace kerf::cut {
+
+namespace {
+
+Vec3 mixed(const Vec3& weights, const Vec3& a, const Vec3& b, const Vec3& c) {
+    return weights[0] * a + weights[1] * b + weights[2] * c;
+}
+
+bool isNear(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, double reach) {
+    return ((a.cwiseMin(b).cwiseMin(c) - p).array() <= reach).all() &&
+           ((p - a.cwiseMax(b).cwiseMax(c)).array() <= reach).all();
+}
+
+}  // namespace
+
+FlatSkin::FlatSkin(const SurfaceMesh& mesh) : vertexCount_(mesh.vertexCount()) {
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t) && mesh.kind(t) == SurfaceKind::skin) {
+            triangles_.push_back(mesh.triangle(t));
+        }
+    }
+}
+
+std::optional<Vec3> FlatSkin::positionOf(const SurfaceMesh& mesh, int v, double reach) const {
+    if (v < vertexCount_) {
+        return std::nullopt;
+    }
+    const Vec3& rest = mesh.restPosition(v);
+    std::optional<Vec3> nearest;
+    double least = reach;
+    for (const Triangle& t : triangles_) {
+        const Vec3& a = mesh.restPosition(t[0]);
+        const Vec3& b = mesh.restPosition(t[1]);
+        const Vec3& c = mesh.restPosition(t[2]);
+        if (!isNear(rest, a, b, c, least)) {
+            continue;
+        }
+        const Vec3 weights = closestWeights(rest, a, b, c);
+        const double distance = (mixed(weights, a, b, c) - rest).norm();
+        if (distance <= least) {
+            least = distance;
+            nearest =
+                mixed(weights, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+        }
+    }
+    return nearest;
+}
+
+}  // namespace kerf::cut
