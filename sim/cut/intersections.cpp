@@ -123,6 +123,9 @@ Crossing pierce(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc,
             Vec3(beside[1].value, beside[2].value, beside[0].value) / sum};
 }
 
+// Rows of wall vertices behind the front that `Attempt::ignoreFringe` takes along.
+constexpr int kFringeRings = 2;
+
 /// Works through all pairs of triangles.
 class Intersector {
   public:
@@ -132,6 +135,9 @@ class Intersector {
             if (node.vertex >= 0) {
                 rungVertices_.insert(node.vertex);
             }
+        }
+        if (in.attempt.ignoreFringe) {
+            collectFringe();
         }
     }
 
@@ -262,12 +268,28 @@ class Intersector {
 
     bool onRung(int v) const { return rungVertices_.count(v) > 0; }
 
+    void collectFringe() {
+        fringe_ = rungVertices_;
+        for (int ring = 0; ring < kFringeRings; ++ring) {
+            std::set<int> wider = fringe_;
+            for (const int v : fringe_) {
+                mesh_.forEachOutgoing(v, [&](int h) {
+                    if (mesh_.kind(h / 3) == SurfaceKind::wall) {
+                        wider.insert({mesh_.target(h), mesh_.apex(h)});
+                    }
+                });
+            }
+            fringe_ = std::move(wider);
+        }
+    }
+
     bool isIgnoredFringe(int m) const {
-        if (!in_.attempt.ignoreFringe || mesh_.kind(m) != SurfaceKind::wall) {
+        if (!in_.attempt.ignoreFringe || mesh_.wallLabel(m) / 2 != in_.stroke ||
+            mesh_.kind(m) != SurfaceKind::wall) {
             return false;
         }
         const Triangle& ids = mesh_.triangle(m);
-        return std::any_of(ids.begin(), ids.end(), [&](int v) { return onRung(v); });
+        return std::any_of(ids.begin(), ids.end(), [&](int v) { return fringe_.count(v) > 0; });
     }
 
     // False where the mesh triangle lies on one side of the strip triangle.
@@ -467,6 +489,7 @@ class Intersector {
     const Strip& strip_;
     const PredicatePositions& positions_;
     std::set<int> rungVertices_;
+    std::set<int> fringe_;  ///< of the slit: vertices near the front
     CutCurves curves_;
 };
 

@@ -18,13 +18,15 @@ struct Level {
     double shake;
     double gap;
     Unfold unfold = Unfold::nothing;
+    bool ignoreFringe = false;
 };
 
-constexpr std::array<Level, 20> kLevels{{
+constexpr std::array<Level, 21> kLevels{{
     {1, false, false, 0, 0, 0},
     {1, false, false, 0, 0, 0, Unfold::front},
-    {1, false, false, 0, 0, 0, Unfold::frontRing},
-    {6, true, false, 0, 0, 0, Unfold::frontRing},
+    {1, false, false, 0, 0, 0, Unfold::around},
+    {1, false, false, 0, 0, 0, Unfold::around, true},
+    {6, true, false, 0, 0, 0, Unfold::around, true},
     {6, false, true, 0, 0, 0},
     {6, true, true, 0, 0, 0},
     {6, false, false, 0, 1e-4, 0},
@@ -82,7 +84,7 @@ Attempt attemptAt(int index, double tolerance, std::uint64_t seed) {
     attempt.shake = level.shake;
     attempt.gap = std::max(level.gap, tolerance);
     attempt.allowStub = index >= attemptCount() - kLevelsWithStub;
-    attempt.ignoreFringe = index >= attemptCount() - kLevelsWithoutFringe;
+    attempt.ignoreFringe = level.ignoreFringe || index >= attemptCount() - kLevelsWithoutFringe;
     return attempt;
 }
 

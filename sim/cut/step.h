@@ -19,8 +19,8 @@ struct StepFailure {
 /// Which vertices predicates see on the undivided skin (FlatSkin) instead of where they are.
 enum class Unfold {
     nothing,
-    front,     ///< those of the old rung
-    frontRing  ///< also their neighbours
+    front,  ///< those of the old rung
+    around  ///< also those around the front's ends
 };
 
 /// One level of the retry ladder. Lengths are shares of h.

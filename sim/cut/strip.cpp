@@ -17,7 +17,10 @@ constexpr double kLeastSpacing = 1e-7;
 constexpr double kShakeNoise = 0.3;  // of the shake: what is random of it
 constexpr double kShakeRoom = 0.3;   // of the distance to the next node: as far as an end may move
 constexpr double kOffsetTurn = 0.3;  // of the offset: how much it differs between A and B
-constexpr double kOnSkin = 1e-3;     // of h, at rest: how far from the skin a vertex lies on it
+// At rest, a vertex nearer to the skin lies on it; and around the front's ends, vertices within the
+// reach are unfolded with them.
+constexpr double kOnSkin = 1e-3;
+constexpr double kUnfoldReach = 1.5;
 // More vertices than this at one node is not a crossing but a crumpled mesh.
 constexpr int kMostVerticesOfNode = 16;
 
@@ -117,28 +120,34 @@ void shakeFront(const StepInput& in, Strip& strip, PredicatePositions& positions
     }
 }
 
-// A front vertex on the skin that slipped over the triangle beside it is seen where it belongs.
+/// Where predicates see a vertex that slipped over the skin: where it belongs.
+std::optional<Vec3> unfolded(const StepInput& in, int v) {
+    const std::optional<Vec3> flat = in.flatSkin.positionOf(in.mesh, v, kOnSkin * in.h);
+    const bool near = flat && (*flat - in.mesh.position(v)).norm() < kCloseDistance * in.h;
+    return near ? flat : std::nullopt;
+}
+
+void unfoldAround(const StepInput& in, const Vec3& p, PredicatePositions& positions) {
+    for (const int t : in.broadPhase.query(p, p, p, kUnfoldReach * in.h)) {
+        for (const int v : in.mesh.triangle(t)) {
+            if ((in.mesh.position(v) - p).norm() < kUnfoldReach * in.h) {
+                if (const auto flat = unfolded(in, v)) {
+                    positions.pin(v, *flat);
+                }
+            }
+        }
+    }
+}
+
 void unfoldFront(const StepInput& in, Strip& strip, PredicatePositions& positions) {
-    const auto unfolded = [&](int v) -> std::optional<Vec3> {
-        const auto flat = in.flatSkin.positionOf(in.mesh, v, kOnSkin * in.h);
-        const bool near = flat && (*flat - in.mesh.position(v)).norm() < kCloseDistance * in.h;
-        return near ? flat : std::nullopt;
-    };
     for (int i = 0; i < strip.oldCount; ++i) {
         StripNode& node = strip.nodes[i];
         for (const int v : node.vertices) {
-            if (const auto flat = unfolded(v)) {
-                node.position = *flat;
+            const auto flat = unfolded(in, v);
+            if (flat && in.attempt.unfold == Unfold::around) {
+                unfoldAround(in, in.mesh.position(v), positions);
             }
-            if (in.attempt.unfold != Unfold::frontRing) {
-                continue;
-            }
-            in.mesh.forEachOutgoing(v, [&](int h) {
-                const int neighbour = in.mesh.target(h);
-                if (const auto flat = unfolded(neighbour)) {
-                    positions.pin(neighbour, *flat);
-                }
-            });
+            node.position = flat.value_or(node.position);
         }
     }
     for (int i = 0; i < strip.oldCount; ++i) {
