@@ -212,7 +212,7 @@ void Simulation::State::holdFront() {
         return;
     }
     syncMesh();
-    anchors = findFrontAnchors(mesh, model, cutter->rung(), uncut.vertexCount(), params.timeStep);
+    anchors = findFrontAnchors(mesh, model, cutter->rung(), cutter->firstVertexOfStroke(), params.timeStep);
     for (const Anchor& anchor : anchors) {
         solver.anchor(anchor.vertex, anchor.velocity.cast<float>());
     }

@@ -101,8 +101,8 @@ class NearbySkin {
     std::vector<Entry> entries_;
 };
 
-std::vector<int> skinTriangles(const SurfaceMesh& mesh, const std::vector<RungNode>& rung,
-                               double reach) {
+std::vector<int> trianglesNear(const SurfaceMesh& mesh, const std::function<bool(int)>& isSkin,
+                               const std::vector<RungNode>& rung, double reach) {
     Bounds around;
     for (const RungNode& node : rung) {
         around.add(node.position);
@@ -110,7 +110,7 @@ std::vector<int> skinTriangles(const SurfaceMesh& mesh, const std::vector<RungNo
     around.widen(reach);
     std::vector<int> result;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t) && mesh.kind(t) == SurfaceKind::skin && boxOf(mesh, t).overlaps(around)) {
+        if (mesh.alive(t) && isSkin(t) && boxOf(mesh, t).overlaps(around)) {
             result.push_back(t);
         }
     }
@@ -123,8 +123,9 @@ double shareAt(double distance, double h) {
 
 }  // namespace
 
-AirTies::AirTies(const SurfaceMesh& mesh, double h, const std::vector<RungNode>& rung) {
-    const std::vector<int> candidates = skinTriangles(mesh, rung, kReach * h);
+AirTies::AirTies(const SurfaceMesh& mesh, const std::function<bool(int)>& isSkin, double h,
+                 const std::vector<RungNode>& rung) {
+    const std::vector<int> candidates = trianglesNear(mesh, isSkin, rung, kReach * h);
     for (int i = 0; i + 1 < sizeOf(rung); ++i) {
         const RungNode& node = rung[i];
         const RungNode& next = rung[i + 1];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "sim/cut/cutter.h"
@@ -20,7 +21,9 @@ class AirTies {
     AirTies() = default;
     /// Remembers where points on the edges of `rung` in the air are as seen from the skin. Edges
     /// between two mesh vertices are left out: there the front crosses an older slit.
-    AirTies(const SurfaceMesh& mesh, double h, const std::vector<RungNode>& rung);
+    /// `isSkin` tells which triangles count: those of the piece, without the walls of the stroke.
+    AirTies(const SurfaceMesh& mesh, const std::function<bool(int)>& isSkin, double h,
+            const std::vector<RungNode>& rung);
 
     /// Moves the ends of the same rung that are in the air along with the skin. No triangle may
     /// have gone since.

@@ -64,7 +64,7 @@ void requireFinite(const CutCurves& curves) {
 
 }  // namespace
 
-PlannedStep planStep(const StepInput& in, const std::vector<int>& skinVertices) {
+PlannedStep planStep(const StepInput& in) {
     PlannedStep step;
     StepPlan& plan = step.plan;
     PredicatePositions positions(in);
@@ -79,7 +79,7 @@ PlannedStep planStep(const StepInput& in, const std::vector<int>& skinVertices) 
     }
     plan.subdivision = subdivide(in.mesh, plan.curves);
     const std::vector<WallSheet> sheets = triangulateWall(in, strip, plan.outline, plan.curves);
-    mapFromSkin(in, skinVertices, sheets, plan.curves);
+    mapFromSkin(in, sheets, plan.curves);
     plan.triangles = plan.subdivision.triangles;
     addWalls(in, sheets, plan);
     plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);

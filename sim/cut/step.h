@@ -6,7 +6,7 @@
 #include "sim/cut/blade.h"
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/cutter.h"
-#include "sim/cut/flat_skin.h"
+#include "sim/cut/stroke_surface.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
@@ -16,7 +16,7 @@ struct StepFailure {
     const char* reason;
 };
 
-/// Which vertices predicates see on the undivided skin (FlatSkin) instead of where they are.
+/// Which vertices predicates see on the undivided surface (StrokeSurface) instead of where they are.
 enum class Unfold {
     nothing,
     front,  ///< those of the old rung
@@ -42,7 +42,7 @@ struct StepInput {
     const SurfaceMesh& mesh;
     const BroadPhase& broadPhase;
     const std::vector<int>& pieceOfVertex;
-    const FlatSkin& flatSkin;
+    const StrokeSurface& surface;
     const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
     Blade blade;
     double h = 0;       ///< edge length of walls [m]

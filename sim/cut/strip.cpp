@@ -120,9 +120,9 @@ void shakeFront(const StepInput& in, Strip& strip, PredicatePositions& positions
     }
 }
 
-/// Where predicates see a vertex that slipped over the skin: where it belongs.
+/// Where predicates see a vertex that slipped over the surface: where it belongs.
 std::optional<Vec3> unfolded(const StepInput& in, int v) {
-    const std::optional<Vec3> flat = in.flatSkin.positionOf(in.mesh, v, kOnSkin * in.h);
+    const std::optional<Vec3> flat = in.surface.flatPosition(in.mesh, v, kOnSkin * in.h);
     const bool near = flat && (*flat - in.mesh.position(v)).norm() < kCloseDistance * in.h;
     return near ? flat : std::nullopt;
 }
@@ -339,14 +339,17 @@ Vec3 bladePoint(const StepInput& in, double s) {
 }
 
 Vec3 bladeOffset(const StepInput& in, double s) {
-    const double length = in.offset * in.attempt.offsetScale * in.h;
+    return bladeOffset(in.offset * in.h, in.attempt.offsetScale, in.seed, in.pass, s);
+}
+
+Vec3 bladeOffset(double length, double scale, std::uint64_t seed, int pass, double s) {
     // The pass is part of the seed: with equal offsets, strokes through one point and a blade that
     // comes back the same way would meet the older slits exactly.
-    Jitter jitter(in.seed * 977 + static_cast<std::uint64_t>(in.pass) * 131 +
-                  static_cast<std::uint64_t>(in.attempt.offsetScale));
+    Jitter jitter(seed * 977 + static_cast<std::uint64_t>(pass) * 131 +
+                  static_cast<std::uint64_t>(scale));
     const Vec3 atA = jitter.direction();
     const Vec3 turn = jitter.direction() * kOffsetTurn;
-    return (atA + turn * s) * length;
+    return (atA + turn * s) * (length * scale);
 }
 
 std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<double>& lowerS,

@@ -81,6 +81,8 @@ struct Strip {
 
 /// The fixed displacement of the blade at parameter s, the same for a whole pass.
 Vec3 bladeOffset(const StepInput& in, double s);
+/// The same for an offset of `length` [m] at scale 1.
+Vec3 bladeOffset(double length, double scale, std::uint64_t seed, int pass, double s);
 /// The point of the blade at parameter s, without the offset.
 Vec3 bladePoint(const StepInput& in, double s);
 

@@ -82,13 +82,15 @@ bool nearBox(const SurfaceMesh& mesh, const Triangle& t, const Vec3& point, doub
     return ((low - point).array() <= reach).all() && ((point - high).array() <= reach).all();
 }
 
-/// The nearest skin of the piece around `vertex` at rest, within `reach`.
+/// The nearest point of the surface that the piece had before the stroke, around `vertex` at rest, within `reach`.
 std::optional<SkinPoint> nearestSkin(const SurfaceMesh& mesh, const BodyModel& model, int vertex,
                                      double reach) {
     const Vec3& rest = mesh.restPosition(vertex);
+    const int stroke = mesh.wallLabel(mesh.outgoing(vertex) / 3) / 2;
     std::optional<SkinPoint> nearest;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t) || mesh.kind(t) != SurfaceKind::skin) {
+        const bool ownWall = mesh.kind(t) == SurfaceKind::wall && mesh.wallLabel(t) / 2 == stroke;
+        if (!mesh.alive(t) || ownWall) {
             continue;
         }
         const Triangle& corners = mesh.triangle(t);

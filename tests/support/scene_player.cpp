@@ -134,13 +134,13 @@ void ScenePlayer::describeStep(double speed) {
 }
 
 void ScenePlayer::countOutcome(const CutResult& result) {
-    const bool refused = result.outcome == CutOutcome::refused;
-    figures_.attempted += refused || result.outcome == CutOutcome::cut;
-    figures_.refused += refused;
-    figures_.retried += result.outcome == CutOutcome::cut && result.statistics.tries > 1;
-    if (refused) {
+    const CutStatistics& counts = result.statistics;
+    figures_.attempted += counts.cutPieces + counts.refusedPieces;
+    figures_.refused += counts.refusedPieces;
+    figures_.retried += result.outcome == CutOutcome::cut && counts.tries > 1;
+    if (counts.refusedPieces > 0) {
         ++refusedInARow_;
-    } else if (result.outcome == CutOutcome::cut) {
+    } else if (counts.cutPieces > 0) {
         refusedInARow_ = 0;
     }
     figures_.longestRefusal = std::max(figures_.longestRefusal, refusedInARow_);

@@ -1,4 +1,4 @@
-#include "sim/cut/flat_skin.h"
+#include "sim/cut/stroke_surface.h"
 
 #include "sim/mesh/closest_point.h"
 
@@ -17,26 +17,40 @@ bool isNear(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, double r
 
 }  // namespace
 
-FlatSkin::FlatSkin(const SurfaceMesh& mesh) : vertexCount_(mesh.vertexCount()) {
+StrokeSurface::StrokeSurface(const SurfaceMesh& mesh) : vertexCount_(mesh.vertexCount()) {
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t) && mesh.kind(t) == SurfaceKind::skin) {
-            triangles_.push_back(mesh.triangle(t));
+        if (mesh.alive(t)) {
+            parts_.push_back({mesh.triangle(t), mesh.wallLabel(t)});
+        }
+    }
+    for (int v = 0; v < vertexCount_; ++v) {
+        if (mesh.outgoing(v) >= 0) {
+            vertices_.push_back(v);
         }
     }
 }
 
-std::optional<Vec3> FlatSkin::positionOf(const SurfaceMesh& mesh, int v, double reach) const {
+// The two walls of an older slit rest at the same place.
+bool StrokeSurface::isBeside(const SurfaceMesh& mesh, int v, int wallLabel) const {
+    bool beside = false;
+    mesh.forEachOutgoing(v, [&](int h) { beside |= mesh.wallLabel(h / 3) == wallLabel; });
+    return beside;
+}
+
+std::optional<Vec3> StrokeSurface::flatPosition(const SurfaceMesh& mesh, int v,
+                                                double reach) const {
     if (v < vertexCount_) {
         return std::nullopt;
     }
     const Vec3& rest = mesh.restPosition(v);
     std::optional<Vec3> nearest;
     double least = reach;
-    for (const Triangle& t : triangles_) {
+    for (const Part& part : parts_) {
+        const Triangle& t = part.corners;
         const Vec3& a = mesh.restPosition(t[0]);
         const Vec3& b = mesh.restPosition(t[1]);
         const Vec3& c = mesh.restPosition(t[2]);
-        if (!isNear(rest, a, b, c, least)) {
+        if (!isNear(rest, a, b, c, least) || !isBeside(mesh, v, part.wallLabel)) {
             continue;
         }
         const Vec3 weights = closestWeights(rest, a, b, c);
