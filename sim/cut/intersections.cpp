@@ -123,8 +123,8 @@ Crossing pierce(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc,
             Vec3(beside[1].value, beside[2].value, beside[0].value) / sum};
 }
 
-// Rows of wall vertices behind the front that `Attempt::ignoreFringe` takes along.
-constexpr int kFringeRings = 2;
+// Rows of wall triangles behind the front that `Attempt::ignoreFringe` takes along.
+constexpr int kFringeRings = 3;
 
 /// Works through all pairs of triangles.
 class Intersector {
@@ -136,9 +136,7 @@ class Intersector {
                 rungVertices_.insert(node.vertex);
             }
         }
-        if (in.attempt.ignoreFringe) {
-            collectFringe();
-        }
+        collectFringe(in.attempt.ignoreFringe ? kFringeRings : 1);
     }
 
     CutCurves run() {
@@ -202,7 +200,7 @@ class Intersector {
     void intersectPair(int m, int s, const std::array<Vec3, 3>& stripAt,
                        const Bounds& stripBounds) {
         Pair pair{m, s, seenCorners(m), stripAt, {}, {}, sharedVertex(m, s)};
-        if (apart(pair.mesh, stripBounds) || pair.shared.count >= 2 || isIgnoredFringe(m) ||
+        if (apart(pair.mesh, stripBounds) || pair.shared.count >= 2 || (in_.attempt.ignoreFringe && isFringe(m)) ||
             !signMeshCorners(pair) || !signStripCorners(pair)) {
             return;
         }
@@ -216,6 +214,9 @@ class Intersector {
         }
         if (pair.hits != 2 || pair.entry < 0 || pair.exit < 0) {
             throw StepFailure{"two triangles meet in an impossible way"};
+        }
+        if (!in_.attempt.allowStub && isFringe(m)) {
+            throw StepFailure{"the blade meets the walls that it has just made"};
         }
         curves_.segmentsOfTriangle[m].push_back(sizeOf(curves_.segments));
         curves_.segments.push_back({m, s, pair.entry, pair.exit});
@@ -268,9 +269,9 @@ class Intersector {
 
     bool onRung(int v) const { return rungVertices_.count(v) > 0; }
 
-    void collectFringe() {
+    void collectFringe(int rings) {
         fringe_ = rungVertices_;
-        for (int ring = 0; ring < kFringeRings; ++ring) {
+        for (int ring = 1; ring < rings; ++ring) {
             std::set<int> wider = fringe_;
             for (const int v : fringe_) {
                 mesh_.forEachOutgoing(v, [&](int h) {
@@ -283,9 +284,9 @@ class Intersector {
         }
     }
 
-    bool isIgnoredFringe(int m) const {
-        if (!in_.attempt.ignoreFringe || mesh_.wallLabel(m) / 2 != in_.stroke ||
-            mesh_.kind(m) != SurfaceKind::wall) {
+    /// A wall of this stroke beside its front.
+    bool isFringe(int m) const {
+        if (mesh_.kind(m) != SurfaceKind::wall || mesh_.wallLabel(m) / 2 != in_.stroke) {
             return false;
         }
         const Triangle& ids = mesh_.triangle(m);

@@ -195,13 +195,15 @@ void separateParameters(const StepInput& in, Strip& strip) {
 
 // R1 has a point above every interior front node, never above a surface entry: for a straight
 // stroke that one would lie exactly in the surface.
-std::vector<double> newRungParameters(const StepInput& in, const Strip& strip) {
+std::vector<double> newRungParameters(const StepInput& in, const Strip& strip,
+                                      const std::vector<double>& skipped) {
     const double spacing = kNewRungSpacing * in.h / bladeLength(in);
     std::vector<double> result{0.0};
     for (int i = 1; i < strip.oldCount - 1; ++i) {
         const StripNode& node = strip.nodes[i];
         const bool interior =
-            node.attached && strip.attachedBefore(i) && sizeOf(node.vertices) == 1;
+            node.attached && strip.attachedBefore(i) && sizeOf(node.vertices) == 1 &&
+            std::find(skipped.begin(), skipped.end(), node.s) == skipped.end();
         if (interior && node.s - result.back() > spacing && 1 - node.s > spacing) {
             result.push_back(node.s);
         }
@@ -215,8 +217,8 @@ bool isPinned(const StepInput& in, const Strip& strip, const Vec3& bladeEnd, int
            kPinnedDistance * std::min(in.h, strip.height);
 }
 
-void placeNewRung(const StepInput& in, Strip& strip) {
-    const std::vector<double> parameters = newRungParameters(in, strip);
+void placeNewRung(const StepInput& in, const std::vector<double>& skipped, Strip& strip) {
+    const std::vector<double> parameters = newRungParameters(in, strip, skipped);
     const int last = sizeOf(parameters) - 1;
     for (int j = 0; j <= last; ++j) {
         const Vec3 onBlade = bladePoint(in, parameters[j]);
@@ -386,7 +388,8 @@ std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<doubl
     return triangles;
 }
 
-Strip buildStrip(const StepInput& in, PredicatePositions& positions) {
+Strip buildStrip(const StepInput& in, PredicatePositions& positions,
+                 const std::vector<double>& skipped) {
     Strip strip;
     placeOldRung(in, positions, strip);
     for (int i = 0; i < strip.oldCount; ++i) {
@@ -404,7 +407,7 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions) {
         joinTouchingVertices(in, strip, positions);
     }
     separateParameters(in, strip);
-    placeNewRung(in, strip);
+    placeNewRung(in, skipped, strip);
     zipRungs(strip);
     connectEdges(strip);
     return strip;
