@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "sim/cut/air_edges.h"
 #include "sim/cut/air_ties.h"
@@ -120,6 +121,8 @@ struct Sweep {
     int refusedInARow = 0;
     std::vector<RungNode> rung;
     cut::AirTies airTies;
+    Blade blade;                        ///< at the rung
+    Vec3 lastAdvance = Vec3::Zero();  ///< of the blade's middle in the last step that cut [m]
 };
 
 }  // namespace
@@ -157,6 +160,7 @@ struct Cutter::State {
     CutResult accept(const cut::PlannedStep& step, Sweep& sweep);
     void keepOwnNodes(std::vector<RungNode> nodes, Sweep& sweep);
     void nameNewVertices(const Sweep& sweep);
+    static void moveOn(const Blade& to, const CutResult& result, Sweep& sweep);
     void countRefusal(const Blade& to, Sweep& sweep);
     cut::BroadPhase findCandidates(const Blade& to, const Sweep& sweep,
                                    const std::vector<RungNode>& from) const;
@@ -276,6 +280,8 @@ void Cutter::State::placeRung(const Blade& at, Sweep& sweep) {
         return RungNode{p + offset, s, -1, false};
     };
     setRung({end(at.a, 0), end(at.b, 1)}, sweep);
+    sweep.blade = at;
+    sweep.lastAdvance = Vec3::Zero();
 }
 
 void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
@@ -300,7 +306,7 @@ CutResult Cutter::State::advance(const Blade& to, double gate, Sweep& sweep) {
         }
         return outcome(CutOutcome::waiting);
     }
-    if (cut::isWithdrawing(mesh, to, h, from)) {
+    if (cut::isWithdrawing(mesh, to, h, sweep.lastAdvance, from)) {
         return outcome(CutOutcome::withdrawing);
     }
     return cut(to, from, sweep);
@@ -341,6 +347,7 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep&
                                 cut::attemptAt(i, settings.tolerance, retrySeed)};
         try {
             CutResult result = accept(cut::planStep(in), sweep);
+            moveOn(to, result, sweep);
             result.statistics.tries = i + 1;
             result.reason = reason;
             return result;
@@ -381,6 +388,13 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
 // Pieces that come off stay in the group until they part.
 void Cutter::State::nameNewVertices(const Sweep& sweep) {
     groupOfVertex.resize(mesh.vertexCount(), groupOf(sweep));
+}
+
+void Cutter::State::moveOn(const Blade& to, const CutResult& result, Sweep& sweep) {
+    const Blade from = std::exchange(sweep.blade, to);
+    if (result.outcome == CutOutcome::cut) {
+        sweep.lastAdvance = 0.5 * (to.a - from.a + to.b - from.b);
+    }
 }
 
 void Cutter::State::countRefusal(const Blade& to, Sweep& sweep) {

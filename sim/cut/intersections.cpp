@@ -123,8 +123,8 @@ Crossing pierce(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc,
             Vec3(beside[1].value, beside[2].value, beside[0].value) / sum};
 }
 
-// Rows of wall triangles behind the front that `Attempt::ignoreFringe` takes along.
-constexpr int kFringeRings = 3;
+// Rows of wall triangles behind the front that the blade can't meet again so soon.
+constexpr int kFringeRings = 5;
 
 /// Works through all pairs of triangles.
 class Intersector {
@@ -136,7 +136,7 @@ class Intersector {
                 rungVertices_.insert(node.vertex);
             }
         }
-        collectFringe(in.attempt.ignoreFringe ? kFringeRings : 1);
+        collectFringe();
     }
 
     CutCurves run() {
@@ -269,9 +269,9 @@ class Intersector {
 
     bool onRung(int v) const { return rungVertices_.count(v) > 0; }
 
-    void collectFringe(int rings) {
+    void collectFringe() {
         fringe_ = rungVertices_;
-        for (int ring = 1; ring < rings; ++ring) {
+        for (int ring = 1; ring < kFringeRings; ++ring) {
             std::set<int> wider = fringe_;
             for (const int v : fringe_) {
                 mesh_.forEachOutgoing(v, [&](int h) {
