@@ -120,11 +120,19 @@ void shakeFront(const StepInput& in, Strip& strip, PredicatePositions& positions
     }
 }
 
+std::optional<Vec3> ifNear(const StepInput& in, int v, const std::optional<Vec3>& place) {
+    const bool near = place && (*place - in.mesh.position(v)).norm() < kCloseDistance * in.h;
+    return near ? place : std::nullopt;
+}
+
 /// Where predicates see a vertex that slipped over the surface: where it belongs.
 std::optional<Vec3> unfolded(const StepInput& in, int v) {
-    const std::optional<Vec3> flat = in.surface.flatPosition(in.mesh, v, kOnSkin * in.h);
-    const bool near = flat && (*flat - in.mesh.position(v)).norm() < kCloseDistance * in.h;
-    return near ? flat : std::nullopt;
+    return ifNear(in, v, in.surface.flatPosition(in.mesh, v, kOnSkin * in.h));
+}
+
+/// Where they see an inner vertex of the front that came out through the surface.
+std::optional<Vec3> keptInside(const StepInput& in, int v) {
+    return ifNear(in, v, in.surface.insidePosition(in.mesh, v, kUnfoldReach * in.h));
 }
 
 void unfoldAround(const StepInput& in, const Vec3& p, PredicatePositions& positions) {
@@ -147,7 +155,9 @@ void unfoldFront(const StepInput& in, Strip& strip, PredicatePositions& position
             if (flat && in.attempt.unfold == Unfold::around) {
                 unfoldAround(in, in.mesh.position(v), positions);
             }
-            node.position = flat.value_or(node.position);
+            const bool inner = node.attached && strip.attachedBefore(i);
+            const auto inside = inner && !flat ? keptInside(in, v) : std::nullopt;
+            node.position = flat.value_or(inside.value_or(node.position));
         }
     }
     for (int i = 0; i < strip.oldCount; ++i) {

@@ -1,10 +1,14 @@
 #include "sim/cut/stroke_surface.h"
 
+#include <Eigen/Geometry>
+
 #include "sim/mesh/closest_point.h"
 
 namespace kerf::cut {
 
 namespace {
+
+constexpr double kKeptDepth = 0.5;  // of the depth at rest
 
 Vec3 mixed(const Vec3& weights, const Vec3& a, const Vec3& b, const Vec3& c) {
     return weights[0] * a + weights[1] * b + weights[2] * c;
@@ -62,6 +66,39 @@ std::optional<Vec3> StrokeSurface::flatPosition(const SurfaceMesh& mesh, int v,
         }
     }
     return nearest;
+}
+
+std::optional<Vec3> StrokeSurface::insidePosition(const SurfaceMesh& mesh, int v,
+                                                  double reach) const {
+    const Vec3& rest = mesh.restPosition(v);
+    double depth = reach;
+    std::optional<Vec3> onSurface;
+    Vec3 outward = Vec3::Zero();
+    for (const Part& part : parts_) {
+        const Triangle& t = part.corners;
+        const Vec3& a = mesh.restPosition(t[0]);
+        const Vec3& b = mesh.restPosition(t[1]);
+        const Vec3& c = mesh.restPosition(t[2]);
+        // The far side of a thin part, or the other wall of an older slit, faces the other way.
+        if (!isNear(rest, a, b, c, depth) || (b - a).cross(c - a).dot(rest - a) >= 0) {
+            continue;
+        }
+        const Vec3 weights = closestWeights(rest, a, b, c);
+        const double distance = (mixed(weights, a, b, c) - rest).norm();
+        if (distance < depth) {
+            depth = distance;
+            const Vec3& p = mesh.position(t[0]);
+            const Vec3& q = mesh.position(t[1]);
+            const Vec3& r = mesh.position(t[2]);
+            onSurface = mixed(weights, p, q, r);
+            outward = (q - p).cross(r - p).stableNormalized();
+        }
+    }
+    if (!onSurface) {
+        return std::nullopt;
+    }
+    const double excess = outward.dot(mesh.position(v) - *onSurface) + kKeptDepth * depth;
+    return excess > 0 ? std::optional(Vec3(mesh.position(v) - excess * outward)) : std::nullopt;
 }
 
 }  // namespace kerf::cut

@@ -25,6 +25,11 @@ class StrokeSurface {
     /// that rest farther than `reach` [m] from the surface beside them.
     std::optional<Vec3> flatPosition(const SurfaceMesh& mesh, int v, double reach) const;
 
+    /// Where vertex v, made inside the body since, would be if it had kept at least half of its
+    /// depth below the undivided surface. Nothing where it has, and where it rests deeper than
+    /// `reach` [m].
+    std::optional<Vec3> insidePosition(const SurfaceMesh& mesh, int v, double reach) const;
+
   private:
     struct Part {
         Triangle corners;

@@ -127,6 +127,25 @@ TEST(MovingBody, WallsThatBendAheadOfTheFrontDoNotStopTheBlade) {
     }
 }
 
+TEST(MovingBody, AnInnerFrontVertexThatCameOutThroughTheSkinIsNoReasonToRefuse) {
+    for (const double out : {0.005, 0.02}) {
+        SurfaceMesh mesh = test::icosphere(3);
+        Cutter cutter(mesh, CutSettings{});
+        const CutCheck check =
+            test::runStroke(cutter, mesh, down(), [&](SurfaceMesh& body, int step) {
+                if (step != 43) {  // the blade stands at y = -0.46, 0.04 above the skin
+                    return;
+                }
+                const std::vector<RungNode>& rung = cutter.rung();
+                const int middle = rung[rung.size() / 2].vertex;
+                ASSERT_GE(middle, 0);
+                const double depth = body.position(middle).y() + 0.5;
+                shift(body, {middle}, Vec3(0, -depth - out, 0));
+            });
+        expectParted(mesh, check);
+    }
+}
+
 TEST(MovingBody, HalvesThatOverlapAreCutEachForItself) {
     SurfaceMesh mesh = test::icosphere(3);
     Cutter cutter(mesh, CutSettings{});
