@@ -125,11 +125,22 @@ Vec3 keptInside(const SurfaceMesh& mesh, const BodyModel& model, int vertex, con
     return excess > 0 ? Vec3(position - excess * normal) : position;
 }
 
-/// Front vertices with uncut material on both sides along the blade.
-std::vector<int> innerFrontVertices(const std::vector<RungNode>& rung) {
+/// Where the blade's tip stands in the material the front ends inside, on walls of its stroke alone.
+bool liesInside(const SurfaceMesh& mesh, int v) {
+    bool inside = true;
+    const int stroke = mesh.wallLabel(mesh.outgoing(v) / 3) / 2;
+    mesh.forEachOutgoing(v, [&](int h) {
+        inside &= mesh.kind(h / 3) == SurfaceKind::wall && mesh.wallLabel(h / 3) / 2 == stroke;
+    });
+    return inside;
+}
+
+/// Front vertices with uncut material around them.
+std::vector<int> innerFrontVertices(const SurfaceMesh& mesh, const std::vector<RungNode>& rung) {
     std::vector<int> out;
-    for (std::size_t i = 1; i < rung.size(); ++i) {
-        if (rung[i].vertex >= 0 && rung[i].attached && rung[i - 1].attached) {
+    for (std::size_t i = 0; i < rung.size(); ++i) {
+        const bool attached = rung[i].attached || (i > 0 && rung[i - 1].attached);
+        if (rung[i].vertex >= 0 && attached && liesInside(mesh, rung[i].vertex)) {
             out.push_back(rung[i].vertex);
         }
     }
@@ -162,7 +173,7 @@ std::vector<Anchor> findFrontAnchors(const SurfaceMesh& mesh, const BodyModel& m
     std::vector<Anchor> anchors;
     int piece = -1;
     std::vector<int> samples;
-    for (const int v : innerFrontVertices(rung)) {
+    for (const int v : innerFrontVertices(mesh, rung)) {
         if (model.pieceOfVertex[v] != piece) {
             piece = model.pieceOfVertex[v];
             samples = skinOfPiece(mesh, model, piece, skinVertices);
