@@ -220,7 +220,8 @@ void Simulation::State::holdFront() {
         return;
     }
     syncMesh();
-    anchors = findFrontAnchors(mesh, model, cutter->rung(), uncut.vertexCount(), params.timeStep);
+    anchors = findFrontAnchors(mesh, model, cutter->rung(), cutter->firstVertexOfStroke(),
+                               params.timeStep);
     for (const Anchor& anchor : anchors) {
         solver.anchor(anchor.vertex, anchor.velocity.cast<float>());
     }
@@ -376,6 +377,9 @@ const StepReport& Simulation::report() const {
 }
 std::optional<Blade> Simulation::blade() const {
     return state_->blade;
+}
+const std::vector<RungNode>& Simulation::rung() const {
+    return state_->cutter->rung();
 }
 const CutResult& Simulation::lastCut() const {
     return state_->lastCut;

@@ -53,6 +53,8 @@ class Simulation {
     const StepReport& report() const;
     /// Where the blade is now; none while lifted.
     std::optional<Blade> blade() const;
+    /// Where the blade last cut: see Cutter::rung().
+    const std::vector<RungNode>& rung() const;
     /// Outcome of the last step that the blade moved in.
     const CutResult& lastCut() const;
     /// Sentences about what went wrong in a step (refused cuts, non-finite values), since the last

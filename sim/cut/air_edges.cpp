@@ -14,6 +14,8 @@ namespace {
 constexpr std::array<double, 7> kHeights{0.15, 0.3, 0.5, 0.8, 1.2, 1.8, 2.5};
 // Shorter edges cross an older slit and belong to the strip's clusters (share of h).
 constexpr double kShortestAirEdge = 0.05;
+// How far out (shares of h) carried points are moved in addition.
+constexpr std::array<double, 5> kLifts{0, 0.05, 0.1, 0.2, 0.4};
 
 class AirEdges {
   public:
@@ -21,25 +23,75 @@ class AirEdges {
         : mesh_(mesh), broadPhase_(broadPhase), blade_(blade), h_(h) {}
 
     /// The nodes to put between two neighbours of the rung; nothing where none are needed or
-    /// none help.
-    std::vector<RungNode> detour(const RungNode& from, const RungNode& to) const {
-        const bool held = from.vertex >= 0 || to.vertex >= 0;
+    /// none help. `carried`: the points of the edge that went along with the skin.
+    std::vector<RungNode> detour(const RungNode& from, const RungNode& to,
+                                 const std::vector<CarriedPoint>& carried) const {
         const double length = (to.position - from.position).norm();
-        if (!held || length < kShortestAirEdge * h_ || isClear({from, to})) {
+        if (length < kShortestAirEdge * h_ || isClear({from, to})) {
             return {};
         }
+        for (const double lift : kLifts) {
+            const std::vector<RungNode> path = carriedPath(from, to, carried, lift * h_);
+            if (isClear(path)) {
+                return inner(straightened(path));
+            }
+        }
+        const bool held = from.vertex >= 0 || to.vertex >= 0;
+        return held ? detourAbove(from, to) : std::vector<RungNode>{};
+    }
+
+  private:
+    std::vector<RungNode> detourAbove(const RungNode& from, const RungNode& to) const {
         for (const double height : kHeights) {
             for (const bool backwards : {false, true}) {
                 const std::vector<RungNode> path = pathAbove(from, to, height * h_, backwards);
                 if (isOrdered(path) && isClear(path)) {
-                    return {path.begin() + 1, path.end() - 1};
+                    return inner(path);
                 }
             }
         }
         return {};
     }
 
-  private:
+    static std::vector<RungNode> inner(const std::vector<RungNode>& path) {
+        return {path.begin() + 1, path.end() - 1};
+    }
+
+    // Its s stay between those of its ends and in order, whatever the skin did to it.
+    std::vector<RungNode> carriedPath(const RungNode& from, const RungNode& to,
+                                      const std::vector<CarriedPoint>& carried, double lift) const {
+        std::vector<RungNode> path{from};
+        const double share = 1.0 / (static_cast<double>(carried.size()) + 1);
+        for (std::size_t i = 0; i < carried.size(); ++i) {
+            RungNode node = airNode(carried[i].position + lift * inSweep(carried[i]));
+            node.s = from.s + (to.s - from.s) * share * (static_cast<double>(i) + 1);
+            path.push_back(node);
+        }
+        path.push_back(to);
+        return path;
+    }
+
+    // Outwards, but not out of the surface that the blade sweeps.
+    Vec3 inSweep(const CarriedPoint& point) const {
+        const Vec3 along = (blade_.b - blade_.a).normalized();
+        const Vec3 across = along.cross(point.position - blade_.a).stableNormalized();
+        return (point.outward - across * across.dot(point.outward)).stableNormalized();
+    }
+
+    // Without the nodes that it does not need.
+    std::vector<RungNode> straightened(const std::vector<RungNode>& path) const {
+        std::vector<RungNode> result{path.front()};
+        for (std::size_t i = 0; i + 1 < path.size();) {
+            std::size_t next = path.size() - 1;
+            while (next > i + 1 && isPierced(path[i], path[next])) {
+                --next;
+            }
+            result.push_back(path[next]);
+            i = next;
+        }
+        return result;
+    }
+
     // Straight up from the skin, or half backwards to where the blade came from.
     std::vector<RungNode> pathAbove(const RungNode& from, const RungNode& to, double height,
                                     bool backwards) const {
@@ -136,13 +188,14 @@ class AirEdges {
 }  // namespace
 
 void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const Blade& blade,
-                   double h, std::vector<RungNode>& rung) {
+                   double h, const AirTies& ties, std::vector<RungNode>& rung) {
     const AirEdges edges(mesh, broadPhase, blade, h);
     std::vector<RungNode> cleared;
     for (std::size_t i = 0; i < rung.size(); ++i) {
         cleared.push_back(rung[i]);
         if (i + 1 < rung.size() && !rung[i].attached) {
-            const std::vector<RungNode> detour = edges.detour(rung[i], rung[i + 1]);
+            const std::vector<RungNode> detour =
+                edges.detour(rung[i], rung[i + 1], ties.between(mesh, static_cast<int>(i)));
             cleared.insert(cleared.end(), detour.begin(), detour.end());
         }
     }

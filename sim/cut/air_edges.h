@@ -2,16 +2,17 @@
 
 #include <vector>
 
+#include "sim/cut/air_ties.h"
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/cutter.h"
 
 namespace kerf::cut {
 
 /// Leads the rung around skin that has moved across its edges in the air: what lies behind the
-/// rung is never swept, and would stay as a bridge. Between a front vertex and the air a node is
-/// put a little outside the skin, its s between those of its neighbours.
-/// Edges without a clear way stay as they are.
+/// rung is never swept, and would stay as a bridge. Such an edge goes by the points that the skin
+/// carried along, farther out where that is needed; or, beside a front vertex, by a node above the
+/// skin. Edges without a clear way stay as they are.
 void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const Blade& blade,
-                   double h, std::vector<RungNode>& rung);
+                   double h, const AirTies& ties, std::vector<RungNode>& rung);
 
 }  // namespace kerf::cut

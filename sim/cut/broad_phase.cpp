@@ -31,7 +31,7 @@ Eigen::Matrix3d sweepFrame(const Blade& blade, const std::vector<Vec3>& points) 
 }  // namespace
 
 BroadPhase::BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::vector<Vec3>& points,
-                       double margin, double binSize)
+                       double margin, double binSize, const std::function<bool(int)>& counts)
     : frame_(sweepFrame(blade, points)) {
     for (const Vec3& p : points) {
         box_.add(toFrame(p));
@@ -40,7 +40,7 @@ BroadPhase::BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::v
     binSize_ = std::max(binSize, (box_.high.x() - box_.low.x()) / kMostBins);
     bins_.resize(binOf(box_.high.x()) + 1);
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t)) {
+        if (!mesh.alive(t) || !counts(t)) {
             continue;
         }
         Bounds bounds;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "sim/cut/blade.h"
@@ -12,9 +13,10 @@ namespace kerf::cut {
 /// along the blade.
 class BroadPhase {
   public:
-    /// `points` span the sweep; triangles within `margin` [m] of their box are found.
+    /// `points` span the sweep; triangles within `margin` [m] of their box are found, of those that
+    /// `counts` lets pass.
     BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::vector<Vec3>& points,
-               double margin, double binSize);
+               double margin, double binSize, const std::function<bool(int)>& counts);
 
     /// Triangles whose box meets the box of abc widened by `pad` <= margin; ascending.
     std::vector<int> query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const;

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <utility>
 
 #include "sim/cut/air_edges.h"
+#include "sim/cut/air_ties.h"
 #include "sim/cut/cleanup/cleanup.h"
 #include "sim/cut/ladder.h"
+#include "sim/cut/piece_groups.h"
 #include "sim/cut/plan.h"
 #include "sim/cut/skin_map.h"
+#include "sim/cut/strip.h"
 #include "sim/cut/sweep.h"
 #include "sim/mesh/invariants.h"
 
@@ -32,6 +36,8 @@ constexpr double kAxialSlide = 4;
 // vertices elsewhere, and the rung is led around skin that moved across it.
 constexpr double kBroadPhaseMargin = 3;
 constexpr double kBinSize = 1.0;
+// Pieces whose copies lie farther apart (share of h) are swept apart.
+constexpr double kParted = 1e-3;
 // Keeps passes apart from those of strokes that an earlier cutter made.
 constexpr int kPassesPerStroke = 1000;
 
@@ -71,6 +77,58 @@ CutResult outcome(CutOutcome what) {
     return result;
 }
 
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+}
+
+void addTo(CutDelta& sum, const CutDelta& part) {
+    append(sum.removedTriangles, part.removedTriangles);
+    append(sum.addedTriangles, part.addedTriangles);
+    append(sum.changedTriangles, part.changedTriangles);
+    append(sum.movedVertices, part.movedVertices);
+    append(sum.deadVertices, part.deadVertices);
+}
+
+void addTo(CutStatistics& sum, const CutStatistics& part) {
+    sum.cutPieces += part.cutPieces;
+    sum.refusedPieces += part.refusedPieces;
+    sum.touchedTriangles += part.touchedTriangles;
+    sum.wallTriangles += part.wallTriangles;
+    sum.splitVertices += part.splitVertices;
+    sum.tries = std::max(sum.tries, part.tries);
+    for (int i = 0; i < kSubdivisionPatterns; ++i) {
+        sum.patterns[i] += part.patterns[i];
+    }
+    sum.volumeChange += part.volumeChange;
+}
+
+/// One outcome for several pieces: the later one in the list of CutOutcome, but a cut before a
+/// refusal, since it changed the mesh.
+void addTo(CutResult& sum, const CutResult& part) {
+    const bool first = part.outcome == CutOutcome::cut && sum.outcome != CutOutcome::cut;
+    if (first) {
+        sum.delta.firstNewVertex = part.delta.firstNewVertex;
+    }
+    if (first || (sum.outcome != CutOutcome::cut && part.outcome > sum.outcome)) {
+        sum.outcome = part.outcome;
+    }
+    addTo(sum.delta, part.delta);
+    addTo(sum.statistics, part.statistics);
+    sum.reason = part.reason.empty() ? sum.reason : part.reason;
+}
+
+/// The blade's way through one group of pieces (groupPieces). Each waits and refuses for itself.
+struct Sweep {
+    int vertex = -1;  ///< some vertex of the group
+    int pass = 0;     ///< goes up each time the blade starts from the air
+    int refusedInARow = 0;
+    std::vector<RungNode> rung;
+    cut::AirTies airTies;
+    Blade blade;                      ///< at the rung
+    Vec3 lastAdvance = Vec3::Zero();  ///< of the blade's middle in the last step that cut [m]
+};
+
 }  // namespace
 
 struct Cutter::State {
@@ -78,95 +136,252 @@ struct Cutter::State {
     CutSettings settings;
     double h = 0;
     int stroke = 0;
-    int pass = 0;  ///< goes up each time the blade starts from the air
+    int pass = 0;  ///< the last one of any sweep
     bool inStroke = false;
     Blade blade{};  ///< the last one given
-    std::vector<RungNode> rung{};
-    bool madeWalls = false;  ///< in this stroke
-    std::vector<int> skinVertices{};
-    int refusedInARow = 0;
+    std::vector<Sweep> sweeps{};
+    std::vector<RungNode> rung{};  ///< those of all sweeps, one after the other
+    bool madeWalls = false;        ///< in this stroke
+    std::vector<int> pieceOfVertex{};
+    std::vector<int> groupOfVertex{};
+    cut::StrokeSurface surface{};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
-    void placeRung(const Blade& at);
     double leastFlush() const {
         return std::max(kLeastFlush, kLeastFlushOffsets * settings.offset) * h;
     }
-    CutResult sweep(const Blade& to, double gate);
-    CutResult cut(const Blade& to, std::vector<RungNode> from);
-    CutResult accept(const cut::PlannedStep& step);
-    void countRefusal(const Blade& to);
+    void start(const Blade& at);
+    CutResult sweepAll(const Blade& to, double gate);
+    void findGroups();
+    void divideSweeps();
+    Sweep* sweepOf(int group);
+    void joinRungs();
+    void cleanUpBehindFront(CutResult& result);
     void cleanUpAtEnd(CutResult& result);
-    cut::BroadPhase findCandidates(const Blade& to, const std::vector<RungNode>& from) const;
+    void holdLivingVertices();
+
+    // Of one group.
+    void placeRung(const Blade& at, Sweep& sweep);
+    void setRung(std::vector<RungNode> next, Sweep& sweep);
+    CutResult advance(const Blade& to, double gate, Sweep& sweep);
+    CutResult cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep);
+    CutResult accept(const cut::PlannedStep& step, Sweep& sweep);
+    void keepOwnNodes(std::vector<RungNode> nodes, Sweep& sweep);
+    void nameNewVertices(const Sweep& sweep);
+    static void moveOn(const Blade& to, const CutResult& result, Sweep& sweep);
+    void countRefusal(const Blade& to, Sweep& sweep);
+    cut::BroadPhase findCandidates(const Blade& to, const Sweep& sweep,
+                                   const std::vector<RungNode>& from) const;
+    /// Tells the triangles of the group that were there before the stroke, or divide such.
+    std::function<bool(int)> isOuter(const Sweep& sweep) const;
+    int groupOf(const Sweep& sweep) const { return groupOfVertex[sweep.vertex]; }
 };
 
-// The rung carries the offset of the stroke from the start: otherwise a blade that is put down
-// exactly on a vertex would stay there in every retry.
-void Cutter::State::placeRung(const Blade& at) {
-    ++pass;
-    rung = {{at.a, 0, -1, false}, {at.b, 1, -1, false}};
-    const std::vector<int> noPieces;
-    const cut::BroadPhase nothing(mesh, at, {at.a, at.b}, 0, h);
-    const cut::StepInput in{mesh,          nothing, noPieces, rung, at, h, settings.offset,
-                            settings.seed, stroke,  pass,     {}};
-    rung[0].position += cut::bladeOffset(in, 0);
-    rung[1].position += cut::bladeOffset(in, 1);
+void Cutter::State::start(const Blade& at) {
+    blade = at;
+    inStroke = true;
+    stroke += madeWalls;  // a stroke that only met air leaves its number to the next
+    madeWalls = false;
+    surface = cut::StrokeSurface(mesh);
+    cleanup.reset();
+    sweeps.clear();
+    groupOfVertex.clear();
+    findGroups();
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (groupOfVertex[v] >= 0 && sweepOf(groupOfVertex[v]) == nullptr) {
+            sweeps.emplace_back().vertex = v;
+            placeRung(at, sweeps.back());
+        }
+    }
+    joinRungs();
 }
 
-CutResult Cutter::State::sweep(const Blade& to, double gate) {
+void Cutter::State::findGroups() {
+    const PieceMap pieces = findPieces(mesh);
+    groupOfVertex = cut::groupPieces(mesh, pieces, kParted * h, groupOfVertex);
+    pieceOfVertex = pieces.ofVertex;
+}
+
+Sweep* Cutter::State::sweepOf(int group) {
+    const auto at = std::find_if(sweeps.begin(), sweeps.end(),
+                                 [&](const Sweep& s) { return groupOf(s) == group; });
+    return at == sweeps.end() ? nullptr : &*at;
+}
+
+// Pieces that have parted since go on apart, each with its own part of the rung. A piece that has
+// gone (debris) takes its sweep along.
+void Cutter::State::divideSweeps() {
+    const std::vector<int> before = groupOfVertex;
+    std::vector<int> sweepOfOldGroup(before.size(), -1);
+    for (int i = 0; i < cut::sizeOf(sweeps); ++i) {
+        if (groupOf(sweeps[i]) >= 0) {
+            sweepOfOldGroup[groupOf(sweeps[i])] = i;
+        }
+    }
+    findGroups();
+    std::vector<bool> known(groupOfVertex.size(), false);
+    const int oldSweeps = cut::sizeOf(sweeps);
+    std::vector<bool> divided(oldSweeps, false);
+    for (const Sweep& sweep : sweeps) {
+        if (groupOf(sweep) >= 0) {
+            known[groupOf(sweep)] = true;
+        }
+    }
+    for (int v = 0; v < cut::sizeOf(before); ++v) {
+        const int group = groupOfVertex[v];
+        if (group < 0 || known[group] || before[v] < 0) {
+            continue;
+        }
+        known[group] = true;
+        const int parent = sweepOfOldGroup[before[v]];
+        Sweep part = sweeps[parent];
+        part.vertex = v;
+        divided[parent] = true;
+        sweeps.push_back(std::move(part));
+        keepOwnNodes(sweeps[parent].rung, sweeps.back());
+    }
+    for (int i = 0; i < oldSweeps; ++i) {
+        if (divided[i] && groupOf(sweeps[i]) >= 0) {
+            keepOwnNodes(sweeps[i].rung, sweeps[i]);
+        }
+    }
+    std::erase_if(sweeps, [&](const Sweep& sweep) { return groupOf(sweep) < 0; });
+}
+
+void Cutter::State::keepOwnNodes(std::vector<RungNode> nodes, Sweep& sweep) {
+    std::erase_if(nodes, [&](const RungNode& node) {
+        return node.vertex >= 0 && groupOfVertex[node.vertex] != groupOf(sweep);
+    });
+    setRung(std::move(nodes), sweep);
+}
+
+void Cutter::State::joinRungs() {
+    rung.clear();
+    for (const Sweep& sweep : sweeps) {
+        rung.insert(rung.end(), sweep.rung.begin(), sweep.rung.end());
+    }
+}
+
+CutResult Cutter::State::sweepAll(const Blade& to, double gate) {
     if ((to.b - to.a).norm() <= kStandingStill * h) {
         return outcome(CutOutcome::waiting);
     }
-    std::vector<RungNode> from = rung;
-    cut::followMesh(mesh, from);
+    for (Sweep& sweep : sweeps) {
+        cut::followMesh(mesh, sweep.rung);
+        sweep.airTies.follow(mesh, sweep.rung);
+    }
+    divideSweeps();
+    CutResult sum;
+    for (Sweep& sweep : sweeps) {
+        addTo(sum, advance(to, gate, sweep));
+    }
+    joinRungs();
+    if (sum.outcome == CutOutcome::cut && cleanup) {
+        cleanUpBehindFront(sum);
+    }
+    return sum;
+}
+
+void Cutter::State::cleanUpBehindFront(CutResult& result) {
+    result.statistics.cleanup = cleanup->behindFront(rung, result.delta);
+    holdLivingVertices();
+    for (Sweep& sweep : sweeps) {
+        setRung(std::move(sweep.rung), sweep);  // the skin beside its air may be another
+    }
+}
+
+void Cutter::State::holdLivingVertices() {
+    for (Sweep& sweep : sweeps) {
+        const int group = groupOf(sweep);
+        int v = sweep.vertex;
+        for (int next = 0; mesh.outgoing(v) < 0 && next < mesh.vertexCount(); ++next) {
+            v = groupOfVertex[next] == group ? next : v;
+        }
+        sweep.vertex = v;
+    }
+}
+
+// The rung carries the offset of the pass from the start: otherwise a blade that is put down
+// exactly on a vertex would stay there in every retry.
+void Cutter::State::placeRung(const Blade& at, Sweep& sweep) {
+    sweep.pass = ++pass;
+    const auto end = [&](const Vec3& p, double s) {
+        const Vec3 offset = cut::bladeOffset(settings.offset * h, 1, settings.seed, sweep.pass, s);
+        return RungNode{p + offset, s, -1, false};
+    };
+    setRung({end(at.a, 0), end(at.b, 1)}, sweep);
+    sweep.blade = at;
+    sweep.lastAdvance = Vec3::Zero();
+}
+
+void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
+    sweep.rung = std::move(next);
+    sweep.airTies = cut::AirTies(mesh, isOuter(sweep), h, sweep.rung);
+}
+
+std::function<bool(int)> Cutter::State::isOuter(const Sweep& sweep) const {
+    return [this, group = groupOf(sweep)](int t) {
+        const bool ownWall = mesh.kind(t) == SurfaceKind::wall && mesh.wallLabel(t) / 2 == stroke;
+        return !ownWall && groupOfVertex[mesh.triangle(t)[0]] == group;
+    };
+}
+
+CutResult Cutter::State::advance(const Blade& to, double gate, Sweep& sweep) {
+    std::vector<RungNode> from = sweep.rung;
     const cut::SweepMotion motion = cut::reparametrize(to, h, from);
     if (motion.advance < std::max(gate, kStandingStill * h)) {
         const bool slides = motion.axial > kAxialSlide * motion.advance && motion.axial > gate;
         if (!motion.anyAttached && slides) {
-            placeRung(to);
+            placeRung(to, sweep);
         }
         return outcome(CutOutcome::waiting);
     }
-    if (cut::isWithdrawing(mesh, to, h, from)) {
+    if (cut::isWithdrawing(mesh, to, h, sweep.lastAdvance, from)) {
         return outcome(CutOutcome::withdrawing);
     }
-    return cut(to, from);
+    return cut(to, from, sweep);
 }
 
-cut::BroadPhase Cutter::State::findCandidates(const Blade& to,
+cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& sweep,
                                               const std::vector<RungNode>& from) const {
     std::vector<Vec3> points{to.a, to.b};
     for (const RungNode& node : from) {
         points.push_back(node.position);
     }
     const double widestOffset = cut::largestOffsetScale() * settings.offset;
-    return {mesh, to, points, (kBroadPhaseMargin + widestOffset) * h, kBinSize * h};
+    return {mesh,
+            to,
+            points,
+            (kBroadPhaseMargin + widestOffset) * h,
+            kBinSize * h,
+            [this, group = groupOf(sweep)](int t) {
+                return groupOfVertex[mesh.triangle(t)[0]] == group;
+            }};
 }
 
 // Climbs the retry ladder: nothing is committed until one attempt succeeds.
-CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
-    const cut::BroadPhase candidates = findCandidates(to, from);
-    cut::clearAirEdges(mesh, candidates, to, h, from);
-    const std::vector<int> pieces = findPieces(mesh).ofVertex;
-    if (skinVertices.empty()) {
-        skinVertices = cut::findSkinVertices(mesh);
-    }
+CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep) {
+    const cut::BroadPhase candidates = findCandidates(to, sweep, from);
+    cut::clearAirEdges(mesh, candidates, to, h, sweep.airTies, from);
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
     std::string reason;
     for (int i = 0; i < cut::attemptCount(); ++i) {
         const cut::StepInput in{mesh,
                                 candidates,
-                                pieces,
+                                pieceOfVertex,
+                                surface,
                                 from,
                                 to,
                                 h,
                                 settings.offset,
                                 settings.seed,
                                 stroke,
-                                pass,
+                                sweep.pass,
                                 cut::attemptAt(i, settings.tolerance, retrySeed)};
         try {
-            CutResult result = accept(cut::planStep(in, skinVertices));
+            CutResult result = accept(cut::planStep(in), sweep);
+            moveOn(to, result, sweep);
             result.statistics.tries = i + 1;
             result.reason = reason;
             return result;
@@ -176,15 +391,16 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
     }
     CutResult result = outcome(CutOutcome::refused);
     result.statistics.tries = cut::attemptCount();
+    result.statistics.refusedPieces = 1;
     result.reason = reason;
-    countRefusal(to);
+    countRefusal(to, sweep);
     return result;
 }
 
-CutResult Cutter::State::accept(const cut::PlannedStep& step) {
-    refusedInARow = 0;
+CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
+    sweep.refusedInARow = 0;
     if (step.air) {
-        rung = {step.air->endA, step.air->endB};
+        setRung({step.air->endA, step.air->endB}, sweep);
         return outcome(CutOutcome::air);
     }
     if (settings.cleanUp && !cleanup) {
@@ -192,25 +408,36 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step) {
     }
     cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
     madeWalls = true;
-    rung = std::move(committed.rung);
-    pass += isInAir(rung);
     CutResult result = outcome(CutOutcome::cut);
     result.delta = std::move(committed.delta);
+    result.statistics.cutPieces = 1;
     result.statistics.touchedTriangles = cut::sizeOf(step.plan.subdivision.replaced);
     result.statistics.wallTriangles = step.wallTriangles;
     result.statistics.splitVertices = committed.splitVertices;
     result.statistics.patterns = step.plan.subdivision.patterns;
     result.statistics.volumeChange = step.plan.volumeChange;
-    if (cleanup) {
-        result.statistics.cleanup = cleanup->behindFront(rung, result.delta);
-    }
+    sweep.pass = isInAir(committed.rung) ? ++pass : sweep.pass;
+    nameNewVertices(sweep);
+    setRung(std::move(committed.rung), sweep);
     return result;
 }
 
-void Cutter::State::countRefusal(const Blade& to) {
-    if (++refusedInARow >= kRefusalsBeforeDetach) {
-        refusedInARow = 0;
-        placeRung(to);
+// Pieces that come off stay in the group until they part.
+void Cutter::State::nameNewVertices(const Sweep& sweep) {
+    groupOfVertex.resize(mesh.vertexCount(), groupOf(sweep));
+}
+
+void Cutter::State::moveOn(const Blade& to, const CutResult& result, Sweep& sweep) {
+    const Blade from = std::exchange(sweep.blade, to);
+    if (result.outcome == CutOutcome::cut) {
+        sweep.lastAdvance = 0.5 * (to.a - from.a + to.b - from.b);
+    }
+}
+
+void Cutter::State::countRefusal(const Blade& to, Sweep& sweep) {
+    if (++sweep.refusedInARow >= kRefusalsBeforeDetach) {
+        sweep.refusedInARow = 0;
+        placeRung(to, sweep);
     }
 }
 
@@ -241,28 +468,21 @@ Cutter::Cutter(Cutter&&) noexcept = default;
 Cutter& Cutter::operator=(Cutter&&) noexcept = default;
 
 void Cutter::begin(const Blade& blade) {
-    State& state = *state_;
-    state.stroke += state.madeWalls;  // a stroke that only met air leaves its number to the next
-    state.madeWalls = false;
-    state.inStroke = true;
-    state.blade = blade;
-    state.refusedInARow = 0;
-    state.skinVertices.clear();
-    state.cleanup.reset();
-    state.placeRung(blade);
+    state_->start(blade);
 }
 
 CutResult Cutter::advance(const Blade& blade) {
     assert(state_->inStroke);
     state_->blade = blade;
-    return state_->sweep(blade, state_->settings.gate * state_->h);
+    return state_->sweepAll(blade, state_->settings.gate * state_->h);
 }
 
 CutResult Cutter::finish() {
     State& state = *state_;
     assert(state.inStroke);
-    CutResult result = state.sweep(state.blade, state.leastFlush());
+    CutResult result = state.sweepAll(state.blade, state.leastFlush());
     state.inStroke = false;
+    state.sweeps.clear();
     state.rung.clear();
     state.cleanUpAtEnd(result);
     return result;
@@ -270,6 +490,9 @@ CutResult Cutter::finish() {
 
 bool Cutter::inStroke() const {
     return state_->inStroke;
+}
+int Cutter::firstVertexOfStroke() const {
+    return state_->surface.vertexCount();
 }
 const std::vector<RungNode>& Cutter::rung() const {
     return state_->rung;

@@ -63,6 +63,8 @@ struct CleanupStatistics {
 
 /// Counts of one step.
 struct CutStatistics {
+    int cutPieces = 0;                                 ///< pieces of the body that were cut
+    int refusedPieces = 0;                             ///< pieces whose step was refused
     int touchedTriangles = 0;                          ///< surface triangles that the strip met
     int wallTriangles = 0;                             ///< new, both sides
     int splitVertices = 0;                             ///< copies of vertices that were made
@@ -107,7 +109,9 @@ struct CutSettings {
 };
 
 /// Cuts a mesh by strokes of a blade. Each step is one transaction: a closed mesh and the strip
-/// that the blade swept become a closed mesh, or the step is refused and nothing changes.
+/// that the blade swept become a closed mesh, or the step is refused and nothing changes. Every
+/// piece of the body has its own step: where several are swept, some may be cut and some refused,
+/// and pieces that overlap do not disturb each other.
 class Cutter {
   public:
     /// The mesh must outlive the cutter and be changed by nobody else during a stroke, except for
@@ -120,16 +124,18 @@ class Cutter {
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);
     /// Sweeps from where the last successful step ended to `blade`. After three refusals in a row
-    /// the front is let go, stays as a slit, and the sweep starts anew at the blade.
+    /// the front in that piece is let go, stays as a slit, and the sweep starts anew at the blade.
     CutResult advance(const Blade& blade);
     /// Ends the stroke: sweeps what the gate held back, lets go of the front, cleans up.
     CutResult finish();
 
     /// Between begin() and finish().
     bool inStroke() const;
-    /// The old rung, from A to B: empty outside a stroke. Positions are those after the last step
-    /// that moved it; vertices follow the mesh.
+    /// The old rungs of all pieces, each from A to B, one after the other: empty outside a stroke.
+    /// Positions are those after the last step that moved them; vertices follow the mesh.
     const std::vector<RungNode>& rung() const;
+    /// Vertices below this index were there before the stroke.
+    int firstVertexOfStroke() const;
 
   private:
     struct State;

@@ -123,6 +123,9 @@ Crossing pierce(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc,
             Vec3(beside[1].value, beside[2].value, beside[0].value) / sum};
 }
 
+// Rows of wall triangles behind the front that the blade can't meet again so soon.
+constexpr int kFringeRings = 5;
+
 /// Works through all pairs of triangles.
 class Intersector {
   public:
@@ -133,6 +136,7 @@ class Intersector {
                 rungVertices_.insert(node.vertex);
             }
         }
+        collectFringe();
     }
 
     CutCurves run() {
@@ -188,15 +192,17 @@ class Intersector {
     // How far from its real position a vertex may be seen.
     double predicateDrift() const {
         const Attempt& attempt = in_.attempt;
-        const double closing = attempt.closed ? kCloseDistance : 0.0;
+        const bool moved = attempt.closed || attempt.unfold != Unfold::nothing;
+        const double closing = moved ? kCloseDistance : 0.0;
         return (closing + 2 * attempt.shake + attempt.tolerance + attempt.gap) * in_.h;
     }
 
     void intersectPair(int m, int s, const std::array<Vec3, 3>& stripAt,
                        const Bounds& stripBounds) {
         Pair pair{m, s, seenCorners(m), stripAt, {}, {}, sharedVertex(m, s)};
-        if (apart(pair.mesh, stripBounds) || pair.shared.count >= 2 || isIgnoredFringe(m) ||
-            !signMeshCorners(pair) || !signStripCorners(pair)) {
+        if (apart(pair.mesh, stripBounds) || pair.shared.count >= 2 ||
+            (in_.attempt.ignoreFringe && isFringe(m)) || !signMeshCorners(pair) ||
+            !signStripCorners(pair)) {
             return;
         }
         meshEdgesAgainstStrip(pair);
@@ -209,6 +215,9 @@ class Intersector {
         }
         if (pair.hits != 2 || pair.entry < 0 || pair.exit < 0) {
             throw StepFailure{"two triangles meet in an impossible way"};
+        }
+        if (!in_.attempt.allowStub && isFringe(m)) {
+            throw StepFailure{"the blade meets the walls that it has just made"};
         }
         curves_.segmentsOfTriangle[m].push_back(sizeOf(curves_.segments));
         curves_.segments.push_back({m, s, pair.entry, pair.exit});
@@ -261,12 +270,28 @@ class Intersector {
 
     bool onRung(int v) const { return rungVertices_.count(v) > 0; }
 
-    bool isIgnoredFringe(int m) const {
-        if (!in_.attempt.ignoreFringe || mesh_.kind(m) != SurfaceKind::wall) {
+    void collectFringe() {
+        fringe_ = rungVertices_;
+        for (int ring = 1; ring < kFringeRings; ++ring) {
+            std::set<int> wider = fringe_;
+            for (const int v : fringe_) {
+                mesh_.forEachOutgoing(v, [&](int h) {
+                    if (mesh_.kind(h / 3) == SurfaceKind::wall) {
+                        wider.insert({mesh_.target(h), mesh_.apex(h)});
+                    }
+                });
+            }
+            fringe_ = std::move(wider);
+        }
+    }
+
+    /// A wall of this stroke beside its front.
+    bool isFringe(int m) const {
+        if (mesh_.kind(m) != SurfaceKind::wall || mesh_.wallLabel(m) / 2 != in_.stroke) {
             return false;
         }
         const Triangle& ids = mesh_.triangle(m);
-        return std::any_of(ids.begin(), ids.end(), [&](int v) { return onRung(v); });
+        return std::any_of(ids.begin(), ids.end(), [&](int v) { return fringe_.count(v) > 0; });
     }
 
     // False where the mesh triangle lies on one side of the strip triangle.
@@ -466,6 +491,7 @@ class Intersector {
     const Strip& strip_;
     const PredicatePositions& positions_;
     std::set<int> rungVertices_;
+    std::set<int> fringe_;  ///< of the slit: vertices near the front
     CutCurves curves_;
 };
 

@@ -17,10 +17,16 @@ struct Level {
     double tolerance;
     double shake;
     double gap;
+    Unfold unfold = Unfold::nothing;
+    bool ignoreFringe = false;
 };
 
-constexpr std::array<Level, 17> kLevels{{
+constexpr std::array<Level, 21> kLevels{{
     {1, false, false, 0, 0, 0},
+    {1, false, false, 0, 0, 0, Unfold::front},
+    {1, false, false, 0, 0, 0, Unfold::around},
+    {1, false, false, 0, 0, 0, Unfold::around, true},
+    {6, true, false, 0, 0, 0, Unfold::around, true},
     {6, false, true, 0, 0, 0},
     {6, true, true, 0, 0, 0},
     {6, false, false, 0, 1e-4, 0},
@@ -72,12 +78,13 @@ Attempt attemptAt(int index, double tolerance, std::uint64_t seed) {
     attempt.index = index;
     attempt.offsetScale = level.offsetScale;
     attempt.closed = level.closed;
+    attempt.unfold = level.unfold;
     attempt.touching = level.touching;
     attempt.tolerance = std::max(level.tolerance, tolerance);
     attempt.shake = level.shake;
     attempt.gap = std::max(level.gap, tolerance);
     attempt.allowStub = index >= attemptCount() - kLevelsWithStub;
-    attempt.ignoreFringe = index >= attemptCount() - kLevelsWithoutFringe;
+    attempt.ignoreFringe = level.ignoreFringe || index >= attemptCount() - kLevelsWithoutFringe;
     return attempt;
 }
 

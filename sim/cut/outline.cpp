@@ -10,8 +10,6 @@ namespace {
 // Two curve ends in impossible order are swapped when closer than this share of h: coincident or
 // slightly inter-penetrating walls of an older slit.
 constexpr double kTieDistance = 0.25;
-// A shorter free piece beside the old front would leave the body connected through it.
-constexpr double kShortestStub = 0.1;
 
 /// What leads from one point of the border to the next.
 enum class Link {
@@ -346,7 +344,7 @@ class BorderWalk {
         }
         const bool newRung = strip_.onNewRung(edge);
         if (!newRung) {
-            requireNoStub(edge, from, to);
+            requireNoStub(edge);
         }
         addFreePiece(from, to, parameterOf(points_[i]), parameterOf(points_[j]), newRung);
         if (newRung) {
@@ -360,13 +358,13 @@ class BorderWalk {
         }
     }
 
-    void requireNoStub(int edge, int from, int to) const {
+    // What lies behind the old rung is never swept: the body would stay connected there.
+    void requireNoStub(int edge) const {
         const StripEdge& e = strip_.edges[edge];
         const bool onOldRung = strip_.isOld(e.a) && strip_.isOld(e.b);
         const bool besideFront =
             !strip_.nodes[e.a].vertices.empty() || !strip_.nodes[e.b].vertices.empty();
-        const double length = (curves_.nodes[to].position - curves_.nodes[from].position).norm();
-        if (!in_.attempt.allowStub && onOldRung && besideFront && length < kShortestStub * in_.h) {
+        if (!in_.attempt.allowStub && onOldRung && besideFront) {
             throw StepFailure{"a free piece beside the old front"};
         }
     }

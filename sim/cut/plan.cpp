@@ -9,6 +9,8 @@ namespace kerf::cut {
 
 namespace {
 
+constexpr double kRoomAtFrontEnd = 0.3;  // share of h
+
 RungNode airNode(const Strip& strip, int node, double s) {
     return {strip.nodes[node].position, s, -1, false};
 }
@@ -62,24 +64,53 @@ void requireFinite(const CutCurves& curves) {
     }
 }
 
-}  // namespace
-
-PlannedStep planStep(const StepInput& in, const std::vector<int>& skinVertices) {
-    PlannedStep step;
-    StepPlan& plan = step.plan;
+// Strip, curves and outline. The new rung has no nodes at the parameters `skipped`.
+Strip layOut(const StepInput& in, const std::vector<double>& skipped, StepPlan& plan) {
     PredicatePositions positions(in);
-    const Strip strip = buildStrip(in, positions);
+    Strip strip = buildStrip(in, positions, skipped);
     plan.endA = airNode(strip, strip.newRung.front(), 0);
     plan.endB = airNode(strip, strip.newRung.back(), 1);
     plan.curves = intersect(in, strip, positions);
     plan.outline = traceOutline(in, strip, plan.curves);
+    return strip;
+}
+
+// Of inner points of the new front that lie close to one of its ends on the surface. The material
+// could carry them out through the surface, which is only known roughly there.
+std::vector<double> crowdedParameters(const StepInput& in, const StepPlan& plan) {
+    std::vector<double> crowded;
+    const auto isEnd = [&](const FrontPoint& p) {
+        return plan.curves.nodes[p.node].kind != NodeKind::wall;
+    };
+    const std::vector<FrontPoint>& front = plan.outline.front;
+    for (std::size_t i = 0; i + 1 < front.size(); ++i) {
+        const double length = (plan.curves.nodes[front[i].node].position -
+                               plan.curves.nodes[front[i + 1].node].position)
+                                  .norm();
+        if (front[i].attached && length < kRoomAtFrontEnd * in.h &&
+            isEnd(front[i]) != isEnd(front[i + 1])) {
+            crowded.push_back(isEnd(front[i]) ? front[i + 1].s : front[i].s);
+        }
+    }
+    return crowded;
+}
+
+}  // namespace
+
+PlannedStep planStep(const StepInput& in) {
+    PlannedStep step;
+    StepPlan& plan = step.plan;
+    Strip strip = layOut(in, {}, plan);
+    if (const std::vector<double> crowded = crowdedParameters(in, plan); !crowded.empty()) {
+        strip = layOut(in, crowded, plan);
+    }
     if (plan.outline.edges.empty()) {
         step.air = AirStep{plan.endA, plan.endB};
         return step;
     }
     plan.subdivision = subdivide(in.mesh, plan.curves);
     const std::vector<WallSheet> sheets = triangulateWall(in, strip, plan.outline, plan.curves);
-    mapFromSkin(in, skinVertices, sheets, plan.curves);
+    mapFromSkin(in, sheets, plan.curves);
     plan.triangles = plan.subdivision.triangles;
     addWalls(in, sheets, plan);
     plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);

@@ -21,6 +21,6 @@ struct PlannedStep {
 };
 
 /// Plans one step. Throws StepFailure where no valid result comes out of this attempt.
-PlannedStep planStep(const StepInput& in, const std::vector<int>& skinVertices);
+PlannedStep planStep(const StepInput& in);
 
 }  // namespace kerf::cut

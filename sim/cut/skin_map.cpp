@@ -18,10 +18,9 @@ struct Sample {
     Vec3 velocity;
 };
 
-std::vector<Sample> skinSamples(const StepInput& in, const std::vector<int>& skinVertices,
-                                int piece) {
+std::vector<Sample> skinSamples(const StepInput& in, int piece) {
     std::vector<int> ofPiece;
-    for (const int v : skinVertices) {
+    for (const int v : in.surface.vertices()) {
         if (in.pieceOfVertex[v] == piece) {
             ofPiece.push_back(v);
         }
@@ -92,32 +91,12 @@ void mapNode(const std::vector<Sample>& samples, double h, Node& node) {
     node.velocity = velocity + (m.velocityByPosition - m.velocity * center.transpose()) * lever;
 }
 
-bool isOnSkin(const SurfaceMesh& mesh, int v) {
-    if (mesh.outgoing(v) < 0) {
-        return false;
-    }
-    bool all = true;
-    mesh.forEachOutgoing(v, [&](int h) { all = all && mesh.kind(h / 3) == SurfaceKind::skin; });
-    return all;
-}
-
 }  // namespace
 
-std::vector<int> findSkinVertices(const SurfaceMesh& mesh) {
-    std::vector<int> result;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (isOnSkin(mesh, v)) {
-            result.push_back(v);
-        }
-    }
-    return result;
-}
-
-void mapFromSkin(const StepInput& in, const std::vector<int>& skinVertices,
-                 const std::vector<WallSheet>& sheets, CutCurves& curves) {
+void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutCurves& curves) {
     std::vector<bool> mapped(curves.nodes.size(), false);
     for (const WallSheet& sheet : sheets) {
-        std::vector<Sample> samples = skinSamples(in, skinVertices, sheet.piece);
+        std::vector<Sample> samples = skinSamples(in, sheet.piece);
         if (sizeOf(samples) < kLeastSamples) {
             samples = rimSamples(sheet, curves.nodes);
         }

@@ -6,14 +6,10 @@
 
 namespace kerf::cut {
 
-/// Vertices inside the skin, away from every cut: the samples of the map below.
-std::vector<int> findSkinVertices(const SurfaceMesh& mesh);
-
 /// Gives the inner wall nodes of a step their rest positions and velocities: the affine map
-/// current -> rest fitted at the node by moving least squares from the outer skin of the same
-/// piece, weights 1 / (d^2 + h^2)^2, ridge 1e-3 of the trace towards the identity.
-/// Samples surround the node, so nothing is extrapolated.
-void mapFromSkin(const StepInput& in, const std::vector<int>& skinVertices,
-                 const std::vector<WallSheet>& sheets, CutCurves& curves);
+/// current -> rest fitted at the node by moving least squares from the surface that the
+/// same piece had before the stroke, weights 1 / (d^2 + h^2)^2, ridge 1e-3 of the trace towards the
+/// identity. Samples surround the node, so nothing is extrapolated.
+void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutCurves& curves);
 
 }  // namespace kerf::cut

@@ -6,6 +6,7 @@
 #include "sim/cut/blade.h"
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/cutter.h"
+#include "sim/cut/stroke_surface.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
@@ -15,11 +16,20 @@ struct StepFailure {
     const char* reason;
 };
 
+/// Which vertices predicates see on the undivided surface (StrokeSurface) instead of where they
+/// are.
+enum class Unfold {
+    nothing,
+    front,  ///< those of the old rung
+    around  ///< also those around the front's ends
+};
+
 /// One level of the retry ladder. Lengths are shares of h.
 struct Attempt {
     int index = 0;
-    double offsetScale = 1;     ///< length of the blade's offset, in units of the setting
-    bool closed = false;        ///< predicates see mates at their common mean position
+    double offsetScale = 1;  ///< length of the blade's offset, in units of the setting
+    bool closed = false;     ///< predicates see mates at their common mean position
+    Unfold unfold = Unfold::nothing;
     bool touching = false;      ///< vertices of other pieces on a front node belong to it
     double tolerance = 0;       ///< nodes closer than this are one
     double shake = 0;           ///< virtual displacement of the front in the predicates
@@ -33,6 +43,7 @@ struct StepInput {
     const SurfaceMesh& mesh;
     const BroadPhase& broadPhase;
     const std::vector<int>& pieceOfVertex;
+    const StrokeSurface& surface;
     const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
     Blade blade;
     double h = 0;       ///< edge length of walls [m]

@@ -1,6 +1,7 @@
 #include "sim/cut/strip.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "sim/cut/jitter.h"
@@ -16,6 +17,10 @@ constexpr double kLeastSpacing = 1e-7;
 constexpr double kShakeNoise = 0.3;  // of the shake: what is random of it
 constexpr double kShakeRoom = 0.3;   // of the distance to the next node: as far as an end may move
 constexpr double kOffsetTurn = 0.3;  // of the offset: how much it differs between A and B
+// At rest, a vertex nearer to the skin lies on it; and around the front's ends, vertices within the
+// reach are unfolded with them.
+constexpr double kOnSkin = 1e-3;
+constexpr double kUnfoldReach = 1.5;
 // More vertices than this at one node is not a crossing but a crumpled mesh.
 constexpr int kMostVerticesOfNode = 16;
 
@@ -115,6 +120,51 @@ void shakeFront(const StepInput& in, Strip& strip, PredicatePositions& positions
     }
 }
 
+std::optional<Vec3> ifNear(const StepInput& in, int v, const std::optional<Vec3>& place) {
+    const bool near = place && (*place - in.mesh.position(v)).norm() < kCloseDistance * in.h;
+    return near ? place : std::nullopt;
+}
+
+/// Where predicates see a vertex that slipped over the surface: where it belongs.
+std::optional<Vec3> unfolded(const StepInput& in, int v) {
+    return ifNear(in, v, in.surface.flatPosition(in.mesh, v, kOnSkin * in.h));
+}
+
+/// Where they see an inner vertex of the front that came out through the surface.
+std::optional<Vec3> keptInside(const StepInput& in, int v) {
+    return ifNear(in, v, in.surface.insidePosition(in.mesh, v, kUnfoldReach * in.h));
+}
+
+void unfoldAround(const StepInput& in, const Vec3& p, PredicatePositions& positions) {
+    for (const int t : in.broadPhase.query(p, p, p, kUnfoldReach * in.h)) {
+        for (const int v : in.mesh.triangle(t)) {
+            if ((in.mesh.position(v) - p).norm() < kUnfoldReach * in.h) {
+                if (const auto flat = unfolded(in, v)) {
+                    positions.pin(v, *flat);
+                }
+            }
+        }
+    }
+}
+
+void unfoldFront(const StepInput& in, Strip& strip, PredicatePositions& positions) {
+    for (int i = 0; i < strip.oldCount; ++i) {
+        StripNode& node = strip.nodes[i];
+        for (const int v : node.vertices) {
+            const auto flat = unfolded(in, v);
+            if (flat && in.attempt.unfold == Unfold::around) {
+                unfoldAround(in, in.mesh.position(v), positions);
+            }
+            const bool inner = node.attached && strip.attachedBefore(i);
+            const auto inside = inner && !flat ? keptInside(in, v) : std::nullopt;
+            node.position = flat.value_or(inside.value_or(node.position));
+        }
+    }
+    for (int i = 0; i < strip.oldCount; ++i) {
+        pinVertices(strip.nodes[i], positions);
+    }
+}
+
 void joinTouchingVertices(const StepInput& in, Strip& strip, PredicatePositions& positions) {
     std::set<int> ofRung;
     for (const RungNode& node : in.rung) {
@@ -155,13 +205,15 @@ void separateParameters(const StepInput& in, Strip& strip) {
 
 // R1 has a point above every interior front node, never above a surface entry: for a straight
 // stroke that one would lie exactly in the surface.
-std::vector<double> newRungParameters(const StepInput& in, const Strip& strip) {
+std::vector<double> newRungParameters(const StepInput& in, const Strip& strip,
+                                      const std::vector<double>& skipped) {
     const double spacing = kNewRungSpacing * in.h / bladeLength(in);
     std::vector<double> result{0.0};
     for (int i = 1; i < strip.oldCount - 1; ++i) {
         const StripNode& node = strip.nodes[i];
-        const bool interior =
-            node.attached && strip.attachedBefore(i) && sizeOf(node.vertices) == 1;
+        const bool interior = node.attached && strip.attachedBefore(i) &&
+                              sizeOf(node.vertices) == 1 &&
+                              std::find(skipped.begin(), skipped.end(), node.s) == skipped.end();
         if (interior && node.s - result.back() > spacing && 1 - node.s > spacing) {
             result.push_back(node.s);
         }
@@ -175,8 +227,8 @@ bool isPinned(const StepInput& in, const Strip& strip, const Vec3& bladeEnd, int
            kPinnedDistance * std::min(in.h, strip.height);
 }
 
-void placeNewRung(const StepInput& in, Strip& strip) {
-    const std::vector<double> parameters = newRungParameters(in, strip);
+void placeNewRung(const StepInput& in, const std::vector<double>& skipped, Strip& strip) {
+    const std::vector<double> parameters = newRungParameters(in, strip, skipped);
     const int last = sizeOf(parameters) - 1;
     for (int j = 0; j <= last; ++j) {
         const Vec3 onBlade = bladePoint(in, parameters[j]);
@@ -299,14 +351,17 @@ Vec3 bladePoint(const StepInput& in, double s) {
 }
 
 Vec3 bladeOffset(const StepInput& in, double s) {
-    const double length = in.offset * in.attempt.offsetScale * in.h;
+    return bladeOffset(in.offset * in.h, in.attempt.offsetScale, in.seed, in.pass, s);
+}
+
+Vec3 bladeOffset(double length, double scale, std::uint64_t seed, int pass, double s) {
     // The pass is part of the seed: with equal offsets, strokes through one point and a blade that
     // comes back the same way would meet the older slits exactly.
-    Jitter jitter(in.seed * 977 + static_cast<std::uint64_t>(in.pass) * 131 +
-                  static_cast<std::uint64_t>(in.attempt.offsetScale));
+    Jitter jitter(seed * 977 + static_cast<std::uint64_t>(pass) * 131 +
+                  static_cast<std::uint64_t>(scale));
     const Vec3 atA = jitter.direction();
     const Vec3 turn = jitter.direction() * kOffsetTurn;
-    return (atA + turn * s) * length;
+    return (atA + turn * s) * (length * scale);
 }
 
 std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<double>& lowerS,
@@ -324,7 +379,7 @@ std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<doubl
     int i = 0;
     int j = 0;
     while (i < lastLower || j < lastUpper) {
-        bool advanceLower = i < lastLower && (j == lastUpper || lowerS[i + 1] <= upperS[j + 1]);
+        bool advanceLower = i < lastLower && (j == lastUpper || lowerS[i + 1] < upperS[j + 1]);
         if (i == 0 && pinnedStart) {
             advanceLower = j > 0;
         } else if (pinnedEnd && j + 1 == lastUpper && i < lastLower) {
@@ -343,13 +398,17 @@ std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<doubl
     return triangles;
 }
 
-Strip buildStrip(const StepInput& in, PredicatePositions& positions) {
+Strip buildStrip(const StepInput& in, PredicatePositions& positions,
+                 const std::vector<double>& skipped) {
     Strip strip;
     placeOldRung(in, positions, strip);
     for (int i = 0; i < strip.oldCount; ++i) {
         if (sizeOf(strip.nodes[i].vertices) > 1) {
             pinVertices(strip.nodes[i], positions);
         }
+    }
+    if (in.attempt.unfold != Unfold::nothing) {
+        unfoldFront(in, strip, positions);
     }
     if (in.attempt.shake > 0) {
         shakeFront(in, strip, positions);
@@ -358,7 +417,7 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions) {
         joinTouchingVertices(in, strip, positions);
     }
     separateParameters(in, strip);
-    placeNewRung(in, strip);
+    placeNewRung(in, skipped, strip);
     zipRungs(strip);
     connectEdges(strip);
     return strip;

@@ -81,11 +81,15 @@ struct Strip {
 
 /// The fixed displacement of the blade at parameter s, the same for a whole pass.
 Vec3 bladeOffset(const StepInput& in, double s);
+/// The same for an offset of `length` [m] at scale 1.
+Vec3 bladeOffset(double length, double scale, std::uint64_t seed, int pass, double s);
 /// The point of the blade at parameter s, without the offset.
 Vec3 bladePoint(const StepInput& in, double s);
 
-/// Joins old and new rung. Throws StepFailure.
-Strip buildStrip(const StepInput& in, PredicatePositions& positions);
+/// Joins old and new rung. The new one has no nodes at the parameters `skipped`.
+/// Throws StepFailure.
+Strip buildStrip(const StepInput& in, PredicatePositions& positions,
+                 const std::vector<double>& skipped = {});
 
 /// Triangles between two chains (node ids and their s), the first below. With a shared end the
 /// other chain advances first, so that no triangle has three nodes on one rung.

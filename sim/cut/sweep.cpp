@@ -21,8 +21,8 @@ struct FrontMotion {
     bool backwards = false;
 };
 
-FrontMotion frontMotion(const SurfaceMesh& mesh, const Blade& blade, double h, const RungNode& from,
-                        const RungNode& to) {
+FrontMotion frontMotion(const SurfaceMesh& mesh, const Blade& blade, double h,
+                        const Vec3& lastAdvance, const RungNode& from, const RungNode& to) {
     const int edge = mesh.findHalfEdge(from.vertex, to.vertex);
     const Vec3 along = to.position - from.position;
     if (edge < 0 || along.squaredNorm() == 0) {
@@ -37,7 +37,7 @@ FrontMotion frontMotion(const SurfaceMesh& mesh, const Blade& blade, double h, c
     if (back.norm() < 1e-300) {
         return {};
     }
-    const bool moves = move.norm() >= kStandingStill * h;
+    const bool moves = move.norm() >= kStandingStill * h && move.dot(lastAdvance) <= 0;
     const double forward = -move.dot(back);
     return {along.norm(), moves && forward < kBackwards * move.norm() * back.norm()};
 }
@@ -72,7 +72,7 @@ SweepMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& r
     return motion;
 }
 
-bool isWithdrawing(const SurfaceMesh& mesh, const Blade& blade, double h,
+bool isWithdrawing(const SurfaceMesh& mesh, const Blade& blade, double h, const Vec3& lastAdvance,
                    const std::vector<RungNode>& rung) {
     double total = 0;
     double backwards = 0;
@@ -80,7 +80,7 @@ bool isWithdrawing(const SurfaceMesh& mesh, const Blade& blade, double h,
         if (!rung[i].attached) {
             continue;
         }
-        const FrontMotion motion = frontMotion(mesh, blade, h, rung[i], rung[i + 1]);
+        const FrontMotion motion = frontMotion(mesh, blade, h, lastAdvance, rung[i], rung[i + 1]);
         total += motion.length;
         backwards += motion.backwards ? motion.length : 0;
     }

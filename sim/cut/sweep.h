@@ -20,8 +20,10 @@ void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung);
 /// shear the strip. s is forced to increase. The blade must have a length.
 SweepMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung);
 
-/// More than half of the front would move back into its own slit.
-bool isWithdrawing(const SurfaceMesh& mesh, const Blade& blade, double h,
+/// More than half of the front would move back into its own slit. Walls that the solver has bent
+/// may point anywhere: what goes on in the direction `lastAdvance` of the last cut counts as
+/// forwards (zero where there was none).
+bool isWithdrawing(const SurfaceMesh& mesh, const Blade& blade, double h, const Vec3& lastAdvance,
                    const std::vector<RungNode>& rung);
 
 }  // namespace kerf::cut

@@ -82,13 +82,16 @@ bool nearBox(const SurfaceMesh& mesh, const Triangle& t, const Vec3& point, doub
     return ((low - point).array() <= reach).all() && ((point - high).array() <= reach).all();
 }
 
-/// The nearest skin of the piece around `vertex` at rest, within `reach`.
+/// The nearest point of the surface that the piece had before the stroke, around `vertex` at rest,
+/// within `reach`.
 std::optional<SkinPoint> nearestSkin(const SurfaceMesh& mesh, const BodyModel& model, int vertex,
                                      double reach) {
     const Vec3& rest = mesh.restPosition(vertex);
+    const int stroke = mesh.wallLabel(mesh.outgoing(vertex) / 3) / 2;
     std::optional<SkinPoint> nearest;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t) || mesh.kind(t) != SurfaceKind::skin) {
+        const bool ownWall = mesh.kind(t) == SurfaceKind::wall && mesh.wallLabel(t) / 2 == stroke;
+        if (!mesh.alive(t) || ownWall) {
             continue;
         }
         const Triangle& corners = mesh.triangle(t);
@@ -123,11 +126,23 @@ Vec3 keptInside(const SurfaceMesh& mesh, const BodyModel& model, int vertex, con
     return excess > 0 ? Vec3(position - excess * normal) : position;
 }
 
-/// Front vertices with uncut material on both sides along the blade.
-std::vector<int> innerFrontVertices(const std::vector<RungNode>& rung) {
+/// Where the blade's tip stands in the material the front ends inside, on walls of its stroke
+/// alone.
+bool liesInside(const SurfaceMesh& mesh, int v) {
+    bool inside = true;
+    const int stroke = mesh.wallLabel(mesh.outgoing(v) / 3) / 2;
+    mesh.forEachOutgoing(v, [&](int h) {
+        inside &= mesh.kind(h / 3) == SurfaceKind::wall && mesh.wallLabel(h / 3) / 2 == stroke;
+    });
+    return inside;
+}
+
+/// Front vertices with uncut material around them.
+std::vector<int> innerFrontVertices(const SurfaceMesh& mesh, const std::vector<RungNode>& rung) {
     std::vector<int> out;
-    for (std::size_t i = 1; i < rung.size(); ++i) {
-        if (rung[i].vertex >= 0 && rung[i].attached && rung[i - 1].attached) {
+    for (std::size_t i = 0; i < rung.size(); ++i) {
+        const bool attached = rung[i].attached || (i > 0 && rung[i - 1].attached);
+        if (rung[i].vertex >= 0 && attached && liesInside(mesh, rung[i].vertex)) {
             out.push_back(rung[i].vertex);
         }
     }
@@ -160,7 +175,7 @@ std::vector<Anchor> findFrontAnchors(const SurfaceMesh& mesh, const BodyModel& m
     std::vector<Anchor> anchors;
     int piece = -1;
     std::vector<int> samples;
-    for (const int v : innerFrontVertices(rung)) {
+    for (const int v : innerFrontVertices(mesh, rung)) {
         if (model.pieceOfVertex[v] != piece) {
             piece = model.pieceOfVertex[v];
             samples = skinOfPiece(mesh, model, piece, skinVertices);

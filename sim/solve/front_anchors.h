@@ -18,7 +18,7 @@ struct Anchor {
 /// left to its two walls alone it would slide about and throw off each new row. So every inner
 /// vertex of the front is carried along: to where the affine map rest -> current, fitted around it
 /// to the outer skin of its piece, puts its rest position. `skinVertices`: the vertices below this
-/// index are those of the uncut model. `timeStep` [s].
+/// index are those from before the stroke. `timeStep` [s].
 std::vector<Anchor> findFrontAnchors(const SurfaceMesh& mesh, const BodyModel& model,
                                      const std::vector<RungNode>& rung, int skinVertices,
                                      double timeStep);

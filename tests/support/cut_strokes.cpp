@@ -301,17 +301,38 @@ std::string checkFront(const SurfaceMesh& mesh, const std::vector<RungNode>& run
     return "";
 }
 
-int slitEdges(const SurfaceMesh& mesh, int stroke) {
-    int count = 0;
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t) || mesh.wallLabel(t) != 2 * stroke) {
-            continue;
-        }
-        for (int e = 0; e < 3; ++e) {
-            count += mesh.wallLabel(mesh.twin(3 * t + e) / 3) == 2 * stroke + 1;
+std::vector<int> slitHalfEdges(const SurfaceMesh& mesh, int stroke) {
+    std::vector<int> found;
+    for (int h = 0; h < 3 * mesh.triangleSlots(); ++h) {
+        if (mesh.alive(h / 3) && mesh.wallLabel(h / 3) == 2 * stroke &&
+            mesh.wallLabel(mesh.twin(h) / 3) == 2 * stroke + 1) {
+            found.push_back(h);
         }
     }
-    return count;
+    return found;
+}
+
+int slitEdges(const SurfaceMesh& mesh, int stroke) {
+    return static_cast<int>(slitHalfEdges(mesh, stroke).size());
+}
+
+std::vector<int> strayedHalfEdges(const SurfaceMesh& mesh, const std::vector<RungNode>& rung) {
+    std::set<int> front;
+    for (std::size_t i = 0; i + 1 < rung.size(); ++i) {
+        if (rung[i].attached) {
+            const int h = mesh.findHalfEdge(rung[i].vertex, rung[i + 1].vertex);
+            front.insert({h, mesh.twin(h)});
+        }
+    }
+    std::vector<int> found;
+    for (int h = 0; h < 3 * mesh.triangleSlots(); ++h) {
+        const int label = mesh.alive(h / 3) ? mesh.wallLabel(h / 3) : -1;
+        if (label >= 0 && label % 2 == 0 && mesh.wallLabel(mesh.twin(h) / 3) == label + 1 &&
+            front.count(h) == 0) {
+            found.push_back(h);
+        }
+    }
+    return found;
 }
 
 HalfSpaceVolumes clipVolumes(const SurfaceMesh& mesh, const Vec3& point, const Vec3& normal) {

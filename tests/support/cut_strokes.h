@@ -75,8 +75,11 @@ std::string fingerprint(const SurfaceMesh& mesh);
 std::string checkMirroredWalls(const SurfaceMesh& mesh);
 /// (I5) "" where every attached edge of the rung is an edge of the mesh between two walls.
 std::string checkFront(const SurfaceMesh& mesh, const std::vector<RungNode>& rung);
-/// Edges between the two walls of one stroke: the ends of slits inside the body.
+/// Half-edges between the two walls of one stroke, on W+: the ends of slits inside the body.
+std::vector<int> slitHalfEdges(const SurfaceMesh& mesh, int stroke);
 int slitEdges(const SurfaceMesh& mesh, int stroke);
+/// Ends of slits of all strokes that lie apart from the front of `rung`.
+std::vector<int> strayedHalfEdges(const SurfaceMesh& mesh, const std::vector<RungNode>& rung);
 
 struct HalfSpaceVolumes {
     double above = 0;

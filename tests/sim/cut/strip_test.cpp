@@ -118,5 +118,15 @@ TEST(Strip, ZipWithBothEndsPinnedCoversALens) {
     expectGoodZip(rungs);
 }
 
+// The strip would fold back behind a front whose end is steep, and cut the walls there again.
+TEST(Strip, AnInnerFrontNodeIsJoinedToThePointAboveItNotToTheEndOfTheBlade) {
+    const std::vector<Triangle> triangles =
+        zip({0, 1, 2, 3, 4}, {0, 0.55, 0.56, 0.64, 1}, {5, 6, 7}, {0, 0.56, 1});
+    for (const Triangle& t : triangles) {
+        const auto has = [&](int node) { return std::find(t.begin(), t.end(), node) != t.end(); };
+        EXPECT_FALSE(has(2) && (has(5) || has(7)));
+    }
+}
+
 }  // namespace
 }  // namespace kerf::cut

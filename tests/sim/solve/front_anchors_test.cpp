@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -38,6 +40,26 @@ TEST(FrontAnchors, HoldsTheInnerFrontOnly) {
         EXPECT_GE(anchor.vertex, sphere.skinVertices);
         EXPECT_LT(sphere.mesh.position(anchor.vertex).norm(), 0.5);
     }
+}
+
+// The tip of the blade stands in the material: nothing but the two walls would hold the front's
+// end.
+TEST(FrontAnchors, HoldsTheEndOfAFrontInsideTheBody) {
+    SurfaceMesh mesh = test::cubeSphere(8);
+    const int skinVertices = mesh.vertexCount();
+    Cutter cutter(mesh, {});
+    cutter.begin({{-0.7, 1.5, 0.013}, {-0.7, 0.2, 0.013}});
+    for (int i = 1; i <= 14; ++i) {
+        const double x = -0.7 + 0.05 * i;
+        cutter.advance({{x, 1.5, 0.013}, {x, 0.2, 0.013}});
+    }
+    ASSERT_GE(cutter.rung().back().vertex, 0) << "the tip is inside";
+    const std::vector<Anchor> anchors =
+        findFrontAnchors(mesh, buildBodyModel(mesh), cutter.rung(), skinVertices, kStep);
+    const bool held = std::any_of(anchors.begin(), anchors.end(), [&](const Anchor& anchor) {
+        return anchor.vertex == cutter.rung().back().vertex;
+    });
+    EXPECT_TRUE(held);
 }
 
 TEST(FrontAnchors, StandsStillAtRest) {

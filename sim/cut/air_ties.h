@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/cut/cutter.h"
+
+namespace kerf::cut {
+
+/// A point of the rung in the air, carried along by the skin beside it.
+struct CarriedPoint {
+    Vec3 position = Vec3::Zero();
+    Vec3 outward = Vec3::Zero();  ///< normal of that skin; zero where there is none near
+};
+
+/// Holds the rung's edges in the air to the skin beside them. The skin moves between two steps of
+/// the blade, and what lies behind the rung is never swept: where the skin came across an edge
+/// that stayed in space, a bridge would stay.
+class AirTies {
+  public:
+    AirTies() = default;
+    /// Remembers where points on the edges of `rung` in the air are as seen from the skin. Edges
+    /// between two mesh vertices are left out: there the front crosses an older slit.
+    /// `isSkin` tells which triangles count: those of the piece, without the walls of the stroke.
+    AirTies(const SurfaceMesh& mesh, const std::function<bool(int)>& isSkin, double h,
+            const std::vector<RungNode>& rung);
+
+    /// Moves the ends of the same rung that are in the air along with the skin. No triangle may
+    /// have gone since.
+    void follow(const SurfaceMesh& mesh, std::vector<RungNode>& rung) const;
+    /// Where the points between rung node `index` and the next are now.
+    std::vector<CarriedPoint> between(const SurfaceMesh& mesh, int index) const;
+
+  private:
+    struct Tie {
+        int edge;     ///< of the rung, by its first node
+        double part;  ///< of the way along that edge; 0 and 1 are nodes
+        Triangle corners;
+        Vec3 weights;
+        Vec3 point;
+        Vec3 onSkin;
+        double share;  ///< of the skin's movement that the point follows
+    };
+    static CarriedPoint carried(const SurfaceMesh& mesh, const Tie& tie);
+
+    std::vector<Tie> ties_;
+};
+
+}  // namespace kerf::cut

@@ -1,0 +1,49 @@
+// A few runs of the scenes that kerf_scenes_bench plays in full.
+
+#include "tests/support/moving_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "tests/support/gl_fixture.h"
+
+namespace kerf {
+namespace {
+
+class MovingScenes : public test::GlTest {
+  protected:
+    static test::SceneFigures play(const test::SceneRun& run) {
+        const test::SceneFigures figures = test::playScene(run);
+        std::cout << "seed " << run.seed << " index " << run.index << "\n"
+                  << test::sceneTableHead() << test::sceneTableRow(run, figures);
+        EXPECT_EQ(figures.nonFinite, 0);
+        EXPECT_EQ(figures.open, 0);
+        return figures;
+    }
+    static void expectParted(const test::SceneFigures& figures) {
+        EXPECT_EQ(figures.refused, 0) << "of " << figures.attempted << " steps";
+        EXPECT_EQ(figures.unseparated, 0);
+        EXPECT_EQ(figures.slitEdges, 0);
+        EXPECT_LT(figures.speedCutting, 3);
+    }
+};
+
+TEST_F(MovingScenes, ASphereOnTheFloorComesApart) {
+    for (const int index : {0, 6}) {
+        expectParted(play({"i sphere768", 1e5, index}));
+    }
+}
+
+TEST_F(MovingScenes, ABodyAtRestStaysThere) {
+    const test::SceneFigures figures = play({"v at rest", 1e5, 0});
+    expectParted(figures);
+    EXPECT_LT(figures.speedAfter, 1e-3);
+}
+
+TEST_F(MovingScenes, RollingHalvesComeApart) {
+    expectParted(play({"vi twice", 1e5, 0}));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,324 @@
+#include "tests/support/moving_scenes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+#include "tests/support/scene_player.h"
+#include "tests/support/shapes.h"
+
+namespace kerf::test {
+
+namespace {
+
+constexpr double kClearance = 0.001;  // between body and floor at the start [m]
+constexpr int kSteps = 120;           // of a stroke
+constexpr int kStepsAfter = 50;
+
+Blade bladeAround(const Vec3& middle, const Vec3& along, double halfLength) {
+    return {middle - along * halfLength, middle + along * halfLength};
+}
+
+Eigen::Matrix3d turned(double aboutZ, double aboutX) {
+    return (Eigen::AngleAxisd(aboutX, Vec3::UnitX()) * Eigen::AngleAxisd(aboutZ, Vec3::UnitZ()))
+        .toRotationMatrix();
+}
+
+SurfaceMesh onFloor(SurfaceMesh mesh, const Eigen::Matrix3d& turn) {
+    double lowest = 1e300;
+    for (const Vec3& p : mesh.positions()) {
+        lowest = std::min(lowest, (turn * p).y());
+    }
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 p = turn * mesh.position(v) + Vec3(0, kClearance - lowest, 0);
+        mesh.setPosition(v, p);
+        mesh.setRestPosition(v, p);
+    }
+    return mesh;
+}
+
+/// Turned, so that no edge is parallel to the blade.
+SurfaceMesh roundBody(SurfaceMesh mesh) {
+    return onFloor(std::move(mesh), turned(0.37, 0.21));
+}
+
+/// The banana as an arch that stands on its two ends.
+SurfaceMesh arch() {
+    SurfaceMesh mesh = builtin("banana");
+    double bend = 0;
+    for (const Vec3& p : mesh.positions()) {
+        bend += std::fabs(p.x()) < 0.2 ? p.y() : -p.y();
+    }
+    return onFloor(std::move(mesh), turned(0, bend > 0 ? 0.0 : std::numbers::pi));
+}
+
+/// Down through all that is there now: the blade along x, turned and tilted a little.
+void cutDown(ScenePlayer& player) {
+    const Bounds box = player.bounds();
+    const double z = player.middle().z() + player.draw(0.12);
+    const double yaw = player.draw(0.3);
+    const double tilt = player.draw(0.1);
+    const double lean = player.draw(0.1);
+    const Vec3 along = Vec3(std::cos(yaw), tilt, std::sin(yaw)).normalized();
+    const double top = box.high.y() + 0.18;
+    const double bottom = box.low.y() - 0.2;
+    player.stroke(
+        [&](double u) {
+            const double y = top + (bottom - top) * u;
+            return bladeAround({box.center().x(), y, z + lean * (y - 0.5)}, along, 1.4);
+        },
+        kSteps);
+}
+
+SceneFigures throughOnFloor(const SceneRun& run, SurfaceMesh mesh) {
+    ScenePlayer player(run, roundBody(std::move(mesh)));
+    player.settle(60);
+    cutDown(player);
+    player.watch(kStepsAfter);
+    return player.finish(2);
+}
+
+SceneFigures throughAtRest(const SceneRun& run) {
+    ScenePlayer player(run, roundBody(cubeSphere(8)), true);
+    cutDown(player);
+    player.watch(kStepsAfter);
+    return player.finish(2);
+}
+
+SceneFigures twice(const SceneRun& run) {
+    ScenePlayer player(run, roundBody(cubeSphere(8)));
+    player.settle(60);
+    cutDown(player);
+    player.watch(20);
+    const Bounds box = player.bounds();
+    const double x = player.middle().x() + player.draw(0.05);
+    const double tilt = player.draw(0.05);
+    const Vec3 along = Vec3(tilt, player.draw(0.03), 1).normalized();
+    const double top = box.high.y() + 0.1;
+    const double bottom = box.low.y() - 0.15;
+    player.stroke(
+        [&](double u) {
+            return bladeAround({x, top + (bottom - top) * u, 0}, along, 3.5);
+        },
+        kSteps);
+    player.watch(kStepsAfter);
+    return player.finish(4);
+}
+
+/// Through the middle of the arch, upwards (the cut opens) or downwards (it closes on the blade).
+SceneFigures throughArch(const SceneRun& run, bool upwards) {
+    ScenePlayer player(run, arch());
+    player.settle(20);
+    Bounds middle;
+    for (const Vec3& p : player.mesh().positions()) {
+        if (std::fabs(p.x()) < 0.1) {
+            middle.add(p);
+        }
+    }
+    const double x = player.draw(0.06);
+    const double tilt = player.draw(0.08);
+    const Vec3 along = Vec3(player.draw(0.15), tilt, 1).normalized();
+    const double below = middle.low.y() - 0.1;
+    const double above = middle.high.y() + 0.1;
+    player.stroke(
+        [&](double u) {
+            const double y = upwards ? below + (above - below) * u : above + (below - above) * u;
+            return bladeAround({x, y, 0}, along, 0.7);
+        },
+        60);
+    player.watch(kStepsAfter);
+    return player.finish(2);
+}
+
+/// The end of the arm that reaches farthest in direction `toward`.
+Vec3 armTip(const SurfaceMesh& mesh, const Vec3& toward) {
+    Vec3 tip = mesh.position(0);
+    for (const Vec3& p : mesh.positions()) {
+        if (p.dot(toward) > tip.dot(toward)) {
+            tip = p;
+        }
+    }
+    return tip;
+}
+
+void cutArm(ScenePlayer& player, int arm) {
+    const double angle = arm * std::numbers::pi / 4 + player.draw(0.2);
+    Vec3 out = armTip(player.mesh(), {std::cos(angle), 0, std::sin(angle)});
+    out.y() = 0;
+    const double at = (0.62 + player.draw(0.06)) * out.norm();
+    out.normalize();
+    const Vec3 across = out.cross(Vec3::UnitY());
+    double top = 0;
+    for (const Vec3& p : player.mesh().positions()) {
+        if (std::fabs(p.dot(out) - at) < 0.06 && std::fabs(p.dot(across)) < 0.12) {
+            top = std::max(top, p.y());
+        }
+    }
+    const double high = top + 0.04;
+    const double low = -0.08;
+    const Vec3 along = (across + Vec3(0, player.draw(0.05), 0)).normalized();
+    player.stroke(
+        [&](double u) {
+            return bladeAround(out * at + Vec3(0, high + (low - high) * u, 0), along, 0.17);
+        },
+        50);
+}
+
+void cutHead(ScenePlayer& player) {
+    const Bounds box = player.bounds();
+    const double y = (0.66 + player.draw(0.05)) * box.high.y();
+    const double tilt = player.draw(0.05);
+    const Vec3 along = Vec3(1, tilt, player.draw(0.2)).normalized();
+    player.stroke(
+        [&](double u) {
+            return bladeAround({box.center().x(), y, -0.5 + u + box.center().z()}, along, 0.8);
+        },
+        60);
+}
+
+SceneFigures armThenHead(const SceneRun& run) {
+    ScenePlayer player(run, onFloor(builtin("octopus"), turned(0, 0)));
+    player.settle(40);
+    cutArm(player, run.index);
+    player.watch(20);
+    cutHead(player);
+    player.watch(kStepsAfter);
+    return player.finish(3);
+}
+
+/// Two shallow strokes over the top, the second one across the first. The tip keeps its depth
+/// below the skin as the body sags.
+void incise(ScenePlayer& player, bool alongZ) {
+    const Bounds box = player.bounds();
+    const Vec3 middle = player.middle();
+    const double depth = 0.13 + player.draw(0.04);
+    const double aside = player.draw(0.08);
+    const double lean = player.draw(0.05);
+    const double radius = 0.5 * (box.high.y() - box.low.y());
+    player.stroke(
+        [&](double u) {
+            const double way = 0.36 * (2 * u - 1);
+            const double skin = box.high.y() - radius + std::sqrt(radius * radius - way * way);
+            const Vec3 flat = alongZ ? Vec3(aside, 0, way) : Vec3(way, 0, aside);
+            const Vec3 tip(middle.x() + flat.x(), skin - depth, middle.z() + flat.z());
+            return Blade{{tip.x() + lean, box.high.y() + 0.5, tip.z() + lean}, tip};
+        },
+        60, false);
+}
+
+SceneFigures incisions(const SceneRun& run) {
+    ScenePlayer player(run, roundBody(cubeSphere(8)));
+    player.settle(60);
+    incise(player, false);
+    player.watch(30);
+    incise(player, true);
+    player.watch(kStepsAfter);
+    return player.finish(1);
+}
+
+SceneFigures randomPlane(const SceneRun& run, SurfaceMesh mesh) {
+    ScenePlayer player(run, roundBody(std::move(mesh)));
+    player.settle(60);
+    const Bounds box = player.bounds();
+    const Vec3 along = player.drawDirection();
+    const Vec3 travel = along.cross(player.drawDirection()).normalized();
+    const Vec3 middle = player.middle() + 0.1 * player.drawDirection();
+    const double reach = 0.7 * box.diagonal();
+    player.stroke(
+        [&](double u) {
+            return bladeAround(middle + travel * (reach * (2 * u - 1)), along, reach);
+        },
+        kSteps);
+    player.watch(kStepsAfter);
+    return player.finish(2);
+}
+
+using Scene = std::function<SceneFigures(const SceneRun&)>;
+
+const std::map<std::string, Scene>& scenes() {
+    static const std::map<std::string, Scene> table{
+        {"i sphere768", [](const SceneRun& run) { return throughOnFloor(run, cubeSphere(8)); }},
+        {"i icosphere1280", [](const SceneRun& run) { return throughOnFloor(run, icosphere(3)); }},
+        {"ii arch upwards", [](const SceneRun& run) { return throughArch(run, true); }},
+        {"ii arch downwards", [](const SceneRun& run) { return throughArch(run, false); }},
+        {"iii octopus", armThenHead},
+        {"iv incisions", incisions},
+        {"v at rest", throughAtRest},
+        {"vi twice", twice},
+        {"plane sphere768", [](const SceneRun& run) { return randomPlane(run, cubeSphere(8)); }},
+        {"plane sphere80", [](const SceneRun& run) { return randomPlane(run, icosphere(1)); }},
+        {"plane sphere20", [](const SceneRun& run) { return randomPlane(run, icosphere(0)); }},
+        {"plane banana", [](const SceneRun& run) { return randomPlane(run, builtin("banana")); }},
+    };
+    return table;
+}
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+    char text[256];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+}  // namespace
+
+void SceneFigures::add(const SceneFigures& other) {
+    runs += other.runs;
+    attempted += other.attempted;
+    refused += other.refused;
+    longestRefusal = std::max(longestRefusal, other.longestRefusal);
+    retried += other.retried;
+    unseparated += other.unseparated;
+    slitEdges += other.slitEdges;
+    nonFinite += other.nonFinite;
+    open += other.open;
+    folded += other.folded;
+    chips += other.chips;
+    speedCutting = std::max(speedCutting, other.speedCutting);
+    speedAfter = std::max(speedAfter, other.speedAfter);
+    seconds += other.seconds;
+}
+
+const std::vector<std::string>& movingScenes() {
+    static const std::vector<std::string> names{
+        "i sphere768", "i icosphere1280", "ii arch upwards", "ii arch downwards",
+        "iii octopus", "iv incisions",    "v at rest",       "vi twice"};
+    return names;
+}
+
+const std::vector<std::string>& planeScenes() {
+    static const std::vector<std::string> names{"plane sphere768", "plane sphere80",
+                                                "plane sphere20", "plane banana"};
+    return names;
+}
+
+SceneFigures playScene(const SceneRun& run) {
+    using Clock = std::chrono::steady_clock;
+    const auto scene = scenes().find(run.scene);
+    if (scene == scenes().end()) {
+        throw std::invalid_argument("there is no scene " + run.scene);
+    }
+    const Clock::time_point start = Clock::now();
+    SceneFigures figures = scene->second(run);
+    figures.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return figures;
+}
+
+std::string sceneTableHead() {
+    return "scene              E    runs  refused/steps  row retried whole slit-ends NaN open "
+           "folds chips  v cut/fall  v after d/s   s\n";
+}
+
+std::string sceneTableRow(const SceneRun& run, const SceneFigures& f) {
+    return formatted("%-18s %.0e %3d %8d/%-6d %4d %6d %5d %8d %4d %4d %5d %5d %9.2f %13.5f %5.0f\n",
+                     run.scene.c_str(), run.youngsModulus, f.runs, f.refused, f.attempted,
+                     f.longestRefusal, f.retried, f.unseparated, f.slitEdges, f.nonFinite, f.open,
+                     f.folded, f.chips, f.speedCutting, f.speedAfter, f.seconds);
+}
+
+}  // namespace kerf::test

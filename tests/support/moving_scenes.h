@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kerf::test {
+
+/// One run of a scene: a body is cut while the solver moves it.
+struct SceneRun {
+    std::string scene;
+    double youngsModulus = 1e5;  ///< [Pa]
+    int index = 0;               ///< decides offset and tilt of the strokes, together with `seed`
+    std::uint64_t seed = 1;
+    bool verbose = false;  ///< prints every step of the blade
+};
+
+/// What came of one run, or of several: counts add up, of speeds and rows the largest counts.
+struct SceneFigures {
+    int runs = 0;
+    int attempted = 0;       ///< steps of the blade that cut or were refused
+    int refused = 0;         ///< of these
+    int longestRefusal = 0;  ///< refused steps in a row
+    int retried = 0;         ///< steps that cut, but not at the first try
+    int unseparated = 0;     ///< runs with fewer pieces than the strokes should have made
+    int slitEdges = 0;       ///< ends of slits left inside by strokes that should pass through
+    int nonFinite = 0;       ///< steps in which the body left the range of numbers
+    int open = 0;            ///< runs that ended with a mesh that is no closed manifold
+    int folded = 0;  ///< edges bent by more than 90 degrees from rest at the end, slivers apart
+    int chips = 0;   ///< pieces below 1e-4 of the body
+    double speedCutting = 0;  ///< while cutting, in speeds of a fall through the body's height
+    double speedAfter = 0;    ///< after a stroke [diagonals/s]
+    double seconds = 0;       ///< wall time
+
+    void add(const SceneFigures& other);
+};
+
+/// Scenes that a cut of a moving body must master: bodies on the floor cut right through, an arch
+/// cut where it opens and where it closes on the blade, an arm and a head, an incision and a
+/// second one across, a body at rest, halves cut again while they roll.
+const std::vector<std::string>& movingScenes();
+/// Strokes in random planes through bodies that lie on the floor.
+const std::vector<std::string>& planeScenes();
+
+/// Plays one run with a Simulation on the GL context that is current.
+/// Throws std::invalid_argument for an unknown scene.
+SceneFigures playScene(const SceneRun& run);
+
+/// A table as text, one row for each scene and modulus.
+std::string sceneTableHead();
+std::string sceneTableRow(const SceneRun& run, const SceneFigures& figures);
+
+}  // namespace kerf::test

@@ -1,0 +1,208 @@
+#include "tests/support/scene_player.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "sim/body/constraint_builder.h"
+#include "sim/body/dihedral.h"
+#include "tests/support/cut_strokes.h"
+
+namespace kerf::test {
+
+namespace {
+
+constexpr double kGravity = 9.81;
+constexpr double kChip = 1e-4;  // of the body's volume
+constexpr double kFold = std::numbers::pi / 2;
+
+double heightOf(const SurfaceMesh& mesh) {
+    const Bounds bounds = meshBounds(mesh);
+    return bounds.high.y() - bounds.low.y();
+}
+
+Params parametersOf(const SceneRun& run, bool weightless) {
+    Params params;
+    params.youngsModulus = run.youngsModulus;
+    if (weightless) {
+        params.gravity = Vec3::Zero();
+        params.floor.reset();
+    }
+    return params;
+}
+
+const char* nameOf(CutOutcome outcome) {
+    constexpr std::array kNames{"air", "waiting", "withdrawing", "cut", "refused"};
+    return kNames[static_cast<int>(outcome)];
+}
+
+double angleBetween(const std::vector<Vec3>& at, const shared::BendConstraint& bend) {
+    const Vec3& x0 = at[bend.v0];
+    const Dihedral<double> now =
+        dihedral<double>(at[bend.v1] - x0, at[bend.v2] - x0, at[bend.v3] - x0);
+    return now.valid ? now.angle : bend.rest_angle;
+}
+
+}  // namespace
+
+ScenePlayer::ScenePlayer(const SceneRun& run, SurfaceMesh mesh, bool weightless)
+    : run_(run),
+      draw_(run.seed * 7919 + static_cast<std::uint64_t>(run.index) * 104729),
+      bodyVolume_(meshRestVolume(mesh)),
+      diagonal_(meshBounds(mesh).diagonal()),
+      fallSpeed_(std::sqrt(2 * kGravity * heightOf(mesh))),
+      simulation_(std::move(mesh), parametersOf(run, weightless)) {}
+
+Vec3 ScenePlayer::middle() {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : mesh().positions()) {
+        sum += p;
+    }
+    return sum / mesh().vertexCount();
+}
+
+void ScenePlayer::settle(int steps) {
+    for (int i = 0; i < steps; ++i) {
+        simulation_.step();
+    }
+}
+
+void ScenePlayer::stroke(const Path& path, int steps, bool through) {
+    const int first = labelsSoFar();
+    for (int i = 0; i <= steps; ++i) {
+        simulation_.execute(MoveBlade{path(i / static_cast<double>(steps))});
+        cutStep();
+    }
+    simulation_.execute(LiftBlade{});
+    cutStep();
+    if (through) {
+        for (int label = first; label < labelsSoFar(); ++label) {
+            throughLabels_.push_back(label);
+        }
+    }
+}
+
+void ScenePlayer::watch(int steps) {
+    for (int i = 0; i < steps; ++i) {
+        simulation_.step();
+        readMessages();
+        figures_.speedAfter = std::max(figures_.speedAfter, topSpeed() / diagonal_);
+    }
+}
+
+void ScenePlayer::cutStep() {
+    simulation_.step();
+    countOutcome(simulation_.lastCut());
+    readMessages();
+    const double speed = topSpeed();
+    figures_.speedCutting = std::max(figures_.speedCutting, speed / fallSpeed_);
+    if (run_.verbose) {
+        describeStep(speed);
+    }
+}
+
+void ScenePlayer::describeStep(double speed) {
+    const CutResult& cut = simulation_.lastCut();
+    const SurfaceMesh& mesh = simulation_.mesh();
+    const std::vector<int> strayed = strayedHalfEdges(mesh, simulation_.rung());
+    std::printf("  step %4d %-11s tries %2d  walls %3d  pieces %d  speed %6.2f  strayed %d  %s\n",
+                simulation_.stepCount() - 1, nameOf(cut.outcome), cut.statistics.tries,
+                cut.statistics.wallTriangles, simulation_.report().pieces, speed,
+                static_cast<int>(strayed.size()), cut.reason.c_str());
+    if (strayed.size() > strayedBefore_) {
+        for (const int h : strayed) {
+            const Vec3& p = mesh.position(mesh.origin(h));
+            const Vec3& q = mesh.position(mesh.target(h));
+            std::printf("    slit edge %d-%d (%.3f %.3f %.3f)-(%.3f %.3f %.3f)\n", mesh.origin(h),
+                        mesh.target(h), p.x(), p.y(), p.z(), q.x(), q.y(), q.z());
+        }
+    }
+    if (strayed.size() > strayedBefore_ || cut.outcome == CutOutcome::refused) {
+        for (const RungNode& node : rungBefore_) {
+            std::printf("    rung %d s %.4f (%.3f %.3f %.3f)%s\n", node.vertex, node.s,
+                        node.position.x(), node.position.y(), node.position.z(),
+                        node.attached ? " attached" : "");
+        }
+    }
+    strayedBefore_ = strayed.size();
+    rungBefore_ = simulation_.rung();
+    for (RungNode& node : rungBefore_) {
+        node.position = node.vertex >= 0 ? mesh.position(node.vertex) : node.position;
+    }
+}
+
+void ScenePlayer::countOutcome(const CutResult& result) {
+    const CutStatistics& counts = result.statistics;
+    figures_.attempted += counts.cutPieces + counts.refusedPieces;
+    figures_.refused += counts.refusedPieces;
+    figures_.retried += result.outcome == CutOutcome::cut && counts.tries > 1;
+    if (counts.refusedPieces > 0) {
+        ++refusedInARow_;
+    } else if (counts.cutPieces > 0) {
+        refusedInARow_ = 0;
+    }
+    figures_.longestRefusal = std::max(figures_.longestRefusal, refusedInARow_);
+}
+
+void ScenePlayer::readMessages() {
+    for (const std::string& message : simulation_.takeMessages()) {
+        figures_.nonFinite += message.find("range of numbers") != std::string::npos;
+    }
+}
+
+int ScenePlayer::labelsSoFar() {
+    const SurfaceMesh& mesh = simulation_.mesh();
+    int last = -1;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        last = std::max(last, mesh.wallLabel(t));
+    }
+    return (last + 1) / 2;
+}
+
+double ScenePlayer::topSpeed() {
+    const SurfaceMesh& mesh = simulation_.mesh();
+    double top = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.outgoing(v) >= 0) {
+            top = std::max(top, mesh.velocity(v).norm());
+        }
+    }
+    return top;
+}
+
+int ScenePlayer::chips() {
+    return static_cast<int>(std::ranges::count_if(simulation_.pieces().pieces, [&](const Piece& p) {
+        return p.restVolume < kChip * bodyVolume_;
+    }));
+}
+
+int ScenePlayer::slitEdgesLeft() {
+    int count = 0;
+    for (const int stroke : throughLabels_) {
+        count += slitEdges(simulation_.mesh(), stroke);
+    }
+    return count;
+}
+
+void ScenePlayer::countFolds() {
+    const SurfaceMesh& mesh = simulation_.mesh();
+    for (const shared::BendConstraint& bend : buildBends(mesh, 1)) {
+        const double change = wrapAngle(angleBetween(mesh.positions(), bend) - bend.rest_angle);
+        figures_.folded += std::fabs(change) > kFold;
+    }
+}
+
+SceneFigures ScenePlayer::finish(int pieces) {
+    figures_.runs = 1;
+    figures_.open = !checkClosedManifold(simulation_.mesh()).empty();
+    figures_.chips = chips();
+    const int solid = static_cast<int>(simulation_.pieces().pieces.size()) - figures_.chips;
+    figures_.slitEdges = slitEdgesLeft();
+    figures_.unseparated = solid < pieces;
+    countFolds();
+    return figures_;
+}
+
+}  // namespace kerf::test
