@@ -51,11 +51,15 @@ Vec3 deformed(const Vec3& p, int step) {
     return p + kWaveHeight * Vec3(phase.array().sin());
 }
 
-void deform(SurfaceMesh& mesh, int step) {
+/// Returns how far a vertex has moved at most.
+double deform(SurfaceMesh& mesh, int step) {
+    double most = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const Vec3 p = deformed(mesh.restPosition(v), step);
-        mesh.setPosition(v, p.cast<float>().cast<double>());
+        const Vec3 p = deformed(mesh.restPosition(v), step).cast<float>().cast<double>();
+        most = std::max(most, (p - mesh.position(v)).norm());
+        mesh.setPosition(v, p);
     }
+    return most;
 }
 
 /// Along a meridian of the body at rest.
@@ -110,7 +114,7 @@ class LocalCut {
         Times times;
         cutter_.begin(deformed(bladeAt(0, model_.edgeLength), 0));
         for (int i = 1; i < kSteps; ++i) {
-            deform(mesh_, i);
+            cutter_.boundMotion(deform(mesh_, i));
             step(i, times);
         }
         return times;

@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "sim/body/body_model.h"
@@ -37,11 +39,16 @@ Vec3 roundedToFloat(const Vec3& a) {
 }
 
 /// New vertices become what the GPU will hold, so that both sides go on from the same numbers.
-void roundVertices(SurfaceMesh& mesh, int first) {
+/// Returns how far a vertex has moved at most [m].
+double roundVertices(SurfaceMesh& mesh, int first) {
+    double farthest = 0;
     for (int v = first; v < mesh.vertexCount(); ++v) {
-        mesh.setPosition(v, roundedToFloat(mesh.position(v)));
+        const Vec3 position = roundedToFloat(mesh.position(v));
+        farthest = std::max(farthest, (position - mesh.position(v)).norm());
+        mesh.setPosition(v, position);
         mesh.setVelocity(v, roundedToFloat(mesh.velocity(v)));
     }
+    return farthest;
 }
 
 BodyState stateOf(const SurfaceMesh& mesh) {
@@ -53,11 +60,16 @@ BodyState stateOf(const SurfaceMesh& mesh) {
     return state;
 }
 
-void copyState(const BodyState& state, SurfaceMesh& mesh) {
+/// Returns how far a vertex has moved at most [m].
+double copyState(const BodyState& state, SurfaceMesh& mesh) {
+    double farthest = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        mesh.setPosition(v, state.positions[v].cast<double>());
+        const Vec3 position = state.positions[v].cast<double>();
+        farthest = std::max(farthest, (position - mesh.position(v)).squaredNorm());
+        mesh.setPosition(v, position);
         mesh.setVelocity(v, state.velocities[v].cast<double>());
     }
+    return std::sqrt(farthest);
 }
 
 /// What the blade sweeps from the rung of the stroke (or from nowhere) to `blade`.
@@ -284,7 +296,7 @@ void Simulation::State::accept(const CutResult& result) {
 }
 
 void Simulation::State::adoptNewTopology(const CutDelta& delta) {
-    roundVertices(mesh, delta.firstNewVertex);
+    cutter->boundMotion(roundVertices(mesh, delta.firstNewVertex));
     const BodyModel before = std::exchange(model, {});
     model = updateBodyModel(before, mesh, delta);
     solver.setModel(model, stateOf(mesh));
@@ -315,7 +327,7 @@ void Simulation::State::publish() {
 
 void Simulation::State::syncMesh() {
     if (std::exchange(meshLags, false)) {
-        copyState(solver.readState(), mesh);
+        cutter->boundMotion(copyState(solver.readState(), mesh));
     }
 }
 

@@ -13,17 +13,6 @@ constexpr double kLeastLength = 1e-3;   // of the mean edge
 constexpr double kLeastArea = 1e-3;     // of the squared mean edge
 constexpr int kRaysPerVertex = 1;
 
-std::vector<int> livingTriangles(const SurfaceMesh& mesh) {
-    std::vector<int> slots;
-    slots.reserve(mesh.aliveTriangles());
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            slots.push_back(t);
-        }
-    }
-    return slots;
-}
-
 bool touches(const Triangle& triangle, int vertex) {
     return std::ranges::find(triangle, vertex) != triangle.end();
 }

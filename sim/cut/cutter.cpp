@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
+#include <utility>
 
 #include "sim/cut/air_edges.h"
+#include "sim/cut/cut_change.h"
 #include "sim/cut/ladder.h"
 #include "sim/cut/plan.h"
 #include "sim/cut/skin_map.h"
 #include "sim/cut/sweep.h"
-#include "sim/mesh/invariants.h"
+#include "sim/mesh/piece_labels.h"
+#include "sim/mesh/triangle_tree.h"
 
 namespace kerf {
 
@@ -80,9 +84,13 @@ struct Cutter::State {
     bool inStroke = false;
     Blade blade{};  ///< the last one given
     std::vector<RungNode> rung{};
-    bool madeWalls = false;  ///< in this stroke
-    std::vector<int> skinVertices{};
+    bool madeWalls = false;           ///< in this stroke
+    std::vector<int> skinVertices{};  ///< of this stroke
+    std::vector<int> skinSamples{};   ///< those of them that the map to the rest shape uses
     int refusedInARow = 0;
+    PieceLabels pieces{mesh};
+    TriangleTree tree{mesh};
+    std::optional<double> moved{};  ///< how far vertices moved at most since the last step [m]
 
     void placeRung(const Blade& at);
     double leastFlush() const {
@@ -92,7 +100,10 @@ struct Cutter::State {
     CutResult cut(const Blade& to, std::vector<RungNode> from);
     CutResult accept(const cut::PlannedStep& step);
     void countRefusal(const Blade& to);
-    cut::BroadPhase findCandidates(const Blade& to, const std::vector<RungNode>& from) const;
+    cut::BroadPhase findCandidates(const Blade& to, const std::vector<RungNode>& from);
+    void noteMotion();
+    void sampleSkin();
+    void follow(const CutDelta& delta);
 };
 
 // The rung carries the offset of the stroke from the start: otherwise a blade that is put down
@@ -101,7 +112,7 @@ void Cutter::State::placeRung(const Blade& at) {
     ++pass;
     rung = {{at.a, 0, -1, false}, {at.b, 1, -1, false}};
     const std::vector<int> noPieces;
-    const cut::BroadPhase nothing(mesh, at, {at.a, at.b}, 0, h);
+    const cut::BroadPhase nothing;
     const cut::StepInput in{mesh,          nothing, noPieces, rung, at, h, settings.offset,
                             settings.seed, stroke,  pass,     {}};
     rung[0].position += cut::bladeOffset(in, 0);
@@ -128,23 +139,21 @@ CutResult Cutter::State::sweep(const Blade& to, double gate) {
     return cut(to, from);
 }
 
-cut::BroadPhase Cutter::State::findCandidates(const Blade& to,
-                                              const std::vector<RungNode>& from) const {
+cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const std::vector<RungNode>& from) {
     std::vector<Vec3> points{to.a, to.b};
     for (const RungNode& node : from) {
         points.push_back(node.position);
     }
     const double widestOffset = cut::largestOffsetScale() * settings.offset;
-    return {mesh, to, points, (kBroadPhaseMargin + widestOffset) * h, kBinSize * h};
+    return {mesh, tree, to, points, (kBroadPhaseMargin + widestOffset) * h, kBinSize * h};
 }
 
 // Climbs the retry ladder: nothing is committed until one attempt succeeds.
 CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
     const cut::BroadPhase candidates = findCandidates(to, from);
     cut::clearAirEdges(mesh, candidates, to, h, from);
-    const std::vector<int> pieces = findPieces(mesh).ofVertex;
-    if (skinVertices.empty()) {
-        skinVertices = cut::findSkinVertices(mesh);
+    if (skinSamples.empty()) {
+        sampleSkin();
     }
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
@@ -152,7 +161,7 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
     for (int i = 0; i < cut::attemptCount(); ++i) {
         const cut::StepInput in{mesh,
                                 candidates,
-                                pieces,
+                                pieces.ofVertex(),
                                 from,
                                 to,
                                 h,
@@ -162,7 +171,7 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from) {
                                 pass,
                                 cut::attemptAt(i, settings.tolerance, retrySeed)};
         try {
-            CutResult result = accept(cut::planStep(in, skinVertices));
+            CutResult result = accept(cut::planStep(in, skinSamples));
             result.statistics.tries = i + 1;
             result.reason = reason;
             return result;
@@ -184,6 +193,7 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step) {
         return outcome(CutOutcome::air);
     }
     cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
+    follow(committed.delta);
     madeWalls = true;
     rung = std::move(committed.rung);
     pass += isInAir(rung);
@@ -195,6 +205,30 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step) {
     result.statistics.patterns = step.plan.subdivision.patterns;
     result.statistics.volumeChange = step.plan.volumeChange;
     return result;
+}
+
+void Cutter::State::follow(const CutDelta& delta) {
+    const std::vector<int> changed = changedTriangles(delta);
+    tree.update(changed);
+    if (pieces.update(mesh, changed).piecesChanged) {
+        skinSamples.clear();
+    }
+}
+
+// O(n): at the first cut of a stroke, and after one that took a piece off.
+void Cutter::State::sampleSkin() {
+    if (skinVertices.empty()) {
+        skinVertices = cut::findSkinVertices(mesh);
+    }
+    skinSamples = cut::thinByPiece(skinVertices, pieces.ofVertex());
+}
+
+void Cutter::State::noteMotion() {
+    if (moved) {
+        tree.moved(*std::exchange(moved, std::nullopt));
+    } else {
+        tree.movedAnyhow();
+    }
 }
 
 void Cutter::State::countRefusal(const Blade& to) {
@@ -223,22 +257,29 @@ void Cutter::begin(const Blade& blade) {
     state.blade = blade;
     state.refusedInARow = 0;
     state.skinVertices.clear();
+    state.skinSamples.clear();
     state.placeRung(blade);
 }
 
 CutResult Cutter::advance(const Blade& blade) {
     assert(state_->inStroke);
     state_->blade = blade;
+    state_->noteMotion();
     return state_->sweep(blade, state_->settings.gate * state_->h);
 }
 
 CutResult Cutter::finish() {
     State& state = *state_;
     assert(state.inStroke);
+    state.noteMotion();
     CutResult result = state.sweep(state.blade, state.leastFlush());
     state.inStroke = false;
     state.rung.clear();
     return result;
+}
+
+void Cutter::boundMotion(double distance) {
+    state_->moved = state_->moved.value_or(0) + distance;
 }
 
 bool Cutter::inStroke() const {

@@ -9,6 +9,11 @@ namespace kerf::cut {
 /// Vertices inside the skin, away from every cut: the samples of the map below.
 std::vector<int> findSkinVertices(const SurfaceMesh& mesh);
 
+/// At most about 2000 of them for each piece, thinned evenly: more cost time and change nothing
+/// that can be seen.
+std::vector<int> thinByPiece(const std::vector<int>& skinVertices,
+                             const std::vector<int>& pieceOfVertex);
+
 /// Gives the inner wall nodes of a step their rest positions and velocities: the affine map
 /// current -> rest fitted at the node by moving least squares from the outer skin of the same
 /// piece, weights 1 / (d^2 + h^2)^2, ridge 1e-3 of the trace towards the identity.

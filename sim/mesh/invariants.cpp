@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "sim/mesh/union_find.h"
+#include "sim/mesh/piece_labels.h"
 
 namespace kerf {
 
@@ -121,10 +121,6 @@ double tetrahedron(const std::vector<Vec3>& points, const Triangle& t) {
     return points[t[0]].dot(points[t[1]].cross(points[t[2]])) / 6;
 }
 
-double area(const std::vector<Vec3>& points, const Triangle& t) {
-    return 0.5 * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
-}
-
 double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
     double sum = 0;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
@@ -133,42 +129,6 @@ double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
         }
     }
     return sum;
-}
-
-/// The lowest vertex of each vertex's component; -1 for unused vertices.
-std::vector<int> lowestOfComponent(const SurfaceMesh& mesh) {
-    UnionFind components(mesh.vertexCount());
-    std::vector<char> used(mesh.vertexCount(), 0);
-    forEachHalfEdge(mesh, [&](int h) {
-        components.join(mesh.origin(h), mesh.target(h));
-        used[mesh.origin(h)] = 1;
-    });
-    std::vector<int> lowest(mesh.vertexCount(), -1);
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (used[v]) {
-            lowest[v] = components.root(v);
-        }
-    }
-    return lowest;
-}
-
-/// Numbers the components by their lowest vertex and counts their vertices.
-PieceMap numberPieces(const SurfaceMesh& mesh) {
-    PieceMap map;
-    const std::vector<int> lowest = lowestOfComponent(mesh);
-    map.ofVertex.assign(mesh.vertexCount(), -1);
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (lowest[v] < 0) {
-            continue;
-        }
-        if (lowest[v] == v) {
-            map.ofVertex[v] = static_cast<int>(map.pieces.size());
-            map.pieces.emplace_back();
-        }
-        map.ofVertex[v] = map.ofVertex[lowest[v]];
-        ++map.pieces[map.ofVertex[v]].vertices;
-    }
-    return map;
 }
 
 }  // namespace
@@ -238,14 +198,17 @@ std::string checkClosedManifold(const SurfaceMesh& mesh) {
 }
 
 PieceMap findPieces(const SurfaceMesh& mesh) {
-    PieceMap map = numberPieces(mesh);
+    const PieceLabels labels(mesh);
+    PieceMap map;
+    map.ofVertex = labels.ofVertex();
+    for (const PieceContent& piece : labels.pieces()) {
+        map.pieces.push_back(
+            {piece.triangles, piece.vertices, 0, piece.restVolume, piece.restArea});
+    }
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
-            Piece& piece = map.pieces[map.ofVertex[mesh.triangle(t)[0]]];
-            ++piece.triangles;
-            piece.volume += tetrahedron(mesh.positions(), mesh.triangle(t));
-            piece.restVolume += tetrahedron(mesh.restPositions(), mesh.triangle(t));
-            piece.restArea += area(mesh.restPositions(), mesh.triangle(t));
+            map.pieces[map.ofVertex[mesh.triangle(t)[0]]].volume +=
+                tetrahedron(mesh.positions(), mesh.triangle(t));
         }
     }
     return map;

@@ -17,7 +17,7 @@ std::vector<shared::vec4> packed(const std::vector<Vec3>& points) {
     return out;
 }
 
-std::vector<shared::uvec4> livingTriangles(const SurfaceMesh& mesh) {
+std::vector<shared::uvec4> taggedTriangles(const SurfaceMesh& mesh) {
     std::vector<shared::uvec4> out;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
@@ -119,7 +119,7 @@ class HalfBuilder {
 }  // namespace
 
 UploadedBody::UploadedBody(const SurfaceMesh& mesh) {
-    const std::vector<shared::uvec4> living = livingTriangles(mesh);
+    const std::vector<shared::uvec4> living = taggedTriangles(mesh);
     positions.assign(packed(mesh.positions()));
     restPositions.assign(packed(mesh.restPositions()));
     triangles.assign(living);
