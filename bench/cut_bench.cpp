@@ -7,11 +7,13 @@
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "gpu/context.h"
-#include "sim/body/body_model.h"
+#include "gpu/program.h"
+#include "sim/body/body_updater.h"
 #include "sim/cut/cutter.h"
 #include "sim/simulation.h"
 #include "sim/solve/gpu_solver.h"
@@ -73,9 +75,15 @@ Blade deformed(const Blade& blade, int step) {
     return {deformed(blade.a, step), deformed(blade.b, step)};
 }
 
-BodyState stateOf(const SurfaceMesh& mesh) {
+std::vector<std::uint32_t> verticesFrom(const SurfaceMesh& mesh, int first) {
+    std::vector<std::uint32_t> vertices(mesh.vertexCount() - first);
+    std::iota(vertices.begin(), vertices.end(), static_cast<std::uint32_t>(first));
+    return vertices;
+}
+
+BodyState stateOf(const SurfaceMesh& mesh, int first = 0) {
     BodyState state;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
+    for (int v = first; v < mesh.vertexCount(); ++v) {
         state.positions.push_back(mesh.position(v).cast<float>());
         state.velocities.push_back(mesh.velocity(v).cast<float>());
     }
@@ -104,15 +112,14 @@ struct Figures {
 
 class LocalCut {
   public:
-    explicit LocalCut(const SurfaceMesh& whole)
-        : mesh_(whole), model_(buildBodyModel(mesh_)), cutter_(mesh_, {}) {
-        solver_.setModel(model_, stateOf(mesh_));
+    explicit LocalCut(const SurfaceMesh& whole) : mesh_(whole), body_(mesh_), cutter_(mesh_, {}) {
+        solver_.setModel(body_.model(), stateOf(mesh_));
         solver_.measure();
     }
 
     Times run() {
         Times times;
-        cutter_.begin(deformed(bladeAt(0, model_.edgeLength), 0));
+        cutter_.begin(deformed(bladeAt(0, body_.model().edgeLength), 0));
         for (int i = 1; i < kSteps; ++i) {
             cutter_.boundMotion(deform(mesh_, i));
             step(i, times);
@@ -134,7 +141,7 @@ class LocalCut {
 
   private:
     void step(int index, Times& times) {
-        const Blade blade = deformed(bladeAt(index, model_.edgeLength), index);
+        const Blade blade = deformed(bladeAt(index, body_.model().edgeLength), index);
         Stopwatch watch;
         const CutResult result = cutter_.advance(blade);
         const double cutter = 1000 * watch.restart();
@@ -142,10 +149,11 @@ class LocalCut {
             std::fprintf(stderr, "step %d: no cut %s\n", index, result.reason.c_str());
             return;
         }
-        model_ = updateBodyModel(model_, mesh_, result.delta);
+        const BodyChange change = body_.update(result.delta);
         const double model = 1000 * watch.restart();
-        solver_.setModel(model_, stateOf(mesh_));
-        solver_.view();
+        const int first = result.delta.firstNewVertex;
+        solver_.update(body_.model(), change, verticesFrom(mesh_, first), stateOf(mesh_, first));
+        gpu::finish();
         const double upload = 1000 * watch.restart();
         if (index >= kFirstStep) {
             times.cutter.push_back(cutter);
@@ -157,7 +165,7 @@ class LocalCut {
     }
 
     SurfaceMesh mesh_;
-    BodyModel model_;
+    BodyUpdater body_;
     Cutter cutter_;
     GpuSolver solver_;
 };

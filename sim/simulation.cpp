@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
-#include "sim/body/body_model.h"
+#include "sim/body/body_updater.h"
+#include "sim/cut/cut_change.h"
 #include "sim/solve/front_anchors.h"
 #include "sim/solve/gpu_solver.h"
 #include "sim/solve/solver_uniforms.h"
@@ -51,11 +53,18 @@ double roundVertices(SurfaceMesh& mesh, int first) {
     return farthest;
 }
 
-BodyState stateOf(const SurfaceMesh& mesh) {
+/// The vertices from `first` on.
+std::vector<std::uint32_t> verticesFrom(const SurfaceMesh& mesh, int first) {
+    std::vector<std::uint32_t> vertices(mesh.vertexCount() - first);
+    std::iota(vertices.begin(), vertices.end(), static_cast<std::uint32_t>(first));
+    return vertices;
+}
+
+BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
     BodyState state;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        state.positions.push_back(mesh.position(v).cast<float>());
-        state.velocities.push_back(mesh.velocity(v).cast<float>());
+    for (const std::uint32_t v : vertices) {
+        state.positions.push_back(mesh.position(static_cast<int>(v)).cast<float>());
+        state.velocities.push_back(mesh.velocity(static_cast<int>(v)).cast<float>());
     }
     return state;
 }
@@ -119,6 +128,7 @@ struct Simulation::State {
     void accept(const CutResult& result);
     void adoptNewTopology(const CutDelta& delta);
 
+    const BodyModel& model() const { return body->model(); }
     void syncMesh();
     const PieceMap& syncPieces();
     template <class... Parts>
@@ -133,7 +143,7 @@ struct Simulation::State {
     // The body: constant set-up, running state on the GPU, and the mesh, which is the truth about
     // topology and lags behind in positions until syncMesh().
     SurfaceMesh mesh;
-    BodyModel model;
+    std::optional<BodyUpdater> body;
     GpuSolver solver;
     VolumeTargets volumeTargets;
     std::vector<Anchor> anchors;
@@ -159,9 +169,9 @@ struct Simulation::State {
 
 void Simulation::State::start() {
     mesh = uncut;
-    model = buildBodyModel(mesh);
-    solver.setModel(model, stateOf(mesh));
-    volumeTargets.reset(model);
+    body.emplace(mesh);
+    solver.setModel(model(), stateOf(mesh, verticesFrom(mesh, 0)));
+    volumeTargets.reset(model());
     meshLags = true;  // by the rounding to float
     closed = checkClosedManifold(mesh).empty();
     params = initialParams;
@@ -224,7 +234,7 @@ void Simulation::State::holdFront() {
         return;
     }
     syncMesh();
-    anchors = findFrontAnchors(mesh, model, cutter->rung(), uncut.vertexCount(), params.timeStep);
+    anchors = findFrontAnchors(mesh, model(), cutter->rung(), uncut.vertexCount(), params.timeStep);
     for (const Anchor& anchor : anchors) {
         solver.anchor(anchor.vertex, anchor.velocity.cast<float>());
     }
@@ -281,7 +291,8 @@ void Simulation::State::cut(const LiftBlade&) {
 /// Whether the cutter must look: a front is in the material, or the strip meets the body's box.
 bool Simulation::State::mayTouch(const Blade& to) const {
     const std::vector<RungNode>& rung = cutter->rung();
-    return standsInMaterial(rung) || sweptBox(rung, to, model.edgeLength).overlaps(measure.bounds);
+    return standsInMaterial(rung) ||
+           sweptBox(rung, to, model().edgeLength).overlaps(measure.bounds);
 }
 
 void Simulation::State::accept(const CutResult& result) {
@@ -297,31 +308,33 @@ void Simulation::State::accept(const CutResult& result) {
 
 void Simulation::State::adoptNewTopology(const CutDelta& delta) {
     cutter->boundMotion(roundVertices(mesh, delta.firstNewVertex));
-    const BodyModel before = std::exchange(model, {});
-    model = updateBodyModel(before, mesh, delta);
-    solver.setModel(model, stateOf(mesh));
+    const BodyChange change = body->update(delta);
+    const std::vector<std::uint32_t> written = verticesFrom(mesh, delta.firstNewVertex);
+    solver.update(model(), change, written, stateOf(mesh, written));
     solver.saveState();
-    measure = solver.measure();
-    volumeTargets.follow(before, model, measure.pieceVolumes);
+    if (change.pieces.piecesChanged) {
+        measure = solver.measure();
+    }
+    volumeTargets.follow(change.pieces.source, model(), measure.pieceVolumes);
     solver.setVolumeTargets(volumeTargets.targets());
     pieces.reset();
-    const std::string defect = checkClosedManifold(mesh);
-    closed = defect.empty();
-    if (!closed) {
+    const std::string defect = checkClosedManifoldAround(mesh, changedTriangles(delta));
+    if (!defect.empty()) {
+        closed = false;
         say("step {}: the cut left the mesh open: {}", stepsDone, defect);
     }
 }
 
 void Simulation::State::publish() {
     report.time = time;
-    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+    for (std::size_t p = 0; p < model().pieces.size(); ++p) {
         report.volume += measure.pieceVolumes[p];
-        report.vertices += static_cast<int>(model.pieces[p].vertexCount);
+        report.vertices += static_cast<int>(model().pieces[p].vertexCount);
     }
-    report.volumeRatio = report.volume / model.uncutRestVolume;
-    report.pieces = static_cast<int>(model.pieces.size());
+    report.volumeRatio = report.volume / model().uncutRestVolume;
+    report.pieces = static_cast<int>(model().pieces.size());
     report.triangles = mesh.aliveTriangles();
-    report.ispcs = static_cast<int>(model.ispcs.size());
+    report.ispcs = static_cast<int>(model().ispcs.size());
     report.closed = closed;
 }
 

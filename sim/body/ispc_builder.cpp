@@ -19,12 +19,9 @@ bool touches(const Triangle& triangle, int vertex) {
 
 }  // namespace
 
-IspcCaster::IspcCaster(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,
-                       double edgeLength)
-    : mesh_(mesh),
-      pieceOfVertex_(pieceOfVertex),
-      edgeLength_(edgeLength),
-      tree_(mesh, livingTriangles(mesh)) {}
+IspcCaster::IspcCaster(const SurfaceMesh& mesh, const RayTree& tree,
+                       const std::vector<int>& pieceOfVertex, double edgeLength)
+    : mesh_(mesh), tree_(tree), pieceOfVertex_(pieceOfVertex), edgeLength_(edgeLength) {}
 
 std::optional<CastIspc> IspcCaster::cast(int vertex, double vertexArea) const {
     const int piece = pieceOfVertex_[vertex];

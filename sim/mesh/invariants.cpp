@@ -1,5 +1,6 @@
 #include "sim/mesh/invariants.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "sim/mesh/piece_labels.h"
@@ -117,6 +118,39 @@ bool isFinite(const SurfaceMesh& mesh, int v) {
            mesh.velocity(v).allFinite();
 }
 
+/// The corner at the origin of h: its edge, its umbrella, and that h belongs to the umbrella.
+std::string checkCornerOf(const SurfaceMesh& mesh, int h) {
+    const int v = mesh.origin(h);
+    if (v < 0 || v >= mesh.vertexCount() || !isFinite(mesh, v)) {
+        return edgeName(mesh, h) + " starts at no vertex with finite coordinates";
+    }
+    if (std::string fault = checkTwinOf(mesh, h); !fault.empty()) {
+        return fault;
+    }
+    const int first = mesh.outgoing(v);
+    if (!isLivingHalfEdge(mesh, first) || mesh.origin(first) != v) {
+        return vertexName(v) + " has no valid outgoing half-edge";
+    }
+    std::vector<int> targets;
+    bool met = false;
+    int at = first;
+    do {
+        met = met || at == h;
+        targets.push_back(mesh.target(at));
+        at = mesh.rotate(at);
+    } while (at != first && isLivingHalfEdge(mesh, at) && mesh.origin(at) == v &&
+             static_cast<int>(targets.size()) < 3 * mesh.triangleSlots());
+    if (at != first || !met) {
+        return "the umbrella around " + vertexName(v) + " is not closed or not the only one";
+    }
+    std::sort(targets.begin(), targets.end());
+    if (std::adjacent_find(targets.begin(), targets.end()) != targets.end() ||
+        std::binary_search(targets.begin(), targets.end(), v)) {
+        return "two edges of " + vertexName(v) + " have the same end points";
+    }
+    return "";
+}
+
 double tetrahedron(const std::vector<Vec3>& points, const Triangle& t) {
     return points[t[0]].dot(points[t[1]].cross(points[t[2]])) / 6;
 }
@@ -195,6 +229,16 @@ std::string checkClosedManifold(const SurfaceMesh& mesh) {
         }
     }
     return "";
+}
+
+std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const int> triangles) {
+    std::string fault;
+    for (const int t : triangles) {
+        for (int h = 3 * t; h < 3 * t + 3 && mesh.alive(t) && fault.empty(); ++h) {
+            fault = checkCornerOf(mesh, h);
+        }
+    }
+    return fault;
 }
 
 PieceMap findPieces(const SurfaceMesh& mesh) {

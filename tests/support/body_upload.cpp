@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shaders/shared/body_records.h"
 #include "shaders/shared/shared_types.h"
 
 namespace kerf::test {
@@ -125,13 +126,14 @@ UploadedBody::UploadedBody(const SurfaceMesh& mesh) {
     triangles.assign(living);
     vertexCount = std::uint32_t(mesh.vertexCount());
     triangleCount = std::uint32_t(living.size());
-    std::vector<std::uint32_t> offsets = {0};
+    std::vector<shared::IncidenceRange> ranges;
     std::vector<std::uint32_t> entries;
     for (const auto& corners : cornersAround(living, vertexCount)) {
+        const auto first = std::uint32_t(entries.size());
         entries.insert(entries.end(), corners.begin(), corners.end());
-        offsets.push_back(std::uint32_t(entries.size()));
+        ranges.push_back({first, std::uint32_t(entries.size())});
     }
-    incidenceOffsets.assign(offsets);
+    incidenceRanges.assign(ranges);
     incidence.assign(entries);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         bounds.add(mesh.position(v));
@@ -144,7 +146,7 @@ BodyView UploadedBody::view() const {
     body.positions = &positions;
     body.restPositions = &restPositions;
     body.triangles = &triangles;
-    body.incidenceOffsets = &incidenceOffsets;
+    body.incidenceRanges = &incidenceRanges;
     body.incidence = &incidence;
     body.vertexCount = vertexCount;
     body.triangleCount = triangleCount;
