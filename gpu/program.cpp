@@ -173,4 +173,8 @@ void storageBarrier() {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+void finish() {
+    glFinish();
+}
+
 }  // namespace kerf::gpu

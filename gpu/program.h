@@ -61,5 +61,7 @@ class Program {
 
 /// glMemoryBarrier for storage that the next dispatch reads.
 void storageBarrier();
+/// Waits until the GPU has done all that it was told; for measurements.
+void finish();
 
 }  // namespace kerf::gpu

@@ -2,9 +2,13 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
-#include "sim/body/body_model.h"
+#include "sim/body/body_updater.h"
+#include "sim/cut/cut_change.h"
 #include "sim/solve/front_anchors.h"
 #include "sim/solve/gpu_solver.h"
 #include "sim/solve/solver_uniforms.h"
@@ -36,36 +40,49 @@ Vec3 roundedToFloat(const Vec3& a) {
     return a.cast<float>().cast<double>();
 }
 
-void roundVertex(SurfaceMesh& mesh, int v) {
-    mesh.setPosition(v, roundedToFloat(mesh.position(v)));
+/// Returns how far the vertex has moved [m].
+double roundVertex(SurfaceMesh& mesh, int v) {
+    const Vec3 before = mesh.position(v);
+    mesh.setPosition(v, roundedToFloat(before));
     mesh.setVelocity(v, roundedToFloat(mesh.velocity(v)));
+    return (mesh.position(v) - before).norm();
 }
 
-/// New and moved vertices become what the GPU will hold, so that both sides go on from the same
-/// numbers.
-void roundVertices(SurfaceMesh& mesh, const CutDelta& delta) {
-    for (int v = delta.firstNewVertex; v < mesh.vertexCount(); ++v) {
-        roundVertex(mesh, v);
+/// Vertices become what the GPU will hold, so that both sides go on from the same numbers. Returns
+/// how far one has moved at most [m].
+double roundVertices(SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
+    double farthest = 0;
+    for (const std::uint32_t v : vertices) {
+        farthest = std::max(farthest, roundVertex(mesh, static_cast<int>(v)));
     }
-    for (const int v : delta.movedVertices) {
-        roundVertex(mesh, v);
-    }
+    return farthest;
 }
 
-BodyState stateOf(const SurfaceMesh& mesh) {
+std::vector<std::uint32_t> allVertices(const SurfaceMesh& mesh) {
+    std::vector<std::uint32_t> vertices(mesh.vertexCount());
+    std::iota(vertices.begin(), vertices.end(), 0u);
+    return vertices;
+}
+
+BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
     BodyState state;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        state.positions.push_back(mesh.position(v).cast<float>());
-        state.velocities.push_back(mesh.velocity(v).cast<float>());
+    for (const std::uint32_t v : vertices) {
+        state.positions.push_back(mesh.position(static_cast<int>(v)).cast<float>());
+        state.velocities.push_back(mesh.velocity(static_cast<int>(v)).cast<float>());
     }
     return state;
 }
 
-void copyState(const BodyState& state, SurfaceMesh& mesh) {
+/// Returns how far a vertex has moved at most [m].
+double copyState(const BodyState& state, SurfaceMesh& mesh) {
+    double farthest = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        mesh.setPosition(v, state.positions[v].cast<double>());
+        const Vec3 position = state.positions[v].cast<double>();
+        farthest = std::max(farthest, (position - mesh.position(v)).squaredNorm());
+        mesh.setPosition(v, position);
         mesh.setVelocity(v, state.velocities[v].cast<double>());
     }
+    return std::sqrt(farthest);
 }
 
 /// What the blade sweeps from the rung of the stroke (or from nowhere) to `blade`.
@@ -115,6 +132,7 @@ struct Simulation::State {
     void accept(const CutResult& result);
     void adoptNewTopology(const CutDelta& delta);
 
+    const BodyModel& model() const { return body->model(); }
     void syncMesh();
     const PieceMap& syncPieces();
     template <class... Parts>
@@ -129,7 +147,7 @@ struct Simulation::State {
     // The body: constant set-up, running state on the GPU, and the mesh, which is the truth about
     // topology and lags behind in positions until syncMesh().
     SurfaceMesh mesh;
-    BodyModel model;
+    std::optional<BodyUpdater> body;
     GpuSolver solver;
     VolumeTargets volumeTargets;
     std::vector<Anchor> anchors;
@@ -155,9 +173,9 @@ struct Simulation::State {
 
 void Simulation::State::start() {
     mesh = uncut;
-    model = buildBodyModel(mesh);
-    solver.setModel(model, stateOf(mesh));
-    volumeTargets.reset(model);
+    body.emplace(mesh);
+    solver.setModel(model(), stateOf(mesh, allVertices(mesh)));
+    volumeTargets.reset(model());
     meshLags = true;  // by the rounding to float
     closed = checkClosedManifold(mesh).empty();
     params = initialParams;
@@ -220,7 +238,7 @@ void Simulation::State::holdFront() {
         return;
     }
     syncMesh();
-    anchors = findFrontAnchors(mesh, model, cutter->rung(), cutter->firstVertexOfStroke(),
+    anchors = findFrontAnchors(mesh, model(), cutter->rung(), cutter->firstVertexOfStroke(),
                                params.timeStep);
     for (const Anchor& anchor : anchors) {
         solver.anchor(anchor.vertex, anchor.velocity.cast<float>());
@@ -278,7 +296,8 @@ void Simulation::State::cut(const LiftBlade&) {
 /// Whether the cutter must look: a front is in the material, or the strip meets the body's box.
 bool Simulation::State::mayTouch(const Blade& to) const {
     const std::vector<RungNode>& rung = cutter->rung();
-    return standsInMaterial(rung) || sweptBox(rung, to, model.edgeLength).overlaps(measure.bounds);
+    return standsInMaterial(rung) ||
+           sweptBox(rung, to, model().edgeLength).overlaps(measure.bounds);
 }
 
 void Simulation::State::accept(const CutResult& result) {
@@ -293,38 +312,40 @@ void Simulation::State::accept(const CutResult& result) {
 }
 
 void Simulation::State::adoptNewTopology(const CutDelta& delta) {
-    roundVertices(mesh, delta);
-    const BodyModel before = std::exchange(model, {});
-    model = updateBodyModel(before, mesh, delta);
-    solver.setModel(model, stateOf(mesh));
+    const std::vector<std::uint32_t> written = rewrittenVertices(mesh, delta);
+    cutter->boundMotion(roundVertices(mesh, written));
+    const BodyChange change = body->update(delta);
+    solver.update(model(), change, written, stateOf(mesh, written));
     solver.saveState();
-    measure = solver.measure();
-    volumeTargets.follow(before, model, measure.pieceVolumes);
+    if (change.pieces.piecesChanged) {
+        measure = solver.measure();
+    }
+    volumeTargets.follow(change.pieces.source, model(), measure.pieceVolumes);
     solver.setVolumeTargets(volumeTargets.targets());
     pieces.reset();
-    const std::string defect = checkClosedManifold(mesh);
-    closed = defect.empty();
-    if (!closed) {
+    const std::string defect = checkClosedManifoldAround(mesh, changedTriangles(delta));
+    if (!defect.empty()) {
+        closed = false;
         say("step {}: the cut left the mesh open: {}", stepsDone, defect);
     }
 }
 
 void Simulation::State::publish() {
     report.time = time;
-    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+    for (std::size_t p = 0; p < model().pieces.size(); ++p) {
         report.volume += measure.pieceVolumes[p];
-        report.vertices += static_cast<int>(model.pieces[p].vertexCount);
+        report.vertices += static_cast<int>(model().pieces[p].vertexCount);
     }
-    report.volumeRatio = report.volume / model.uncutRestVolume;
-    report.pieces = static_cast<int>(model.pieces.size());
+    report.volumeRatio = report.volume / model().uncutRestVolume;
+    report.pieces = static_cast<int>(model().pieces.size());
     report.triangles = mesh.aliveTriangles();
-    report.ispcs = static_cast<int>(model.ispcs.size());
+    report.ispcs = static_cast<int>(model().ispcs.size());
     report.closed = closed;
 }
 
 void Simulation::State::syncMesh() {
     if (std::exchange(meshLags, false)) {
-        copyState(solver.readState(), mesh);
+        cutter->boundMotion(copyState(solver.readState(), mesh));
     }
 }
 

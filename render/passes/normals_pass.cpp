@@ -10,7 +10,7 @@ void NormalsPass::run(const BodyView& body) {
     normals_.resize(std::size_t(2) * body.vertexCount * sizeof(shared::vec4));
     body.positions->bindStorage(shared::kBindPositions);
     body.triangles->bindStorage(shared::kBindTriangles);
-    body.incidenceOffsets->bindStorage(shared::kBindIncidenceOffsets);
+    body.incidenceRanges->bindStorage(shared::kBindIncidenceRanges);
     body.incidence->bindStorage(shared::kBindIncidence);
     normals_.bindStorage(shared::kBindNormals);
     program_.use();

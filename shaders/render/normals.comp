@@ -7,7 +7,7 @@
 layout(local_size_x = kNormalsGroupSize) in;
 
 #include "body.glsl"
-layout(std430, binding = kBindIncidenceOffsets) readonly buffer Offsets { uint offsets[]; };
+layout(std430, binding = kBindIncidenceRanges) readonly buffer Ranges { uvec2 ranges[]; };
 layout(std430, binding = kBindIncidence) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = kBindNormals) writeonly buffer Normals { vec4 normals[]; };
 
@@ -42,7 +42,7 @@ void main() {
     }
     vec3 skin = vec3(0);
     vec3 wall = vec3(0);
-    for (uint i = offsets[vertex]; i < offsets[vertex + 1u]; ++i) {
+    for (uint i = ranges[vertex].x; i < ranges[vertex].y; ++i) {
         uvec4 triangle = triangles[entries[i] / 4u];
         vec3 n = weightedNormal(triangle, entries[i] % 4u);
         if ((triangle.w & 1u) == 0u) {

@@ -11,14 +11,18 @@ SHARED_CONST uint kVelocitiesBinding = 2u;    // vec4: [m/s]
 SHARED_CONST uint kDisplacementBinding = 3u;  // vec4: d = P - X of this substep [m]
 SHARED_CONST uint kLinksBinding = 4u;         // VertexLinks
 SHARED_CONST uint kConstraintsBinding = 5u;   // EdgeConstraint, BendConstraint or IspcConstraint
-SHARED_CONST uint kOffsetsBinding = 6u;       // per vertex: CSR offsets into
+SHARED_CONST uint kRangesBinding = 6u;        // IncidenceRange per vertex: of
 SHARED_CONST uint kEntriesBinding = 7u;       // 4 * element + slot, or neighbours
 SHARED_CONST uint kCorrectionsBinding = 8u;   // vec4 per element and slot [m]
-SHARED_CONST uint kVertexOrderBinding = 9u;   // uint: the used vertices, piece after piece
+SHARED_CONST uint kPlacesBinding = 9u;        // uint: vertices by pages, kNoVertex for holes
 SHARED_CONST uint kGradientsBinding = 10u;    // vec4 per vertex: dV/dp [m^2]
 SHARED_CONST uint kPiecesBinding = 11u;       // PieceRecord
 SHARED_CONST uint kBlocksBinding = 12u;       // BlockRecord
 SHARED_CONST uint kBlockSumsBinding = 13u;    // VolumeSum or BlockMeasure, one per block
+SHARED_CONST uint kPagesBinding = 14u;        // uint: the pages of each block, block after block
+SHARED_CONST uint kAreasBinding = 15u;        // float: rest area of each vertex [m^2]
+SHARED_CONST uint kPatchesBinding = 0u;       // WordPatch, for a kernel of its own
+SHARED_CONST uint kPatchedBinding = 1u;       // what it writes to
 
 SHARED_END
 #endif

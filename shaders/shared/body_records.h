@@ -4,8 +4,10 @@
 #include "shared_types.h"
 SHARED_BEGIN
 
-SHARED_CONST uint kGroupSize = 256u;  // threads of a work group, in every kernel
+SHARED_CONST uint kGroupSize = 256u;       // threads of a work group, in every kernel
+SHARED_CONST uint kPageSize = kGroupSize;  // places on a page of the vertices of a piece
 SHARED_CONST uint kNoPiece = 0xffffffffu;
+SHARED_CONST uint kNoVertex = 0xffffffffu;  // a place without a vertex
 
 // How many constraints of each type touch a vertex: mass-splitting Jacobi gives each of them the
 // share mass / count, hence the inverse mass count * w.
@@ -23,13 +25,28 @@ struct PieceRecord {
     uint block_count;
     uint constrained;     // 0: chips, which get no volume constraint
     float target_volume;  // [m^3]
+    // Unit mass of a vertex: mass_per_area * max(its rest area, least_area) [m^3].
+    float mass_per_area;  // [m]
+    float least_area;     // [m^2]
 };
 
-// The vertices that one work group sums up: places in the order of vertices by piece.
+// The vertices that one work group sums up: entries of the table of pages, which lie together.
 struct BlockRecord {
     uint piece;
-    uint first_place;
-    uint place_count;
+    uint first_page;
+    uint page_count;
+};
+
+// A list of what touches a vertex: entries[first] up to, not including, entries[end].
+struct IncidenceRange {
+    uint first;
+    uint end;
+};
+
+// A word to be written into a buffer.
+struct WordPatch {
+    uint word;
+    uint value;
 };
 
 // Of one block, in a substep.

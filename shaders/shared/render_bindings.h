@@ -7,7 +7,7 @@ SHARED_BEGIN
 SHARED_CONST int kBindPositions = 0;
 SHARED_CONST int kBindRestPositions = 1;
 SHARED_CONST int kBindTriangles = 2;
-SHARED_CONST int kBindIncidenceOffsets = 3;
+SHARED_CONST int kBindIncidenceRanges = 3;
 SHARED_CONST int kBindIncidence = 4;
 SHARED_CONST int kBindNormals = 5;   // vec4 per vertex and kind: 2 * vertex + kind
 SHARED_CONST int kBindSegments = 6;  // vec4 pairs: ends of lines, or blade poses A, B

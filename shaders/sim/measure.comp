@@ -1,5 +1,5 @@
 // What the CPU wants to know after a step: volume, box and whether all numbers are finite, per
-// block. Reads X, velocities, neighbours, vertex order, pieces, blocks. Writes block measures.
+// block. Reads X, velocities, neighbours, places, pages, pieces, blocks. Writes block measures.
 // One group per block; sums in a fixed order (see volume_gradient). The CPU reads the result.
 #include "bindings.h"
 #include "body_records.h"
@@ -7,9 +7,10 @@ layout(local_size_x = kGroupSize) in;
 
 layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kVelocitiesBinding) readonly buffer Velocities { vec4 velocities[]; };
-layout(std430, binding = kOffsetsBinding) readonly buffer Offsets { uint offsets[]; };
+layout(std430, binding = kRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
 layout(std430, binding = kEntriesBinding) readonly buffer Neighbours { uint neighbours[]; };
-layout(std430, binding = kVertexOrderBinding) readonly buffer Order { uint vertexOrder[]; };
+layout(std430, binding = kPlacesBinding) readonly buffer Places { uint places[]; };
+layout(std430, binding = kPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
 layout(std430, binding = kBlockSumsBinding) writeonly buffer Measures { BlockMeasure measures[]; };
@@ -36,8 +37,9 @@ void main() {
     uint self = gl_LocalInvocationID.x;
     vec4 low = vec4(vec3(1e30), 0.0);
     vec4 high = vec4(vec3(-1e30), 0.0);
-    for (uint i = self; i < block.place_count; i += kGroupSize) {
-        uint v = vertexOrder[block.first_place + i];
+    for (uint i = 0u; i < block.page_count; ++i) {
+        uint v = places[kPageSize * pages[block.first_page + i] + self];
+        if (v == kNoVertex) continue;
         vec3 p = positions[v].xyz;
         low = vec4(min(low.xyz, p), low.w + dot(span(origin, v), volumeGradient(v)) / 3.0);
         high = vec4(max(high.xyz, p), sane(p) && sane(velocities[v].xyz) ? high.w : 1.0);

@@ -16,7 +16,7 @@ layout(std430, binding = kVelocitiesBinding) readonly buffer Velocities { vec4 v
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };
 layout(std430, binding = kConstraintsBinding) readonly buffer Edges { EdgeConstraint edges[]; };
-layout(std430, binding = kOffsetsBinding) readonly buffer Offsets { uint offsets[]; };
+layout(std430, binding = kRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
 layout(std430, binding = kEntriesBinding) readonly buffer Entries { uint entries[]; };
 
 vec3 predicted(uint v, float inverseMass) {
@@ -57,7 +57,7 @@ void main() {
     vec3 start = predicted(v, own.w);
     vec3 sum = vec3(0.0);
     if ((uniforms.active_parts & kStretchPart) != 0u && own.w > 0.0) {
-        for (uint k = offsets[v]; k < offsets[v + 1u]; ++k) {
+        for (uint k = ranges[v].first; k < ranges[v].end; ++k) {
             sum += correction(edges[entries[k] >> 2], v, own, start);
         }
     }

@@ -1,7 +1,7 @@
 // dV/dp of each vertex, and what the volume constraint sums of it over a block: the volume, a third
 // of (p - origin) . dV/dp since V is homogeneous of degree 3, and w |dV/dp|^2. First each thread
 // over its own vertices, in order, then a tree over the group: both orders are fixed.
-// Reads X, d, neighbours, vertex order, pieces, blocks. Writes gradients and block sums.
+// Reads X, d, neighbours, places, pages, pieces, blocks. Writes gradients and block sums.
 // One group per block. A storage barrier follows, then volume_correct.
 #include "bindings.h"
 #include "body_records.h"
@@ -11,9 +11,10 @@ layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
-layout(std430, binding = kOffsetsBinding) readonly buffer Offsets { uint offsets[]; };
+layout(std430, binding = kRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
 layout(std430, binding = kEntriesBinding) readonly buffer Neighbours { uint neighbours[]; };
-layout(std430, binding = kVertexOrderBinding) readonly buffer Order { uint vertexOrder[]; };
+layout(std430, binding = kPlacesBinding) readonly buffer Places { uint places[]; };
+layout(std430, binding = kPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kGradientsBinding) writeonly buffer Gradients { vec4 gradients[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
@@ -33,8 +34,9 @@ void main() {
     uint origin = pieces[block.piece].origin;
     uint self = gl_LocalInvocationID.x;
     vec2 sum = vec2(0.0);
-    for (uint i = self; i < block.place_count; i += kGroupSize) {
-        uint v = vertexOrder[block.first_place + i];
+    for (uint i = 0u; i < block.page_count; ++i) {
+        uint v = places[kPageSize * pages[block.first_page + i] + self];
+        if (v == kNoVertex) continue;
         vec3 g = volumeGradient(v);
         gradients[v] = vec4(g, 0.0);
         sum += vec2(dot(span(origin, v), g) / 3.0,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "shaders/shared/constraints.h"
@@ -7,12 +8,29 @@
 
 namespace kerf {
 
+/// Calls f(h) for one half-edge of each edge: the lower one.
+template <class F>
+void forEachEdge(const SurfaceMesh& mesh, F&& f) {
+    for (int h = 0; h < 3 * mesh.triangleSlots(); ++h) {
+        if (mesh.alive(h / 3) && h < mesh.twin(h)) {
+            f(h);
+        }
+    }
+}
+
+/// The stretching constraint of the edge of a half-edge, in the rest shape. `thickness` [m].
+shared::EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int halfEdge, double thickness);
+
+/// Its bending constraint; none where a triangle beside the edge is a sliver (height below 5 % of
+/// its longest edge): its normal is noise.
+std::optional<shared::BendConstraint> bendConstraint(const SurfaceMesh& mesh, int halfEdge,
+                                                     double thickness);
+
 /// A stretching constraint per edge of the rest shape, in the order of the edges' lower half-edges.
 /// `thickness` of the shell [m].
 std::vector<shared::EdgeConstraint> buildEdges(const SurfaceMesh& mesh, double thickness);
 
-/// A bending constraint per edge, in the same order; none where a triangle beside the edge is a
-/// sliver (height below 5 % of its longest edge): its normal is noise.
+/// A bending constraint per edge that can have one, in the same order.
 std::vector<shared::BendConstraint> buildBends(const SurfaceMesh& mesh, double thickness);
 
 }  // namespace kerf

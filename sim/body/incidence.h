@@ -25,25 +25,34 @@ inline std::array<std::uint32_t, 3> verticesOf(const std::array<std::uint32_t, 4
     return {triangle[0], triangle[1], triangle[2]};
 }
 
+/// Room for `count` entries with some to spare.
+inline std::uint32_t incidenceRoom(std::uint32_t count) {
+    constexpr std::uint32_t kStep = 4;
+    return (count + kStep - 1) / kStep * kStep;
+}
+
 /// Which elements touch each vertex, ascending by element and slot (a counting sort).
 template <class Element>
 Incidence buildIncidence(const std::vector<Element>& elements, std::size_t vertexCount) {
     Incidence incidence;
-    incidence.offsets.assign(vertexCount + 1, 0);
+    incidence.ranges.assign(vertexCount, {});
     for (const Element& element : elements) {
         for (const std::uint32_t v : verticesOf(element)) {
-            ++incidence.offsets[v + 1];
+            ++incidence.ranges[v].end;
         }
     }
-    for (std::size_t v = 0; v < vertexCount; ++v) {
-        incidence.offsets[v + 1] += incidence.offsets[v];
+    std::uint32_t first = 0;
+    for (IncidenceRange& range : incidence.ranges) {
+        const std::uint32_t room = incidenceRoom(range.end);
+        range = {first, first};
+        first += room;
     }
-    incidence.entries.resize(incidence.offsets.back());
-    std::vector<std::uint32_t> cursor(incidence.offsets.begin(), incidence.offsets.end() - 1);
+    incidence.entries.resize(first);
     for (std::size_t e = 0; e < elements.size(); ++e) {
         std::uint32_t slot = 0;
         for (const std::uint32_t v : verticesOf(elements[e])) {
-            incidence.entries[cursor[v]++] = static_cast<std::uint32_t>(4 * e) + slot++;
+            incidence.entries[incidence.ranges[v].end++] =
+                static_cast<std::uint32_t>(4 * e) + slot++;
         }
     }
     return incidence;
@@ -51,7 +60,7 @@ Incidence buildIncidence(const std::vector<Element>& elements, std::size_t verte
 
 /// Number of elements that touch vertex v.
 inline std::uint32_t valence(const Incidence& incidence, std::size_t v) {
-    return incidence.offsets[v + 1] - incidence.offsets[v];
+    return incidence.ranges[v].end - incidence.ranges[v].first;
 }
 
 }  // namespace kerf

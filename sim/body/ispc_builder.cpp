@@ -13,29 +13,15 @@ constexpr double kLeastLength = 1e-3;   // of the mean edge
 constexpr double kLeastArea = 1e-3;     // of the squared mean edge
 constexpr int kRaysPerVertex = 1;
 
-std::vector<int> livingTriangles(const SurfaceMesh& mesh) {
-    std::vector<int> slots;
-    slots.reserve(mesh.aliveTriangles());
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            slots.push_back(t);
-        }
-    }
-    return slots;
-}
-
 bool touches(const Triangle& triangle, int vertex) {
     return std::ranges::find(triangle, vertex) != triangle.end();
 }
 
 }  // namespace
 
-IspcCaster::IspcCaster(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,
-                       double edgeLength)
-    : mesh_(mesh),
-      pieceOfVertex_(pieceOfVertex),
-      edgeLength_(edgeLength),
-      tree_(mesh, livingTriangles(mesh)) {}
+IspcCaster::IspcCaster(const SurfaceMesh& mesh, const RayTree& tree,
+                       const std::vector<int>& pieceOfVertex, double edgeLength)
+    : mesh_(mesh), tree_(tree), pieceOfVertex_(pieceOfVertex), edgeLength_(edgeLength) {}
 
 std::optional<CastIspc> IspcCaster::cast(int vertex, double vertexArea) const {
     const int piece = pieceOfVertex_[vertex];

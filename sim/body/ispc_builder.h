@@ -19,8 +19,10 @@ struct CastIspc {
 /// first back face of the same piece.
 class IspcCaster {
   public:
-    /// All must outlive the caster. `edgeLength`: mean rest edge length of the uncut body [m].
-    IspcCaster(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex, double edgeLength);
+    /// All must outlive the caster. `tree` holds the living triangles; `edgeLength`: mean rest edge
+    /// length of the uncut body [m].
+    IspcCaster(const SurfaceMesh& mesh, const RayTree& tree, const std::vector<int>& pieceOfVertex,
+               double edgeLength);
 
     /// Nothing where the vertex is unused, on a slit front (see VertexNormal::flatness), or where
     /// the ray finds no opposite side. `vertexArea`: rest area of the vertex [m^2].
@@ -28,9 +30,9 @@ class IspcCaster {
 
   private:
     const SurfaceMesh& mesh_;
+    const RayTree& tree_;
     const std::vector<int>& pieceOfVertex_;
     double edgeLength_;
-    RayTree tree_;
 };
 
 /// Rest position of the far end of an ISPC [m].

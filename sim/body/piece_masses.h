@@ -1,16 +1,41 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "sim/body/body_model.h"
 
 namespace kerf {
 
-/// BodyModel::unitMass from the pieces and the rest areas of the vertices [m^2]. The sum over a
-/// piece is its rest volume: cutting neither makes nor loses mass. A vertex weighs at least about
-/// 5 % of the mean of its piece: lighter ones are thrown about by slivers.
-std::vector<float> buildUnitMasses(const std::vector<PieceModel>& pieces,
-                                   const std::vector<int>& pieceOfVertex,
-                                   const std::vector<double>& vertexAreas, double uncutRestVolume);
+/// The rest areas of the vertices of a piece, summed so that the masses of all of them follow from
+/// two numbers, which a cut changes at the cost of the vertices that it touched.
+class VertexAreas {
+  public:
+    void add(double area);
+    void remove(double area);
+
+    /// Sets the mass of the piece: what unitMass() makes of it sums up to its rest volume, so
+    /// cutting neither makes nor loses mass. A vertex weighs at least about 5 % of the mean of its
+    /// piece: lighter ones are thrown about by slivers. `uncutRestVolume` [m^3].
+    void setMasses(PieceModel& piece, double uncutRestVolume) const;
+
+  private:
+    // A quarter of an octave each; what lies beyond the ends counts to the first and last one.
+    static constexpr int kBins = 320;
+    static int binOf(double area);
+    static double lowerEdge(int bin);
+
+    struct Bin {
+        int count = 0;
+        double sum = 0;  ///< [m^2]
+    };
+    std::array<Bin, kBins> bins_{};
+};
+
+/// Mass at density 1 of a vertex [m^3]: massPerArea * max(area, leastArea) of its piece; 0 for
+/// unused vertices. Multiply by the density for kg.
+double unitMass(const BodyModel& model, std::size_t vertex);
+/// Of all vertices.
+std::vector<double> unitMasses(const BodyModel& model);
 
 }  // namespace kerf

@@ -9,169 +9,31 @@ namespace {
 
 constexpr double kBorder = 2e-5;       // tolerance on barycentric coordinates
 constexpr double kLeastCosine = 1e-6;  // rays closer to a triangle's plane miss it
-constexpr int kLeafSize = 4;
-constexpr int kBins = 16;
 constexpr double kMiss = 1e301;
-
-double halfSurface(const Bounds& box) {
-    if (box.empty()) {
-        return 0;
-    }
-    const Vec3 size = box.high - box.low;
-    return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
-}
-
-Bounds widenedBounds(const SurfaceMesh& mesh, int triangle) {
-    Bounds box;
-    for (const int v : mesh.triangle(triangle)) {
-        box.add(mesh.restPosition(v));
-    }
-    box.widen(4 * kBorder * box.diagonal());
-    return box;
-}
-
-struct Split {
-    int axis = -1;  // -1: none found
-    double plane = 0;
-    double cost = 1e300;
-};
 
 }  // namespace
 
-struct RayTree::Builder {
-    struct Item {
-        Bounds bounds;
-        Vec3 center;
-        int triangle;
-    };
-    struct Task {
-        int node, first, count, depth;
-    };
+RayTree::RayTree(const SurfaceMesh& mesh, std::span<const int> triangles)
+    : mesh_(mesh), tree_(triangles, [this](int t) { return boundsOf(t); }) {}
 
-    std::vector<Item> items;
-    std::vector<Node> nodes;
-    std::vector<Task> tasks;
-
-    explicit Builder(const SurfaceMesh& mesh, const std::vector<int>& triangles) {
-        items.reserve(triangles.size());
-        for (const int t : triangles) {
-            const Bounds box = widenedBounds(mesh, t);
-            items.push_back({box, box.center(), t});
+void RayTree::update(std::span<const int> triangles) {
+    for (const int t : triangles) {
+        tree_.erase(t);
+    }
+    for (const int t : triangles) {
+        if (mesh_.alive(t)) {
+            tree_.insert(t, [this](int id) { return boundsOf(id); });
         }
     }
+}
 
-    void build() {
-        if (items.empty()) {
-            return;
-        }
-        nodes.emplace_back();
-        tasks.push_back({0, 0, static_cast<int>(items.size()), 0});
-        while (!tasks.empty()) {
-            const Task task = tasks.back();
-            tasks.pop_back();
-            divide(task);
-        }
+Bounds RayTree::boundsOf(int triangle) const {
+    Bounds box;
+    for (const int v : mesh_.triangle(triangle)) {
+        box.add(mesh_.restPosition(v));
     }
-
-    void divide(const Task& task) {
-        nodes[task.node].bounds = boundsOf(task);
-        if (task.count <= kLeafSize) {
-            nodes[task.node].first = task.first;
-            nodes[task.node].count = task.count;
-            return;
-        }
-        const int left = static_cast<int>(nodes.size());
-        const int half = partition(task);
-        nodes[task.node].first = left;
-        nodes.resize(nodes.size() + 2);
-        tasks.push_back({left, task.first, half, task.depth + 1});
-        tasks.push_back({left + 1, task.first + half, task.count - half, task.depth + 1});
-    }
-
-    Bounds boundsOf(const Task& task) const {
-        Bounds box;
-        for (int i = task.first; i < task.first + task.count; ++i) {
-            box.add(items[i].bounds);
-        }
-        return box;
-    }
-
-    /// Reorders the task's items; returns how many go left (at least one stays on each side).
-    int partition(const Task& task) {
-        const auto begin = items.begin() + task.first;
-        const auto end = begin + task.count;
-        const Split split = task.depth < kSahDepth ? findSplit(task) : Split{};
-        if (split.axis < 0) {
-            return task.count / 2;
-        }
-        const auto middle = std::partition(
-            begin, end, [&](const Item& item) { return item.center[split.axis] < split.plane; });
-        const int half = static_cast<int>(middle - begin);
-        return half > 0 && half < task.count ? half : task.count / 2;
-    }
-
-    Split findSplit(const Task& task) const {
-        Bounds centers;
-        for (int i = task.first; i < task.first + task.count; ++i) {
-            centers.add(items[i].center);
-        }
-        Split best;
-        for (int axis = 0; axis < 3; ++axis) {
-            tryAxis(task, axis, centers, best);
-        }
-        return best;
-    }
-
-    void tryAxis(const Task& task, int axis, const Bounds& centers, Split& best) const {
-        const double low = centers.low[axis];
-        const double extent = centers.high[axis] - low;
-        if (extent <= 0) {
-            return;
-        }
-        std::array<Bounds, kBins> boxes;
-        std::array<int, kBins> counts{};
-        for (int i = task.first; i < task.first + task.count; ++i) {
-            const double share = (items[i].center[axis] - low) / extent;
-            const int bin = std::min(kBins - 1, static_cast<int>(share * kBins));
-            boxes[bin].add(items[i].bounds);
-            ++counts[bin];
-        }
-        std::array<double, kBins> rightCost{};
-        sweepFromRight(boxes, counts, rightCost);
-        Bounds left;
-        int leftCount = 0;
-        for (int bin = 0; bin + 1 < kBins; ++bin) {
-            left.add(boxes[bin]);
-            leftCount += counts[bin];
-            const double cost = leftCount * halfSurface(left) + rightCost[bin + 1];
-            if (leftCount > 0 && leftCount < task.count && cost < best.cost) {
-                best = {axis, low + extent * (bin + 1) / kBins, cost};
-            }
-        }
-    }
-
-    /// rightCost[b]: count times surface of the bins b and above.
-    static void sweepFromRight(const std::array<Bounds, kBins>& boxes,
-                               const std::array<int, kBins>& counts,
-                               std::array<double, kBins>& rightCost) {
-        Bounds right;
-        int count = 0;
-        for (int bin = kBins - 1; bin > 0; --bin) {
-            right.add(boxes[bin]);
-            count += counts[bin];
-            rightCost[bin] = count * halfSurface(right);
-        }
-    }
-};
-
-RayTree::RayTree(const SurfaceMesh& mesh, std::vector<int> triangles)
-    : mesh_(mesh), triangles_(std::move(triangles)) {
-    Builder builder(mesh_, triangles_);
-    builder.build();
-    nodes_ = std::move(builder.nodes);
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        triangles_[i] = builder.items[i].triangle;
-    }
+    box.widen(4 * kBorder * box.diagonal());
+    return box;
 }
 
 RayTree::Ray::Ray(const Vec3& from, const Vec3& along) : origin(from), direction(along) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
@@ -15,15 +17,19 @@ struct RayHit {
     double b2 = 0;
 };
 
-/// A bounding-volume tree over triangles of the rest shape, for rays: binned surface-area
-/// heuristic, iterative build and traversal. Answers do not depend on the shape of the tree.
+/// A bounding-volume tree over triangles of the rest shape, for rays. Answers do not depend on the
+/// shape of the tree, so one that was edited answers as one that was built anew.
 ///
 /// A triangle reaches 2e-5 of its edges beyond its border, so that a ray aimed at an edge or a
 /// corner (the rule on symmetric meshes) hits something.
 class RayTree {
   public:
     /// `triangles`: living mesh slots. The mesh must outlive the tree and keep its rest shape.
-    RayTree(const SurfaceMesh& mesh, std::vector<int> triangles);
+    RayTree(const SurfaceMesh& mesh, std::span<const int> triangles);
+
+    /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
+    /// a corner or its rest position changed; each once.
+    void update(std::span<const int> triangles);
 
     /// The first back face along `direction` (unit) at `minDistance` or farther of which
     /// accept(slot) holds; of equal distances the lowest slot.
@@ -35,26 +41,16 @@ class RayTree {
     bool crosses(const Vec3& from, const Vec3& to) const;
 
   private:
-    struct Node {
-        Bounds bounds;
-        int first = 0;  ///< of its triangles, or the left child (the right one follows it)
-        int count = 0;  ///< triangles; 0 for an inner node
-    };
     struct Ray {
         Ray(const Vec3& from, const Vec3& along);
         Vec3 origin;
         Vec3 direction;
         Vec3 inverse;
     };
-    /// Deeper nodes are halved by count, which bounds the depth and with it the stack.
-    static constexpr int kSahDepth = 64;
-    static constexpr int kStackSize = kSahDepth + 34;
-
-    struct Builder;
-
     static double entry(const Bounds& box, const Ray& ray, double farthest);
     /// Intersection with the plane of a triangle, within its widened border; triangle -1 if none.
     RayHit intersect(const Ray& ray, int triangle) const;
+    Bounds boundsOf(int triangle) const;
     bool facesAway(int triangle, const Vec3& direction) const;
     /// Calls visit(slot) for triangles of boxes that the ray enters before `farthest`, which visit
     /// may shrink.
@@ -62,32 +58,32 @@ class RayTree {
     void traverse(const Ray& ray, const double& farthest, Visit&& visit) const;
 
     const SurfaceMesh& mesh_;
-    std::vector<int> triangles_;
-    std::vector<Node> nodes_;
+    BoxTree tree_;
 };
 
 template <class Visit>
 void RayTree::traverse(const Ray& ray, const double& farthest, Visit&& visit) const {
-    std::array<int, kStackSize> stack;
+    const std::vector<BoxTree::Node>& nodes = tree_.nodes();
+    std::array<int, BoxTree::kMaxDepth + 2> stack;
     int size = 0;
-    if (!nodes_.empty()) {
+    if (!nodes.empty()) {
         stack[size++] = 0;
     }
     while (size > 0) {
-        const Node& node = nodes_[stack[--size]];
-        if (entry(node.bounds, ray, farthest) > farthest) {
+        const BoxTree::Node& node = nodes[stack[--size]];
+        if (node.count == 0 || entry(node.bounds, ray, farthest) > farthest) {
             continue;
         }
-        for (int i = 0; i < node.count; ++i) {
-            visit(triangles_[node.first + i]);
-        }
-        if (node.count > 0) {
+        if (node.child < 0) {
+            for (const int triangle : tree_.idsOf(node)) {
+                visit(triangle);
+            }
             continue;
         }
-        const bool leftFirst = entry(nodes_[node.first].bounds, ray, farthest) <=
-                               entry(nodes_[node.first + 1].bounds, ray, farthest);
-        stack[size++] = node.first + (leftFirst ? 1 : 0);
-        stack[size++] = node.first + (leftFirst ? 0 : 1);
+        const bool leftFirst = entry(nodes[node.child].bounds, ray, farthest) <=
+                               entry(nodes[node.child + 1].bounds, ray, farthest);
+        stack[size++] = node.child + (leftFirst ? 1 : 0);
+        stack[size++] = node.child + (leftFirst ? 0 : 1);
     }
 }
 

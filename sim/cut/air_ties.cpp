@@ -101,19 +101,16 @@ class NearbySkin {
     std::vector<Entry> entries_;
 };
 
-std::vector<int> trianglesNear(const SurfaceMesh& mesh, const std::function<bool(int)>& isSkin,
+std::vector<int> trianglesNear(const SurfaceMesh& mesh, TriangleTree& tree,
+                               const std::function<bool(int)>& isSkin,
                                const std::vector<RungNode>& rung, double reach) {
     Bounds around;
     for (const RungNode& node : rung) {
         around.add(node.position);
     }
     around.widen(reach);
-    std::vector<int> result;
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t) && isSkin(t) && boxOf(mesh, t).overlaps(around)) {
-            result.push_back(t);
-        }
-    }
+    std::vector<int> result = tree.find([&](const Bounds& box) { return box.overlaps(around); });
+    std::erase_if(result, [&](int t) { return !isSkin(t) || !boxOf(mesh, t).overlaps(around); });
     return result;
 }
 
@@ -123,9 +120,10 @@ double shareAt(double distance, double h) {
 
 }  // namespace
 
-AirTies::AirTies(const SurfaceMesh& mesh, const std::function<bool(int)>& isSkin, double h,
+AirTies::AirTies(const SurfaceMesh& mesh, TriangleTree& tree,
+                 const std::function<bool(int)>& isSkin, double h,
                  const std::vector<RungNode>& rung) {
-    const std::vector<int> candidates = trianglesNear(mesh, isSkin, rung, kReach * h);
+    const std::vector<int> candidates = trianglesNear(mesh, tree, isSkin, rung, kReach * h);
     for (int i = 0; i + 1 < sizeOf(rung); ++i) {
         const RungNode& node = rung[i];
         const RungNode& next = rung[i + 1];

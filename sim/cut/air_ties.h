@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/cut/cutter.h"
+#include "sim/mesh/triangle_tree.h"
 
 namespace kerf::cut {
 
@@ -22,8 +23,8 @@ class AirTies {
     /// Remembers where points on the edges of `rung` in the air are as seen from the skin. Edges
     /// between two mesh vertices are left out: there the front crosses an older slit.
     /// `isSkin` tells which triangles count: those of the piece, without the walls of the stroke.
-    AirTies(const SurfaceMesh& mesh, const std::function<bool(int)>& isSkin, double h,
-            const std::vector<RungNode>& rung);
+    AirTies(const SurfaceMesh& mesh, TriangleTree& tree, const std::function<bool(int)>& isSkin,
+            double h, const std::vector<RungNode>& rung);
 
     /// Moves the ends of the same rung that are in the air along with the skin. No triangle may
     /// have gone since.

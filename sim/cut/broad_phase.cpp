@@ -30,8 +30,9 @@ Eigen::Matrix3d sweepFrame(const Blade& blade, const std::vector<Vec3>& points) 
 
 }  // namespace
 
-BroadPhase::BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::vector<Vec3>& points,
-                       double margin, double binSize, const std::function<bool(int)>& counts)
+BroadPhase::BroadPhase(const SurfaceMesh& mesh, TriangleTree& tree, const Blade& blade,
+                       const std::vector<Vec3>& points, double margin, double binSize,
+                       const std::function<bool(int)>& counts)
     : frame_(sweepFrame(blade, points)) {
     for (const Vec3& p : points) {
         box_.add(toFrame(p));
@@ -39,22 +40,32 @@ BroadPhase::BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::v
     box_.widen(margin);
     binSize_ = std::max(binSize, (box_.high.x() - box_.low.x()) / kMostBins);
     bins_.resize(binOf(box_.high.x()) + 1);
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t) || !counts(t)) {
-            continue;
+    for (const int t : tree.find([this](const Bounds& box) { return mayMeet(box); })) {
+        if (counts(t)) {
+            add(mesh, t);
         }
-        Bounds bounds;
-        for (const int v : mesh.triangle(t)) {
-            bounds.add(toFrame(mesh.position(v)));
-        }
-        if (!bounds.overlaps(box_)) {
-            continue;
-        }
-        for (int bin = binOf(bounds.low.x()); bin <= binOf(bounds.high.x()); ++bin) {
-            bins_[bin].push_back(static_cast<int>(entries_.size()));
-        }
-        entries_.push_back({t, bounds});
     }
+}
+
+bool BroadPhase::mayMeet(const Bounds& worldBox) const {
+    const Vec3 center = toFrame(worldBox.center());
+    const Vec3 half = 0.5 * (worldBox.high - worldBox.low);
+    const Vec3 reach = (frame_.cwiseAbs() * half).array() + kRotationRounding * binSize_;
+    return Bounds{center - reach, center + reach}.overlaps(box_);
+}
+
+void BroadPhase::add(const SurfaceMesh& mesh, int triangle) {
+    Bounds bounds;
+    for (const int v : mesh.triangle(triangle)) {
+        bounds.add(toFrame(mesh.position(v)));
+    }
+    if (!bounds.overlaps(box_)) {
+        return;
+    }
+    for (int bin = binOf(bounds.low.x()); bin <= binOf(bounds.high.x()); ++bin) {
+        bins_[bin].push_back(static_cast<int>(entries_.size()));
+    }
+    entries_.push_back({triangle, bounds});
 }
 
 int BroadPhase::binOf(double x) const {

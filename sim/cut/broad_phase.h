@@ -5,18 +5,19 @@
 
 #include "sim/cut/blade.h"
 #include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle_tree.h"
 
 namespace kerf::cut {
 
-/// Finds the triangles near parts of one sweep. Built at the start of a step from the current
-/// positions: one pass over the mesh keeps what meets the oriented box of the sweep, and bins it
-/// along the blade.
+/// Finds the triangles near parts of one sweep. Made at the start of a step from the current
+/// positions: what meets the oriented box of the sweep, binned along the blade.
 class BroadPhase {
   public:
     /// `points` span the sweep; triangles within `margin` [m] of their box are found, of those that
-    /// `counts` lets pass.
-    BroadPhase(const SurfaceMesh& mesh, const Blade& blade, const std::vector<Vec3>& points,
-               double margin, double binSize, const std::function<bool(int)>& counts);
+    /// `counts` lets pass. `tree` must know how far the mesh has moved.
+    BroadPhase(const SurfaceMesh& mesh, TriangleTree& tree, const Blade& blade,
+               const std::vector<Vec3>& points, double margin, double binSize,
+               const std::function<bool(int)>& counts);
 
     /// Triangles whose box meets the box of abc widened by `pad` <= margin; ascending.
     std::vector<int> query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const;
@@ -28,6 +29,8 @@ class BroadPhase {
     };
     Vec3 toFrame(const Vec3& p) const { return frame_ * p; }
     int binOf(double x) const;
+    bool mayMeet(const Bounds& worldBox) const;
+    void add(const SurfaceMesh& mesh, int triangle);
 
     Eigen::Matrix3d frame_;  ///< rows: along the blade, along the sweep, across both
     Bounds box_;

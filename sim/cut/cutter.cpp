@@ -8,13 +8,15 @@
 #include "sim/cut/air_edges.h"
 #include "sim/cut/air_ties.h"
 #include "sim/cut/cleanup/cleanup.h"
+#include "sim/cut/cut_change.h"
 #include "sim/cut/ladder.h"
 #include "sim/cut/piece_groups.h"
 #include "sim/cut/plan.h"
 #include "sim/cut/skin_map.h"
 #include "sim/cut/strip.h"
 #include "sim/cut/sweep.h"
-#include "sim/mesh/invariants.h"
+#include "sim/mesh/piece_labels.h"
+#include "sim/mesh/triangle_tree.h"
 
 namespace kerf {
 
@@ -142,8 +144,11 @@ struct Cutter::State {
     std::vector<Sweep> sweeps{};
     std::vector<RungNode> rung{};  ///< those of all sweeps, one after the other
     bool madeWalls = false;        ///< in this stroke
-    std::vector<int> pieceOfVertex{};
+    PieceLabels pieces{mesh};
+    TriangleTree tree{mesh};
+    std::optional<double> moved{};  ///< how far vertices moved at most since the last step [m]
     std::vector<int> groupOfVertex{};
+    std::vector<int> samples{};  ///< of the surface, for the map to the rest shape; empty: unknown
     cut::StrokeSurface surface{};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
@@ -152,6 +157,9 @@ struct Cutter::State {
     }
     void start(const Blade& at);
     CutResult sweepAll(const Blade& to, double gate);
+    void noteMotion();
+    void follow(const std::vector<int>& changed);
+    void followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta);
     void findGroups();
     void divideSweeps();
     Sweep* sweepOf(int group);
@@ -171,7 +179,7 @@ struct Cutter::State {
     static void moveOn(const Blade& to, const CutResult& result, Sweep& sweep);
     void countRefusal(const Blade& to, Sweep& sweep);
     cut::BroadPhase findCandidates(const Blade& to, const Sweep& sweep,
-                                   const std::vector<RungNode>& from) const;
+                                   const std::vector<RungNode>& from);
     /// Tells the triangles of the group that were there before the stroke, or divide such.
     std::function<bool(int)> isOuter(const Sweep& sweep) const;
     int groupOf(const Sweep& sweep) const { return groupOfVertex[sweep.vertex]; }
@@ -183,6 +191,7 @@ void Cutter::State::start(const Blade& at) {
     stroke += madeWalls;  // a stroke that only met air leaves its number to the next
     madeWalls = false;
     surface = cut::StrokeSurface(mesh);
+    samples.clear();
     cleanup.reset();
     sweeps.clear();
     groupOfVertex.clear();
@@ -196,10 +205,24 @@ void Cutter::State::start(const Blade& at) {
     joinRungs();
 }
 
+void Cutter::State::noteMotion() {
+    if (moved) {
+        tree.moved(*std::exchange(moved, std::nullopt));
+    } else {
+        tree.movedAnyhow();
+    }
+}
+
+/// After each change of the mesh, before anything is looked up in it. `changed`: each once.
+void Cutter::State::follow(const std::vector<int>& changed) {
+    tree.update(changed);
+    if (pieces.update(mesh, changed).piecesChanged) {
+        samples.clear();
+    }
+}
+
 void Cutter::State::findGroups() {
-    const PieceMap pieces = findPieces(mesh);
-    groupOfVertex = cut::groupPieces(mesh, pieces, kParted * h, groupOfVertex);
-    pieceOfVertex = pieces.ofVertex;
+    groupOfVertex = cut::groupPieces(mesh, pieces.ofVertex(), kParted * h, groupOfVertex);
 }
 
 Sweep* Cutter::State::sweepOf(int group) {
@@ -283,11 +306,20 @@ CutResult Cutter::State::sweepAll(const Blade& to, double gate) {
 }
 
 void Cutter::State::cleanUpBehindFront(CutResult& result) {
+    const std::vector<int> before = changedTriangles(result.delta);
     result.statistics.cleanup = cleanup->behindFront(rung, result.delta);
+    followCleanUp(before, result.delta);
     holdLivingVertices();
     for (Sweep& sweep : sweeps) {
         setRung(std::move(sweep.rung), sweep);  // the skin beside its air may be another
     }
+}
+
+/// The clean-up takes triangles that the step had added out of its delta.
+void Cutter::State::followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta) {
+    std::vector<int> changed;
+    std::ranges::set_union(changedBefore, changedTriangles(delta), std::back_inserter(changed));
+    follow(changed);
 }
 
 void Cutter::State::holdLivingVertices() {
@@ -316,7 +348,7 @@ void Cutter::State::placeRung(const Blade& at, Sweep& sweep) {
 
 void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
     sweep.rung = std::move(next);
-    sweep.airTies = cut::AirTies(mesh, isOuter(sweep), h, sweep.rung);
+    sweep.airTies = cut::AirTies(mesh, tree, isOuter(sweep), h, sweep.rung);
 }
 
 std::function<bool(int)> Cutter::State::isOuter(const Sweep& sweep) const {
@@ -343,13 +375,14 @@ CutResult Cutter::State::advance(const Blade& to, double gate, Sweep& sweep) {
 }
 
 cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& sweep,
-                                              const std::vector<RungNode>& from) const {
+                                              const std::vector<RungNode>& from) {
     std::vector<Vec3> points{to.a, to.b};
     for (const RungNode& node : from) {
         points.push_back(node.position);
     }
     const double widestOffset = cut::largestOffsetScale() * settings.offset;
     return {mesh,
+            tree,
             to,
             points,
             (kBroadPhaseMargin + widestOffset) * h,
@@ -363,14 +396,18 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
 CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep) {
     const cut::BroadPhase candidates = findCandidates(to, sweep, from);
     cut::clearAirEdges(mesh, candidates, to, h, sweep.airTies, from);
+    if (samples.empty()) {
+        samples = cut::thinByPiece(surface.vertices(), pieces.ofVertex());
+    }
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
     std::string reason;
     for (int i = 0; i < cut::attemptCount(); ++i) {
         const cut::StepInput in{mesh,
                                 candidates,
-                                pieceOfVertex,
+                                pieces.ofVertex(),
                                 surface,
+                                samples,
                                 from,
                                 to,
                                 h,
@@ -407,6 +444,7 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
         cleanup.emplace(mesh, h);
     }
     cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
+    follow(changedTriangles(committed.delta));
     madeWalls = true;
     CutResult result = outcome(CutOutcome::cut);
     result.delta = std::move(committed.delta);
@@ -448,8 +486,10 @@ void Cutter::State::cleanUpAtEnd(CutResult& result) {
     if (result.outcome != CutOutcome::cut) {
         result.delta.firstNewVertex = mesh.vertexCount();
     }
+    const std::vector<int> changedBefore = changedTriangles(result.delta);
     const CleanupStatistics before = result.statistics.cleanup;
     CleanupStatistics& sum = result.statistics.cleanup = cleanup->atEnd(result.delta);
+    followCleanUp(changedBefore, result.delta);
     sum.collapses += before.collapses;
     sum.flips += before.flips;
     sum.slides += before.slides;
@@ -468,24 +508,31 @@ Cutter::Cutter(Cutter&&) noexcept = default;
 Cutter& Cutter::operator=(Cutter&&) noexcept = default;
 
 void Cutter::begin(const Blade& blade) {
+    state_->noteMotion();
     state_->start(blade);
 }
 
 CutResult Cutter::advance(const Blade& blade) {
     assert(state_->inStroke);
     state_->blade = blade;
+    state_->noteMotion();
     return state_->sweepAll(blade, state_->settings.gate * state_->h);
 }
 
 CutResult Cutter::finish() {
     State& state = *state_;
     assert(state.inStroke);
+    state.noteMotion();
     CutResult result = state.sweepAll(state.blade, state.leastFlush());
     state.inStroke = false;
     state.sweeps.clear();
     state.rung.clear();
     state.cleanUpAtEnd(result);
     return result;
+}
+
+void Cutter::boundMotion(double distance) {
+    state_->moved = state_->moved.value_or(0) + distance;
 }
 
 bool Cutter::inStroke() const {

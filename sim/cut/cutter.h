@@ -121,6 +121,10 @@ class Cutter {
     Cutter(Cutter&&) noexcept;
     Cutter& operator=(Cutter&&) noexcept;
 
+    /// Promises that since the previous call of this, begin(), advance() or finish() no vertex has
+    /// moved farther than `distance` [m]. A step that was promised nothing looks at the whole mesh.
+    void boundMotion(double distance);
+
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);
     /// Sweeps from where the last successful step ended to `blade`. After three refusals in a row

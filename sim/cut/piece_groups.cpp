@@ -36,17 +36,17 @@ std::map<PiecePair, double> largestGaps(const SurfaceMesh& mesh, const std::vect
 
 }  // namespace
 
-std::vector<int> groupPieces(const SurfaceMesh& mesh, const PieceMap& pieces, double tolerance,
-                             const std::vector<int>& before) {
-    UnionFind groups(pieces.pieces.size());
-    for (const auto& [pair, gap] : largestGaps(mesh, pieces.ofVertex, before)) {
+std::vector<int> groupPieces(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,
+                             double tolerance, const std::vector<int>& before) {
+    UnionFind groups(1 + *std::ranges::max_element(pieceOfVertex));
+    for (const auto& [pair, gap] : largestGaps(mesh, pieceOfVertex, before)) {
         if (gap <= tolerance) {
             groups.join(pair.first, pair.second);
         }
     }
     std::vector<int> result;
-    result.reserve(pieces.ofVertex.size());
-    for (const int piece : pieces.ofVertex) {
+    result.reserve(pieceOfVertex.size());
+    for (const int piece : pieceOfVertex) {
         result.push_back(piece < 0 ? -1 : groups.root(piece));
     }
     return result;

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
@@ -12,7 +11,7 @@ namespace kerf::cut {
 /// more than `tolerance` [m] are swept for themselves: they may overlap, and each moves the air
 /// beside its rung. Returns the group of each vertex, -1 for unused ones. `before`: the groups so
 /// far, which are divided but never joined; empty where there are none.
-std::vector<int> groupPieces(const SurfaceMesh& mesh, const PieceMap& pieces, double tolerance,
-                             const std::vector<int>& before);
+std::vector<int> groupPieces(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,
+                             double tolerance, const std::vector<int>& before);
 
 }  // namespace kerf::cut

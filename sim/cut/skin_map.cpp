@@ -9,7 +9,6 @@ namespace {
 constexpr double kRidge = 1e-3;
 // Fewer samples do not determine an affine map.
 constexpr int kLeastSamples = 4;
-// More cost time and change nothing that can be seen: they are thinned evenly.
 constexpr int kMostSamples = 2000;
 
 struct Sample {
@@ -19,18 +18,12 @@ struct Sample {
 };
 
 std::vector<Sample> skinSamples(const StepInput& in, int piece) {
-    std::vector<int> ofPiece;
-    for (const int v : in.surface.vertices()) {
-        if (in.pieceOfVertex[v] == piece) {
-            ofPiece.push_back(v);
-        }
-    }
-    const int stride = 1 + (sizeOf(ofPiece) - 1) / kMostSamples;
     std::vector<Sample> samples;
-    for (int i = 0; i < sizeOf(ofPiece); i += stride) {
-        const Vec3& position = in.mesh.position(ofPiece[i]);
-        samples.push_back(
-            {position, in.mesh.restPosition(ofPiece[i]) - position, in.mesh.velocity(ofPiece[i])});
+    for (const int v : in.samples) {
+        if (in.pieceOfVertex[v] == piece) {
+            const Vec3& position = in.mesh.position(v);
+            samples.push_back({position, in.mesh.restPosition(v) - position, in.mesh.velocity(v)});
+        }
     }
     return samples;
 }
@@ -92,6 +85,28 @@ void mapNode(const std::vector<Sample>& samples, double h, Node& node) {
 }
 
 }  // namespace
+
+std::vector<int> thinByPiece(const std::vector<int>& vertices,
+                             const std::vector<int>& pieceOfVertex) {
+    std::vector<std::vector<int>> byPiece;
+    for (const int v : vertices) {
+        const int piece = pieceOfVertex[v];
+        if (piece >= sizeOf(byPiece)) {
+            byPiece.resize(piece + 1);
+        }
+        if (piece >= 0) {
+            byPiece[piece].push_back(v);
+        }
+    }
+    std::vector<int> thinned;
+    for (const std::vector<int>& ofPiece : byPiece) {
+        const int stride = 1 + (sizeOf(ofPiece) - 1) / kMostSamples;
+        for (int i = 0; i < sizeOf(ofPiece); i += stride) {
+            thinned.push_back(ofPiece[i]);
+        }
+    }
+    return thinned;
+}
 
 void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutCurves& curves) {
     std::vector<bool> mapped(curves.nodes.size(), false);

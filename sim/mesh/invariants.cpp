@@ -1,8 +1,9 @@
 #include "sim/mesh/invariants.h"
 
+#include <algorithm>
 #include <numeric>
 
-#include "sim/mesh/union_find.h"
+#include "sim/mesh/piece_labels.h"
 
 namespace kerf {
 
@@ -117,12 +118,41 @@ bool isFinite(const SurfaceMesh& mesh, int v) {
            mesh.velocity(v).allFinite();
 }
 
-double tetrahedron(const std::vector<Vec3>& points, const Triangle& t) {
-    return points[t[0]].dot(points[t[1]].cross(points[t[2]])) / 6;
+/// The corner at the origin of h: its edge, its umbrella, and that h belongs to the umbrella.
+std::string checkCornerOf(const SurfaceMesh& mesh, int h) {
+    const int v = mesh.origin(h);
+    if (v < 0 || v >= mesh.vertexCount() || !isFinite(mesh, v)) {
+        return edgeName(mesh, h) + " starts at no vertex with finite coordinates";
+    }
+    if (std::string fault = checkTwinOf(mesh, h); !fault.empty()) {
+        return fault;
+    }
+    const int first = mesh.outgoing(v);
+    if (!isLivingHalfEdge(mesh, first) || mesh.origin(first) != v) {
+        return vertexName(v) + " has no valid outgoing half-edge";
+    }
+    std::vector<int> targets;
+    bool met = false;
+    int at = first;
+    do {
+        met = met || at == h;
+        targets.push_back(mesh.target(at));
+        at = mesh.rotate(at);
+    } while (at != first && isLivingHalfEdge(mesh, at) && mesh.origin(at) == v &&
+             static_cast<int>(targets.size()) < 3 * mesh.triangleSlots());
+    if (at != first || !met) {
+        return "the umbrella around " + vertexName(v) + " is not closed or not the only one";
+    }
+    std::sort(targets.begin(), targets.end());
+    if (std::adjacent_find(targets.begin(), targets.end()) != targets.end() ||
+        std::binary_search(targets.begin(), targets.end(), v)) {
+        return "two edges of " + vertexName(v) + " have the same end points";
+    }
+    return "";
 }
 
-double area(const std::vector<Vec3>& points, const Triangle& t) {
-    return 0.5 * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
+double tetrahedron(const std::vector<Vec3>& points, const Triangle& t) {
+    return points[t[0]].dot(points[t[1]].cross(points[t[2]])) / 6;
 }
 
 double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
@@ -133,42 +163,6 @@ double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
         }
     }
     return sum;
-}
-
-/// The lowest vertex of each vertex's component; -1 for unused vertices.
-std::vector<int> lowestOfComponent(const SurfaceMesh& mesh) {
-    UnionFind components(mesh.vertexCount());
-    std::vector<char> used(mesh.vertexCount(), 0);
-    forEachHalfEdge(mesh, [&](int h) {
-        components.join(mesh.origin(h), mesh.target(h));
-        used[mesh.origin(h)] = 1;
-    });
-    std::vector<int> lowest(mesh.vertexCount(), -1);
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (used[v]) {
-            lowest[v] = components.root(v);
-        }
-    }
-    return lowest;
-}
-
-/// Numbers the components by their lowest vertex and counts their vertices.
-PieceMap numberPieces(const SurfaceMesh& mesh) {
-    PieceMap map;
-    const std::vector<int> lowest = lowestOfComponent(mesh);
-    map.ofVertex.assign(mesh.vertexCount(), -1);
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (lowest[v] < 0) {
-            continue;
-        }
-        if (lowest[v] == v) {
-            map.ofVertex[v] = static_cast<int>(map.pieces.size());
-            map.pieces.emplace_back();
-        }
-        map.ofVertex[v] = map.ofVertex[lowest[v]];
-        ++map.pieces[map.ofVertex[v]].vertices;
-    }
-    return map;
 }
 
 }  // namespace
@@ -237,15 +231,28 @@ std::string checkClosedManifold(const SurfaceMesh& mesh) {
     return "";
 }
 
+std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const int> triangles) {
+    std::string fault;
+    for (const int t : triangles) {
+        for (int h = 3 * t; h < 3 * t + 3 && mesh.alive(t) && fault.empty(); ++h) {
+            fault = checkCornerOf(mesh, h);
+        }
+    }
+    return fault;
+}
+
 PieceMap findPieces(const SurfaceMesh& mesh) {
-    PieceMap map = numberPieces(mesh);
+    const PieceLabels labels(mesh);
+    PieceMap map;
+    map.ofVertex = labels.ofVertex();
+    for (const PieceContent& piece : labels.pieces()) {
+        map.pieces.push_back(
+            {piece.triangles, piece.vertices, 0, piece.restVolume, piece.restArea});
+    }
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
-            Piece& piece = map.pieces[map.ofVertex[mesh.triangle(t)[0]]];
-            ++piece.triangles;
-            piece.volume += tetrahedron(mesh.positions(), mesh.triangle(t));
-            piece.restVolume += tetrahedron(mesh.restPositions(), mesh.triangle(t));
-            piece.restArea += area(mesh.restPositions(), mesh.triangle(t));
+            map.pieces[map.ofVertex[mesh.triangle(t)[0]]].volume +=
+                tetrahedron(mesh.positions(), mesh.triangle(t));
         }
     }
     return map;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ std::string checkSimpleComplex(const SurfaceMesh& mesh);
 std::string checkFinite(const SurfaceMesh& mesh);
 /// All of the above: the mesh is a closed, oriented 2-manifold with finite coordinates.
 std::string checkClosedManifold(const SurfaceMesh& mesh);
+/// The same around some triangles, at the cost of these: what a change of a closed mesh may have
+/// broken. Dead ones are passed over.
+std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const int> triangles);
 
 /// One connected piece of the mesh.
 struct Piece {

@@ -124,4 +124,15 @@ void SurfaceMesh::leaveMates(int v) {
     }
 }
 
+std::vector<int> livingTriangles(const SurfaceMesh& mesh) {
+    std::vector<int> slots;
+    slots.reserve(mesh.aliveTriangles());
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            slots.push_back(t);
+        }
+    }
+    return slots;
+}
+
 }  // namespace kerf

@@ -119,4 +119,7 @@ class SurfaceMesh {
     int aliveTriangles_ = 0;
 };
 
+/// The slots of the living triangles, ascending.
+std::vector<int> livingTriangles(const SurfaceMesh& mesh);
+
 }  // namespace kerf

@@ -13,9 +13,9 @@ struct BodyView {
     const gpu::Buffer* restPositions = nullptr;  ///< vec4 per vertex: xyz rest [m]
     /// uvec4 per triangle: three vertices; w = kind (bit 0: 1 for a wall) | piece << 8.
     const gpu::Buffer* triangles = nullptr;
-    /// CSR of the triangles around each vertex: vertexCount + 1 offsets into `incidence`, whose
-    /// entries are 4 * triangle + corner. Fixed order, so normals are the same bits every time.
-    const gpu::Buffer* incidenceOffsets = nullptr;
+    /// The triangles around each vertex: per vertex the first and the end place in `incidence`,
+    /// whose entries are 4 * triangle + corner. Fixed order: normals are the same bits every time.
+    const gpu::Buffer* incidenceRanges = nullptr;
     const gpu::Buffer* incidence = nullptr;
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;

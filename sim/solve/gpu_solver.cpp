@@ -18,8 +18,10 @@ static_assert(sizeof(shared::EdgeConstraint) == 16);
 static_assert(sizeof(shared::BendConstraint) == 24);
 static_assert(sizeof(shared::IspcConstraint) == 32);
 static_assert(sizeof(shared::VertexLinks) == 16);
-static_assert(sizeof(shared::PieceRecord) == 20);
+static_assert(sizeof(shared::PieceRecord) == 28);
 static_assert(sizeof(shared::BlockRecord) == 12);
+static_assert(sizeof(shared::IncidenceRange) == 8);
+static_assert(sizeof(shared::WordPatch) == 8);
 static_assert(sizeof(shared::VolumeSum) == 8);
 static_assert(sizeof(shared::BlockMeasure) == 32);
 
@@ -49,98 +51,50 @@ std::vector<Vec3f> unpacked(const gpu::Buffer& buffer, std::size_t count) {
     return out;
 }
 
-std::vector<float> inverses(const std::vector<float>& masses) {
-    std::vector<float> out(masses.size());
-    std::transform(masses.begin(), masses.end(), out.begin(),
-                   [](float m) { return m > 0.0f ? 1.0f / m : 0.0f; });
-    return out;
+shared::VertexLinks linksOf(const BodyModel& model, std::size_t v) {
+    const int piece = model.pieceOfVertex[v];
+    return {valence(model.edgeIncidence, v), valence(model.bendIncidence, v),
+            valence(model.ispcIncidence, v),
+            piece < 0 ? shared::kNoPiece : static_cast<uint>(piece)};
 }
 
 std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
     std::vector<shared::VertexLinks> links(model.restPositions.size());
     for (std::size_t v = 0; v < links.size(); ++v) {
-        const int piece = model.pieceOfVertex[v];
-        links[v] = {valence(model.edgeIncidence, v), valence(model.bendIncidence, v),
-                    valence(model.ispcIncidence, v),
-                    piece < 0 ? shared::kNoPiece : static_cast<uint>(piece)};
+        links[v] = linksOf(model, v);
     }
     return links;
 }
 
-struct Spoke {
-    uint following;
-    uint preceding;
-};
-
-/// Puts the triangles around a vertex in counter-clockwise order.
-void sortUmbrella(std::span<Spoke> spokes) {
-    for (std::size_t i = 1; i < spokes.size(); ++i) {
-        const auto next = std::find_if(spokes.begin() + i, spokes.end(), [&](const Spoke& spoke) {
-            return spoke.following == spokes[i - 1].preceding;
-        });
-        assert(next != spokes.end() && "each vertex has one umbrella");
-        std::iter_swap(spokes.begin() + i, next);
-    }
-}
-
-/// The vertices around each vertex, counter-clockwise; offsets are those of the triangle incidence.
-std::vector<uint> neighbours(const BodyModel& model) {
-    const Incidence& incidence = model.triangleIncidence;
-    std::vector<uint> out;
-    out.reserve(incidence.entries.size());
-    std::vector<Spoke> spokes;
-    for (std::size_t v = 0; v + 1 < incidence.offsets.size(); ++v) {
-        spokes.clear();
-        for (uint k = incidence.offsets[v]; k < incidence.offsets[v + 1]; ++k) {
-            const auto& corners = model.triangles[incidence.entries[k] / 4];
-            const uint slot = incidence.entries[k] % 4;
-            spokes.push_back({corners[(slot + 1) % 3], corners[(slot + 2) % 3]});
-        }
-        sortUmbrella(spokes);
-        for (const Spoke& spoke : spokes) {
-            out.push_back(spoke.following);
+/// Ascending: the places of `vertices` in the lists of an incidence.
+std::vector<uint> entriesOf(const Incidence& incidence, const std::vector<uint>& vertices) {
+    std::vector<uint> places;
+    for (const uint v : vertices) {
+        for (uint k = incidence.ranges[v].first; k < incidence.ranges[v].end; ++k) {
+            places.push_back(k);
         }
     }
-    return out;
+    std::sort(places.begin(), places.end());  // lists that grew have moved
+    return places;
 }
 
-/// The used vertices, piece after piece, inside a piece by index.
-std::vector<uint> verticesByPiece(const BodyModel& model) {
-    std::vector<uint> next(1, 0);
-    for (const PieceModel& piece : model.pieces) {
-        next.push_back(next.back() + piece.vertexCount);
-    }
-    std::vector<uint> out(next.back());
-    for (uint v = 0; v < model.pieceOfVertex.size(); ++v) {
-        if (const int piece = model.pieceOfVertex[v]; piece >= 0) {
-            out[next[piece]++] = v;
-        }
-    }
-    return out;
-}
-
-uint blockSize(uint vertexCount) {
-    const uint most = shared::kGroupSize * kMaxBlocksPerPiece;
-    return shared::kGroupSize * std::max((vertexCount + most - 1) / most, 1u);
-}
-
-void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint firstPlace,
-                  uint vertexCount) {
-    const uint size = blockSize(vertexCount);
-    for (uint done = 0; done < vertexCount; done += size) {
-        blocks.push_back({piece, firstPlace + done, std::min(size, vertexCount - done)});
+void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint firstPage,
+                  uint pageCount) {
+    const uint size = (pageCount + kMaxBlocksPerPiece - 1) / kMaxBlocksPerPiece;
+    for (uint done = 0; done < pageCount; done += size) {
+        blocks.push_back({piece, firstPage + done, std::min(size, pageCount - done)});
     }
 }
 
 }  // namespace
 
 void GpuSolver::IncidenceBuffers::assign(const Incidence& incidence) {
-    offsets.assign(incidence.offsets);
+    ranges.assign(incidence.ranges);
     entries.assign(incidence.entries);
 }
 
 void GpuSolver::IncidenceBuffers::bind() const {
-    offsets.bindStorage(shared::kOffsetsBinding);
+    ranges.bindStorage(shared::kRangesBinding);
     entries.bindStorage(shared::kEntriesBinding);
 }
 
@@ -154,65 +108,141 @@ GpuSolver::GpuSolver() {
     kernels_.floor = gpu::Program::compute("sim/floor.comp");
     kernels_.finish = gpu::Program::compute("sim/finish.comp");
     kernels_.measure = gpu::Program::compute("sim/measure.comp");
+    kernels_.masses = gpu::Program::compute("sim/masses.comp");
 }
 
 void GpuSolver::setModel(const BodyModel& model, const BodyState& state) {
-    inverseUnitMass_ = inverses(model.unitMass);
+    areas_.assign(model.vertexAreas.begin(), model.vertexAreas.end());
+    pieceOf_ = model.pieceOfVertex;
+    pages_.assign(model.pieceOfVertex, model.pieces.size());
     uploadTopology(model);
     uploadPieces(model);
-    setState(state);
     setCounts(uniforms_, model);
     uploadUniforms();
+    setState(state);
 }
 
 void GpuSolver::uploadTopology(const BodyModel& model) {
-    const std::size_t vertexBytes = model.restPositions.size() * sizeof(shared::vec4);
-    displacement_.resize(vertexBytes);
+    resizeScratch(model);
     displacement_.clear();
-    gradients_.resize(vertexBytes);
     restPositions_.assign(packed(model.restPositions));
     links_.assign(vertexLinks(model));
+    areaBuffer_.assign(areas_);
     triangles_.assign(model.triangles);
     edges_.assign(model.edges);
     bends_.assign(model.bends);
     ispcs_.assign(model.ispcs);
-    corrections_.resize(4 * sizeof(shared::vec4) *
-                        std::max({model.bends.size(), model.ispcs.size(), std::size_t{1}}));
     edgeIncidence_.assign(model.edgeIncidence);
     bendIncidence_.assign(model.bendIncidence);
     ispcIncidence_.assign(model.ispcIncidence);
     triangleIncidence_.assign(model.triangleIncidence);
-    neighbours_.assign(neighbours(model));
+    neighbours_.assign(model.neighbours);
 }
 
+void GpuSolver::resizeScratch(const BodyModel& model) {
+    const std::size_t vertexBytes = model.restPositions.size() * sizeof(shared::vec4);
+    displacement_.resize(vertexBytes);
+    gradients_.resize(vertexBytes);
+    corrections_.resize(4 * sizeof(shared::vec4) *
+                        std::max({model.bends.size(), model.ispcs.size(), std::size_t{1}}));
+}
+
+/// Few records each, however large the body: pages hold hundreds of vertices.
 void GpuSolver::uploadPieces(const BodyModel& model) {
-    const std::vector<uint> order = verticesByPiece(model);
+    std::vector<uint> pageTable;
     pieces_.clear();
     blocks_.clear();
-    uint firstPlace = 0;
-    for (const PieceModel& piece : model.pieces) {
+    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+        const PieceModel& piece = model.pieces[p];
+        const std::vector<uint>& pages = pages_.pagesOf(p);
         const uint firstBlock = size32(blocks_.size());
-        appendBlocks(blocks_, size32(pieces_.size()), firstPlace, piece.vertexCount);
-        pieces_.push_back({order[firstPlace], firstBlock, size32(blocks_.size()) - firstBlock,
-                           piece.holdsVolume ? 1u : 0u, static_cast<float>(piece.restVolume)});
-        firstPlace += piece.vertexCount;
+        appendBlocks(blocks_, size32(p), size32(pageTable.size()), size32(pages.size()));
+        pageTable.insert(pageTable.end(), pages.begin(), pages.end());
+        pieces_.push_back({pages_.anyVertexOf(p), firstBlock, size32(blocks_.size()) - firstBlock,
+                           piece.holdsVolume ? 1u : 0u, static_cast<float>(piece.restVolume),
+                           static_cast<float>(piece.massPerArea),
+                           static_cast<float>(piece.leastArea)});
     }
-    vertexOrder_.assign(order);
+    scatter_.write<uint>(placeBuffer_, pages_.places(), pages_.takeChangedPlaces());
+    pageBuffer_.assign(pageTable);
     pieceBuffer_.assign(pieces_);
     blockBuffer_.assign(blocks_);
     blockSums_.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::VolumeSum));
     blockMeasures_.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::BlockMeasure));
 }
 
-void GpuSolver::setState(const BodyState& state) {
-    assert(state.positions.size() == inverseUnitMass_.size());
-    assert(state.velocities.size() == inverseUnitMass_.size());
-    std::vector<shared::vec4> positions(state.positions.size());
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-        positions[v] = packed(state.positions[v], inverseUnitMass_[v]);
+void GpuSolver::update(const BodyModel& model, const BodyChange& change,
+                       std::span<const uint> written, const BodyState& state) {
+    pages_.update(change.pieces.moves, model.restPositions.size(), model.pieces.size());
+    uploadPieces(model);
+    updateVertices(model, change);
+    updateState(written, state);
+    updateRecords(model, change);
+    resizeScratch(model);
+    setCounts(uniforms_, model);
+    uploadUniforms();
+    setMasses();
+}
+
+void GpuSolver::updateVertices(const BodyModel& model, const BodyChange& change) {
+    const std::size_t n = model.restPositions.size();
+    areas_.resize(n);
+    pieceOf_.resize(n, -1);
+    for (const uint v : change.vertices) {
+        areas_[v] = static_cast<float>(model.vertexAreas[v]);
+        pieceOf_[v] = model.pieceOfVertex[v];
     }
-    positions_.assign(positions);
+    const auto fill = Scatter::Gaps::fill;
+    scatter_.write<shared::VertexLinks>(links_, n, change.vertices, fill,
+                                        [&](uint v) { return linksOf(model, v); });
+    scatter_.write<shared::vec4>(restPositions_, n, change.vertices, fill,
+                                 [&](uint v) { return packed(model.restPositions[v], 0.0f); });
+    scatter_.write<float>(areaBuffer_, areas_, change.vertices);
+}
+
+void GpuSolver::updateState(std::span<const uint> written, const BodyState& state) {
+    assert(state.positions.size() == written.size() && state.velocities.size() == written.size());
+    const auto place = [&](uint v) {
+        return std::lower_bound(written.begin(), written.end(), v) - written.begin();
+    };
+    const auto keep = Scatter::Gaps::keep;
+    scatter_.write<shared::vec4>(positions_, areas_.size(), written, keep,
+                                 [&](uint v) { return packed(state.positions[place(v)], 0.0f); });
+    scatter_.write<shared::vec4>(velocities_, areas_.size(), written, keep,
+                                 [&](uint v) { return packed(state.velocities[place(v)], 0.0f); });
+}
+
+void GpuSolver::updateRecords(const BodyModel& model, const BodyChange& change) {
+    scatter_.write<std::array<uint, 4>>(triangles_, model.triangles, change.triangles);
+    scatter_.write<shared::EdgeConstraint>(edges_, model.edges, change.edges);
+    scatter_.write<shared::BendConstraint>(bends_, model.bends, change.bends);
+    scatter_.write<shared::IspcConstraint>(ispcs_, model.ispcs, change.ispcs);
+    updateLists(edgeIncidence_, model.edgeIncidence, change.edgeLists);
+    updateLists(bendIncidence_, model.bendIncidence, change.bendLists);
+    updateLists(ispcIncidence_, model.ispcIncidence, change.ispcLists);
+    updateLists(triangleIncidence_, model.triangleIncidence, change.triangleLists);
+    scatter_.write<uint>(neighbours_, model.neighbours,
+                         entriesOf(model.triangleIncidence, change.triangleLists));
+}
+
+void GpuSolver::updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
+                            const std::vector<uint>& vertices) {
+    scatter_.write<IncidenceRange>(buffers.ranges, incidence.ranges, vertices);
+    scatter_.write<uint>(buffers.entries, incidence.entries, entriesOf(incidence, vertices));
+}
+
+void GpuSolver::setState(const BodyState& state) {
+    assert(state.positions.size() == areas_.size());
+    assert(state.velocities.size() == areas_.size());
+    positions_.assign(packed(state.positions));
     velocities_.assign(packed(state.velocities));
+    setMasses();
+}
+
+void GpuSolver::setMasses() {
+    bindBody();
+    areaBuffer_.bindStorage(shared::kAreasBinding);
+    run(kernels_.masses, uniforms_.vertex_count);
 }
 
 void GpuSolver::setUniforms(const shared::SolverUniforms& uniforms) {
@@ -247,7 +277,11 @@ void GpuSolver::anchor(int vertex, const Vec3f& velocity) {
 }
 
 void GpuSolver::release(int vertex) {
-    setInverseUnitMass(vertex, inverseUnitMass_[vertex]);
+    // As the kernel has it.
+    const int p = pieceOf_[vertex];
+    const float mass =
+        p < 0 ? 0.0f : pieces_[p].mass_per_area * std::max(areas_[vertex], pieces_[p].least_area);
+    setInverseUnitMass(vertex, mass > 0.0f ? 1.0f / mass : 0.0f);
 }
 
 void GpuSolver::setInverseUnitMass(int vertex, float value) {
@@ -309,9 +343,10 @@ void GpuSolver::solveVolume() {
 }
 
 void GpuSolver::runOverBlocks(const gpu::Program& kernel) {
-    triangleIncidence_.offsets.bindStorage(shared::kOffsetsBinding);
+    triangleIncidence_.ranges.bindStorage(shared::kRangesBinding);
     neighbours_.bindStorage(shared::kEntriesBinding);
-    vertexOrder_.bindStorage(shared::kVertexOrderBinding);
+    placeBuffer_.bindStorage(shared::kPlacesBinding);
+    pageBuffer_.bindStorage(shared::kPagesBinding);
     run(kernel, size32(blocks_.size()) * shared::kGroupSize);
 }
 
@@ -379,13 +414,14 @@ void GpuSolver::restoreStateAtRest() {
     assert(savedPositions_.size() == positions_.size());
     positions_.copyFrom(savedPositions_);
     velocities_.clear();
+    setMasses();
 }
 
 BodyView GpuSolver::view() const {
     return {&positions_,
             &restPositions_,
             &triangles_,
-            &triangleIncidence_.offsets,
+            &triangleIncidence_.ranges,
             &triangleIncidence_.entries,
             uniforms_.vertex_count,
             uniforms_.triangle_count};

@@ -8,8 +8,10 @@
 #include "gpu/timer.h"
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/solver_uniforms.h"
-#include "sim/body/body_model.h"
+#include "sim/body/body_updater.h"
 #include "sim/solve/body_view.h"
+#include "sim/solve/scatter.h"
+#include "sim/solve/vertex_pages.h"
 
 namespace kerf {
 
@@ -38,6 +40,12 @@ class GpuSolver {
     /// Uploads a body. Counts in the uniforms and volume targets (rest volumes) follow from it.
     /// Throws gpu::OutOfMemory.
     void setModel(const BodyModel& model, const BodyState& state);
+    /// Follows an update of the model, at the cost of what it changed. `written`: the vertices
+    /// that get a new state, those that are new among them; ascending. `state`: theirs, shape
+    /// [written]. All others go on. Volume targets are the rest volumes again. Throws
+    /// gpu::OutOfMemory.
+    void update(const BodyModel& model, const BodyChange& change,
+                std::span<const std::uint32_t> written, const BodyState& state);
     /// Positions and velocities of the same body.
     void setState(const BodyState& state);
     /// Takes the parameters of `uniforms` (see solverUniforms); its counts are ignored.
@@ -71,7 +79,7 @@ class GpuSolver {
     void saveState();
     void restoreStateAtRest();
 
-    /// The buffers themselves; valid while the solver lives and until setModel().
+    /// The buffers themselves; valid while the solver lives and until setModel() or update().
     BodyView view() const;
     /// GPU time of the steps since the last call [ms].
     double takeDeformMilliseconds() { return deformTimer_.takeMilliseconds(); }
@@ -80,20 +88,26 @@ class GpuSolver {
     long dispatches() const { return dispatches_; }
 
   private:
-    /// CSR on the GPU.
     struct IncidenceBuffers {
-        gpu::Buffer offsets;
+        gpu::Buffer ranges;
         gpu::Buffer entries;
         void assign(const Incidence& incidence);
         void bind() const;
     };
     struct Kernels {
         gpu::Program stretch, bend, ispc, gatherCorrections, volumeGradient, volumeCorrect, floor,
-            finish, measure;
+            finish, measure, masses;
     };
 
     void uploadTopology(const BodyModel& model);
     void uploadPieces(const BodyModel& model);
+    void resizeScratch(const BodyModel& model);
+    void updateVertices(const BodyModel& model, const BodyChange& change);
+    void updateState(std::span<const std::uint32_t> written, const BodyState& state);
+    void updateRecords(const BodyModel& model, const BodyChange& change);
+    void updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
+                     const std::vector<std::uint32_t>& vertices);
+    void setMasses();
     void uploadUniforms();
     void setInverseUnitMass(int vertex, float value);
     void bindBody() const;
@@ -105,18 +119,21 @@ class GpuSolver {
 
     Kernels kernels_;
     shared::SolverUniforms uniforms_{};
-    std::vector<float> inverseUnitMass_;
+    std::vector<float> areas_;  ///< rest area of each vertex [m^2]
+    std::vector<int> pieceOf_;  ///< of each vertex, -1 for none
+    VertexPages pages_;
     std::vector<shared::PieceRecord> pieces_;
     std::vector<shared::BlockRecord> blocks_;
 
     gpu::Buffer uniformBuffer_;
     gpu::Buffer positions_, velocities_, displacement_, restPositions_;
     gpu::Buffer savedPositions_;
-    gpu::Buffer links_, triangles_, vertexOrder_, neighbours_;
+    gpu::Buffer links_, areaBuffer_, triangles_, placeBuffer_, pageBuffer_, neighbours_;
     gpu::Buffer edges_, bends_, ispcs_, corrections_;
     IncidenceBuffers edgeIncidence_, bendIncidence_, ispcIncidence_, triangleIncidence_;
     gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, blockMeasures_;
 
+    Scatter scatter_;
     gpu::Timer deformTimer_;
     gpu::Timer collideTimer_;
     long dispatches_ = 0;

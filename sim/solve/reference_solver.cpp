@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/body/incidence.h"
+#include "sim/body/piece_masses.h"
 #include "sim/solve/reference_constraints.h"
 
 namespace kerf {
@@ -102,7 +103,7 @@ ReferenceState restState(const BodyModel& model) {
 
 ReferenceSolver::ReferenceSolver(const BodyModel& model, const shared::SolverUniforms& uniforms)
     : model_(model), uniforms_(uniforms), volumeOffset_(model.pieces.size(), 0.0) {
-    for (const float mass : model.unitMass) {
+    for (const double mass : unitMasses(model)) {
         inverseMass_.push_back(mass > 0 ? static_cast<double>(uniforms.inverse_density) / mass
                                         : 0.0);
     }

@@ -12,19 +12,6 @@ constexpr double kFadeTime = 0.1;  // [s]
 // Offsets below this share of the rest volume are float noise.
 constexpr double kNegligible = 1e-7;
 
-/// The piece of `before` that each piece of `after` comes from: that of its lowest old vertex.
-std::vector<int> sources(const BodyModel& before, const BodyModel& after) {
-    std::vector<int> out(after.pieces.size(), -1);
-    const std::size_t oldVertices = before.pieceOfVertex.size();
-    for (std::size_t v = 0; v < oldVertices; ++v) {
-        const int piece = after.pieceOfVertex[v];
-        if (piece >= 0 && out[piece] < 0) {
-            out[piece] = before.pieceOfVertex[v];
-        }
-    }
-    return out;
-}
-
 double faded(double offset, double restVolume, double time) {
     const double rest = offset * std::exp(-time / kFadeTime);
     return std::abs(rest) < kNegligible * std::abs(restVolume) ? 0.0 : rest;
@@ -38,10 +25,9 @@ void VolumeTargets::reset(const BodyModel& model) {
     rebuild();
 }
 
-void VolumeTargets::follow(const BodyModel& before, const BodyModel& after,
+void VolumeTargets::follow(std::span<const int> source, const BodyModel& after,
                            std::span<const double> volumes) {
-    assert(volumes.size() == after.pieces.size());
-    const std::vector<int> source = sources(before, after);
+    assert(volumes.size() == after.pieces.size() && source.size() == after.pieces.size());
     const std::vector<double> oldOffsets = offsets_;
     pieces_ = after.pieces;
     offsets_.assign(pieces_.size(), 0.0);

@@ -15,9 +15,11 @@ class VolumeTargets {
   public:
     /// All pieces at their rest volumes.
     void reset(const BodyModel& model);
-    /// After a cut: a piece that is the only one left of an old piece goes on as that; the parts of
-    /// a split start at `volumes`, their current ones, shape [pieces of after] [m^3].
-    void follow(const BodyModel& before, const BodyModel& after, std::span<const double> volumes);
+    /// After a cut. `source`: the old piece that each piece comes from, -1 for none (see
+    /// LabelChange). A piece that is the only one left of an old piece goes on as that; the parts
+    /// of a split start at `volumes`, their current ones, shape [pieces of after] [m^3].
+    void follow(std::span<const int> source, const BodyModel& after,
+                std::span<const double> volumes);
     /// Lets `time` [s] pass. Returns whether a target changed.
     bool fade(double time);
 

@@ -108,13 +108,14 @@ TEST_F(Layout, PieceRecord) {
     expectSame("Pieces", "pieces", sizeof(shared::PieceRecord),
                {MEMBER(PieceRecord, origin), MEMBER(PieceRecord, first_block),
                 MEMBER(PieceRecord, block_count), MEMBER(PieceRecord, constrained),
-                MEMBER(PieceRecord, target_volume)});
+                MEMBER(PieceRecord, target_volume), MEMBER(PieceRecord, mass_per_area),
+                MEMBER(PieceRecord, least_area)});
 }
 
 TEST_F(Layout, BlockRecord) {
     expectSame("Blocks", "blocks", sizeof(shared::BlockRecord),
-               {MEMBER(BlockRecord, piece), MEMBER(BlockRecord, first_place),
-                MEMBER(BlockRecord, place_count)});
+               {MEMBER(BlockRecord, piece), MEMBER(BlockRecord, first_page),
+                MEMBER(BlockRecord, page_count)});
 }
 
 TEST_F(Layout, VolumeSum) {

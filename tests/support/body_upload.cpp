@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shaders/shared/body_records.h"
 #include "shaders/shared/shared_types.h"
 
 namespace kerf::test {
@@ -17,7 +18,7 @@ std::vector<shared::vec4> packed(const std::vector<Vec3>& points) {
     return out;
 }
 
-std::vector<shared::uvec4> livingTriangles(const SurfaceMesh& mesh) {
+std::vector<shared::uvec4> taggedTriangles(const SurfaceMesh& mesh) {
     std::vector<shared::uvec4> out;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
@@ -119,19 +120,20 @@ class HalfBuilder {
 }  // namespace
 
 UploadedBody::UploadedBody(const SurfaceMesh& mesh) {
-    const std::vector<shared::uvec4> living = livingTriangles(mesh);
+    const std::vector<shared::uvec4> living = taggedTriangles(mesh);
     positions.assign(packed(mesh.positions()));
     restPositions.assign(packed(mesh.restPositions()));
     triangles.assign(living);
     vertexCount = std::uint32_t(mesh.vertexCount());
     triangleCount = std::uint32_t(living.size());
-    std::vector<std::uint32_t> offsets = {0};
+    std::vector<shared::IncidenceRange> ranges;
     std::vector<std::uint32_t> entries;
     for (const auto& corners : cornersAround(living, vertexCount)) {
+        const auto first = std::uint32_t(entries.size());
         entries.insert(entries.end(), corners.begin(), corners.end());
-        offsets.push_back(std::uint32_t(entries.size()));
+        ranges.push_back({first, std::uint32_t(entries.size())});
     }
-    incidenceOffsets.assign(offsets);
+    incidenceRanges.assign(ranges);
     incidence.assign(entries);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         bounds.add(mesh.position(v));
@@ -144,7 +146,7 @@ BodyView UploadedBody::view() const {
     body.positions = &positions;
     body.restPositions = &restPositions;
     body.triangles = &triangles;
-    body.incidenceOffsets = &incidenceOffsets;
+    body.incidenceRanges = &incidenceRanges;
     body.incidence = &incidence;
     body.vertexCount = vertexCount;
     body.triangleCount = triangleCount;

@@ -15,7 +15,7 @@ struct UploadedBody {
     gpu::Buffer positions;
     gpu::Buffer restPositions;
     gpu::Buffer triangles;
-    gpu::Buffer incidenceOffsets;
+    gpu::Buffer incidenceRanges;
     gpu::Buffer incidence;
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;

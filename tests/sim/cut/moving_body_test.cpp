@@ -196,7 +196,7 @@ TEST(PieceGroups, KeepPiecesTogetherUntilTheyPart) {
     const PieceMap halves = findPieces(mesh);
     ASSERT_EQ(halves.pieces.size(), 2u);
     const auto groups = [&](const std::vector<int>& before) {
-        std::vector<int> found = cut::groupPieces(mesh, halves, 1e-3, before);
+        std::vector<int> found = cut::groupPieces(mesh, halves.ofVertex, 1e-3, before);
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
         return found.size();
@@ -205,7 +205,7 @@ TEST(PieceGroups, KeepPiecesTogetherUntilTheyPart) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         mesh.setPosition(v, mesh.position(v) + Vec3(halves.ofVertex[v] * 0.01, 0, 0));
     }
-    const std::vector<int> apart = cut::groupPieces(mesh, halves, 1e-3, {});
+    const std::vector<int> apart = cut::groupPieces(mesh, halves.ofVertex, 1e-3, {});
     EXPECT_EQ(groups({}), 2u);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         mesh.setPosition(v, mesh.position(v) - Vec3(halves.ofVertex[v] * 0.01, 0, 0));

@@ -5,6 +5,8 @@
 
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 #include "tests/support/shapes.h"
 
@@ -13,10 +15,18 @@ namespace {
 
 using ::testing::HasSubstr;
 
+/// The local check, of every triangle.
+std::string checkEverywhere(const SurfaceMesh& mesh) {
+    std::vector<int> all(mesh.triangleSlots());
+    std::iota(all.begin(), all.end(), 0);
+    return checkClosedManifoldAround(mesh, all);
+}
+
 class SoundShapes : public ::testing::TestWithParam<SurfaceMesh> {};
 
 TEST_P(SoundShapes, PassEveryCheck) {
     EXPECT_EQ(checkClosedManifold(GetParam()), "");
+    EXPECT_EQ(checkEverywhere(GetParam()), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Invariants, SoundShapes,
@@ -28,6 +38,8 @@ TEST(Invariants, TwinMissing) {
     SurfaceMesh mesh = test::icosphere(0);
     mesh.setTwin(7, -1);
     EXPECT_THAT(checkTwins(mesh), HasSubstr("half-edge 7"));
+    EXPECT_NE(checkClosedManifoldAround(mesh, std::vector<int>{2}), "");
+    EXPECT_EQ(checkClosedManifoldAround(mesh, std::vector<int>{}), "");
     EXPECT_NE(checkClosedManifold(mesh), "");
 }
 
@@ -35,6 +47,7 @@ TEST(Invariants, TwinNotMutual) {
     SurfaceMesh mesh = test::icosphere(0);
     mesh.setTwin(7, mesh.twin(8));
     EXPECT_THAT(checkTwins(mesh), HasSubstr("whose twin is another"));
+    EXPECT_NE(checkEverywhere(mesh), "");
 }
 
 TEST(Invariants, TwinWithOtherEndPoints) {
@@ -46,12 +59,14 @@ TEST(Invariants, TwinWithOtherEndPoints) {
     mesh.setTwin(8, g);
     mesh.setTwin(g, 8);
     EXPECT_THAT(checkTwins(mesh), HasSubstr("other end points"));
+    EXPECT_NE(checkEverywhere(mesh), "");
 }
 
 TEST(Invariants, TwinInDeadTriangle) {
     SurfaceMesh mesh = test::icosphere(0);
     mesh.removeTriangle(3);
     EXPECT_THAT(checkTwins(mesh), HasSubstr("no living twin"));
+    EXPECT_NE(checkEverywhere(mesh), "");
 }
 
 TEST(Invariants, CornerOutOfRange) {
@@ -66,6 +81,7 @@ TEST(Invariants, OutgoingHalfEdgeOfAnotherVertex) {
     SurfaceMesh mesh = test::icosphere(0);
     mesh.setOutgoing(5, mesh.outgoing(6));
     EXPECT_THAT(checkUmbrellas(mesh), HasSubstr("vertex 5"));
+    EXPECT_NE(checkEverywhere(mesh), "");
 }
 
 TEST(Invariants, OutgoingHalfEdgeOfUnusedVertex) {
@@ -84,6 +100,7 @@ TEST(Invariants, TwoUmbrellasAtOneVertex) {
     EXPECT_EQ(checkTwins(mesh), "");
     EXPECT_EQ(checkSimpleComplex(mesh), "");
     EXPECT_THAT(checkUmbrellas(mesh), HasSubstr("vertex 0 holds 3 of its 6"));
+    EXPECT_NE(checkEverywhere(mesh), "");
 }
 
 TEST(Invariants, UmbrellaThatDoesNotClose) {
@@ -114,6 +131,7 @@ TEST(Invariants, NotFinite) {
     SurfaceMesh mesh = test::icosphere(0);
     mesh.setPosition(3, bad);
     EXPECT_THAT(checkFinite(mesh), HasSubstr("vertex 3"));
+    EXPECT_NE(checkEverywhere(mesh), "");
     mesh = test::icosphere(0);
     mesh.setRestPosition(4, bad);
     EXPECT_THAT(checkFinite(mesh), HasSubstr("vertex 4"));

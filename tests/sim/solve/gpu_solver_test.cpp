@@ -4,6 +4,7 @@
 #include <random>
 #include <string>
 
+#include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/solve/reference_solver.h"
 #include "sim/solve/solver_uniforms.h"
@@ -249,7 +250,7 @@ TEST_F(GpuSolverTest, KeepsLinearMomentumInFreeFlight) {
     const auto momentum = [&](const BodyState& state) {
         Vec3 sum = Vec3::Zero();
         for (std::size_t v = 0; v < state.velocities.size(); ++v) {
-            sum += pair.model.unitMass[v] * state.velocities[v].cast<double>();
+            sum += unitMass(pair.model, v) * state.velocities[v].cast<double>();
         }
         return sum;
     };

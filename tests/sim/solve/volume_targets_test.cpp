@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace kerf {
@@ -17,7 +18,6 @@ PieceModel piece(double restVolume, bool holdsVolume = true) {
 BodyModel whole() {
     BodyModel model;
     model.pieces = {piece(2)};
-    model.pieceOfVertex = {0, 0, 0, 0};
     return model;
 }
 
@@ -25,9 +25,12 @@ BodyModel whole() {
 BodyModel halves() {
     BodyModel model;
     model.pieces = {piece(1.2), piece(0.8), piece(1e-9, false)};
-    model.pieceOfVertex = {1, 0, 0, 1, 0, 1, 2, 2, 2, 2};
     return model;
 }
+
+// Which old piece each comes from.
+constexpr std::array<int, 3> kSplit{0, 0, -1};
+constexpr std::array<int, 3> kUnchanged{0, 1, 2};
 
 TEST(VolumeTargets, StartAtTheRestVolume) {
     VolumeTargets targets;
@@ -42,7 +45,7 @@ TEST(VolumeTargets, OfPartsFadeFromTheCurrentToTheRestVolume) {
     VolumeTargets targets;
     targets.reset(whole());
     const double volumes[] = {1.19, 0.81, 5};
-    targets.follow(whole(), halves(), volumes);
+    targets.follow(kSplit, halves(), volumes);
     EXPECT_DOUBLE_EQ(targets.targets()[0].volume, 1.19);
     EXPECT_DOUBLE_EQ(targets.targets()[1].volume, 0.81);
     EXPECT_FALSE(targets.targets()[2].constrained);
@@ -59,9 +62,9 @@ TEST(VolumeTargets, GoOnThroughACutThatSeparatesNothing) {
     VolumeTargets targets;
     targets.reset(whole());
     const double volumes[] = {1.19, 0.81, 1e-9};
-    targets.follow(whole(), halves(), volumes);
+    targets.follow(kSplit, halves(), volumes);
     const double later[] = {1.1, 0.9, 1e-9};
-    targets.follow(halves(), halves(), later);
+    targets.follow(kUnchanged, halves(), later);
     EXPECT_DOUBLE_EQ(targets.targets()[0].volume, 1.19);
     EXPECT_DOUBLE_EQ(targets.targets()[1].volume, 0.81);
 }

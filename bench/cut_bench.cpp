@@ -1,0 +1,253 @@
+// Milliseconds of one step of a shallow cut into spheres of 1.3k to 328k triangles: the blade
+// scales with the edges, so that a step touches equally many triangles, while the body deforms
+// between the steps. A step costs what it touches where the figures do not grow with the body.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "gpu/context.h"
+#include "gpu/program.h"
+#include "sim/body/body_updater.h"
+#include "sim/cut/cut_change.h"
+#include "sim/cut/cutter.h"
+#include "sim/simulation.h"
+#include "sim/solve/gpu_solver.h"
+#include "sim/stopwatch.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kRadius = 0.5;
+constexpr int kFirstStep = 4;  // the blade is inside by then
+constexpr int kSteps = 28;
+constexpr int kRebuilds = 3;
+
+// The blade, in edges.
+constexpr double kDepth = 1.3;
+constexpr double kHandle = 3;
+constexpr double kAdvance = 0.6;
+
+// The motion of the body: waves of this height and number, and how far they go in a step.
+constexpr double kWaveHeight = 0.02 * kRadius;
+constexpr double kWaveNumber = 3 / kRadius;
+constexpr double kWaveSpeed = 0.1;
+
+double median(std::vector<double> values) {
+    if (values.empty()) {
+        return std::nan("");
+    }
+    const auto middle = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+Vec3 deformed(const Vec3& p, int step) {
+    const Vec3 phase =
+        kWaveNumber * Vec3(p.y(), p.z(), p.x()) + kWaveSpeed * step * Vec3(1, 1.3, 0.7);
+    return p + kWaveHeight * Vec3(phase.array().sin());
+}
+
+/// Returns how far a vertex has moved at most.
+double deform(SurfaceMesh& mesh, int step) {
+    double most = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 p = deformed(mesh.restPosition(v), step).cast<float>().cast<double>();
+        most = std::max(most, (p - mesh.position(v)).norm());
+        mesh.setPosition(v, p);
+    }
+    return most;
+}
+
+/// Along a meridian of the body at rest.
+Blade bladeAt(int step, double edge) {
+    const double angle = 0.3 + kAdvance * step * edge / kRadius;
+    const Vec3 outward(std::sin(angle), std::cos(angle), 0.0137);
+    return {(kRadius + kHandle * edge) * outward, (kRadius - kDepth * edge) * outward};
+}
+
+Blade deformed(const Blade& blade, int step) {
+    return {deformed(blade.a, step), deformed(blade.b, step)};
+}
+
+BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
+    BodyState state;
+    for (const std::uint32_t v : vertices) {
+        state.positions.push_back(mesh.position(static_cast<int>(v)).cast<float>());
+        state.velocities.push_back(mesh.velocity(static_cast<int>(v)).cast<float>());
+    }
+    return state;
+}
+
+BodyState stateOf(const SurfaceMesh& mesh) {
+    std::vector<std::uint32_t> all(mesh.vertexCount());
+    std::iota(all.begin(), all.end(), 0u);
+    return stateOf(mesh, all);
+}
+
+/// Each phase of the cutting steps [ms].
+struct Times {
+    std::vector<double> cutter;
+    std::vector<double> model;
+    std::vector<double> upload;
+    std::vector<double> step;
+    std::vector<double> touched;
+};
+
+struct Figures {
+    int triangles = 0;
+    double touched = 0;
+    double cutter = 0;
+    double model = 0;
+    double upload = 0;
+    double step = 0;
+    double simulation = 0;  ///< what Simulation takes for the cut, with reading back
+    double rebuild = 0;     ///< model from scratch and upload of everything
+};
+
+class LocalCut {
+  public:
+    explicit LocalCut(const SurfaceMesh& whole) : mesh_(whole), body_(mesh_), cutter_(mesh_, {}) {
+        solver_.setModel(body_.model(), stateOf(mesh_));
+        solver_.measure();
+    }
+
+    Times run() {
+        Times times;
+        cutter_.begin(deformed(bladeAt(0, body_.model().edgeLength), 0));
+        for (int i = 1; i < kSteps; ++i) {
+            cutter_.boundMotion(deform(mesh_, i));
+            step(i, times);
+        }
+        return times;
+    }
+
+    double rebuild() {
+        std::vector<double> times;
+        for (int i = 0; i < kRebuilds; ++i) {
+            const Stopwatch watch;
+            const BodyModel model = buildBodyModel(mesh_);
+            solver_.setModel(model, stateOf(mesh_));
+            solver_.measure();
+            times.push_back(watch.milliseconds());
+        }
+        return median(times);
+    }
+
+  private:
+    void step(int index, Times& times) {
+        const Blade blade = deformed(bladeAt(index, body_.model().edgeLength), index);
+        Stopwatch watch;
+        const CutResult result = cutter_.advance(blade);
+        const double cutter = 1000 * watch.restart();
+        if (result.outcome != CutOutcome::cut) {
+            std::fprintf(stderr, "step %d: no cut %s\n", index, result.reason.c_str());
+            return;
+        }
+        const BodyChange change = body_.update(result.delta);
+        const double model = 1000 * watch.restart();
+        const std::vector<std::uint32_t> written = rewrittenVertices(mesh_, result.delta);
+        solver_.update(body_.model(), change, written, stateOf(mesh_, written));
+        gpu::finish();
+        const double upload = 1000 * watch.restart();
+        if (index >= kFirstStep) {
+            times.cutter.push_back(cutter);
+            times.model.push_back(model);
+            times.upload.push_back(upload);
+            times.step.push_back(cutter + model + upload);
+            times.touched.push_back(result.statistics.touchedTriangles);
+        }
+    }
+
+    SurfaceMesh mesh_;
+    BodyUpdater body_;
+    Cutter cutter_;
+    GpuSolver solver_;
+};
+
+/// The same cut by the whole simulation, of a body that floats at rest.
+double simulatedCut(const SurfaceMesh& whole, double edge) {
+    Params params;
+    params.iterations = 1;
+    params.gravity = Vec3::Zero();
+    params.floor.reset();
+    Simulation simulation(whole, params);
+    std::vector<double> times;
+    for (int i = 0; i < kSteps; ++i) {
+        simulation.execute(MoveBlade{bladeAt(i, edge)});
+        const StepReport& report = simulation.step();
+        if (i >= kFirstStep && simulation.lastCut().outcome == CutOutcome::cut) {
+            times.push_back(report.cutMs);
+        }
+    }
+    return median(times);
+}
+
+Figures bench(int subdivisions) {
+    const SurfaceMesh whole = test::icosphere(subdivisions, kRadius);
+    LocalCut cut(whole);
+    const Times times = cut.run();
+    Figures out;
+    out.triangles = whole.triangleSlots();
+    out.touched = median(times.touched);
+    out.cutter = median(times.cutter);
+    out.model = median(times.model);
+    out.upload = median(times.upload);
+    out.step = median(times.step);
+    out.rebuild = cut.rebuild();
+    out.simulation = simulatedCut(whole, buildBodyModel(whole).edgeLength);
+    return out;
+}
+
+void print(const Figures& f) {
+    const nlohmann::ordered_json line = {{"name", "cut/local/" + std::to_string(f.triangles)},
+                                         {"touched_triangles", f.touched},
+                                         {"cutter", f.cutter},
+                                         {"model_update", f.model},
+                                         {"upload", f.upload},
+                                         {"step", f.step},
+                                         {"simulation", f.simulation},
+                                         {"full_rebuild", f.rebuild},
+                                         {"unit", "ms"}};
+    std::puts(line.dump().c_str());
+    std::fflush(stdout);
+}
+
+void printRatios(const Figures& small, const Figures& large) {
+    const nlohmann::ordered_json line = {
+        {"name", "cut/scaling"},
+        {"from_triangles", small.triangles},
+        {"to_triangles", large.triangles},
+        {"cutter", large.cutter / small.cutter},
+        {"model_update", large.model / small.model},
+        {"upload", large.upload / small.upload},
+        {"step", large.step / small.step},
+        {"simulation", large.simulation / small.simulation},
+        {"rebuild_over_update_and_upload", large.rebuild / (large.model + large.upload)}};
+    std::puts(line.dump().c_str());
+}
+
+}  // namespace
+}  // namespace kerf
+
+int main() {
+    try {
+        const kerf::gpu::EglContext context;
+        std::vector<kerf::Figures> figures;
+        for (const int subdivisions : {3, 5, 6, 7}) {
+            figures.push_back(kerf::bench(subdivisions));
+            kerf::print(figures.back());
+        }
+        kerf::printRatios(figures.front(), figures.back());
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,311 @@
+#include "sim/body/body_updater.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+#include "sim/body/constraint_builder.h"
+#include "sim/body/rest_geometry.h"
+#include "sim/cut/cut_change.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kDebrisVolume = 1e-4;  // of the uncut body
+constexpr std::uint32_t kLeastSolidVertices = 4;
+
+std::uint32_t index32(int i) {
+    return static_cast<std::uint32_t>(i);
+}
+
+std::vector<std::uint32_t> merged(std::initializer_list<const std::vector<std::uint32_t>*> lists) {
+    std::vector<std::uint32_t> all;
+    for (const auto* list : lists) {
+        all.insert(all.end(), list->begin(), list->end());
+    }
+    sortUnique(all);
+    return all;
+}
+
+}  // namespace
+
+BodyModel buildBodyModel(const SurfaceMesh& mesh) {
+    return BodyUpdater(mesh).model();
+}
+
+BodyUpdater::BodyUpdater(const SurfaceMesh& mesh) : mesh_(mesh), labels_(mesh) {
+    buildShell();
+    ispcs_.emplace(mesh, model_);
+    const std::size_t n = model_.restPositions.size();
+    model_.ispcIncidence = buildIncidence(model_.ispcs, n);
+    ispcRooms_ = IncidenceRooms(model_.ispcIncidence);
+}
+
+/// All but the ISPCs.
+void BodyUpdater::buildShell() {
+    measureUncutBody();
+    model_.pieceOfVertex = labels_.ofVertex();
+    for (int v = 0; v < mesh_.vertexCount(); ++v) {
+        model_.restPositions.push_back(mesh_.restPosition(v).cast<float>());
+    }
+    model_.vertexAreas = restVertexAreas(mesh_);
+    areas_.resize(labels_.pieces().size());
+    for (std::size_t v = 0; v < model_.vertexAreas.size(); ++v) {
+        if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
+            areas_[piece].add(model_.vertexAreas[v]);
+        }
+    }
+    updateMasses();
+    buildTriangles();
+    buildEdgesAndBends();
+}
+
+void BodyUpdater::measureUncutBody() {
+    double area = 0;
+    for (const PieceContent& piece : labels_.pieces()) {
+        area += piece.restArea;
+        model_.uncutRestVolume += piece.restVolume;
+    }
+    assert(model_.uncutRestVolume > 0 && area > 0);
+    model_.thickness = model_.uncutRestVolume / area;
+    model_.edgeLength = meanRestEdgeLength(mesh_);
+}
+
+void BodyUpdater::buildTriangles() {
+    slotOfTriangle_.assign(mesh_.triangleSlots(), -1);
+    for (int t = 0; t < mesh_.triangleSlots(); ++t) {
+        if (mesh_.alive(t)) {
+            slotOfTriangle_[t] = static_cast<int>(model_.triangles.size());
+            model_.triangles.push_back(taggedTriangle(t));
+            model_.meshTriangle.push_back(t);
+        }
+    }
+    model_.triangleIncidence = buildIncidence(model_.triangles, model_.restPositions.size());
+    triangleRooms_ = IncidenceRooms(model_.triangleIncidence);
+    std::vector<std::uint32_t> all(model_.restPositions.size());
+    std::iota(all.begin(), all.end(), 0u);
+    updateNeighbours(all);
+}
+
+void BodyUpdater::buildEdgesAndBends() {
+    slotsOfEdge_.assign(3 * static_cast<std::size_t>(mesh_.triangleSlots()), {});
+    forEachEdge(mesh_, [&](int h) {
+        const int g = mesh_.twin(h);
+        slotsOfEdge_[h].edge = slotsOfEdge_[g].edge = static_cast<int>(model_.edges.size());
+        model_.edges.push_back(edgeConstraint(mesh_, h, model_.thickness));
+        halfEdgesOfEdge_.emplace_back(h, g);
+        if (const auto bend = bendConstraint(mesh_, h, model_.thickness)) {
+            slotsOfEdge_[h].bend = slotsOfEdge_[g].bend = static_cast<int>(model_.bends.size());
+            model_.bends.push_back(*bend);
+            halfEdgesOfBend_.emplace_back(h, g);
+        }
+    });
+    const std::size_t n = model_.restPositions.size();
+    model_.edgeIncidence = buildIncidence(model_.edges, n);
+    model_.bendIncidence = buildIncidence(model_.bends, n);
+    edgeRooms_ = IncidenceRooms(model_.edgeIncidence);
+    bendRooms_ = IncidenceRooms(model_.bendIncidence);
+}
+
+std::array<std::uint32_t, 4> BodyUpdater::taggedTriangle(int triangle) const {
+    const Triangle& corners = mesh_.triangle(triangle);
+    const auto kind = static_cast<std::uint32_t>(mesh_.kind(triangle));
+    return {index32(corners[0]), index32(corners[1]), index32(corners[2]),
+            kind | index32(model_.pieceOfVertex[corners[0]]) << 8};
+}
+
+BodyChange BodyUpdater::update(const CutDelta& delta) {
+    const std::vector<int> changed = changedTriangles(delta);
+    BodyChange change;
+    change.pieces = labels_.update(mesh_, changed);
+    growVertices();
+    updateAreas(delta, changed, change);
+    updateMasses();
+    updateTriangles(changed, change);
+    updateNeighbours(change.triangleLists);
+    updateShell(changed, change);
+    RecordEditor ispcs(model_.ispcs, model_.ispcIncidence, ispcRooms_);
+    ispcs_->update(model_, changed, change.pieces, ispcs);
+    change.ispcs = ispcs.takeSlots();
+    change.ispcLists = ispcs.takeVertices();
+    change.vertices = merged({&change.vertices, &change.triangleLists, &change.edgeLists,
+                              &change.bendLists, &change.ispcLists});
+    return change;
+}
+
+void BodyUpdater::growVertices() {
+    const std::size_t n = mesh_.vertexCount();
+    for (std::size_t v = model_.restPositions.size(); v < n; ++v) {
+        model_.restPositions.push_back(mesh_.restPosition(static_cast<int>(v)).cast<float>());
+    }
+    model_.vertexAreas.resize(n, 0.0);
+    model_.pieceOfVertex.resize(n, -1);
+    triangleRooms_.resize(model_.triangleIncidence, n);
+    edgeRooms_.resize(model_.edgeIncidence, n);
+    bendRooms_.resize(model_.bendIncidence, n);
+    ispcRooms_.resize(model_.ispcIncidence, n);
+}
+
+double BodyUpdater::vertexArea(int vertex) const {
+    double sum = 0;
+    mesh_.forEachOutgoing(vertex, [&](int h) { sum += restArea(mesh_, h / 3) / 3; });
+    return sum;
+}
+
+/// Areas, pieces and rest positions of the vertices, all new ones among them; what they are leaves
+/// the sums of their old piece, what they become enters those of the new one.
+void BodyUpdater::updateAreas(const CutDelta& delta, std::span<const int> changed,
+                              BodyChange& change) {
+    for (int v = delta.firstNewVertex; v < mesh_.vertexCount(); ++v) {
+        change.vertices.push_back(index32(v));
+    }
+    for (const int t : changed) {
+        if (mesh_.alive(t)) {
+            for (const int v : mesh_.triangle(t)) {
+                change.vertices.push_back(index32(v));
+            }
+        }
+    }
+    for (const LabelMove& move : change.pieces.moves) {
+        change.vertices.push_back(index32(move.vertex));
+    }
+    sortUnique(change.vertices);
+    for (const std::uint32_t v : change.vertices) {
+        if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
+            areas_[piece].remove(model_.vertexAreas[v]);
+        }
+    }
+    areas_.resize(labels_.pieces().size());
+    for (const std::uint32_t v : change.vertices) {
+        model_.restPositions[v] = mesh_.restPosition(static_cast<int>(v)).cast<float>();
+        model_.vertexAreas[v] = vertexArea(static_cast<int>(v));
+        model_.pieceOfVertex[v] = labels_.ofVertex()[v];
+        if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
+            areas_[piece].add(model_.vertexAreas[v]);
+        }
+    }
+}
+
+void BodyUpdater::updateMasses() {
+    model_.pieces.clear();
+    for (std::size_t p = 0; p < labels_.pieces().size(); ++p) {
+        const PieceContent& content = labels_.pieces()[p];
+        PieceModel piece;
+        piece.triangleCount = index32(content.triangles);
+        piece.vertexCount = index32(content.vertices);
+        piece.restVolume = content.restVolume;
+        piece.restArea = content.restArea;
+        piece.holdsVolume = content.restVolume >= kDebrisVolume * model_.uncutRestVolume &&
+                            piece.vertexCount >= kLeastSolidVertices;
+        areas_[p].setMasses(piece, model_.uncutRestVolume);
+        model_.pieces.push_back(piece);
+    }
+}
+
+void BodyUpdater::updateTriangles(std::span<const int> changed, BodyChange& change) {
+    RecordEditor triangles(model_.triangles, model_.triangleIncidence, triangleRooms_);
+    slotOfTriangle_.resize(mesh_.triangleSlots(), -1);
+    for (const int t : changed) {
+        if (const int slot = std::exchange(slotOfTriangle_[t], -1); slot >= 0) {
+            triangles.remove(slot);
+        }
+    }
+    for (const int t : changed) {
+        if (mesh_.alive(t)) {
+            const int slot = triangles.add(taggedTriangle(t));
+            model_.meshTriangle.resize(model_.triangles.size(), -1);
+            model_.meshTriangle[slot] = t;
+            slotOfTriangle_[t] = slot;
+        }
+    }
+    for (const LabelMove& move : change.pieces.moves) {
+        mesh_.forEachOutgoing(move.vertex, [&](int h) {
+            if (h % 3 == 0) {
+                triangles.rewrite(slotOfTriangle_[h / 3])[3] = taggedTriangle(h / 3)[3];
+            }
+        });
+    }
+    triangles.close([&](int from, int to) {
+        model_.meshTriangle[to] = model_.meshTriangle[from];
+        slotOfTriangle_[model_.meshTriangle[to]] = to;
+    });
+    model_.meshTriangle.resize(model_.triangles.size());
+    change.triangles = triangles.takeSlots();
+    change.triangleLists = triangles.takeVertices();
+}
+
+/// The order around a vertex is that of its umbrella.
+void BodyUpdater::updateNeighbours(std::span<const std::uint32_t> vertices) {
+    model_.neighbours.resize(model_.triangleIncidence.entries.size());
+    for (const std::uint32_t v : vertices) {
+        std::uint32_t place = model_.triangleIncidence.ranges[v].first;
+        mesh_.forEachOutgoing(static_cast<int>(v), [&](int h) {
+            model_.neighbours[place++] = index32(mesh_.target(h));
+        });
+        assert(place == model_.triangleIncidence.ranges[v].end);
+    }
+}
+
+/// Edges and bends. All that a changed triangle has a share in is made anew.
+void BodyUpdater::updateShell(std::span<const int> changed, BodyChange& change) {
+    RecordEditor edges(model_.edges, model_.edgeIncidence, edgeRooms_);
+    RecordEditor bends(model_.bends, model_.bendIncidence, bendRooms_);
+    slotsOfEdge_.resize(3 * static_cast<std::size_t>(mesh_.triangleSlots()));
+    const auto drop = [&](int halfEdge) {
+        if (const int edge = slotsOfEdge_[halfEdge].edge; edge >= 0) {
+            const auto [h, g] = halfEdgesOfEdge_[edge];
+            edges.remove(edge);
+            if (const int bend = slotsOfEdge_[h].bend; bend >= 0) {
+                bends.remove(bend);
+            }
+            slotsOfEdge_[h] = slotsOfEdge_[g] = {};
+        }
+    };
+    for (const int t : changed) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            drop(h);
+            if (mesh_.alive(t)) {
+                drop(mesh_.twin(h));
+            }
+        }
+    }
+    for (const int t : changed) {
+        for (int h = 3 * t; h < 3 * t + 3 && mesh_.alive(t); ++h) {
+            if (slotsOfEdge_[h].edge < 0) {
+                addEdge(std::min(h, mesh_.twin(h)), edges, bends);
+            }
+        }
+    }
+    edges.close([&](int from, int to) {
+        const auto [h, g] = halfEdgesOfEdge_[to] = halfEdgesOfEdge_[from];
+        slotsOfEdge_[h].edge = slotsOfEdge_[g].edge = to;
+    });
+    bends.close([&](int from, int to) {
+        const auto [h, g] = halfEdgesOfBend_[to] = halfEdgesOfBend_[from];
+        slotsOfEdge_[h].bend = slotsOfEdge_[g].bend = to;
+    });
+    halfEdgesOfEdge_.resize(model_.edges.size());
+    halfEdgesOfBend_.resize(model_.bends.size());
+    change.edges = edges.takeSlots();
+    change.edgeLists = edges.takeVertices();
+    change.bends = bends.takeSlots();
+    change.bendLists = bends.takeVertices();
+}
+
+void BodyUpdater::addEdge(int h, RecordEditor<shared::EdgeConstraint>& edges,
+                          RecordEditor<shared::BendConstraint>& bends) {
+    const int g = mesh_.twin(h);
+    const int edge = edges.add(edgeConstraint(mesh_, h, model_.thickness));
+    halfEdgesOfEdge_.resize(model_.edges.size());
+    halfEdgesOfEdge_[edge] = {h, g};
+    slotsOfEdge_[h].edge = slotsOfEdge_[g].edge = edge;
+    if (const auto constraint = bendConstraint(mesh_, h, model_.thickness)) {
+        const int bend = bends.add(*constraint);
+        halfEdgesOfBend_.resize(model_.bends.size());
+        halfEdgesOfBend_[bend] = {h, g};
+        slotsOfEdge_[h].bend = slotsOfEdge_[g].bend = bend;
+    }
+}
+
+}  // namespace kerf

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sim/body/body_model.h"
+#include "sim/body/ispc_set.h"
+#include "sim/body/piece_masses.h"
+#include "sim/body/record_editor.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/piece_labels.h"
+
+namespace kerf {
+
+/// What an update changed, so that a copy of the model can follow. Lists are ascending, each entry
+/// once; arrays may have grown or shrunk besides.
+struct BodyChange {
+    /// Vertices that are new, died or belong to another piece, and where the pieces come from.
+    LabelChange pieces;
+    /// Vertices of which the area, the piece or the number of constraints changed.
+    std::vector<std::uint32_t> vertices;
+    /// Slots that were written.
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint32_t> edges;
+    std::vector<std::uint32_t> bends;
+    std::vector<std::uint32_t> ispcs;
+    /// Vertices whose list of what touches them changed; neighbours change with the triangles.
+    std::vector<std::uint32_t> triangleLists;
+    std::vector<std::uint32_t> edgeLists;
+    std::vector<std::uint32_t> bendLists;
+    std::vector<std::uint32_t> ispcLists;
+};
+
+/// Carries the model of a body through cuts, at the cost of what each of them touches. As a set,
+/// what comes out is what buildBodyModel() would make of the cut mesh, but for the ISPCs: one is
+/// kept, bit for bit, unless its vertex is a corner of a new or changed triangle, its triangle
+/// died or changed, its rest segment crosses a new wall, or its ends fell into two pieces.
+/// Those vertices get a new one, cast in rest space.
+class BodyUpdater {
+  public:
+    /// The mesh must outlive the updater.
+    explicit BodyUpdater(const SurfaceMesh& mesh);
+    BodyUpdater(const BodyUpdater&) = delete;
+    BodyUpdater& operator=(const BodyUpdater&) = delete;
+
+    const BodyModel& model() const { return model_; }
+    /// After a step of the cutter.
+    BodyChange update(const CutDelta& delta);
+
+  private:
+    /// The records that a half-edge shares with its twin; -1 for none.
+    struct EdgeSlots {
+        int edge = -1;
+        int bend = -1;
+    };
+
+    void buildShell();
+    void measureUncutBody();
+    void buildTriangles();
+    void buildEdgesAndBends();
+    void growVertices();
+    void updateAreas(const CutDelta& delta, std::span<const int> changed, BodyChange& change);
+    void updateMasses();
+    void updateTriangles(std::span<const int> changed, BodyChange& change);
+    void updateShell(std::span<const int> changed, BodyChange& change);
+    void addEdge(int halfEdge, RecordEditor<shared::EdgeConstraint>& edges,
+                 RecordEditor<shared::BendConstraint>& bends);
+    void updateNeighbours(std::span<const std::uint32_t> vertices);
+    std::array<std::uint32_t, 4> taggedTriangle(int triangle) const;
+    double vertexArea(int vertex) const;
+
+    const SurfaceMesh& mesh_;
+    BodyModel model_;
+    PieceLabels labels_;
+    std::vector<VertexAreas> areas_;      ///< by piece
+    std::vector<int> slotOfTriangle_;     ///< in model_.triangles, by mesh slot; -1 for dead ones
+    std::vector<EdgeSlots> slotsOfEdge_;  ///< by half-edge
+    std::vector<std::pair<int, int>> halfEdgesOfEdge_;  ///< by edge record
+    std::vector<std::pair<int, int>> halfEdgesOfBend_;  ///< by bend record
+    IncidenceRooms triangleRooms_, edgeRooms_, bendRooms_, ispcRooms_;
+    std::optional<IspcSet> ispcs_;
+};
+
+}  // namespace kerf

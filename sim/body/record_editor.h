@@ -1,0 +1,132 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/body/incidence.h"
+
+namespace kerf {
+
+/// Where the lists of an Incidence have room to grow, and which blocks of it lie idle.
+class IncidenceRooms {
+  public:
+    IncidenceRooms() = default;
+    /// For an incidence as buildIncidence() makes it.
+    explicit IncidenceRooms(const Incidence& incidence);
+
+    /// Both keep the entries of a vertex ascending. A list that has no room left moves.
+    void add(Incidence& incidence, std::uint32_t vertex, std::uint32_t entry);
+    void remove(Incidence& incidence, std::uint32_t vertex, std::uint32_t entry);
+    /// Makes room for vertices that have come up to `vertexCount`.
+    void resize(Incidence& incidence, std::size_t vertexCount);
+
+  private:
+    void grow(Incidence& incidence, std::uint32_t vertex);
+    std::uint32_t takeBlock(Incidence& incidence, std::uint32_t room);
+    std::vector<std::uint32_t>& idleBlocks(std::uint32_t room);
+
+    std::vector<std::uint32_t> room_;               ///< by vertex
+    std::vector<std::vector<std::uint32_t>> idle_;  ///< first entries of blocks, by room / 4
+};
+
+/// Ascending, each once.
+void sortUnique(std::vector<std::uint32_t>& values);
+
+/// One edit of an array of records without gaps, and of the lists of what touches each vertex.
+/// Remove first, then add, then close: new records fill the holes, and the last ones move into
+/// those that are left. So few records move, and slots follow from the history alone.
+template <class Record>
+class RecordEditor {
+  public:
+    RecordEditor(std::vector<Record>& records, Incidence& incidence, IncidenceRooms& rooms)
+        : records_(records), incidence_(incidence), rooms_(rooms) {}
+
+    void remove(int slot) {
+        unlist(slot);
+        holes_.push_back(slot);
+        sorted_ = false;
+    }
+
+    /// Returns the slot.
+    int add(const Record& record) {
+        sortHoles();
+        int slot = static_cast<int>(records_.size());
+        if (filled_ < holes_.size()) {
+            slot = holes_[filled_++];
+            records_[slot] = record;
+        } else {
+            records_.push_back(record);
+        }
+        list(slot);
+        return slot;
+    }
+
+    /// Calls moved(from, to) for each record that changes its slot.
+    template <class Moved>
+    void close(Moved&& moved) {
+        sortHoles();
+        std::size_t last = holes_.size();
+        while (filled_ < last) {
+            const int from = static_cast<int>(records_.size()) - 1;
+            if (holes_[last - 1] == from) {
+                --last;
+            } else {
+                unlist(from);
+                const int to = holes_[filled_++];
+                records_[to] = records_[from];
+                list(to);
+                moved(from, to);
+            }
+            records_.pop_back();
+        }
+        std::erase_if(slots_, [this](std::uint32_t slot) { return slot >= records_.size(); });
+        sortUnique(slots_);
+        sortUnique(vertices_);
+    }
+
+    /// Changes a record in place; its vertices must stay.
+    Record& rewrite(int slot) {
+        slots_.push_back(static_cast<std::uint32_t>(slot));
+        return records_[slot];
+    }
+
+    /// After close(): slots that were written, and vertices whose list changed; ascending.
+    std::vector<std::uint32_t> takeSlots() { return std::move(slots_); }
+    std::vector<std::uint32_t> takeVertices() { return std::move(vertices_); }
+
+  private:
+    void sortHoles() {
+        if (!sorted_) {
+            std::sort(holes_.begin() + static_cast<std::ptrdiff_t>(filled_), holes_.end());
+            sorted_ = true;
+        }
+    }
+    void list(int slot) {
+        slots_.push_back(static_cast<std::uint32_t>(slot));
+        std::uint32_t entry = 4 * static_cast<std::uint32_t>(slot);
+        for (const std::uint32_t v : verticesOf(records_[slot])) {
+            rooms_.add(incidence_, v, entry++);
+            vertices_.push_back(v);
+        }
+    }
+    void unlist(int slot) {
+        std::uint32_t entry = 4 * static_cast<std::uint32_t>(slot);
+        for (const std::uint32_t v : verticesOf(records_[slot])) {
+            rooms_.remove(incidence_, v, entry++);
+            vertices_.push_back(v);
+        }
+    }
+
+    std::vector<Record>& records_;
+    Incidence& incidence_;
+    IncidenceRooms& rooms_;
+    std::vector<int> holes_;
+    std::size_t filled_ = 0;
+    bool sorted_ = true;
+    std::vector<std::uint32_t> slots_;
+    std::vector<std::uint32_t> vertices_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/math.h"
+
+namespace kerf {
+
+/// Numbered segments by the cells of a grid that they pass. Segments are never taken out: who asks
+/// must look at those that it finds anyway.
+class SegmentGrid {
+  public:
+    SegmentGrid() = default;
+    /// `box` should hold the segments (others are filed at its border); `count`: about how many.
+    SegmentGrid(const Bounds& box, int count);
+
+    void add(int id, const Vec3& from, const Vec3& to);
+    /// Appends the ids of segments that pass a cell of `box`, perhaps more than once.
+    void find(const Bounds& box, std::vector<int>& found) const;
+    /// Whether so many were added since the start that a new grid would be much smaller.
+    bool overfull() const { return entries_ > kMostGrowth * entriesExpected_; }
+
+  private:
+    using Cell = std::array<int, 3>;
+    static constexpr long kMostGrowth = 3;
+
+    Cell cellOf(const Vec3& p) const;
+    std::vector<int>& at(const Cell& cell);
+
+    Bounds box_;
+    int perAxis_ = 1;
+    Vec3 cellSize_ = Vec3::Ones();
+    std::vector<std::vector<int>> cells_;
+    long entries_ = 0;
+    long entriesExpected_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/cut/cutter.h"
+
+namespace kerf {
+
+/// All triangles that a step added, removed or gave another corner: ascending, each once.
+std::vector<int> changedTriangles(const CutDelta& delta);
+
+/// All vertices whose position, rest position or velocity a step set: new, moved and dead ones.
+/// Ascending, each once.
+std::vector<std::uint32_t> rewrittenVertices(const SurfaceMesh& mesh, const CutDelta& delta);
+
+}  // namespace kerf

@@ -1,0 +1,362 @@
+#include "sim/mesh/piece_labels.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "sim/mesh/union_find.h"
+
+namespace kerf {
+
+namespace {
+
+double tetrahedron(const SurfaceMesh& mesh, const Triangle& t) {
+    return mesh.restPosition(t[0]).dot(mesh.restPosition(t[1]).cross(mesh.restPosition(t[2]))) / 6;
+}
+
+double area(const SurfaceMesh& mesh, const Triangle& t) {
+    const Vec3& a = mesh.restPosition(t[0]);
+    return 0.5 * (mesh.restPosition(t[1]) - a).cross(mesh.restPosition(t[2]) - a).norm();
+}
+
+}  // namespace
+
+/// Searches from every touched vertex at once, a vertex each in turn, until all but one of the
+/// parts of each piece are known whole. That takes the time of the smaller parts.
+class PieceLabels::Splitter {
+  public:
+    Splitter(const SurfaceMesh& mesh, const std::vector<int>& ofVertex, std::vector<int>& visitor)
+        : mesh_(mesh), ofVertex_(ofVertex), visitor_(visitor) {}
+
+    /// A connected set of vertices that may grow.
+    struct Part {
+        std::vector<int> vertices;
+        std::size_t next = 0;  ///< the first whose neighbours have not been looked at
+        int label = -1;        ///< of the piece that it comes from
+        bool joined = false;   ///< holds vertices of two pieces
+        bool whole() const { return next == vertices.size(); }
+    };
+
+    /// Finds the parts; joined() tells where they are not to be used.
+    void run(const std::vector<int>& seeds, std::span<const int> triangles) {
+        sow(seeds, triangles);
+        for (const Part& part : parts_) {
+            joined_ = joined_ || part.joined;
+        }
+        if (!joined_) {
+            for (const auto& [label, group] : partsByLabel()) {
+                findLesserParts(label, group);
+            }
+        }
+        for (const std::vector<Part>* list : {&parts_, &cameOff_}) {
+            for (const Part& part : *list) {
+                forget(part);
+            }
+        }
+    }
+
+    bool joined() const { return joined_; }
+    /// Whole parts that get a label of their own, in a fixed order.
+    const std::vector<Part>& cameOff() const { return cameOff_; }
+    /// What was seen of the parts that keep theirs; some are empty.
+    const std::vector<Part>& stayed() const { return parts_; }
+
+  private:
+    // Seeds that changed triangles connect are one part from the start.
+    void sow(const std::vector<int>& seeds, std::span<const int> triangles) {
+        for (std::size_t i = 0; i < seeds.size(); ++i) {
+            visitor_[seeds[i]] = static_cast<int>(i);
+        }
+        UnionFind sets(seeds.size());
+        for (const int t : triangles) {
+            if (mesh_.alive(t)) {
+                const Triangle& c = mesh_.triangle(t);
+                sets.join(visitor_[c[0]], visitor_[c[1]]);
+                sets.join(visitor_[c[0]], visitor_[c[2]]);
+            }
+        }
+        std::vector<int> partOfSet(seeds.size(), -1);
+        for (std::size_t i = 0; i < seeds.size(); ++i) {
+            int& part = partOfSet[sets.root(static_cast<int>(i))];
+            if (part < 0) {
+                part = static_cast<int>(parts_.size());
+                parts_.emplace_back();
+            }
+            add(seeds[i], part);
+        }
+    }
+
+    void add(int vertex, int part) {
+        Part& p = parts_[part];
+        p.vertices.push_back(vertex);
+        visitor_[vertex] = part;
+        const int label = ofVertex_[vertex];
+        if (label >= 0) {
+            p.joined = p.joined || (p.label >= 0 && p.label != label);
+            p.label = label;
+        }
+    }
+
+    std::map<int, std::vector<int>> partsByLabel() const {
+        std::map<int, std::vector<int>> groups;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            groups[parts_[i].label].push_back(static_cast<int>(i));
+        }
+        return groups;
+    }
+
+    void findLesserParts(int label, std::vector<int> group) {
+        // A part of new vertices only is complete, since each of their triangles is new.
+        const std::size_t keep = label < 0 ? 0 : 1;
+        while (group.size() > keep) {
+            for (std::size_t i = 0; i < group.size() && group.size() > keep;) {
+                if (label < 0 || parts_[group[i]].whole()) {
+                    cameOff_.push_back(std::exchange(parts_[group[i]], {}));
+                    group.erase(group.begin() + static_cast<std::ptrdiff_t>(i));
+                } else {
+                    expand(group, i);
+                    ++i;
+                }
+            }
+        }
+    }
+
+    // Looks at the neighbours of one vertex; parts that it meets become part of this one.
+    void expand(std::vector<int>& group, std::size_t& index) {
+        const int part = group[index];
+        const int vertex = parts_[part].vertices[parts_[part].next++];
+        mesh_.forEachOutgoing(vertex, [&](int h) {
+            const int other = mesh_.target(h);
+            const int owner = visitor_[other];
+            if (owner < 0) {
+                add(other, part);
+            } else if (owner != part) {
+                absorb(part, owner);
+                const auto gone = std::find(group.begin(), group.end(), owner);
+                index -= gone - group.begin() < static_cast<std::ptrdiff_t>(index) ? 1 : 0;
+                group.erase(gone);
+            }
+        });
+    }
+
+    // Vertices already looked at stay in front, so that `next` holds.
+    void absorb(int part, int other) {
+        Part& into = parts_[part];
+        Part from = std::exchange(parts_[other], {});
+        into.joined = into.joined || from.joined;
+        const auto fresh = from.vertices.begin() + static_cast<std::ptrdiff_t>(from.next);
+        into.vertices.insert(into.vertices.begin() + static_cast<std::ptrdiff_t>(into.next),
+                             from.vertices.begin(), fresh);
+        into.next += from.next;
+        into.vertices.insert(into.vertices.end(), fresh, from.vertices.end());
+        for (const int v : from.vertices) {
+            visitor_[v] = part;
+        }
+    }
+
+    void forget(const Part& part) {
+        for (const int v : part.vertices) {
+            visitor_[v] = -1;
+        }
+    }
+
+    const SurfaceMesh& mesh_;
+    const std::vector<int>& ofVertex_;
+    std::vector<int>& visitor_;
+    std::vector<Part> parts_;
+    std::vector<Part> cameOff_;
+    bool joined_ = false;
+};
+
+PieceLabels::PieceLabels(const SurfaceMesh& mesh) {
+    labelAll(mesh);
+}
+
+void PieceLabels::labelAll(const SurfaceMesh& mesh) {
+    UnionFind sets(mesh.vertexCount());
+    std::vector<char> used(mesh.vertexCount(), 0);
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            const Triangle& corners = mesh.triangle(t);
+            sets.join(corners[0], corners[1]);
+            sets.join(corners[0], corners[2]);
+            for (const int v : corners) {
+                used[v] = 1;
+            }
+        }
+    }
+    pieces_.clear();
+    ofVertex_.assign(mesh.vertexCount(), -1);
+    visitor_.assign(mesh.vertexCount(), -1);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (used[v] == 0) {
+            continue;
+        }
+        const int lowest = sets.root(v);
+        if (lowest == v) {
+            ofVertex_[v] = static_cast<int>(pieces_.size());
+            pieces_.emplace_back();
+        }
+        ofVertex_[v] = ofVertex_[lowest];
+        ++pieces_[ofVertex_[v]].vertices;
+    }
+    shares_.assign(mesh.triangleSlots(), {});
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            count(mesh, t);
+        }
+    }
+}
+
+LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> triangles) {
+    LabelChange change;
+    const auto oldVertices = ofVertex_.size();
+    change.source.resize(pieces_.size());
+    std::iota(change.source.begin(), change.source.end(), 0);
+    ofVertex_.resize(mesh.vertexCount(), -1);
+    visitor_.resize(mesh.vertexCount(), -1);
+    shares_.resize(mesh.triangleSlots());
+    for (const int t : triangles) {
+        discount(t);
+    }
+    const std::vector<int> touched = touchedVertices(mesh, triangles, change.moves);
+    Splitter splitter(mesh, ofVertex_, visitor_);
+    splitter.run(touched, triangles);
+    if (splitter.joined() || hasEmptyPiece()) {
+        return labelAnew(mesh, labelsBefore(change, oldVertices));
+    }
+    for (const Splitter::Part& part : splitter.cameOff()) {
+        change.source.push_back(part.label);
+        comeOff(mesh, part.vertices, change.moves);
+    }
+    for (const Splitter::Part& part : splitter.stayed()) {
+        labelNewVertices(part.vertices, part.label, change.moves);
+    }
+    for (const int t : triangles) {
+        if (mesh.alive(t)) {
+            count(mesh, t);
+        }
+    }
+    change.piecesChanged = !splitter.cameOff().empty();
+    return change;
+}
+
+bool PieceLabels::hasEmptyPiece() const {
+    return std::any_of(pieces_.begin(), pieces_.end(),
+                       [](const PieceContent& p) { return p.vertices == 0; });
+}
+
+std::vector<int> PieceLabels::labelsBefore(const LabelChange& change, std::size_t vertices) const {
+    std::vector<int> before = ofVertex_;
+    for (const LabelMove& move : change.moves) {
+        before[move.vertex] = move.from;
+    }
+    std::fill(before.begin() + static_cast<std::ptrdiff_t>(vertices), before.end(), -1);
+    return before;
+}
+
+LabelChange PieceLabels::labelAnew(const SurfaceMesh& mesh, const std::vector<int>& before) {
+    labelAll(mesh);
+    LabelChange change;
+    change.piecesChanged = true;
+    change.source.assign(pieces_.size(), -1);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (const int label = ofVertex_[v]; label >= 0 && change.source[label] < 0) {
+            change.source[label] = before[v];
+        }
+        if (before[v] != ofVertex_[v]) {
+            change.moves.push_back({v, before[v], ofVertex_[v]});
+        }
+    }
+    return change;
+}
+
+/// The corners of the living triangles, each once. Vertices that died lose their label.
+std::vector<int> PieceLabels::touchedVertices(const SurfaceMesh& mesh,
+                                              std::span<const int> triangles,
+                                              std::vector<LabelMove>& moves) {
+    std::vector<int> touched;
+    for (const int t : triangles) {
+        for (const int v : shares_[t].corners) {
+            if (v >= 0 && mesh.outgoing(v) < 0) {
+                setLabel(v, -1, moves);
+            }
+        }
+        for (int k = 0; k < 3 && mesh.alive(t); ++k) {
+            const int v = mesh.triangle(t)[k];
+            if (std::exchange(visitor_[v], 0) < 0) {
+                touched.push_back(v);
+            }
+        }
+    }
+    return touched;
+}
+
+void PieceLabels::comeOff(const SurfaceMesh& mesh, const std::vector<int>& part,
+                          std::vector<LabelMove>& moves) {
+    const int label = static_cast<int>(pieces_.size());
+    pieces_.emplace_back();
+    for (const int v : part) {
+        mesh.forEachOutgoing(v, [&](int h) {
+            if (h % 3 == 0) {
+                moveShare(h / 3, ofVertex_[v], label);
+            }
+        });
+    }
+    for (const int v : part) {
+        setLabel(v, label, moves);
+    }
+}
+
+void PieceLabels::labelNewVertices(const std::vector<int>& part, int label,
+                                   std::vector<LabelMove>& moves) {
+    for (const int v : part) {
+        if (ofVertex_[v] < 0) {
+            setLabel(v, label, moves);
+        }
+    }
+}
+
+void PieceLabels::setLabel(int vertex, int label, std::vector<LabelMove>& moves) {
+    const int from = std::exchange(ofVertex_[vertex], label);
+    if (from == label) {
+        return;
+    }
+    if (from >= 0) {
+        --pieces_[from].vertices;
+    }
+    if (label >= 0) {
+        ++pieces_[label].vertices;
+    }
+    moves.push_back({vertex, from, label});
+}
+
+void PieceLabels::count(const SurfaceMesh& mesh, int triangle) {
+    Share& share = shares_[triangle];
+    share = {mesh.triangle(triangle), tetrahedron(mesh, mesh.triangle(triangle)),
+             area(mesh, mesh.triangle(triangle)), true};
+    addShare(share, ofVertex_[share.corners[0]], 1);
+}
+
+void PieceLabels::discount(int triangle) {
+    Share& share = shares_[triangle];
+    if (std::exchange(share.counted, false)) {
+        addShare(share, ofVertex_[share.corners[0]], -1);
+    }
+}
+
+void PieceLabels::moveShare(int triangle, int from, int to) {
+    if (shares_[triangle].counted) {
+        addShare(shares_[triangle], from, -1);
+        addShare(shares_[triangle], to, 1);
+    }
+}
+
+void PieceLabels::addShare(const Share& share, int piece, int sign) {
+    pieces_[piece].triangles += sign;
+    pieces_[piece].restVolume += sign * share.volume;
+    pieces_[piece].restArea += sign * share.area;
+}
+
+}  // namespace kerf

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf {
+
+/// What a piece holds in the rest shape.
+struct PieceContent {
+    int triangles = 0;
+    int vertices = 0;
+    double restVolume = 0;  ///< signed [m^3]
+    double restArea = 0;    ///< [m^2]
+};
+
+/// A vertex that went to another piece; -1 stands for none.
+struct LabelMove {
+    int vertex = -1;
+    int from = -1;
+    int to = -1;
+};
+
+/// What an update did.
+struct LabelChange {
+    /// Vertices that are new, died, or belong to another piece now, each once.
+    std::vector<LabelMove> moves;
+    /// Per piece: the one before the update that it was part of; -1 where all its vertices are new.
+    std::vector<int> source;
+    /// Whether a piece came off, vanished, or was joined to another.
+    bool piecesChanged = false;
+};
+
+/// The connected pieces of a mesh, followed while it is cut: an update costs what the change
+/// touched, and where a piece falls apart the smaller part besides. The largest part keeps the
+/// label, so labels tell age and not place; they are dense.
+class PieceLabels {
+  public:
+    /// Labels in the order of the pieces' lowest vertices. O(n).
+    explicit PieceLabels(const SurfaceMesh& mesh);
+
+    /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
+    /// a corner or its rest position changed; each once. Where pieces were joined or vanished, all
+    /// are labelled anew, O(n).
+    LabelChange update(const SurfaceMesh& mesh, std::span<const int> triangles);
+
+    const std::vector<int>& ofVertex() const { return ofVertex_; }  ///< -1 for unused vertices
+    const std::vector<PieceContent>& pieces() const { return pieces_; }
+
+  private:
+    /// What a triangle adds to its piece, and of which vertex that is.
+    struct Share {
+        Triangle corners{-1, -1, -1};
+        double volume = 0;
+        double area = 0;
+        bool counted = false;
+    };
+    class Splitter;
+
+    void labelAll(const SurfaceMesh& mesh);
+    bool hasEmptyPiece() const;
+    std::vector<int> labelsBefore(const LabelChange& change, std::size_t vertices) const;
+    LabelChange labelAnew(const SurfaceMesh& mesh, const std::vector<int>& before);
+    std::vector<int> touchedVertices(const SurfaceMesh& mesh, std::span<const int> triangles,
+                                     std::vector<LabelMove>& moves);
+    void comeOff(const SurfaceMesh& mesh, const std::vector<int>& part,
+                 std::vector<LabelMove>& moves);
+    void labelNewVertices(const std::vector<int>& part, int label, std::vector<LabelMove>& moves);
+    void setLabel(int vertex, int label, std::vector<LabelMove>& moves);
+    void count(const SurfaceMesh& mesh, int triangle);
+    void discount(int triangle);
+    void moveShare(int triangle, int from, int to);
+    void addShare(const Share& share, int piece, int sign);
+
+    std::vector<int> ofVertex_;
+    std::vector<PieceContent> pieces_;
+    std::vector<Share> shares_;  ///< by triangle slot
+    std::vector<int> visitor_;   ///< by vertex: scratch of the searches, -1 between them
+};
+
+}  // namespace kerf

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "sim/mesh/box_tree.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf {
+
+/// Finds the living triangles of a mesh by their current place, while the body deforms and is cut.
+class TriangleTree {
+  public:
+    /// The mesh must outlive the tree. O(n log n).
+    explicit TriangleTree(const SurfaceMesh& mesh);
+
+    /// No vertex has moved farther than `distance` [m] since the last call of either.
+    void moved(double distance) { tree_.moved(distance); }
+    /// They may have moved anyhow: the next search costs O(n).
+    void movedAnyhow() { lost_ = true; }
+    /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
+    /// a corner changed; each once.
+    void update(std::span<const int> triangles);
+
+    /// Triangles that may lie in boxes that meets(box) holds of; none that does is missing.
+    /// Ascending.
+    template <class Meets>
+    std::vector<int> find(Meets&& meets) {
+        catchUp();
+        std::vector<int> found;
+        tree_.find([this](int t) { return boundsOf(t); }, meets,
+                   [&](int t) { found.push_back(t); });
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+  private:
+    Bounds boundsOf(int triangle) const;
+    void catchUp();
+
+    const SurfaceMesh& mesh_;
+    BoxTree tree_;
+    bool lost_ = false;
+};
+
+}  // namespace kerf

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "shaders/shared/body_records.h"
+
+namespace kerf {
+
+/// Writes scattered elements of buffers: where they form a few runs, these; otherwise with one
+/// upload and one dispatch.
+class Scatter {
+  public:
+    /// What lies between the elements that are written.
+    enum class Gaps { keep, fill };
+
+    /// Throws gpu::ShaderError.
+    Scatter();
+
+    /// Brings `target` to the size of `values`, its content kept and what is new zero, and makes
+    /// the elements at `indices` (ascending) those of `values`; the others must be there already.
+    /// Throws gpu::OutOfMemory.
+    template <class T>
+    void write(gpu::Buffer& target, std::span<const T> values,
+               std::span<const std::uint32_t> indices) {
+        write<T>(target, values.size(), indices, Gaps::fill,
+                 [&](std::uint32_t i) { return values[i]; });
+    }
+
+    /// The same for `count` elements, of which valueOf(index) is asked for: with Gaps::fill also
+    /// for some that are there already.
+    template <class T, class ValueOf>
+    void write(gpu::Buffer& target, std::size_t count, std::span<const std::uint32_t> indices,
+               Gaps gaps, ValueOf&& valueOf);
+
+  private:
+    /// A call costs about as much as copying so many bytes; more calls than this cost more than a
+    /// dispatch.
+    static constexpr std::size_t kGapBytes = 4096;
+    static constexpr std::size_t kMostRuns = 64;
+
+    struct Run {
+        std::uint32_t first = 0;
+        std::uint32_t end = 0;
+    };
+    static std::vector<Run> findRuns(std::span<const std::uint32_t> indices, std::size_t widestGap);
+    template <class T>
+    void addPatch(std::uint32_t index, const T& value);
+    void patch(gpu::Buffer& target);
+
+    gpu::Program kernel_;
+    gpu::Buffer patchBuffer_;
+    std::vector<shared::WordPatch> patches_;
+};
+
+template <class T, class ValueOf>
+void Scatter::write(gpu::Buffer& target, std::size_t count, std::span<const std::uint32_t> indices,
+                    Gaps gaps, ValueOf&& valueOf) {
+    target.resize(count * sizeof(T));
+    const std::vector<Run> runs = findRuns(indices, gaps == Gaps::fill ? kGapBytes / sizeof(T) : 0);
+    if (runs.size() > kMostRuns) {
+        patches_.clear();
+        for (const std::uint32_t index : indices) {
+            addPatch<T>(index, valueOf(index));
+        }
+        patch(target);
+        return;
+    }
+    std::vector<T> values;
+    for (const Run& run : runs) {
+        values.clear();
+        for (std::uint32_t i = run.first; i < run.end; ++i) {
+            values.push_back(valueOf(i));
+        }
+        target.write<T>(run.first, values);
+    }
+}
+
+template <class T>
+void Scatter::addPatch(std::uint32_t index, const T& value) {
+    static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
+    constexpr std::uint32_t kWords = sizeof(T) / sizeof(std::uint32_t);
+    std::array<std::uint32_t, kWords> words;
+    std::memcpy(words.data(), &value, sizeof(T));
+    for (std::uint32_t k = 0; k < kWords; ++k) {
+        patches_.push_back({kWords * index + k, words[k]});
+    }
+}
+
+}  // namespace kerf

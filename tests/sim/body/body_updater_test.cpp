@@ -1,0 +1,243 @@
+#include "sim/body/body_updater.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <random>
+
+#include "tests/sim/body/ispc_bits.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+/// Records by their vertices, as a set.
+template <class Record>
+std::map<std::array<std::uint32_t, sizeof(verticesOf(Record{})) / 4>, Record> byVertices(
+    const std::vector<Record>& records) {
+    std::map<std::array<std::uint32_t, sizeof(verticesOf(Record{})) / 4>, Record> out;
+    for (const Record& record : records) {
+        EXPECT_TRUE(out.emplace(verticesOf(record), record).second) << "a record twice";
+    }
+    return out;
+}
+
+template <class Record, class Same>
+void expectSameSet(const std::vector<Record>& followed, const std::vector<Record>& fresh,
+                   Same&& same) {
+    const auto a = byVertices(followed);
+    const auto b = byVertices(fresh);
+    ASSERT_EQ(a.size(), b.size());
+    for (const auto& [vertices, record] : b) {
+        const auto other = a.find(vertices);
+        ASSERT_NE(other, a.end()) << "a record with vertex " << vertices[0] << " is missing";
+        EXPECT_TRUE(same(other->second, record)) << vertices[0];
+    }
+}
+
+/// Every element is in the lists of its vertices, in order, and nothing else is.
+template <class Element>
+void expectLists(const std::vector<Element>& elements, const Incidence& incidence) {
+    std::size_t entries = 0;
+    for (std::size_t v = 0; v < incidence.ranges.size(); ++v) {
+        const IncidenceRange& range = incidence.ranges[v];
+        for (std::uint32_t k = range.first; k < range.end; ++k) {
+            const std::uint32_t entry = incidence.entries[k];
+            ASSERT_LT(entry / 4, elements.size());
+            EXPECT_EQ(verticesOf(elements[entry / 4])[entry % 4], v);
+            EXPECT_TRUE(k == range.first || incidence.entries[k - 1] < entry);
+        }
+        entries += range.end - range.first;
+    }
+    EXPECT_EQ(entries, elements.size() * sizeof(verticesOf(Element{})) / 4);
+}
+
+void expectListsDoNotOverlap(const Incidence& incidence) {
+    std::vector<char> taken(incidence.entries.size(), 0);
+    for (const IncidenceRange& range : incidence.ranges) {
+        for (std::uint32_t k = range.first; k < range.end; ++k) {
+            ASSERT_EQ(std::exchange(taken[k], 1), 0);
+        }
+    }
+}
+
+void expectNeighbours(const BodyModel& model, const SurfaceMesh& mesh) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const IncidenceRange& range = model.triangleIncidence.ranges[v];
+        for (std::uint32_t k = range.first; k < range.end; ++k) {
+            const auto next = k + 1 < range.end ? k + 1 : range.first;
+            const int h = mesh.findHalfEdge(v, static_cast<int>(model.neighbours[k]));
+            ASSERT_GE(h, 0);
+            EXPECT_EQ(mesh.apex(h), static_cast<int>(model.neighbours[next]));
+        }
+    }
+}
+
+void expectMasses(const BodyModel& followed, const BodyModel& fresh) {
+    const std::vector<double> a = unitMasses(followed);
+    const std::vector<double> b = unitMasses(fresh);
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t v = 0; v < a.size(); ++v) {
+        EXPECT_NEAR(a[v], b[v], 1e-9 * followed.uncutRestVolume) << v;
+    }
+}
+
+/// The rule for ISPCs: each stands on a living triangle of its piece, crosses no wall, and a vertex
+/// has none only where none can be cast.
+void expectIspcs(const BodyModel& model, const BodyModel& fresh, const SurfaceMesh& mesh) {
+    std::vector<char> has(mesh.vertexCount(), 0);
+    for (std::size_t i = 0; i < model.ispcs.size(); ++i) {
+        const shared::IspcConstraint& ispc = model.ispcs[i];
+        EXPECT_EQ(std::exchange(has[ispc.vertex], 1), 0) << "two for vertex " << ispc.vertex;
+        const int t = model.ispcMeshTriangle[i];
+        ASSERT_TRUE(mesh.alive(t));
+        const Triangle end{static_cast<int>(ispc.t0), static_cast<int>(ispc.t1),
+                           static_cast<int>(ispc.t2)};
+        EXPECT_EQ(mesh.triangle(t), end);
+        EXPECT_EQ(model.pieceOfVertex[ispc.vertex], model.pieceOfVertex[ispc.t0]);
+    }
+    std::size_t missing = 0;
+    for (const shared::IspcConstraint& ispc : fresh.ispcs) {
+        missing += has[ispc.vertex] == 0;
+    }
+    EXPECT_EQ(missing, 0u);
+}
+
+void expectFollowed(const BodyModel& model, const SurfaceMesh& mesh) {
+    BodyModel fresh = buildBodyModel(mesh);
+    ASSERT_EQ(model.pieces.size(), fresh.pieces.size());
+    EXPECT_EQ(model.restPositions, fresh.restPositions);
+    expectMasses(model, fresh);
+    for (std::size_t i = 0; i < model.triangles.size(); ++i) {
+        const Triangle& corners = mesh.triangle(model.meshTriangle[i]);
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_EQ(model.triangles[i][k], static_cast<std::uint32_t>(corners[k]));
+        }
+        EXPECT_EQ(model.triangles[i][3] >> 8,
+                  static_cast<std::uint32_t>(model.pieceOfVertex[corners[0]]));
+    }
+    EXPECT_EQ(model.triangles.size(), fresh.triangles.size());
+    expectIspcs(model, fresh, mesh);
+    expectLists(model.triangles, model.triangleIncidence);
+    expectLists(model.edges, model.edgeIncidence);
+    expectLists(model.bends, model.bendIncidence);
+    expectLists(model.ispcs, model.ispcIncidence);
+    for (const Incidence* lists : {&model.triangleIncidence, &model.edgeIncidence,
+                                   &model.bendIncidence, &model.ispcIncidence}) {
+        expectListsDoNotOverlap(*lists);
+    }
+    expectNeighbours(model, mesh);
+}
+
+/// A change names everything that differs; what is new and zero need not be named.
+template <class T>
+void expectNamed(const std::vector<T>& before, const std::vector<T>& after,
+                 const std::vector<std::uint32_t>& named, const char* what) {
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const T zero{};
+        const T& old = i < before.size() ? before[i] : zero;
+        const bool same = std::memcmp(&old, &after[i], sizeof(T)) == 0;
+        EXPECT_TRUE(same ||
+                    std::binary_search(named.begin(), named.end(), static_cast<std::uint32_t>(i)))
+            << what << " " << i;
+    }
+}
+
+struct Follower {
+    SurfaceMesh mesh;
+    BodyUpdater updater{mesh};
+
+    explicit Follower(SurfaceMesh whole) : mesh(std::move(whole)) {}
+
+    void apply(const CutResult& result) {
+        if (result.delta.empty()) {
+            return;
+        }
+        const BodyModel before = updater.model();
+        const BodyChange change = updater.update(result.delta);
+        const BodyModel& after = updater.model();
+        expectFollowed(after, mesh);
+        expectNamed(before.triangles, after.triangles, change.triangles, "triangle");
+        expectNamed(before.edges, after.edges, change.edges, "edge");
+        expectNamed(before.bends, after.bends, change.bends, "bend");
+        expectNamed(before.ispcs, after.ispcs, change.ispcs, "ISPC");
+        expectNamed(before.vertexAreas, after.vertexAreas, change.vertices, "area");
+        expectNamed(before.pieceOfVertex, after.pieceOfVertex, change.vertices, "piece");
+        expectNamed(before.edgeIncidence.ranges, after.edgeIncidence.ranges, change.edgeLists,
+                    "list of edges");
+        expectNamed(before.ispcIncidence.ranges, after.ispcIncidence.ranges, change.ispcLists,
+                    "list of ISPCs");
+        expectNamed(before.triangleIncidence.ranges, after.triangleIncidence.ranges,
+                    change.triangleLists, "list of triangles");
+    }
+
+    void cut(const test::Stroke& stroke) {
+        Cutter cutter(mesh, test::exactSettings());
+        cutter.begin(stroke.front());
+        for (std::size_t i = 1; i < stroke.size(); ++i) {
+            apply(cutter.advance(stroke[i]));
+        }
+        apply(cutter.finish());
+    }
+};
+
+TEST(BodyUpdater, FollowsRandomCutsAsASetBuiltAnew) {
+    const unsigned seed = 21;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto direction = [&] {
+        return Vec3(uniform(random), uniform(random), uniform(random)).normalized();
+    };
+    for (const SurfaceMesh& shape : {test::torus(24, 12), test::icosphere(2)}) {
+        Follower follower(shape);
+        for (int stroke = 0; stroke < 4; ++stroke) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", stroke " + std::to_string(stroke));
+            const Vec3 along = direction();
+            const Vec3 travel = along.cross(direction()).normalized();
+            follower.cut(test::straightStroke(0.1 * direction(), along, travel, 3, 2, 15));
+        }
+        EXPECT_GT(follower.updater.model().pieces.size(), 2u);
+        const BodyModel fresh = buildBodyModel(follower.mesh);
+        // The thickness is that of the uncut body; a model made anew takes that of the cut one.
+        const double thicker = follower.updater.model().thickness / fresh.thickness;
+        const auto sameEdge = [&](const auto& a, const auto& b) {
+            return a.rest_length == b.rest_length &&
+                   std::abs(a.geometry * thicker - b.geometry) <= 1e-5 * b.geometry;
+        };
+        const auto sameBend = [&](const auto& a, const auto& b) {
+            return a.rest_angle == b.rest_angle &&
+                   std::abs(a.geometry * std::pow(thicker, 3) - b.geometry) <= 1e-5 * b.geometry;
+        };
+        expectSameSet(follower.updater.model().edges, fresh.edges, sameEdge);
+        expectSameSet(follower.updater.model().bends, fresh.bends, sameBend);
+    }
+}
+
+TEST(BodyUpdater, RunsTwiceToTheSameBits) {
+    const auto run = [] {
+        auto follower = std::make_unique<Follower>(test::icosphere(2));
+        follower->cut(test::straightStroke(Vec3(0.01, 0.02, 0.03), Vec3(1, 0.1, 0.2).normalized(),
+                                           -Vec3::UnitY(), 3, 2, 12));
+        return follower;
+    };
+    const auto a = run();
+    const auto b = run();
+    const BodyModel& x = a->updater.model();
+    const BodyModel& y = b->updater.model();
+    ASSERT_EQ(x.ispcs.size(), y.ispcs.size());
+    for (std::size_t i = 0; i < x.ispcs.size(); ++i) {
+        EXPECT_TRUE(test::sameBits(x.ispcs[i], y.ispcs[i]));
+    }
+    EXPECT_EQ(x.triangles, y.triangles);
+    EXPECT_EQ(x.edgeIncidence.entries, y.edgeIncidence.entries);
+    EXPECT_EQ(x.neighbours, y.neighbours);
+    EXPECT_EQ(unitMasses(x), unitMasses(y));
+}
+
+}  // namespace
+}  // namespace kerf

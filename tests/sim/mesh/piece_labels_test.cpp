@@ -1,0 +1,130 @@
+#include "sim/mesh/piece_labels.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sim/cut/cut_change.h"
+#include "sim/mesh/invariants.h"
+#include "tests/sim/body/hand_cut.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+/// Labels followed through a cut must name the same pieces as labels made anew.
+void expectSamePieces(const PieceLabels& followed, const SurfaceMesh& mesh) {
+    const PieceLabels fresh(mesh);
+    ASSERT_EQ(followed.pieces().size(), fresh.pieces().size());
+    ASSERT_EQ(followed.ofVertex().size(), fresh.ofVertex().size());
+    std::vector<int> partner(fresh.pieces().size(), -1);
+    for (std::size_t v = 0; v < fresh.ofVertex().size(); ++v) {
+        const int label = fresh.ofVertex()[v];
+        if (label < 0) {
+            ASSERT_LT(followed.ofVertex()[v], 0) << v;
+            continue;
+        }
+        if (partner[label] < 0) {
+            partner[label] = followed.ofVertex()[v];
+        }
+        ASSERT_EQ(followed.ofVertex()[v], partner[label]) << v;
+    }
+    for (std::size_t p = 0; p < partner.size(); ++p) {
+        const PieceContent& a = followed.pieces()[partner[p]];
+        const PieceContent& b = fresh.pieces()[p];
+        EXPECT_EQ(a.triangles, b.triangles);
+        EXPECT_EQ(a.vertices, b.vertices);
+        EXPECT_NEAR(a.restVolume, b.restVolume, 1e-12);
+        EXPECT_NEAR(a.restArea, b.restArea, 1e-12);
+    }
+}
+
+TEST(PieceLabels, GoInTheOrderOfTheLowestVertices) {
+    const SurfaceMesh mesh = test::meshOf(
+        test::joined(test::icosphereSoup(2), test::boxSoup({0.2, 0.3, 0.4}, 3), {2, 0, 0}));
+    const PieceLabels labels(mesh);
+    ASSERT_EQ(labels.pieces().size(), 2u);
+    EXPECT_EQ(labels.ofVertex().front(), 0);
+    EXPECT_EQ(labels.ofVertex().back(), 1);
+    EXPECT_EQ(labels.pieces()[0].triangles, 320);
+    EXPECT_NEAR(labels.pieces()[1].restVolume, 0.2 * 0.3 * 0.4, 1e-12);
+}
+
+TEST(PieceLabels, APartThatComesOffGetsALabelOfItsOwn) {
+    SurfaceMesh mesh = test::box(Vec3::Ones(), 8);
+    PieceLabels labels(mesh);
+    const std::size_t before = labels.ofVertex().size();
+    const CutDelta delta = test::HandCut(mesh).delta();
+    const LabelChange change = labels.update(mesh, changedTriangles(delta));
+    expectSamePieces(labels, mesh);
+    EXPECT_TRUE(change.piecesChanged);
+    EXPECT_EQ(change.source, (std::vector<int>{0, 0}));
+    for (const LabelMove& move : change.moves) {
+        EXPECT_EQ(labels.ofVertex()[move.vertex], move.to);
+        EXPECT_EQ(move.from, move.vertex < static_cast<int>(before) ? 0 : -1);
+    }
+}
+
+TEST(PieceLabels, AChangeOfNothingMovesNothing) {
+    const SurfaceMesh mesh = test::torus();
+    PieceLabels labels(mesh);
+    const LabelChange change = labels.update(mesh, {});
+    EXPECT_TRUE(change.moves.empty());
+    EXPECT_FALSE(change.piecesChanged);
+    expectSamePieces(labels, mesh);
+}
+
+TEST(PieceLabels, ARemovedPieceVanishes) {
+    SurfaceMesh mesh = test::meshOf(
+        test::joined(test::boxSoup({0.2, 0.3, 0.4}, 3), test::icosphereSoup(2), {2, 0, 0}));
+    PieceLabels labels(mesh);
+    std::vector<int> removed;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (labels.ofVertex()[mesh.triangle(t)[0]] == 0) {
+            removed.push_back(t);
+        }
+    }
+    for (const int t : removed) {
+        for (const int v : Triangle(mesh.triangle(t))) {
+            mesh.setOutgoing(v, -1);
+        }
+        mesh.removeTriangle(t);
+    }
+    const LabelChange change = labels.update(mesh, removed);
+    expectSamePieces(labels, mesh);
+    ASSERT_EQ(labels.pieces().size(), 1u);
+    EXPECT_EQ(change.source, (std::vector<int>{1}));
+}
+
+TEST(PieceLabels, FollowRandomCutsStepByStep) {
+    const unsigned seed = 5;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto direction = [&] {
+        return Vec3(uniform(random), uniform(random), uniform(random)).normalized();
+    };
+    SurfaceMesh mesh = test::torus();
+    PieceLabels labels(mesh);
+    for (int stroke = 0; stroke < 5; ++stroke) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", stroke " + std::to_string(stroke));
+        const Vec3 along = direction();
+        const Vec3 travel = along.cross(direction()).normalized();
+        Cutter cutter(mesh, test::exactSettings());
+        const test::Stroke blades =
+            test::straightStroke(0.1 * direction(), along, travel, 3, 2, 25);
+        cutter.begin(blades.front());
+        for (std::size_t i = 1; i <= blades.size(); ++i) {
+            const CutResult result =
+                i < blades.size() ? cutter.advance(blades[i]) : cutter.finish();
+            if (!result.delta.empty()) {
+                labels.update(mesh, changedTriangles(result.delta));
+                expectSamePieces(labels, mesh);
+            }
+        }
+    }
+    EXPECT_GT(labels.pieces().size(), 3u);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,142 @@
+#include "sim/mesh/triangle_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sim/cut/cut_change.h"
+#include "sim/cut/cutter.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+Bounds boundsOf(const SurfaceMesh& mesh, int t) {
+    Bounds bounds;
+    for (const int v : mesh.triangle(t)) {
+        bounds.add(mesh.position(v));
+    }
+    return bounds;
+}
+
+Bounds cube(const Vec3& center, double size) {
+    Bounds box;
+    box.add(center);
+    box.widen(0.5 * size);
+    return box;
+}
+
+/// What lies in the box is found, all of it, and not everything else besides.
+void expectFinds(TriangleTree& tree, const SurfaceMesh& mesh, const Bounds& box) {
+    const std::vector<int> found = tree.find([&](const Bounds& b) { return b.overlaps(box); });
+    int within = 0;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t) && boundsOf(mesh, t).overlaps(box)) {
+            EXPECT_TRUE(std::binary_search(found.begin(), found.end(), t)) << t;
+            ++within;
+        }
+    }
+    EXPECT_LE(found.size(), 10u * within + 100u);
+    for (const int t : found) {
+        EXPECT_TRUE(mesh.alive(t));
+    }
+    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+}
+
+class TriangleTreeTest : public testing::Test {
+  protected:
+    static constexpr unsigned kSeed = 3;
+    std::mt19937 random{kSeed};
+    std::uniform_real_distribution<double> uniform{-0.5, 0.5};
+
+    Vec3 point() { return {uniform(random), uniform(random), uniform(random)}; }
+    void expectFindsAnywhere(TriangleTree& tree, const SurfaceMesh& mesh) {
+        for (int i = 0; i < 10; ++i) {
+            SCOPED_TRACE("seed " + std::to_string(kSeed));
+            expectFinds(tree, mesh, cube(point(), 0.2));
+        }
+    }
+};
+
+TEST_F(TriangleTreeTest, FindsWhatLiesInABox) {
+    const SurfaceMesh mesh = test::icosphere(4);
+    TriangleTree tree(mesh);
+    expectFindsAnywhere(tree, mesh);
+}
+
+TEST_F(TriangleTreeTest, FollowsABodyThatMovesWithinTheBoundPromised) {
+    SurfaceMesh mesh = test::icosphere(4);
+    TriangleTree tree(mesh);
+    const Vec3 drift = 0.004 * point();
+    for (int step = 0; step < 200; ++step) {
+        double most = 0;
+        for (int v = 0; v < mesh.vertexCount(); ++v) {
+            const Vec3 move = drift + 0.01 * point();
+            most = std::max(most, move.norm());
+            mesh.setPosition(v, mesh.position(v) + move);
+        }
+        tree.moved(most);
+        expectFinds(tree, mesh, cube(mesh.position(step), 0.1));
+    }
+}
+
+TEST_F(TriangleTreeTest, FindsAnewWhereTheBodyMovedAnyhow) {
+    SurfaceMesh mesh = test::icosphere(3);
+    TriangleTree tree(mesh);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, mesh.position(v) + Vec3(7, 0, 0));
+    }
+    tree.movedAnyhow();
+    expectFinds(tree, mesh, cube({7.5, 0, 0}, 0.3));
+}
+
+TEST_F(TriangleTreeTest, FollowsCuts) {
+    SurfaceMesh mesh = test::icosphere(3);
+    TriangleTree tree(mesh);
+    for (const Vec3& along : {Vec3(1, 0.1, 0.2), Vec3(0.1, 0.3, 1), Vec3(0.7, -0.6, 0.2)}) {
+        Cutter cutter(mesh, test::exactSettings());
+        const Vec3 travel = along.cross(Vec3(0.3, 1, -0.4)).normalized();
+        const test::Stroke blades =
+            test::straightStroke(0.1 * point(), along.normalized(), travel, 3, 1.6, 30);
+        cutter.begin(blades.front());
+        for (const Blade& blade : blades) {
+            const CutResult result = cutter.advance(blade);
+            tree.update(changedTriangles(result.delta));
+        }
+        tree.update(changedTriangles(cutter.finish().delta));
+        expectFindsAnywhere(tree, mesh);
+    }
+    EXPECT_GT(mesh.aliveTriangles(), 3000);
+}
+
+TEST_F(TriangleTreeTest, StaysShallowWhenThingsAreAddedInARow) {
+    std::vector<Bounds> boxes;
+    const auto boundsOfId = [&](int id) { return boxes[id]; };
+    BoxTree tree;
+    for (int id = 0; id < 20000; ++id) {
+        boxes.push_back(cube(Vec3(id, 0, 0), 1.5));
+        tree.insert(id, boundsOfId);
+    }
+    for (int id = 0; id < 19000; ++id) {
+        tree.erase(id);
+    }
+    std::vector<int> found;
+    tree.find(
+        boundsOfId, [&](const Bounds& b) { return b.overlaps(cube(Vec3(19500, 0, 0), 1)); },
+        [&](int id) { found.push_back(id); });
+    EXPECT_TRUE(std::find(found.begin(), found.end(), 19500) != found.end());
+    EXPECT_LT(found.size(), 40u);
+    int deepest = 0;
+    for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
+        int depth = 0;
+        for (int n = static_cast<int>(i); n > 0 && depth < 1000; n = tree.nodes()[n].parent) {
+            ++depth;
+        }
+        deepest = std::max(deepest, depth);
+    }
+    EXPECT_LE(deepest, BoxTree::kMaxDepth);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <numeric>
+
+#include "sim/cut/cut_change.h"
+#include "sim/cut/cutter.h"
+#include "sim/solve/gpu_solver.h"
+#include "sim/solve/solver_uniforms.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
+    BodyState state;
+    for (const std::uint32_t v : vertices) {
+        state.positions.push_back(mesh.position(static_cast<int>(v)).cast<float>());
+        state.velocities.push_back(mesh.velocity(static_cast<int>(v)).cast<float>());
+    }
+    return state;
+}
+
+BodyState stateOf(const SurfaceMesh& mesh) {
+    std::vector<std::uint32_t> all(mesh.vertexCount());
+    std::iota(all.begin(), all.end(), 0u);
+    return stateOf(mesh, all);
+}
+
+class SolverUpdateTest : public test::GlTest {
+  protected:
+    /// A solver that follows the cuts, and one that is given the model whole, go on alike.
+    void expectAlike(const BodyModel& model, const SurfaceMesh& mesh, GpuSolver& followed) {
+        GpuSolver fresh;
+        fresh.setModel(model, stateOf(mesh));
+        const shared::SolverUniforms uniforms = solverUniforms(Params{}, model);
+        fresh.setUniforms(uniforms);
+        followed.setUniforms(uniforms);
+        followed.setState(stateOf(mesh));
+        const BodyMeasure a = followed.measure();
+        const BodyMeasure b = fresh.measure();
+        ASSERT_EQ(a.pieceVolumes.size(), b.pieceVolumes.size());
+        for (std::size_t p = 0; p < a.pieceVolumes.size(); ++p) {
+            EXPECT_NEAR(a.pieceVolumes[p], b.pieceVolumes[p], 1e-6);
+        }
+        EXPECT_EQ(a.bounds.low, b.bounds.low);
+        EXPECT_EQ(a.bounds.high, b.bounds.high);
+        for (GpuSolver* solver : {&followed, &fresh}) {
+            solver->predictAndStretch();
+            solver->solveBends();
+            solver->solveIspcs();
+        }
+        // All but the sum over a piece is the same arithmetic in the same order.
+        EXPECT_EQ(followed.readDisplacements(), fresh.readDisplacements());
+        followed.solveVolume();
+        fresh.solveVolume();
+        const std::vector<Vec3f> x = followed.readDisplacements();
+        const std::vector<Vec3f> y = fresh.readDisplacements();
+        for (std::size_t v = 0; v < x.size(); ++v) {
+            EXPECT_LT((x[v] - y[v]).norm(), 1e-6f) << v;
+        }
+    }
+};
+
+TEST_F(SolverUpdateTest, GoesOnLikeASolverThatIsGivenTheModelWhole) {
+    SurfaceMesh mesh = test::icosphere(3);
+    BodyUpdater body(mesh);
+    GpuSolver solver;
+    solver.setModel(body.model(), stateOf(mesh));
+    int cuts = 0;
+    std::size_t moved = 0;
+    for (const Vec3& along : {Vec3(1, 0.05, 0.1), Vec3(0.1, -0.05, 1)}) {
+        Cutter cutter(mesh, test::exactSettings());
+        const test::Stroke stroke = test::straightStroke(
+            Vec3(0.013, 0.021, 0.034), along.normalized(), -Vec3::UnitY(), 3, 2, 12);
+        cutter.begin(stroke.front());
+        for (std::size_t i = 1; i <= stroke.size(); ++i) {
+            const CutResult result =
+                i < stroke.size() ? cutter.advance(stroke[i]) : cutter.finish();
+            if (!result.delta.empty()) {
+                const BodyChange change = body.update(result.delta);
+                const std::vector<std::uint32_t> written = rewrittenVertices(mesh, result.delta);
+                solver.update(body.model(), change, written, stateOf(mesh, written));
+                EXPECT_EQ(solver.readState().positions, stateOf(mesh).positions);
+                expectAlike(body.model(), mesh, solver);
+                moved += result.delta.movedVertices.size();
+                ++cuts;
+            }
+        }
+    }
+    EXPECT_GT(cuts, 10);
+    EXPECT_GT(moved, 0u) << "the clean-up did nothing";
+    EXPECT_EQ(body.model().pieces.size(), 4u);
+}
+
+TEST_F(SolverUpdateTest, KeepsTheStateOfOldVertices) {
+    SurfaceMesh mesh = test::icosphere(2);
+    BodyUpdater body(mesh);
+    GpuSolver solver;
+    solver.setModel(body.model(), stateOf(mesh));
+    solver.setUniforms(solverUniforms(Params{}, body.model()));
+    solver.step();
+    const BodyState before = solver.readState();
+    Cutter cutter(mesh, test::exactSettings());
+    cutter.begin({{-2, 0.021, 0.013}, {2, 0.034, 0.055}});
+    const CutResult first = cutter.advance({{-2, 0.3, 1}, {2, 0.3, 1}});
+    const CutResult result = first.outcome == CutOutcome::cut ? first : cutter.finish();
+    ASSERT_EQ(result.outcome, CutOutcome::cut);
+    const BodyChange change = body.update(result.delta);
+    const std::vector<std::uint32_t> written = rewrittenVertices(mesh, result.delta);
+    solver.update(body.model(), change, written, stateOf(mesh, written));
+    const BodyState given = stateOf(mesh);
+    const BodyState after = solver.readState();
+    ASSERT_EQ(after.positions.size(), static_cast<std::size_t>(mesh.vertexCount()));
+    for (std::size_t v = 0; v < after.positions.size(); ++v) {
+        const BodyState& expected =
+            std::binary_search(written.begin(), written.end(), v) ? given : before;
+        EXPECT_EQ(after.positions[v], expected.positions[v]);
+        EXPECT_EQ(after.velocities[v], expected.velocities[v]);
+    }
+}
+
+}  // namespace
+}  // namespace kerf
