@@ -401,8 +401,9 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep&
     }
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
+    const int attempts = cut::attemptCount(sweep.refusedInARow + 1 >= kRefusalsBeforeDetach);
     std::string reason;
-    for (int i = 0; i < cut::attemptCount(); ++i) {
+    for (int i = 0; i < attempts; ++i) {
         const cut::StepInput in{mesh,
                                 candidates,
                                 pieces.ofVertex(),
@@ -427,7 +428,7 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep&
         }
     }
     CutResult result = outcome(CutOutcome::refused);
-    result.statistics.tries = cut::attemptCount();
+    result.statistics.tries = attempts;
     result.statistics.refusedPieces = 1;
     result.reason = reason;
     countRefusal(to, sweep);

@@ -64,8 +64,8 @@ Level randomLevel(int index, std::uint64_t seed) {
 
 }  // namespace
 
-int attemptCount() {
-    return kFixedLevels + kRandomLevels;
+int attemptCount(bool lastChance) {
+    return kFixedLevels + kRandomLevels - (lastChance ? 0 : kLevelsWithStub);
 }
 
 double largestOffsetScale() {
@@ -83,8 +83,8 @@ Attempt attemptAt(int index, double tolerance, std::uint64_t seed) {
     attempt.tolerance = std::max(level.tolerance, tolerance);
     attempt.shake = level.shake;
     attempt.gap = std::max(level.gap, tolerance);
-    attempt.allowStub = index >= attemptCount() - kLevelsWithStub;
-    attempt.ignoreFringe = level.ignoreFringe || index >= attemptCount() - kLevelsWithoutFringe;
+    attempt.allowStub = index >= attemptCount(false);
+    attempt.ignoreFringe = level.ignoreFringe || index >= attemptCount(true) - kLevelsWithoutFringe;
     return attempt;
 }
 

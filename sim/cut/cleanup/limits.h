@@ -18,7 +18,8 @@ inline constexpr double kVolumePerOperation = 3e-9;
 inline constexpr double kWallsCancel = 10;
 /// Volume that a whole stroke may change, summed up by amount, as a share of the body.
 inline constexpr double kVolumePerStroke = 3e-7;
-/// Copies closer than this lie at one place and stay there.
-inline constexpr double kCoincident = 1e-12;
+/// Copies closer than this lie at one place and move together: the slit is closed, but for the
+/// noise of a solver.
+inline constexpr double kCoincident = 1e-3;
 
 }  // namespace kerf::cut
