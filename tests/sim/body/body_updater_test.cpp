@@ -149,6 +149,8 @@ void expectNamed(const std::vector<T>& before, const std::vector<T>& after,
 }
 
 struct Follower {
+    std::size_t moved = 0;  ///< vertices, by the clean-up
+    std::size_t died = 0;
     SurfaceMesh mesh;
     BodyUpdater updater{mesh};
 
@@ -158,6 +160,8 @@ struct Follower {
         if (result.delta.empty()) {
             return;
         }
+        moved += result.delta.movedVertices.size();
+        died += result.delta.deadVertices.size();
         const BodyModel before = updater.model();
         const BodyChange change = updater.update(result.delta);
         const BodyModel& after = updater.model();
@@ -202,6 +206,8 @@ TEST(BodyUpdater, FollowsRandomCutsAsASetBuiltAnew) {
             follower.cut(test::straightStroke(0.1 * direction(), along, travel, 3, 2, 15));
         }
         EXPECT_GT(follower.updater.model().pieces.size(), 2u);
+        EXPECT_GT(follower.moved, 0u);
+        EXPECT_GT(follower.died, 0u);
         const BodyModel fresh = buildBodyModel(follower.mesh);
         // The thickness is that of the uncut body; a model made anew takes that of the cut one.
         const double thicker = follower.updater.model().thickness / fresh.thickness;
