@@ -42,6 +42,9 @@ struct FuzzFigures {
     int retried = 0;
     int unseparated = 0;    ///< strokes right through that left the end of a slit inside the body
     int unmirrored = 0;     ///< strokes after which some wall triangle has no mirror
+    /// Strokes after which the mesh passes through itself where all slits are opened by 1e-6 h, and
+    /// did not before.
+    int intersecting = 0;
     int invalid = 0;        ///< strokes in which an invariant broke
     StrokeQuality quality;  ///< of the new triangles after each stroke
     double mostVolumeChange = 0;  ///< of a stroke, relative
