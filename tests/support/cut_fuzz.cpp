@@ -347,8 +347,8 @@ void writeRow(std::ostringstream& out, const std::string& name, const FuzzFigure
     out.width(18);
     out << std::left << name << " strokes " << f.strokes << ", cutting steps " << f.cuts
         << ", refused " << f.refused << ", retried " << f.retried << ", unseparated "
-        << f.unseparated << ", unmirrored " << f.unmirrored << ", intersecting "
-        << f.intersecting << ", invalid " << f.invalid;
+        << f.unseparated << ", unmirrored " << f.unmirrored << ", intersecting " << f.intersecting
+        << ", invalid " << f.invalid;
     writeSlivers(out, "skin", f.quality.skin);
     writeSlivers(out, "walls", f.quality.walls);
     out << ", collapses " << f.cleanup.collapses << " flips " << f.cleanup.flips << " slides "
@@ -372,14 +372,18 @@ bool leavesSlabs(FuzzMode mode) {
     return mode == FuzzMode::realigned || mode == FuzzMode::concurrent || mode == FuzzMode::reverse;
 }
 
-SliverCount FuzzReport::ordinarySlivers(bool ofRounded) const {
-    SliverCount sum;
+FuzzFigures FuzzReport::ordinary(bool ofRounded) const {
+    FuzzFigures sum;
     for (int mode = 0; mode < kFuzzModes; ++mode) {
         if (!leavesSlabs(static_cast<FuzzMode>(mode))) {
-            sum.add((ofRounded ? rounded : exact)[mode].quality.all());
+            add((ofRounded ? rounded : exact)[mode], sum);
         }
     }
     return sum;
+}
+
+SliverCount FuzzReport::ordinarySlivers(bool ofRounded) const {
+    return ordinary(ofRounded).quality.all();
 }
 
 std::string FuzzReport::table() const {

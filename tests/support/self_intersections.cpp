@@ -90,10 +90,9 @@ Vec3 inward(const std::vector<Vec3>& normals) {
     constexpr int kRounds = 300;
     constexpr double kMargin = 0.1;
     for (int round = 0; round < kRounds; ++round) {
-        const auto worst =
-            std::max_element(normals.begin(), normals.end(), [&](const Vec3& a, const Vec3& b) {
-                return a.dot(direction) < b.dot(direction);
-            });
+        const auto worst = std::max_element(
+            normals.begin(), normals.end(),
+            [&](const Vec3& a, const Vec3& b) { return a.dot(direction) < b.dot(direction); });
         if (worst == normals.end() || worst->dot(direction) < -kMargin * direction.norm()) {
             break;
         }
