@@ -124,6 +124,7 @@ void addTo(CutResult& sum, const CutResult& part) {
 struct Sweep {
     int vertex = -1;  ///< some vertex of the group
     int pass = 0;     ///< goes up each time the blade starts from the air
+    int firstVertexOfPass = 0;
     int refusedInARow = 0;
     std::vector<RungNode> rung;
     cut::AirTies airTies;
@@ -169,6 +170,7 @@ struct Cutter::State {
     void holdLivingVertices();
 
     // Of one group.
+    void startPass(Sweep& sweep);
     void placeRung(const Blade& at, Sweep& sweep);
     void setRung(std::vector<RungNode> next, Sweep& sweep);
     CutResult advance(const Blade& to, double gate, Sweep& sweep);
@@ -333,10 +335,15 @@ void Cutter::State::holdLivingVertices() {
     }
 }
 
+void Cutter::State::startPass(Sweep& sweep) {
+    sweep.pass = ++pass;
+    sweep.firstVertexOfPass = mesh.vertexCount();
+}
+
 // The rung carries the offset of the pass from the start: otherwise a blade that is put down
 // exactly on a vertex would stay there in every retry.
 void Cutter::State::placeRung(const Blade& at, Sweep& sweep) {
-    sweep.pass = ++pass;
+    startPass(sweep);
     const auto end = [&](const Vec3& p, double s) {
         const Vec3 offset = cut::bladeOffset(settings.offset * h, 1, settings.seed, sweep.pass, s);
         return RungNode{p + offset, s, -1, false};
@@ -416,6 +423,7 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep&
                                 settings.seed,
                                 stroke,
                                 sweep.pass,
+                                sweep.firstVertexOfPass,
                                 cut::attemptAt(i, settings.tolerance, retrySeed)};
         try {
             CutResult result = accept(cut::planStep(in), sweep);
@@ -455,7 +463,9 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
     result.statistics.splitVertices = committed.splitVertices;
     result.statistics.patterns = step.plan.subdivision.patterns;
     result.statistics.volumeChange = step.plan.volumeChange;
-    sweep.pass = isInAir(committed.rung) ? ++pass : sweep.pass;
+    if (isInAir(committed.rung)) {
+        startPass(sweep);
+    }
     nameNewVertices(sweep);
     setRung(std::move(committed.rung), sweep);
     return result;

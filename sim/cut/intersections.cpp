@@ -285,13 +285,16 @@ class Intersector {
         }
     }
 
-    /// A wall of this stroke beside its front.
+    /// A wall of this pass beside its front. Those of earlier passes of the stroke may be crossed;
+    /// what a cut leaves of them has corners older than the pass.
     bool isFringe(int m) const {
         if (mesh_.kind(m) != SurfaceKind::wall || mesh_.wallLabel(m) / 2 != in_.stroke) {
             return false;
         }
         const Triangle& ids = mesh_.triangle(m);
-        return std::any_of(ids.begin(), ids.end(), [&](int v) { return fringe_.count(v) > 0; });
+        return std::all_of(ids.begin(), ids.end(),
+                           [&](int v) { return v >= in_.firstVertexOfPass; }) &&
+               std::any_of(ids.begin(), ids.end(), [&](int v) { return fringe_.count(v) > 0; });
     }
 
     // False where the mesh triangle lies on one side of the strip triangle.

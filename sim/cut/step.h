@@ -51,7 +51,8 @@ struct StepInput {
     double offset = 0;  ///< length of the blade's offset at scale 1, share of h
     std::uint64_t seed = 0;
     int stroke = 0;
-    int pass = 0;  ///< of the blade through the body, counted over all strokes
+    int pass = 0;               ///< of the blade through the body, counted over all strokes
+    int firstVertexOfPass = 0;  ///< vertices from here on were made in the pass
     Attempt attempt;
 };
 

@@ -5,10 +5,12 @@
 #include <cstdlib>
 #include <random>
 #include <sstream>
+#include <utility>
 
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/cutter.h"
 #include "tests/support/cut_strokes.h"
+#include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::test {
@@ -292,22 +294,32 @@ void addCleanup(const CleanupStatistics& from, CleanupStatistics& to) {
     to.volumeSpent = std::max(to.volumeSpent, from.volumeSpent);
 }
 
-void count(const CutCheck& check, bool unseparated, const std::string& name, FuzzFigures& figures) {
+/// Only where the body stays where it is: a deformation may push it through itself.
+bool intersectsOpened(const SurfaceMesh& mesh, double h) {
+    constexpr double kOpening = 1e-6;
+    return !selfIntersections(opened(mesh, kOpening * h)).empty();
+}
+
+void count(const CutCheck& check, bool unseparated, bool intersecting, const std::string& name,
+           FuzzFigures& figures) {
     ++figures.strokes;
     figures.cuts += check.cuts;
     figures.refused += check.refused;
     figures.retried += check.retried;
     figures.unseparated += unseparated;
+    figures.intersecting += intersecting;
     figures.unmirrored += !check.unmirrored.empty();
     figures.invalid += !check.problem.empty();
     figures.quality.add(check.quality);
     figures.mostVolumeChange = std::max(figures.mostVolumeChange, check.volumeChange);
     addCleanup(check.cleanup, figures.cleanup);
-    if (!check.problem.empty() || !check.unmirrored.empty() || unseparated || check.refused > 0) {
+    if (!check.problem.empty() || !check.unmirrored.empty() || unseparated || intersecting ||
+        check.refused > 0) {
         figures.notes.push_back(name + ": " + check.problem + check.unmirrored + " " +
                                 std::to_string(check.refused) + " refused of " +
                                 std::to_string(check.cuts + check.refused) +
-                                (unseparated ? ", not separated " : " ") + check.reason);
+                                (unseparated ? ", not separated " : " ") +
+                                (intersecting ? "intersects when opened " : "") + check.reason);
     }
 }
 
@@ -318,6 +330,7 @@ void add(const FuzzFigures& from, FuzzFigures& to) {
     to.retried += from.retried;
     to.unseparated += from.unseparated;
     to.unmirrored += from.unmirrored;
+    to.intersecting += from.intersecting;
     to.invalid += from.invalid;
     to.quality.add(from.quality);
     to.mostVolumeChange = std::max(to.mostVolumeChange, from.mostVolumeChange);
@@ -334,7 +347,8 @@ void writeRow(std::ostringstream& out, const std::string& name, const FuzzFigure
     out.width(18);
     out << std::left << name << " strokes " << f.strokes << ", cutting steps " << f.cuts
         << ", refused " << f.refused << ", retried " << f.retried << ", unseparated "
-        << f.unseparated << ", unmirrored " << f.unmirrored << ", invalid " << f.invalid;
+        << f.unseparated << ", unmirrored " << f.unmirrored << ", intersecting " << f.intersecting
+        << ", invalid " << f.invalid;
     writeSlivers(out, "skin", f.quality.skin);
     writeSlivers(out, "walls", f.quality.walls);
     out << ", collapses " << f.cleanup.collapses << " flips " << f.cleanup.flips << " slides "
@@ -358,14 +372,18 @@ bool leavesSlabs(FuzzMode mode) {
     return mode == FuzzMode::realigned || mode == FuzzMode::concurrent || mode == FuzzMode::reverse;
 }
 
-SliverCount FuzzReport::ordinarySlivers(bool ofRounded) const {
-    SliverCount sum;
+FuzzFigures FuzzReport::ordinary(bool ofRounded) const {
+    FuzzFigures sum;
     for (int mode = 0; mode < kFuzzModes; ++mode) {
         if (!leavesSlabs(static_cast<FuzzMode>(mode))) {
-            sum.add((ofRounded ? rounded : exact)[mode].quality.all());
+            add((ofRounded ? rounded : exact)[mode], sum);
         }
     }
     return sum;
+}
+
+SliverCount FuzzReport::ordinarySlivers(bool ofRounded) const {
+    return ordinary(ofRounded).quality.all();
 }
 
 std::string FuzzReport::table() const {
@@ -407,6 +425,8 @@ void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
     Cutter cutter(mesh, settings);
     const int strokes = strokesOf(dice, mode);
     const Course shared = randomCourse(dice, mesh, h);
+    const bool canOpen = mode != FuzzMode::deform && !rounded;
+    bool intersected = false;
     for (int i = 0; i < strokes; ++i) {
         const Stroke stroke = mode == FuzzMode::concurrent ? concurrentStroke(shared, i)
                                                            : randomStroke(dice, mesh, mode, h);
@@ -414,9 +434,11 @@ void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
         const CutCheck check = runStroke(
             cutter, mesh, stroke, disturbance(mode, rounded, meshBounds(mesh).diagonal(), phase));
         const bool unseparated = goesThrough(mode) && slitEdges(mesh, i) > 0;
+        const bool intersects = canOpen && intersectsOpened(mesh, h);
+        const bool newly = intersects && !std::exchange(intersected, intersects);
         const std::string name = "seed " + std::to_string(seed) + " " + body + " " + nameOf(mode) +
                                  " stroke " + std::to_string(i);
-        count(check, unseparated, name,
+        count(check, unseparated, newly, name,
               (rounded ? report.rounded : report.exact)[static_cast<int>(mode)]);
         if (!check.problem.empty()) {
             return;

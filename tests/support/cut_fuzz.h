@@ -40,10 +40,13 @@ struct FuzzFigures {
     int cuts = 0;
     int refused = 0;
     int retried = 0;
-    int unseparated = 0;    ///< strokes right through that left the end of a slit inside the body
-    int unmirrored = 0;     ///< strokes after which some wall triangle has no mirror
-    int invalid = 0;        ///< strokes in which an invariant broke
-    StrokeQuality quality;  ///< of the new triangles after each stroke
+    int unseparated = 0;  ///< strokes right through that left the end of a slit inside the body
+    int unmirrored = 0;   ///< strokes after which some wall triangle has no mirror
+    /// Strokes after which the mesh passes through itself where all slits are opened by 1e-6 h, and
+    /// did not before.
+    int intersecting = 0;
+    int invalid = 0;              ///< strokes in which an invariant broke
+    StrokeQuality quality;        ///< of the new triangles after each stroke
     double mostVolumeChange = 0;  ///< of a stroke, relative
     CleanupStatistics cleanup;
     std::vector<std::string> notes;  ///< one line for each stroke worth looking at
@@ -54,6 +57,8 @@ struct FuzzReport {
     std::array<FuzzFigures, kFuzzModes> rounded;  ///< positions are rounded to floats every step
     std::string table() const;
     FuzzFigures total(bool ofRounded) const;
+    /// All modes that leave no slabs.
+    FuzzFigures ordinary(bool ofRounded) const;
     /// New triangles of all modes that leave no slabs.
     SliverCount ordinarySlivers(bool ofRounded) const;
 };
