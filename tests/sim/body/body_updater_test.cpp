@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <random>
@@ -134,6 +136,11 @@ void expectFollowed(const BodyModel& model, const SurfaceMesh& mesh) {
     expectNeighbours(model, mesh);
 }
 
+template <class T>
+std::array<std::byte, sizeof(T)> bitsOf(const T& value) {
+    return std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
+}
+
 /// A change names everything that differs; what is new and zero need not be named.
 template <class T>
 void expectNamed(const std::vector<T>& before, const std::vector<T>& after,
@@ -141,7 +148,7 @@ void expectNamed(const std::vector<T>& before, const std::vector<T>& after,
     for (std::size_t i = 0; i < after.size(); ++i) {
         const T zero{};
         const T& old = i < before.size() ? before[i] : zero;
-        const bool same = std::memcmp(&old, &after[i], sizeof(T)) == 0;
+        const bool same = bitsOf(old) == bitsOf(after[i]);
         EXPECT_TRUE(same ||
                     std::binary_search(named.begin(), named.end(), static_cast<std::uint32_t>(i)))
             << what << " " << i;
