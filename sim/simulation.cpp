@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 #include <utility>
 
@@ -85,15 +86,11 @@ double copyState(const BodyState& state, SurfaceMesh& mesh) {
     return std::sqrt(farthest);
 }
 
-/// What the blade sweeps from the rung of the stroke (or from nowhere) to `blade`.
-Bounds sweptBox(const std::vector<RungNode>& rung, const Blade& blade, double margin) {
+Bounds boxOf(std::initializer_list<Vec3> points) {
     Bounds box;
-    box.add(blade.a);
-    box.add(blade.b);
-    for (const RungNode& node : rung) {
-        box.add(node.position);
+    for (const Vec3& p : points) {
+        box.add(p);
     }
-    box.widen(margin);
     return box;
 }
 
@@ -128,6 +125,7 @@ struct Simulation::State {
 
     void cut(const MoveBlade& move);
     void cut(const LiftBlade& lift);
+    void endStroke();
     bool mayTouch(const Blade& blade) const;
     void accept(const CutResult& result);
     void adoptNewTopology(const CutDelta& delta);
@@ -270,23 +268,32 @@ void Simulation::State::cutAll() {
     report.cutMs = watch.milliseconds();
 }
 
+// A stroke begins when the blade comes near the body, and ends when it has left it.
 void Simulation::State::cut(const MoveBlade& move) {
-    const bool placed = blade.has_value();
-    if (placed && samePose(*blade, move.blade)) {
+    if (blade && samePose(*blade, move.blade)) {
         return;
     }
-    if (placed && mayTouch(move.blade)) {
+    if (blade && mayTouch(move.blade)) {
         syncMesh();
+        if (!cutter->inStroke()) {
+            cutter->begin(*blade);
+        }
         accept(cutter->advance(move.blade));
     } else {
-        cutter->begin(move.blade);
-        accept({});
+        endStroke();
     }
     blade = move.blade;
 }
 
 void Simulation::State::cut(const LiftBlade&) {
-    if (!std::exchange(blade, std::nullopt)) {
+    if (std::exchange(blade, std::nullopt)) {
+        endStroke();
+    }
+}
+
+void Simulation::State::endStroke() {
+    if (!cutter->inStroke()) {
+        accept({});
         return;
     }
     syncMesh();
@@ -296,8 +303,12 @@ void Simulation::State::cut(const LiftBlade&) {
 /// Whether the cutter must look: a front is in the material, or the strip meets the body's box.
 bool Simulation::State::mayTouch(const Blade& to) const {
     const std::vector<RungNode>& rung = cutter->rung();
-    return standsInMaterial(rung) ||
-           sweptBox(rung, to, model().edgeLength).overlaps(measure.bounds);
+    Bounds swept = boxOf({blade->a, blade->b, to.a, to.b});
+    for (const RungNode& node : rung) {
+        swept.add(node.position);
+    }
+    swept.widen(model().edgeLength);
+    return standsInMaterial(rung) || swept.overlaps(measure.bounds);
 }
 
 void Simulation::State::accept(const CutResult& result) {
