@@ -147,6 +147,7 @@ class DuplicateEdges {
             int vertex = -1;
         };
         std::vector<Middle> middles;
+        middles.reserve(edges.size());
         for (const int h : edges) {
             middles.push_back({wallApexes(h), {mesh_.origin(h), mesh_.target(h)}});
         }

@@ -375,6 +375,7 @@ void BoxTree::rebuild(int index, const BoundsOf& boundsOf) {
     freePairs_.push_back(child);
     nodes_[index].child = -1;
     std::vector<Item> items;
+    items.reserve(ids.size());
     for (const int id : ids) {
         items.push_back(itemOf(id, boundsOf));
     }

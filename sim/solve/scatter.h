@@ -83,8 +83,9 @@ void Scatter::write(gpu::Buffer& target, std::size_t count, std::span<const std:
 
 template <class T>
 void Scatter::addPatch(std::uint32_t index, const T& value) {
-    static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
-    constexpr std::uint32_t kWords = sizeof(T) / sizeof(std::uint32_t);
+    constexpr std::size_t kWordBytes = sizeof(std::uint32_t);
+    static_assert(sizeof(T) % kWordBytes == 0);
+    constexpr std::uint32_t kWords = sizeof(T) / kWordBytes;
     std::array<std::uint32_t, kWords> words;
     std::memcpy(words.data(), &value, sizeof(T));
     for (std::uint32_t k = 0; k < kWords; ++k) {

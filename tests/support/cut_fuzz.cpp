@@ -204,7 +204,7 @@ Stroke incision(Dice& dice, Course c, FuzzMode mode) {
 }
 
 /// Three strokes through the line along `normal` at the centre.
-Stroke concurrentStroke(Course c, int index) {
+Stroke concurrentStroke(const Course& c, int index) {
     const double angle = 1.1 * index;
     const Vec3 along = c.normal;
     const Vec3 travel = c.along * std::cos(angle) + c.travel * std::sin(angle);

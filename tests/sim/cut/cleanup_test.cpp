@@ -271,11 +271,8 @@ TEST(Cleanup, ChangesNothingAtTheFront) {
 }
 
 TEST(Cleanup, OfTheSameStrokeTwiceGivesTheSameBytes) {
-    std::vector<std::string> results;
-    for (int run = 0; run < 2; ++run) {
-        results.push_back(test::fingerprint(cleanAtEnd(cases()[5]).after));
-    }
-    EXPECT_EQ(results[0], results[1]);
+    const auto clean = [] { return test::fingerprint(cleanAtEnd(cases()[5]).after); };
+    EXPECT_EQ(clean(), clean());
 }
 
 TEST(Cleanup, SwitchedOffChangesNothing) {
