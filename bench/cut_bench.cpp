@@ -76,21 +76,6 @@ Blade deformed(const Blade& blade, int step) {
     return {deformed(blade.a, step), deformed(blade.b, step)};
 }
 
-BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
-    BodyState state;
-    for (const std::uint32_t v : vertices) {
-        state.positions.push_back(mesh.position(static_cast<int>(v)).cast<float>());
-        state.velocities.push_back(mesh.velocity(static_cast<int>(v)).cast<float>());
-    }
-    return state;
-}
-
-BodyState stateOf(const SurfaceMesh& mesh) {
-    std::vector<std::uint32_t> all(mesh.vertexCount());
-    std::iota(all.begin(), all.end(), 0u);
-    return stateOf(mesh, all);
-}
-
 /// Each phase of the cutting steps [ms].
 struct Times {
     std::vector<double> cutter;

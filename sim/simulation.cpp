@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <numeric>
 #include <utility>
 
 #include "sim/body/body_updater.h"
@@ -57,21 +56,6 @@ double roundVertices(SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertic
         farthest = std::max(farthest, roundVertex(mesh, static_cast<int>(v)));
     }
     return farthest;
-}
-
-std::vector<std::uint32_t> allVertices(const SurfaceMesh& mesh) {
-    std::vector<std::uint32_t> vertices(mesh.vertexCount());
-    std::iota(vertices.begin(), vertices.end(), 0u);
-    return vertices;
-}
-
-BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
-    BodyState state;
-    for (const std::uint32_t v : vertices) {
-        state.positions.push_back(mesh.position(static_cast<int>(v)).cast<float>());
-        state.velocities.push_back(mesh.velocity(static_cast<int>(v)).cast<float>());
-    }
-    return state;
 }
 
 /// Returns how far a vertex has moved at most [m].
@@ -172,7 +156,7 @@ struct Simulation::State {
 void Simulation::State::start() {
     mesh = uncut;
     body.emplace(mesh);
-    solver.setModel(model(), stateOf(mesh, allVertices(mesh)));
+    solver.setModel(model(), stateOf(mesh));
     volumeTargets.reset(model());
     meshLags = true;  // by the rounding to float
     closed = checkClosedManifold(mesh).empty();

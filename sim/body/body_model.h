@@ -6,6 +6,7 @@
 
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/constraints.h"
+#include "sim/body/body_state.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
@@ -60,12 +61,6 @@ struct BodyModel {
     double thickness = 0;        ///< shell thickness t = V0 / S of the uncut body [m]
     double edgeLength = 0;       ///< mean rest edge length of the uncut body [m]
     double uncutRestVolume = 0;  ///< [m^3]
-};
-
-/// The running state on the CPU, shape [vertexCount].
-struct BodyState {
-    std::vector<Vec3f> positions;   ///< [m]
-    std::vector<Vec3f> velocities;  ///< [m/s]
 };
 
 /// Everything from the rest shape of `mesh`.

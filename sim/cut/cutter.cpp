@@ -168,11 +168,13 @@ struct Cutter::State {
     void cleanUpBehindFront(CutResult& result);
     void cleanUpAtEnd(CutResult& result);
     void holdLivingVertices();
+    void tieRungs();
 
     // Of one group.
     void startPass(Sweep& sweep);
     void placeRung(const Blade& at, Sweep& sweep);
     void setRung(std::vector<RungNode> next, Sweep& sweep);
+    void tie(Sweep& sweep);
     CutResult advance(const Blade& to, double gate, Sweep& sweep);
     CutResult cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep);
     CutResult accept(const cut::PlannedStep& step, Sweep& sweep);
@@ -301,20 +303,28 @@ CutResult Cutter::State::sweepAll(const Blade& to, double gate) {
         addTo(sum, advance(to, gate, sweep));
     }
     joinRungs();
-    if (sum.outcome == CutOutcome::cut && cleanup) {
+    if (sum.outcome == CutOutcome::cut) {
         cleanUpBehindFront(sum);
+        tieRungs();
     }
     return sum;
 }
 
+// The skin beside the air of any rung may have changed.
+void Cutter::State::tieRungs() {
+    for (Sweep& sweep : sweeps) {
+        tie(sweep);
+    }
+}
+
 void Cutter::State::cleanUpBehindFront(CutResult& result) {
+    if (!cleanup) {
+        return;
+    }
     const std::vector<int> before = changedTriangles(result.delta);
     result.statistics.cleanup = cleanup->behindFront(rung, result.delta);
     followCleanUp(before, result.delta);
     holdLivingVertices();
-    for (Sweep& sweep : sweeps) {
-        setRung(std::move(sweep.rung), sweep);  // the skin beside its air may be another
-    }
 }
 
 /// The clean-up takes triangles that the step had added out of its delta.
@@ -327,11 +337,11 @@ void Cutter::State::followCleanUp(const std::vector<int>& changedBefore, const C
 void Cutter::State::holdLivingVertices() {
     for (Sweep& sweep : sweeps) {
         const int group = groupOf(sweep);
-        int v = sweep.vertex;
-        for (int next = 0; mesh.outgoing(v) < 0 && next < mesh.vertexCount(); ++next) {
-            v = groupOfVertex[next] == group ? next : v;
+        for (int v = 0; mesh.outgoing(sweep.vertex) < 0 && v < mesh.vertexCount(); ++v) {
+            if (groupOfVertex[v] == group && mesh.outgoing(v) >= 0) {
+                sweep.vertex = v;
+            }
         }
-        sweep.vertex = v;
     }
 }
 
@@ -355,6 +365,10 @@ void Cutter::State::placeRung(const Blade& at, Sweep& sweep) {
 
 void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
     sweep.rung = std::move(next);
+    tie(sweep);
+}
+
+void Cutter::State::tie(Sweep& sweep) {
     sweep.airTies = cut::AirTies(mesh, tree, isOuter(sweep), h, sweep.rung);
 }
 
@@ -467,7 +481,7 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
         startPass(sweep);
     }
     nameNewVertices(sweep);
-    setRung(std::move(committed.rung), sweep);
+    sweep.rung = std::move(committed.rung);  // tied once all of the step is done
     return result;
 }
 

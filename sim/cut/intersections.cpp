@@ -136,7 +136,6 @@ class Intersector {
                 rungVertices_.insert(node.vertex);
             }
         }
-        collectFringe();
     }
 
     CutCurves run() {
@@ -270,7 +269,11 @@ class Intersector {
 
     bool onRung(int v) const { return rungVertices_.count(v) > 0; }
 
-    void collectFringe() {
+    /// Vertices of walls near the rung. Few attempts ask.
+    const std::set<int>& fringe() {
+        if (!fringe_.empty()) {
+            return fringe_;
+        }
         fringe_ = rungVertices_;
         for (int ring = 1; ring < kFringeRings; ++ring) {
             std::set<int> wider = fringe_;
@@ -283,18 +286,19 @@ class Intersector {
             }
             fringe_ = std::move(wider);
         }
+        return fringe_;
     }
 
     /// A wall of this pass beside its front. Those of earlier passes of the stroke may be crossed;
     /// what a cut leaves of them has corners older than the pass.
-    bool isFringe(int m) const {
+    bool isFringe(int m) {
         if (mesh_.kind(m) != SurfaceKind::wall || mesh_.wallLabel(m) / 2 != in_.stroke) {
             return false;
         }
         const Triangle& ids = mesh_.triangle(m);
         return std::all_of(ids.begin(), ids.end(),
                            [&](int v) { return v >= in_.firstVertexOfPass; }) &&
-               std::any_of(ids.begin(), ids.end(), [&](int v) { return fringe_.count(v) > 0; });
+               std::any_of(ids.begin(), ids.end(), [&](int v) { return fringe().count(v) > 0; });
     }
 
     // False where the mesh triangle lies on one side of the strip triangle.
@@ -494,7 +498,7 @@ class Intersector {
     const Strip& strip_;
     const PredicatePositions& positions_;
     std::set<int> rungVertices_;
-    std::set<int> fringe_;  ///< of the slit: vertices near the front
+    std::set<int> fringe_;  ///< empty until fringe() is asked
     CutCurves curves_;
 };
 

@@ -233,6 +233,25 @@ TEST_F(SimulationTest, CutsASaggingBodyInTwo) {
     EXPECT_NEAR(simulation.report().volumeRatio, 1, 2e-3);
 }
 
+TEST_F(SimulationTest, ABladeThatLeavesEndsItsStrokeAsOneThatIsLifted) {
+    const auto cut = [](const Command& end) {
+        Simulation simulation(test::cubeSphere(4), weightless());
+        for (int i = 0; i <= 28; ++i) {
+            EXPECT_EQ(simulation.execute(MoveBlade{bladeAt(0.8 - 0.05 * i)}), "");
+            simulation.step();
+        }
+        EXPECT_FALSE(simulation.rung().empty()) << "the way here lay beside the body";
+        EXPECT_EQ(simulation.execute(MoveBlade{bladeAt(-3)}), "");
+        simulation.step();
+        EXPECT_EQ(simulation.execute(end), "");
+        simulation.step();
+        EXPECT_TRUE(simulation.rung().empty());
+        EXPECT_EQ(simulation.report().pieces, 2);
+        return simulation.stateHash();
+    };
+    EXPECT_EQ(cut(MoveBlade{bladeAt(-4)}), cut(LiftBlade{}));
+}
+
 TEST_F(SimulationTest, ABladeThatStandsStillCutsNothing) {
     Simulation simulation(test::cubeSphere(8), weightless());
     for (int i = 0; i <= 10; ++i) {

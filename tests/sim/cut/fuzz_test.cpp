@@ -56,5 +56,16 @@ TEST(CutFuzz, MeshesStayClosedAndStepsSucceed) {
     }
 }
 
+// The blade leaves the body, turns, and comes back beside its own cut.
+TEST(CutFuzz, ABladeThatTurnsCutsThroughItsEarlierWalls) {
+    constexpr std::uint64_t kTurns = 70599;
+    test::FuzzReport report;
+    test::fuzzOnce(kTurns, report);
+    const test::FuzzFigures figures = report.total(false);
+    EXPECT_GT(figures.cuts, 5);
+    EXPECT_EQ(figures.refused, 0);
+    EXPECT_EQ(figures.invalid, 0);
+}
+
 }  // namespace
 }  // namespace kerf

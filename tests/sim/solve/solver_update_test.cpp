@@ -12,21 +12,6 @@
 namespace kerf {
 namespace {
 
-BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
-    BodyState state;
-    for (const std::uint32_t v : vertices) {
-        state.positions.push_back(mesh.position(static_cast<int>(v)).cast<float>());
-        state.velocities.push_back(mesh.velocity(static_cast<int>(v)).cast<float>());
-    }
-    return state;
-}
-
-BodyState stateOf(const SurfaceMesh& mesh) {
-    std::vector<std::uint32_t> all(mesh.vertexCount());
-    std::iota(all.begin(), all.end(), 0u);
-    return stateOf(mesh, all);
-}
-
 class SolverUpdateTest : public test::GlTest {
   protected:
     /// A solver that follows the cuts, and one that is given the model whole, go on alike.
