@@ -16,10 +16,12 @@
 #include "app/compare_verb.h"
 #include "app/editor.h"
 #include "app/exit_codes.h"
+#include "app/experiment_verb.h"
 #include "app/file_io.h"
 #include "app/import_process.h"
 #include "app/inspect_verb.h"
 #include "app/model_source.h"
+#include "app/paper_experiments.h"
 #include "app/replay_verb.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
@@ -33,6 +35,7 @@ namespace {
 struct Arguments {
     std::filesystem::path file;  ///< for the editor; empty for none
     ReplayArguments replay;
+    ExperimentArguments experiment;
     InspectArguments inspect;
     CompareArguments compare;
     std::filesystem::path workerFile;
@@ -42,6 +45,7 @@ struct Arguments {
 struct Parser {
     CLI::App app{"Kerf cuts soft 3D models in real time. Without a verb it opens the editor."};
     CLI::App* replay = nullptr;
+    CLI::App* experiment = nullptr;
     CLI::App* inspect = nullptr;
     CLI::App* compare = nullptr;
     CLI::App* worker = nullptr;
@@ -76,6 +80,33 @@ void describeReplay(Parser& parser, Arguments& arguments) {
         ->check(refuseEmpty)
         ->type_name("DIR");
     parser.replay->add_flag("--json", arguments.replay.json, "Print one JSON object");
+}
+
+/// "sphere20, ..., banana, all".
+std::string experimentNames() {
+    std::string names;
+    for (const PaperExperiment& experiment : paperExperiments()) {
+        names += std::string(experiment.name) + ", ";
+    }
+    return names + "all";
+}
+
+std::string refuseUnknownExperiment(const std::string& name) {
+    const bool known = name == "all" || findPaperExperiment(name) != nullptr;
+    return known ? "" : "there is no experiment '" + name + "'; there are " + experimentNames();
+}
+
+void describeExperiment(Parser& parser, Arguments& arguments) {
+    parser.experiment = parser.app.add_subcommand(
+        "experiment", "Run the paper's experiments headless and write a report");
+    parser.experiment->add_option("NAME", arguments.experiment.name, experimentNames())
+        ->required()
+        ->check(refuseUnknownExperiment);
+    parser.experiment->add_option("--out", arguments.experiment.out, "Folder for the results")
+        ->required()
+        ->check(refuseEmpty)
+        ->type_name("DIR");
+    parser.experiment->add_flag("--json", arguments.experiment.json, "Print one JSON object");
 }
 
 void describeInspect(Parser& parser, Arguments& arguments) {
@@ -117,6 +148,7 @@ void describe(Parser& parser, Arguments& arguments) {
     parser.app.footer(kExitCodes);
     parser.app.add_option("FILE", arguments.file, "A model or a session to open in the editor");
     describeReplay(parser, arguments);
+    describeExperiment(parser, arguments);
     describeInspect(parser, arguments);
     describeCompare(parser, arguments);
     describeWorker(parser, arguments);
@@ -164,6 +196,9 @@ int runEditorVerb(const std::filesystem::path& file) {
 
 int runVerb(const Parser& parser, const Arguments& arguments) {
     if (parser.replay->parsed()) return replayVerb(arguments.replay, std::cout, std::cerr);
+    if (parser.experiment->parsed()) {
+        return experimentVerb(arguments.experiment, std::cout, std::cerr);
+    }
     if (parser.inspect->parsed()) return inspectVerb(arguments.inspect, std::cout);
     if (parser.compare->parsed()) return compareVerb(arguments.compare, std::cout);
     if (parser.worker->parsed()) return runImportWorker(arguments.workerFile);

@@ -107,11 +107,16 @@ class Replay {
         metrics_.write(metricsHeader());
     }
 
-    void run(const ReplayProgress& progress) {
+    void run(const ReplayListener& listener) {
         removeEarlierResults(folder_, session_);
         for (int step = 0; step < session_.steps; ++step) {
-            progress(step, session_.steps);
-            runStep(step);
+            if (listener.progress) {
+                listener.progress(step, session_.steps);
+            }
+            const MetricsRow row = runStep(step);
+            if (listener.row) {
+                listener.row(row);
+            }
         }
         applyActions(session_.steps);
         writeResults();
@@ -142,7 +147,7 @@ class Replay {
     }
 
   private:
-    void runStep(int step) {
+    MetricsRow runStep(int step) {
         const Stopwatch watch;
         renderMs_ = 0;
         applyActions(step);
@@ -153,6 +158,7 @@ class Replay {
         checkInvariants(report);
         followBlade();
         logMessages();
+        return row;
     }
 
     void followBlade() {
@@ -250,10 +256,10 @@ class Replay {
 }  // namespace
 
 ReplayResult replaySession(const Session& session, SurfaceMesh model,
-                           const std::filesystem::path& folder, const ReplayProgress& progress) {
+                           const std::filesystem::path& folder, const ReplayListener& listener) {
     OutputFolder output(folder);
     Replay replay(session, std::move(model), output);
-    replay.run(progress);
+    replay.run(listener);
     return {replay.takeSummary(), output.written()};
 }
 

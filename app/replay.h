@@ -10,8 +10,13 @@
 
 namespace kerf::app {
 
-/// Called before each step with the steps done and the steps to do.
-using ReplayProgress = std::function<void(int done, int total)>;
+/// Who watches a replay; either may be missing.
+struct ReplayListener {
+    /// Called before each step with the steps done and the steps to do.
+    std::function<void(int done, int total)> progress;
+    /// Called after each step with its row of metrics.csv.
+    std::function<void(const MetricsRow& row)> row;
+};
 
 /// What came of a replay.
 struct ReplayResult {
@@ -28,6 +33,6 @@ struct ReplayResult {
 ///
 /// Throws OutputError, gpu::ShaderError, gpu::OutOfMemory.
 ReplayResult replaySession(const Session& session, SurfaceMesh model,
-                           const std::filesystem::path& folder, const ReplayProgress& progress);
+                           const std::filesystem::path& folder, const ReplayListener& listener);
 
 }  // namespace kerf::app

@@ -1,14 +1,13 @@
 #include "app/replay_verb.h"
 
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "app/exit_codes.h"
+#include "app/progress_line.h"
 #include "app/replay.h"
 #include "gpu/context.h"
 #include "sim/text.h"
@@ -17,43 +16,13 @@ namespace kerf::app {
 
 namespace {
 
-/// A line on the terminal that is written over and gone at the end; nothing where standard error
-/// is no terminal.
-class ProgressLine {
-  public:
-    ~ProgressLine() {
-        if (shown_) {
-            std::fputs("\r\x1b[K", stderr);
-        }
-    }
-
-    void show(int done, int total) {
-        const auto now = Clock::now();
-        if (!terminal_ || now - last_ < kRefresh) {
-            return;
-        }
-        last_ = now;
-        shown_ = true;
-        std::fprintf(stderr, "\rstep %d of %d (%d %%)\x1b[K", done, total,
-                     static_cast<int>(100.0 * done / total));
-        std::fflush(stderr);
-    }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    static constexpr std::chrono::milliseconds kRefresh{100};
-    bool terminal_ = ::isatty(STDERR_FILENO) == 1;
-    bool shown_ = false;
-    Clock::time_point last_ = Clock::now();
-};
-
 ReplayResult runHeadless(const Session& session, SurfaceMesh model,
                          const std::filesystem::path& folder) {
     gpu::EglContext context;
     gpu::enableDebugOutput();
     ProgressLine line;
     return replaySession(session, std::move(model), folder,
-                         [&line](int done, int total) { line.show(done, total); });
+                         {[&line](int done, int total) { line.show(done, total); }, {}});
 }
 
 std::string percent(double ratio) {

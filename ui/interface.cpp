@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 
 #include "ui/help_overlay.h"
 #include "ui/hint.h"
@@ -115,35 +114,16 @@ void drawPlotsPanel(const PanelModel& model, const Rect& rect) {
 
 }  // namespace
 
-Interface::Interface(float scale) : context_(ImGui::CreateContext()), scale_(scale) {
-    makeCurrent();
+Interface::Interface(float scale) : context_(scale), scale_(scale) {
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.LogFilename = nullptr;
     io.BackendPlatformName = "kerf input queue";
     io.ConfigInputTextCursorBlink = false;
     mapKeys(io);
-    applyTheme(scale);
-    loadFont(scale);
-    if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
-        ImGui::DestroyContext(context_);
-        throw std::runtime_error("the interface cannot use this OpenGL driver: update it");
-    }
-}
-
-Interface::~Interface() {
-    makeCurrent();
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui::DestroyContext(context_);
-}
-
-void Interface::makeCurrent() const {
-    ImGui::SetCurrentContext(context_);
 }
 
 std::vector<Action> Interface::pass(std::span<const InputEvent> events, const PanelModel& model,
                                     int width, int height, double elapsedSeconds) {
-    makeCurrent();
+    context_.makeCurrent();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = std::max(1e-4F, static_cast<float>(elapsedSeconds));
@@ -167,18 +147,18 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
 }
 
 void Interface::draw(const gpu::Framebuffer& picture) {
-    makeCurrent();
+    context_.makeCurrent();
     picture.bind();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 bool Interface::ownsPointer() const {
-    makeCurrent();
+    context_.makeCurrent();
     return ImGui::GetIO().WantCaptureMouse;
 }
 
 bool Interface::ownsKeyboard() const {
-    makeCurrent();
+    context_.makeCurrent();
     return ImGui::GetIO().WantTextInput;
 }
 

@@ -6,9 +6,8 @@
 #include "gpu/framebuffer.h"
 #include "ui/action.h"
 #include "ui/input.h"
+#include "ui/panel_context.h"
 #include "ui/panel_model.h"
-
-struct ImGuiContext;
 
 namespace kerf::ui {
 
@@ -18,9 +17,6 @@ class Interface {
   public:
     /// Needs a current OpenGL 4.5 context; `scale` is the display's (1 = 96 dpi).
     explicit Interface(float scale);
-    ~Interface();
-    Interface(const Interface&) = delete;
-    Interface& operator=(const Interface&) = delete;
 
     /// One pass over the panels with the input of one batch; the answers of the person. A pass
     /// without draw() is fine: only the last one is shown.
@@ -34,9 +30,7 @@ class Interface {
     bool ownsKeyboard() const;
 
   private:
-    void makeCurrent() const;
-
-    ImGuiContext* context_ = nullptr;
+    PanelContext context_;
     float scale_ = 1;
 };
 

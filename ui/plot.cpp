@@ -75,16 +75,20 @@ void drawTicksX(ImDrawList& draw, const Frame& frame, std::string_view unit) {
     const float line = ImGui::GetFontSize();
     const int most = std::max(2, static_cast<int>((frame.high.x - frame.low.x) / (2.4F * line)));
     const PlotTicks ticks = niceTicks(frame.x, most);
-    for (const double value : ticks.values) {
-        const float x = std::round(frame.atX(value));
-        std::string text = formatNumber(value, ticks.decimals);
-        if (value == ticks.values.back()) {
+    float freeUntil = frame.high.x;
+    for (auto tick = ticks.values.rbegin(); tick != ticks.values.rend(); ++tick) {
+        const float x = std::round(frame.atX(*tick));
+        std::string text = formatNumber(*tick, ticks.decimals);
+        if (tick == ticks.values.rbegin()) {
             text += " " + std::string(unit);
         }
         const float width = ImGui::CalcTextSize(text.c_str()).x;
+        const float left = std::min(x - width / 2, frame.high.x - width);
         draw.AddLine({x, frame.low.y}, {x, frame.high.y}, Theme::kGrid);
-        draw.AddText({std::min(x - width / 2, frame.high.x - width), frame.high.y + 0.2F * line},
-                     Theme::kDimText, text.c_str());
+        if (left + width <= freeUntil) {
+            draw.AddText({left, frame.high.y + 0.2F * line}, Theme::kDimText, text.c_str());
+            freeUntil = left - 0.3F * line;
+        }
     }
 }
 

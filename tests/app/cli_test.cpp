@@ -36,6 +36,7 @@ std::string openBox() {
 TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
     for (const std::vector<std::string>& call : {std::vector<std::string>{"--help"},
                                                  {"replay", "--help"},
+                                                 {"experiment", "--help"},
                                                  {"inspect", "--help"},
                                                  {"compare", "--help"},
                                                  {"--version"}}) {
@@ -48,7 +49,7 @@ TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
 
 TEST(CommandLine, HelpNamesEveryVerbThatIsForPeople) {
     const std::string help = runKerf({"--help"}).out;
-    for (const char* verb : {"replay", "inspect", "compare"}) {
+    for (const char* verb : {"replay", "experiment", "inspect", "compare"}) {
         EXPECT_NE(help.find(verb), std::string::npos) << verb;
     }
     EXPECT_EQ(help.find("import-worker"), std::string::npos);
@@ -60,8 +61,11 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
     expectMistake(runKerf({"replay", "a.kerf.json", "b.kerf.json", "--out", "x"}), 2,
                   "b.kerf.json");
     expectMistake(runKerf({"--no-such-option"}), 2, "--no-such-option");
-    expectMistake(runKerf({"experiment"}), 2, "neither a verb nor a file");
-    expectMistake(runKerf({"experiment", "all", "--out", "x"}), 2, "");
+    expectMistake(runKerf({"experimant"}), 2, "neither a verb nor a file");
+    expectMistake(runKerf({"experiment", "--out", "x"}), 2, "NAME");
+    expectMistake(runKerf({"experiment", "all"}), 2, "--out");
+    expectMistake(runKerf({"experiment", "cube", "--out", "x"}), 2,
+                  "there is no experiment 'cube'; there are sphere20, ");
     expectMistake(runKerf({"compare", "a.png"}), 2, "B");
     expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "2"}), 2, "threshold");
     expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "nan"}), 2, "threshold");

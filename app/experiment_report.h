@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/metrics.h"
+#include "app/paper_experiments.h"
+#include "render/image.h"
+
+namespace kerf::app {
+
+/// One of the paper's experiments, run.
+struct ExperimentResult {
+    const PaperExperiment* paper = nullptr;
+    RunSummary summary;
+    std::vector<std::string> pictures;  ///< PNG files relative to the report, in order
+};
+
+/// The text of report.md: the paper's tables and figures remade, its figures beside ours.
+std::string formatExperimentReport(const std::vector<ExperimentResult>& results);
+
+}  // namespace kerf::app

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+
+namespace kerf::app {
+
+/// `kerf experiment NAME|all --out DIR [--json]`, parsed.
+struct ExperimentArguments {
+    std::string name;  ///< of an experiment, or "all"
+    std::filesystem::path out;
+    bool json = false;
+};
+
+/// Runs the paper's experiment of that name, or all of them, from the sessions in assets/sessions:
+/// each writes into DIR/NAME what a replay writes and a plot of volume and frame rate, then
+/// DIR/report.md comes last. Prints the volumes beside the paper's on `out`; the first failed check
+/// goes to `errors`. Returns the exit code, 0 or 1. Throws what replaySession throws, and
+/// gpu::ContextError.
+int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std::ostream& errors);
+
+}  // namespace kerf::app

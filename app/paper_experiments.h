@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace kerf::app {
+
+/// What the paper (docs/architecture.md, Sources) says of one of its five experiments. Its tables
+/// 2 (counts) and 3 (stage times) are only known to us as far as its text repeats them.
+struct PaperExperiment {
+    const char* name;         ///< of the builtin model and of the session
+    const char* label;        ///< as the paper writes it
+    double timeStep;          ///< [s], section 3.1
+    int iterations;           ///< section 3.1
+    int triangles;            ///< before the cut, from the name of the model; 0 where not known
+    double meanVolume;        ///< % of rest, section 3.2 on figure 10
+    double meanFps;           ///< [1/s], section 3.2 on figure 9
+    const char* volumeAfter;  ///< how the volume recovers, section 3.2 on figure 10
+};
+
+/// In the paper's order.
+std::span<const PaperExperiment> paperExperiments();
+/// Null for an unknown name.
+const PaperExperiment* findPaperExperiment(std::string_view name);
+
+}  // namespace kerf::app

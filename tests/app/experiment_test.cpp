@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/experiment_report.h"
+#include "app/session.h"
+#include "tests/support/run_kerf.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using test::readBytes;
+using test::runKerf;
+using test::TemporaryFolder;
+
+class PaperSessions : public ::testing::TestWithParam<app::PaperExperiment> {};
+
+TEST_P(PaperSessions, HaveThePapersSettingsAndCourse) {
+    const app::PaperExperiment& paper = GetParam();
+    const app::Session session =
+        app::readSession(std::filesystem::path(KERF_SOURCE_DIR) / "assets/sessions" /
+                         (std::string(paper.name) + ".kerf.json"));
+    EXPECT_EQ(session.model.builtin, paper.name);
+    EXPECT_EQ(session.params.timeStep, paper.timeStep);
+    EXPECT_EQ(session.params.iterations, paper.iterations);
+    EXPECT_TRUE(session.params.floor.has_value());
+    EXPECT_EQ(session.params.gravity, Vec3::Zero()) << "while the blade cuts";
+    std::vector<const MoveBlade*> poses;
+    const kerf::SetParam* gravity = nullptr;
+    for (const app::SessionEvent& event : session.events) {
+        if (const auto* pose = std::get_if<MoveBlade>(&event.action)) {
+            EXPECT_EQ(gravity, nullptr);
+            poses.push_back(pose);
+        }
+        if (const auto* set = std::get_if<kerf::SetParam>(&event.action)) {
+            gravity = set;
+        }
+    }
+    ASSERT_EQ(poses.size(), 2u);
+    EXPECT_GT(poses[0]->blade.a.y(), poses[1]->blade.a.y()) << "it comes down";
+    ASSERT_NE(gravity, nullptr);
+    EXPECT_EQ(gravity->name, "gravity");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PaperSessions, ::testing::ValuesIn(app::paperExperiments()),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+TEST(Experiment, LeavesWhatTheContractSays) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "out");
+    test::writeText(folder / "out/report.md", "of an earlier run");
+    const test::ProgramRun run =
+        runKerf({"experiment", "sphere20", "--out", folder / "out", "--json"});
+    ASSERT_EQ(run.exitCode, 0) << run.errors;
+    const auto printed = nlohmann::json::parse(run.out);
+    const auto summary = nlohmann::json::parse(readBytes(folder / "out/sphere20/summary.json"));
+    EXPECT_EQ(printed["experiments"]["sphere20"]["state_hash"], summary["state_hash"]);
+    EXPECT_EQ(summary["pieces"].size(), 2u);
+    EXPECT_EQ(render::readPng(folder / "out/sphere20/plots.png").width, 900);
+    const std::string report = readBytes(folder / "out/report.md");
+    EXPECT_NE(report.find("| Sphere 20 | 100.00 | "), std::string::npos) << report;
+    EXPECT_NE(report.find("99.6"), std::string::npos) << "the paper's mean volume";
+    EXPECT_NE(report.find("](sphere20/plots.png)"), std::string::npos);
+    EXPECT_EQ(report.find("Octopus"), std::string::npos) << "was not run";
+}
+
+TEST(Experiment, WithoutOpenGlNothingIsWritten) {
+    const TemporaryFolder folder;
+    const test::ProgramRun run =
+        runKerf({"experiment", "all", "--out", folder / "out"}, {{"KERF_FORCE_NO_GL", "1"}});
+    EXPECT_EQ(run.exitCode, 4) << run.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(ExperimentReport, NamesWhatDidNotHold) {
+    app::ExperimentResult result;
+    result.paper = app::findPaperExperiment("octopus");
+    result.summary.renderer = "some GPU";
+    result.summary.failures = {"Step 7: the volume is not finite any more."};
+    const std::string report = app::formatExperimentReport({result});
+    EXPECT_NE(report.find("- Octopus: Step 7: the volume"), std::string::npos) << report;
+    EXPECT_NE(report.find("some GPU"), std::string::npos);
+    EXPECT_NE(report.find("91.1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf

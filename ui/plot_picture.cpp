@@ -1,0 +1,47 @@
+#include "ui/plot_picture.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include "gpu/framebuffer.h"
+#include "ui/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+void drawAll(std::span<const PlotSpec> plots) {
+    const float gaps = ImGui::GetStyle().ItemSpacing.y * static_cast<float>(plots.size());
+    const float room = ImGui::GetContentRegionAvail().y - gaps;
+    for (const PlotSpec& plot : plots) {
+        drawPlot(plot, room / static_cast<float>(plots.size()));
+    }
+}
+
+}  // namespace
+
+PlotPainter::PlotPainter() : context_(1) {}
+
+render::Image PlotPainter::draw(std::span<const PlotSpec> plots, int width, int height) {
+    context_.makeCurrent();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    const gpu::Framebuffer picture(GL_RGBA8, GL_DEPTH_COMPONENT24, width, height);
+    // A new window is laid out in its first pass and shown from the second on.
+    for (int pass = 0; pass < 2; ++pass) {
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui::NewFrame();
+        beginPanel("plots", {0, 0, io.DisplaySize.x, io.DisplaySize.y});
+        drawAll(plots);
+        ImGui::End();
+        ImGui::Render();
+    }
+    glUseProgram(0);  // ImGui brings back the one in use, which its owner may have deleted
+    picture.bind();
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    return {width, height, picture.readColor()};
+}
+
+}  // namespace kerf::ui

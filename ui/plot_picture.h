@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include "render/image.h"
+#include "ui/panel_context.h"
+#include "ui/plot.h"
+
+namespace kerf::ui {
+
+/// Draws plots into pictures, for reports: the same plots as in the editor.
+class PlotPainter {
+  public:
+    /// Needs a current OpenGL 4.5 context.
+    PlotPainter();
+
+    /// The plots one below the other, of equal heights. `width`, `height` of the picture [pixels].
+    render::Image draw(std::span<const PlotSpec> plots, int width, int height);
+
+  private:
+    PanelContext context_;
+};
+
+}  // namespace kerf::ui
