@@ -123,7 +123,7 @@ render::SceneView EditorScene::view() {
 
 void EditorScene::refreshPieces() {
     pieces_.clear();
-    for (const Piece& piece : simulation_.pieces().pieces) {
+    for (const Piece& piece : simulation_.measuredPieces()) {
         pieces_.push_back({piece.triangles, piece.volume,
                            piece.restVolume > 0 ? piece.volume / piece.restVolume : 0});
     }

@@ -49,8 +49,8 @@ class EditorScene {
     const Simulation& simulation() const { return simulation_; }
     /// As a number of the last report: 1 for an uncut body.
     int pieceCount() const { return simulation_.report().pieces; }
-    /// Bounds of the body as it is (waits for the GPU).
-    Bounds bounds() { return meshBounds(simulation_.mesh()); }
+    /// Bounds of the body as it is.
+    const Bounds& bounds() const { return simulation_.bounds(); }
     /// Sentences that the simulation left for the person.
     std::vector<std::string> takeMessages() { return simulation_.takeMessages(); }
 

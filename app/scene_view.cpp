@@ -2,7 +2,7 @@
 
 namespace kerf::app {
 
-render::SceneView sceneOf(Simulation& simulation, const std::string& modelName,
+render::SceneView sceneOf(const Simulation& simulation, const std::string& modelName,
                           const Bounds& restBounds, const std::vector<Blade>& sweep) {
     render::SceneView scene;
     scene.body = simulation.bodyView();
@@ -11,7 +11,7 @@ render::SceneView sceneOf(Simulation& simulation, const std::string& modelName,
     scene.floor = simulation.params().floor;
     scene.blade = simulation.blade();
     scene.sweep = sweep;
-    scene.focus = meshBounds(simulation.mesh());
+    scene.focus = simulation.bounds();
     return scene;
 }
 

@@ -10,8 +10,8 @@ namespace kerf::app {
 
 /// What a picture shows of a simulation as it stands, in the window as in a replay. `modelName`:
 /// see ModelReference::name(); `restBounds`: of the uncut rest shape; `sweep`: poses of the running
-/// stroke. Waits for the GPU.
-render::SceneView sceneOf(Simulation& simulation, const std::string& modelName,
+/// stroke.
+render::SceneView sceneOf(const Simulation& simulation, const std::string& modelName,
                           const Bounds& restBounds, const std::vector<Blade>& sweep);
 
 }  // namespace kerf::app

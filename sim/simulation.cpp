@@ -311,7 +311,6 @@ void Simulation::State::adoptNewTopology(const CutDelta& delta) {
     cutter->boundMotion(roundVertices(mesh, written));
     const BodyChange change = body->update(delta);
     solver.update(model(), change, written, stateOf(mesh, written));
-    solver.saveState();
     if (change.pieces.piecesChanged) {
         measure = solver.measure();
     }
@@ -407,6 +406,21 @@ std::vector<std::string> Simulation::takeMessages() {
 
 BodyView Simulation::bodyView() const {
     return state_->solver.view();
+}
+
+const Bounds& Simulation::bounds() const {
+    return state_->measure.bounds;
+}
+
+std::vector<Piece> Simulation::measuredPieces() const {
+    std::vector<Piece> out;
+    const BodyModel& model = state_->model();
+    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+        const PieceModel& piece = model.pieces[p];
+        out.push_back({static_cast<int>(piece.triangleCount), static_cast<int>(piece.vertexCount),
+                       state_->measure.pieceVolumes[p], piece.restVolume, piece.restArea});
+    }
+    return out;
 }
 
 const SurfaceMesh& Simulation::mesh() {

@@ -63,6 +63,10 @@ class Simulation {
 
     /// What the renderer draws from; valid until the next step or reset.
     BodyView bodyView() const;
+    /// Box around the body and what each piece holds, as of the last step, without reading anything
+    /// back. Pieces stand in the order in which they came off.
+    const Bounds& bounds() const;
+    std::vector<Piece> measuredPieces() const;
     /// The mesh with current positions and velocities (waits for the GPU where they are newer).
     const SurfaceMesh& mesh();
     /// Per piece: triangles, volume, rest volume (waits for the GPU as mesh()).

@@ -181,7 +181,7 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     resizeScratch(model);
     setCounts(uniforms_, model);
     uploadUniforms();
-    setMasses();
+    massesLag_ = true;
 }
 
 void GpuSolver::updateVertices(const BodyModel& model, const BodyChange& change) {
@@ -206,8 +206,11 @@ void GpuSolver::updateState(std::span<const uint> written, const BodyState& stat
         return std::lower_bound(written.begin(), written.end(), v) - written.begin();
     };
     const auto keep = Scatter::Gaps::keep;
-    scatter_.write<shared::vec4>(positions_, areas_.size(), written, keep,
-                                 [&](uint v) { return packed(state.positions[place(v)], 0.0f); });
+    for (gpu::Buffer* buffer : {&positions_, &savedPositions_}) {
+        scatter_.write<shared::vec4>(*buffer, areas_.size(), written, keep, [&](uint v) {
+            return packed(state.positions[place(v)], 0.0f);
+        });
+    }
     scatter_.write<shared::vec4>(velocities_, areas_.size(), written, keep,
                                  [&](uint v) { return packed(state.velocities[place(v)], 0.0f); });
 }
@@ -239,7 +242,16 @@ void GpuSolver::setState(const BodyState& state) {
     setMasses();
 }
 
+/// After a cut all masses of a piece change: that waits for the next step, which looks at every
+/// vertex anyway.
+void GpuSolver::refreshMasses() {
+    if (massesLag_) {
+        setMasses();
+    }
+}
+
 void GpuSolver::setMasses() {
+    massesLag_ = false;
     bindBody();
     areaBuffer_.bindStorage(shared::kAreasBinding);
     run(kernels_.masses, uniforms_.vertex_count);
@@ -271,6 +283,7 @@ void GpuSolver::setVolumeTargets(std::span<const VolumeTarget> targets) {
 }
 
 void GpuSolver::anchor(int vertex, const Vec3f& velocity) {
+    refreshMasses();
     setInverseUnitMass(vertex, 0.0f);
     const shared::vec4 value = packed(velocity, 0.0f);
     velocities_.write(vertex, std::span<const shared::vec4>(&value, 1));
@@ -307,6 +320,7 @@ void GpuSolver::step() {
 }
 
 void GpuSolver::predictAndStretch() {
+    refreshMasses();
     bindBody();
     edges_.bindStorage(shared::kConstraintsBinding);
     edgeIncidence_.bind();

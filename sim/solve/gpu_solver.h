@@ -75,7 +75,8 @@ class GpuSolver {
     /// d of the running substep, shape [vertexCount] [m].
     std::vector<Vec3f> readDisplacements() const;
 
-    /// Remembers the positions on the GPU, and brings them back with velocities at zero.
+    /// Remembers the positions on the GPU, and brings them back with velocities at zero. update()
+    /// writes into what is remembered too.
     void saveState();
     void restoreStateAtRest();
 
@@ -107,6 +108,7 @@ class GpuSolver {
     void updateRecords(const BodyModel& model, const BodyChange& change);
     void updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
                      const std::vector<std::uint32_t>& vertices);
+    void refreshMasses();
     void setMasses();
     void uploadUniforms();
     void setInverseUnitMass(int vertex, float value);
@@ -121,6 +123,7 @@ class GpuSolver {
     shared::SolverUniforms uniforms_{};
     std::vector<float> areas_;  ///< rest area of each vertex [m^2]
     std::vector<int> pieceOf_;  ///< of each vertex, -1 for none
+    bool massesLag_ = false;
     VertexPages pages_;
     std::vector<shared::PieceRecord> pieces_;
     std::vector<shared::BlockRecord> blocks_;

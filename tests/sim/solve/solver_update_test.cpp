@@ -105,5 +105,25 @@ TEST_F(SolverUpdateTest, KeepsTheStateOfOldVertices) {
     }
 }
 
+TEST_F(SolverUpdateTest, RemembersWhatACutAdded) {
+    SurfaceMesh mesh = test::icosphere(2);
+    BodyUpdater body(mesh);
+    GpuSolver solver;
+    solver.setModel(body.model(), stateOf(mesh));
+    solver.setUniforms(solverUniforms(Params{}, body.model()));
+    solver.saveState();
+    Cutter cutter(mesh, test::exactSettings());
+    cutter.begin({{-2, 0.021, 0.013}, {2, 0.034, 0.055}});
+    CutResult result = cutter.advance({{-2, 0.3, 1}, {2, 0.3, 1}});
+    result = result.outcome == CutOutcome::cut ? result : cutter.finish();
+    ASSERT_EQ(result.outcome, CutOutcome::cut);
+    const BodyChange change = body.update(result.delta);
+    const std::vector<std::uint32_t> written = rewrittenVertices(mesh, result.delta);
+    solver.update(body.model(), change, written, stateOf(mesh, written));
+    solver.step();
+    solver.restoreStateAtRest();
+    EXPECT_EQ(solver.readState().positions, stateOf(mesh).positions);
+}
+
 }  // namespace
 }  // namespace kerf
