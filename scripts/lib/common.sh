@@ -40,6 +40,9 @@ xauth               lets programs onto that display
 xdotool             moves the mouse in the window tests
 python3-numpy       remakes the builtin models, to compare them
 '
+bench_packages='
+libcgal-dev         is the peer of the planar cut
+'
 format_packages='
 clang-format        checks the layout of the code
 '

@@ -37,16 +37,39 @@ Bounds boxOf(const SurfaceMesh& mesh, int t) {
     return box;
 }
 
+bool segmentMeets(const Bounds& box, const Vec3& p, const Vec3& q) {
+    double from = 0;
+    double to = 1;
+    for (int k = 0; k < 3; ++k) {
+        const double way = q[k] - p[k];
+        if (std::fabs(way) < 1e-300) {
+            if (p[k] < box.low[k] || p[k] > box.high[k]) {
+                return false;
+            }
+            continue;
+        }
+        const double a = (box.low[k] - p[k]) / way;
+        const double b = (box.high[k] - p[k]) / way;
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+    return from <= to;
+}
+
 /// The skin within reach of an edge of the rung.
 class NearbySkin {
   public:
-    NearbySkin(const SurfaceMesh& mesh, const std::vector<int>& candidates, const Vec3& p,
-               const Vec3& q, double reach)
+    NearbySkin(const SurfaceMesh& mesh, TriangleTree& tree, const std::function<bool(int)>& isSkin,
+               const Vec3& p, const Vec3& q, double reach)
         : mesh_(mesh), reach_(reach) {
-        for (const int t : candidates) {
-            Bounds box = boxOf(mesh, t);
+        const auto widened = [reach](Bounds box) {
             box.widen(reach);
-            if (segmentMeets(box, p, q)) {
+            return box;
+        };
+        for (const int t :
+             tree.find([&](const Bounds& box) { return segmentMeets(widened(box), p, q); })) {
+            const Bounds box = widened(boxOf(mesh, t));
+            if (isSkin(t) && segmentMeets(box, p, q)) {
                 entries_.push_back({t, box});
             }
         }
@@ -77,42 +100,10 @@ class NearbySkin {
         Bounds box;  ///< widened by the reach
     };
 
-    static bool segmentMeets(const Bounds& box, const Vec3& p, const Vec3& q) {
-        double from = 0;
-        double to = 1;
-        for (int k = 0; k < 3; ++k) {
-            const double way = q[k] - p[k];
-            if (std::fabs(way) < 1e-300) {
-                if (p[k] < box.low[k] || p[k] > box.high[k]) {
-                    return false;
-                }
-                continue;
-            }
-            const double a = (box.low[k] - p[k]) / way;
-            const double b = (box.high[k] - p[k]) / way;
-            from = std::max(from, std::min(a, b));
-            to = std::min(to, std::max(a, b));
-        }
-        return from <= to;
-    }
-
     const SurfaceMesh& mesh_;
     double reach_;
     std::vector<Entry> entries_;
 };
-
-std::vector<int> trianglesNear(const SurfaceMesh& mesh, TriangleTree& tree,
-                               const std::function<bool(int)>& isSkin,
-                               const std::vector<RungNode>& rung, double reach) {
-    Bounds around;
-    for (const RungNode& node : rung) {
-        around.add(node.position);
-    }
-    around.widen(reach);
-    std::vector<int> result = tree.find([&](const Bounds& box) { return box.overlaps(around); });
-    std::erase_if(result, [&](int t) { return !isSkin(t) || !boxOf(mesh, t).overlaps(around); });
-    return result;
-}
 
 double shareAt(double distance, double h) {
     return std::clamp((kReach - distance / h) / (kReach - kFullReach), 0.0, 1.0);
@@ -123,14 +114,13 @@ double shareAt(double distance, double h) {
 AirTies::AirTies(const SurfaceMesh& mesh, TriangleTree& tree,
                  const std::function<bool(int)>& isSkin, double h,
                  const std::vector<RungNode>& rung) {
-    const std::vector<int> candidates = trianglesNear(mesh, tree, isSkin, rung, kReach * h);
     for (int i = 0; i + 1 < sizeOf(rung); ++i) {
         const RungNode& node = rung[i];
         const RungNode& next = rung[i + 1];
         if (node.attached || (node.vertex >= 0 && next.vertex >= 0)) {
             continue;
         }
-        const NearbySkin skin(mesh, candidates, node.position, next.position, kReach * h);
+        const NearbySkin skin(mesh, tree, isSkin, node.position, next.position, kReach * h);
         const Vec3 way = next.position - node.position;
         const int parts = std::max(1, static_cast<int>(std::ceil(way.norm() / (kSpacing * h))));
         for (int k = 0; k <= parts; ++k) {

@@ -1,6 +1,7 @@
 #include "sim/cut/skin_map.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 namespace kerf::cut {
 
@@ -71,6 +72,12 @@ Moments momentsAbout(const Vec3& center, const std::vector<Sample>& samples, dou
     return m;
 }
 
+/// The body lies still in its rest shape: every map fitted to it is the identity.
+bool areAtRest(const std::vector<Sample>& samples) {
+    return std::ranges::all_of(
+        samples, [](const Sample& s) { return s.offset.isZero(0) && s.velocity.isZero(0); });
+}
+
 void mapNode(const std::vector<Sample>& samples, double h, Node& node) {
     const Moments m = momentsAbout(node.position, samples, h);
     const Vec3 center = m.position / m.weight;
@@ -82,6 +89,11 @@ void mapNode(const std::vector<Sample>& samples, double h, Node& node) {
     node.rest =
         node.position + offset + (m.offsetByPosition - m.offset * center.transpose()) * lever;
     node.velocity = velocity + (m.velocityByPosition - m.velocity * center.transpose()) * lever;
+}
+
+void keepNode(Node& node) {
+    node.rest = node.position;
+    node.velocity = Vec3::Zero();
 }
 
 }  // namespace
@@ -115,11 +127,12 @@ void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutC
         if (sizeOf(samples) < kLeastSamples) {
             samples = rimSamples(sheet, curves.nodes);
         }
+        const bool atRest = areAtRest(samples);
         for (const Triangle& t : sheet.triangles) {
             for (const int id : t) {
                 Node& node = curves.nodes[id];
                 if (node.kind == NodeKind::wall && !mapped[id]) {
-                    mapNode(samples, in.h, node);
+                    atRest ? keepNode(node) : mapNode(samples, in.h, node);
                     mapped[id] = true;
                 }
             }

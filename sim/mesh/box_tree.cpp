@@ -40,6 +40,24 @@ struct Split {
 
 }  // namespace
 
+/// Reorders them by the middle along the longest side of their centres; returns how many lie before
+/// it.
+std::size_t BoxTree::halveItems(std::span<Item> items) {
+    Bounds centers;
+    for (const Item& item : items) {
+        centers.add(item.center);
+    }
+    int axis = 0;
+    (centers.high - centers.low).maxCoeff(&axis);
+    const std::size_t half = items.size() / 2;
+    std::nth_element(items.begin(), items.begin() + half, items.end(),
+                     [axis](const Item& a, const Item& b) {
+                         return a.center[axis] < b.center[axis] ||
+                                (a.center[axis] == b.center[axis] && a.id < b.id);
+                     });
+    return half;
+}
+
 /// Fills a subtree with items, from a node that has neither children nor a leaf.
 class BoxTree::Builder {
   public:
@@ -94,27 +112,14 @@ class BoxTree::Builder {
         const bool bySurface = rule_ == Rule::surfaceArea && task.depth < kSahDepth;
         const Split split = bySurface ? findSplit(task, centers) : Split{};
         if (split.axis < 0) {
-            return halve(task, centers);
+            return static_cast<int>(halveItems(itemsOf(task)));
         }
         const std::span<Item> items = itemsOf(task);
         const auto middle = std::partition(items.begin(), items.end(), [&](const Item& item) {
             return item.center[split.axis] < split.plane;
         });
         const int half = static_cast<int>(middle - items.begin());
-        return half > 0 && half < task.count ? half : halve(task, centers);
-    }
-
-    int halve(const Task& task, const Bounds& centers) {
-        int axis = 0;
-        (centers.high - centers.low).maxCoeff(&axis);
-        const std::span<Item> items = itemsOf(task);
-        const int half = task.count / 2;
-        std::nth_element(items.begin(), items.begin() + half, items.end(),
-                         [axis](const Item& a, const Item& b) {
-                             return a.center[axis] < b.center[axis] ||
-                                    (a.center[axis] == b.center[axis] && a.id < b.id);
-                         });
-        return half;
+        return half > 0 && half < task.count ? half : static_cast<int>(halveItems(itemsOf(task)));
     }
 
     Split findSplit(const Task& task, const Bounds& centers) {
@@ -284,7 +289,8 @@ void BoxTree::insert(int id, const BoundsOf& boundsOf) {
     }
     const Bounds bounds = boundsOf(id);
     int index = 0;
-    while (nodes_[index].child >= 0) {
+    int depth = 0;
+    for (; nodes_[index].child >= 0; ++depth) {
         nodes_[index].bounds.add(bounds);
         ++nodes_[index].count;
         index = chooseChild(nodes_[index], bounds);
@@ -300,16 +306,28 @@ void BoxTree::insert(int id, const BoundsOf& boundsOf) {
         }
         nodeOf_[id] = index;
     }
-    keepBalanced(index, boundsOf);
+    keepBalanced(index, depth, boundsOf);
 }
 
+// Two leaves, each at least half full: divided at the middle of the longest side of the centres.
 void BoxTree::splitLeaf(int index, int id, const BoundsOf& boundsOf) {
-    std::vector<Item> items{itemOf(id, boundsOf)};
-    for (const int old : idsOf(nodes_[index])) {
-        items.push_back(itemOf(old, boundsOf));
+    std::array<Item, kLeafCapacity + 1> items;
+    items[0] = itemOf(id, boundsOf);
+    for (int i = 0; i < kLeafCapacity; ++i) {
+        items[i + 1] = itemOf(leaves_[nodes_[index].leaf][i], boundsOf);
     }
     freeLeaves_.push_back(std::exchange(nodes_[index].leaf, -1));
-    Builder(*this, std::move(items), Builder::Rule::halves).build(index);
+    const std::size_t half = halveItems(items);
+    const int left = newPair();
+    nodes_[left].parent = nodes_[left + 1].parent = index;
+    fillLeaf(left, std::span(items).first(half));
+    fillLeaf(left + 1, std::span(items).subspan(half));
+    Node& node = nodes_[index];
+    node.bounds = nodes_[left].bounds;
+    node.bounds.add(nodes_[left + 1].bounds);
+    node.stamp = motion_;
+    node.count = static_cast<int>(items.size());
+    node.child = left;
 }
 
 void BoxTree::erase(int id) {
@@ -349,11 +367,7 @@ void BoxTree::replaceBySibling(int emptyLeaf) {
     }
 }
 
-void BoxTree::keepBalanced(int index, const BoundsOf& boundsOf) {
-    int depth = 0;
-    for (int i = index; i > 0; i = nodes_[i].parent) {
-        ++depth;
-    }
+void BoxTree::keepBalanced(int index, int depth, const BoundsOf& boundsOf) {
     if (depth <= kDepthPerDoubling * std::log2(nodes_[0].count) + kFreeDepth) {
         return;
     }

@@ -72,6 +72,7 @@ class BoxTree {
     class Builder;
 
     static Item itemOf(int id, const BoundsOf& boundsOf);
+    static std::size_t halveItems(std::span<Item> items);
     Bounds widened(const Node& node) const;
     void refitWithin(int node, double tolerance, const BoundsOf& boundsOf);
     Bounds boundsOfLeaf(const Node& leaf, const BoundsOf& boundsOf) const;
@@ -81,7 +82,7 @@ class BoxTree {
     int chooseChild(const Node& node, const Bounds& bounds) const;
     void splitLeaf(int node, int id, const BoundsOf& boundsOf);
     void replaceBySibling(int emptyLeaf);
-    void keepBalanced(int node, const BoundsOf& boundsOf);
+    void keepBalanced(int node, int depth, const BoundsOf& boundsOf);
     void rebuild(int node, const BoundsOf& boundsOf);
     void collect(int node, std::vector<int>& ids);
 
