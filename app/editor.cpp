@@ -11,6 +11,7 @@
 #include "app/editor_scene.h"
 #include "app/editor_toast.h"
 #include "app/input_queue.h"
+#include "app/step_clock.h"
 #include "sim/stopwatch.h"
 #include "sim/text.h"
 #include "ui/interface.h"
@@ -19,12 +20,10 @@
 namespace kerf::app {
 namespace {
 
-constexpr int kMaxStepsPerPicture = 4;
 constexpr double kStepBudgetSeconds = 0.012;  // more than one step only while they are this fast
 constexpr int kMaxBatchesPerPicture = 16;
 constexpr int kSettlePasses = 2;  // passes after the last input, for panels that answer late
 constexpr double kForever = 1e9;
-constexpr double kRateSmoothing = 0.1;
 constexpr std::array<float, 3> kEmptyColor{0.06F, 0.065F, 0.08F};  // while nothing is open
 const Vec3 kEarthGravity{0, -9.81, 0};
 
@@ -46,9 +45,13 @@ std::filesystem::path freeScreenshotFile(const std::filesystem::path& folder) {
 
 struct Editor::State {
     explicit State(const EditorOptions& wanted)
-        : options(wanted), interface(wanted.scale), renderer(wanted.quality) {}
+        : options(wanted),
+          clock(wanted.byTheClock),
+          interface(wanted.scale),
+          renderer(wanted.quality) {}
 
     EditorOptions options;
+    StepClock clock;
     InputQueue queue;
     ui::Interface interface;
     render::Renderer renderer;
@@ -66,11 +69,8 @@ struct Editor::State {
     bool helpOpen = false;
     bool wireframe = false;
     bool screenshotWanted = false;
-    bool ranLastFrame = false;
     bool strokedOnce = false;
     int settlePasses = kSettlePasses;
-    double dueSeconds = 0;  ///< simulated time that the clock is ahead [s]
-    double frameRate = 0;   ///< smoothed [1/s]
 
     // Input.
     void takeInput(double elapsedSeconds);
@@ -89,7 +89,8 @@ struct Editor::State {
     void perform(ui::ActionId id);
     void performOnScene(ui::ActionId id);
     void moveCamera(ui::ActionId id);
-    void choose(const SetParam& choice);
+    void execute(const Command& command);
+    void goToChange(std::size_t done);
     void cancel();
     void toggleGravity();
     void open(const std::filesystem::path& file);
@@ -97,10 +98,8 @@ struct Editor::State {
 
     // Time.
     void advance(double elapsedSeconds);
-    int stepsDue(double elapsedSeconds);
     /// `needed` steps whatever they cost, up to `due` ones while they are fast.
     void runSteps(int needed, int due);
-    void measureRate(double elapsedSeconds, bool ran);
     bool running() const;
 
     // Pictures.
@@ -231,19 +230,38 @@ void Editor::State::onFocusLost() {
 void Editor::State::apply(const ui::Action& action) {
     if (const auto* id = std::get_if<ui::ActionId>(&action)) {
         perform(*id);
+    } else if (const auto* change = std::get_if<ui::GoToChange>(&action)) {
+        goToChange(change->done);
+    } else if (const auto* speed = std::get_if<ui::SetSpeed>(&action)) {
+        clock.setSpeed(speed->factor);
     } else {
-        choose(std::get<SetParam>(action));
+        execute(std::get<SetParam>(action));
     }
 }
 
-void Editor::State::choose(const SetParam& choice) {
+void Editor::State::execute(const Command& command) {
     if (scene == nullptr) {
         return;
     }
-    if (const std::string problem = scene->choose(choice); !problem.empty()) {
+    if (const std::string problem = scene->execute(command); !problem.empty()) {
         toast.show(problem, true);
     }
     sceneChanged = true;
+    settlePasses = kSettlePasses;
+}
+
+void Editor::State::goToChange(std::size_t done) {
+    if (scene == nullptr) {
+        return;
+    }
+    const UndoHistory& history = scene->simulation().history();
+    while (history.done() > done && history.canUndo()) {
+        execute(Undo{});
+    }
+    while (history.done() < done && history.canRedo()) {
+        execute(Redo{});
+    }
+    strokeLine.clear();
 }
 
 void Editor::State::perform(ui::ActionId id) {
@@ -281,6 +299,19 @@ void Editor::State::performOnScene(ui::ActionId id) {
         case ui::ActionId::reset:
             scene->reset();
             strokeLine.clear();
+            return;
+        case ui::ActionId::undo:
+            execute(Undo{});
+            strokeLine.clear();
+            return;
+        case ui::ActionId::redo:
+            execute(Redo{});
+            return;
+        case ui::ActionId::slower:
+            clock.setSpeed(clock.speed() / 2);
+            return;
+        case ui::ActionId::faster:
+            clock.setSpeed(clock.speed() * 2);
             return;
         case ui::ActionId::toggleGravity:
             toggleGravity();
@@ -329,7 +360,7 @@ void Editor::State::toggleGravity() {
     const bool on = scene->simulation().params().gravity.norm() > 0;
     const Vec3 before = scene->document().session.params.gravity;
     const Vec3 switchedOn = before.norm() > 0 ? before : kEarthGravity;
-    choose(SetParam{"gravity", on ? Vec3(Vec3::Zero()) : switchedOn});
+    execute(SetParam{"gravity", on ? Vec3(Vec3::Zero()) : switchedOn});
 }
 
 void Editor::State::open(const std::filesystem::path& file) {
@@ -351,7 +382,7 @@ void Editor::State::show(Document document) {
     strokeLine.clear();
     strokedOnce = false;
     sceneChanged = true;
-    dueSeconds = 0;
+    clock.stop();
     if (!note.empty()) {
         spdlog::info("{}: {}", scene->document().name, note);
         toast.show(note, false);
@@ -362,21 +393,6 @@ void Editor::State::show(Document document) {
 
 bool Editor::State::running() const {
     return scene != nullptr && (scene->playing || scene->stroke().pending() > 0);
-}
-
-int Editor::State::stepsDue(double elapsedSeconds) {
-    if (!scene->playing) {
-        dueSeconds = 0;
-        return 0;
-    }
-    if (!options.byTheClock) {
-        return 1;
-    }
-    const double timeStep = scene->simulation().params().timeStep;
-    dueSeconds = std::min(dueSeconds + elapsedSeconds, kMaxStepsPerPicture * timeStep);
-    const int due = static_cast<int>(dueSeconds / timeStep);
-    dueSeconds -= due * timeStep;
-    return due;
 }
 
 void Editor::State::runSteps(int needed, int due) {
@@ -399,22 +415,16 @@ void Editor::State::runSteps(int needed, int due) {
 void Editor::State::advance(double elapsedSeconds) {
     const bool ran = running();
     if (ran) {
-        runSteps(scene->strokeSteps(), stepsDue(elapsedSeconds));
+        const bool playing = scene->playing;
+        const double timeStep = scene->simulation().params().timeStep;
+        runSteps(scene->strokeSteps(), playing ? clock.takeDue(elapsedSeconds, timeStep) : 0);
     }
-    measureRate(elapsedSeconds, ran);
+    if (clock.measure(elapsedSeconds, ran)) {
+        scene->recordFrameRate(1 / elapsedSeconds);
+    }
     if (scene != nullptr && !scene->stroke().drawing() && scene->stroke().pending() == 0) {
         strokeLine.clear();
     }
-}
-
-void Editor::State::measureRate(double elapsedSeconds, bool ran) {
-    // Only between two pictures that both ran: a pause in between is no frame time.
-    if (ran && ranLastFrame && elapsedSeconds > 0) {
-        const double rate = 1 / elapsedSeconds;
-        frameRate = frameRate > 0 ? frameRate + kRateSmoothing * (rate - frameRate) : rate;
-        scene->recordFrameRate(rate);
-    }
-    ranLastFrame = ran;
 }
 
 // --- Pictures ----------------------------------------------------------------------------------
@@ -444,7 +454,8 @@ void Editor::State::describe() {
     if (scene != nullptr) {
         scene->describe(model);
     }
-    model.stages.frame = frameRate > 0 ? 1000 / frameRate : 0;
+    model.speed = clock.speed();
+    model.stages.frame = clock.rate() > 0 ? 1000 / clock.rate() : 0;
     model.device = options.device;
     model.hint = hint();
     model.strokeLine = strokeLine;
@@ -561,6 +572,10 @@ std::string Editor::title() const {
 
 const ui::PanelModel& Editor::panels() const {
     return state_->model;
+}
+
+const ui::ItemPlaces& Editor::places() const {
+    return state_->interface.places();
 }
 
 void Editor::open(const std::filesystem::path& file) {

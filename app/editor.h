@@ -10,6 +10,7 @@
 #include "render/image.h"
 #include "render/renderer.h"
 #include "ui/input.h"
+#include "ui/item_places.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {
@@ -56,6 +57,9 @@ class Editor {
     std::string title() const;
     /// What the panels showed in the last frame.
     const ui::PanelModel& panels() const;
+
+    /// Where the named items of the panels are.
+    const ui::ItemPlaces& places() const;
 
     /// Opens a model or a session; what cannot be opened is said in the view and changes nothing.
     void open(const std::filesystem::path& file);

@@ -10,9 +10,10 @@
 namespace kerf::app {
 namespace {
 
-constexpr std::size_t kStrokeBacklog = 8;  // poses that may wait per step of a picture
-constexpr int kMaxStrokeSteps = 4;         // per picture
-constexpr int kPiecesEvery = 10;           // steps between two looks at the pieces' volumes
+constexpr std::size_t kStrokeBacklog = 8;         // poses that may wait per step of a picture
+constexpr int kMaxStrokeSteps = 4;                // per picture
+constexpr std::size_t kUndoBudget = 512'000'000;  // [bytes]
+constexpr int kPiecesEvery = 10;                  // steps between two looks at the pieces' volumes
 
 /// The command of an event that has one; pictures, exports and checks have none.
 std::optional<Command> commandOf(const SessionAction& action) {
@@ -26,19 +27,33 @@ std::optional<Command> commandOf(const SessionAction& action) {
     return std::visit(convert, action);
 }
 
+bool takesBodyElsewhere(const Command& command) {
+    return std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command) ||
+           std::holds_alternative<Restart>(command);
+}
+
 }  // namespace
 
 EditorScene::EditorScene(Document document)
     : document_(std::move(document)), simulation_(document_.mesh, document_.session.params) {
+    simulation_.setUndoBudget(kUndoBudget);
     player_.emplace(document_.session);
     refreshPieces();
 }
 
-std::string EditorScene::choose(const SetParam& choice) {
-    std::string problem = simulation_.execute(choice);
-    if (problem.empty()) {
-        std::erase_if(choices_, [&](const SetParam& old) { return old.name == choice.name; });
-        choices_.push_back(choice);
+std::string EditorScene::execute(const Command& command) {
+    if (takesBodyElsewhere(command)) {
+        endPlayback();
+        stroke_.clear();
+    }
+    std::string problem = simulation_.execute(command);
+    if (problem.empty() && takesBodyElsewhere(command)) {
+        record();
+        refreshPieces();
+    }
+    if (const auto* set = std::get_if<SetParam>(&command); set != nullptr && problem.empty()) {
+        std::erase_if(choices_, [&](const SetParam& old) { return old.name == set->name; });
+        choices_.push_back(*set);
     }
     return problem;
 }
@@ -80,29 +95,35 @@ void EditorScene::step() {
     const int piecesBefore = pieceCount();
     const StepReport& report = simulation_.step();
     if (report.pieces != piecesBefore) {
-        history_.marks.push_back({report.time, "cut"});
+        history_.marks.push_back({timeNow(), "cut"});
     }
     record();
 }
 
 void EditorScene::record() {
     const StepReport& report = simulation_.report();
-    history_.volumePercent.push_back({report.time, 100 * report.volumeRatio});
+    history_.volumePercent.push_back({timeNow(), 100 * report.volumeRatio});
 }
 
 void EditorScene::recordFrameRate(double framesPerSecond) {
-    history_.framesPerSecond.push_back({simulation_.report().time, framesPerSecond});
+    history_.framesPerSecond.push_back({timeNow(), framesPerSecond});
 }
 
 void EditorScene::reset() {
     playing = false;
     stroke_.clear();
-    simulation_.reset();
-    for (const SetParam& choice : choices_) {
-        simulation_.execute(choice);
+    if (document_.session.events.empty()) {
+        simulation_.execute(Restart{});
+        start_ = {simulation_.stepCount(), simulation_.report().time};
+    } else {
+        simulation_.reset();
+        for (const SetParam& choice : choices_) {
+            simulation_.execute(choice);
+        }
+        start_ = {};
+        player_.emplace(document_.session);
     }
     history_.clear();
-    player_.emplace(document_.session);
     refreshPieces();
 }
 
@@ -131,6 +152,18 @@ void EditorScene::refreshPieces() {
     piecesTriangles_ = simulation_.report().triangles;
 }
 
+void EditorScene::describeChanges(ui::ChangeList& list) const {
+    const UndoHistory& history = simulation_.history();
+    list.rows.clear();
+    for (const UndoEntry& entry : history.entries()) {
+        list.rows.push_back({entry.name, entry.time});
+    }
+    list.done = history.done();
+    list.forgotten = history.forgotten();
+    list.bytes = history.bytes();
+    list.budget = history.budget();
+}
+
 void EditorScene::describe(ui::PanelModel& model) {
     const int age = simulation_.stepCount() - piecesStep_;
     const bool recut = simulation_.report().triangles != piecesTriangles_;
@@ -143,8 +176,9 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.startParams = document_.session.params;
     model.playing = playing;
     model.stroking = stroke_.drawing() || stroke_.pending() > 0;
-    model.step = simulation_.stepCount();
-    model.time = report.time;
+    model.step = simulation_.stepCount() - start_.step;
+    model.time = timeNow();
+    describeChanges(model.changes);
     model.vertices = report.vertices;
     model.triangles = report.triangles;
     model.stages.deform = report.deformMs;

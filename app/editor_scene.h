@@ -24,11 +24,12 @@ class EditorScene {
     EditorScene(const EditorScene&) = delete;  // the player points into the document
     EditorScene& operator=(const EditorScene&) = delete;
 
-    /// A parameter that a person chose; it outlives reset(). Returns "" or one sentence.
-    std::string choose(const SetParam& choice);
+    /// What a person does apart from strokes. Returns "" or one sentence.
+    std::string execute(const Command& command);
     /// One step with what is due before it: the session's events, or the next pose of the stroke.
     void step();
-    /// Back to the start state, paused, with the parameters that a person chose since.
+    /// Back to the uncut body, paused, with the parameters as they are. Where a session is open, it
+    /// will be played from its start, and what was done since cannot be undone.
     void reset();
 
     // The stroke.
@@ -64,12 +65,19 @@ class EditorScene {
     void endPlayback();
     void record();
     void refreshPieces();
+    void describeChanges(ui::ChangeList& list) const;
+    double timeNow() const { return simulation_.report().time - start_.time; }
 
     Document document_;
     Simulation simulation_;
     std::optional<SessionPlayer> player_;
     BladeStroke stroke_;
-    std::vector<SetParam> choices_;  ///< one per name, in the order of the last change
+    std::vector<SetParam> choices_;  ///< of a person, one per name; a played session keeps them
+    /// The last restart: what the panels count from.
+    struct Start {
+        int step = 0;
+        double time = 0;  ///< [s]
+    } start_;
     ui::History history_;
     std::vector<ui::PieceRow> pieces_;
     int piecesStep_ = -1;  ///< step that pieces_ tells of

@@ -104,6 +104,9 @@ class Replay {
         if (hasPictures(session)) {
             renderer_.setRestShape(simulation_.mesh());
         }
+        if (undoesAnything(session)) {
+            simulation_.setUndoBudget(kReplayUndoBudget);
+        }
         metrics_.write(metricsHeader());
     }
 
@@ -128,6 +131,9 @@ class Replay {
     void operator()(const MoveBlade& move) { execute(move); }
     void operator()(const LiftBlade& lift) { execute(lift); }
     void operator()(const SetParam& set) { execute(set); }
+    void operator()(const Restart& restart) { execute(restart); }
+    void operator()(const Undo& undo) { execute(undo); }
+    void operator()(const Redo& redo) { execute(redo); }
 
     void operator()(const ScreenshotEvent& event) {
         const Stopwatch watch;

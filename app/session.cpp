@@ -25,6 +25,11 @@ void requireDigest(const std::filesystem::path& file, const std::string& expecte
     }
 }
 
+bool takesBladeAway(const SessionAction& action) {
+    return std::holds_alternative<LiftBlade>(action) || std::holds_alternative<Restart>(action) ||
+           std::holds_alternative<Undo>(action) || std::holds_alternative<Redo>(action);
+}
+
 /// The solver and the pictures work in floats, whose steps grow with the distance from the origin.
 void requireRoomInFloats(const Bounds& bounds) {
     const double length = (bounds.high - bounds.low).maxCoeff();
@@ -89,10 +94,16 @@ render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
     return camera;
 }
 
+bool undoesAnything(const Session& session) {
+    return std::ranges::any_of(session.events, [](const SessionEvent& event) {
+        return std::holds_alternative<Undo>(event.action);
+    });
+}
+
 SessionPlayer::SessionPlayer(const Session& session) : session_(&session) {
     const SessionEvent* lastKey = nullptr;
     for (const SessionEvent& event : session.events) {
-        if (std::holds_alternative<LiftBlade>(event.action)) {
+        if (takesBladeAway(event.action)) {
             lastKey = nullptr;
         } else if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
             if (lastKey != nullptr && lastKey->step < event.step) {

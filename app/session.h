@@ -64,8 +64,8 @@ struct CheckEvent {
 };
 
 /// A blade event is a key pose: between two of them the ends move linearly, a quad per step.
-using SessionAction =
-    std::variant<MoveBlade, LiftBlade, SetParam, ScreenshotEvent, ExportEvent, CheckEvent>;
+using SessionAction = std::variant<MoveBlade, LiftBlade, SetParam, Restart, Undo, Redo,
+                                   ScreenshotEvent, ExportEvent, CheckEvent>;
 
 /// Something that happens before a step.
 struct SessionEvent {
@@ -83,6 +83,12 @@ struct Session {
     std::optional<render::Camera> view;
     std::vector<std::string> warnings;  ///< unknown extra keys
 };
+
+/// How much memory a replay gives to what its undo events bring back: a run that a person made
+/// within the editor's budget must not fail here.
+inline constexpr std::size_t kReplayUndoBudget = std::size_t{4} << 30;
+/// Whether a session takes changes back, so that they must be kept.
+bool undoesAnything(const Session& session);
 
 /// Reads and checks a session. Throws InputError naming the file and the place in it
 /// ("first-cut.kerf.json: events[3].a: expected three numbers.").

@@ -79,6 +79,13 @@ std::string readString(const Node& node) {
     return node.value->get<std::string>();
 }
 
+bool readBoolean(const Node& node) {
+    if (!node.value->is_boolean()) {
+        fail(node.place, "expected true or false.");
+    }
+    return node.value->get<bool>();
+}
+
 /// The keys of one object; those that nobody asked for become warnings at the end.
 class ObjectReader {
   public:
@@ -247,6 +254,9 @@ SetParam readSet(ObjectReader& object) {
     Params scratch;
     applyParam(scratch, set.name, value);
     set.value = getParam(scratch, set.name);
+    if (const auto continues = object.optional("continues")) {
+        set.continues = readBoolean(*continues);
+    }
     return set;
 }
 
@@ -316,11 +326,12 @@ SessionAction readAction(ObjectReader& object, const Node& event) {
     if (name == "screenshot") return readScreenshot(object);
     if (name == "export") return readExport(object);
     if (name == "check") return readCheck(object, event.place);
-    if (name == "undo" || name == "redo") {
-        fail(type.place, "'" + name + "' is not supported by this version of kerf.");
-    }
+    if (name == "restart") return Restart{};
+    if (name == "undo") return Undo{};
+    if (name == "redo") return Redo{};
     fail(type.place, "there is no event type '" + name +
-                         "'; there are blade, lift, set, screenshot, export, check.");
+                         "'; there are blade, lift, set, restart, undo, redo, screenshot, export, "
+                         "check.");
 }
 
 std::vector<SessionEvent> readEvents(const Node& node, int steps,

@@ -76,7 +76,11 @@ struct ActionWriter {
         json["type"] = "set";
         json["name"] = set.name;
         json["value"] = toJson(set.value);
+        if (set.continues) json["continues"] = true;
     }
+    void operator()(const Restart&) const { json["type"] = "restart"; }
+    void operator()(const Undo&) const { json["type"] = "undo"; }
+    void operator()(const Redo&) const { json["type"] = "redo"; }
     void operator()(const ScreenshotEvent& event) const {
         json["type"] = "screenshot";
         json["file"] = event.file;

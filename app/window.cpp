@@ -36,7 +36,7 @@ ui::Key offset(ui::Key first, int by) {
 }
 
 ui::Key namedKey(int key) {
-    static constexpr std::array<std::pair<int, ui::Key>, 19> kKeys{{
+    static constexpr std::array<std::pair<int, ui::Key>, 23> kKeys{{
         {GLFW_KEY_SPACE, ui::Key::space},    {GLFW_KEY_ENTER, ui::Key::enter},
         {GLFW_KEY_KP_ENTER, ui::Key::enter}, {GLFW_KEY_ESCAPE, ui::Key::escape},
         {GLFW_KEY_TAB, ui::Key::tab},        {GLFW_KEY_BACKSPACE, ui::Key::backspace},
@@ -46,7 +46,9 @@ ui::Key namedKey(int key) {
         {GLFW_KEY_PAGE_UP, ui::Key::pageUp}, {GLFW_KEY_PAGE_DOWN, ui::Key::pageDown},
         {GLFW_KEY_HOME, ui::Key::home},      {GLFW_KEY_END, ui::Key::end},
         {GLFW_KEY_PERIOD, ui::Key::period},  {GLFW_KEY_KP_DECIMAL, ui::Key::period},
-        {GLFW_KEY_SLASH, ui::Key::slash},
+        {GLFW_KEY_SLASH, ui::Key::slash},    {GLFW_KEY_MINUS, ui::Key::minus},
+        {GLFW_KEY_EQUAL, ui::Key::equal},    {GLFW_KEY_KP_SUBTRACT, ui::Key::minus},
+        {GLFW_KEY_KP_ADD, ui::Key::equal},
     }};
     const auto* row = std::ranges::find(kKeys, key, &std::pair<int, ui::Key>::first);
     return row == kKeys.end() ? ui::Key::none : row->second;

@@ -22,8 +22,17 @@ struct LiftBlade {};
 struct SetParam {
     std::string name;
     ParamValue value;
+    /// Of the same gesture as the change of this parameter just before: one undo takes both back.
+    bool continues = false;
 };
+/// Brings back the uncut body at rest; the parameters and the time go on.
+struct Restart {};
+/// Takes back the last change that is not undone: a cut (with all that the body did since), a
+/// restart or a parameter. A blade that is in the body is lifted first; time goes on.
+struct Undo {};
+/// Brings back what the last undo took.
+struct Redo {};
 
-using Command = std::variant<MoveBlade, LiftBlade, SetParam>;
+using Command = std::variant<MoveBlade, LiftBlade, SetParam, Restart, Undo, Redo>;
 
 }  // namespace kerf

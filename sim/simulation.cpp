@@ -9,12 +9,14 @@
 
 #include "sim/body/body_updater.h"
 #include "sim/cut/cut_change.h"
+#include "sim/snapshot.h"
 #include "sim/solve/front_anchors.h"
 #include "sim/solve/gpu_solver.h"
 #include "sim/solve/solver_uniforms.h"
 #include "sim/solve/volume_targets.h"
 #include "sim/state_hash.h"
 #include "sim/stopwatch.h"
+#include "sim/undo_history.h"
 
 namespace kerf {
 
@@ -96,7 +98,24 @@ struct Simulation::State {
     }
 
     void start();
+    void startBody();
     const StepReport& step();
+
+    // Commands that take effect at once; each returns "" or one sentence.
+    std::string execute(const MoveBlade& move);
+    std::string execute(const LiftBlade& lift);
+    std::string execute(const SetParam& set);
+    std::string execute(const Restart&);
+    std::string execute(const Undo&);
+    std::string execute(const Redo&);
+
+    // Undo.
+    SnapshotPointer capture();
+    void restoreBody(const SnapshotPointer& snapshot);
+    void apply(const UndoEntry::ParamChange& change, bool forward);
+    void putBladeAway();
+    void beginStroke();
+    void noteCut();
 
     // The phases of a step.
     void applyParameters();
@@ -121,6 +140,8 @@ struct Simulation::State {
     void say(fmt::format_string<Parts...> format, Parts&&... parts) {
         messages.push_back(fmt::format(format, std::forward<Parts>(parts)...));
     }
+    /// Something is about to differ from the last snapshot.
+    void touch() { current.reset(); }
 
     // What the simulation was made with.
     const SurfaceMesh uncut;
@@ -143,6 +164,13 @@ struct Simulation::State {
     std::optional<Blade> blade;
     std::optional<Cutter> cutter;
 
+    // Undo.
+    UndoHistory history;
+    SnapshotPointer current;       ///< equal to the state as it is; null where none is known to be
+    SnapshotPointer beforeStroke;  ///< while the blade is placed and has not changed the body
+    bool strokeNoted = false;      ///< in the history, since the blade was placed
+    int cutsSoFar = 0;
+
     // Output.
     BodyMeasure measure;
     StepReport report;
@@ -154,30 +182,40 @@ struct Simulation::State {
 };
 
 void Simulation::State::start() {
+    params = initialParams;
+    messages.clear();
+    history.clear();
+    stepsDone = 0;
+    time = 0;
+    cutsSoFar = 0;
+    report = {};
+    startBody();
+}
+
+/// The uncut body at rest, with the parameters and at the time that are.
+void Simulation::State::startBody() {
+    touch();
+    beforeStroke.reset();
     mesh = uncut;
     body.emplace(mesh);
     solver.setModel(model(), stateOf(mesh));
     volumeTargets.reset(model());
     meshLags = true;  // by the rounding to float
     closed = checkClosedManifold(mesh).empty();
-    params = initialParams;
     paramsChanged = true;
     bladeActions.clear();
     blade.reset();
     cutter.emplace(mesh, CutSettings{});
     lastCut = {};
-    messages.clear();
     pieces.reset();
-    stepsDone = 0;
-    time = 0;
     applyParameters();
     measure = solver.measure();
     solver.saveState();
-    report = {};
     publish();
 }
 
 const StepReport& Simulation::State::step() {
+    touch();
     report = {};
     report.step = stepsDone;
     applyParameters();
@@ -260,7 +298,7 @@ void Simulation::State::cut(const MoveBlade& move) {
     if (blade && mayTouch(move.blade)) {
         syncMesh();
         if (!cutter->inStroke()) {
-            cutter->begin(*blade);
+            beginStroke();
         }
         accept(cutter->advance(move.blade));
     } else {
@@ -272,6 +310,25 @@ void Simulation::State::cut(const MoveBlade& move) {
 void Simulation::State::cut(const LiftBlade&) {
     if (std::exchange(blade, std::nullopt)) {
         endStroke();
+    }
+    beforeStroke.reset();
+    strokeNoted = false;
+}
+
+void Simulation::State::beginStroke() {
+    if (history.keeps() && !strokeNoted && !beforeStroke) {
+        beforeStroke = capture();
+    }
+    cutter->begin(*blade);
+}
+
+/// A stroke counts from its first change of the body, back to where the blade came near it.
+void Simulation::State::noteCut() {
+    if (SnapshotPointer before = std::exchange(beforeStroke, nullptr)) {
+        strokeNoted = true;
+        ++cutsSoFar;
+        history.add({fmt::format("Cut {}", cutsSoFar), time,
+                     UndoEntry::BodyChange{std::move(before), nullptr}});
     }
 }
 
@@ -302,6 +359,7 @@ void Simulation::State::accept(const CutResult& result) {
         say("step {}: the cut was refused ({}); the blade goes on", stepsDone, result.reason);
     }
     if (!result.delta.empty()) {
+        noteCut();
         adoptNewTopology(result.delta);
     }
 }
@@ -326,6 +384,8 @@ void Simulation::State::adoptNewTopology(const CutDelta& delta) {
 
 void Simulation::State::publish() {
     report.time = time;
+    report.volume = 0;
+    report.vertices = 0;
     for (std::size_t p = 0; p < model().pieces.size(); ++p) {
         report.volume += measure.pieceVolumes[p];
         report.vertices += static_cast<int>(model().pieces[p].vertexCount);
@@ -351,6 +411,127 @@ const PieceMap& Simulation::State::syncPieces() {
     return *pieces;
 }
 
+// --- Commands and undo ---------------------------------------------------------------------------
+
+std::string Simulation::State::execute(const MoveBlade& move) {
+    std::string error = checkBlade(move.blade);
+    if (error.empty()) {
+        bladeActions.emplace_back(move);
+    }
+    return error;
+}
+
+std::string Simulation::State::execute(const LiftBlade& lift) {
+    bladeActions.emplace_back(lift);
+    return "";
+}
+
+std::string Simulation::State::execute(const SetParam& set) {
+    const ParamValue before = getParam(params, set.name);
+    if (std::string error = setParam(params, set.name, set.value); !error.empty()) {
+        return error;
+    }
+    const ParamValue after = getParam(params, set.name);
+    if (after == before) {
+        return "";
+    }
+    touch();
+    paramsChanged = true;
+    std::string name = nameOfChange(*findParam(set.name), after);
+    if (set.continues && history.continuesLast(set.name)) {
+        history.extendLast(std::move(name), after);
+    } else {
+        history.add({std::move(name), time, UndoEntry::ParamChange{set.name, before, after}});
+    }
+    return "";
+}
+
+std::string Simulation::State::execute(const Restart&) {
+    putBladeAway();
+    if (history.keeps()) {
+        history.add({"Restart", time, UndoEntry::BodyChange{capture(), nullptr}});
+    }
+    startBody();
+    return "";
+}
+
+std::string Simulation::State::execute(const Undo&) {
+    putBladeAway();
+    if (!history.canUndo()) {
+        return "There is nothing to undo.";
+    }
+    SnapshotPointer after;
+    const UndoEntry& entry = history.lastDone();
+    if (const auto* param = std::get_if<UndoEntry::ParamChange>(&entry.change)) {
+        apply(*param, false);
+    } else {
+        after = capture();
+        restoreBody(std::get<UndoEntry::BodyChange>(entry.change).before);
+    }
+    history.markUndone(std::move(after));
+    return "";
+}
+
+std::string Simulation::State::execute(const Redo&) {
+    if (!history.canRedo()) {
+        return "There is nothing to redo.";
+    }
+    putBladeAway();
+    const UndoEntry& entry = history.firstUndone();
+    if (const auto* param = std::get_if<UndoEntry::ParamChange>(&entry.change)) {
+        apply(*param, true);
+    } else {
+        restoreBody(std::get<UndoEntry::BodyChange>(entry.change).after);
+    }
+    history.markRedone();
+    return "";
+}
+
+void Simulation::State::apply(const UndoEntry::ParamChange& change, bool forward) {
+    touch();
+    setParam(params, change.param, forward ? change.after : change.before);
+    paramsChanged = true;
+}
+
+/// Whatever the blade was about to do, it does no more.
+void Simulation::State::putBladeAway() {
+    bladeActions.clear();
+    if (blade) {
+        touch();
+        cut(LiftBlade{});
+        publish();
+    }
+}
+
+SnapshotPointer Simulation::State::capture() {
+    syncMesh();
+    if (!current) {
+        current = std::make_shared<const Snapshot>(Snapshot{mesh, *body, *cutter, solver.pages(),
+                                                            volumeTargets, measure, closed, params,
+                                                            blade, stepsDone, time});
+    }
+    return current;
+}
+
+void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
+    mesh = snapshot->mesh;
+    body.emplace(snapshot->body);
+    cutter.emplace(snapshot->cutter);
+    volumeTargets = snapshot->volumeTargets;
+    measure = snapshot->measure;
+    closed = snapshot->closed;
+    solver.restoreModel(model(), stateOf(mesh), snapshot->pages);
+    solver.setVolumeTargets(volumeTargets.targets());
+    solver.saveState();
+    bladeActions.clear();
+    blade.reset();
+    lastCut = {};
+    pieces.reset();
+    meshLags = false;
+    current = snapshot;
+    publish();
+}
+
 Simulation::Simulation(SurfaceMesh mesh, const Params& params)
     : state_(std::make_unique<State>(std::move(mesh), params)) {}
 
@@ -359,20 +540,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 std::string Simulation::execute(const Command& command) {
-    if (const auto* set = std::get_if<SetParam>(&command)) {
-        std::string error = setParam(state_->params, set->name, set->value);
-        state_->paramsChanged |= error.empty();
-        return error;
-    }
-    if (const auto* move = std::get_if<MoveBlade>(&command)) {
-        std::string error = checkBlade(move->blade);
-        if (error.empty()) {
-            state_->bladeActions.push_back(*move);
-        }
-        return error;
-    }
-    state_->bladeActions.push_back(std::get<LiftBlade>(command));
-    return "";
+    return std::visit([this](const auto& c) { return state_->execute(c); }, command);
 }
 
 const StepReport& Simulation::step() {
@@ -380,6 +548,12 @@ const StepReport& Simulation::step() {
 }
 void Simulation::reset() {
     state_->start();
+}
+void Simulation::setUndoBudget(std::size_t bytes) {
+    state_->history.setBudget(bytes);
+}
+const UndoHistory& Simulation::history() const {
+    return state_->history;
 }
 int Simulation::stepCount() const {
     return state_->stepsDone;

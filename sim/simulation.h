@@ -11,6 +11,7 @@
 #include "sim/mesh/surface_mesh.h"
 #include "sim/params.h"
 #include "sim/solve/body_view.h"
+#include "sim/undo_history.h"
 
 namespace kerf {
 
@@ -45,8 +46,14 @@ class Simulation {
     std::string execute(const Command& command);
     /// One time step: solve -> cut -> publish.
     const StepReport& step();
-    /// Back to the uncut body at rest with the parameters it was made with.
+    /// Back to the uncut body at rest with the parameters it was made with; nothing can be undone
+    /// then, and time starts anew.
     void reset();
+
+    /// How much memory the changes that can be undone may take [bytes]; 0, as at the start: none
+    /// can be. Does not change any result.
+    void setUndoBudget(std::size_t bytes);
+    const UndoHistory& history() const;
 
     int stepCount() const;  ///< steps done
     const Params& params() const;

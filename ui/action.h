@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <variant>
 
@@ -12,6 +13,10 @@ enum class ActionId : std::uint8_t {
     playPause,
     stepOnce,
     reset,
+    slower,
+    faster,
+    undo,
+    redo,
     toggleGravity,
     cancel,
     frameBody,
@@ -25,7 +30,16 @@ enum class ActionId : std::uint8_t {
     quit,
 };
 
+/// Undoes or redoes until so many changes are in force.
+struct GoToChange {
+    std::size_t done = 0;
+};
+/// How fast simulated time runs against the clock.
+struct SetSpeed {
+    double factor = 1;
+};
+
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
-using Action = std::variant<ActionId, SetParam>;
+using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed>;
 
 }  // namespace kerf::ui

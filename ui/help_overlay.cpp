@@ -29,17 +29,6 @@ void drawGroupTitle(std::string_view title) {
     ImGui::TextDisabled("%s", std::string(title).c_str());
 }
 
-/// All keys of an action, "F1, ?".
-std::string keysOf(ActionId id) {
-    std::string text;
-    for (const Shortcut& row : shortcutTable()) {
-        if (row.id == id) {
-            text += (text.empty() ? "" : ", ") + std::string(row.keyText);
-        }
-    }
-    return text;
-}
-
 void drawKeys() {
     std::string_view group;
     for (const Shortcut& row : shortcutTable()) {

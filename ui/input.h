@@ -13,7 +13,7 @@ namespace kerf::ui {
 // clang-format off
 enum class Key : std::uint8_t {
     none, space, enter, escape, tab, backspace, del, insert, left, right, up, down,
-    pageUp, pageDown, home, end, period, slash, questionMark,
+    pageUp, pageDown, home, end, period, slash, minus, equal, questionMark,
     a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z,
     digit0, digit1, digit2, digit3, digit4, digit5, digit6, digit7, digit8, digit9,
     f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12,

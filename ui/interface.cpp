@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/changes_panel.h"
 #include "ui/help_overlay.h"
 #include "ui/hint.h"
 #include "ui/layout.h"
+#include "ui/menu_bar.h"
 #include "ui/parameters_panel.h"
 #include "ui/pieces_panel.h"
 #include "ui/plots_panel.h"
+#include "ui/stages_panel.h"
 #include "ui/status_bar.h"
 #include "ui/theme.h"
 #include "ui/toast.h"
@@ -99,16 +102,28 @@ void drawStrokeLine(const PanelModel& model, float scale) {
 }
 
 void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
-    beginPanel("controls", rect);
+    beginPanel("controls", rect, true);
+    drawMenuBar(model, actions);
     drawTransport(model, actions);
     drawParameters(model, actions);
     drawPieces(model);
     ImGui::End();
 }
 
-void drawPlotsPanel(const PanelModel& model, const Rect& rect) {
+void drawReadings(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
     beginPanel("plots", rect);
-    drawPlots(model);
+    drawPlots(model, 0.62F * ImGui::GetContentRegionAvail().y);
+    if (ImGui::BeginTabBar("readings")) {
+        if (ImGui::BeginTabItem("Times")) {
+            drawStages(model.stages);
+            ImGui::EndTabItem();
+        }
+        if (ImGui::BeginTabItem("History")) {
+            drawChanges(model, actions);
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
     ImGui::End();
 }
 
@@ -134,10 +149,11 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
     ImGui::NewFrame();
 
     std::vector<Action> actions;
+    const ItemNotes notes(places_);
     const Layout layout = layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale_);
     drawStrokeLine(model, scale_);
     drawControls(model, layout.controls, actions);
-    drawPlotsPanel(model, layout.plots);
+    drawReadings(model, layout.plots, actions);
     drawStatusBar(model, layout.status);
     drawHint(model, layout.view);
     drawHelp(model, layout.view, actions);

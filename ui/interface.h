@@ -6,6 +6,7 @@
 #include "gpu/framebuffer.h"
 #include "ui/action.h"
 #include "ui/input.h"
+#include "ui/item_places.h"
 #include "ui/panel_context.h"
 #include "ui/panel_model.h"
 
@@ -29,9 +30,13 @@ class Interface {
     bool ownsPointer() const;
     bool ownsKeyboard() const;
 
+    /// Where the named items of the last pass are.
+    const ItemPlaces& places() const { return places_; }
+
   private:
     PanelContext context_;
     float scale_ = 1;
+    ItemPlaces places_;
 };
 
 }  // namespace kerf::ui

@@ -15,6 +15,21 @@ struct PieceRow {
     double share = 0;   ///< of its rest volume, 1 = all
 };
 
+/// One row of the history: something that can be taken back or brought back.
+struct ChangeRow {
+    std::string name;
+    double time = 0;  ///< simulated, when it happened [s]
+};
+
+/// What can be taken back.
+struct ChangeList {
+    std::vector<ChangeRow> rows;  ///< oldest first
+    std::size_t done = 0;         ///< so many of them are in force, the others undone
+    int forgotten = 0;            ///< older ones that had to go
+    std::size_t bytes = 0;
+    std::size_t budget = 0;  ///< [bytes]
+};
+
 /// Time of the last step by stage, and of a frame on average [ms].
 struct StageTimes {
     double deform = 0;
@@ -29,6 +44,8 @@ struct PanelModel {
     Params params;       ///< as they are
     Params startParams;  ///< as they were when it was opened: what the reset mark returns to
     bool playing = false;
+    double speed = 1;  ///< of simulated time against the clock
+    ChangeList changes;
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
     bool helpOpen = false;
     bool wireframe = false;

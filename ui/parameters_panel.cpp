@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/item_places.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets.h"
 
@@ -134,6 +135,7 @@ void drawLabelLine(const ParamInfo& info, const PanelModel& model, std::vector<A
     if (resetButton("##reset")) {
         actions.emplace_back(SetParam{std::string(info.name), start});
     }
+    noteItem("reset." + std::string(info.name));
     itemTooltip("Back to the value at the start");
 }
 
@@ -144,6 +146,15 @@ void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
     }
     itemTooltip(describeShortcut(ActionId::toggleGravity));
     ImGui::SameLine();
+}
+
+/// Whether the drag that changes the row already changed it before: one undo for all of a drag.
+bool continuesGesture() {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID("gesture");
+    const bool continues = ImGui::IsItemActive() && storage.GetBool(id);
+    storage.SetBool(id, ImGui::IsItemActive());
+    return continues;
 }
 
 void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
@@ -157,11 +168,13 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
     ImGui::BeginGroup();
     const bool changed = slideValue(info, value);
     ImGui::EndGroup();
+    noteItem("param." + std::string(info.name));
     if (!ImGui::IsItemActive()) {
+        ImGui::GetStateStorage()->SetBool(ImGui::GetID("gesture"), false);
         itemTooltip(tooltipOf(info));
     }
     if (changed) {
-        actions.emplace_back(SetParam{std::string(info.name), value});
+        actions.emplace_back(SetParam{std::string(info.name), value, continuesGesture()});
     }
     ImGui::PopID();
 }

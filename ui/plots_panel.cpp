@@ -35,36 +35,14 @@ void drawVolumePlot(const PanelModel& model, float height) {
     drawPlot(spec, height);
 }
 
-void drawStage(const char* name, double milliseconds) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(name);
-    ImGui::TableNextColumn();
-    ImGui::Text("%.2f ms", milliseconds);
-}
-
-void drawStages(const StageTimes& stages) {
-    sectionTitle("Time of the last step");
-    if (ImGui::BeginTable("stages", 2, ImGuiTableFlags_RowBg)) {
-        drawStage("Deform", stages.deform);
-        drawStage("Collide", stages.collide);
-        drawStage("Cut", stages.cut);
-        drawStage("Frame", stages.frame);
-        ImGui::EndTable();
-    }
-}
-
 }  // namespace
 
-void drawPlots(const PanelModel& model) {
+void drawPlots(const PanelModel& model, float height) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    const float stagesHeight = 7.2F * line;
-    const float room = ImGui::GetContentRegionAvail().y - stagesHeight - 1.5F * line;
-    const float height = std::clamp(room / 2, 5 * line, 12 * line);
-    drawFramesPlot(model, height);
+    const float each = std::max((height - 0.4F * line) / 2, 5 * line);
+    drawFramesPlot(model, each);
     ImGui::Dummy({0, 0.2F * line});
-    drawVolumePlot(model, height);
-    drawStages(model.stages);
+    drawVolumePlot(model, each);
 }
 
 }  // namespace kerf::ui

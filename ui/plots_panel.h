@@ -4,7 +4,7 @@
 
 namespace kerf::ui {
 
-/// Frames per second and volume against simulated time, and the times of the stages.
-void drawPlots(const PanelModel& model);
+/// Frames per second and volume against simulated time, together `height` pixels high.
+void drawPlots(const PanelModel& model, float height);
 
 }  // namespace kerf::ui

@@ -9,23 +9,30 @@ namespace {
 constexpr Modifiers kPlain{};
 constexpr Modifiers kControl{.control = true};
 
+constexpr Modifiers kControlShift{.shift = true, .control = true};
+
 constexpr std::array kShortcuts{
+    Shortcut{ActionId::screenshot, Key::f12, kPlain, "F12", "Save a screenshot here", "File"},
+    Shortcut{ActionId::quit, Key::q, kControl, "Ctrl+Q", "Leave", "File"},
+    Shortcut{ActionId::undo, Key::z, kControl, "Ctrl+Z", "Undo", "Edit"},
+    Shortcut{ActionId::redo, Key::z, kControlShift, "Ctrl+Shift+Z", "Redo", "Edit"},
+    Shortcut{ActionId::redo, Key::y, kControl, "Ctrl+Y", "Redo", "Edit"},
+    Shortcut{ActionId::cancel, Key::escape, kPlain, "Esc", "Stop the stroke, close the help",
+             "Edit"},
+    Shortcut{ActionId::toggleGravity, Key::v, kPlain, "V", "Gravity on or off", "Edit"},
     Shortcut{ActionId::playPause, Key::space, kPlain, "Space", "Play or pause", "Time"},
     Shortcut{ActionId::stepOnce, Key::period, kPlain, ".", "One step", "Time"},
     Shortcut{ActionId::reset, Key::r, kPlain, "R", "Back to the start", "Time"},
-    Shortcut{ActionId::toggleGravity, Key::v, kPlain, "V", "Gravity on or off", "Body"},
-    Shortcut{ActionId::cancel, Key::escape, kPlain, "Esc", "Stop the stroke, close the help",
-             "Body"},
+    Shortcut{ActionId::slower, Key::minus, kPlain, "-", "Half as fast", "Time"},
+    Shortcut{ActionId::faster, Key::equal, kPlain, "=", "Twice as fast", "Time"},
     Shortcut{ActionId::frameBody, Key::f, kPlain, "F", "Bring the model into view", "View"},
     Shortcut{ActionId::resetView, Key::home, kPlain, "Home", "Back to the first view", "View"},
     Shortcut{ActionId::viewFront, Key::digit1, kPlain, "1", "From the front", "View"},
     Shortcut{ActionId::viewRight, Key::digit3, kPlain, "3", "From the right", "View"},
     Shortcut{ActionId::viewTop, Key::digit7, kPlain, "7", "From the top", "View"},
     Shortcut{ActionId::wireframe, Key::w, kPlain, "W", "Show the triangles", "View"},
-    Shortcut{ActionId::screenshot, Key::f12, kPlain, "F12", "Save a screenshot here", "Program"},
-    Shortcut{ActionId::help, Key::f1, kPlain, "F1", "This help", "Program"},
-    Shortcut{ActionId::help, Key::questionMark, kPlain, "?", "This help", "Program"},
-    Shortcut{ActionId::quit, Key::q, kControl, "Ctrl+Q", "Leave", "Program"},
+    Shortcut{ActionId::help, Key::f1, kPlain, "F1", "All keys", "Help"},
+    Shortcut{ActionId::help, Key::questionMark, kPlain, "?", "All keys", "Help"},
 };
 
 constexpr std::array kPointerHints{
@@ -64,6 +71,32 @@ const Shortcut& shortcutOf(ActionId id) {
     }
     assert(false && "every action stands in the shortcut table");
     return kShortcuts.front();
+}
+
+std::string keysOf(ActionId id) {
+    std::string text;
+    for (const Shortcut& row : kShortcuts) {
+        if (row.id == id) {
+            text += (text.empty() ? "" : ", ") + std::string(row.keyText);
+        }
+    }
+    return text;
+}
+
+std::string shortcutsAsMarkdown() {
+    std::string text = "| keys | what they do |\n|---|---|\n";
+    const auto addRow = [&](std::string_view keys, std::string_view label) {
+        text.append("| ").append(keys).append(" | ").append(label).append(" |\n");
+    };
+    for (const PointerHint& hint : kPointerHints) {
+        addRow(hint.gesture, hint.label);
+    }
+    for (const Shortcut& row : kShortcuts) {
+        if (&row == &shortcutOf(row.id)) {
+            addRow(keysOf(row.id), row.label);
+        }
+    }
+    return text;
 }
 
 std::string describeShortcut(ActionId id) {

@@ -17,7 +17,7 @@ struct Shortcut {
     Modifiers modifiers;
     std::string_view keyText;  ///< as people read it: "Space"
     std::string_view label;    ///< what it does: "Play or pause"
-    std::string_view group;    ///< heading in the help overlay
+    std::string_view group;    ///< its menu, and its heading in the help
 };
 
 /// What the pointer does in the view; the help overlay lists it beside the keys.
@@ -36,6 +36,12 @@ std::optional<ActionId> findAction(Key key, Modifiers modifiers);
 
 /// The first row of an action; every action has one.
 const Shortcut& shortcutOf(ActionId id);
+
+/// All keys of an action: "F1, ?".
+std::string keysOf(ActionId id);
+
+/// Both tables for docs/editor.md.
+std::string shortcutsAsMarkdown();
 
 /// "Play or pause (Space)", for tooltips.
 std::string describeShortcut(ActionId id);

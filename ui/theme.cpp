@@ -36,6 +36,11 @@ void applyColors(ImGuiStyle& style) {
     c[ImGuiCol_Header] = rgb(42, 49, 61);
     c[ImGuiCol_HeaderHovered] = rgb(50, 59, 74);
     c[ImGuiCol_HeaderActive] = rgb(56, 66, 83);
+    c[ImGuiCol_MenuBarBg] = rgb(28, 31, 39);
+    c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = rgb(30, 34, 43);
+    c[ImGuiCol_TabHovered] = rgb(63, 77, 96);
+    c[ImGuiCol_TabActive] = c[ImGuiCol_TabUnfocusedActive] = rgb(50, 59, 72);
+    c[ImGuiCol_PlotHistogram] = rgb(75, 132, 168);
     c[ImGuiCol_Separator] = rgb(255, 255, 255, 0.08F);
     c[ImGuiCol_TableHeaderBg] = rgb(36, 40, 49);
     c[ImGuiCol_TableBorderLight] = c[ImGuiCol_TableBorderStrong] = rgb(255, 255, 255, 0.07F);

@@ -8,13 +8,14 @@
 
 namespace kerf::ui {
 
-void beginPanel(const char* name, const Rect& rect) {
+void beginPanel(const char* name, const Rect& rect, bool withMenu) {
     ImGui::SetNextWindowPos({rect.x, rect.y});
     ImGui::SetNextWindowSize({rect.width, rect.height});
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus |
+                     (withMenu ? ImGuiWindowFlags_MenuBar : ImGuiWindowFlags_None));
 }
 
 void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,

@@ -7,7 +7,7 @@
 namespace kerf::ui {
 
 /// Begins a fixed panel that fills `rect`; end with ImGui::End().
-void beginPanel(const char* name, const Rect& rect);
+void beginPanel(const char* name, const Rect& rect, bool withMenu = false);
 
 /// How a banner looks.
 struct BannerStyle {

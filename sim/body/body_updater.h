@@ -43,7 +43,8 @@ class BodyUpdater {
   public:
     /// The mesh must outlive the updater.
     explicit BodyUpdater(const SurfaceMesh& mesh);
-    BodyUpdater(const BodyUpdater&) = delete;
+    /// A copy goes on for the same mesh, as it was when the copy was made.
+    BodyUpdater(const BodyUpdater&) = default;
     BodyUpdater& operator=(const BodyUpdater&) = delete;
 
     const BodyModel& model() const { return model_; }

@@ -530,6 +530,7 @@ Cutter::Cutter(SurfaceMesh& mesh, const CutSettings& settings)
 
 Cutter::~Cutter() = default;
 Cutter::Cutter(Cutter&&) noexcept = default;
+Cutter::Cutter(const Cutter& other) : state_(std::make_unique<State>(*other.state_)) {}
 Cutter& Cutter::operator=(Cutter&&) noexcept = default;
 
 void Cutter::begin(const Blade& blade) {

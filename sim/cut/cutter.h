@@ -120,6 +120,9 @@ class Cutter {
     ~Cutter();
     Cutter(Cutter&&) noexcept;
     Cutter& operator=(Cutter&&) noexcept;
+    /// A copy goes on for the same mesh, as it was when the copy was made: bit for bit.
+    Cutter(const Cutter& other);
+    Cutter& operator=(const Cutter&) = delete;
 
     /// Promises that since the previous call of this, begin(), advance() or finish() no vertex has
     /// moved farther than `distance` [m]. A step that was promised nothing looks at the whole mesh.

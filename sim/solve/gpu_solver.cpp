@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "shaders/shared/bindings.h"
 #include "sim/body/incidence.h"
@@ -112,9 +113,17 @@ GpuSolver::GpuSolver() {
 }
 
 void GpuSolver::setModel(const BodyModel& model, const BodyState& state) {
+    VertexPages pages;
+    pages.assign(model.pieceOfVertex, model.pieces.size());
+    restoreModel(model, state, std::move(pages));
+}
+
+void GpuSolver::restoreModel(const BodyModel& model, const BodyState& state, VertexPages pages) {
     areas_.assign(model.vertexAreas.begin(), model.vertexAreas.end());
     pieceOf_ = model.pieceOfVertex;
-    pages_.assign(model.pieceOfVertex, model.pieces.size());
+    pages_ = std::move(pages);
+    pages_.takeChangedPlaces();
+    placeBuffer_.assign(pages_.places());
     uploadTopology(model);
     uploadPieces(model);
     setCounts(uniforms_, model);

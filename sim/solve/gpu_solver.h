@@ -40,6 +40,11 @@ class GpuSolver {
     /// Uploads a body. Counts in the uniforms and volume targets (rest volumes) follow from it.
     /// Throws gpu::OutOfMemory.
     void setModel(const BodyModel& model, const BodyState& state);
+    /// How the vertices of each piece lie in memory; sums depend on it to the last bit.
+    const VertexPages& pages() const { return pages_; }
+    /// setModel() for a body that was cut before, with the pages that it had then: what follows is
+    /// equal bit for bit.
+    void restoreModel(const BodyModel& model, const BodyState& state, VertexPages pages);
     /// Follows an update of the model, at the cost of what it changed. `written`: the vertices
     /// that get a new state, those that are new among them; ascending. `state`: theirs, shape
     /// [written]. All others go on. Volume targets are the rest volumes again. Throws

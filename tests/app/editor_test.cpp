@@ -85,6 +85,13 @@ class EditorTest : public test::GlTest {
         }
         press(false, button);
     }
+    /// Nearly all the way to the right.
+    void dragSlider(const std::string& item) {
+        const ui::Rect place = editor->places().at(item);
+        const double y = place.y + place.height / 2;
+        drag(Vec2(place.x + 0.3 * place.width, y), Vec2(place.x + 0.9 * place.width, y), 5);
+        settle();
+    }
     const ui::PanelModel& panels() const { return editor->panels(); }
 
     test::TemporaryFolder folder;
@@ -158,12 +165,8 @@ TEST_F(EditorTest, EscapeStopsTheStroke) {
 }
 
 TEST_F(EditorTest, ASliderDragChangesItsParameterAndAResetKeepsIt) {
-    const ui::Rect panel = ui::layoutPanels(kWidth, kHeight, 1).controls;
     const double before = panels().params.timeStep;
-    for (double y = 60; y < 200 && panels().params.timeStep == before; y += 8) {
-        drag(Vec2(panel.x + 0.3 * panel.width, y), Vec2(panel.x + 0.9 * panel.width, y), 5);
-        settle();
-    }
+    dragSlider("param.time_step");
     const double chosen = panels().params.timeStep;
     EXPECT_GT(chosen, before);
     EXPECT_EQ(panels().triangles, 768) << "the drag over the panel is no stroke";
@@ -197,6 +200,69 @@ TEST_F(EditorTest, ResetJoinsThePiecesAgain) {
     EXPECT_EQ(panels().step, 0);
     EXPECT_EQ(panels().triangles, 768);
     EXPECT_TRUE(panels().history->volumePercent.empty());
+}
+
+TEST_F(EditorTest, ACutIsUndoneAndRedoneByKeys) {
+    drag(kTop, kBottom, 10);
+    settle();
+    ASSERT_EQ(panels().changes.rows.size(), 1U);
+    EXPECT_EQ(panels().changes.rows[0].name, "Cut 1");
+    EXPECT_GT(panels().changes.bytes, 0U);
+    const auto tapControl = [&](Key key, bool shift) {
+        editor->post(ui::KeyChange{key, true, {.shift = shift, .control = true}});
+        editor->post(ui::KeyChange{key, false, {.shift = shift, .control = true}});
+        settle();
+    };
+    tapControl(Key::z, false);
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    EXPECT_EQ(panels().pieces.size(), 1U);
+    EXPECT_EQ(panels().changes.done, 0U);
+    tapControl(Key::z, true);
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+    tapControl(Key::z, true);
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("nothing to redo"));
+    tap(Key::r);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    tapControl(Key::z, false);
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces") << "a restart is taken back too";
+}
+
+TEST_F(EditorTest, UndoInTheMiddleOfAStrokeEndsIt) {
+    moveTo(kTop.x(), kTop.y());
+    press(true);
+    moveTo(kBottom.x(), kBottom.y() - 200);
+    settle();
+    EXPECT_GT(panels().triangles, 768);
+    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
+    moveTo(kBottom.x(), kBottom.y());
+    press(false);
+    settle();
+    EXPECT_EQ(panels().triangles, 768);
+    EXPECT_FALSE(panels().stroking);
+}
+
+TEST_F(EditorTest, OneUndoTakesBackAllOfASliderDrag) {
+    const double before = panels().params.timeStep;
+    dragSlider("param.time_step");
+    ASSERT_NE(panels().params.timeStep, before);
+    EXPECT_EQ(panels().changes.rows.size(), 1U);
+    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
+    settle();
+    EXPECT_EQ(panels().params.timeStep, before);
+}
+
+TEST_F(EditorTest, SpeedDoublesAndHalves) {
+    tap(Key::equal);
+    tap(Key::space);
+    const int before = panels().step;
+    frames(4);
+    EXPECT_EQ(panels().speed, 2);
+    EXPECT_EQ(panels().step - before, 8);
+    for (int i = 0; i < 6; ++i) {
+        tap(Key::minus);
+    }
+    EXPECT_EQ(panels().speed, 0.25);
 }
 
 TEST_F(EditorTest, TheRightButtonTurnsTheViewAndCutsNothing) {

@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(All, SessionErrors, ::testing::Values(
     BadSession{"EventWithoutStep", sessionWithEvent(R"({"type": "lift"})"), "events[0].step: this key is missing"},
     BadSession{"EventAfterTheEnd", sessionWithEvent(R"({"step": 101, "type": "lift"})"), "events[0].step: 101 is out of range (0 to 100)"},
     BadSession{"UnknownType", sessionWithEvent(R"({"step": 1, "type": "slice"})"), "events[0].type: there is no event type 'slice'"},
-    BadSession{"Undo", sessionWithEvent(R"({"step": 1, "type": "undo"})"), "events[0].type: 'undo' is not supported by this version"},
+    BadSession{"Continues", sessionWithEvent(R"({"step": 1, "type": "set", "name": "friction", "value": 1, "continues": 1})"), "events[0].continues: expected true or false"},
     BadSession{"TwoNumbers", sessionWithEvent(R"({"step": 1, "type": "blade", "a": [1, 2], "b": [1, 2, 3]})"), "events[0].a: expected three numbers"},
     BadSession{"TextInVector", sessionWithEvent(R"({"step": 1, "type": "blade", "a": [1, 2, "3"], "b": [1, 2, 3]})"), "events[0].a: expected three numbers"},
     BadSession{"FarAway", sessionWithEvent(R"({"step": 1, "type": "blade", "a": [1, 2, 1e9], "b": [1, 2, 3]})"), "events[0].a[2]: 1e+09 is out of range"},

@@ -52,6 +52,11 @@ class InterfaceTest : public test::GlTest {
         press(false);
     }
 
+    void clickOn(const std::string& item) {
+        const Rect place = interface->places().at(item);
+        click(place.x + place.width / 2, place.y + place.height / 2);
+    }
+
     std::optional<Interface> interface;
     PanelModel model;
     History history;
@@ -75,12 +80,12 @@ TEST_F(InterfaceTest, PanelsOwnThePointerOnlyOverThemselves) {
 
 TEST_F(InterfaceTest, DraggingSlidersAnswersWithCommands) {
     const Params before = model.params;
-    const Rect panel = layoutPanels(kWidth, kHeight, 1).controls;
-    // Pulls whatever lies at each height to the right, down the upper half of the panel.
-    for (double y = panel.y + 60; y < panel.y + 0.45 * panel.height; y += 8) {
-        moveTo(panel.x + 0.3 * panel.width, y);
+    for (const char* name : {"time_step", "iterations", "ispc_stiffness", "gravity"}) {
+        pass({});
+        const Rect row = interface->places().at(std::string("param.") + name);
+        moveTo(row.x + 0.1 * row.width, row.y + row.height / 2);
         press(true);
-        moveTo(panel.x + 0.8 * panel.width, y);
+        moveTo(row.x + 0.9 * row.width, row.y + row.height / 2);
         press(false);
     }
     EXPECT_THAT(changed,
@@ -92,20 +97,15 @@ TEST_F(InterfaceTest, DraggingSlidersAnswersWithCommands) {
 
 TEST_F(InterfaceTest, TheResetMarkBringsAValueBack) {
     model.params.iterations = 35;
-    const Rect panel = layoutPanels(kWidth, kHeight, 1).controls;
-    for (double y = panel.y + 60; y < panel.y + 0.45 * panel.height; y += 6) {
-        click(panel.x + panel.width - 20, y);
-        if (model.params.iterations == model.startParams.iterations) {
-            break;
-        }
-    }
+    pass({});
+    clickOn("reset.iterations");
     EXPECT_EQ(model.params.iterations, model.startParams.iterations);
 }
 
 TEST_F(InterfaceTest, TransportButtonsAsk) {
-    const Rect panel = layoutPanels(kWidth, kHeight, 1).controls;
-    for (const double share : {0.15, 0.5, 0.85}) {
-        click(panel.x + share * panel.width, panel.y + 20);
+    for (const char* name : {"Play or pause", "One step", "Back to the start"}) {
+        pass({});
+        clickOn(std::string("button.") + name);
     }
     EXPECT_THAT(asked,
                 ::testing::ElementsAre(ActionId::playPause, ActionId::stepOnce, ActionId::reset));

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
+
 namespace kerf::ui {
 namespace {
 
@@ -40,6 +43,15 @@ TEST(ShortcutTable, EveryActionHasARow) {
 TEST(ShortcutTable, OtherKeysAndModifiersAreFree) {
     EXPECT_EQ(findAction(Key::none, {}), std::nullopt);
     EXPECT_EQ(findAction(Key::space, {.control = true}), std::nullopt);
+}
+
+TEST(ShortcutTable, TheDocsHaveTheSame) {
+    std::ifstream file(KERF_SOURCE_DIR "/docs/editor.md");
+    std::stringstream text;
+    text << file.rdbuf();
+    EXPECT_NE(text.str().find(shortcutsAsMarkdown()), std::string::npos)
+        << "docs/editor.md needs this table:\n"
+        << shortcutsAsMarkdown();
 }
 
 TEST(ShortcutTable, TheKeysThatPeopleKnow) {

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "sim/body/body_updater.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/surface_mesh.h"
+#include "sim/params.h"
+#include "sim/solve/volume_targets.h"
+
+namespace kerf {
+
+/// All that a simulation holds between two steps. One that is restored goes on bit for bit as it
+/// would have. Body, cutter and trees refer to the mesh of the simulation that made it, so it is of
+/// use to that one alone and must not outlive it.
+struct Snapshot {
+    SurfaceMesh mesh;  ///< with the positions and velocities of the GPU
+    BodyUpdater body;
+    Cutter cutter;
+    VertexPages pages;
+    VolumeTargets volumeTargets;
+    BodyMeasure measure;
+    bool closed = true;
+    // What a step back in time needs besides; undo leaves it as it is.
+    Params params;
+    std::optional<Blade> blade;
+    int stepsDone = 0;
+    double time = 0;  ///< [s]
+};
+using SnapshotPointer = std::shared_ptr<const Snapshot>;
+
+/// About how much memory a snapshot of such a body takes [bytes]: measured per vertex and triangle
+/// slot, the same on every machine.
+std::size_t snapshotBytes(const SurfaceMesh& mesh);
+
+}  // namespace kerf

@@ -1,0 +1,126 @@
+#include "sim/undo_history.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace kerf {
+
+namespace {
+
+// See UndoHistory.SnapshotBytesAreAboutWhatTheHeapGives.
+constexpr std::size_t kBytesPerVertex = 760;
+constexpr std::size_t kBytesPerTriangle = 260;
+
+void collect(const SnapshotPointer& snapshot, std::vector<const Snapshot*>& all) {
+    if (snapshot && std::ranges::find(all, snapshot.get()) == all.end()) {
+        all.push_back(snapshot.get());
+    }
+}
+
+struct TextOf {
+    std::string operator()(double number) const { return fmt::format("{:g}", number); }
+    std::string operator()(const Vec3& v) const {
+        return fmt::format("({:g}, {:g}, {:g})", v.x(), v.y(), v.z());
+    }
+    std::string operator()(std::monostate) const { return "none"; }
+};
+
+}  // namespace
+
+std::size_t snapshotBytes(const SurfaceMesh& mesh) {
+    return kBytesPerVertex * static_cast<std::size_t>(mesh.vertexCount()) +
+           kBytesPerTriangle * static_cast<std::size_t>(mesh.triangleSlots());
+}
+
+std::string nameOfChange(const ParamInfo& info, const ParamValue& value) {
+    std::string name = fmt::format("{}: {}", info.label, std::visit(TextOf{}, value));
+    if (!info.unit.empty() && !std::holds_alternative<std::monostate>(value)) {
+        name.append(" ").append(info.unit);
+    }
+    return name;
+}
+
+void UndoHistory::setBudget(std::size_t bytes) {
+    budget_ = bytes;
+    keepToBudget();
+}
+
+std::size_t UndoHistory::bytesFrom(std::size_t oldest) const {
+    std::vector<const Snapshot*> all;
+    for (std::size_t i = oldest; i < entries_.size(); ++i) {
+        if (const auto* body = std::get_if<UndoEntry::BodyChange>(&entries_[i].change)) {
+            collect(body->before, all);
+            collect(body->after, all);
+        }
+    }
+    std::size_t sum = 0;
+    for (const Snapshot* snapshot : all) {
+        sum += snapshotBytes(snapshot->mesh);
+    }
+    return sum;
+}
+
+void UndoHistory::add(UndoEntry entry) {
+    if (!keeps()) {
+        return;
+    }
+    entries_.resize(done_);
+    entries_.push_back(std::move(entry));
+    ++done_;
+    keepToBudget();
+}
+
+bool UndoHistory::continuesLast(const std::string& param) const {
+    if (!canUndo() || canRedo()) {
+        return false;
+    }
+    const auto* last = std::get_if<UndoEntry::ParamChange>(&lastDone().change);
+    return last != nullptr && last->param == param;
+}
+
+void UndoHistory::extendLast(std::string name, const ParamValue& after) {
+    UndoEntry& last = entries_[done_ - 1];
+    last.name = std::move(name);
+    std::get<UndoEntry::ParamChange>(last.change).after = after;
+}
+
+void UndoHistory::clear() {
+    entries_.clear();
+    done_ = 0;
+    forgotten_ = 0;
+}
+
+void UndoHistory::markUndone(SnapshotPointer after) {
+    --done_;
+    if (auto* body = std::get_if<UndoEntry::BodyChange>(&entries_[done_].change)) {
+        body->after = std::move(after);
+    }
+    keepToBudget();
+}
+
+void UndoHistory::markRedone() {
+    if (auto* body = std::get_if<UndoEntry::BodyChange>(&entries_[done_].change)) {
+        body->after.reset();
+    }
+    ++done_;
+}
+
+/// A change can only be taken back after all later ones, so the oldest are forgotten first. What is
+/// undone can only be brought back from the oldest on, so there the latest would go; all of it
+/// does.
+void UndoHistory::keepToBudget() {
+    std::size_t oldest = 0;
+    while (oldest < done_ && bytesFrom(oldest) > budget_) {
+        ++oldest;
+    }
+    entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(oldest));
+    done_ -= oldest;
+    forgotten_ += static_cast<int>(oldest);
+    if (bytes() > budget_) {
+        entries_.clear();
+    }
+}
+
+}  // namespace kerf

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/snapshot.h"
+
+namespace kerf {
+
+/// What a person changed, and how to take it back.
+struct UndoEntry {
+    /// A parameter that went from one value to another.
+    struct ParamChange {
+        std::string param;
+        ParamValue before;
+        ParamValue after;
+    };
+    /// A cut or a restart. `after` is known while it is undone.
+    struct BodyChange {
+        SnapshotPointer before;
+        SnapshotPointer after;
+    };
+
+    std::string name;  ///< as people read it: "Cut 2", "Gravity: none"
+    double time = 0;   ///< simulated, when it happened [s]
+    std::variant<ParamChange, BodyChange> change;
+};
+
+/// The changes of a simulation in their order. The first done() of them are in force, the others
+/// undone. Where the snapshots need more than the budget the oldest changes are forgotten.
+class UndoHistory {
+  public:
+    /// 0, as at the start, keeps nothing at all.
+    void setBudget(std::size_t bytes);
+    bool keeps() const { return budget_ > 0; }
+    std::size_t budget() const { return budget_; }
+    /// Of all snapshots, shared ones once [bytes].
+    std::size_t bytes() const { return bytesFrom(0); }
+    /// Changes that were forgotten to keep to the budget.
+    int forgotten() const { return forgotten_; }
+
+    const std::vector<UndoEntry>& entries() const { return entries_; }
+    std::size_t done() const { return done_; }
+    bool canUndo() const { return done_ > 0; }
+    bool canRedo() const { return done_ < entries_.size(); }
+
+    /// A change was made; those that were undone are lost.
+    void add(UndoEntry entry);
+    /// The last change in force is one of `param` and nothing is undone: more of the same gesture
+    /// belongs to it.
+    bool continuesLast(const std::string& param) const;
+    /// Gives that change a new end.
+    void extendLast(std::string name, const ParamValue& after);
+    void clear();
+
+    /// The change to take back next; markUndone() once that is done.
+    const UndoEntry& lastDone() const { return entries_[done_ - 1]; }
+    /// `after`: of a change of the body, as it was until now.
+    void markUndone(SnapshotPointer after);
+    /// The change to bring back next; markRedone() once that is done.
+    const UndoEntry& firstUndone() const { return entries_[done_]; }
+    void markRedone();
+
+  private:
+    std::size_t bytesFrom(std::size_t oldest) const;
+    void keepToBudget();
+
+    std::vector<UndoEntry> entries_;
+    std::size_t done_ = 0;
+    std::size_t budget_ = 0;
+    int forgotten_ = 0;
+};
+
+/// "Time step: 0.002 s", "Floor: none".
+std::string nameOfChange(const ParamInfo& info, const ParamValue& value);
+
+}  // namespace kerf

@@ -1,0 +1,207 @@
+// Undo and redo of a running simulation, compared bit for bit.
+#include <gmock/gmock.h>
+#include <malloc.h>
+
+#include "sim/simulation.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kRoom = std::size_t{1} << 30;
+
+Params falling() {
+    Params params;
+    params.iterations = 4;
+    params.floor = -0.8;
+    return params;
+}
+
+Blade bladeAt(double x, double y) {
+    return {{x, y, -1}, {x, y, 1}};
+}
+
+class UndoTest : public test::GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        simulation.emplace(test::cubeSphere(6, 0.5), falling());
+        simulation->setUndoBudget(kRoom);
+    }
+    void TearDown() override {
+        simulation.reset();
+        GlTest::TearDown();
+    }
+    void run(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            simulation->step();
+        }
+    }
+    /// Down through the body at x; the first `steps` of 30 steps of it.
+    void stroke(double x, int steps = 30) {
+        for (int i = 0; i <= steps; ++i) {
+            ASSERT_EQ(simulation->execute(MoveBlade{bladeAt(x, 0.7 - 1.5 * i / 30)}), "");
+            simulation->step();
+        }
+    }
+    void cutAt(double x) {
+        stroke(x);
+        simulation->execute(LiftBlade{});
+        simulation->step();
+    }
+    void undo() { EXPECT_EQ(simulation->execute(Undo{}), ""); }
+    void redo() { EXPECT_EQ(simulation->execute(Redo{}), ""); }
+    int pieces() { return static_cast<int>(simulation->pieces().pieces.size()); }
+    std::vector<std::string> names() const {
+        std::vector<std::string> names;
+        for (const UndoEntry& entry : simulation->history().entries()) {
+            names.push_back(entry.name);
+        }
+        return names;
+    }
+
+    std::optional<Simulation> simulation;
+};
+
+TEST_F(UndoTest, ACutIsTakenBackAndBroughtBackToTheBit) {
+    run(5);
+    cutAt(0.03);
+    ASSERT_EQ(pieces(), 2);
+    run(5);
+    const std::string cut = simulation->stateHash();
+    undo();
+    EXPECT_EQ(pieces(), 1);
+    EXPECT_EQ(simulation->report().pieces, 1);
+    EXPECT_EQ(simulation->report().triangles, 432);
+    const std::string whole = simulation->stateHash();
+    redo();
+    EXPECT_EQ(simulation->stateHash(), cut);
+    EXPECT_EQ(simulation->report().pieces, 2);
+    undo();
+    EXPECT_EQ(simulation->stateHash(), whole);
+}
+
+TEST_F(UndoTest, WhatFollowsAnUndoIsWhatWouldHaveFollowedWithoutTheCut) {
+    // A cut is undone to the moment at which the blade came near the body: here the second step.
+    const auto hashAfter = [&](bool withAnUndoneCut) {
+        simulation->reset();
+        simulation->execute(SetParam{"gravity", Vec3(Vec3::Zero())});
+        cutAt(0.2);
+        if (withAnUndoneCut) {
+            for (const double y : {0.7, 0.3, -0.1, -0.9}) {
+                simulation->execute(MoveBlade{bladeAt(0, y)});
+                simulation->step();
+            }
+            EXPECT_EQ(pieces(), 3);
+            undo();
+        } else {
+            run(2);
+        }
+        run(3);
+        cutAt(-0.1);
+        run(3);
+        EXPECT_EQ(pieces(), 3);
+        return simulation->stateHash();
+    };
+    EXPECT_EQ(hashAfter(true), hashAfter(false));
+}
+
+TEST_F(UndoTest, SnapshotBytesAreAboutWhatTheHeapGives) {
+    simulation.emplace(test::cubeSphere(40, 0.5), falling());
+    simulation->setUndoBudget(kRoom);
+    simulation->mesh();
+    const auto inUse = [] { return ::mallinfo2().uordblks + ::mallinfo2().hblkhd; };
+    if (inUse() == 0) {
+        GTEST_SKIP() << "this heap does not count";
+    }
+    const std::size_t before = inUse();
+    simulation->execute(Restart{});
+    const double taken = static_cast<double>(inUse() - before);
+    std::printf("bytes by heap: %.0f, estimated: %zu\n", taken, simulation->history().bytes());
+    EXPECT_NEAR(static_cast<double>(simulation->history().bytes()) / taken, 1, 0.3);
+}
+
+TEST_F(UndoTest, AStrokeInItsMiddleIsEndedAndTakenBack) {
+    const std::string whole = simulation->stateHash();
+    simulation->execute(SetParam{"gravity", Vec3(Vec3::Zero())});
+    stroke(0.03, 14);
+    EXPECT_NE(simulation->stateHash(), whole);
+    undo();
+    EXPECT_FALSE(simulation->blade());
+    EXPECT_EQ(simulation->report().triangles, 432);
+    redo();
+    EXPECT_GT(simulation->report().triangles, 432);
+    EXPECT_TRUE(simulation->report().closed);
+    EXPECT_FALSE(simulation->blade());
+    cutAt(-0.2);
+    EXPECT_EQ(pieces(), 2);
+}
+
+TEST_F(UndoTest, ABladeThatMissesLeavesNothingToUndo) {
+    cutAt(0.7);
+    EXPECT_EQ(simulation->execute(Undo{}), "There is nothing to undo.");
+    EXPECT_EQ(simulation->execute(Redo{}), "There is nothing to redo.");
+}
+
+TEST_F(UndoTest, ParametersAndCutsFormOneRow) {
+    simulation->execute(SetParam{"time_step", 0.004});
+    simulation->execute(SetParam{"time_step", 0.003, true});
+    simulation->execute(SetParam{"time_step", 0.002, true});
+    cutAt(0.03);
+    simulation->execute(SetParam{"floor", std::monostate{}});
+    EXPECT_THAT(names(), ::testing::ElementsAre("Time step: 0.002 s", "Cut 1", "Floor: none"));
+    undo();
+    EXPECT_EQ(simulation->params().floor, -0.8);
+    EXPECT_EQ(pieces(), 2);
+    undo();
+    EXPECT_EQ(pieces(), 1);
+    undo();
+    EXPECT_EQ(simulation->params().timeStep, 0.005);
+    redo();
+    redo();
+    EXPECT_EQ(simulation->params().timeStep, 0.002);
+    EXPECT_EQ(pieces(), 2);
+    simulation->execute(SetParam{"iterations", 7.0});
+    EXPECT_EQ(simulation->execute(Redo{}), "There is nothing to redo.")
+        << "a new change ends what was undone";
+}
+
+TEST_F(UndoTest, ARestartCanBeTakenBackAndTimeGoesOn) {
+    cutAt(0.03);
+    const std::string cut = simulation->stateHash();
+    const int steps = simulation->stepCount();
+    simulation->execute(Restart{});
+    EXPECT_EQ(simulation->stateHash(), Simulation(test::cubeSphere(6, 0.5), falling()).stateHash());
+    EXPECT_EQ(simulation->stepCount(), steps);
+    undo();
+    EXPECT_EQ(simulation->stateHash(), cut);
+}
+
+TEST_F(UndoTest, TheBudgetForgetsTheOldestFirst) {
+    cutAt(0.2);
+    cutAt(-0.2);
+    const std::size_t used = simulation->history().bytes();
+    EXPECT_GT(used, 0U);
+    simulation->setUndoBudget(used - 1);
+    EXPECT_THAT(names(), ::testing::ElementsAre("Cut 2"));
+    EXPECT_EQ(simulation->history().forgotten(), 1);
+    undo();
+    EXPECT_EQ(pieces(), 2);
+    EXPECT_EQ(simulation->execute(Undo{}), "There is nothing to undo.");
+}
+
+TEST_F(UndoTest, WithoutABudgetNothingIsKeptAndTheBitsAreTheSame) {
+    cutAt(0.03);
+    Simulation plain(test::cubeSphere(6, 0.5), falling());
+    const std::string kept = simulation->stateHash();
+    std::optional<Simulation> other(std::move(plain));
+    simulation.swap(other);
+    cutAt(0.03);
+    EXPECT_EQ(simulation->stateHash(), kept);
+    EXPECT_EQ(simulation->execute(Undo{}), "There is nothing to undo.");
+    simulation.swap(other);
+}
+
+}  // namespace
+}  // namespace kerf

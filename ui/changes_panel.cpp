@@ -1,0 +1,86 @@
+#include "ui/changes_panel.h"
+
+#include <imgui.h>
+
+#include <cstdio>
+
+#include "sim/text.h"
+#include "ui/menu_bar.h"
+#include "ui/shortcuts.h"
+#include "ui/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr double kBytesPerMegabyte = 1e6;
+
+/// The state after the first `done` changes.
+void drawState(const PanelModel& model, const std::string& name, std::size_t done,
+               std::vector<Action>& actions) {
+    const ChangeList& changes = model.changes;
+    ImGui::PushID(static_cast<int>(done));
+    const bool undone = done > changes.done;
+    if (undone) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    }
+    if (ImGui::Selectable(name.c_str(), done == changes.done) && done != changes.done) {
+        actions.emplace_back(GoToChange{done});
+    }
+    if (undone) {
+        ImGui::PopStyleColor();
+    }
+    if (done == changes.done && ImGui::IsWindowAppearing()) {
+        ImGui::SetScrollHereY();
+    }
+    ImGui::PopID();
+}
+
+void drawButton(const PanelModel& model, const char* label, ActionId id, float width,
+                std::vector<Action>& actions) {
+    ImGui::BeginDisabled(!isAvailable(model, id));
+    if (ImGui::Button(label, {width, 0})) {
+        actions.emplace_back(id);
+    }
+    ImGui::EndDisabled();
+    itemTooltip(describeShortcut(id));
+}
+
+void drawMemory(const ChangeList& changes) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.1f of %.0f MB",
+                  static_cast<double>(changes.bytes) / kBytesPerMegabyte,
+                  static_cast<double>(changes.budget) / kBytesPerMegabyte);
+    const double share = changes.budget > 0 ? static_cast<double>(changes.bytes) /
+                                                  static_cast<double>(changes.budget)
+                                            : 0;
+    ImGui::ProgressBar(static_cast<float>(share), {-1, 0}, text);
+    itemTooltip("Memory of what can be undone. Where it is full the oldest changes are forgotten.");
+}
+
+}  // namespace
+
+void drawChanges(const PanelModel& model, std::vector<Action>& actions) {
+    const ChangeList& changes = model.changes;
+    const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    drawButton(model, "Undo", ActionId::undo, width, actions);
+    ImGui::SameLine();
+    drawButton(model, "Redo", ActionId::redo, width, actions);
+    drawMemory(changes);
+    if (!ImGui::BeginChild("changes")) {
+        ImGui::EndChild();
+        return;
+    }
+    drawState(model,
+              changes.forgotten > 0
+                  ? counted(changes.forgotten, "older change", "older changes") + " forgotten"
+                  : "Start",
+              0, actions);
+    for (std::size_t i = 0; i < changes.rows.size(); ++i) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%8.3f s  ", changes.rows[i].time);
+        drawState(model, text + changes.rows[i].name, i + 1, actions);
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace kerf::ui

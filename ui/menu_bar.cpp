@@ -1,0 +1,90 @@
+#include "ui/menu_bar.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/shortcuts.h"
+
+namespace kerf::ui {
+namespace {
+
+/// "Undo: Cut 2" where it is known what it takes back.
+std::string labelOf(const PanelModel& model, const Shortcut& row) {
+    const ChangeList& changes = model.changes;
+    if (row.id == ActionId::undo && changes.done > 0) {
+        return "Undo: " + changes.rows[changes.done - 1].name + "###undo";
+    }
+    if (row.id == ActionId::redo && changes.done < changes.rows.size()) {
+        return "Redo: " + changes.rows[changes.done].name + "###redo";
+    }
+    return std::string(row.label);
+}
+
+void drawItem(const PanelModel& model, const Shortcut& row, std::vector<Action>& actions) {
+    const std::string keys = keysOf(row.id);
+    if (ImGui::MenuItem(labelOf(model, row).c_str(), keys.c_str(), isOn(model, row.id),
+                        isAvailable(model, row.id))) {
+        actions.emplace_back(row.id);
+    }
+}
+
+void drawMenu(const PanelModel& model, std::string_view group, std::vector<Action>& actions) {
+    if (!ImGui::BeginMenu(std::string(group).c_str())) {
+        return;
+    }
+    for (const Shortcut& row : shortcutTable()) {
+        if (row.group == group && &row == &shortcutOf(row.id)) {
+            drawItem(model, row, actions);
+        }
+    }
+    ImGui::EndMenu();
+}
+
+}  // namespace
+
+void drawMenuBar(const PanelModel& model, std::vector<Action>& actions) {
+    if (!ImGui::BeginMenuBar()) {
+        return;
+    }
+    std::string_view last;
+    for (const Shortcut& row : shortcutTable()) {
+        if (row.group != last) {
+            last = row.group;
+            drawMenu(model, last, actions);
+        }
+    }
+    ImGui::EndMenuBar();
+}
+
+bool isAvailable(const PanelModel& model, ActionId id) {
+    switch (id) {
+        case ActionId::screenshot:
+        case ActionId::help:
+        case ActionId::quit:
+            return true;
+        case ActionId::undo:
+            return model.changes.done > 0;
+        case ActionId::redo:
+            return model.changes.done < model.changes.rows.size();
+        default:
+            return !model.name.empty();
+    }
+}
+
+bool isOn(const PanelModel& model, ActionId id) {
+    switch (id) {
+        case ActionId::playPause:
+            return model.playing;
+        case ActionId::toggleGravity:
+            return model.params.gravity.norm() > 0;
+        case ActionId::wireframe:
+            return model.wireframe;
+        case ActionId::help:
+            return model.helpOpen;
+        default:
+            return false;
+    }
+}
+
+}  // namespace kerf::ui
