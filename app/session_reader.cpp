@@ -207,7 +207,10 @@ ParamValue readParamValue(const Node& node) {
     if (value.is_array()) {
         return readVector(node, kMaxSessionCoordinate);
     }
-    fail(node.place, "expected a number, three numbers or null.");
+    if (value.is_string()) {
+        return value.get<std::string>();
+    }
+    fail(node.place, "expected a number, three numbers, a text in quotes or null.");
 }
 
 void requireKnownParam(const std::string& name, const std::string& place) {

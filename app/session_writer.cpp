@@ -23,6 +23,7 @@ Json toJson(const Vec3& v) {
 Json toJson(const ParamValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return toJson(*number);
     if (const auto* vector = std::get_if<Vec3>(&value)) return toJson(*vector);
+    if (const auto* choice = std::get_if<std::string>(&value)) return *choice;
     return nullptr;
 }
 

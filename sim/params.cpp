@@ -6,12 +6,17 @@
 #include <cstdio>
 #include <vector>
 
+#include "sim/text.h"
+
 namespace kerf {
 
 namespace {
 
-using Member =
-    std::variant<double Params::*, int Params::*, Vec3 Params::*, std::optional<double> Params::*>;
+using Member = std::variant<double Params::*, int Params::*, Vec3 Params::*,
+                            std::optional<double> Params::*, SolverMode Params::*>;
+
+// In the order of SolverMode.
+constexpr std::array<std::string_view, 2> kSolverModes{"small_steps", "pbd"};
 
 struct Row {
     ParamInfo info;
@@ -23,12 +28,13 @@ const std::array kRows = {
          true},
         &Params::timeStep},
     Row{{"iterations", "Iterations", "",
-         "Substeps per time step, each one sweep of the solver: more is firmer and slower.",
+         "Substeps per time step, each one sweep of the solver (with pbd: sweeps): more is firmer "
+         "and slower.",
          ParamType::integer, 1, 60, false},
         &Params::iterations},
     Row{{"ispc_stiffness", "ISPC stiffness", "",
-         "How firmly the inside holds the skin apart: 0 is hollow, 0.5 the material itself, 1 as "
-         "firm as the solver gets.",
+         "How firmly the inside holds the skin apart: 0 is hollow and collapses, 0.5 the material "
+         "itself, 1 as firm as the solver gets.",
          ParamType::real, 0, 1, false},
         &Params::ispcStiffness},
     Row{{"gravity", "Gravity", "m/s^2", "Acceleration of free fall along x, y (up) and z.",
@@ -38,31 +44,39 @@ const std::array kRows = {
          ParamType::optionalReal, -1000, 1000, false},
         &Params::floor},
     Row{{"youngs_modulus", "Young's modulus", "Pa",
-         "Stiffness of the material: 1e5 is a soft sponge, 1e7 rubber.", ParamType::real, 1e3, 1e8,
-         true},
+         "Stiffness of the material: 1e5 is a soft sponge, 1e7 rubber. Not used by pbd.",
+         ParamType::real, 1e3, 1e8, true},
         &Params::youngsModulus},
     Row{{"density", "Density", "kg/m^3", "Mass per volume: water has 1000.", ParamType::real, 10,
          20000, true},
         &Params::density},
     Row{{"stretch_stiffness", "Stretch stiffness", "",
-         "Factor on how strongly the skin resists stretching; 0 switches that off.",
+         "Factor on how strongly the skin resists stretching; 0 switches that off. With pbd the "
+         "stiffness itself, up to 1.",
          ParamType::real, 0, 10, false},
         &Params::stretchStiffness},
     Row{{"bending_stiffness", "Bending stiffness", "",
-         "Factor on how strongly the skin resists bending; 0 switches that off.", ParamType::real,
-         0, 10, false},
+         "Factor on how strongly the skin resists bending; 0 switches that off. With pbd the "
+         "stiffness itself, up to 1.",
+         ParamType::real, 0, 10, false},
         &Params::bendingStiffness},
     Row{{"air_drag", "Air drag", "1/s",
          "Rate at which all motion fades, so that speed falls as exp(-rate * time).",
          ParamType::real, 0, 20, false},
         &Params::airDrag},
     Row{{"damping", "Damping", "s",
-         "Inner friction: the time over which the material resists a change of shape.",
+         "Inner friction: the time over which the material resists a change of shape. Not used by "
+         "pbd.",
          ParamType::real, 0, 0.02, false},
         &Params::damping},
     Row{{"friction", "Friction", "", "Coulomb coefficient between the body and the floor.",
          ParamType::real, 0, 2, false},
         &Params::friction},
+    Row{{"solver", "Solver", "",
+         "small_steps: substeps and a material in pascals; pbd: the paper's sweeps and stiffness "
+         "factors, which lose volume.",
+         ParamType::choice, 0, 1, false, kSolverModes},
+        &Params::solver},
 };
 
 const Row* findRow(std::string_view name) {
@@ -135,6 +149,15 @@ struct Setter {
         params.*member = *vector;
         return "";
     }
+    std::string operator()(SolverMode Params::*member) const {
+        const std::string* name = std::get_if<std::string>(&value);
+        const auto choice = name ? std::ranges::find(info.choices, *name) : info.choices.end();
+        if (choice == info.choices.end()) {
+            return quoted(info.name) + " must be one of " + joined(info.choices, ", ");
+        }
+        params.*member = static_cast<SolverMode>(choice - info.choices.begin());
+        return "";
+    }
 
     template <class Assign>
     std::string setNumber(Assign&& assign) const {
@@ -161,6 +184,9 @@ struct Getter {
     ParamValue operator()(std::optional<double> Params::*member) const {
         const std::optional<double>& x = params.*member;
         return x ? ParamValue(*x) : ParamValue(std::monostate{});
+    }
+    ParamValue operator()(SolverMode Params::*member) const {
+        return std::string(kSolverModes[static_cast<std::size_t>(params.*member)]);
     }
 };
 

@@ -10,27 +10,34 @@
 
 namespace kerf {
 
+/// How the constraints are solved.
+enum class SolverMode {
+    smallSteps,  ///< XPBD, one sweep per substep (Macklin et al. 2019): stiffness in pascals
+    pbd,         ///< plain position-based dynamics, as in the paper: sweeps and stiffness factors
+};
+
 /// Everything that a person can tune. Names, ranges and meanings stand once, in paramTable().
 struct Params {
+    SolverMode solver = SolverMode::smallSteps;
     double timeStep = 0.005;            ///< [s]
-    int iterations = 20;                ///< substeps per time step, one solver iteration each
+    int iterations = 20;                ///< substeps of one sweep each, or sweeps of pbd
     double ispcStiffness = 0.5;         ///< 0 (none) to 1 (firm)
     Vec3 gravity = {0, -9.81, 0};       ///< [m/s^2]
     std::optional<double> floor = 0.0;  ///< height [m]; none without a value
     double youngsModulus = 1e5;         ///< [Pa]
     double density = 1000;              ///< [kg/m^3]
-    double stretchStiffness = 1;        ///< factor on the edges' share of Young's modulus
-    double bendingStiffness = 1;        ///< factor on the bends' share
+    double stretchStiffness = 1;        ///< factor on the edges' modulus; stiffness k in pbd
+    double bendingStiffness = 1;        ///< factor on the bends' modulus; stiffness k in pbd
     double airDrag = 1;                 ///< velocity decay c in v exp(-c t) [1/s]
     double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
     double friction = 0.5;              ///< Coulomb coefficient against the floor
 };
 
-/// A number, a vector, or nothing (for parameters that may be absent, as the floor).
-using ParamValue = std::variant<double, Vec3, std::monostate>;
+/// A number, a vector, nothing (for parameters that may be absent, as the floor), or a choice.
+using ParamValue = std::variant<double, Vec3, std::monostate, std::string>;
 
 /// Which kind of value a parameter takes.
-enum class ParamType { real, integer, vector, optionalReal };
+enum class ParamType { real, integer, vector, optionalReal, choice };
 
 /// One row of the table that the panels, the session file and the docs share.
 struct ParamInfo {
@@ -39,9 +46,10 @@ struct ParamInfo {
     std::string_view unit;     ///< "s", "" for none
     std::string_view meaning;  ///< one sentence for the tooltip and the docs
     ParamType type = ParamType::real;
-    double low = 0;            ///< smallest allowed value (of each component)
-    double high = 0;           ///< largest
-    bool logarithmic = false;  ///< slider scale
+    double low = 0;                                  ///< smallest allowed value (of each component)
+    double high = 0;                                 ///< largest
+    bool logarithmic = false;                        ///< slider scale
+    std::span<const std::string_view> choices = {};  ///< what a choice may be
 };
 
 /// All parameters, in the order in which panels and sessions list them.

@@ -25,6 +25,7 @@ struct TextOf {
         return fmt::format("({:g}, {:g}, {:g})", v.x(), v.y(), v.z());
     }
     std::string operator()(std::monostate) const { return "none"; }
+    std::string operator()(const std::string& choice) const { return choice; }
 };
 
 }  // namespace

@@ -106,6 +106,21 @@ bool slideOptional(const ParamInfo& info, ParamValue& value) {
     return changed;
 }
 
+bool chooseValue(const ParamInfo& info, std::string& value) {
+    if (!ImGui::BeginCombo("##value", value.c_str())) {
+        return false;
+    }
+    bool changed = false;
+    for (const std::string_view choice : info.choices) {
+        if (ImGui::Selectable(std::string(choice).c_str(), value == choice)) {
+            value = choice;
+            changed = true;
+        }
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
 bool slideValue(const ParamInfo& info, ParamValue& value) {
     switch (info.type) {
         case ParamType::real:
@@ -116,6 +131,8 @@ bool slideValue(const ParamInfo& info, ParamValue& value) {
             return slideVector(info, std::get<Vec3>(value));
         case ParamType::optionalReal:
             return slideOptional(info, value);
+        case ParamType::choice:
+            return chooseValue(info, std::get<std::string>(value));
     }
     return false;
 }

@@ -21,6 +21,7 @@ SHARED_CONST uint kBlocksBinding = 12u;       // BlockRecord
 SHARED_CONST uint kBlockSumsBinding = 13u;    // VolumeSum or BlockMeasure, one per block
 SHARED_CONST uint kPagesBinding = 14u;        // uint: the pages of each block, block after block
 SHARED_CONST uint kAreasBinding = 15u;        // float: rest area of each vertex [m^2]
+SHARED_CONST uint kPreviousBinding = 8u;      // vec4: d before a sweep over the edges [m]
 SHARED_CONST uint kPatchesBinding = 0u;       // WordPatch, for a kernel of its own
 SHARED_CONST uint kPatchedBinding = 1u;       // what it writes to
 

@@ -10,6 +10,7 @@ SHARED_CONST uint kStretchPart = 1u;
 SHARED_CONST uint kBendPart = 2u;
 SHARED_CONST uint kIspcPart = 4u;
 SHARED_CONST uint kFloorPart = 8u;
+SHARED_CONST uint kVolumePart = 16u;
 
 // |C| of a bend is clamped here [rad]: the form that comes back after a snap-through.
 SHARED_CONST float kMaxBendError = 0.3f;
@@ -31,8 +32,12 @@ struct SolverUniforms {
     float friction;            // Coulomb coefficient against the floor
     float floor_height;        // [m]
     uint active_parts;         // which of the k...Part bits are on
-    uint substeps;             // n
-    uint vertex_count;         // the counts of the body model; 0 where only parameters are known
+    uint substeps;             // per time step
+    uint sweeps;               // over all constraints, per substep
+    float stretch_share;       // of a correction that a sweep applies: 1, or k' of plain PBD
+    float bend_share;
+    float ispc_share;
+    uint vertex_count;  // the counts of the body model; 0 where only parameters are known
     uint edge_count;
     uint bend_count;
     uint ispc_count;

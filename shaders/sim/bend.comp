@@ -79,7 +79,8 @@ void main() {
     float gamma = uniforms.damping_ratio;
     float denominator = (1.0 + gamma) * weight + bend.geometry * uniforms.bend_compliance;
     float rate = dot(g0, d0) + dot(g1, d1) + dot(g2, d2) + dot(g3, d3);
-    float impulse = weight > 0.0 ? -(error + gamma * rate) / denominator : 0.0;
+    float impulse =
+        weight > 0.0 ? uniforms.bend_share * -(error + gamma * rate) / denominator : 0.0;
     write(index, g0 * (w.x * impulse), g1 * (w.y * impulse), g2 * (w.z * impulse),
           g3 * (w.w * impulse));
 }

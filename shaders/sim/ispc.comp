@@ -41,7 +41,8 @@ void main() {
     float denominator = (1.0 + gamma) * weight + ispc.geometry * uniforms.ispc_compliance;
     vec3 direction = reach > 1e-12 ? r / reach : vec3(0.0);
     float impulse = weight > 0.0
-        ? -((reach - ispc.rest_length) + gamma * dot(direction, step)) / denominator
+        ? uniforms.ispc_share * -((reach - ispc.rest_length) + gamma * dot(direction, step)) /
+            denominator
         : 0.0;
     corrections[4u * index] = vec4(direction * (w.x * impulse), 0.0);
     corrections[4u * index + 1u] = vec4(direction * (-b.x * w.y * impulse), 0.0);

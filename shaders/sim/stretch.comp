@@ -3,6 +3,7 @@
 // Reads X, velocities, links, edges and their incidence. Writes d.
 // One thread per vertex: it works each incident edge out anew, in the fixed order of the incidence,
 // and predicts its neighbours from their velocities, so that no second buffer is needed.
+// With SWEEP_AGAIN it starts from a copy of d instead: the later sweeps of plain PBD.
 // A storage barrier follows.
 #include "bindings.h"
 #include "body_records.h"
@@ -19,19 +20,27 @@ layout(std430, binding = kConstraintsBinding) readonly buffer Edges { EdgeConstr
 layout(std430, binding = kRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
 layout(std430, binding = kEntriesBinding) readonly buffer Entries { uint entries[]; };
 
-vec3 predicted(uint v, float inverseMass) {
+#ifdef SWEEP_AGAIN
+layout(std430, binding = kPreviousBinding) readonly buffer Previous { vec4 previous[]; };
+
+vec3 startOf(uint v, float inverseMass) {
+    return previous[v].xyz;
+}
+#else
+vec3 startOf(uint v, float inverseMass) {
     vec3 speed = velocities[v].xyz;
     if (inverseMass > 0.0) {
         speed += uniforms.substep * uniforms.gravity.xyz;
     }
     return uniforms.substep * speed;
 }
+#endif
 
 // What the edge adds to the displacement of v.
-vec3 correction(EdgeConstraint edge, uint v, vec4 own, vec3 ownPredicted) {
+vec3 correction(EdgeConstraint edge, uint v, vec4 own, vec3 ownStart) {
     uint other = edge.a == v ? edge.b : edge.a;
     vec4 far = positions[other];
-    vec3 step = ownPredicted - predicted(other, far.w);
+    vec3 step = ownStart - startOf(other, far.w);
     vec3 span = (own.xyz - far.xyz) + step;
     float reach = length(span);
     if (reach < 1e-12) {
@@ -47,14 +56,14 @@ vec3 correction(EdgeConstraint edge, uint v, vec4 own, vec3 ownPredicted) {
     }
     vec3 direction = span / reach;
     float impulse = -((reach - edge.rest_length) + gamma * dot(direction, step)) / denominator;
-    return direction * (uniforms.inverse_density * own.w * impulse);
+    return direction * (uniforms.stretch_share * uniforms.inverse_density * own.w * impulse);
 }
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     vec4 own = positions[v];
-    vec3 start = predicted(v, own.w);
+    vec3 start = startOf(v, own.w);
     vec3 sum = vec3(0.0);
     if ((uniforms.active_parts & kStretchPart) != 0u && own.w > 0.0) {
         for (uint k = ranges[v].first; k < ranges[v].end; ++k) {

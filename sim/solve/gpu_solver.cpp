@@ -14,7 +14,7 @@ namespace {
 
 using shared::uint;
 
-static_assert(sizeof(shared::SolverUniforms) == 96);
+static_assert(sizeof(shared::SolverUniforms) == 112);
 static_assert(sizeof(shared::EdgeConstraint) == 16);
 static_assert(sizeof(shared::BendConstraint) == 24);
 static_assert(sizeof(shared::IspcConstraint) == 32);
@@ -101,6 +101,7 @@ void GpuSolver::IncidenceBuffers::bind() const {
 
 GpuSolver::GpuSolver() {
     kernels_.stretch = gpu::Program::compute("sim/stretch.comp");
+    kernels_.stretchAgain = gpu::Program::compute("sim/stretch.comp", {{"SWEEP_AGAIN", "1"}});
     kernels_.bend = gpu::Program::compute("sim/bend.comp");
     kernels_.ispc = gpu::Program::compute("sim/ispc.comp");
     kernels_.gatherCorrections = gpu::Program::compute("sim/gather_corrections.comp");
@@ -151,6 +152,7 @@ void GpuSolver::uploadTopology(const BodyModel& model) {
 void GpuSolver::resizeScratch(const BodyModel& model) {
     const std::size_t vertexBytes = model.restPositions.size() * sizeof(shared::vec4);
     displacement_.resize(vertexBytes);
+    previous_.resize(vertexBytes);
     gradients_.resize(vertexBytes);
     corrections_.resize(4 * sizeof(shared::vec4) *
                         std::max({model.bends.size(), model.ispcs.size(), std::size_t{1}}));
@@ -313,15 +315,17 @@ void GpuSolver::setInverseUnitMass(int vertex, float value) {
 
 void GpuSolver::step() {
     for (uint i = 0; i < uniforms_.substeps; ++i) {
-        deformTimer_.begin();
-        predictAndStretch();
-        solveBends();
-        solveIspcs();
-        solveVolume();
-        deformTimer_.end();
-        collideTimer_.begin();
-        collideFloor();
-        collideTimer_.end();
+        for (uint sweep = 0; sweep < uniforms_.sweeps; ++sweep) {
+            deformTimer_.begin();
+            sweep == 0 ? predictAndStretch() : stretchAgain();
+            solveBends();
+            solveIspcs();
+            solveVolume();
+            deformTimer_.end();
+            collideTimer_.begin();
+            collideFloor();
+            collideTimer_.end();
+        }
         deformTimer_.begin();
         finishSubstep();
         deformTimer_.end();
@@ -334,6 +338,15 @@ void GpuSolver::predictAndStretch() {
     edges_.bindStorage(shared::kConstraintsBinding);
     edgeIncidence_.bind();
     run(kernels_.stretch, uniforms_.vertex_count);
+}
+
+void GpuSolver::stretchAgain() {
+    std::swap(displacement_, previous_);
+    bindBody();
+    previous_.bindStorage(shared::kPreviousBinding);
+    edges_.bindStorage(shared::kConstraintsBinding);
+    edgeIncidence_.bind();
+    run(kernels_.stretchAgain, uniforms_.vertex_count);
 }
 
 void GpuSolver::solveBends() {
@@ -359,6 +372,9 @@ void GpuSolver::runOverConstraints(const gpu::Program& kernel, const gpu::Buffer
 }
 
 void GpuSolver::solveVolume() {
+    if (!active(shared::kVolumePart)) {
+        return;
+    }
     bindBody();
     blockSums_.bindStorage(shared::kBlockSumsBinding);
     runOverBlocks(kernels_.volumeGradient);

@@ -62,11 +62,12 @@ class GpuSolver {
     void anchor(int vertex, const Vec3f& velocity);
     void release(int vertex);
 
-    /// One time step: uniforms.substeps substeps.
+    /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps.
     void step();
 
     // The phases of a substep, in their order; each ends with a storage barrier.
     void predictAndStretch();
+    void stretchAgain();  ///< instead of it in all sweeps but the first
     void solveBends();
     void solveIspcs();
     void solveVolume();
@@ -101,8 +102,8 @@ class GpuSolver {
         void bind() const;
     };
     struct Kernels {
-        gpu::Program stretch, bend, ispc, gatherCorrections, volumeGradient, volumeCorrect, floor,
-            finish, measure, masses;
+        gpu::Program stretch, stretchAgain, bend, ispc, gatherCorrections, volumeGradient,
+            volumeCorrect, floor, finish, measure, masses;
     };
 
     void uploadTopology(const BodyModel& model);
@@ -134,7 +135,7 @@ class GpuSolver {
     std::vector<shared::BlockRecord> blocks_;
 
     gpu::Buffer uniformBuffer_;
-    gpu::Buffer positions_, velocities_, displacement_, restPositions_;
+    gpu::Buffer positions_, velocities_, displacement_, previous_, restPositions_;
     gpu::Buffer savedPositions_;
     gpu::Buffer links_, areaBuffer_, triangles_, placeBuffer_, pageBuffer_, neighbours_;
     gpu::Buffer edges_, bends_, ispcs_, corrections_;

@@ -31,14 +31,14 @@ double multiplier(const Linearized<N>& c, const ReferenceState& s, const std::ve
 template <class Constraint>
 void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
            const Incidence& incidence, const std::vector<double>& w, double compliance,
-           double gamma) {
+           double gamma, double share) {
     std::vector<Vec3> correction(state.positions.size(), Vec3::Zero());
     for (const Constraint& constraint : constraints) {
         const auto c = linearize(constraint, state, compliance);
         if (!c.valid) {
             continue;
         }
-        const double lambda = multiplier(c, state, w, incidence, gamma);
+        const double lambda = share * multiplier(c, state, w, incidence, gamma);
         for (std::size_t k = 0; k < c.vertices.size(); ++k) {
             correction[c.vertices[k]] += w[c.vertices[k]] * lambda * c.gradient[k];
         }
@@ -117,11 +117,13 @@ void ReferenceSolver::step(ReferenceState& state) const {
 
 void ReferenceSolver::substep(ReferenceState& state) const {
     predict(state);
-    solveEdges(state);
-    solveBends(state);
-    solveIspcs(state);
-    solveVolume(state);
-    collideFloor(state);
+    for (std::uint32_t i = 0; i < uniforms_.sweeps; ++i) {
+        solveEdges(state);
+        solveBends(state);
+        solveIspcs(state);
+        solveVolume(state);
+        collideFloor(state);
+    }
     finishSubstep(state);
 }
 
@@ -139,25 +141,28 @@ void ReferenceSolver::predict(ReferenceState& state) const {
 void ReferenceSolver::solveEdges(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kStretchPart) {
         sweep(state, model_.edges, model_.edgeIncidence, inverseMass_, uniforms_.stretch_compliance,
-              uniforms_.damping_ratio);
+              uniforms_.damping_ratio, uniforms_.stretch_share);
     }
 }
 
 void ReferenceSolver::solveBends(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kBendPart) {
         sweep(state, model_.bends, model_.bendIncidence, inverseMass_, uniforms_.bend_compliance,
-              uniforms_.damping_ratio);
+              uniforms_.damping_ratio, uniforms_.bend_share);
     }
 }
 
 void ReferenceSolver::solveIspcs(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kIspcPart) {
         sweep(state, model_.ispcs, model_.ispcIncidence, inverseMass_, uniforms_.ispc_compliance,
-              uniforms_.damping_ratio);
+              uniforms_.damping_ratio, uniforms_.ispc_share);
     }
 }
 
 void ReferenceSolver::solveVolume(ReferenceState& state) const {
+    if (!(uniforms_.active_parts & shared::kVolumePart)) {
+        return;
+    }
     const VolumeTerms terms = volumeTerms(model_, state);
     std::vector<double> denominator(model_.pieces.size(), 0.0);
     for (std::size_t v = 0; v < state.positions.size(); ++v) {

@@ -21,7 +21,9 @@ ReferenceState restState(const BodyModel& model);
 
 /// XPBD with small steps and one iteration per substep (Macklin et al. 2019), mass-splitting Jacobi
 /// per constraint type (Tonge et al. 2012): the plain double-precision truth that every kernel is
-/// compared with. A substep is, in this order: predict, edges, bends, ISPCs, volume, floor, finish.
+/// compared with. A substep is, in this order: predict, then per sweep edges, bends, ISPCs, volume,
+/// floor, then finish. Plain PBD is many sweeps in one substep, each with a share of the correction
+/// of rigid constraints.
 /// Each phase stands alone; constraints read `positions + displacements` as they were when the
 /// phase began and change displacements only.
 class ReferenceSolver {

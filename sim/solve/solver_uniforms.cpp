@@ -1,5 +1,6 @@
 #include "sim/solve/solver_uniforms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,11 +15,17 @@ float complianceOverSquare(double modulus, double h) {
     return modulus > 0 ? static_cast<float>(1 / (modulus * h * h)) : 0.0f;
 }
 
+// The paper's solver has no volume constraint, and what is hollow can be squeezed flat.
+bool holdsVolume(const Params& params) {
+    return params.solver == SolverMode::smallSteps && params.ispcStiffness > 0;
+}
+
 uint activeParts(const Params& params) {
     uint parts = 0;
     parts |= params.stretchStiffness > 0 ? shared::kStretchPart : 0u;
     parts |= params.bendingStiffness > 0 ? shared::kBendPart : 0u;
     parts |= params.ispcStiffness > 0 ? shared::kIspcPart : 0u;
+    parts |= holdsVolume(params) ? shared::kVolumePart : 0u;
     parts |= params.floor.has_value() ? shared::kFloorPart : 0u;
     return parts;
 }
@@ -33,24 +40,58 @@ double ispcModulusFactor(double stiffness) {
     return odds * odds;
 }
 
-shared::SolverUniforms solverUniforms(const Params& params) {
-    const double h = params.timeStep / params.iterations;
-    const double modulus = params.youngsModulus;
+double sweepStiffness(double stiffness, int sweeps) {
+    return 1 - std::pow(1 - std::clamp(stiffness, 0.0, 1.0), 1.0 / sweeps);
+}
+
+namespace {
+
+/// What both modes share, for a substep h [s].
+shared::SolverUniforms commonUniforms(const Params& params, double h) {
     shared::SolverUniforms u{};
     u.gravity = {static_cast<float>(params.gravity.x()), static_cast<float>(params.gravity.y()),
                  static_cast<float>(params.gravity.z()), 0.0f};
     u.substep = static_cast<float>(h);
     u.drag_factor = static_cast<float>(std::exp(-params.airDrag * h));
     u.inverse_density = static_cast<float>(1 / params.density);
+    u.friction = static_cast<float>(params.friction);
+    u.floor_height = static_cast<float>(params.floor.value_or(0.0));
+    u.active_parts = activeParts(params);
+    return u;
+}
+
+shared::SolverUniforms smallStepUniforms(const Params& params) {
+    const double h = params.timeStep / params.iterations;
+    const double modulus = params.youngsModulus;
+    shared::SolverUniforms u = commonUniforms(params, h);
+    u.substeps = static_cast<uint>(params.iterations);
+    u.sweeps = 1;
     u.damping_ratio = static_cast<float>(params.damping / h);
     u.stretch_compliance = complianceOverSquare(modulus * params.stretchStiffness, h);
     u.bend_compliance = complianceOverSquare(modulus * params.bendingStiffness, h);
     u.ispc_compliance = complianceOverSquare(modulus * ispcModulusFactor(params.ispcStiffness), h);
-    u.friction = static_cast<float>(params.friction);
-    u.floor_height = static_cast<float>(params.floor.value_or(0.0));
-    u.active_parts = activeParts(params);
-    u.substeps = static_cast<uint>(params.iterations);
+    u.stretch_share = u.bend_share = u.ispc_share = 1;
     return u;
+}
+
+/// Rigid constraints, of whose corrections each sweep applies a share.
+shared::SolverUniforms pbdUniforms(const Params& params) {
+    shared::SolverUniforms u = commonUniforms(params, params.timeStep);
+    const auto share = [&](double stiffness) {
+        return static_cast<float>(sweepStiffness(stiffness, params.iterations));
+    };
+    u.substeps = 1;
+    u.sweeps = static_cast<uint>(params.iterations);
+    u.stretch_share = share(params.stretchStiffness);
+    u.bend_share = share(params.bendingStiffness);
+    u.ispc_share = share(params.ispcStiffness);
+    return u;
+}
+
+}  // namespace
+
+shared::SolverUniforms solverUniforms(const Params& params) {
+    return params.solver == SolverMode::pbd ? pbdUniforms(params) : smallStepUniforms(params);
 }
 
 void setCounts(shared::SolverUniforms& uniforms, const BodyModel& model) {

@@ -11,7 +11,14 @@ namespace kerf {
 /// firm as one solver iteration per substep gets). Rises strictly.
 double ispcModulusFactor(double stiffness);
 
-/// What the parameters mean for one substep h = timeStep / iterations; counts are 0.
+/// k' = 1 - (1 - k)^(1/n): the share of a correction that each of `sweeps` = n sweeps of plain PBD
+/// applies, so that a stiffness k means the same for any n (Mueller et al. 2007). k is clamped to
+/// 0..1.
+double sweepStiffness(double stiffness, int sweeps);
+
+/// What the parameters mean for the solver; counts are 0. SolverMode::smallSteps: `iterations`
+/// substeps of one sweep, with compliances. SolverMode::pbd: one substep of `iterations` sweeps,
+/// with stiffness factors and without a volume constraint.
 shared::SolverUniforms solverUniforms(const Params& params);
 
 /// Sets the counts to those of `model`.

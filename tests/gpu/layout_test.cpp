@@ -130,15 +130,17 @@ TEST_F(Layout, BlockMeasure) {
 
 TEST_F(Layout, SolverUniforms) {
     expectSame("Uniforms", "uniforms", sizeof(shared::SolverUniforms),
-               {MEMBER(SolverUniforms, gravity), MEMBER(SolverUniforms, substep),
-                MEMBER(SolverUniforms, drag_factor), MEMBER(SolverUniforms, inverse_density),
-                MEMBER(SolverUniforms, damping_ratio), MEMBER(SolverUniforms, stretch_compliance),
+               {MEMBER(SolverUniforms, gravity),         MEMBER(SolverUniforms, substep),
+                MEMBER(SolverUniforms, drag_factor),     MEMBER(SolverUniforms, inverse_density),
+                MEMBER(SolverUniforms, damping_ratio),   MEMBER(SolverUniforms, stretch_compliance),
                 MEMBER(SolverUniforms, bend_compliance), MEMBER(SolverUniforms, ispc_compliance),
-                MEMBER(SolverUniforms, friction), MEMBER(SolverUniforms, floor_height),
-                MEMBER(SolverUniforms, active_parts), MEMBER(SolverUniforms, substeps),
-                MEMBER(SolverUniforms, vertex_count), MEMBER(SolverUniforms, edge_count),
-                MEMBER(SolverUniforms, bend_count), MEMBER(SolverUniforms, ispc_count),
-                MEMBER(SolverUniforms, triangle_count), MEMBER(SolverUniforms, piece_count)});
+                MEMBER(SolverUniforms, friction),        MEMBER(SolverUniforms, floor_height),
+                MEMBER(SolverUniforms, active_parts),    MEMBER(SolverUniforms, substeps),
+                MEMBER(SolverUniforms, sweeps),          MEMBER(SolverUniforms, stretch_share),
+                MEMBER(SolverUniforms, bend_share),      MEMBER(SolverUniforms, ispc_share),
+                MEMBER(SolverUniforms, vertex_count),    MEMBER(SolverUniforms, edge_count),
+                MEMBER(SolverUniforms, bend_count),      MEMBER(SolverUniforms, ispc_count),
+                MEMBER(SolverUniforms, triangle_count),  MEMBER(SolverUniforms, piece_count)});
 }
 
 }  // namespace

@@ -35,11 +35,21 @@ TEST(Params, DefaultsAreInRangeAndRoundTrip) {
     EXPECT_TRUE(copy == defaults);
 }
 
+/// Valid, and not the default.
+ParamValue anotherValue(const ParamInfo& info) {
+    switch (info.type) {
+        case ParamType::vector:
+            return Vec3(info.low, info.high, 0.5 * info.low);
+        case ParamType::choice:
+            return std::string(info.choices.back());
+        default:
+            return info.low;
+    }
+}
+
 TEST(Params, EveryRowSetsItsOwnMember) {
     for (const ParamInfo& info : paramTable()) {
-        const ParamValue low = info.type == ParamType::vector
-                                   ? ParamValue(Vec3(info.low, info.high, 0.5 * info.low))
-                                   : ParamValue(info.low);
+        const ParamValue low = anotherValue(info);
         Params params;
         EXPECT_EQ(setParam(params, info.name, low), "") << info.name;
         EXPECT_TRUE(getParam(params, info.name) == low) << info.name;
@@ -76,6 +86,8 @@ TEST(Params, MistakesGiveASentenceAndChangeNothing) {
         {"gravity", Vec3(0, -101, 0), "between -100 and 100 m/s^2"},
         {"floor", Vec3(0, 0, 0), "or none"},
         {"floor", infinity, "finite"},
+        {"solver", 1.0, "must be one of small_steps, pbd"},
+        {"solver", std::string("fem"), "must be one of small_steps, pbd"},
     };
     for (const BadValue& bad : cases) {
         Params params;

@@ -4,11 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
-#include "sim/body/constraint_builder.h"
-#include "sim/body/dihedral.h"
 #include "tests/support/cut_strokes.h"
+#include "tests/support/folds.h"
 
 namespace kerf::test {
 
@@ -16,7 +14,6 @@ namespace {
 
 constexpr double kGravity = 9.81;
 constexpr double kChip = 1e-4;  // of the body's volume
-constexpr double kFold = std::numbers::pi / 2;
 
 double heightOf(const SurfaceMesh& mesh) {
     const Bounds bounds = meshBounds(mesh);
@@ -36,13 +33,6 @@ Params parametersOf(const SceneRun& run, bool weightless) {
 const char* nameOf(CutOutcome outcome) {
     constexpr std::array kNames{"air", "waiting", "withdrawing", "cut", "refused"};
     return kNames[static_cast<int>(outcome)];
-}
-
-double angleBetween(const std::vector<Vec3>& at, const shared::BendConstraint& bend) {
-    const Vec3& x0 = at[bend.v0];
-    const Dihedral<double> now =
-        dihedral<double>(at[bend.v1] - x0, at[bend.v2] - x0, at[bend.v3] - x0);
-    return now.valid ? now.angle : bend.rest_angle;
 }
 
 }  // namespace
@@ -186,14 +176,6 @@ int ScenePlayer::slitEdgesLeft() {
     return count;
 }
 
-void ScenePlayer::countFolds() {
-    const SurfaceMesh& mesh = simulation_.mesh();
-    for (const shared::BendConstraint& bend : buildBends(mesh, 1)) {
-        const double change = wrapAngle(angleBetween(mesh.positions(), bend) - bend.rest_angle);
-        figures_.folded += std::fabs(change) > kFold;
-    }
-}
-
 SceneFigures ScenePlayer::finish(int pieces) {
     figures_.runs = 1;
     figures_.open = !checkClosedManifold(simulation_.mesh()).empty();
@@ -201,7 +183,7 @@ SceneFigures ScenePlayer::finish(int pieces) {
     const int solid = static_cast<int>(simulation_.pieces().pieces.size()) - figures_.chips;
     figures_.slitEdges = slitEdgesLeft();
     figures_.unseparated = solid < pieces;
-    countFolds();
+    figures_.folded = foldedEdges(simulation_.mesh());
     return figures_;
 }
 

@@ -49,7 +49,6 @@ class ScenePlayer {
     double topSpeed();
     int chips();
     int slitEdgesLeft();
-    void countFolds();
 
     SceneRun run_;
     cut::Jitter draw_;

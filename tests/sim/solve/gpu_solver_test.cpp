@@ -124,7 +124,7 @@ TEST_F(GpuSolverTest, SolvesIspcsLikeTheReference) {
 
 TEST_F(GpuSolverTest, HoldsVolumeLikeTheReference) {
     expectSamePhase(
-        0, kPositionTolerance, [](GpuSolver& s) { s.solveVolume(); },
+        shared::kVolumePart, kPositionTolerance, [](GpuSolver& s) { s.solveVolume(); },
         [](const ReferenceSolver& s, ReferenceState& state) { s.solveVolume(state); });
 }
 
@@ -168,8 +168,32 @@ TEST_F(GpuSolverTest, StepsLikeTheReference) {
     }
 }
 
+TEST_F(GpuSolverTest, StepsInPbdModeLikeTheReference) {
+    for (const SurfaceMesh& mesh : bodies()) {
+        SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
+        Params params;
+        params.solver = SolverMode::pbd;
+        params.iterations = 7;
+        params.floor = -0.45;
+        Pair pair(mesh, params, solverUniforms(params).active_parts, 11);
+        const ReferenceSolver solver(pair.model, pair.uniforms);
+        solver.step(pair.reference);
+        pair.gpu.step();
+        const BodyState state = pair.gpu.readState();
+        double largest = 0;
+        double moved = 0;
+        for (std::size_t v = 0; v < state.positions.size(); ++v) {
+            const Vec3 x = state.positions[v].cast<double>();
+            largest = std::max(largest, (x - pair.reference.positions[v]).norm());
+            moved = std::max(moved, (x - pair.start.positions[v].cast<double>()).norm());
+        }
+        EXPECT_LT(largest, 1e-6);
+        EXPECT_GT(moved, 1e-3);
+    }
+}
+
 TEST_F(GpuSolverTest, LeavesChipsAlone) {
-    Pair pair(test::cubeSphere(4), Params{}, 0, 3);
+    Pair pair(test::cubeSphere(4), Params{}, shared::kVolumePart, 3);
     const VolumeTarget chip{0.1, false};
     pair.gpu.setVolumeTargets(std::span(&chip, 1));
     pair.gpu.predictAndStretch();
@@ -182,7 +206,7 @@ TEST_F(GpuSolverTest, ReachesItsVolumeTarget) {
     Params params;
     params.gravity = Vec3::Zero();
     params.floor.reset();
-    Pair pair(test::icosphere(2), params, 0, 3);
+    Pair pair(test::icosphere(2), params, shared::kVolumePart, 3);
     const double wanted = 1.02 * pair.model.pieces[0].restVolume;
     const VolumeTarget target{wanted, true};
     pair.gpu.setVolumeTargets(std::span(&target, 1));

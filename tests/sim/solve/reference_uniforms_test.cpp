@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-static_assert(sizeof(shared::SolverUniforms) == 96, "std140 size of the block");
+static_assert(sizeof(shared::SolverUniforms) == 112, "std140 size of the block");
 
 TEST(SolverUniforms, IspcStiffnessRunsFromNoneOverTheMaterialToRigid) {
     EXPECT_EQ(ispcModulusFactor(0), 0);
@@ -21,8 +21,9 @@ TEST(SolverUniforms, IspcStiffnessRunsFromNoneOverTheMaterialToRigid) {
 
 TEST(SolverUniforms, PartsWithoutStiffnessAreOff) {
     Params params;
-    EXPECT_EQ(solverUniforms(params).active_parts,
-              shared::kStretchPart | shared::kBendPart | shared::kIspcPart | shared::kFloorPart);
+    EXPECT_EQ(solverUniforms(params).active_parts, shared::kStretchPart | shared::kBendPart |
+                                                       shared::kIspcPart | shared::kVolumePart |
+                                                       shared::kFloorPart);
     params.stretchStiffness = params.bendingStiffness = params.ispcStiffness = 0;
     params.floor.reset();
     EXPECT_EQ(solverUniforms(params).active_parts, 0u);
@@ -42,6 +43,29 @@ TEST(SolverUniforms, MeanWhatTheyAreNamed) {
     EXPECT_EQ(u.ispc_compliance, 0);
     EXPECT_FLOAT_EQ(u.drag_factor, std::exp(-0.001));
     EXPECT_FLOAT_EQ(u.inverse_density, 0.001f);
+}
+
+TEST(SolverUniforms, PbdSpreadsItsStiffnessOverTheSweeps) {
+    Params params;
+    params.solver = SolverMode::pbd;
+    params.iterations = 30;
+    params.stretchStiffness = 2;
+    const shared::SolverUniforms u = solverUniforms(params);
+    EXPECT_FLOAT_EQ(u.substep, 0.005f);
+    EXPECT_EQ(u.substeps, 1u);
+    EXPECT_EQ(u.sweeps, 30u);
+    EXPECT_EQ(u.stretch_share, 1) << "no more than rigid";
+    EXPECT_EQ(u.stretch_compliance, 0);
+    EXPECT_NEAR(std::pow(1 - u.ispc_share, 30), 1 - params.ispcStiffness, 1e-5);
+    EXPECT_EQ(u.active_parts & shared::kVolumePart, 0u);
+}
+
+TEST(SolverUniforms, SweepStiffnessMeansTheSameForAnyNumberOfSweeps) {
+    for (const double k : {0.0, 0.1, 0.5, 0.99, 1.0}) {
+        for (const int n : {1, 5, 20, 80}) {
+            EXPECT_NEAR(std::pow(1 - sweepStiffness(k, n), n), 1 - k, 1e-12) << k << " " << n;
+        }
+    }
 }
 
 TEST(SolverUniforms, CountTheModel) {

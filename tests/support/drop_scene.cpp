@@ -1,0 +1,112 @@
+#include "tests/support/drop_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/body/shape_error.h"
+#include "sim/simulation.h"
+#include "tests/support/folds.h"
+
+namespace kerf::test {
+
+namespace {
+
+constexpr int kCutSteps = 60;
+constexpr int kErrorEvery = 4;  // steps between two looks at the shape
+constexpr double kChip = 1e-4;  // of the body's volume
+
+/// Largest RMS shape error of a piece that is no chip [m].
+double largestError(Simulation& simulation, double bodyVolume) {
+    const SurfaceMesh& mesh = simulation.mesh();
+    const PieceMap& pieces = simulation.pieces();
+    std::vector<std::vector<int>> vertices(pieces.pieces.size());
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (const int piece = pieces.ofVertex[v]; piece >= 0) {
+            vertices[piece].push_back(v);
+        }
+    }
+    double largest = 0;
+    for (std::size_t p = 0; p < vertices.size(); ++p) {
+        if (pieces.pieces[p].restVolume >= kChip * bodyVolume) {
+            largest = std::max(largest,
+                               rmsShapeError(mesh.restPositions(), mesh.positions(), vertices[p]));
+        }
+    }
+    return largest;
+}
+
+double topSpeed(const SurfaceMesh& mesh) {
+    double top = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.outgoing(v) >= 0) {
+            top = std::max(top, mesh.velocity(v).norm());
+        }
+    }
+    return top;
+}
+
+/// Through the middle of the box, along z, a little askew.
+void cutInHalf(Simulation& simulation, const Bounds& bounds) {
+    const Vec3 size = bounds.high - bounds.low;
+    const Vec3 middle = bounds.center() + Vec3(0.02 * size.x(), 0, 0);
+    const Vec3 reach(0.02 * size.x(), 0.03 * size.y(), 0.7 * size.z());
+    for (int step = 0; step <= kCutSteps; ++step) {
+        const double height = 0.65 - 1.3 * step / kCutSteps;
+        const Vec3 at = middle + Vec3(0, height * size.y(), 0);
+        simulation.execute(MoveBlade{{at - reach, at + reach}});
+        simulation.step();
+    }
+    simulation.execute(LiftBlade{});
+    simulation.step();
+}
+
+}  // namespace
+
+DropFigures playDrop(SurfaceMesh mesh, const DropScene& scene) {
+    const Bounds bounds = meshBounds(mesh);
+    const double bodyVolume = meshRestVolume(mesh);
+    Params params = scene.params;
+    params.gravity = Vec3::Zero();
+    params.floor = bounds.low.y() - scene.height;
+    Simulation simulation(std::move(mesh), params);
+    if (scene.cut) {
+        cutInHalf(simulation, bounds);
+    }
+    simulation.execute(SetParam{"gravity", scene.params.gravity});
+    DropFigures figures;
+    const int steps = static_cast<int>(std::lround(scene.seconds / params.timeStep));
+    for (int step = 1; step <= steps; ++step) {
+        const StepReport& report = simulation.step();
+        figures.meanVolume += report.volumeRatio / steps;
+        figures.leastVolume = std::min(figures.leastVolume, report.volumeRatio);
+        if (step % kErrorEvery == 0 || step == steps) {
+            figures.finalError = largestError(simulation, bodyVolume) / bounds.diagonal();
+            figures.peakError = std::max(figures.peakError, figures.finalError);
+        }
+    }
+    figures.pieces = simulation.report().pieces;
+    figures.triangles = simulation.report().triangles;
+    figures.finalVolume = simulation.report().volumeRatio;
+    figures.folds = foldedEdges(simulation.mesh());
+    figures.finalSpeed = topSpeed(simulation.mesh());
+    figures.messages = static_cast<int>(simulation.takeMessages().size());
+    return figures;
+}
+
+std::string dropTableHead() {
+    return "drop                       pieces triangles  volume % mean     min   final  "
+           "RMS % peak  final  folds  m/s at end  messages\n";
+}
+
+std::string dropTableRow(const std::string& name, const DropFigures& f) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "%-26s %6d %9d  %13.3f %7.3f %7.3f %11.2f %6.2f %6d %11.3f %9d\n", name.c_str(),
+                  f.pieces, f.triangles, 100 * f.meanVolume, 100 * f.leastVolume,
+                  100 * f.finalVolume, 100 * f.peakError, 100 * f.finalError, f.folds, f.finalSpeed,
+                  f.messages);
+    return text;
+}
+
+}  // namespace kerf::test
