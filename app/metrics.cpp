@@ -68,6 +68,7 @@ void RunStatistics::add(const MetricsRow& row) {
     collideMs.add(row.report.collideMs);
     cutMs.add(row.report.cutMs);
     closedEveryStep = closedEveryStep && row.report.closed;
+    lostPieces += row.report.lostPieces;
 }
 
 nlohmann::ordered_json toJson(const RunSummary& summary) {
@@ -88,6 +89,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
                          {"collide", toJson(run.collideMs)},
                          {"cut", toJson(run.cutMs)}};
     json["closed_every_step"] = run.closedEveryStep;
+    json["lost_pieces"] = run.lostPieces;
     json["failures"] = summary.failures;
     return json;
 }

@@ -53,6 +53,7 @@ struct RunStatistics {
     Range collideMs;
     Range cutMs;
     bool closedEveryStep = true;
+    int lostPieces = 0;  ///< taken back, over all steps
 
     void add(const MetricsRow& row);
     /// Steps over the whole time [1/s].

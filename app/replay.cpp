@@ -131,6 +131,10 @@ class Replay {
     void operator()(const MoveBlade& move) { execute(move); }
     void operator()(const LiftBlade& lift) { execute(lift); }
     void operator()(const SetParam& set) { execute(set); }
+    void operator()(const Grab& grab) { execute(grab); }
+    void operator()(const Drag& drag) { execute(drag); }
+    void operator()(const Release& release) { execute(release); }
+    void operator()(const Pin& pin) { execute(pin); }
     void operator()(const Restart& restart) { execute(restart); }
     void operator()(const Undo& undo) { execute(undo); }
     void operator()(const Redo& redo) { execute(redo); }

@@ -1,6 +1,7 @@
 #include "app/session.h"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 #include "app/import_protocol.h"
@@ -101,8 +102,13 @@ bool undoesAnything(const Session& session) {
 }
 
 SessionPlayer::SessionPlayer(const Session& session) : session_(&session) {
+    collectSweeps();
+    collectHandMoves();
+}
+
+void SessionPlayer::collectSweeps() {
     const SessionEvent* lastKey = nullptr;
-    for (const SessionEvent& event : session.events) {
+    for (const SessionEvent& event : session_->events) {
         if (takesBladeAway(event.action)) {
             lastKey = nullptr;
         } else if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
@@ -111,6 +117,30 @@ SessionPlayer::SessionPlayer(const Session& session) : session_(&session) {
                                    std::get<MoveBlade>(lastKey->action).blade, move->blade});
             }
             lastKey = &event;
+        }
+    }
+}
+
+void SessionPlayer::collectHandMoves() {
+    struct Key {
+        int step = 0;
+        Vec3 at = Vec3::Zero();
+    };
+    std::map<int, Key> keys;  // by hand
+    for (const SessionEvent& event : session_->events) {
+        if (const auto* grab = std::get_if<Grab>(&event.action)) {
+            keys[grab->hand] = {event.step, grab->at};
+        } else if (const auto* drag = std::get_if<Drag>(&event.action)) {
+            const auto last = keys.find(drag->hand);
+            if (last != keys.end() && last->second.step + 1 < event.step) {
+                handMoves_.push_back(
+                    {drag->hand, last->second.step, event.step, last->second.at, drag->to});
+            }
+            keys[drag->hand] = {event.step, drag->to};
+        } else if (const auto* release = std::get_if<Release>(&event.action)) {
+            keys.erase(release->hand);
+        } else if (std::holds_alternative<Restart>(event.action)) {
+            keys.clear();
         }
     }
 }
@@ -126,7 +156,21 @@ std::vector<SessionAction> SessionPlayer::actionsAt(int step) const {
     if (const auto pose = poseBetweenKeys(step)) {
         actions.emplace_back(*pose);
     }
+    for (const Drag& drag : dragsBetweenKeys(step)) {
+        actions.emplace_back(drag);
+    }
     return actions;
+}
+
+std::vector<Drag> SessionPlayer::dragsBetweenKeys(int step) const {
+    std::vector<Drag> drags;
+    for (const HandMove& move : handMoves_) {
+        if (step > move.firstStep && step < move.lastStep) {
+            const double t = double(step - move.firstStep) / (move.lastStep - move.firstStep);
+            drags.push_back({move.hand, move.from + t * (move.to - move.from)});
+        }
+    }
+    return drags;
 }
 
 std::optional<MoveBlade> SessionPlayer::poseBetweenKeys(int step) const {

@@ -63,9 +63,10 @@ struct CheckEvent {
     std::optional<int> pieces;
 };
 
-/// A blade event is a key pose: between two of them the ends move linearly, a quad per step.
-using SessionAction = std::variant<MoveBlade, LiftBlade, SetParam, Restart, Undo, Redo,
-                                   ScreenshotEvent, ExportEvent, CheckEvent>;
+/// A blade event is a key pose: between two of them the ends move linearly, a quad per step. So do
+/// hands from their grab or drag to their next drag.
+using SessionAction = std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin,
+                                   Restart, Undo, Redo, ScreenshotEvent, ExportEvent, CheckEvent>;
 
 /// Something that happens before a step.
 struct SessionEvent {
@@ -124,10 +125,22 @@ class SessionPlayer {
         Blade from;
         Blade to;
     };
+    /// A hand moves from one key pose to the next, with steps between.
+    struct HandMove {
+        int hand = 0;
+        int firstStep = 0;
+        int lastStep = 0;
+        Vec3 from = Vec3::Zero();
+        Vec3 to = Vec3::Zero();
+    };
+    void collectSweeps();
+    void collectHandMoves();
     std::optional<MoveBlade> poseBetweenKeys(int step) const;
+    std::vector<Drag> dragsBetweenKeys(int step) const;
 
     const Session* session_;
     std::vector<Sweep> sweeps_;  ///< by step, not overlapping
+    std::vector<HandMove> handMoves_;
 };
 
 }  // namespace kerf::app

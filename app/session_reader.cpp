@@ -20,6 +20,8 @@ constexpr double kLargestTurn = 36000;  // [degrees]
 constexpr double kLeastFieldOfView = 1;
 constexpr double kLargestFieldOfView = 150;  // [degrees]
 constexpr double kLeastSine = 1e-6;          // between the line of sight and the camera's up
+constexpr int kLargestHand = 99;
+constexpr double kLeastRadius = 1e-9;  // [m]
 constexpr std::size_t kSha256Digits = 64;
 constexpr std::size_t kStateHashDigits = 16;
 
@@ -263,6 +265,37 @@ SetParam readSet(ObjectReader& object) {
     return set;
 }
 
+int readHand(ObjectReader& object) {
+    const auto hand = object.optional("hand");
+    return hand ? readInteger(*hand, 0, kLargestHand) : 0;
+}
+
+Grab readGrab(ObjectReader& object) {
+    const int hand = readHand(object);
+    const Vec3 at = readVector(object.required("at"), kMaxSessionCoordinate);
+    return {hand, at, readNumber(object.required("radius"), kLeastRadius, kMaxSessionCoordinate)};
+}
+
+Drag readDrag(ObjectReader& object) {
+    const int hand = readHand(object);
+    return {hand, readVector(object.required("to"), kMaxSessionCoordinate)};
+}
+
+/// A ball ("center", "radius") or a box ("low", "high").
+Region readRegion(ObjectReader& object) {
+    if (const auto center = object.optional("center")) {
+        const Vec3 at = readVector(*center, kMaxSessionCoordinate);
+        return Ball{at, readNumber(object.required("radius"), kLeastRadius, kMaxSessionCoordinate)};
+    }
+    const Node low = object.required("low");
+    const Bounds box{readVector(low, kMaxSessionCoordinate),
+                     readVector(object.required("high"), kMaxSessionCoordinate)};
+    if ((box.low.array() > box.high.array()).any()) {
+        fail(low.place, "a box needs low to be no higher than high, in each direction.");
+    }
+    return box;
+}
+
 /// A file below the output folder: never outside, and none of those that a replay writes itself.
 std::string readOutputName(const Node& node) {
     const std::string name = readString(node);
@@ -329,12 +362,16 @@ SessionAction readAction(ObjectReader& object, const Node& event) {
     if (name == "screenshot") return readScreenshot(object);
     if (name == "export") return readExport(object);
     if (name == "check") return readCheck(object, event.place);
+    if (name == "grab") return readGrab(object);
+    if (name == "drag") return readDrag(object);
+    if (name == "release") return Release{readHand(object)};
+    if (name == "pin" || name == "unpin") return Pin{readRegion(object), name == "pin"};
     if (name == "restart") return Restart{};
     if (name == "undo") return Undo{};
     if (name == "redo") return Redo{};
     fail(type.place, "there is no event type '" + name +
-                         "'; there are blade, lift, set, restart, undo, redo, screenshot, export, "
-                         "check.");
+                         "'; there are blade, lift, set, grab, drag, release, pin, unpin, restart, "
+                         "undo, redo, screenshot, export, check.");
 }
 
 std::vector<SessionEvent> readEvents(const Node& node, int steps,

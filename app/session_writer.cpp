@@ -79,6 +79,31 @@ struct ActionWriter {
         json["value"] = toJson(set.value);
         if (set.continues) json["continues"] = true;
     }
+    void operator()(const Grab& grab) const {
+        json["type"] = "grab";
+        json["hand"] = grab.hand;
+        json["at"] = toJson(grab.at);
+        json["radius"] = toJson(grab.radius);
+    }
+    void operator()(const Drag& drag) const {
+        json["type"] = "drag";
+        json["hand"] = drag.hand;
+        json["to"] = toJson(drag.to);
+    }
+    void operator()(const Release& release) const {
+        json["type"] = "release";
+        json["hand"] = release.hand;
+    }
+    void operator()(const Pin& pin) const {
+        json["type"] = pin.pinned ? "pin" : "unpin";
+        if (const auto* ball = std::get_if<Ball>(&pin.region)) {
+            json["center"] = toJson(ball->center);
+            json["radius"] = toJson(ball->radius);
+        } else {
+            json["low"] = toJson(std::get<Bounds>(pin.region).low);
+            json["high"] = toJson(std::get<Bounds>(pin.region).high);
+        }
+    }
     void operator()(const Restart&) const { json["type"] = "restart"; }
     void operator()(const Undo&) const { json["type"] = "undo"; }
     void operator()(const Redo&) const { json["type"] = "redo"; }

@@ -5,6 +5,7 @@
 
 #include "sim/cut/blade.h"
 #include "sim/params.h"
+#include "sim/region.h"
 
 namespace kerf {
 
@@ -25,6 +26,27 @@ struct SetParam {
     /// Of the same gesture as the change of this parameter just before: one undo takes both back.
     bool continues = false;
 };
+/// A hand takes hold, by springs, of all vertices that are now within `radius` of `at`. Hands are
+/// told apart by number; one that held something lets go of it.
+struct Grab {
+    int hand = 0;
+    Vec3 at = Vec3::Zero();
+    double radius = 0;  ///< [m]
+};
+/// Moves a hand here during the coming step, and what it holds along.
+struct Drag {
+    int hand = 0;
+    Vec3 to = Vec3::Zero();
+};
+/// A hand lets go.
+struct Release {
+    int hand = 0;
+};
+/// Pins the vertices that are now in the region: they stay where they are, until freed.
+struct Pin {
+    Region region;
+    bool pinned = true;  ///< false frees those in the region
+};
 /// Brings back the uncut body at rest; the parameters and the time go on.
 struct Restart {};
 /// Takes back the last change that is not undone: a cut (with all that the body did since), a
@@ -33,6 +55,7 @@ struct Undo {};
 /// Brings back what the last undo took.
 struct Redo {};
 
-using Command = std::variant<MoveBlade, LiftBlade, SetParam, Restart, Undo, Redo>;
+using Command =
+    std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, Restart, Undo, Redo>;
 
 }  // namespace kerf

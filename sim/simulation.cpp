@@ -16,6 +16,7 @@
 #include "sim/solve/volume_targets.h"
 #include "sim/state_hash.h"
 #include "sim/stopwatch.h"
+#include "sim/text.h"
 #include "sim/undo_history.h"
 
 namespace kerf {
@@ -105,6 +106,10 @@ struct Simulation::State {
     std::string execute(const MoveBlade& move);
     std::string execute(const LiftBlade& lift);
     std::string execute(const SetParam& set);
+    std::string execute(const Grab& grab);
+    std::string execute(const Drag& drag);
+    std::string execute(const Release& release);
+    std::string execute(const Pin& pin);
     std::string execute(const Restart&);
     std::string execute(const Undo&);
     std::string execute(const Redo&);
@@ -122,7 +127,8 @@ struct Simulation::State {
     void solve();
     void holdFront();
     void releaseFront();
-    void recoverFromNonFinite();
+    void pull();
+    void takeBackLostPieces();
     void cutAll();
     void publish();
 
@@ -154,6 +160,8 @@ struct Simulation::State {
     GpuSolver solver;
     VolumeTargets volumeTargets;
     std::vector<Anchor> anchors;
+    Hands hands;
+    Pins pins;
     bool meshLags = false;
     bool closed = true;
 
@@ -179,6 +187,7 @@ struct Simulation::State {
     std::optional<PieceMap> pieces;
     int stepsDone = 0;
     double time = 0;
+    int lastLossStep = -2;  ///< the last step that lost a piece
 };
 
 void Simulation::State::start() {
@@ -206,6 +215,8 @@ void Simulation::State::startBody() {
     bladeActions.clear();
     blade.reset();
     cutter.emplace(mesh, CutSettings{});
+    hands = {};
+    pins = {};
     lastCut = {};
     pieces.reset();
     applyParameters();
@@ -237,15 +248,13 @@ void Simulation::State::solve() {
     if (volumeTargets.fade(params.timeStep)) {
         solver.setVolumeTargets(volumeTargets.targets());
     }
+    pull();
     holdFront();
     solver.step();
     releaseFront();
     measure = solver.measure();
-    if (measure.finite) {
-        solver.saveState();
-    } else {
-        recoverFromNonFinite();
-    }
+    takeBackLostPieces();
+    solver.saveState();
     meshLags = true;
     pieces.reset();
     report.deformMs = solver.takeDeformMilliseconds();
@@ -271,12 +280,23 @@ void Simulation::State::releaseFront() {
     }
 }
 
-void Simulation::State::recoverFromNonFinite() {
-    solver.restoreStateAtRest();
+void Simulation::State::pull() {
+    solver.setPulls(hands.advance(params.timeStep));
+}
+
+/// The others go on. Where it happens step after step, only the first of them says so.
+void Simulation::State::takeBackLostPieces() {
+    report.lostPieces = static_cast<int>(measure.lostPieces.size());
+    if (report.lostPieces == 0) {
+        return;
+    }
+    if (std::exchange(lastLossStep, stepsDone) != stepsDone - 1) {
+        say("step {}: {} of {} left the range of numbers and went back to where the step began, at "
+            "rest. More iterations or more damping make the body steadier.",
+            stepsDone, counted(report.lostPieces, "piece", "pieces"), model().pieces.size());
+    }
+    solver.restorePiecesAtRest(measure.lostPieces);
     measure = solver.measure();
-    say("step {}: the body left the range of numbers; it is back where the step began, at rest. "
-        "More iterations or more damping make it steadier.",
-        stepsDone);
 }
 
 void Simulation::State::cutAll() {
@@ -374,6 +394,9 @@ void Simulation::State::adoptNewTopology(const CutDelta& delta) {
     }
     volumeTargets.follow(change.pieces.source, model(), measure.pieceVolumes);
     solver.setVolumeTargets(volumeTargets.targets());
+    if (pins.follow(mesh, delta)) {
+        solver.setPinned(pins.vertices());
+    }
     pieces.reset();
     const std::string defect = checkClosedManifoldAround(mesh, changedTriangles(delta));
     if (!defect.empty()) {
@@ -446,6 +469,33 @@ std::string Simulation::State::execute(const SetParam& set) {
     return "";
 }
 
+std::string Simulation::State::execute(const Grab& grab) {
+    syncMesh();
+    touch();
+    return hands.grab(grab, mesh);
+}
+
+std::string Simulation::State::execute(const Drag& drag) {
+    touch();
+    return hands.drag(drag);
+}
+
+std::string Simulation::State::execute(const Release& release) {
+    touch();
+    return hands.release(release);
+}
+
+std::string Simulation::State::execute(const Pin& pin) {
+    syncMesh();
+    touch();
+    if (pins.change(pin.region, pin.pinned, mesh) == 0) {
+        return pin.pinned ? "No free vertex lies in that region; nothing was pinned."
+                          : "No pinned vertex lies in that region; nothing was freed.";
+    }
+    solver.setPinned(pins.vertices());
+    return "";
+}
+
 std::string Simulation::State::execute(const Restart&) {
     putBladeAway();
     if (history.keeps()) {
@@ -506,9 +556,9 @@ void Simulation::State::putBladeAway() {
 SnapshotPointer Simulation::State::capture() {
     syncMesh();
     if (!current) {
-        current = std::make_shared<const Snapshot>(Snapshot{mesh, *body, *cutter, solver.pages(),
-                                                            volumeTargets, measure, closed, params,
-                                                            blade, stepsDone, time});
+        current = std::make_shared<const Snapshot>(
+            Snapshot{mesh, *body, *cutter, solver.pages(), volumeTargets, hands, pins, measure,
+                     closed, params, blade, stepsDone, time});
     }
     return current;
 }
@@ -518,10 +568,13 @@ void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
     body.emplace(snapshot->body);
     cutter.emplace(snapshot->cutter);
     volumeTargets = snapshot->volumeTargets;
+    hands = snapshot->hands;
+    pins = snapshot->pins;
     measure = snapshot->measure;
     closed = snapshot->closed;
     solver.restoreModel(model(), stateOf(mesh), snapshot->pages);
     solver.setVolumeTargets(volumeTargets.targets());
+    solver.setPinned(pins.vertices());
     solver.saveState();
     bladeActions.clear();
     blade.reset();
@@ -576,6 +629,14 @@ const CutResult& Simulation::lastCut() const {
 
 std::vector<std::string> Simulation::takeMessages() {
     return std::exchange(state_->messages, {});
+}
+
+const std::vector<std::uint32_t>& Simulation::pinnedVertices() const {
+    return state_->pins.vertices();
+}
+
+const std::vector<Hands::Hand>& Simulation::hands() const {
+    return state_->hands.hands();
 }
 
 BodyView Simulation::bodyView() const {

@@ -27,6 +27,7 @@ struct StepReport {
     int ispcs = 0;
     int touchedTriangles = 0;
     bool closed = true;
+    int lostPieces = 0;  ///< pieces that ran away and were taken back to where the step began
     double deformMs = 0;
     double collideMs = 0;
     double cutMs = 0;
@@ -67,6 +68,11 @@ class Simulation {
     /// Sentences about what went wrong in a step (refused cuts, non-finite values), since the last
     /// call.
     std::vector<std::string> takeMessages();
+
+    /// Vertices that stay where they are, ascending.
+    const std::vector<std::uint32_t>& pinnedVertices() const;
+    /// What hands hold, by their numbers.
+    const std::vector<Hands::Hand>& hands() const;
 
     /// What the renderer draws from; valid until the next step or reset.
     BodyView bodyView() const;

@@ -8,6 +8,8 @@
 #include "sim/cut/cutter.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/params.h"
+#include "sim/solve/hands.h"
+#include "sim/solve/pins.h"
 #include "sim/solve/volume_targets.h"
 
 namespace kerf {
@@ -21,6 +23,8 @@ struct Snapshot {
     Cutter cutter;
     VertexPages pages;
     VolumeTargets volumeTargets;
+    Hands hands;
+    Pins pins;
     BodyMeasure measure;
     bool closed = true;
     // What a step back in time needs besides; undo leaves it as it is.

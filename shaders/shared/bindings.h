@@ -22,6 +22,9 @@ SHARED_CONST uint kBlockSumsBinding = 13u;    // VolumeSum or BlockMeasure, one 
 SHARED_CONST uint kPagesBinding = 14u;        // uint: the pages of each block, block after block
 SHARED_CONST uint kAreasBinding = 15u;        // float: rest area of each vertex [m^2]
 SHARED_CONST uint kPreviousBinding = 8u;      // vec4: d before a sweep over the edges [m]
+SHARED_CONST uint kPullsBinding = 5u;         // PullRecord
+SHARED_CONST uint kSavedBinding = 5u;         // vec4: positions to go back to [m]
+SHARED_CONST uint kMarksBinding = 6u;         // uint per piece: not 0 where it goes back
 SHARED_CONST uint kPatchesBinding = 0u;       // WordPatch, for a kernel of its own
 SHARED_CONST uint kPatchedBinding = 1u;       // what it writes to
 

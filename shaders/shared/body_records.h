@@ -49,6 +49,17 @@ struct WordPatch {
     uint value;
 };
 
+// A vertex that a hand holds, for a step.
+struct PullRecord {
+    uint vertex;
+    float target_x;  // where it should be at the end of the step [m]
+    float target_y;
+    float target_z;
+    float motion_x;  // of the hand [m/s]
+    float motion_y;
+    float motion_z;
+};
+
 // Of one block, in a substep.
 struct VolumeSum {
     float volume;       // share of the volume [m^3]: a third of the sum of (p - origin) . dV/dp
@@ -57,8 +68,8 @@ struct VolumeSum {
 
 // Of one block, after a step.
 struct BlockMeasure {
-    vec4 low_volume;      // xyz: smallest coordinates [m]; w: volume as above [m^3]
-    vec4 high_nonfinite;  // xyz: largest coordinates [m]; w: > 0 where a number is not finite
+    vec4 low_volume;  // xyz: smallest coordinates [m]; w: volume as above [m^3]
+    vec4 high_lost;   // xyz: largest coordinates [m]; w: > 0 where a vertex is lost
 };
 
 SHARED_END

@@ -19,6 +19,9 @@ SHARED_CONST float kMaxBendError = 0.3f;
 // which would shoot it off.
 SHARED_CONST float kMaxLiftSpeed = 1.0f;
 
+// Rate r of the springs of hands [1/s]: held vertices follow in about 1 / r.
+SHARED_CONST float kPullRate = 120.0f;
+
 // Compliance of a constraint over h^2: geometry * (stretch|bend|ispc)_compliance.
 struct SolverUniforms {
     vec4 gravity;              // xyz [m/s^2]; w unused
@@ -43,6 +46,8 @@ struct SolverUniforms {
     uint ispc_count;
     uint triangle_count;
     uint piece_count;
+    uint pull_count;      // vertices that hands hold
+    float runaway_speed;  // a vertex that is faster is lost [m/s]; set by GpuSolver
 };
 
 SHARED_END

@@ -1,10 +1,12 @@
-// What the CPU wants to know after a step: volume, box and whether all numbers are finite, per
-// block. Reads X, velocities, neighbours, places, pages, pieces, blocks. Writes block measures.
+// What the CPU wants to know after a step: volume, box and whether a vertex is lost (not finite, or
+// faster than anything real), per block. Reads X, velocities, neighbours, places, pages, pieces, blocks. Writes block measures.
 // One group per block; sums in a fixed order (see volume_gradient). The CPU reads the result.
 #include "bindings.h"
 #include "body_records.h"
+#include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
+layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kVelocitiesBinding) readonly buffer Velocities { vec4 velocities[]; };
 layout(std430, binding = kRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
@@ -25,10 +27,13 @@ vec3 span(uint from, uint to) {
 #include "sim/volume_gradient.glsl"
 
 // By bits, since compilers are free to turn a comparison round where NaN would answer differently.
-bool sane(vec3 a) {
+bool within(vec3 a, float limit) {
     uvec3 magnitude = floatBitsToUint(a) & 0x7fffffffu;
-    uint limit = floatBitsToUint(1e10);
-    return all(lessThan(magnitude, uvec3(limit)));
+    return all(lessThan(magnitude, uvec3(floatBitsToUint(limit))));
+}
+
+bool lost(vec3 position, vec3 velocity) {
+    return !within(position, 1e10) || !within(velocity, uniforms.runaway_speed);
 }
 
 void main() {
@@ -42,7 +47,7 @@ void main() {
         if (v == kNoVertex) continue;
         vec3 p = positions[v].xyz;
         low = vec4(min(low.xyz, p), low.w + dot(span(origin, v), volumeGradient(v)) / 3.0);
-        high = vec4(max(high.xyz, p), sane(p) && sane(velocities[v].xyz) ? high.w : 1.0);
+        high = vec4(max(high.xyz, p), lost(p, velocities[v].xyz) ? 1.0 : high.w);
     }
     lows[self] = low;
     highs[self] = high;

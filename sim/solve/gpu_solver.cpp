@@ -15,6 +15,7 @@ namespace {
 using shared::uint;
 
 static_assert(sizeof(shared::SolverUniforms) == 112);
+static_assert(sizeof(shared::PullRecord) == 28);
 static_assert(sizeof(shared::EdgeConstraint) == 16);
 static_assert(sizeof(shared::BendConstraint) == 24);
 static_assert(sizeof(shared::IspcConstraint) == 32);
@@ -79,6 +80,14 @@ std::vector<uint> entriesOf(const Incidence& incidence, const std::vector<uint>&
     return places;
 }
 
+double restDiagonal(const BodyModel& model) {
+    Bounds bounds;
+    for (const Vec3f& p : model.restPositions) {
+        bounds.add(p.cast<double>());
+    }
+    return bounds.diagonal();
+}
+
 void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint firstPage,
                   uint pageCount) {
     const uint size = (pageCount + kMaxBlocksPerPiece - 1) / kMaxBlocksPerPiece;
@@ -88,6 +97,12 @@ void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint fir
 }
 
 }  // namespace
+
+double runawaySpeed(double diagonal, double gravity) {
+    constexpr double kDiagonalsPerSecond = 1000;
+    constexpr double kFall = 100;  // [s]
+    return kDiagonalsPerSecond * diagonal + kFall * gravity;
+}
 
 void GpuSolver::IncidenceBuffers::assign(const Incidence& incidence) {
     ranges.assign(incidence.ranges);
@@ -111,6 +126,9 @@ GpuSolver::GpuSolver() {
     kernels_.finish = gpu::Program::compute("sim/finish.comp");
     kernels_.measure = gpu::Program::compute("sim/measure.comp");
     kernels_.masses = gpu::Program::compute("sim/masses.comp");
+    kernels_.pull = gpu::Program::compute("sim/pull.comp");
+    kernels_.restore = gpu::Program::compute("sim/restore.comp");
+    setPulls({});
 }
 
 void GpuSolver::setModel(const BodyModel& model, const BodyState& state) {
@@ -122,6 +140,8 @@ void GpuSolver::setModel(const BodyModel& model, const BodyState& state) {
 void GpuSolver::restoreModel(const BodyModel& model, const BodyState& state, VertexPages pages) {
     areas_.assign(model.vertexAreas.begin(), model.vertexAreas.end());
     pieceOf_ = model.pieceOfVertex;
+    pinned_.clear();
+    diagonal_ = restDiagonal(model);
     pages_ = std::move(pages);
     pages_.takeChangedPlaces();
     placeBuffer_.assign(pages_.places());
@@ -266,6 +286,32 @@ void GpuSolver::setMasses() {
     bindBody();
     areaBuffer_.bindStorage(shared::kAreasBinding);
     run(kernels_.masses, uniforms_.vertex_count);
+    holdPins();
+}
+
+void GpuSolver::holdPins() {
+    std::vector<uint> masses;
+    for (const uint v : pinned_) {
+        masses.push_back(4 * v + 3);
+    }
+    const auto keep = Scatter::Gaps::keep;
+    scatter_.write<float>(positions_, 4 * areas_.size(), masses, keep, [](uint) { return 0.0f; });
+    scatter_.write<shared::vec4>(velocities_, areas_.size(), pinned_, keep,
+                                 [](uint) { return shared::vec4{}; });
+}
+
+void GpuSolver::setPinned(std::vector<uint> vertices) {
+    pinned_ = std::move(vertices);
+    massesLag_ = true;
+}
+
+void GpuSolver::setPulls(const std::vector<shared::PullRecord>& pulls) {
+    if (pulls.empty() && uniforms_.pull_count == 0 && pulls_.size() > 0) {
+        return;
+    }
+    pulls_.assign(pulls);
+    uniforms_.pull_count = size32(pulls.size());
+    uploadUniforms();
 }
 
 void GpuSolver::setUniforms(const shared::SolverUniforms& uniforms) {
@@ -277,10 +323,14 @@ void GpuSolver::setUniforms(const shared::SolverUniforms& uniforms) {
     uniforms_.ispc_count = counts.ispc_count;
     uniforms_.triangle_count = counts.triangle_count;
     uniforms_.piece_count = counts.piece_count;
+    uniforms_.pull_count = counts.pull_count;
     uploadUniforms();
 }
 
 void GpuSolver::uploadUniforms() {
+    const shared::vec4& g = uniforms_.gravity;
+    uniforms_.runaway_speed =
+        static_cast<float>(runawaySpeed(diagonal_, Vec3(g.x, g.y, g.z).norm()));
     uniformBuffer_.assign(std::span<const shared::SolverUniforms>(&uniforms_, 1));
 }
 
@@ -295,12 +345,18 @@ void GpuSolver::setVolumeTargets(std::span<const VolumeTarget> targets) {
 
 void GpuSolver::anchor(int vertex, const Vec3f& velocity) {
     refreshMasses();
+    if (isPinned(vertex)) {
+        return;
+    }
     setInverseUnitMass(vertex, 0.0f);
     const shared::vec4 value = packed(velocity, 0.0f);
     velocities_.write(vertex, std::span<const shared::vec4>(&value, 1));
 }
 
 void GpuSolver::release(int vertex) {
+    if (isPinned(vertex)) {
+        return;
+    }
     // As the kernel has it.
     const int p = pieceOf_[vertex];
     const float mass =
@@ -323,6 +379,7 @@ void GpuSolver::step() {
             solveVolume();
             deformTimer_.end();
             collideTimer_.begin();
+            pull();
             collideFloor();
             collideTimer_.end();
         }
@@ -389,6 +446,14 @@ void GpuSolver::runOverBlocks(const gpu::Program& kernel) {
     run(kernel, size32(blocks_.size()) * shared::kGroupSize);
 }
 
+void GpuSolver::pull() {
+    if (uniforms_.pull_count > 0) {
+        bindBody();
+        pulls_.bindStorage(shared::kPullsBinding);
+        run(kernels_.pull, uniforms_.pull_count);
+    }
+}
+
 void GpuSolver::collideFloor() {
     if (active(shared::kFloorPart)) {
         bindBody();
@@ -425,13 +490,22 @@ BodyMeasure GpuSolver::measure() {
     const auto measures = blockMeasures_.read<shared::BlockMeasure>(0, blocks_.size());
     BodyMeasure out;
     out.pieceVolumes.assign(pieces_.size(), 0.0);
+    std::vector<Bounds> boxes(pieces_.size());
+    std::vector<bool> lost(pieces_.size(), false);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         const shared::vec4& low = measures[b].low_volume;
-        const shared::vec4& high = measures[b].high_nonfinite;
-        out.pieceVolumes[blocks_[b].piece] += low.w;
-        out.bounds.add({low.x, low.y, low.z});
-        out.bounds.add({high.x, high.y, high.z});
-        out.finite = out.finite && high.w == 0.0f;
+        const shared::vec4& high = measures[b].high_lost;
+        const uint piece = blocks_[b].piece;
+        out.pieceVolumes[piece] += low.w;
+        boxes[piece].add({low.x, low.y, low.z});
+        boxes[piece].add({high.x, high.y, high.z});
+        lost[piece] = lost[piece] || high.w != 0.0f;
+    }
+    for (std::size_t p = 0; p < boxes.size(); ++p) {
+        out.bounds.add(boxes[p]);
+        if (lost[p] || boxes[p].diagonal() > kLargestPiece * diagonal_) {
+            out.lostPieces.push_back(static_cast<int>(p));
+        }
     }
     return out;
 }
@@ -449,11 +523,17 @@ void GpuSolver::saveState() {
     savedPositions_.copyFrom(positions_);
 }
 
-void GpuSolver::restoreStateAtRest() {
+void GpuSolver::restorePiecesAtRest(std::span<const int> pieces) {
     assert(savedPositions_.size() == positions_.size());
-    positions_.copyFrom(savedPositions_);
-    velocities_.clear();
-    setMasses();
+    std::vector<uint> marks(pieces_.size(), 0);
+    for (const int piece : pieces) {
+        marks[piece] = 1;
+    }
+    marks_.assign(marks);
+    bindBody();
+    savedPositions_.bindStorage(shared::kSavedBinding);
+    marks_.bindStorage(shared::kMarksBinding);
+    run(kernels_.restore, uniforms_.vertex_count);
 }
 
 BodyView GpuSolver::view() const {

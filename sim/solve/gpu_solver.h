@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -25,8 +26,16 @@ struct VolumeTarget {
 struct BodyMeasure {
     std::vector<double> pieceVolumes;  ///< [m^3]
     Bounds bounds;                     ///< of the living triangles [m]
-    bool finite = true;                ///< no NaN and nothing beyond 1e10 m or m/s
+    /// Pieces with a vertex that is not finite or faster than runawaySpeed(), or that have grown
+    /// beyond kLargestPiece; ascending.
+    std::vector<int> lostPieces;
 };
+
+/// A piece whose box is longer than this many diagonals of the uncut body has run away.
+inline constexpr double kLargestPiece = 20;
+/// What no vertex of a body of this size reaches but by a blow-up: 1000 diagonals a second, and
+/// what free fall adds in 100 s. `diagonal` [m], `gravity` [m/s^2].
+double runawaySpeed(double diagonal, double gravity);
 
 /// The soft body on the GPU: the phases of ReferenceSolver in floats, in the same order, with
 /// results that do not depend on the number of threads. Base positions X, the displacement d of a
@@ -62,6 +71,12 @@ class GpuSolver {
     void anchor(int vertex, const Vec3f& velocity);
     void release(int vertex);
 
+    /// The vertices that stay where they are, ascending, instead of those before; setModel() and
+    /// restoreModel() free all.
+    void setPinned(std::vector<std::uint32_t> vertices);
+    /// The vertices that hands hold in the coming steps; each at most once.
+    void setPulls(const std::vector<shared::PullRecord>& pulls);
+
     /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps.
     void step();
 
@@ -71,6 +86,7 @@ class GpuSolver {
     void solveBends();
     void solveIspcs();
     void solveVolume();
+    void pull();
     void collideFloor();
     void finishSubstep();
 
@@ -81,10 +97,10 @@ class GpuSolver {
     /// d of the running substep, shape [vertexCount] [m].
     std::vector<Vec3f> readDisplacements() const;
 
-    /// Remembers the positions on the GPU, and brings them back with velocities at zero. update()
-    /// writes into what is remembered too.
+    /// Remembers the positions on the GPU, and brings those of some pieces back with velocities at
+    /// zero. update() writes into what is remembered too.
     void saveState();
-    void restoreStateAtRest();
+    void restorePiecesAtRest(std::span<const int> pieces);
 
     /// The buffers themselves; valid while the solver lives and until setModel() or update().
     BodyView view() const;
@@ -103,7 +119,7 @@ class GpuSolver {
     };
     struct Kernels {
         gpu::Program stretch, stretchAgain, bend, ispc, gatherCorrections, volumeGradient,
-            volumeCorrect, floor, finish, measure, masses;
+            volumeCorrect, floor, finish, measure, masses, pull, restore;
     };
 
     void uploadTopology(const BodyModel& model);
@@ -115,6 +131,7 @@ class GpuSolver {
     void updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
                      const std::vector<std::uint32_t>& vertices);
     void refreshMasses();
+    void holdPins();
     void setMasses();
     void uploadUniforms();
     void setInverseUnitMass(int vertex, float value);
@@ -123,6 +140,9 @@ class GpuSolver {
     void runOverConstraints(const gpu::Program& kernel, const gpu::Buffer& records,
                             std::uint32_t count, const IncidenceBuffers& incidence);
     void runOverBlocks(const gpu::Program& kernel);
+    bool isPinned(int vertex) const {
+        return std::ranges::binary_search(pinned_, static_cast<std::uint32_t>(vertex));
+    }
     bool active(shared::uint part) const { return (uniforms_.active_parts & part) != 0; }
 
     Kernels kernels_;
@@ -130,6 +150,8 @@ class GpuSolver {
     std::vector<float> areas_;  ///< rest area of each vertex [m^2]
     std::vector<int> pieceOf_;  ///< of each vertex, -1 for none
     bool massesLag_ = false;
+    std::vector<std::uint32_t> pinned_;
+    double diagonal_ = 0;  ///< of the body at rest [m]
     VertexPages pages_;
     std::vector<shared::PieceRecord> pieces_;
     std::vector<shared::BlockRecord> blocks_;
@@ -138,6 +160,7 @@ class GpuSolver {
     gpu::Buffer positions_, velocities_, displacement_, previous_, restPositions_;
     gpu::Buffer savedPositions_;
     gpu::Buffer links_, areaBuffer_, triangles_, placeBuffer_, pageBuffer_, neighbours_;
+    gpu::Buffer pulls_, marks_;
     gpu::Buffer edges_, bends_, ispcs_, corrections_;
     IncidenceBuffers edgeIncidence_, bendIncidence_, ispcIncidence_, triangleIncidence_;
     gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, blockMeasures_;

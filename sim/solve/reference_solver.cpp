@@ -122,6 +122,7 @@ void ReferenceSolver::substep(ReferenceState& state) const {
         solveBends(state);
         solveIspcs(state);
         solveVolume(state);
+        pull(state);
         collideFloor(state);
     }
     finishSubstep(state);
@@ -181,6 +182,21 @@ void ReferenceSolver::solveVolume(ReferenceState& state) const {
         if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
             state.displacements[v] += inverseMass_[v] * lambda[piece] * terms.gradient[v];
         }
+    }
+}
+
+void ReferenceSolver::pull(ReferenceState& state) const {
+    const double h = uniforms_.substep;
+    const double r = shared::kPullRate * h;
+    for (const shared::PullRecord& pull : pulls_) {
+        if (inverseMass_[pull.vertex] <= 0) {
+            continue;
+        }
+        Vec3& d = state.displacements[pull.vertex];
+        const Vec3 target(pull.target_x, pull.target_y, pull.target_z);
+        const Vec3 slip = d - h * Vec3(pull.motion_x, pull.motion_y, pull.motion_z);
+        const Vec3 away = at(state, pull.vertex) - target;
+        d -= (r * r * away + 2 * r * slip) / (1 + 2 * r + r * r);
     }
 }
 

@@ -22,10 +22,9 @@ ReferenceState restState(const BodyModel& model);
 /// XPBD with small steps and one iteration per substep (Macklin et al. 2019), mass-splitting Jacobi
 /// per constraint type (Tonge et al. 2012): the plain double-precision truth that every kernel is
 /// compared with. A substep is, in this order: predict, then per sweep edges, bends, ISPCs, volume,
-/// floor, then finish. Plain PBD is many sweeps in one substep, each with a share of the correction
-/// of rigid constraints.
-/// Each phase stands alone; constraints read `positions + displacements` as they were when the
-/// phase began and change displacements only.
+/// pulls, floor, then finish. Plain PBD is many sweeps in one substep, each with a share of the
+/// correction of rigid constraints. Each phase stands alone; constraints read `positions +
+/// displacements` as they were when the phase began and change displacements only.
 class ReferenceSolver {
   public:
     /// `model` must outlive the solver.
@@ -37,6 +36,9 @@ class ReferenceSolver {
     void setInverseMass(int vertex, double w) { inverseMass_[vertex] = w; }
     /// Volume target of a piece = its rest volume + offset [m^3]; 0 unless set.
     void setVolumeOffset(int piece, double offset) { volumeOffset_[piece] = offset; }
+
+    /// What hands hold.
+    void setPulls(std::vector<shared::PullRecord> pulls) { pulls_ = std::move(pulls); }
 
     /// One time step: uniforms.substeps substeps.
     void step(ReferenceState& state) const;
@@ -50,6 +52,9 @@ class ReferenceSolver {
     void solveIspcs(ReferenceState& state) const;
     /// Rigid volume constraint of each piece that holds one, about the mean of its vertices.
     void solveVolume(ReferenceState& state) const;
+    /// Moves the vertices that hands hold as a critically damped spring of rate kPullRate, implicit
+    /// in the end of the substep, would.
+    void pull(ReferenceState& state) const;
     /// Lifts vertices onto the floor, those that start below it at no more than kMaxLiftSpeed;
     /// friction shortens their tangential displacement by at most friction * lift.
     void collideFloor(ReferenceState& state) const;
@@ -64,6 +69,7 @@ class ReferenceSolver {
     shared::SolverUniforms uniforms_;
     std::vector<double> inverseMass_;
     std::vector<double> volumeOffset_;
+    std::vector<shared::PullRecord> pulls_;
 };
 
 }  // namespace kerf

@@ -84,5 +84,30 @@ TEST(SessionPlayer, AfterTheLastStepComeTheEventsOfTheEnd) {
     EXPECT_EQ(SessionPlayer(session).actionsAt(100).size(), 1u);
 }
 
+TEST(SessionPlayer, HandsMoveLinearlyFromTheirGrabToTheirDrags) {
+    const Session session = sessionOf({{2, Grab{1, {0, 0, 0}, 0.1}},
+                                       {3, Grab{2, {9, 0, 0}, 0.1}},
+                                       {6, Drag{1, {4, 0, 0}}},
+                                       {8, Release{1}},
+                                       {20, Drag{2, {9, 17, 0}}}});
+    const SessionPlayer player(session);
+    const auto dragsAt = [&](int step) {
+        std::vector<std::pair<int, Vec3>> drags;
+        for (const SessionAction& action : player.actionsAt(step)) {
+            if (const auto* drag = std::get_if<Drag>(&action)) {
+                drags.emplace_back(drag->hand, drag->to);
+            }
+        }
+        return drags;
+    };
+    using Drags = std::vector<std::pair<int, Vec3>>;
+    EXPECT_EQ(dragsAt(2), Drags{});
+    EXPECT_EQ(dragsAt(3), (Drags{{1, {1, 0, 0}}}));
+    EXPECT_EQ(dragsAt(5), (Drags{{1, {3, 0, 0}}, {2, {9, 2, 0}}}));
+    EXPECT_EQ(dragsAt(6), (Drags{{1, {4, 0, 0}}, {2, {9, 3, 0}}}));
+    EXPECT_EQ(dragsAt(10), (Drags{{2, {9, 7, 0}}}));
+    EXPECT_EQ(dragsAt(21), Drags{});
+}
+
 }  // namespace
 }  // namespace kerf::app

@@ -125,7 +125,7 @@ TEST_F(Layout, VolumeSum) {
 
 TEST_F(Layout, BlockMeasure) {
     expectSame("Measures", "measures", sizeof(shared::BlockMeasure),
-               {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_nonfinite)});
+               {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_lost)});
 }
 
 TEST_F(Layout, SolverUniforms) {
@@ -140,7 +140,8 @@ TEST_F(Layout, SolverUniforms) {
                 MEMBER(SolverUniforms, bend_share),      MEMBER(SolverUniforms, ispc_share),
                 MEMBER(SolverUniforms, vertex_count),    MEMBER(SolverUniforms, edge_count),
                 MEMBER(SolverUniforms, bend_count),      MEMBER(SolverUniforms, ispc_count),
-                MEMBER(SolverUniforms, triangle_count),  MEMBER(SolverUniforms, piece_count)});
+                MEMBER(SolverUniforms, triangle_count),  MEMBER(SolverUniforms, piece_count),
+                MEMBER(SolverUniforms, pull_count),      MEMBER(SolverUniforms, runaway_speed)});
 }
 
 }  // namespace

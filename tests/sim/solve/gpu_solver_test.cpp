@@ -1,5 +1,6 @@
 #include "sim/solve/gpu_solver.h"
 
+#include <array>
 #include <limits>
 #include <random>
 #include <string>
@@ -230,26 +231,26 @@ TEST_F(GpuSolverTest, MeasuresEveryPiece) {
     }
     EXPECT_EQ(measure.bounds.low, bounds.low);
     EXPECT_EQ(measure.bounds.high, bounds.high);
-    EXPECT_TRUE(measure.finite);
+    EXPECT_TRUE(measure.lostPieces.empty());
 }
 
-TEST_F(GpuSolverTest, FlagsWhatIsNotFinite) {
+TEST_F(GpuSolverTest, FlagsWhatIsNotFiniteOrRunsAway) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinite = std::numeric_limits<float>::infinity();
     Pair pair(test::icosphere(2), Params{}, 0, 3);
     const BodyState good = pair.start;
-    for (const float bad : {nan, infinite, -infinite, 1e30f}) {
+    for (const float bad : {nan, infinite, -infinite, 1e30f, 1e4f}) {
         BodyState state = good;
         state.positions.back().y() = bad;
         pair.gpu.setState(state);
-        EXPECT_FALSE(pair.gpu.measure().finite) << "position " << bad;
+        EXPECT_FALSE(pair.gpu.measure().lostPieces.empty()) << "position " << bad;
         state = good;
         state.velocities.front().z() = bad;
         pair.gpu.setState(state);
-        EXPECT_FALSE(pair.gpu.measure().finite) << "velocity " << bad;
+        EXPECT_FALSE(pair.gpu.measure().lostPieces.empty()) << "velocity " << bad;
     }
     pair.gpu.setState(good);
-    EXPECT_TRUE(pair.gpu.measure().finite);
+    EXPECT_TRUE(pair.gpu.measure().lostPieces.empty());
 }
 
 TEST_F(GpuSolverTest, RestoresTheSavedStateAtRest) {
@@ -257,10 +258,74 @@ TEST_F(GpuSolverTest, RestoresTheSavedStateAtRest) {
     pair.gpu.saveState();
     pair.gpu.step();
     EXPECT_NE(pair.gpu.readState().positions, pair.start.positions);
-    pair.gpu.restoreStateAtRest();
+    pair.gpu.restorePiecesAtRest(std::array{0});
     const BodyState state = pair.gpu.readState();
     EXPECT_EQ(state.positions, pair.start.positions);
     EXPECT_EQ(state.velocities, std::vector<Vec3f>(state.velocities.size(), Vec3f::Zero()));
+}
+
+TEST_F(GpuSolverTest, TakesLostPiecesBackAndLeavesTheOthersAlone) {
+    const SurfaceMesh mesh = test::meshOf(
+        test::joined(test::icosphereSoup(2), test::boxSoup({0.2, 0.3, 0.4}, 3), {2, 0, 0}));
+    const auto run = [&](float badSpeed) {
+        Pair pair(mesh, Params{}, solverUniforms(Params{}).active_parts, 3);
+        BodyState state = pair.start;
+        state.velocities.front().x() += badSpeed;
+        pair.gpu.setState(state);
+        pair.gpu.saveState();
+        pair.gpu.step();
+        const std::vector<int> lost = pair.gpu.measure().lostPieces;
+        pair.gpu.restorePiecesAtRest(lost);
+        return std::tuple(lost, pair.start, pair.gpu.readState(), pair.model.pieceOfVertex);
+    };
+    const auto [none, start, expected, ignored] = run(0);
+    EXPECT_TRUE(none.empty());
+    const auto [lost, begin, after, pieceOf] = run(std::numeric_limits<float>::quiet_NaN());
+    EXPECT_EQ(lost, std::vector<int>{0});
+    for (std::size_t v = 0; v < after.positions.size(); ++v) {
+        const bool isLost = pieceOf[v] == 0;
+        EXPECT_EQ(after.positions[v], isLost ? begin.positions[v] : expected.positions[v]);
+        EXPECT_EQ(after.velocities[v], isLost ? Vec3f::Zero() : expected.velocities[v]);
+    }
+}
+
+TEST_F(GpuSolverTest, PullsLikeTheReference) {
+    Pair pair(test::cubeSphere(8), Params{}, 0, 7);
+    std::vector<shared::PullRecord> pulls;
+    for (uint v = 3; v < 40; v += 2) {
+        pulls.push_back({v, 0.1f, 0.7f, 0.2f, 1.0f, 0.0f, -2.0f});
+    }
+    ReferenceSolver solver(pair.model, pair.uniforms);
+    solver.setPulls(pulls);
+    solver.predict(pair.reference);
+    const std::vector<Vec3> before = pair.reference.displacements;
+    solver.pull(pair.reference);
+    pair.gpu.setPulls(pulls);
+    pair.gpu.predictAndStretch();
+    pair.gpu.pull();
+    EXPECT_LT(pair.error(), 1e-9);
+    EXPECT_GT(pair.change(before), 1e-4);
+    EXPECT_EQ(pair.reference.displacements[4], before[4]);
+}
+
+TEST_F(GpuSolverTest, PinnedVerticesStayAndAreFreedAgain) {
+    Params params;
+    params.floor.reset();
+    Pair pair(test::icosphere(2), params, solverUniforms(params).active_parts, 3);
+    pair.gpu.setPinned({2, 7, 50});
+    for (int step = 0; step < 5; ++step) {
+        pair.gpu.step();
+    }
+    const BodyState held = pair.gpu.readState();
+    for (const int v : {2, 7, 50}) {
+        EXPECT_EQ(held.positions[v], pair.start.positions[v]);
+    }
+    EXPECT_NE(held.positions[3], pair.start.positions[3]);
+    pair.gpu.setPinned({7});
+    pair.gpu.step();
+    const BodyState freed = pair.gpu.readState();
+    EXPECT_NE(freed.positions[2], held.positions[2]);
+    EXPECT_EQ(freed.positions[7], held.positions[7]);
 }
 
 TEST_F(GpuSolverTest, KeepsLinearMomentumInFreeFlight) {
