@@ -5,17 +5,18 @@
 //   kerf_drop_bench [--only TEXT] [--solver pbd] [--ispc S] [--modulus E] [--seconds T]
 //       [--iterations N] [--bending B]
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/model_source.h"
 #include "app/paper_experiments.h"
 #include "gpu/context.h"
 #include "tests/support/drop_scene.h"
+#include "tests/support/shapes.h"
 
 namespace kerf::test {
 namespace {
@@ -35,30 +36,45 @@ double number(const Options& options, const std::string& name, double otherwise)
     return at == options.end() ? otherwise : std::atof(at->second.c_str());
 }
 
-/// Young's modulus of the shipped session [Pa].
-double modulusOf(const std::string& model) {
-    return model == "banana" ? 5e5 : model == "octopus" ? 3e5 : 1e5;
+struct DropModel {
+    std::string name;
+    double timeStep;  ///< [s]
+    int iterations;
+    double modulus;  ///< Young's [Pa]
+    SurfaceMesh mesh;
+};
+
+/// The paper's models with the settings of their sessions, and one more resolution of the sphere.
+std::vector<DropModel> dropModels() {
+    std::vector<DropModel> models;
+    for (const app::PaperExperiment& paper : app::paperExperiments()) {
+        const std::string name = paper.name;
+        const double modulus = name == "banana" ? 5e5 : name == "octopus" ? 3e5 : 1e5;
+        models.push_back({name, paper.timeStep, paper.iterations, modulus,
+                          app::loadModel(app::builtinModelFile(name))});
+    }
+    models.push_back({"sphere12288", 0.005, 20, 1e5, cubeSphere(32)});
+    return models;
 }
 
-void play(const app::PaperExperiment& paper, bool cut, const Options& options) {
-    const std::string name = std::string(paper.name) + (cut ? " cut" : " whole");
+void play(const DropModel& model, bool cut, const Options& options) {
+    const std::string name = model.name + (cut ? " cut" : " whole");
     const auto only = options.find("--only");
     if (only != options.end() && name.find(only->second) == std::string::npos) {
         return;
     }
     DropScene scene;
+    Params& params = scene.params;
     scene.cut = cut;
     scene.seconds = number(options, "--seconds", 3);
-    scene.params.timeStep = paper.timeStep;
-    scene.params.iterations = static_cast<int>(number(options, "--iterations", paper.iterations));
-    scene.params.youngsModulus = number(options, "--modulus", modulusOf(paper.name));
-    scene.params.ispcStiffness = number(options, "--ispc", scene.params.ispcStiffness);
-    scene.params.bendingStiffness = number(options, "--bending", scene.params.bendingStiffness);
-    scene.params.solver = options.count("--solver") > 0 && options.at("--solver") == "pbd"
-                              ? SolverMode::pbd
-                              : SolverMode::smallSteps;
-    const DropFigures figures = playDrop(app::loadModel(app::builtinModelFile(paper.name)), scene);
-    std::fputs(dropTableRow(name, figures).c_str(), stdout);
+    params.timeStep = model.timeStep;
+    params.iterations = static_cast<int>(number(options, "--iterations", model.iterations));
+    params.youngsModulus = number(options, "--modulus", model.modulus);
+    params.ispcStiffness = number(options, "--ispc", params.ispcStiffness);
+    params.bendingStiffness = number(options, "--bending", params.bendingStiffness);
+    const bool pbd = options.count("--solver") > 0 && options.at("--solver") == "pbd";
+    params.solver = pbd ? SolverMode::pbd : SolverMode::smallSteps;
+    std::fputs(dropTableRow(name, playDrop(model.mesh, scene)).c_str(), stdout);
     std::fflush(stdout);
 }
 
@@ -70,9 +86,9 @@ int main(int count, char** words) {
         const kerf::gpu::EglContext context;
         const auto options = kerf::test::readOptions(count, words);
         std::fputs(kerf::test::dropTableHead().c_str(), stdout);
-        for (const kerf::app::PaperExperiment& paper : kerf::app::paperExperiments()) {
+        for (const kerf::test::DropModel& model : kerf::test::dropModels()) {
             for (const bool cut : {false, true}) {
-                kerf::test::play(paper, cut, options);
+                kerf::test::play(model, cut, options);
             }
         }
     } catch (const std::exception& error) {
