@@ -184,6 +184,7 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.stages.deform = report.deformMs;
     model.stages.collide = report.collideMs;
     model.stages.cut = report.cutMs;
+    model.subdivisions = simulation_.subdivisions();
     model.pieces = pieces_;
     model.history = &history_;
     if (playingBack()) {

@@ -120,6 +120,20 @@ std::string stagesSection(const Results& results) {
                  });
 }
 
+std::string subdivisionSection(const Results& results) {
+    return "## Triangles of the surface by how they were divided (the paper's figure 4)\n\n" +
+           table({"model", "1-to-4", "1-to-3a", "1-to-2", "1-to-3b", "other"}, results,
+                 [](const ExperimentResult& r) {
+                     const SubdivisionCounts& counts = r.summary.statistics.subdivisions;
+                     std::vector<std::string> cells{r.paper->label};
+                     for (int i = 0; i < kPaperPatterns; ++i) {
+                         cells.push_back(fmt::format("{}", counts[i]));
+                     }
+                     cells.push_back(fmt::format("{}", otherPatterns(counts)));
+                     return cells;
+                 });
+}
+
 std::string picturesSection(const Results& results) {
     std::string text = "## Pictures and plots (the paper's figures 5 to 10)\n\n";
     for (const ExperimentResult& result : results) {
@@ -147,7 +161,7 @@ std::string failuresSection(const Results& results) {
 std::string formatExperimentReport(const Results& results) {
     return headSection(results) + failuresSection(results) + settingsSection(results) +
            countsSection(results) + volumeSection(results) + framesSection(results) +
-           stagesSection(results) + picturesSection(results);
+           stagesSection(results) + subdivisionSection(results) + picturesSection(results);
 }
 
 }  // namespace kerf::app

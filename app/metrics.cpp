@@ -28,6 +28,15 @@ Json toJson(const std::vector<Piece>& pieces) {
     return list;
 }
 
+Json toJson(const SubdivisionCounts& counts) {
+    Json json;
+    for (int i = 0; i < kPaperPatterns; ++i) {
+        json[nameOf(static_cast<SubdivisionPattern>(i))] = counts[i];
+    }
+    json["other"] = otherPatterns(counts);
+    return json;
+}
+
 }  // namespace
 
 void Range::add(double value) {
@@ -39,7 +48,8 @@ void Range::add(double value) {
 
 std::string metricsHeader() {
     return "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
-           "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms\n";
+           "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,one_to_four,one_to_three_a,"
+           "one_to_two,one_to_three_b,other_patterns,seeds\n";
 }
 
 std::string formatMetrics(const MetricsRow& row) {
@@ -55,6 +65,12 @@ std::string formatMetrics(const MetricsRow& row) {
     for (const double value : {r.deformMs, r.collideMs, r.cutMs, row.renderMs, row.frameMs}) {
         line += "," + formatNumber(value);
     }
+    for (int i = 0; i < kPaperPatterns; ++i) {
+        line += "," + std::to_string(r.subdivisions[i]);
+    }
+    for (const int value : {otherPatterns(r.subdivisions), r.seeds}) {
+        line += "," + std::to_string(value);
+    }
     return line + "\n";
 }
 
@@ -67,6 +83,7 @@ void RunStatistics::add(const MetricsRow& row) {
     deformMs.add(row.report.deformMs);
     collideMs.add(row.report.collideMs);
     cutMs.add(row.report.cutMs);
+    addTo(subdivisions, row.report.subdivisions);
     closedEveryStep = closedEveryStep && row.report.closed;
     lostPieces += row.report.lostPieces;
 }
@@ -88,6 +105,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     json["stages_ms"] = {{"deform", toJson(run.deformMs)},
                          {"collide", toJson(run.collideMs)},
                          {"cut", toJson(run.cutMs)}};
+    json["subdivisions"] = toJson(run.subdivisions);
     json["closed_every_step"] = run.closedEveryStep;
     json["lost_pieces"] = run.lostPieces;
     json["failures"] = summary.failures;

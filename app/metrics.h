@@ -52,6 +52,7 @@ struct RunStatistics {
     Range deformMs;
     Range collideMs;
     Range cutMs;
+    SubdivisionCounts subdivisions{};
     bool closedEveryStep = true;
     int lostPieces = 0;  ///< taken back, over all steps
 

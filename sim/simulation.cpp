@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <span>
 #include <utility>
 
 #include "sim/body/body_updater.h"
 #include "sim/cut/cut_change.h"
+#include "sim/mesh/oriented_box.h"
 #include "sim/snapshot.h"
 #include "sim/solve/front_anchors.h"
 #include "sim/solve/gpu_solver.h"
@@ -73,12 +74,23 @@ double copyState(const BodyState& state, SurfaceMesh& mesh) {
     return std::sqrt(farthest);
 }
 
-Bounds boxOf(std::initializer_list<Vec3> points) {
+Bounds boxOf(std::span<const Vec3> points) {
     Bounds box;
     for (const Vec3& p : points) {
         box.add(p);
     }
     return box;
+}
+
+std::vector<Vec3> usedPositions(const SurfaceMesh& mesh) {
+    std::vector<Vec3> points;
+    points.reserve(mesh.vertexCount());
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.outgoing(v) >= 0) {
+            points.push_back(mesh.position(v));
+        }
+    }
+    return points;
 }
 
 bool standsInMaterial(const std::vector<RungNode>& rung) {
@@ -135,7 +147,8 @@ struct Simulation::State {
     void cut(const MoveBlade& move);
     void cut(const LiftBlade& lift);
     void endStroke();
-    bool mayTouch(const Blade& blade) const;
+    bool mayTouch(const Blade& blade);
+    bool nearBody(std::span<const Vec3> sweep);
     void accept(const CutResult& result);
     void adoptNewTopology(const CutDelta& delta);
 
@@ -183,6 +196,7 @@ struct Simulation::State {
     BodyMeasure measure;
     StepReport report;
     CutResult lastCut;
+    SubdivisionCounts subdivisions{};
     std::vector<std::string> messages;
     std::optional<PieceMap> pieces;
     int stepsDone = 0;
@@ -218,6 +232,7 @@ void Simulation::State::startBody() {
     hands = {};
     pins = {};
     lastCut = {};
+    subdivisions = {};
     pieces.reset();
     applyParameters();
     measure = solver.measure();
@@ -361,20 +376,35 @@ void Simulation::State::endStroke() {
     accept(cutter->finish());
 }
 
-/// Whether the cutter must look: a front is in the material, or the strip meets the body's box.
-bool Simulation::State::mayTouch(const Blade& to) const {
+/// Whether the cutter must look: a front is in the material, or the strip comes near the body.
+bool Simulation::State::mayTouch(const Blade& to) {
     const std::vector<RungNode>& rung = cutter->rung();
-    Bounds swept = boxOf({blade->a, blade->b, to.a, to.b});
+    std::vector<Vec3> sweep{blade->a, blade->b, to.a, to.b};
     for (const RungNode& node : rung) {
-        swept.add(node.position);
+        sweep.push_back(node.position);
     }
+    return standsInMaterial(rung) || nearBody(sweep);
+}
+
+/// By boxes along the axes, which are at hand, then by oriented ones.
+bool Simulation::State::nearBody(std::span<const Vec3> sweep) {
+    Bounds swept = boxOf(sweep);
     swept.widen(model().edgeLength);
-    return standsInMaterial(rung) || swept.overlaps(measure.bounds);
+    if (!swept.overlaps(measure.bounds)) {
+        return false;
+    }
+    syncMesh();
+    OrientedBox sweptBox = orientedBoxOf(sweep);
+    sweptBox.widen(model().edgeLength);
+    return overlap(sweptBox, orientedBoxOf(usedPositions(mesh)));
 }
 
 void Simulation::State::accept(const CutResult& result) {
     lastCut = result;
     report.touchedTriangles += result.statistics.touchedTriangles;
+    addTo(report.subdivisions, result.statistics.patterns);
+    addTo(subdivisions, result.statistics.patterns);
+    report.seeds += result.statistics.seeds;
     if (result.outcome == CutOutcome::refused) {
         say("step {}: the cut was refused ({}); the blade goes on", stepsDone, result.reason);
     }
@@ -558,7 +588,7 @@ SnapshotPointer Simulation::State::capture() {
     if (!current) {
         current = std::make_shared<const Snapshot>(
             Snapshot{mesh, *body, *cutter, solver.pages(), volumeTargets, hands, pins, measure,
-                     closed, params, blade, stepsDone, time});
+                     closed, subdivisions, params, blade, stepsDone, time});
     }
     return current;
 }
@@ -572,6 +602,7 @@ void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
     pins = snapshot->pins;
     measure = snapshot->measure;
     closed = snapshot->closed;
+    subdivisions = snapshot->subdivisions;
     solver.restoreModel(model(), stateOf(mesh), snapshot->pages);
     solver.setVolumeTargets(volumeTargets.targets());
     solver.setPinned(pins.vertices());
@@ -622,6 +653,9 @@ std::optional<Blade> Simulation::blade() const {
 }
 const std::vector<RungNode>& Simulation::rung() const {
     return state_->cutter->rung();
+}
+const SubdivisionCounts& Simulation::subdivisions() const {
+    return state_->subdivisions;
 }
 const CutResult& Simulation::lastCut() const {
     return state_->lastCut;

@@ -26,6 +26,8 @@ struct StepReport {
     int triangles = 0;
     int ispcs = 0;
     int touchedTriangles = 0;
+    SubdivisionCounts subdivisions{};  ///< of the touched triangles, in this step
+    int seeds = 0;                     ///< groups of neighbours among the touched triangles
     bool closed = true;
     int lostPieces = 0;  ///< pieces that ran away and were taken back to where the step began
     double deformMs = 0;
@@ -63,6 +65,8 @@ class Simulation {
     std::optional<Blade> blade() const;
     /// Where the blade last cut: see Cutter::rung().
     const std::vector<RungNode>& rung() const;
+    /// How the surface was divided since the body was whole.
+    const SubdivisionCounts& subdivisions() const;
     /// Outcome of the last step that the blade moved in.
     const CutResult& lastCut() const;
     /// Sentences about what went wrong in a step (refused cuts, non-finite values), since the last

@@ -27,6 +27,7 @@ struct Snapshot {
     Pins pins;
     BodyMeasure measure;
     bool closed = true;
+    SubdivisionCounts subdivisions;
     // What a step back in time needs besides; undo leaves it as it is.
     Params params;
     std::optional<Blade> blade;

@@ -115,7 +115,7 @@ void drawReadings(const PanelModel& model, const Rect& rect, std::vector<Action>
     drawPlots(model, 0.62F * ImGui::GetContentRegionAvail().y);
     if (ImGui::BeginTabBar("readings")) {
         if (ImGui::BeginTabItem("Times")) {
-            drawStages(model.stages);
+            drawStages(model.stages, model.subdivisions);
             ImGui::EndTabItem();
         }
         if (ImGui::BeginTabItem("History")) {

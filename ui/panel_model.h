@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/cut/subdivision_pattern.h"
 #include "sim/params.h"
 #include "ui/history.h"
 
@@ -60,6 +61,7 @@ struct PanelModel {
     bool toastIsError = false;
     float toastOpacity = 1;  ///< 0 to 1, while it fades
     StageTimes stages;
+    SubdivisionCounts subdivisions{};  ///< of the surface, since the body was whole
     std::vector<PieceRow> pieces;
     const History* history = nullptr;   ///< never null while panels are drawn
     std::vector<PlotPoint> strokeLine;  ///< the pointer's way across the view [px]

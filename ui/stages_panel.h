@@ -5,6 +5,6 @@
 namespace kerf::ui {
 
 /// What the stages of a step took.
-void drawStages(const StageTimes& stages);
+void drawStages(const StageTimes& stages, const SubdivisionCounts& subdivisions);
 
 }  // namespace kerf::ui

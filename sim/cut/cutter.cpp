@@ -99,9 +99,8 @@ void addTo(CutStatistics& sum, const CutStatistics& part) {
     sum.wallTriangles += part.wallTriangles;
     sum.splitVertices += part.splitVertices;
     sum.tries = std::max(sum.tries, part.tries);
-    for (int i = 0; i < kSubdivisionPatterns; ++i) {
-        sum.patterns[i] += part.patterns[i];
-    }
+    kerf::addTo(sum.patterns, part.patterns);
+    sum.seeds += part.seeds;
     sum.volumeChange += part.volumeChange;
 }
 
@@ -476,6 +475,7 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
     result.statistics.wallTriangles = step.wallTriangles;
     result.statistics.splitVertices = committed.splitVertices;
     result.statistics.patterns = step.plan.subdivision.patterns;
+    result.statistics.seeds = step.seeds;
     result.statistics.volumeChange = step.plan.volumeChange;
     if (isInAir(committed.rung)) {
         startPass(sweep);

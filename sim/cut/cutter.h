@@ -1,26 +1,14 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "sim/cut/blade.h"
+#include "sim/cut/subdivision_pattern.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
-
-/// The four subdivision patterns of the paper (its Figure 4), and what goes beyond them.
-enum class SubdivisionPattern {
-    oneToFour,
-    oneToThreeA,
-    oneToTwo,
-    oneToThreeB,
-    twoKinks,
-    twoSegments,
-    more
-};
-inline constexpr int kSubdivisionPatterns = 7;
 
 /// What one step did. Only `cut` changes the mesh; all other outcomes leave every byte of it. The
 /// end of a stroke may clean up in any outcome; the delta tells.
@@ -63,14 +51,15 @@ struct CleanupStatistics {
 
 /// Counts of one step.
 struct CutStatistics {
-    int cutPieces = 0;                                 ///< pieces of the body that were cut
-    int refusedPieces = 0;                             ///< pieces whose step was refused
-    int touchedTriangles = 0;                          ///< surface triangles that the strip met
-    int wallTriangles = 0;                             ///< new, both sides
-    int splitVertices = 0;                             ///< copies of vertices that were made
-    int tries = 0;                                     ///< levels of the retry ladder used
-    std::array<int, kSubdivisionPatterns> patterns{};  ///< triangles by SubdivisionPattern
-    double volumeChange = 0;  ///< signed, of the step, before clean-up and rounding [m^3]
+    int cutPieces = 0;             ///< pieces of the body that were cut
+    int refusedPieces = 0;         ///< pieces whose step was refused
+    int touchedTriangles = 0;      ///< surface triangles that the strip met
+    int wallTriangles = 0;         ///< new, both sides
+    int splitVertices = 0;         ///< copies of vertices that were made
+    int tries = 0;                 ///< levels of the retry ladder used
+    SubdivisionCounts patterns{};  ///< surface triangles by how they were divided
+    int seeds = 0;                 ///< groups of neighbours among the touched triangles
+    double volumeChange = 0;       ///< signed, of the step, before clean-up and rounding [m^3]
     CleanupStatistics cleanup;
 };
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/cut/seeds.h"
 #include "sim/cut/skin_map.h"
 #include "sim/cut/wall.h"
 
@@ -116,6 +117,7 @@ PlannedStep planStep(const StepInput& in) {
     plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);
     plan.volumeChange = volumeChange(in.mesh, plan);
     requireFinite(plan.curves);
+    step.seeds = countSeeds(in.mesh, plan.subdivision.replaced);
     step.wallTriangles = sizeOf(plan.triangles) - sizeOf(plan.subdivision.triangles);
     return step;
 }

@@ -18,6 +18,7 @@ struct PlannedStep {
     std::optional<AirStep> air;
     StepPlan plan;  ///< without `air`
     int wallTriangles = 0;
+    int seeds = 0;  ///< see countSeeds
 };
 
 /// Plans one step. Throws StepFailure where no valid result comes out of this attempt.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "sim/cut/intersections.h"
@@ -25,7 +24,7 @@ int cornerId(const SurfaceMesh& mesh, const CutCurves& curves, int node);
 struct Subdivision {
     std::vector<NewTriangle> triangles;
     std::vector<int> replaced;  ///< ascending
-    std::array<int, kSubdivisionPatterns> patterns{};
+    SubdivisionCounts patterns{};
 };
 
 /// Divides every surface triangle that the strip meets along its curve segments. The four

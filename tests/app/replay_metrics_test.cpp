@@ -36,10 +36,13 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
     row.report.volume = 0.1;
     row.report.closed = false;
     row.frameMs = 2.5;
+    row.report.subdivisions = {7, 0, 0, 1, 2, 0, 3};
+    row.report.seeds = 2;
     EXPECT_EQ(metricsHeader(),
               "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
-              "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms\n");
-    EXPECT_EQ(formatMetrics(row), "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5\n");
+              "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,one_to_four,one_to_three_a,"
+              "one_to_two,one_to_three_b,other_patterns,seeds\n");
+    EXPECT_EQ(formatMetrics(row), "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,7,0,0,1,5,2\n");
 }
 
 TEST(Metrics, RangeOfASeries) {
@@ -63,6 +66,7 @@ TEST(Metrics, SummaryHoldsWhatScriptsReadFromIt) {
     summary.statistics.add(row);
     row.frameMs = 30;
     row.report.volumeRatio = 0.5;
+    row.report.subdivisions = {1, 2, 3, 4, 5, 6, 7};
     row.report.closed = false;
     summary.statistics.add(row);
     const auto json = nlohmann::json::parse(formatSummary(summary));
@@ -73,6 +77,9 @@ TEST(Metrics, SummaryHoldsWhatScriptsReadFromIt) {
     EXPECT_EQ(json["after"]["triangles"], 0);
     EXPECT_EQ(json["pieces"][1]["volume"], 0.25);
     EXPECT_EQ(json["volume_ratio"]["mean"], 0.75);
+    EXPECT_EQ(json["subdivisions"]["1-to-3a"], 2);
+    EXPECT_EQ(json["subdivisions"]["1-to-3b"], 4);
+    EXPECT_EQ(json["subdivisions"]["other"], 18);
     EXPECT_EQ(json["volume_ratio"]["min"], 0.5);
     EXPECT_EQ(json["volume_ratio"]["final"], 0.5);
     EXPECT_EQ(json["fps"]["mean"], 50);

@@ -49,16 +49,20 @@ std::set<std::string> filesBelow(const std::filesystem::path& folder) {
     return files;
 }
 
-/// metrics.csv without its last five columns, which are wall-clock time.
+/// metrics.csv without the columns in milliseconds, which are wall-clock time.
 std::string withoutTimes(const std::string& metrics) {
     std::istringstream lines(metrics);
+    std::vector<bool> kept;
     std::string text;
-    for (std::string line; std::getline(lines, line);) {
-        std::size_t end = line.size();
-        for (int column = 0; column < 5; ++column) {
-            end = line.rfind(',', end - 1);
+    for (std::string line; std::getline(lines, line); text += "\n") {
+        std::istringstream cells(line);
+        std::size_t column = 0;
+        for (std::string cell; std::getline(cells, cell, ','); ++column) {
+            if (column == kept.size()) {  // the header
+                kept.push_back(!cell.ends_with("_ms"));
+            }
+            text += kept[column] ? cell + "," : "";
         }
-        text += line.substr(0, end) + "\n";
     }
     return text;
 }

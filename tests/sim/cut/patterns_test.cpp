@@ -3,6 +3,7 @@
 #include "sim/cut/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -108,6 +109,7 @@ TEST_F(Patterns, VertexAndEdgeGiveTwo) {
     EXPECT_EQ(countOf(result, SubdivisionPattern::oneToTwo), 1);
     // The side below bc has one edge node and two kinks: the tip's path and the strip's diagonal.
     EXPECT_EQ(countOf(result, SubdivisionPattern::twoSegments), 1);
+    EXPECT_EQ(addedSkin(mesh, result), 2 + 6);
     EXPECT_EQ(copiesAt(mesh, inside), 2) << "the old front has opened";
 }
 
@@ -116,9 +118,39 @@ TEST_F(Patterns, VertexAndFaceGiveThree) {
     const CutResult result = cutter.advance(bladeThrough(further));
     ASSERT_EQ(result.outcome, CutOutcome::cut);
     EXPECT_EQ(countOf(result, SubdivisionPattern::oneToThreeB), 1);
+    EXPECT_EQ(otherPatterns(result.statistics.patterns), 0);
     EXPECT_EQ(addedSkin(mesh, result), 3);
     EXPECT_EQ(copiesAt(mesh, inside), 2);
     EXPECT_EQ(copiesAt(mesh, further), 1);
+}
+
+TEST_F(Patterns, InnerNodesAreDuplicatedInTheNextStep) {
+    enter();
+    EXPECT_EQ(copiesAt(mesh, inside), 1);
+    cutter.advance(bladeThrough(further));
+    EXPECT_EQ(copiesAt(mesh, inside), 2);
+    EXPECT_EQ(copiesAt(mesh, further), 1);
+    cutter.advance(bladeThrough(beyond));
+    EXPECT_EQ(copiesAt(mesh, further), 2);
+}
+
+TEST(PatternNames, AreThoseOfThePaper) {
+    EXPECT_STREQ(nameOf(SubdivisionPattern::oneToFour), "1-to-4");
+    EXPECT_STREQ(nameOf(SubdivisionPattern::oneToThreeA), "1-to-3a");
+    EXPECT_STREQ(nameOf(SubdivisionPattern::oneToTwo), "1-to-2");
+    EXPECT_STREQ(nameOf(SubdivisionPattern::oneToThreeB), "1-to-3b");
+}
+
+TEST(Seeds, EveryArmIsFound) {
+    // In one step through both arms of the ring, the curves on them are apart.
+    SurfaceMesh ring = test::torus();
+    Cutter cutter(ring, test::exactSettings());
+    const test::Stroke stroke =
+        test::straightStroke(Vec3(0.003, 0.001, 0.007), Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 1);
+    cutter.begin(stroke[0]);
+    const CutResult result = cutter.advance(stroke[1]);
+    EXPECT_EQ(result.statistics.seeds, 2);
+    EXPECT_EQ(findPieces(ring).pieces.size(), 2);
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+
+namespace kerf {
+
+/// How a triangle was divided: the four patterns of the paper (its Figure 4), and what goes beyond
+/// them.
+enum class SubdivisionPattern {
+    oneToFour,    ///< the cut ends inside: one edge node, one inner node, four triangles
+    oneToThreeA,  ///< two edge nodes, three triangles
+    oneToTwo,     ///< from a vertex to the opposite edge, two triangles
+    oneToThreeB,  ///< from a vertex to an inner node, three triangles
+    twoKinks,     ///< both ends inside
+    twoSegments,
+    more
+};
+inline constexpr int kSubdivisionPatterns = 7;
+inline constexpr int kPaperPatterns = 4;  ///< the first ones
+
+/// Divided triangles by SubdivisionPattern.
+using SubdivisionCounts = std::array<int, kSubdivisionPatterns>;
+
+/// "1-to-4", "1-to-3a", "1-to-2", "1-to-3b" as in the paper; "two kinks", "two segments", "more".
+const char* nameOf(SubdivisionPattern pattern);
+
+void addTo(SubdivisionCounts& sum, const SubdivisionCounts& part);
+/// Those beyond the paper's four.
+int otherPatterns(const SubdivisionCounts& counts);
+
+}  // namespace kerf

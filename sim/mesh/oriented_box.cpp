@@ -1,0 +1,66 @@
+#include "sim/mesh/oriented_box.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+
+// Of the boxes' sizes: what rounding may add to a distance.
+constexpr double kRounding = 1e-12;
+
+double reachAlong(const OrientedBox& box, const Vec3& axis) {
+    return (box.axes.transpose() * axis).cwiseAbs().dot(box.half);
+}
+
+// An axis of length zero (parallel edges) separates nothing.
+bool separates(const Vec3& axis, const OrientedBox& a, const OrientedBox& b) {
+    const Vec3 way = b.center - a.center;
+    const double rounding = kRounding * (way.norm() + a.half.norm() + b.half.norm());
+    return std::fabs(axis.dot(way)) > reachAlong(a, axis) + reachAlong(b, axis) + rounding;
+}
+
+Eigen::Matrix3d principalAxes(std::span<const Vec3> points, const Vec3& mean) {
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vec3& p : points) {
+        spread += (p - mean) * (p - mean).transpose();
+    }
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+}
+
+}  // namespace
+
+OrientedBox orientedBoxOf(std::span<const Vec3> points) {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& p : points) {
+        mean += p / static_cast<double>(points.size());
+    }
+    OrientedBox box;
+    box.axes = principalAxes(points, mean);
+    Bounds local;
+    for (const Vec3& p : points) {
+        local.add(Vec3(box.axes.transpose() * (p - mean)));
+    }
+    box.center = mean + box.axes * local.center();
+    box.half = 0.5 * (local.high - local.low);
+    return box;
+}
+
+bool overlap(const OrientedBox& a, const OrientedBox& b) {
+    for (int i = 0; i < 3; ++i) {
+        if (separates(a.axes.col(i), a, b) || separates(b.axes.col(i), a, b)) {
+            return false;
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            if (separates(a.axes.col(i).cross(b.axes.col(j)), a, b)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+#include "sim/math.h"
+
+namespace kerf {
+
+/// A box with axes of its own.
+struct OrientedBox {
+    Vec3 center = Vec3::Zero();
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns, orthonormal
+    Vec3 half = Vec3::Zero();                            ///< half the size along each axis [m]
+
+    /// Moves every side outwards.
+    void widen(double margin) { half.array() += margin; }
+};
+
+/// The box of some points (at least one) along the principal axes of their spread.
+OrientedBox orientedBoxOf(std::span<const Vec3> points);
+
+/// Whether two boxes have a point in common: none of the 15 axes that can separate boxes does
+/// (Gottschalk, Lin, Manocha 1996). Boxes that touch overlap, up to rounding.
+bool overlap(const OrientedBox& a, const OrientedBox& b);
+
+}  // namespace kerf
