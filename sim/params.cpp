@@ -72,6 +72,10 @@ const std::array kRows = {
     Row{{"friction", "Friction", "", "Coulomb coefficient between the body and the floor.",
          ParamType::real, 0, 2, false},
         &Params::friction},
+    Row{{"wall_coarsening", "Wall coarsening", "",
+         "How much coarser the inside of a cut gets when its stroke ends; 1 keeps it as it is.",
+         ParamType::real, 1, 10, false},
+        &Params::wallCoarsening},
     Row{{"solver", "Solver", "",
          "small_steps: substeps and a material in pascals; pbd: the paper's sweeps and stiffness "
          "factors, which lose volume.",

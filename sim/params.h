@@ -31,6 +31,7 @@ struct Params {
     double airDrag = 1;                 ///< velocity decay c in v exp(-c t) [1/s]
     double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
     double friction = 0.5;              ///< Coulomb coefficient against the floor
+    double wallCoarsening = 1;          ///< edge length inside finished walls over that at the rim
 };
 
 /// A number, a vector, nothing (for parameters that may be absent, as the floor), or a choice.

@@ -256,6 +256,7 @@ const StepReport& Simulation::State::step() {
 void Simulation::State::applyParameters() {
     if (std::exchange(paramsChanged, false)) {
         solver.setUniforms(solverUniforms(params));
+        cutter->setWallCoarsening(params.wallCoarsening);
     }
 }
 

@@ -514,6 +514,9 @@ void Cutter::State::cleanUpAtEnd(CutResult& result) {
     const std::vector<int> changedBefore = changedTriangles(result.delta);
     const CleanupStatistics before = result.statistics.cleanup;
     CleanupStatistics& sum = result.statistics.cleanup = cleanup->atEnd(result.delta);
+    if (settings.wallCoarsening > 1) {
+        sum.coarsenings = cleanup->coarsen(settings.wallCoarsening, result.delta);
+    }
     followCleanUp(changedBefore, result.delta);
     sum.collapses += before.collapses;
     sum.flips += before.flips;
@@ -559,6 +562,10 @@ CutResult Cutter::finish() {
 
 void Cutter::boundMotion(double distance) {
     state_->moved = state_->moved.value_or(0) + distance;
+}
+
+void Cutter::setWallCoarsening(double factor) {
+    state_->settings.wallCoarsening = factor;
 }
 
 bool Cutter::inStroke() const {

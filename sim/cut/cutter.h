@@ -47,6 +47,7 @@ struct CleanupStatistics {
     /// Upper bound of what the clean-up of the stroke has changed so far of the body's volume and
     /// rest volume, both together, as a share.
     double volumeSpent = 0;
+    int coarsenings = 0;  ///< collapses inside finished walls (CutSettings::wallCoarsening)
 };
 
 /// Counts of one step.
@@ -95,6 +96,9 @@ struct CutSettings {
     std::uint64_t seed = 1;  ///< of the offsets and of the retries
     /// Remove the slivers that a cut leaves, behind the front after each step and at the end.
     bool cleanUp = true;
+    /// When a stroke has ended, and is cleaned up, edges inside its walls grow to this many times
+    /// wallEdgeLength; 1 leaves them. The outline of the wound stays as it is.
+    double wallCoarsening = 1;
 };
 
 /// Cuts a mesh by strokes of a blade. Each step is one transaction: a closed mesh and the strip
@@ -116,6 +120,8 @@ class Cutter {
     /// Promises that since the previous call of this, begin(), advance() or finish() no vertex has
     /// moved farther than `distance` [m]. A step that was promised nothing looks at the whole mesh.
     void boundMotion(double distance);
+    /// CutSettings::wallCoarsening from now on, >= 1.
+    void setWallCoarsening(double factor);
 
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);

@@ -43,16 +43,16 @@ ParamValue anotherValue(const ParamInfo& info) {
         case ParamType::choice:
             return std::string(info.choices.back());
         default:
-            return info.low;
+            return info.high;
     }
 }
 
 TEST(Params, EveryRowSetsItsOwnMember) {
     for (const ParamInfo& info : paramTable()) {
-        const ParamValue low = anotherValue(info);
+        const ParamValue value = anotherValue(info);
         Params params;
-        EXPECT_EQ(setParam(params, info.name, low), "") << info.name;
-        EXPECT_TRUE(getParam(params, info.name) == low) << info.name;
+        EXPECT_EQ(setParam(params, info.name, value), "") << info.name;
+        EXPECT_TRUE(getParam(params, info.name) == value) << info.name;
         EXPECT_FALSE(params == Params{}) << info.name;
     }
 }

@@ -1,10 +1,12 @@
 #include "sim/cut/cleanup/cleanup.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "sim/cut/cleanup/acceptance.h"
+#include "sim/cut/cleanup/coarsening.h"
 #include "sim/cut/cleanup/collapse.h"
 #include "sim/cut/cleanup/flip.h"
 #include "sim/cut/cleanup/limits.h"
@@ -154,10 +156,21 @@ CleanupStatistics Cleanup::atEnd(CutDelta& delta) {
     workspace_.followMesh();
     workspace_.keepAround({});
     std::vector<int> triangles = std::exchange(lastStep_, {});
-    for (int t = firstTriangle_; t < workspace_.mesh.triangleSlots(); ++t) {
-        triangles.push_back(t);
-    }
+    const std::vector<int> ofStroke = trianglesOfStroke();
+    triangles.insert(triangles.end(), ofStroke.begin(), ofStroke.end());
     return clean(triangles, delta);
+}
+
+int Cleanup::coarsen(double factor, CutDelta& delta) {
+    const int collapses = coarsenWalls(workspace_, trianglesOfStroke(), factor * workspace_.h);
+    workspace_.moveChangesTo(delta);
+    return collapses;
+}
+
+std::vector<int> Cleanup::trianglesOfStroke() const {
+    std::vector<int> triangles(workspace_.mesh.triangleSlots() - firstTriangle_);
+    std::iota(triangles.begin(), triangles.end(), firstTriangle_);
+    return triangles;
 }
 
 CleanupStatistics Cleanup::clean(const std::vector<int>& triangles, CutDelta& delta) {

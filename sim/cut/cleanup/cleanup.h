@@ -21,8 +21,12 @@ class Cleanup {
     CleanupStatistics behindFront(const std::vector<RungNode>& rung, CutDelta& delta);
     /// Cleans all that the stroke made, the end of the slit included.
     CleanupStatistics atEnd(CutDelta& delta);
+    /// Makes the inside of the stroke's walls coarser by `factor` > 1 after atEnd(); see
+    /// coarsenWalls(). Returns the number of collapses.
+    int coarsen(double factor, CutDelta& delta);
 
   private:
+    std::vector<int> trianglesOfStroke() const;
     CleanupStatistics clean(const std::vector<int>& triangles, CutDelta& delta);
 
     Workspace workspace_;

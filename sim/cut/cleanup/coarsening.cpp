@@ -1,0 +1,155 @@
+#include "sim/cut/cleanup/coarsening.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "sim/cut/cleanup/collapse.h"
+#include "sim/cut/cleanup/patch.h"
+#include "sim/cut/step.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Shares of the length aimed at.
+constexpr double kShort = 4.0 / 5.0;
+constexpr double kLong = 4.0 / 3.0;
+// Height over longest edge that a collapse may leave, unless it was worse before.
+constexpr double kLeastQuality = 0.3;
+constexpr int kMostPasses = 8;
+
+struct ShortEdge {
+    double length;
+    Edge ends;  ///< material points
+    int halfEdge;
+    auto key() const { return std::tuple(length, ends, halfEdge); }
+};
+
+bool isInsideWall(const MaterialStar& star) {
+    return std::ranges::all_of(
+        star.edges, [](const MaterialEdge& edge) { return edge.type() == MaterialEdgeType::wall; });
+}
+
+double longestOf(const std::array<Vec3, 3>& corners) {
+    return std::max({(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(),
+                     (corners[0] - corners[2]).norm()});
+}
+
+double qualityOf(const std::array<Vec3, 3>& corners) {
+    const double longest = longestOf(corners);
+    return longest > 0 ? crossOf(corners).norm() / (longest * longest) : 0;
+}
+
+class WallCoarsening {
+  public:
+    WallCoarsening(Workspace& workspace, double length)
+        : workspace_(workspace), mesh_(workspace.mesh), length_(length) {}
+
+    int run(std::vector<int> triangles) {
+        int collapses = 0;
+        for (int pass = 0; pass < kMostPasses; ++pass) {
+            const int before = collapses;
+            for (const ShortEdge& edge : findShortEdges(triangles)) {
+                collapses += collapse(edge);
+            }
+            if (collapses == before) {
+                break;
+            }
+        }
+        return collapses;
+    }
+
+  private:
+    bool isWall(int t) const { return mesh_.alive(t) && mesh_.kind(t) == SurfaceKind::wall; }
+
+    Edge endsOf(int h) const {
+        return edgeOf(mesh_.materialPoint(mesh_.origin(h)), mesh_.materialPoint(mesh_.target(h)));
+    }
+
+    /// Each material edge once, the shortest first.
+    std::vector<ShortEdge> findShortEdges(const std::vector<int>& triangles) const {
+        std::vector<ShortEdge> edges;
+        for (const int t : triangles) {
+            for (int h = 3 * t; h < 3 * t + 3 && isWall(t); ++h) {
+                if (const double length = edgeLength(mesh_, h); length < kShort * length_) {
+                    edges.push_back({length, endsOf(h), h});
+                }
+            }
+        }
+        std::ranges::sort(edges, {}, &ShortEdge::key);
+        const auto sameEdge = [](const ShortEdge& a, const ShortEdge& b) {
+            return a.ends == b.ends;
+        };
+        edges.erase(std::unique(edges.begin(), edges.end(), sameEdge), edges.end());
+        return edges;
+    }
+
+    bool stillThere(const ShortEdge& edge) const {
+        const int h = edge.halfEdge;
+        return mesh_.alive(h / 3) && endsOf(h) == edge.ends &&
+               edgeLength(mesh_, h) < kShort * length_;
+    }
+
+    // Both points must lie inside: one on the outline could only stay, and then volume could only
+    // be kept by moving it.
+    bool collapse(const ShortEdge& edge) {
+        if (!stillThere(edge)) {
+            return false;
+        }
+        const MaterialStar from = starOf(mesh_, edge.ends.first);
+        const MaterialStar to = starOf(mesh_, edge.ends.second);
+        if (!isInsideWall(from) || !isInsideWall(to)) {
+            return false;
+        }
+        std::optional<CollapsePlan> best;
+        double bestQuality = 0;
+        for (const auto& [u, v] : {std::pair(&from, &to), std::pair(&to, &from)}) {
+            std::optional<CollapsePlan> plan =
+                planCollapse(workspace_, *u, *v, CollapseTarget::end);
+            if (!plan) {
+                continue;
+            }
+            if (const double quality = qualityAfter(*plan); quality > bestQuality) {
+                bestQuality = quality;
+                best = std::move(plan);
+            }
+        }
+        if (best) {
+            carryOut(*best, workspace_);
+        }
+        return best.has_value();
+    }
+
+    /// Of the worst triangle; 0 where an edge becomes too long or a triangle too thin.
+    double qualityAfter(const CollapsePlan& plan) const {
+        double before = kLeastQuality;
+        double after = 1;
+        for (const Patch& patch : plan.patches) {
+            for (const int t : patch.before) {
+                before = std::min(before, qualityOf(cornersOf(mesh_, t)));
+            }
+            for (const PatchTriangle& t : patch.after) {
+                const std::array<Vec3, 3> corners = cornersAfter(mesh_, patch, t);
+                after = std::min(after, qualityOf(corners));
+                if (longestOf(corners) > kLong * length_) {
+                    return 0;
+                }
+            }
+        }
+        return after >= before ? after : 0;
+    }
+
+    Workspace& workspace_;
+    const SurfaceMesh& mesh_;
+    double length_;
+};
+
+}  // namespace
+
+int coarsenWalls(Workspace& workspace, const std::vector<int>& triangles, double length) {
+    return WallCoarsening(workspace, length).run(triangles);
+}
+
+}  // namespace kerf::cut
