@@ -27,7 +27,6 @@ struct Corners {
 /// Signs of the corners of one triangle against the plane of the other.
 struct Signs {
     std::array<int, 3> sign{};
-    std::array<double, 3> value{};
     bool separated() const {
         const auto allAre = [&](int s) {
             return std::all_of(sign.begin(), sign.end(),
@@ -88,25 +87,37 @@ void requireApartInPlane(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>
     throw StepFailure{"degenerate: an edge lies in a triangle"};
 }
 
+Crossing crossingOf(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc) {
+    const Orientation ofP = orient3d(abc[0], abc[1], abc[2], p);
+    const Orientation ofQ = orient3d(abc[0], abc[1], abc[2], q);
+    Vec3 beside;
+    for (int i = 0; i < 3; ++i) {
+        beside[i] = orient3d(p, q, abc[i], abc[(i + 1) % 3]).value;
+    }
+    const double sum = beside[0] + beside[1] + beside[2];
+    const double fromP = std::fabs(ofP.value);
+    return {ofP.sign < 0 ? 1 : -1, fromP / (fromP + std::fabs(ofQ.value)),
+            Vec3(beside[1], beside[2], beside[0]) / sum};
+}
+
 // The segment pq against the triangle abc, from the signs of p and q against its plane.
-Crossing pierce(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc,
-                const Orientation& ofP, const Orientation& ofQ) {
-    if (ofP.sign == 0 && ofQ.sign == 0) {
+Crossing pierce(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc, int signOfP,
+                int signOfQ) {
+    if (signOfP == 0 && signOfQ == 0) {
         requireApartInPlane(p, q, abc);
         return {};
     }
-    if (ofP.sign == ofQ.sign) {
+    if (signOfP == signOfQ) {
         return {};
     }
-    std::array<Orientation, 3> beside;
     bool positive = false;
     bool negative = false;
     bool onEdge = false;
     for (int i = 0; i < 3; ++i) {
-        beside[i] = orient3d(p, q, abc[i], abc[(i + 1) % 3]);
-        positive |= beside[i].sign > 0;
-        negative |= beside[i].sign < 0;
-        onEdge |= beside[i].sign == 0;
+        const int beside = orientSign3d(p, q, abc[i], abc[(i + 1) % 3]);
+        positive |= beside > 0;
+        negative |= beside < 0;
+        onEdge |= beside == 0;
     }
     if (positive && negative) {
         return {};
@@ -114,13 +125,10 @@ Crossing pierce(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc,
     if (onEdge) {
         throw StepFailure{"degenerate: an edge meets an edge"};
     }
-    if (ofP.sign == 0 || ofQ.sign == 0) {
+    if (signOfP == 0 || signOfQ == 0) {
         throw StepFailure{"degenerate: a vertex lies on a triangle"};
     }
-    const double sum = beside[0].value + beside[1].value + beside[2].value;
-    const double fromP = std::fabs(ofP.value);
-    return {ofP.sign < 0 ? 1 : -1, fromP / (fromP + std::fabs(ofQ.value)),
-            Vec3(beside[1].value, beside[2].value, beside[0].value) / sum};
+    return crossingOf(p, q, abc);
 }
 
 // Rows of wall triangles behind the front that the blade can't meet again so soon.
@@ -308,10 +316,8 @@ class Intersector {
                 pair.meshSigns.sign[i] = kShared;
                 continue;
             }
-            const Orientation o =
-                orient3d(pair.strip[0], pair.strip[1], pair.strip[2], pair.mesh.at[i]);
-            pair.meshSigns.sign[i] = o.sign;
-            pair.meshSigns.value[i] = o.value;
+            pair.meshSigns.sign[i] =
+                orientSign3d(pair.strip[0], pair.strip[1], pair.strip[2], pair.mesh.at[i]);
         }
         return !pair.meshSigns.separated();
     }
@@ -323,10 +329,8 @@ class Intersector {
                 pair.stripSigns.sign[i] = kShared;
                 continue;
             }
-            const Orientation o = orient3d(pair.mesh.at[order[0]], pair.mesh.at[order[1]],
-                                           pair.mesh.at[order[2]], pair.strip[i]);
-            pair.stripSigns.sign[i] = o.sign;
-            pair.stripSigns.value[i] = o.value;
+            pair.stripSigns.sign[i] = orientSign3d(pair.mesh.at[order[0]], pair.mesh.at[order[1]],
+                                                   pair.mesh.at[order[2]], pair.strip[i]);
         }
         return !pair.stripSigns.separated();
     }
@@ -350,19 +354,12 @@ class Intersector {
             const int from = swapped ? j : i;
             const int to = swapped ? i : j;
             const Crossing crossing = pierce(pair.mesh.at[from], pair.mesh.at[to], pair.strip,
-                                             meshSign(pair, from), meshSign(pair, to));
+                                             pair.meshSigns.sign[from], pair.meshSigns.sign[to]);
             if (crossing.direction != 0) {
                 count(pair, (swapped ? -crossing.direction : crossing.direction) > 0,
                       edgeNode(pair.s, ids[from], ids[to], crossing));
             }
         }
-    }
-
-    static Orientation meshSign(const Pair& pair, int i) {
-        return {pair.meshSigns.sign[i], pair.meshSigns.value[i]};
-    }
-    static Orientation stripSign(const Pair& pair, int i) {
-        return {pair.stripSigns.sign[i], pair.stripSigns.value[i]};
     }
 
     int edgeNode(int s, int from, int to, const Crossing& crossing) {
@@ -404,7 +401,7 @@ class Intersector {
             const int from = swapped ? j : i;
             const int to = swapped ? i : j;
             const Crossing crossing = pierce(pair.strip[from], pair.strip[to], canonical,
-                                             stripSign(pair, from), stripSign(pair, to));
+                                             pair.stripSigns.sign[from], pair.stripSigns.sign[to]);
             if (crossing.direction != 0) {
                 const int outward = crossing.direction * pair.mesh.parity;
                 count(pair, (swapped ? -outward : outward) < 0,

@@ -1,5 +1,6 @@
 #include "sim/cut/predicates.h"
 
+#include <array>
 #include <cmath>
 
 namespace kerf::cut {
@@ -9,6 +10,8 @@ namespace {
 // Error bounds of the filters, rounded up: (7 + 56 e) e and (3 + 16 e) e with e = 2^-53.
 constexpr double kFilter3d = 8e-16;
 constexpr double kFilter2d = 3.4e-16;
+// In doubled precision: some tens of roundings of 2^-104, with much room.
+constexpr double kFilterDoubled = 1e-29;
 
 struct TwoTerms {
     double high;
@@ -123,7 +126,19 @@ int exactOrient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 }  // namespace
 
-Orientation orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+namespace {
+
+/// A determinant in doubles and the sum of the sizes of its terms.
+struct Estimate {
+    double determinant;
+    double magnitude;
+    int sign() const {
+        const double error = kFilter3d * magnitude;
+        return determinant > error ? 1 : determinant < -error ? -1 : 0;
+    }
+};
+
+Estimate estimate3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
     const double ux = b.x() - a.x(), uy = b.y() - a.y(), uz = b.z() - a.z();
     const double vx = c.x() - a.x(), vy = c.y() - a.y(), vz = c.z() - a.z();
     const double wx = p.x() - a.x(), wy = p.y() - a.y(), wz = p.z() - a.z();
@@ -132,14 +147,66 @@ Orientation orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p)
     const double magnitude = (std::fabs(yz) + std::fabs(zy)) * std::fabs(wx) +
                              (std::fabs(zx) + std::fabs(xz)) * std::fabs(wy) +
                              (std::fabs(xy) + std::fabs(yx)) * std::fabs(wz);
-    const double error = kFilter3d * magnitude;
-    if (determinant > error) {
-        return {1, determinant};
+    return {determinant, magnitude};
+}
+
+// Twice the precision of a double (Dekker 1971), for the sign of sums of products.
+
+TwoTerms normalized(double high, double low) {
+    const double sum = high + low;
+    return {sum, low - (sum - high)};
+}
+
+TwoTerms doubledDifference(const TwoTerms& x, const TwoTerms& y) {
+    const TwoTerms high = exactSum(x.high, -y.high);
+    return normalized(high.high, high.low + (x.low - y.low));
+}
+
+TwoTerms doubledSum(const TwoTerms& x, const TwoTerms& y) {
+    const TwoTerms high = exactSum(x.high, y.high);
+    return normalized(high.high, high.low + (x.low + y.low));
+}
+
+TwoTerms doubledProduct(const TwoTerms& x, const TwoTerms& y) {
+    const TwoTerms high = exactProduct(x.high, y.high);
+    return normalized(high.high, high.low + (x.high * y.low + x.low * y.high));
+}
+
+/// 0 where this precision does not tell.
+int doubledSign3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, double magnitude) {
+    std::array<TwoTerms, 3> u, v, w;
+    for (int i = 0; i < 3; ++i) {
+        u[i] = exactSum(b[i], -a[i]);
+        v[i] = exactSum(c[i], -a[i]);
+        w[i] = exactSum(p[i], -a[i]);
     }
-    if (determinant < -error) {
-        return {-1, determinant};
+    TwoTerms sum{0, 0};
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const int k = (i + 2) % 3;
+        const TwoTerms minor =
+            doubledDifference(doubledProduct(u[j], v[k]), doubledProduct(u[k], v[j]));
+        sum = doubledSum(sum, doubledProduct(minor, w[i]));
     }
-    return exactOrient3d(a, b, c, p);
+    const double error = kFilterDoubled * magnitude;
+    return sum.high > error ? 1 : sum.high < -error ? -1 : 0;
+}
+
+}  // namespace
+
+Orientation orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+    const Estimate estimate = estimate3d(a, b, c, p);
+    const int sign = estimate.sign();
+    return sign != 0 ? Orientation{sign, estimate.determinant} : exactOrient3d(a, b, c, p);
+}
+
+int orientSign3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+    const Estimate estimate = estimate3d(a, b, c, p);
+    if (const int sign = estimate.sign(); sign != 0) {
+        return sign;
+    }
+    const int sign = doubledSign3d(a, b, c, p, estimate.magnitude);
+    return sign != 0 ? sign : exactOrient3d(a, b, c, p).sign;
 }
 
 int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {

@@ -15,6 +15,10 @@ struct Orientation {
 /// evaluated with expansions (Shewchuk 1997). Needs -ffp-contract=off.
 Orientation orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
 
+/// Its sign alone, at a fraction of the time where p lies almost in the plane: twice the precision
+/// decides most of what the filter leaves.
+int orientSign3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
+
 /// Exact sign of twice the signed area of abc: +1 where it runs counter-clockwise.
 int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 

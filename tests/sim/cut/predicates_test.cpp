@@ -55,6 +55,8 @@ TEST(Predicates, RandomTetrahedraHaveExactSigns) {
         const Lattice c = points.next(1 << 30), p = points.next(1 << 30);
         EXPECT_EQ(orient3d(a.scaled(), b.scaled(), c.scaled(), p.scaled()).sign,
                   exactSign3d(a, b, c, p));
+        EXPECT_EQ(orientSign3d(a.scaled(), b.scaled(), c.scaled(), p.scaled()),
+                  exactSign3d(a, b, c, p));
         EXPECT_EQ(orient2d(a.flat(), b.flat(), c.flat()), exactSign2d(a, b, c));
     }
 }
@@ -71,6 +73,7 @@ TEST(Predicates, NearlyCoplanarPointsHaveExactSigns) {
                         a.z + j * (b.z - a.z) + k * (c.z - a.z)};
         const Orientation found = orient3d(a.scaled(), b.scaled(), c.scaled(), p.scaled());
         EXPECT_EQ(found.sign, exactSign3d(a, b, c, p));
+        EXPECT_EQ(orientSign3d(a.scaled(), b.scaled(), c.scaled(), p.scaled()), found.sign);
         EXPECT_EQ(found.sign > 0, found.value > 0);
         EXPECT_EQ(found.sign < 0, found.value < 0);
         zeros += found.sign == 0;
