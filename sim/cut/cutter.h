@@ -10,6 +10,10 @@
 
 namespace kerf {
 
+namespace cut {
+class StrokeSurface;
+}
+
 /// The four subdivision patterns of the paper (its Figure 4), and what goes beyond them.
 enum class SubdivisionPattern {
     oneToFour,
@@ -141,8 +145,8 @@ class Cutter {
     /// The old rungs of all pieces, each from A to B, one after the other: empty outside a stroke.
     /// Positions are those after the last step that moved them; vertices follow the mesh.
     const std::vector<RungNode>& rung() const;
-    /// Vertices below this index were there before the stroke.
-    int firstVertexOfStroke() const;
+    /// The body's surface as it was when the stroke began.
+    const cut::StrokeSurface& strokeSurface() const;
 
   private:
     struct State;

@@ -22,6 +22,9 @@ class Cleanup {
     /// Cleans all that the stroke made, the end of the slit included.
     CleanupStatistics atEnd(CutDelta& delta);
 
+    /// How far a vertex was moved at rest at most since the last call [m].
+    double takeRestMotion() { return workspace_.takeRestMotion(); }
+
   private:
     CleanupStatistics clean(const std::vector<int>& triangles, CutDelta& delta);
 
