@@ -9,7 +9,7 @@ namespace kerf::cut {
 namespace {
 
 // A node of the tree is one sample where it is smaller than this share of its distance, or of h.
-constexpr double kOpening = 0.8;
+constexpr double kOpening = 0.5;
 constexpr double kFinest = 0.5;
 // The places are gathered into boxes, not more than so many, not smaller than so many h.
 constexpr std::size_t kMostBoxes = 8;
