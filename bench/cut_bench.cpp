@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
@@ -218,14 +220,24 @@ void printRatios(const Figures& small, const Figures& large) {
     std::puts(line.dump().c_str());
 }
 
+std::vector<int> subdivisionsOf(int count, char** words) {
+    if (count < 2) {
+        return {3, 5, 6, 7};
+    }
+    std::vector<int> chosen;
+    std::transform(words + 1, words + count, std::back_inserter(chosen), std::atoi);
+    return chosen;
+}
+
 }  // namespace
 }  // namespace kerf
 
-int main() {
+/// Usage: kerf_cut_bench [SUBDIVISIONS...], 20 * 4^n triangles each.
+int main(int count, char** words) {
     try {
         const kerf::gpu::EglContext context;
         std::vector<kerf::Figures> figures;
-        for (const int subdivisions : {3, 5, 6, 7}) {
+        for (const int subdivisions : kerf::subdivisionsOf(count, words)) {
             figures.push_back(kerf::bench(subdivisions));
             kerf::print(figures.back());
         }

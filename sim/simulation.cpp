@@ -283,8 +283,8 @@ void Simulation::State::holdFront() {
         return;
     }
     syncMesh();
-    anchors = findFrontAnchors(mesh, model(), cutter->rung(), cutter->firstVertexOfStroke(),
-                               params.timeStep);
+    anchors =
+        findFrontAnchors(mesh, model(), cutter->rung(), cutter->strokeSurface(), params.timeStep);
     for (const Anchor& anchor : anchors) {
         solver.anchor(anchor.vertex, anchor.velocity.cast<float>());
     }

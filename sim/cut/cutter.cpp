@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "sim/cut/air_edges.h"
@@ -122,7 +124,8 @@ void addTo(CutResult& sum, const CutResult& part) {
 /// The blade's way through one group of pieces (groupPieces). Each waits and refuses for itself.
 struct Sweep {
     int vertex = -1;  ///< some vertex of the group
-    int pass = 0;     ///< goes up each time the blade starts from the air
+    int group = -1;
+    int pass = 0;  ///< goes up each time the blade starts from the air
     int firstVertexOfPass = 0;
     int refusedInARow = 0;
     std::vector<RungNode> rung;
@@ -147,9 +150,8 @@ struct Cutter::State {
     PieceLabels pieces{mesh};
     TriangleTree tree{mesh};
     std::optional<double> moved{};  ///< how far vertices moved at most since the last step [m]
-    std::vector<int> groupOfVertex{};
-    std::vector<int> samples{};  ///< of the surface, for the map to the rest shape; empty: unknown
-    cut::StrokeSurface surface{};
+    std::vector<int> groupOfPiece{};
+    cut::StrokeSurface surface{mesh};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
     double leastFlush() const {
@@ -158,11 +160,11 @@ struct Cutter::State {
     void start(const Blade& at);
     CutResult sweepAll(const Blade& to, double gate);
     void noteMotion();
-    void follow(const std::vector<int>& changed);
+    void follow(const std::vector<int>& changed, int groupOfNewPieces);
     void followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta);
-    void findGroups();
     void divideSweeps();
-    Sweep* sweepOf(int group);
+    std::vector<int> lowestVertices(std::set<int> groups) const;
+    int groupOfVertex(int v) const;
     void joinRungs();
     void cleanUpBehindFront(CutResult& result);
     void cleanUpAtEnd(CutResult& result);
@@ -178,14 +180,12 @@ struct Cutter::State {
     CutResult cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep);
     CutResult accept(const cut::PlannedStep& step, Sweep& sweep);
     void keepOwnNodes(std::vector<RungNode> nodes, Sweep& sweep);
-    void nameNewVertices(const Sweep& sweep);
     static void moveOn(const Blade& to, const CutResult& result, Sweep& sweep);
     void countRefusal(const Blade& to, Sweep& sweep);
     cut::BroadPhase findCandidates(const Blade& to, const Sweep& sweep,
                                    const std::vector<RungNode>& from);
     /// Tells the triangles of the group that were there before the stroke, or divide such.
     std::function<bool(int)> isOuter(const Sweep& sweep) const;
-    int groupOf(const Sweep& sweep) const { return groupOfVertex[sweep.vertex]; }
 };
 
 void Cutter::State::start(const Blade& at) {
@@ -193,19 +193,28 @@ void Cutter::State::start(const Blade& at) {
     inStroke = true;
     stroke += madeWalls;  // a stroke that only met air leaves its number to the next
     madeWalls = false;
-    surface = cut::StrokeSurface(mesh);
-    samples.clear();
+    surface.beginStroke();
     cleanup.reset();
     sweeps.clear();
-    groupOfVertex.clear();
-    findGroups();
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (groupOfVertex[v] >= 0 && sweepOf(groupOfVertex[v]) == nullptr) {
-            sweeps.emplace_back().vertex = v;
-            placeRung(at, sweeps.back());
-        }
+    groupOfPiece = cut::groupPieces(mesh, pieces, kParted * h, {});
+    for (const int v : lowestVertices({groupOfPiece.begin(), groupOfPiece.end()})) {
+        Sweep& sweep = sweeps.emplace_back();
+        sweep.vertex = v;
+        sweep.group = groupOfVertex(v);
+        placeRung(at, sweep);
     }
     joinRungs();
+}
+
+/// Of each of these groups; ascending. O(n), where there is one.
+std::vector<int> Cutter::State::lowestVertices(std::set<int> groups) const {
+    std::vector<int> found;
+    for (int v = 0; v < mesh.vertexCount() && !groups.empty(); ++v) {
+        if (groups.erase(groupOfVertex(v)) > 0) {
+            found.push_back(v);
+        }
+    }
+    return found;
 }
 
 void Cutter::State::noteMotion() {
@@ -216,67 +225,53 @@ void Cutter::State::noteMotion() {
     }
 }
 
-/// After each change of the mesh, before anything is looked up in it. `changed`: each once.
-void Cutter::State::follow(const std::vector<int>& changed) {
+/// After each change of the mesh, before anything is looked up in it. `changed`: each once. Pieces
+/// that come off stay in the group until they part.
+void Cutter::State::follow(const std::vector<int>& changed, int groupOfNewPieces) {
     tree.update(changed);
-    if (pieces.update(mesh, changed).piecesChanged) {
-        samples.clear();
+    const std::vector<int> source = pieces.update(mesh, changed).source;
+    const std::vector<int> before = std::exchange(groupOfPiece, {});
+    for (const int piece : source) {
+        groupOfPiece.push_back(piece < 0 ? groupOfNewPieces : before[piece]);
     }
 }
 
-void Cutter::State::findGroups() {
-    groupOfVertex = cut::groupPieces(mesh, pieces.ofVertex(), kParted * h, groupOfVertex);
-}
-
-Sweep* Cutter::State::sweepOf(int group) {
-    const auto at = std::find_if(sweeps.begin(), sweeps.end(),
-                                 [&](const Sweep& s) { return groupOf(s) == group; });
-    return at == sweeps.end() ? nullptr : &*at;
+int Cutter::State::groupOfVertex(int v) const {
+    const int piece = pieces.ofVertex()[v];
+    return piece < 0 ? -1 : groupOfPiece[piece];
 }
 
 // Pieces that have parted since go on apart, each with its own part of the rung. A piece that has
 // gone (debris) takes its sweep along.
 void Cutter::State::divideSweeps() {
-    const std::vector<int> before = groupOfVertex;
-    std::vector<int> sweepOfOldGroup(before.size(), -1);
+    const std::vector<int> before =
+        std::exchange(groupOfPiece, cut::groupPieces(mesh, pieces, kParted * h, groupOfPiece));
+    std::map<int, int> sweepOfGroupBefore;
+    std::set<int> parted(groupOfPiece.begin(), groupOfPiece.end());
     for (int i = 0; i < cut::sizeOf(sweeps); ++i) {
-        if (groupOf(sweeps[i]) >= 0) {
-            sweepOfOldGroup[groupOf(sweeps[i])] = i;
-        }
+        sweepOfGroupBefore[sweeps[i].group] = i;
+        sweeps[i].group = groupOfVertex(sweeps[i].vertex);
+        parted.erase(sweeps[i].group);
     }
-    findGroups();
-    std::vector<bool> known(groupOfVertex.size(), false);
-    const int oldSweeps = cut::sizeOf(sweeps);
-    std::vector<bool> divided(oldSweeps, false);
-    for (const Sweep& sweep : sweeps) {
-        if (groupOf(sweep) >= 0) {
-            known[groupOf(sweep)] = true;
-        }
-    }
-    for (int v = 0; v < cut::sizeOf(before); ++v) {
-        const int group = groupOfVertex[v];
-        if (group < 0 || known[group] || before[v] < 0) {
-            continue;
-        }
-        known[group] = true;
-        const int parent = sweepOfOldGroup[before[v]];
+    std::set<int> divided;
+    for (const int v : lowestVertices(std::move(parted))) {
+        const int parent = sweepOfGroupBefore.at(before[pieces.ofVertex()[v]]);
         Sweep part = sweeps[parent];
         part.vertex = v;
-        divided[parent] = true;
+        part.group = groupOfVertex(v);
         sweeps.push_back(std::move(part));
         keepOwnNodes(sweeps[parent].rung, sweeps.back());
+        divided.insert(parent);
     }
-    for (int i = 0; i < oldSweeps; ++i) {
-        if (divided[i] && groupOf(sweeps[i]) >= 0) {
-            keepOwnNodes(sweeps[i].rung, sweeps[i]);
-        }
+    for (const int parent : divided) {
+        keepOwnNodes(sweeps[parent].rung, sweeps[parent]);
     }
-    std::erase_if(sweeps, [&](const Sweep& sweep) { return groupOf(sweep) < 0; });
+    std::erase_if(sweeps, [](const Sweep& sweep) { return sweep.group < 0; });
 }
 
 void Cutter::State::keepOwnNodes(std::vector<RungNode> nodes, Sweep& sweep) {
     std::erase_if(nodes, [&](const RungNode& node) {
-        return node.vertex >= 0 && groupOfVertex[node.vertex] != groupOf(sweep);
+        return node.vertex >= 0 && groupOfVertex(node.vertex) != sweep.group;
     });
     setRung(std::move(nodes), sweep);
 }
@@ -330,16 +325,15 @@ void Cutter::State::cleanUpBehindFront(CutResult& result) {
 void Cutter::State::followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta) {
     std::vector<int> changed;
     std::ranges::set_union(changedBefore, changedTriangles(delta), std::back_inserter(changed));
-    follow(changed);
+    surface.follow(changed, cleanup->takeRestMotion());
+    follow(changed, -1);
 }
 
 void Cutter::State::holdLivingVertices() {
     for (Sweep& sweep : sweeps) {
-        const int group = groupOf(sweep);
-        for (int v = 0; mesh.outgoing(sweep.vertex) < 0 && v < mesh.vertexCount(); ++v) {
-            if (groupOfVertex[v] == group && mesh.outgoing(v) >= 0) {
-                sweep.vertex = v;
-            }
+        if (mesh.outgoing(sweep.vertex) < 0) {
+            const std::vector<int> living = lowestVertices({sweep.group});
+            sweep.vertex = living.empty() ? sweep.vertex : living.front();
         }
     }
 }
@@ -372,9 +366,9 @@ void Cutter::State::tie(Sweep& sweep) {
 }
 
 std::function<bool(int)> Cutter::State::isOuter(const Sweep& sweep) const {
-    return [this, group = groupOf(sweep)](int t) {
+    return [this, group = sweep.group](int t) {
         const bool ownWall = mesh.kind(t) == SurfaceKind::wall && mesh.wallLabel(t) / 2 == stroke;
-        return !ownWall && groupOfVertex[mesh.triangle(t)[0]] == group;
+        return !ownWall && groupOfVertex(mesh.triangle(t)[0]) == group;
     };
 }
 
@@ -401,24 +395,20 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
         points.push_back(node.position);
     }
     const double widestOffset = cut::largestOffsetScale() * settings.offset;
-    return {mesh,
-            tree,
-            to,
-            points,
-            (kBroadPhaseMargin + widestOffset) * h,
-            kBinSize * h,
-            [this, group = groupOf(sweep)](int t) {
-                return groupOfVertex[mesh.triangle(t)[0]] == group;
-            }};
+    return {
+        mesh,
+        tree,
+        to,
+        points,
+        (kBroadPhaseMargin + widestOffset) * h,
+        kBinSize * h,
+        [this, group = sweep.group](int t) { return groupOfVertex(mesh.triangle(t)[0]) == group; }};
 }
 
 // Climbs the retry ladder: nothing is committed until one attempt succeeds.
 CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep) {
     const cut::BroadPhase candidates = findCandidates(to, sweep, from);
     cut::clearAirEdges(mesh, candidates, to, h, sweep.airTies, from);
-    if (samples.empty()) {
-        samples = cut::thinByPiece(surface.vertices(), pieces.ofVertex());
-    }
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
     const int attempts = cut::attemptCount(sweep.refusedInARow + 1 >= kRefusalsBeforeDetach);
@@ -428,7 +418,6 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep&
                                 candidates,
                                 pieces.ofVertex(),
                                 surface,
-                                samples,
                                 from,
                                 to,
                                 h,
@@ -466,7 +455,9 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
         cleanup.emplace(mesh, h);
     }
     cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
-    follow(changedTriangles(committed.delta));
+    const std::vector<int> changed = changedTriangles(committed.delta);
+    follow(changed, sweep.group);
+    surface.follow(changed, 0);
     madeWalls = true;
     CutResult result = outcome(CutOutcome::cut);
     result.delta = std::move(committed.delta);
@@ -480,14 +471,8 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
     if (isInAir(committed.rung)) {
         startPass(sweep);
     }
-    nameNewVertices(sweep);
     sweep.rung = std::move(committed.rung);  // tied once all of the step is done
     return result;
-}
-
-// Pieces that come off stay in the group until they part.
-void Cutter::State::nameNewVertices(const Sweep& sweep) {
-    groupOfVertex.resize(mesh.vertexCount(), groupOf(sweep));
 }
 
 void Cutter::State::moveOn(const Blade& to, const CutResult& result, Sweep& sweep) {
@@ -571,8 +556,8 @@ void Cutter::setWallCoarsening(double factor) {
 bool Cutter::inStroke() const {
     return state_->inStroke;
 }
-int Cutter::firstVertexOfStroke() const {
-    return state_->surface.vertexCount();
+const cut::StrokeSurface& Cutter::strokeSurface() const {
+    return state_->surface;
 }
 const std::vector<RungNode>& Cutter::rung() const {
     return state_->rung;

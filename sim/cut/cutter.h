@@ -10,6 +10,10 @@
 
 namespace kerf {
 
+namespace cut {
+class StrokeSurface;
+}
+
 /// What one step did. Only `cut` changes the mesh; all other outcomes leave every byte of it. The
 /// end of a stroke may clean up in any outcome; the delta tells.
 enum class CutOutcome {
@@ -136,8 +140,8 @@ class Cutter {
     /// The old rungs of all pieces, each from A to B, one after the other: empty outside a stroke.
     /// Positions are those after the last step that moved them; vertices follow the mesh.
     const std::vector<RungNode>& rung() const;
-    /// Vertices below this index were there before the stroke.
-    int firstVertexOfStroke() const;
+    /// The body's surface as it was when the stroke began.
+    const cut::StrokeSurface& strokeSurface() const;
 
   private:
     struct State;

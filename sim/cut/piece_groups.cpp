@@ -1,7 +1,6 @@
 #include "sim/cut/piece_groups.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -13,41 +12,49 @@ namespace {
 
 using PiecePair = std::pair<int, int>;
 
-/// Of each two pieces with copies of one material point: the largest distance between such.
-std::map<PiecePair, double> largestGaps(const SurfaceMesh& mesh, const std::vector<int>& piece,
-                                        const std::vector<int>& before) {
-    const auto together = [&](int a, int b) { return before.empty() || before[a] == before[b]; };
-    std::map<PiecePair, double> gaps;
+/// Of each two pieces of one group with copies of one material point: whether all such lie
+/// together.
+std::map<PiecePair, bool> contacts(const SurfaceMesh& mesh, const std::vector<int>& piece,
+                                   const std::vector<int>& group, double tolerance) {
+    std::map<PiecePair, bool> together;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (piece[v] < 0 || mesh.mateGroup(v) < 0) {
             continue;
         }
         for (const int mate : mesh.matesOfGroup(mesh.mateGroup(v))) {
-            if (mate > v && piece[mate] >= 0 && piece[mate] != piece[v]) {
-                double& gap = gaps[std::minmax(piece[v], piece[mate])];
-                gap = together(v, mate)
-                          ? std::max(gap, (mesh.position(v) - mesh.position(mate)).norm())
-                          : std::numeric_limits<double>::infinity();
+            if (mate > v && piece[mate] >= 0 && piece[mate] != piece[v] &&
+                group[piece[mate]] == group[piece[v]]) {
+                bool& lie =
+                    together.try_emplace(std::minmax(piece[v], piece[mate]), true).first->second;
+                lie = lie && (mesh.position(v) - mesh.position(mate)).norm() <= tolerance;
             }
         }
     }
-    return gaps;
+    return together;
+}
+
+bool anyShared(std::vector<int> group) {
+    std::sort(group.begin(), group.end());
+    return std::adjacent_find(group.begin(), group.end()) != group.end();
 }
 
 }  // namespace
 
-std::vector<int> groupPieces(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,
-                             double tolerance, const std::vector<int>& before) {
-    UnionFind groups(1 + *std::ranges::max_element(pieceOfVertex));
-    for (const auto& [pair, gap] : largestGaps(mesh, pieceOfVertex, before)) {
-        if (gap <= tolerance) {
-            groups.join(pair.first, pair.second);
+std::vector<int> groupPieces(const SurfaceMesh& mesh, const PieceLabels& pieces, double tolerance,
+                             const std::vector<int>& before) {
+    const std::size_t count = pieces.pieces().size();
+    const std::vector<int> group = before.empty() ? std::vector<int>(count, 0) : before;
+    UnionFind groups(count);
+    if (anyShared(group)) {
+        for (const auto& [pair, lie] : contacts(mesh, pieces.ofVertex(), group, tolerance)) {
+            if (lie) {
+                groups.join(pair.first, pair.second);
+            }
         }
     }
-    std::vector<int> result;
-    result.reserve(pieceOfVertex.size());
-    for (const int piece : pieceOfVertex) {
-        result.push_back(piece < 0 ? -1 : groups.root(piece));
+    std::vector<int> result(count);
+    for (std::size_t p = 0; p < count; ++p) {
+        result[p] = groups.root(static_cast<int>(p));
     }
     return result;
 }

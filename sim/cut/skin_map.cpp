@@ -10,20 +10,46 @@ namespace {
 constexpr double kRidge = 1e-3;
 // Fewer samples do not determine an affine map.
 constexpr int kLeastSamples = 4;
-constexpr int kMostSamples = 2000;
 
 struct Sample {
+    double weight;
     Vec3 position;
     Vec3 offset;  ///< rest - position: the identity is its zero
     Vec3 velocity;
 };
 
-std::vector<Sample> skinSamples(const StepInput& in, int piece) {
+/// Calls visit(node) for each corner of the sheets on the surface or on the old front.
+template <class Visit>
+void forEachRimNode(const std::vector<WallSheet>& sheets, const std::vector<Node>& nodes,
+                    Visit&& visit) {
+    for (const WallSheet& sheet : sheets) {
+        for (const Triangle& t : sheet.triangles) {
+            for (const int id : t) {
+                if (nodes[id].kind != NodeKind::wall) {
+                    visit(nodes[id]);
+                }
+            }
+        }
+    }
+}
+
+std::vector<SurfaceSample> samplesAround(const StepInput& in, const std::vector<WallSheet>& sheets,
+                                         const std::vector<Node>& nodes) {
+    std::vector<Vec3> places;
+    forEachRimNode(sheets, nodes, [&](const Node& node) { places.push_back(node.rest); });
+    if (places.empty()) {  // a cut that begins inside: nothing says yet where that rests
+        places.push_back(nodes[sheets.front().triangles.front()[0]].position);
+    }
+    return in.surface.samplesAround(std::move(places), in.h);
+}
+
+std::vector<Sample> ofPiece(const StepInput& in, const std::vector<SurfaceSample>& all, int piece) {
     std::vector<Sample> samples;
-    for (const int v : in.samples) {
+    for (const auto& [v, weight] : all) {
         if (in.pieceOfVertex[v] == piece) {
             const Vec3& position = in.mesh.position(v);
-            samples.push_back({position, in.mesh.restPosition(v) - position, in.mesh.velocity(v)});
+            samples.push_back(
+                {weight, position, in.mesh.restPosition(v) - position, in.mesh.velocity(v)});
         }
     }
     return samples;
@@ -32,14 +58,9 @@ std::vector<Sample> skinSamples(const StepInput& in, int piece) {
 // For chips without any skin vertex of their own.
 std::vector<Sample> rimSamples(const WallSheet& sheet, const std::vector<Node>& nodes) {
     std::vector<Sample> samples;
-    for (const Triangle& t : sheet.triangles) {
-        for (const int id : t) {
-            const Node& node = nodes[id];
-            if (node.kind != NodeKind::wall) {
-                samples.push_back({node.position, node.rest - node.position, node.velocity});
-            }
-        }
-    }
+    forEachRimNode({sheet}, nodes, [&](const Node& node) {
+        samples.push_back({1, node.position, node.rest - node.position, node.velocity});
+    });
     return samples;
 }
 
@@ -59,7 +80,7 @@ Moments momentsAbout(const Vec3& center, const std::vector<Sample>& samples, dou
     for (const Sample& sample : samples) {
         const Vec3 q = sample.position - center;
         const double distance = q.squaredNorm() + h * h;
-        const double w = 1 / (distance * distance);
+        const double w = sample.weight / (distance * distance);
         const Vec3 wq = w * q;
         m.weight += w;
         m.position += wq;
@@ -98,32 +119,11 @@ void keepNode(Node& node) {
 
 }  // namespace
 
-std::vector<int> thinByPiece(const std::vector<int>& vertices,
-                             const std::vector<int>& pieceOfVertex) {
-    std::vector<std::vector<int>> byPiece;
-    for (const int v : vertices) {
-        const int piece = pieceOfVertex[v];
-        if (piece >= sizeOf(byPiece)) {
-            byPiece.resize(piece + 1);
-        }
-        if (piece >= 0) {
-            byPiece[piece].push_back(v);
-        }
-    }
-    std::vector<int> thinned;
-    for (const std::vector<int>& ofPiece : byPiece) {
-        const int stride = 1 + (sizeOf(ofPiece) - 1) / kMostSamples;
-        for (int i = 0; i < sizeOf(ofPiece); i += stride) {
-            thinned.push_back(ofPiece[i]);
-        }
-    }
-    return thinned;
-}
-
 void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutCurves& curves) {
+    const std::vector<SurfaceSample> all = samplesAround(in, sheets, curves.nodes);
     std::vector<bool> mapped(curves.nodes.size(), false);
     for (const WallSheet& sheet : sheets) {
-        std::vector<Sample> samples = skinSamples(in, sheet.piece);
+        std::vector<Sample> samples = ofPiece(in, all, sheet.piece);
         if (sizeOf(samples) < kLeastSamples) {
             samples = rimSamples(sheet, curves.nodes);
         }

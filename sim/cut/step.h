@@ -44,7 +44,6 @@ struct StepInput {
     const BroadPhase& broadPhase;
     const std::vector<int>& pieceOfVertex;
     const StrokeSurface& surface;
-    const std::vector<int>& samples;    ///< vertices of the surface that tell where the body rests
     const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
     Blade blade;
     double h = 0;       ///< edge length of walls [m]

@@ -127,12 +127,14 @@ std::optional<Vec3> ifNear(const StepInput& in, int v, const std::optional<Vec3>
 
 /// Where predicates see a vertex that slipped over the surface: where it belongs.
 std::optional<Vec3> unfolded(const StepInput& in, int v) {
-    return ifNear(in, v, in.surface.flatPosition(in.mesh, v, kOnSkin * in.h));
+    return ifNear(in, v, in.surface.flatPosition(v, kOnSkin * in.h));
 }
 
 /// Where they see an inner vertex of the front that came out through the surface.
 std::optional<Vec3> keptInside(const StepInput& in, int v) {
-    return ifNear(in, v, in.surface.insidePosition(in.mesh, v, kUnfoldReach * in.h));
+    return ifNear(in, v,
+                  in.surface.insidePosition(in.mesh.restPosition(v), in.mesh.position(v),
+                                            kUnfoldReach * in.h));
 }
 
 void unfoldAround(const StepInput& in, const Vec3& p, PredicatePositions& positions) {

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "sim/mesh/closest_point.h"
 
@@ -22,72 +24,132 @@ bool isNear(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, double r
 
 }  // namespace
 
-StrokeSurface::StrokeSurface(const SurfaceMesh& mesh) : vertexCount_(mesh.vertexCount()) {
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            parts_.push_back({mesh.triangle(t), mesh.wallLabel(t)});
+StrokeSurface::StrokeSurface(const SurfaceMesh& mesh)
+    : mesh_(mesh), vertexCount_(mesh.vertexCount()), parts_(mesh.triangleSlots()) {
+    const std::vector<int> living = livingTriangles(mesh);
+    for (const int t : living) {
+        parts_[t] = {mesh.triangle(t), mesh.wallLabel(t)};
+    }
+    tree_ = BoxTree(living, [this](int part) { return restBounds(part); });
+}
+
+void StrokeSurface::beginStroke() {
+    std::vector<int> changed = std::exchange(changed_, {});
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    parts_.resize(mesh_.triangleSlots());
+    for (const int t : changed) {
+        tree_.erase(t);
+        parts_[t] = {mesh_.triangle(t), mesh_.wallLabel(t)};
+    }
+    for (const int t : changed) {
+        if (mesh_.alive(t)) {
+            tree_.insert(t, [this](int part) { return restBounds(part); });
         }
     }
-    for (int v = 0; v < vertexCount_; ++v) {
-        if (mesh.outgoing(v) >= 0) {
-            vertices_.push_back(v);
-        }
+    vertexCount_ = mesh_.vertexCount();
+    thinned_ = {};
+}
+
+void StrokeSurface::follow(std::span<const int> triangles, double restMotion) {
+    changed_.insert(changed_.end(), triangles.begin(), triangles.end());
+    tree_.moved(restMotion);
+}
+
+Bounds StrokeSurface::restBounds(int part) const {
+    Bounds bounds;
+    for (const int v : parts_[part].corners) {
+        bounds.add(mesh_.restPosition(v));
     }
+    return bounds;
+}
+
+/// Ascending.
+std::vector<int> StrokeSurface::partsNear(const Vec3& rest, double reach) const {
+    Bounds around;
+    around.add(rest);
+    around.widen(reach);
+    std::vector<int> found;
+    tree_.find([this](int part) { return restBounds(part); },
+               [&](const Bounds& box) { return box.overlaps(around); },
+               [&](int part) { found.push_back(part); });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+bool StrokeSurface::Thinned::covers(const std::vector<Vec3>& places) const {
+    return std::ranges::all_of(places, [this](const Vec3& p) {
+        return std::ranges::any_of(boxes, [&](const Bounds& box) { return box.overlaps({p, p}); });
+    });
+}
+
+std::vector<SurfaceSample> StrokeSurface::samplesAround(std::vector<Vec3> restPlaces,
+                                                        double edge) const {
+    if (edge != thinned_.edge || !thinned_.covers(restPlaces)) {
+        thinned_.edge = edge;
+        thinned_.boxes = boxesAround(std::move(restPlaces), edge);
+        thinned_.samples = thinByDistance(
+            tree_, [this](int part) -> const Triangle& { return parts_[part].corners; },
+            thinned_.boxes, edge);
+    }
+    std::vector<SurfaceSample> used;
+    std::ranges::copy_if(
+        thinned_.samples, std::back_inserter(used),
+        [this](const SurfaceSample& sample) { return mesh_.outgoing(sample.vertex) >= 0; });
+    return used;
 }
 
 // A clean-up may have taken a corner away; what is left of it moves no more.
-bool StrokeSurface::isWhole(const SurfaceMesh& mesh, const Triangle& corners) {
+bool StrokeSurface::isWhole(const Triangle& corners) const {
     return std::all_of(corners.begin(), corners.end(),
-                       [&](int v) { return mesh.outgoing(v) >= 0; });
+                       [&](int v) { return mesh_.outgoing(v) >= 0; });
 }
 
 // The two walls of an older slit rest at the same place.
-bool StrokeSurface::isBeside(const SurfaceMesh& mesh, int v, int wallLabel) const {
+bool StrokeSurface::isBeside(int v, int wallLabel) const {
     bool beside = false;
-    mesh.forEachOutgoing(v, [&](int h) { beside |= mesh.wallLabel(h / 3) == wallLabel; });
+    mesh_.forEachOutgoing(v, [&](int h) { beside |= mesh_.wallLabel(h / 3) == wallLabel; });
     return beside;
 }
 
-std::optional<Vec3> StrokeSurface::flatPosition(const SurfaceMesh& mesh, int v,
-                                                double reach) const {
+std::optional<Vec3> StrokeSurface::flatPosition(int v, double reach) const {
     if (v < vertexCount_) {
         return std::nullopt;
     }
-    const Vec3& rest = mesh.restPosition(v);
+    const Vec3& rest = mesh_.restPosition(v);
     std::optional<Vec3> nearest;
     double least = reach;
-    for (const Part& part : parts_) {
-        const Triangle& t = part.corners;
-        const Vec3& a = mesh.restPosition(t[0]);
-        const Vec3& b = mesh.restPosition(t[1]);
-        const Vec3& c = mesh.restPosition(t[2]);
-        if (!isNear(rest, a, b, c, least) || !isWhole(mesh, t) ||
-            !isBeside(mesh, v, part.wallLabel)) {
+    for (const int id : partsNear(rest, reach)) {
+        const Triangle& t = parts_[id].corners;
+        const Vec3& a = mesh_.restPosition(t[0]);
+        const Vec3& b = mesh_.restPosition(t[1]);
+        const Vec3& c = mesh_.restPosition(t[2]);
+        if (!isNear(rest, a, b, c, least) || !isWhole(t) || !isBeside(v, parts_[id].wallLabel)) {
             continue;
         }
         const Vec3 weights = closestWeights(rest, a, b, c);
         const double distance = (mixed(weights, a, b, c) - rest).norm();
         if (distance <= least) {
             least = distance;
-            nearest = mixed(weights, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+            nearest =
+                mixed(weights, mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
         }
     }
     return nearest;
 }
 
-std::optional<Vec3> StrokeSurface::insidePosition(const SurfaceMesh& mesh, int v,
+std::optional<Vec3> StrokeSurface::insidePosition(const Vec3& rest, const Vec3& position,
                                                   double reach) const {
-    const Vec3& rest = mesh.restPosition(v);
     double depth = reach;
     std::optional<Vec3> onSurface;
     Vec3 outward = Vec3::Zero();
-    for (const Part& part : parts_) {
-        const Triangle& t = part.corners;
-        const Vec3& a = mesh.restPosition(t[0]);
-        const Vec3& b = mesh.restPosition(t[1]);
-        const Vec3& c = mesh.restPosition(t[2]);
+    for (const int id : partsNear(rest, reach)) {
+        const Triangle& t = parts_[id].corners;
+        const Vec3& a = mesh_.restPosition(t[0]);
+        const Vec3& b = mesh_.restPosition(t[1]);
+        const Vec3& c = mesh_.restPosition(t[2]);
         // The far side of a thin part, or the other wall of an older slit, faces the other way.
-        if (!isNear(rest, a, b, c, depth) || !isWhole(mesh, t) ||
+        if (!isNear(rest, a, b, c, depth) || !isWhole(t) ||
             (b - a).cross(c - a).dot(rest - a) >= 0) {
             continue;
         }
@@ -95,9 +157,9 @@ std::optional<Vec3> StrokeSurface::insidePosition(const SurfaceMesh& mesh, int v
         const double distance = (mixed(weights, a, b, c) - rest).norm();
         if (distance < depth) {
             depth = distance;
-            const Vec3& p = mesh.position(t[0]);
-            const Vec3& q = mesh.position(t[1]);
-            const Vec3& r = mesh.position(t[2]);
+            const Vec3& p = mesh_.position(t[0]);
+            const Vec3& q = mesh_.position(t[1]);
+            const Vec3& r = mesh_.position(t[2]);
             onSurface = mixed(weights, p, q, r);
             outward = (q - p).cross(r - p).stableNormalized();
         }
@@ -105,8 +167,8 @@ std::optional<Vec3> StrokeSurface::insidePosition(const SurfaceMesh& mesh, int v
     if (!onSurface) {
         return std::nullopt;
     }
-    const double excess = outward.dot(mesh.position(v) - *onSurface) + kKeptDepth * depth;
-    return excess > 0 ? std::optional(Vec3(mesh.position(v) - excess * outward)) : std::nullopt;
+    const double excess = outward.dot(position - *onSurface) + kKeptDepth * depth;
+    return excess > 0 ? std::optional(Vec3(position - excess * outward)) : std::nullopt;
 }
 
 }  // namespace kerf::cut

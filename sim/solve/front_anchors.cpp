@@ -2,9 +2,8 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <optional>
-
-#include "sim/mesh/closest_point.h"
+#include <iterator>
+#include <utility>
 
 namespace kerf {
 
@@ -13,8 +12,7 @@ namespace {
 constexpr double kRidge = 1e-3;  // of the trace, towards the identity
 constexpr std::size_t kLeastSamples = 4;
 constexpr double kMaxCatchUpSpeed = 1;  // relative to the material [m/s]
-constexpr double kSkinReach = 0.8;      // skin nearer than this share of an edge pushes inwards,
-constexpr double kKeptDepth = 0.5;      // until this share of the depth at rest is left
+constexpr double kSkinReach = 0.8;      // skin nearer than this share of an edge pushes inwards
 
 struct MaterialPoint {
     Vec3 position;
@@ -27,14 +25,14 @@ double weightAt(const Vec3& offset, double edge) {
 }
 
 /// Where the material that rests at `rest` is now, by moving least squares over `samples`.
-MaterialPoint mapFromRest(const SurfaceMesh& mesh, const std::vector<int>& samples,
+MaterialPoint mapFromRest(const SurfaceMesh& mesh, const std::vector<cut::SurfaceSample>& samples,
                           const Vec3& rest, double edge) {
     double weights = 0;
     Vec3 restMean = Vec3::Zero();
     Vec3 currentMean = Vec3::Zero();
     Vec3 velocityMean = Vec3::Zero();
-    for (const int v : samples) {
-        const double w = weightAt(mesh.restPosition(v) - rest, edge);
+    for (const auto& [v, count] : samples) {
+        const double w = count * weightAt(mesh.restPosition(v) - rest, edge);
         weights += w;
         restMean += w * mesh.restPosition(v);
         currentMean += w * mesh.position(v);
@@ -47,8 +45,8 @@ MaterialPoint mapFromRest(const SurfaceMesh& mesh, const std::vector<int>& sampl
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d displacement = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d velocity = Eigen::Matrix3d::Zero();
-    for (const int v : samples) {
-        const double w = weightAt(mesh.restPosition(v) - rest, edge);
+    for (const auto& [v, count] : samples) {
+        const double w = count * weightAt(mesh.restPosition(v) - rest, edge);
         const Vec3 a = mesh.restPosition(v) - restMean;
         const Vec3 moved = mesh.position(v) - currentMean - a;
         const Vec3 speed = mesh.velocity(v) - velocityMean;
@@ -60,70 +58,6 @@ MaterialPoint mapFromRest(const SurfaceMesh& mesh, const std::vector<int>& sampl
     const Vec3 offset = rest - restMean;
     const Vec3 solved = spread.inverse() * offset;
     return {currentMean + offset + displacement * solved, velocityMean + velocity * solved};
-}
-
-struct SkinPoint {
-    int triangle = -1;
-    Vec3 weights = Vec3::Zero();
-    double distance = 0;
-};
-
-Vec3 restPoint(const SurfaceMesh& mesh, const Triangle& t, const Vec3& weights) {
-    return weights[0] * mesh.restPosition(t[0]) + weights[1] * mesh.restPosition(t[1]) +
-           weights[2] * mesh.restPosition(t[2]);
-}
-
-bool nearBox(const SurfaceMesh& mesh, const Triangle& t, const Vec3& point, double reach) {
-    const Vec3& a = mesh.restPosition(t[0]);
-    const Vec3& b = mesh.restPosition(t[1]);
-    const Vec3& c = mesh.restPosition(t[2]);
-    const Vec3 low = a.cwiseMin(b).cwiseMin(c);
-    const Vec3 high = a.cwiseMax(b).cwiseMax(c);
-    return ((low - point).array() <= reach).all() && ((point - high).array() <= reach).all();
-}
-
-/// The nearest point of the surface that the piece had before the stroke, around `vertex` at rest,
-/// within `reach`.
-std::optional<SkinPoint> nearestSkin(const SurfaceMesh& mesh, const BodyModel& model, int vertex,
-                                     double reach) {
-    const Vec3& rest = mesh.restPosition(vertex);
-    const int stroke = mesh.wallLabel(mesh.outgoing(vertex) / 3) / 2;
-    std::optional<SkinPoint> nearest;
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        const bool ownWall = mesh.kind(t) == SurfaceKind::wall && mesh.wallLabel(t) / 2 == stroke;
-        if (!mesh.alive(t) || ownWall) {
-            continue;
-        }
-        const Triangle& corners = mesh.triangle(t);
-        if (!nearBox(mesh, corners, rest, reach) ||
-            model.pieceOfVertex[corners[0]] != model.pieceOfVertex[vertex] ||
-            std::find(corners.begin(), corners.end(), vertex) != corners.end()) {
-            continue;
-        }
-        const Vec3 weights =
-            closestWeights(rest, mesh.restPosition(corners[0]), mesh.restPosition(corners[1]),
-                           mesh.restPosition(corners[2]));
-        const double distance = (restPoint(mesh, corners, weights) - rest).norm();
-        if (distance <= reach && (!nearest || distance < nearest->distance)) {
-            nearest = SkinPoint{t, weights, distance};
-        }
-    }
-    return nearest;
-}
-
-/// `position`, pushed in where it comes too close to the skin or leaves it.
-Vec3 keptInside(const SurfaceMesh& mesh, const BodyModel& model, int vertex, const Vec3& position) {
-    const auto skin = nearestSkin(mesh, model, vertex, kSkinReach * model.edgeLength);
-    if (!skin) {
-        return position;
-    }
-    const Triangle& t = mesh.triangle(skin->triangle);
-    const Vec3& a = mesh.position(t[0]);
-    const Vec3 normal = (mesh.position(t[1]) - a).cross(mesh.position(t[2]) - a).stableNormalized();
-    const Vec3 onSkin = skin->weights[0] * a + skin->weights[1] * mesh.position(t[1]) +
-                        skin->weights[2] * mesh.position(t[2]);
-    const double excess = normal.dot(position - onSkin) + kKeptDepth * skin->distance;
-    return excess > 0 ? Vec3(position - excess * normal) : position;
 }
 
 /// Where the blade's tip stands in the material the front ends inside, on walls of its stroke
@@ -149,14 +83,21 @@ std::vector<int> innerFrontVertices(const SurfaceMesh& mesh, const std::vector<R
     return out;
 }
 
-std::vector<int> skinOfPiece(const SurfaceMesh& mesh, const BodyModel& model, int piece,
-                             int skinVertices) {
-    std::vector<int> out;
-    for (int v = 0; v < std::min(skinVertices, mesh.vertexCount()); ++v) {
-        if (model.pieceOfVertex[v] == piece) {
-            out.push_back(v);
-        }
+std::vector<cut::SurfaceSample> samplesAround(const SurfaceMesh& mesh,
+                                              const cut::StrokeSurface& surface,
+                                              const std::vector<int>& front, double edge) {
+    std::vector<Vec3> places;
+    for (const int v : front) {
+        places.push_back(mesh.restPosition(v));
     }
+    return surface.samplesAround(std::move(places), edge);
+}
+
+std::vector<cut::SurfaceSample> ofPiece(const std::vector<cut::SurfaceSample>& samples,
+                                        const BodyModel& model, int piece) {
+    std::vector<cut::SurfaceSample> out;
+    std::copy_if(samples.begin(), samples.end(), std::back_inserter(out),
+                 [&](const auto& sample) { return model.pieceOfVertex[sample.vertex] == piece; });
     return out;
 }
 
@@ -170,22 +111,29 @@ Vec3 limited(const Vec3& velocity, const Vec3& material) {
 }  // namespace
 
 std::vector<Anchor> findFrontAnchors(const SurfaceMesh& mesh, const BodyModel& model,
-                                     const std::vector<RungNode>& rung, int skinVertices,
-                                     double timeStep) {
+                                     const std::vector<RungNode>& rung,
+                                     const cut::StrokeSurface& surface, double timeStep) {
+    const std::vector<int> front = innerFrontVertices(mesh, rung);
+    if (front.empty()) {
+        return {};
+    }
+    const auto all = samplesAround(mesh, surface, front, model.edgeLength);
     std::vector<Anchor> anchors;
     int piece = -1;
-    std::vector<int> samples;
-    for (const int v : innerFrontVertices(mesh, rung)) {
+    std::vector<cut::SurfaceSample> samples;
+    for (const int v : front) {
         if (model.pieceOfVertex[v] != piece) {
             piece = model.pieceOfVertex[v];
-            samples = skinOfPiece(mesh, model, piece, skinVertices);
+            samples = ofPiece(all, model, piece);
         }
         if (samples.size() < kLeastSamples) {
             continue;
         }
-        const MaterialPoint now =
-            mapFromRest(mesh, samples, mesh.restPosition(v), model.edgeLength);
-        const Vec3 target = keptInside(mesh, model, v, now.position + timeStep * now.velocity);
+        const Vec3& rest = mesh.restPosition(v);
+        const MaterialPoint now = mapFromRest(mesh, samples, rest, model.edgeLength);
+        const Vec3 free = now.position + timeStep * now.velocity;
+        const Vec3 target =
+            surface.insidePosition(rest, free, kSkinReach * model.edgeLength).value_or(free);
         anchors.push_back({v, limited((target - mesh.position(v)) / timeStep, now.velocity)});
     }
     return anchors;

@@ -4,6 +4,7 @@
 
 #include "sim/body/body_model.h"
 #include "sim/cut/cutter.h"
+#include "sim/cut/stroke_surface.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
@@ -17,10 +18,10 @@ struct Anchor {
 /// The front of an unfinished slit lies in uncut material, of which a surface mesh knows nothing:
 /// left to its two walls alone it would slide about and throw off each new row. So every inner
 /// vertex of the front is carried along: to where the affine map rest -> current, fitted around it
-/// to the outer skin of its piece, puts its rest position. `skinVertices`: the vertices below this
-/// index are those from before the stroke. `timeStep` [s].
+/// to the surface that its piece had before the stroke, puts its rest position, and kept below that
+/// surface. `timeStep` [s].
 std::vector<Anchor> findFrontAnchors(const SurfaceMesh& mesh, const BodyModel& model,
-                                     const std::vector<RungNode>& rung, int skinVertices,
-                                     double timeStep);
+                                     const std::vector<RungNode>& rung,
+                                     const cut::StrokeSurface& surface, double timeStep);
 
 }  // namespace kerf

@@ -25,6 +25,9 @@ class Cleanup {
     /// coarsenWalls(). Returns the number of collapses.
     int coarsen(double factor, CutDelta& delta);
 
+    /// How far a vertex was moved at rest at most since the last call [m].
+    double takeRestMotion() { return workspace_.takeRestMotion(); }
+
   private:
     std::vector<int> trianglesOfStroke() const;
     CleanupStatistics clean(const std::vector<int>& triangles, CutDelta& delta);

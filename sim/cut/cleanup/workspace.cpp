@@ -131,6 +131,7 @@ double Workspace::volumeSpent() const {
 }
 
 void Workspace::moveVertex(const Patch& patch) {
+    restMotion_ += (patch.rest - mesh.restPosition(patch.vertex)).norm();
     mesh.setPosition(patch.vertex, patch.position);
     mesh.setRestPosition(patch.vertex, patch.rest);
     mesh.setVelocity(patch.vertex, patch.velocity);

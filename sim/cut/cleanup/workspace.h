@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "sim/cut/cleanup/patch.h"
@@ -48,6 +49,8 @@ class Workspace {
     void moveVertex(const Patch& patch);
     void removeTriangle(int triangle);
     void removeVertex(int vertex);
+    /// How far a vertex was moved at rest since the last call, all moves together [m].
+    double takeRestMotion() { return std::exchange(restMotion_, 0.0); }
     /// Triangles changed since the last call; some may be dead by now.
     std::vector<int> takeChanged();
 
@@ -60,6 +63,7 @@ class Workspace {
     double bodyVolume_;
     double restVolume_;
     VolumeDefect spent_;
+    double restMotion_ = 0;
     std::vector<double> deviation_;  ///< by vertex [m]
     std::vector<Vec3> rung_;         ///< from A to B
     std::vector<int> onRungIn_;      ///< by vertex: the round in which it was on the rung

@@ -193,23 +193,22 @@ TEST(MovingBody, TheFrontHasRoomAtItsEnds) {
 TEST(PieceGroups, KeepPiecesTogetherUntilTheyPart) {
     SurfaceMesh mesh = test::icosphere(2);
     test::runStroke(mesh, test::exactSettings(), down());
-    const PieceMap halves = findPieces(mesh);
-    ASSERT_EQ(halves.pieces.size(), 2u);
+    const PieceLabels halves(mesh);
+    ASSERT_EQ(halves.pieces().size(), 2u);
     const auto groups = [&](const std::vector<int>& before) {
-        std::vector<int> found = cut::groupPieces(mesh, halves.ofVertex, 1e-3, before);
-        std::erase(found, -1);
+        std::vector<int> found = cut::groupPieces(mesh, halves, 1e-3, before);
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
         return found.size();
     };
     EXPECT_EQ(groups({}), 1u);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        mesh.setPosition(v, mesh.position(v) + Vec3(halves.ofVertex[v] * 0.01, 0, 0));
+        mesh.setPosition(v, mesh.position(v) + Vec3(halves.ofVertex()[v] * 0.01, 0, 0));
     }
-    const std::vector<int> apart = cut::groupPieces(mesh, halves.ofVertex, 1e-3, {});
+    const std::vector<int> apart = cut::groupPieces(mesh, halves, 1e-3, {});
     EXPECT_EQ(groups({}), 2u);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        mesh.setPosition(v, mesh.position(v) - Vec3(halves.ofVertex[v] * 0.01, 0, 0));
+        mesh.setPosition(v, mesh.position(v) - Vec3(halves.ofVertex()[v] * 0.01, 0, 0));
     }
     EXPECT_EQ(groups(apart), 2u) << "what has parted stays apart for the stroke";
 }

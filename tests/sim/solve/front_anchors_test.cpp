@@ -14,7 +14,6 @@ constexpr double kStep = 0.005;
 /// A sphere with a slit half way down, at rest.
 struct SlitSphere {
     SlitSphere() {
-        Cutter cutter(mesh, {});
         cutter.begin({{-1, 0.7, 0.013}, {1, 0.7, 0.013}});
         for (int i = 1; i <= 14; ++i) {
             cutter.advance({{-1, 0.7 - 0.05 * i, 0.013}, {1, 0.7 - 0.05 * i, 0.013}});
@@ -23,11 +22,12 @@ struct SlitSphere {
         model = buildBodyModel(mesh);
     }
     std::vector<Anchor> anchors() const {
-        return findFrontAnchors(mesh, model, rung, skinVertices, kStep);
+        return findFrontAnchors(mesh, model, rung, cutter.strokeSurface(), kStep);
     }
 
     SurfaceMesh mesh = test::cubeSphere(8);
     int skinVertices = mesh.vertexCount();
+    Cutter cutter{mesh, {}};
     std::vector<RungNode> rung;
     BodyModel model;
 };
@@ -46,7 +46,6 @@ TEST(FrontAnchors, HoldsTheInnerFrontOnly) {
 // end.
 TEST(FrontAnchors, HoldsTheEndOfAFrontInsideTheBody) {
     SurfaceMesh mesh = test::cubeSphere(8);
-    const int skinVertices = mesh.vertexCount();
     Cutter cutter(mesh, {});
     cutter.begin({{-0.7, 1.5, 0.013}, {-0.7, 0.2, 0.013}});
     for (int i = 1; i <= 14; ++i) {
@@ -55,7 +54,7 @@ TEST(FrontAnchors, HoldsTheEndOfAFrontInsideTheBody) {
     }
     ASSERT_GE(cutter.rung().back().vertex, 0) << "the tip is inside";
     const std::vector<Anchor> anchors =
-        findFrontAnchors(mesh, buildBodyModel(mesh), cutter.rung(), skinVertices, kStep);
+        findFrontAnchors(mesh, buildBodyModel(mesh), cutter.rung(), cutter.strokeSurface(), kStep);
     const bool held = std::any_of(anchors.begin(), anchors.end(), [&](const Anchor& anchor) {
         return anchor.vertex == cutter.rung().back().vertex;
     });

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/mesh/box_tree.h"
+
+namespace kerf::cut {
+
+/// A vertex that stands for a part of the surface.
+struct SurfaceSample {
+    int vertex = -1;
+    double weight = 0;  ///< how many triangles it stands for
+};
+
+/// Boxes around a few clusters of `places` (at least one), with room for a blade that advances by
+/// some `h`.
+std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h);
+
+/// Vertices around `boxes` (rest space): all where the tree's triangles are small against `h`, else
+/// fewer the farther off, so that their number grows with the logarithm of the body. `tree` holds
+/// triangles by their box at rest, `cornersOf(id)` tells theirs. Ascending, each once. (Thinned by
+/// distance as in Barnes and Hut 1986.)
+std::vector<SurfaceSample> thinByDistance(const BoxTree& tree,
+                                          const std::function<const Triangle&(int id)>& cornersOf,
+                                          const std::vector<Bounds>& boxes, double h);
+
+}  // namespace kerf::cut
