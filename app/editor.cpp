@@ -29,6 +29,7 @@ constexpr int kMaxBatchesPerPicture = 16;
 constexpr int kSettlePasses = 2;  // passes after the last input, for panels that answer late
 constexpr double kForever = 1e9;
 constexpr std::array<float, 3> kEmptyColor{0.06F, 0.065F, 0.08F};  // while nothing is open
+const Vec2 kNowhere(-1e5, -1e5);                                   // [px]
 const Vec3 kEarthGravity{0, -9.81, 0};
 
 /// NAME-YYYYMMDD-HHMMSS with an ending, numbered where that is taken.
@@ -528,8 +529,9 @@ void Editor::State::describe() {
     model.device = options.device;
     model.hint = hint();
     model.blade = hand.settings();
-    if (scene != nullptr && !interface.ownsPointer()) {
-        model.overlay = hand.overlay(viewFrame(), pointer, *scene);
+    if (scene != nullptr) {
+        const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
+        model.overlay = hand.overlay(viewFrame(), inView, *scene);
     }
     toast.describe(model);
 }

@@ -375,11 +375,12 @@ TEST_F(EditorTest, AGuillotineHandleCanBeDragged) {
     moveTo(kWidth / 2.0, kHeight / 2.0);
     frames(2);
     ASSERT_EQ(panels().overlay.handles.size(), 4U);
-    const ui::PlotPoint end = panels().overlay.handles[2].at;
-    drag(Vec2(end.x, end.y), Vec2(end.x + 40, end.y - 30), 3);
+    const ui::PlotPoint before = panels().overlay.handles[0].at;
+    drag(Vec2(before.x, before.y), Vec2(before.x + 40, before.y + 30), 3);
     frames(2);
-    EXPECT_NEAR(panels().overlay.handles[2].at.x, end.x + 40, 0.5);
-    EXPECT_NEAR(panels().overlay.handles[2].at.y, end.y - 30, 0.5);
+    ASSERT_EQ(panels().overlay.handles.size(), 4U);
+    EXPECT_NEAR(panels().overlay.handles[0].at.x, before.x + 40, 0.5);
+    EXPECT_NEAR(panels().overlay.handles[0].at.y, before.y + 30, 0.5);
     EXPECT_EQ(panels().step, 0) << "posing cuts nothing";
 }
 
