@@ -7,11 +7,14 @@
 #include <array>
 #include <ctime>
 
+#include "app/blade_hand.h"
 #include "app/editor_camera.h"
 #include "app/editor_scene.h"
 #include "app/editor_toast.h"
+#include "app/file_io.h"
 #include "app/input_queue.h"
 #include "app/step_clock.h"
+#include "app/view_frame.h"
 #include "sim/stopwatch.h"
 #include "sim/text.h"
 #include "ui/interface.h"
@@ -21,22 +24,26 @@ namespace kerf::app {
 namespace {
 
 constexpr double kStepBudgetSeconds = 0.012;  // more than one step only while they are this fast
+constexpr int kMostSeekSteps = 64;            // per picture, while they are fast
 constexpr int kMaxBatchesPerPicture = 16;
 constexpr int kSettlePasses = 2;  // passes after the last input, for panels that answer late
 constexpr double kForever = 1e9;
 constexpr std::array<float, 3> kEmptyColor{0.06F, 0.065F, 0.08F};  // while nothing is open
+const Vec2 kNowhere(-1e5, -1e5);                                   // [px]
 const Vec3 kEarthGravity{0, -9.81, 0};
 
-/// kerf-YYYYMMDD-HHMMSS.png, numbered where that is taken.
-std::filesystem::path freeScreenshotFile(const std::filesystem::path& folder) {
+/// NAME-YYYYMMDD-HHMMSS with an ending, numbered where that is taken.
+std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
+                               const std::string& ending) {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
     localtime_r(&now, &local);
-    char stem[32];
-    std::strftime(stem, sizeof stem, "kerf-%Y%m%d-%H%M%S", &local);
-    std::filesystem::path file = folder / (std::string(stem) + ".png");
+    char moment[32];
+    std::strftime(moment, sizeof moment, "-%Y%m%d-%H%M%S", &local);
+    const std::string stem = name + moment;
+    std::filesystem::path file = folder / (stem + ending);
     for (int n = 2; std::filesystem::exists(file); ++n) {
-        file = folder / (std::string(stem) + "-" + std::to_string(n) + ".png");
+        file = folder / (stem + "-" + std::to_string(n) + ending);
     }
     return std::filesystem::absolute(file).lexically_normal();
 }
@@ -63,7 +70,7 @@ struct Editor::State {
     ui::PanelModel model;
     ui::History noHistory;
     EditorToast toast;
-    std::vector<ui::PlotPoint> strokeLine;
+    BladeHand hand;
     bool sceneChanged = true;
     bool closing = false;
     bool helpOpen = false;
@@ -81,7 +88,6 @@ struct Editor::State {
     void onWheel(const ui::Wheel& wheel);
     void onKey(ui::Key key, const ui::Modifiers& modifiers);
     void onFocusLost();
-    void beginStroke();
     void endStroke();
 
     // Answers.
@@ -91,6 +97,11 @@ struct Editor::State {
     void moveCamera(ui::ActionId id);
     void execute(const Command& command);
     void goToChange(std::size_t done);
+    void seekTo(int step);
+    void setBlade(const ui::BladeSettings& settings);
+    void setTool(ui::BladeTool tool);
+    void toggleRecording();
+    void saveSession();
     void cancel();
     void toggleGravity();
     void open(const std::filesystem::path& file);
@@ -110,10 +121,7 @@ struct Editor::State {
     void ensurePicture();
     void saveScreenshot();
 
-    double aspect() const { return double(options.width) / options.height; }
-    Vec2 toNdc(const Vec2& pixel) const {
-        return {2 * pixel.x() / options.width - 1, 1 - 2 * pixel.y() / options.height};
-    }
+    ViewFrame viewFrame() const { return {camera, options.width, options.height}; }
 };
 
 // --- Input -------------------------------------------------------------------------------------
@@ -165,9 +173,8 @@ void Editor::State::onMove(const ui::PointerMove& move) {
     if (cameraControl.move(camera, by.x(), by.y(), options.height)) {
         sceneChanged = true;
     }
-    if (scene != nullptr && scene->stroke().drawing()) {
-        scene->stroke().moveTo(toNdc(pointer));
-        strokeLine.push_back({pointer.x(), pointer.y()});
+    if (scene != nullptr) {
+        hand.move(viewFrame(), pointer, *scene);
     }
 }
 
@@ -179,34 +186,25 @@ void Editor::State::onButton(const ui::ButtonChange& change) {
         }
         return;
     }
-    const bool drawing = scene != nullptr && scene->stroke().drawing();
-    if (interface.ownsPointer() || drawing || cameraControl.press(change)) {
+    if (interface.ownsPointer() || hand.holds() || cameraControl.press(change)) {
         return;
     }
-    if (change.button == ui::Button::left) {
-        beginStroke();
+    if (change.button == ui::Button::left && scene != nullptr) {
+        hand.press(viewFrame(), pointer, *scene);
     }
-}
-
-void Editor::State::beginStroke() {
-    if (scene == nullptr) {
-        return;
-    }
-    // Where an earlier stroke is still being cut, this one's poses queue up behind it.
-    scene->beginStroke(StrokeSpace(camera, aspect(), scene->bounds()), toNdc(pointer));
-    strokeLine = {{pointer.x(), pointer.y()}};
 }
 
 void Editor::State::endStroke() {
-    if (scene != nullptr && scene->stroke().drawing()) {
-        scene->stroke().end();
+    if (scene != nullptr && hand.holds()) {
+        hand.release(*scene);
         strokedOnce = strokedOnce || scene->stroke().pending() > 0;
     }
 }
 
 void Editor::State::onWheel(const ui::Wheel& wheel) {
     if (!interface.ownsPointer()) {
-        CameraControl::zoom(camera, wheel.y, toNdc(pointer), aspect());
+        const ViewFrame view = viewFrame();
+        CameraControl::zoom(camera, wheel.y, view.toNdc(pointer), view.aspect());
         sceneChanged = true;
     }
 }
@@ -234,6 +232,10 @@ void Editor::State::apply(const ui::Action& action) {
         goToChange(change->done);
     } else if (const auto* speed = std::get_if<ui::SetSpeed>(&action)) {
         clock.setSpeed(speed->factor);
+    } else if (const auto* seek = std::get_if<ui::SeekTo>(&action)) {
+        seekTo(seek->step);
+    } else if (const auto* blade = std::get_if<ui::SetBlade>(&action)) {
+        setBlade(blade->settings);
     } else {
         execute(std::get<SetParam>(action));
     }
@@ -250,6 +252,49 @@ void Editor::State::execute(const Command& command) {
     settlePasses = kSettlePasses;
 }
 
+void Editor::State::seekTo(int step) {
+    if (scene != nullptr) {
+        scene->seek(step);
+        sceneChanged = true;
+        settlePasses = kSettlePasses;
+    }
+}
+
+void Editor::State::setBlade(const ui::BladeSettings& settings) {
+    if (scene != nullptr) {
+        hand.set(settings, *scene);
+        settlePasses = kSettlePasses;
+    }
+}
+
+void Editor::State::setTool(ui::BladeTool tool) {
+    ui::BladeSettings settings = hand.settings();
+    settings.tool = tool;
+    setBlade(settings);
+}
+
+void Editor::State::toggleRecording() {
+    if (!scene->recording()) {
+        scene->startRecording();
+        toast.show("Recording. Ctrl+R stops it and saves a session.", false);
+        return;
+    }
+    scene->stopRecording();
+    saveSession();
+}
+
+void Editor::State::saveSession() {
+    try {
+        const std::filesystem::path file =
+            freeFile(options.screenshotFolder, scene->document().name, ".kerf.json");
+        writeOutputFile(file, formatSession(scene->recordedSession(camera), file.parent_path()));
+        spdlog::info("session saved to {}", file.string());
+        toast.show("Saved " + file.string(), false);
+    } catch (const std::exception& error) {
+        toast.show(error.what(), true);
+    }
+}
+
 void Editor::State::goToChange(std::size_t done) {
     if (scene == nullptr) {
         return;
@@ -261,7 +306,6 @@ void Editor::State::goToChange(std::size_t done) {
     while (history.done() < done && history.canRedo()) {
         execute(Redo{});
     }
-    strokeLine.clear();
 }
 
 void Editor::State::perform(ui::ActionId id) {
@@ -298,14 +342,34 @@ void Editor::State::performOnScene(ui::ActionId id) {
             return;
         case ui::ActionId::reset:
             scene->reset();
-            strokeLine.clear();
             return;
         case ui::ActionId::undo:
             execute(Undo{});
-            strokeLine.clear();
             return;
         case ui::ActionId::redo:
             execute(Redo{});
+            return;
+        case ui::ActionId::toolStroke:
+            setTool(ui::BladeTool::stroke);
+            return;
+        case ui::ActionId::toolScalpel:
+            setTool(ui::BladeTool::scalpel);
+            return;
+        case ui::ActionId::toolGuillotine:
+            setTool(ui::BladeTool::guillotine);
+            return;
+        case ui::ActionId::bringDown:
+            hand.bringDown(*scene);
+            strokedOnce = true;
+            return;
+        case ui::ActionId::record:
+            toggleRecording();
+            return;
+        case ui::ActionId::saveSession:
+            saveSession();
+            return;
+        case ui::ActionId::loop:
+            scene->toggleLoop();
             return;
         case ui::ActionId::slower:
             clock.setSpeed(clock.speed() / 2);
@@ -350,8 +414,7 @@ void Editor::State::cancel() {
     if (helpOpen) {
         helpOpen = false;
     } else if (scene != nullptr) {
-        scene->stroke().cancel();
-        strokeLine.clear();
+        hand.cancel(*scene);
         sceneChanged = true;
     }
 }
@@ -378,8 +441,8 @@ void Editor::State::show(Document document) {
     scene = std::make_unique<EditorScene>(std::move(document));
     camera = scene->document().camera;
     renderer.setRestShape(scene->document().mesh);
+    hand.fitTo(scene->bounds());
     cameraControl.releaseAll();
-    strokeLine.clear();
     strokedOnce = false;
     sceneChanged = true;
     clock.stop();
@@ -392,7 +455,8 @@ void Editor::State::show(Document document) {
 // --- Time --------------------------------------------------------------------------------------
 
 bool Editor::State::running() const {
-    return scene != nullptr && (scene->playing || scene->stroke().pending() > 0);
+    return scene != nullptr &&
+           (scene->playing || scene->stroke().pending() > 0 || scene->seekSteps() > 0);
 }
 
 void Editor::State::runSteps(int needed, int due) {
@@ -417,13 +481,13 @@ void Editor::State::advance(double elapsedSeconds) {
     if (ran) {
         const bool playing = scene->playing;
         const double timeStep = scene->simulation().params().timeStep;
-        runSteps(scene->strokeSteps(), playing ? clock.takeDue(elapsedSeconds, timeStep) : 0);
+        const int due = playing ? clock.takeDue(elapsedSeconds, timeStep) : 0;
+        runSteps(scene->strokeSteps(), std::max(due, std::min(scene->seekSteps(), kMostSeekSteps)));
     }
     if (clock.measure(elapsedSeconds, ran)) {
         scene->recordFrameRate(1 / elapsedSeconds);
     }
     if (scene != nullptr && !scene->stroke().drawing() && scene->stroke().pending() == 0) {
-        strokeLine.clear();
     }
 }
 
@@ -440,6 +504,12 @@ std::string Editor::State::hint() const {
     }
     if (strokedOnce || scene->playing) {
         return "";
+    }
+    if (hand.settings().tool == ui::BladeTool::scalpel) {
+        return "Drag over the surface to cut into it.";
+    }
+    if (hand.settings().tool == ui::BladeTool::guillotine) {
+        return "Drag the four handles to pose the blade, then press Enter to bring it down.";
     }
     return scene->playingBack()
                ? "Press Space to play the session, or drag across the model to cut it."
@@ -458,7 +528,11 @@ void Editor::State::describe() {
     model.stages.frame = clock.rate() > 0 ? 1000 / clock.rate() : 0;
     model.device = options.device;
     model.hint = hint();
-    model.strokeLine = strokeLine;
+    model.blade = hand.settings();
+    if (scene != nullptr) {
+        const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
+        model.overlay = hand.overlay(viewFrame(), inView, *scene);
+    }
     toast.describe(model);
 }
 
@@ -496,7 +570,7 @@ void Editor::State::draw() {
 void Editor::State::saveScreenshot() {
     screenshotWanted = false;
     try {
-        const std::filesystem::path file = freeScreenshotFile(options.screenshotFolder);
+        const std::filesystem::path file = freeFile(options.screenshotFolder, "kerf", ".png");
         render::writePng({options.width, options.height, picture.readColor()}, file);
         spdlog::info("screenshot saved to {}", file.string());
         toast.show("Saved " + file.string(), false);

@@ -1,7 +1,5 @@
 #include "app/editor_scene.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <type_traits>
 
@@ -13,6 +11,7 @@ namespace {
 constexpr std::size_t kStrokeBacklog = 8;         // poses that may wait per step of a picture
 constexpr int kMaxStrokeSteps = 4;                // per picture
 constexpr std::size_t kUndoBudget = 512'000'000;  // [bytes]
+constexpr int kCheckEvery = 50;                   // steps of a recording
 constexpr int kPiecesEvery = 10;                  // steps between two looks at the pieces' volumes
 
 /// The command of an event that has one; pictures, exports and checks have none.
@@ -37,16 +36,49 @@ bool takesBodyElsewhere(const Command& command) {
 EditorScene::EditorScene(Document document)
     : document_(std::move(document)), simulation_(document_.mesh, document_.session.params) {
     simulation_.setUndoBudget(kUndoBudget);
-    player_.emplace(document_.session);
+    startAnew();
+}
+
+/// With a simulation at its start.
+void EditorScene::startAnew() {
+    playing = false;
+    stroke_.clear();
+    sweep_.clear();
+    journal_.clear();
+    history_.clear();
+    start_ = {};
+    seekTarget_.reset();
+    const bool loop = playback_ && playback_->loop;
+    playback_.reset();
+    if (!document_.session.events.empty()) {
+        playback_.emplace(document_.session).loop = loop;
+    }
+    for (const SetParam& choice : choices_) {
+        perform(choice);
+    }
     refreshPieces();
+}
+
+// --- What is done to the body ------------------------------------------------------------------
+
+/// The one way in which anything reaches the simulation.
+std::string EditorScene::perform(const Command& command) {
+    std::string problem = simulation_.execute(command);
+    if (problem.empty()) {
+        journal_.note(simulation_.stepCount(), command);
+    }
+    return problem;
 }
 
 std::string EditorScene::execute(const Command& command) {
     if (takesBodyElsewhere(command)) {
-        endPlayback();
+        takeBlade();
         stroke_.clear();
+        sweep_.clear();
+    } else if (playback_) {
+        playback_->changedAt(simulation_.stepCount());
     }
-    std::string problem = simulation_.execute(command);
+    std::string problem = perform(command);
     if (problem.empty() && takesBodyElsewhere(command)) {
         record();
         refreshPieces();
@@ -58,46 +90,180 @@ std::string EditorScene::execute(const Command& command) {
     return problem;
 }
 
-bool EditorScene::playingBack() const {
-    return player_.has_value() && !document_.session.events.empty() &&
-           simulation_.stepCount() <= document_.session.steps;
-}
-
-void EditorScene::endPlayback() {
+void EditorScene::takeBlade() {
     if (playingBack() && simulation_.blade()) {
-        simulation_.execute(LiftBlade{});
+        perform(LiftBlade{});
     }
-    player_.reset();
+    playback_.reset();
+    seekTarget_.reset();
 }
 
-void EditorScene::playSessionEvents() {
-    if (!playingBack()) {
+void EditorScene::reset() {
+    if (!document_.session.events.empty()) {
+        simulation_.reset();
+        startAnew();
         return;
     }
-    // Screenshots, exports and checks are the replay's business: a person only watches here.
-    for (const SessionAction& action : player_->actionsAt(simulation_.stepCount())) {
-        const std::optional<Command> command = commandOf(action);
-        if (!command) {
-            continue;
-        }
-        if (const std::string problem = simulation_.execute(*command); !problem.empty()) {
-            spdlog::warn("step {}: {}", simulation_.stepCount(), problem);
-        }
-    }
+    playing = false;
+    stroke_.clear();
+    sweep_.clear();
+    perform(Restart{});
+    start_ = {simulation_.stepCount(), simulation_.report().time};
+    history_.clear();
+    refreshPieces();
 }
 
 void EditorScene::step() {
+    keepKeyframe();
     if (const std::optional<Command> command = stroke_.next()) {
-        simulation_.execute(*command);
-    } else {
+        perform(*command);
+    } else if (playingBack()) {
         playSessionEvents();
     }
     const int piecesBefore = pieceCount();
     const StepReport& report = simulation_.step();
+    followBlade();
     if (report.pieces != piecesBefore) {
         history_.marks.push_back({timeNow(), "cut"});
     }
     record();
+    checkNowAndThen();
+    wrapPlayback();
+}
+
+/// As Replay does, so that a played session shows the same.
+void EditorScene::followBlade() {
+    if (const std::optional<Blade> blade = simulation_.blade()) {
+        sweep_.push_back(*blade);
+    } else {
+        sweep_.clear();
+    }
+}
+
+int EditorScene::strokeSteps() const {
+    const int backlog = static_cast<int>((stroke_.pending() + kStrokeBacklog - 1) / kStrokeBacklog);
+    return std::min(backlog, kMaxStrokeSteps);
+}
+
+// --- The session that is played ----------------------------------------------------------------
+
+bool EditorScene::playingBack() const {
+    return playback_.has_value() && simulation_.stepCount() < playback_->steps();
+}
+
+void EditorScene::playSessionEvents() {
+    // Screenshots and exports are the replay's business: a person only watches here.
+    for (const SessionAction& action : playback_->actionsAt(simulation_.stepCount())) {
+        std::string message;
+        if (const auto* check = std::get_if<CheckEvent>(&action)) {
+            message = playback_->compare(*check, simulation_);
+        } else if (const std::optional<Command> command = commandOf(action)) {
+            message = perform(*command);
+        }
+        if (!message.empty()) {
+            messages_.push_back(message);
+        }
+    }
+}
+
+void EditorScene::keepKeyframe() {
+    const int step = simulation_.stepCount();
+    if (playback_ && playback_->wantsKeyframe(step)) {
+        playback_->keep(step, {simulation_.moment(), journal_.mark(), sweep_},
+                        snapshotBytes(simulation_.mesh()));
+    }
+}
+
+void EditorScene::seek(int step) {
+    if (!playback_) {
+        return;
+    }
+    step = std::clamp(step, 0, playback_->steps());
+    const int from = playback_->keyframeStepBefore(step);
+    const int now = simulation_.stepCount();
+    if (from >= 0 && (step < now || from > now)) {
+        goTo(from, *playback_->keyframeBefore(step));
+    }
+    seekTarget_ = step;
+}
+
+void EditorScene::goTo(int step, const Keyframe& keyframe) {
+    const auto isLater = [&](const auto& point) { return point.x > timeNow(); };
+    simulation_.goTo(keyframe.moment);
+    journal_.goBackTo(keyframe.journal);
+    sweep_ = keyframe.sweep;
+    stroke_.clear();
+    playback_->wentTo(step);
+    std::erase_if(history_.framesPerSecond, isLater);
+    std::erase_if(history_.volumePercent, isLater);
+    std::erase_if(history_.marks, isLater);
+    refreshPieces();
+}
+
+int EditorScene::seekSteps() const {
+    return seekTarget_ ? std::max(0, *seekTarget_ - simulation_.stepCount()) : 0;
+}
+
+void EditorScene::toggleLoop() {
+    if (playback_) {
+        playback_->loop = !playback_->loop;
+    }
+}
+
+/// At its end a session stops once, or begins again.
+void EditorScene::wrapPlayback() {
+    if (seekSteps() == 0) {
+        seekTarget_.reset();
+    }
+    if (!playback_ || simulation_.stepCount() != playback_->steps()) {
+        return;
+    }
+    playSessionEvents();
+    if (playing && playback_->loop) {
+        seek(0);
+        seekTarget_.reset();
+    } else {
+        playing = false;
+    }
+}
+
+// --- Recording ---------------------------------------------------------------------------------
+
+void EditorScene::startRecording() {
+    simulation_.reset();
+    playback_.reset();
+    document_.session.events.clear();
+    startAnew();
+    recording_ = true;
+}
+
+void EditorScene::checkNowAndThen() {
+    const int step = simulation_.stepCount();
+    if (recording_ && step % kCheckEvery == 0) {
+        journal_.note(step, CheckEvent{simulation_.stateHash(), pieceCount()});
+    }
+}
+
+Session EditorScene::recordedSession(const render::Camera& camera) {
+    Session session = document_.session;
+    session.warnings.clear();
+    session.events = journal_.events();
+    session.steps = std::max(1, simulation_.stepCount());
+    if (simulation_.stepCount() > 0) {
+        session.events.push_back(
+            {session.steps, CheckEvent{simulation_.stateHash(), pieceCount()}});
+    }
+    session.view = camera;
+    return session;
+}
+
+// --- What is shown -----------------------------------------------------------------------------
+
+std::vector<std::string> EditorScene::takeMessages() {
+    std::vector<std::string> messages = simulation_.takeMessages();
+    messages.insert(messages.end(), messages_.begin(), messages_.end());
+    messages_.clear();
+    return messages;
 }
 
 void EditorScene::record() {
@@ -109,37 +275,8 @@ void EditorScene::recordFrameRate(double framesPerSecond) {
     history_.framesPerSecond.push_back({timeNow(), framesPerSecond});
 }
 
-void EditorScene::reset() {
-    playing = false;
-    stroke_.clear();
-    if (document_.session.events.empty()) {
-        simulation_.execute(Restart{});
-        start_ = {simulation_.stepCount(), simulation_.report().time};
-    } else {
-        simulation_.reset();
-        for (const SetParam& choice : choices_) {
-            simulation_.execute(choice);
-        }
-        start_ = {};
-        player_.emplace(document_.session);
-    }
-    history_.clear();
-    refreshPieces();
-}
-
-void EditorScene::beginStroke(const StrokeSpace& space, const Vec2& ndc) {
-    endPlayback();
-    stroke_.begin(space, ndc);
-}
-
-int EditorScene::strokeSteps() const {
-    const int backlog = static_cast<int>((stroke_.pending() + kStrokeBacklog - 1) / kStrokeBacklog);
-    return std::min(backlog, kMaxStrokeSteps);
-}
-
 render::SceneView EditorScene::view() {
-    return sceneOf(simulation_, document_.session.model.name(), document_.restBounds,
-                   stroke_.sweep());
+    return sceneOf(simulation_, document_.session.model.name(), document_.restBounds, sweep_);
 }
 
 void EditorScene::refreshPieces() {
@@ -187,9 +324,14 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.subdivisions = simulation_.subdivisions();
     model.pieces = pieces_;
     model.history = &history_;
-    if (playingBack()) {
-        model.playback = "session: step " + std::to_string(model.step) + " of " +
-                         std::to_string(document_.session.steps);
+    model.recording = recording_;
+    describePlayback(model.playback);
+}
+
+void EditorScene::describePlayback(ui::PlaybackState& state) const {
+    if (playback_) {
+        state = {simulation_.stepCount(), playback_->steps(), playback_->loop,
+                 playback_->divergedAt()};
     }
 }
 

@@ -6,6 +6,8 @@
 
 #include "app/editor_document.h"
 #include "app/editor_stroke.h"
+#include "app/session_journal.h"
+#include "app/session_playback.h"
 #include "render/renderer.h"
 #include "sim/simulation.h"
 #include "ui/panel_model.h"
@@ -13,7 +15,7 @@
 namespace kerf::app {
 
 /// An open document as it runs: the simulation, the stroke that is being drawn, the session that
-/// is being played, and what the plots remember.
+/// is being played, what was done since the start, and what the plots remember.
 ///
 /// A stroke needs steps to cut. While time is paused, each of its poses runs one step, so that the
 /// cut opens under the pointer; once the blade is lifted, time stands still again.
@@ -21,7 +23,7 @@ class EditorScene {
   public:
     /// Throws gpu::ShaderError, gpu::OutOfMemory.
     explicit EditorScene(Document document);
-    EditorScene(const EditorScene&) = delete;  // the player points into the document
+    EditorScene(const EditorScene&) = delete;  // the playback points into the document
     EditorScene& operator=(const EditorScene&) = delete;
 
     /// What a person does apart from strokes. Returns "" or one sentence.
@@ -33,15 +35,30 @@ class EditorScene {
     void reset();
 
     // The stroke.
-    void beginStroke(const StrokeSpace& space, const Vec2& ndc);
+    /// A person takes the blade: what is left of a played session is off.
+    void takeBlade();
     BladeStroke& stroke() { return stroke_; }
     const BladeStroke& stroke() const { return stroke_; }
+    /// Steps that the stroke needs for the coming picture so as not to fall behind the hand.
+    int strokeSteps() const;
 
+    // The session that is played.
     bool playing = false;
     /// Whether the session's own events are still to come.
     bool playingBack() const;
-    /// Steps that the stroke needs for the coming picture so as not to fall behind the hand.
-    int strokeSteps() const;
+    /// Goes to a step of it, at once where it is a keyframe; otherwise seekSteps() are left to do.
+    void seek(int step);
+    int seekSteps() const;
+    void toggleLoop();
+
+    // Recording.
+    /// Starts anew and adds a check of the state now and then.
+    void startRecording();
+    void stopRecording() { recording_ = false; }
+    bool recording() const { return recording_; }
+    /// All that was done since the start, as a session that ends here with a check of the state.
+    Session recordedSession(const render::Camera& camera);
+
     /// Notes how fast pictures follow each other while time runs.
     void recordFrameRate(double framesPerSecond);
 
@@ -52,8 +69,8 @@ class EditorScene {
     int pieceCount() const { return simulation_.report().pieces; }
     /// Bounds of the body as it is.
     const Bounds& bounds() const { return simulation_.bounds(); }
-    /// Sentences that the simulation left for the person.
-    std::vector<std::string> takeMessages() { return simulation_.takeMessages(); }
+    /// Sentences for the person: those of the simulation, and what came out differently.
+    std::vector<std::string> takeMessages();
 
     /// What the renderer shows.
     render::SceneView view();
@@ -61,24 +78,37 @@ class EditorScene {
     void describe(ui::PanelModel& model);
 
   private:
+    std::string perform(const Command& command);
     void playSessionEvents();
+    void keepKeyframe();
+    void goTo(int step, const Keyframe& keyframe);
     void endPlayback();
+    void wrapPlayback();
+    void startAnew();
+    void followBlade();
+    void checkNowAndThen();
     void record();
     void refreshPieces();
     void describeChanges(ui::ChangeList& list) const;
+    void describePlayback(ui::PlaybackState& state) const;
     double timeNow() const { return simulation_.report().time - start_.time; }
 
     Document document_;
     Simulation simulation_;
-    std::optional<SessionPlayer> player_;
+    std::optional<SessionPlayback> playback_;  ///< of a session with events, until a person cuts
+    std::optional<int> seekTarget_;
     BladeStroke stroke_;
+    std::vector<Blade> sweep_;       ///< poses of the running stroke, drawn or played
     std::vector<SetParam> choices_;  ///< of a person, one per name; a played session keeps them
+    SessionJournal journal_;
+    bool recording_ = false;
     /// The last restart: what the panels count from.
     struct Start {
         int step = 0;
         double time = 0;  ///< [s]
     } start_;
     ui::History history_;
+    std::vector<std::string> messages_;
     std::vector<ui::PieceRow> pieces_;
     int piecesStep_ = -1;  ///< step that pieces_ tells of
     int piecesTriangles_ = -1;

@@ -9,22 +9,38 @@
 
 namespace kerf::app {
 
+/// How finely the way of a blade is divided into steps.
+struct StrokeScale {
+    double share = 0.5;  ///< the point of the blade that is measured: 0 at A, 1 at B
+    double maxStep = 0;  ///< the farthest that it may move in one step [m]
+
+    /// How far that point is apart in two blades [m].
+    double distance(const Blade& from, const Blade& to) const;
+};
+/// For a body of these bounds.
+double maxStrokeStep(const Bounds& bounds);
+
 /// Turns points of the view into blades: A on a plane before the body, B on a plane behind it, both
 /// square to the view direction, so that the blade is seen as a point and a straight stroke sweeps
 /// a plane. The view it was made with stays.
 class StrokeSpace {
   public:
-    /// `bounds`: of the body as it is [m]; `aspect`: width over height of the view.
-    StrokeSpace(const render::Camera& camera, double aspect, const Bounds& bounds);
+    /// `bounds`: of the body as it is [m]; `aspect`: width over height of the view. `depth`: how
+    /// far behind the nearest point of the body B lies [m]; without one, behind the body.
+    StrokeSpace(const render::Camera& camera, double aspect, const Bounds& bounds,
+                std::optional<double> depth = std::nullopt);
 
     /// `ndc`: -1..1, y up.
     Blade bladeAt(const Vec2& ndc) const;
+    StrokeScale scale() const { return {middleShare_, maxStep_}; }
     /// How far two blades are apart in the middle of the body [m].
-    double distance(const Blade& from, const Blade& to) const;
+    double distance(const Blade& from, const Blade& to) const { return scale().distance(from, to); }
     /// The farthest that the blade may move in one step [m].
     double maxStep() const { return maxStep_; }
 
   private:
+    double nearestDepth(const Bounds& bounds) const;
+
     render::Camera camera_;
     double aspect_;
     Vec3 forward_;
@@ -40,6 +56,9 @@ class StrokeSpace {
 class BladeStroke {
   public:
     /// The pointer went down. The blade appears once it moves: a mere click does nothing.
+    void begin(const Blade& first, const StrokeScale& scale);
+    void moveTo(const Blade& blade);
+    /// Both by points of the view.
     void begin(const StrokeSpace& space, const Vec2& ndc);
     void moveTo(const Vec2& ndc);
     /// The pointer went up.
@@ -49,23 +68,25 @@ class BladeStroke {
     /// Forgets everything, for a body that begins anew.
     void clear() { *this = BladeStroke{}; }
 
-    bool drawing() const { return space_.has_value(); }
+    bool drawing() const { return scale_.has_value(); }
     std::size_t pending() const { return queue_.size(); }
     /// The command of the coming step.
     std::optional<Command> next();
-    /// Poses done since the blade was placed; empty once lifted.
-    const std::vector<Blade>& sweep() const { return sweep_; }
+    /// The way that is still to be cut: from the pose that was done last, or the first one.
+    std::vector<Blade> wayAhead() const;
 
   private:
     void queueUpTo(const Blade& target);
+    void forgetPointer();
     bool placed() const { return queued_.has_value(); }
 
-    std::optional<StrokeSpace> space_;  ///< while the pointer is down
+    std::optional<StrokeSpace> space_;  ///< of a stroke by points of the view
+    std::optional<StrokeScale> scale_;  ///< while it is drawn
     Blade first_;                       ///< where the pointer went down
     std::optional<Blade> queued_;       ///< last pose put into the queue
     Blade latest_;                      ///< where the pointer is
     std::deque<Command> queue_;
-    std::vector<Blade> sweep_;
+    std::optional<Blade> done_;  ///< the last pose that was given out, until the lift
 };
 
 }  // namespace kerf::app

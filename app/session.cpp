@@ -26,11 +26,6 @@ void requireDigest(const std::filesystem::path& file, const std::string& expecte
     }
 }
 
-bool takesBladeAway(const SessionAction& action) {
-    return std::holds_alternative<LiftBlade>(action) || std::holds_alternative<Restart>(action) ||
-           std::holds_alternative<Undo>(action) || std::holds_alternative<Redo>(action);
-}
-
 /// The solver and the pictures work in floats, whose steps grow with the distance from the origin.
 void requireRoomInFloats(const Bounds& bounds) {
     const double length = (bounds.high - bounds.low).maxCoeff();
@@ -93,6 +88,11 @@ render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
     camera.frame(bounds);
     camera.zoom(kRoomToFall, Vec2::Zero(), 1);
     return camera;
+}
+
+bool takesBladeAway(const SessionAction& action) {
+    return std::holds_alternative<LiftBlade>(action) || std::holds_alternative<Restart>(action) ||
+           std::holds_alternative<Undo>(action) || std::holds_alternative<Redo>(action);
 }
 
 bool undoesAnything(const Session& session) {

@@ -85,6 +85,9 @@ struct Session {
     std::vector<std::string> warnings;  ///< unknown extra keys
 };
 
+/// Whether the blade is gone after it: the next pose places it anew.
+bool takesBladeAway(const SessionAction& action);
+
 /// How much memory a replay gives to what its undo events bring back: a run that a person made
 /// within the editor's budget must not fail here.
 inline constexpr std::size_t kReplayUndoBudget = std::size_t{4} << 30;

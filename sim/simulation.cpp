@@ -104,6 +104,19 @@ bool standsInMaterial(const std::vector<RungNode>& rung) {
 
 }  // namespace
 
+struct Moment::Content {
+    SnapshotPointer body;
+    Params params;
+    std::optional<Blade> blade;
+    UndoHistory history;
+    SnapshotPointer beforeStroke;
+    bool strokeNoted = false;
+    int cutsSoFar = 0;
+    int stepsDone = 0;
+    double time = 0;  ///< [s]
+    StepReport report;
+};
+
 struct Simulation::State {
     State(SurfaceMesh uncutMesh, const Params& firstParams)
         : uncut(std::move(uncutMesh)), initialParams(firstParams), mesh(uncut) {
@@ -129,6 +142,8 @@ struct Simulation::State {
     // Undo.
     SnapshotPointer capture();
     void restoreBody(const SnapshotPointer& snapshot);
+    Moment moment();
+    void goTo(const Moment::Content& then);
     void apply(const UndoEntry::ParamChange& change, bool forward);
     void putBladeAway();
     void beginStroke();
@@ -587,9 +602,8 @@ void Simulation::State::putBladeAway() {
 SnapshotPointer Simulation::State::capture() {
     syncMesh();
     if (!current) {
-        current = std::make_shared<const Snapshot>(
             Snapshot{mesh, *body, *cutter, solver.pages(), volumeTargets, hands, pins, measure,
-                     closed, subdivisions, params, blade, stepsDone, time});
+                     closed, subdivisions});
     }
     return current;
 }
@@ -613,8 +627,29 @@ void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
     lastCut = {};
     pieces.reset();
     meshLags = false;
+    paramsChanged = true;  // the cutter follows some of them
     current = snapshot;
     publish();
+}
+
+Moment Simulation::State::moment() {
+    return Moment(std::make_shared<const Moment::Content>(
+        Moment::Content{capture(), params, blade, history, beforeStroke, strokeNoted, cutsSoFar,
+                        stepsDone, time, report}));
+}
+
+void Simulation::State::goTo(const Moment::Content& then) {
+    restoreBody(then.body);
+    params = then.params;
+    paramsChanged = true;
+    blade = then.blade;
+    history = then.history;
+    beforeStroke = then.beforeStroke;
+    strokeNoted = then.strokeNoted;
+    cutsSoFar = then.cutsSoFar;
+    stepsDone = then.stepsDone;
+    time = then.time;
+    report = then.report;
 }
 
 Simulation::Simulation(SurfaceMesh mesh, const Params& params)
@@ -639,6 +674,12 @@ void Simulation::setUndoBudget(std::size_t bytes) {
 }
 const UndoHistory& Simulation::history() const {
     return state_->history;
+}
+Moment Simulation::moment() {
+    return state_->moment();
+}
+void Simulation::goTo(const Moment& moment) {
+    state_->goTo(moment.content());
 }
 int Simulation::stepCount() const {
     return state_->stepsDone;

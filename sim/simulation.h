@@ -9,6 +9,7 @@
 #include "sim/cut/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
+#include "sim/moment.h"
 #include "sim/params.h"
 #include "sim/solve/body_view.h"
 #include "sim/undo_history.h"
@@ -57,6 +58,10 @@ class Simulation {
     /// can be. Does not change any result.
     void setUndoBudget(std::size_t bytes);
     const UndoHistory& history() const;
+
+    /// The present, to come back to with all that belongs to it: time, parameters, blade, history.
+    Moment moment();
+    void goTo(const Moment& moment);
 
     int stepCount() const;  ///< steps done
     const Params& params() const;

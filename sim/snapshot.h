@@ -2,21 +2,19 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 
 #include "sim/body/body_updater.h"
 #include "sim/cut/cutter.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/params.h"
 #include "sim/solve/hands.h"
 #include "sim/solve/pins.h"
 #include "sim/solve/volume_targets.h"
 
 namespace kerf {
 
-/// All that a simulation holds between two steps. One that is restored goes on bit for bit as it
-/// would have. Body, cutter and trees refer to the mesh of the simulation that made it, so it is of
-/// use to that one alone and must not outlive it.
+/// The body of a simulation between two steps, and all that cutting and solving remember of it. One
+/// that is restored goes on bit for bit as it would have. Body, cutter and trees refer to the mesh
+/// of the simulation that made it, so it is of use to that one alone and must not outlive it.
 struct Snapshot {
     SurfaceMesh mesh;  ///< with the positions and velocities of the GPU
     BodyUpdater body;
@@ -28,11 +26,6 @@ struct Snapshot {
     BodyMeasure measure;
     bool closed = true;
     SubdivisionCounts subdivisions;
-    // What a step back in time needs besides; undo leaves it as it is.
-    Params params;
-    std::optional<Blade> blade;
-    int stepsDone = 0;
-    double time = 0;  ///< [s]
 };
 using SnapshotPointer = std::shared_ptr<const Snapshot>;
 

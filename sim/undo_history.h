@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/params.h"
 #include "sim/snapshot.h"
 
 namespace kerf {

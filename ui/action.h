@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "sim/command.h"
+#include "ui/blade_settings.h"
 
 namespace kerf::ui {
 
@@ -18,6 +19,13 @@ enum class ActionId : std::uint8_t {
     undo,
     redo,
     toggleGravity,
+    toolStroke,
+    toolScalpel,
+    toolGuillotine,
+    bringDown,
+    record,
+    saveSession,
+    loop,
     cancel,
     frameBody,
     resetView,
@@ -39,7 +47,16 @@ struct SetSpeed {
     double factor = 1;
 };
 
+/// Goes to a step of the session that is played.
+struct SeekTo {
+    int step = 0;
+};
+/// Another blade, or another depth of it.
+struct SetBlade {
+    BladeSettings settings;
+};
+
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
-using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed>;
+using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetBlade>;
 
 }  // namespace kerf::ui

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/blade_panel.h"
 #include "ui/changes_panel.h"
 #include "ui/help_overlay.h"
 #include "ui/hint.h"
 #include "ui/layout.h"
 #include "ui/menu_bar.h"
+#include "ui/overlay.h"
 #include "ui/parameters_panel.h"
 #include "ui/pieces_panel.h"
 #include "ui/plots_panel.h"
@@ -87,24 +89,11 @@ struct Feed {
     }
 };
 
-void drawStrokeLine(const PanelModel& model, float scale) {
-    if (model.strokeLine.size() < 2) {
-        return;
-    }
-    std::vector<ImVec2> line;
-    for (const PlotPoint& p : model.strokeLine) {
-        line.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
-    }
-    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    draw.AddPolyline(line.data(), static_cast<int>(line.size()), IM_COL32(0, 0, 0, 90), 0,
-                     4 * scale);
-    draw.AddPolyline(line.data(), static_cast<int>(line.size()), Theme::kBlade, 0, 2 * scale);
-}
-
 void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
     beginPanel("controls", rect, true);
     drawMenuBar(model, actions);
     drawTransport(model, actions);
+    drawBlade(model, actions);
     drawParameters(model, actions);
     drawPieces(model);
     ImGui::End();
@@ -151,7 +140,7 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
     std::vector<Action> actions;
     const ItemNotes notes(places_);
     const Layout layout = layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale_);
-    drawStrokeLine(model, scale_);
+    drawOverlay(model.overlay, scale_);
     drawControls(model, layout.controls, actions);
     drawReadings(model, layout.plots, actions);
     drawStatusBar(model, layout.status);

@@ -67,6 +67,10 @@ bool isAvailable(const PanelModel& model, ActionId id) {
             return model.changes.done > 0;
         case ActionId::redo:
             return model.changes.done < model.changes.rows.size();
+        case ActionId::bringDown:
+            return model.blade.tool == BladeTool::guillotine && !model.name.empty();
+        case ActionId::loop:
+            return model.playback.steps > 0;
         default:
             return !model.name.empty();
     }
@@ -80,6 +84,16 @@ bool isOn(const PanelModel& model, ActionId id) {
             return model.params.gravity.norm() > 0;
         case ActionId::wireframe:
             return model.wireframe;
+        case ActionId::toolStroke:
+            return model.blade.tool == BladeTool::stroke;
+        case ActionId::toolScalpel:
+            return model.blade.tool == BladeTool::scalpel;
+        case ActionId::toolGuillotine:
+            return model.blade.tool == BladeTool::guillotine;
+        case ActionId::record:
+            return model.recording;
+        case ActionId::loop:
+            return model.playback.loop;
         case ActionId::help:
             return model.helpOpen;
         default:

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/cut/subdivision_pattern.h"
 #include "sim/params.h"
+#include "ui/blade_settings.h"
 #include "ui/history.h"
+#include "ui/overlay.h"
 
 namespace kerf::ui {
 
@@ -31,6 +34,14 @@ struct ChangeList {
     std::size_t budget = 0;  ///< [bytes]
 };
 
+/// The session that is played.
+struct PlaybackState {
+    int step = 0;
+    int steps = 0;  ///< 0 while none is
+    bool loop = false;
+    std::optional<int> divergedAt;  ///< the first step that came out differently
+};
+
 /// Time of the last step by stage, and of a frame on average [ms].
 struct StageTimes {
     double deform = 0;
@@ -47,6 +58,10 @@ struct PanelModel {
     bool playing = false;
     double speed = 1;  ///< of simulated time against the clock
     ChangeList changes;
+    BladeSettings blade;
+    Overlay overlay;  ///< of the coming cut
+    PlaybackState playback;
+    bool recording = false;
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
     bool helpOpen = false;
     bool wireframe = false;
@@ -54,17 +69,15 @@ struct PanelModel {
     double time = 0;  ///< simulated [s]
     int vertices = 0;
     int triangles = 0;
-    std::string playback;  ///< "session step 12 of 900" while one is played
-    std::string device;    ///< what draws: "llvmpipe"
-    std::string hint;      ///< what to do first or next; empty for none
-    std::string toast;     ///< what just happened; empty for none
+    std::string device;  ///< what draws: "llvmpipe"
+    std::string hint;    ///< what to do first or next; empty for none
+    std::string toast;   ///< what just happened; empty for none
     bool toastIsError = false;
     float toastOpacity = 1;  ///< 0 to 1, while it fades
     StageTimes stages;
     SubdivisionCounts subdivisions{};  ///< of the surface, since the body was whole
     std::vector<PieceRow> pieces;
-    const History* history = nullptr;   ///< never null while panels are drawn
-    std::vector<PlotPoint> strokeLine;  ///< the pointer's way across the view [px]
+    const History* history = nullptr;  ///< never null while panels are drawn
 };
 
 }  // namespace kerf::ui

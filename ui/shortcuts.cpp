@@ -13,6 +13,7 @@ constexpr Modifiers kControlShift{.shift = true, .control = true};
 
 constexpr std::array kShortcuts{
     Shortcut{ActionId::screenshot, Key::f12, kPlain, "F12", "Save a screenshot here", "File"},
+    Shortcut{ActionId::saveSession, Key::s, kControl, "Ctrl+S", "Save all since the start", "File"},
     Shortcut{ActionId::quit, Key::q, kControl, "Ctrl+Q", "Leave", "File"},
     Shortcut{ActionId::undo, Key::z, kControl, "Ctrl+Z", "Undo", "Edit"},
     Shortcut{ActionId::redo, Key::z, kControlShift, "Ctrl+Shift+Z", "Redo", "Edit"},
@@ -20,11 +21,18 @@ constexpr std::array kShortcuts{
     Shortcut{ActionId::cancel, Key::escape, kPlain, "Esc", "Stop the stroke, close the help",
              "Edit"},
     Shortcut{ActionId::toggleGravity, Key::v, kPlain, "V", "Gravity on or off", "Edit"},
+    Shortcut{ActionId::toolStroke, Key::c, kPlain, "C", "Stroke: cut along the view", "Blade"},
+    Shortcut{ActionId::toolScalpel, Key::s, kPlain, "S", "Scalpel: follow the surface", "Blade"},
+    Shortcut{ActionId::toolGuillotine, Key::g, kPlain, "G", "Guillotine: pose the blade", "Blade"},
+    Shortcut{ActionId::bringDown, Key::enter, kPlain, "Enter", "Bring the guillotine down",
+             "Blade"},
     Shortcut{ActionId::playPause, Key::space, kPlain, "Space", "Play or pause", "Time"},
     Shortcut{ActionId::stepOnce, Key::period, kPlain, ".", "One step", "Time"},
     Shortcut{ActionId::reset, Key::r, kPlain, "R", "Back to the start", "Time"},
     Shortcut{ActionId::slower, Key::minus, kPlain, "-", "Half as fast", "Time"},
     Shortcut{ActionId::faster, Key::equal, kPlain, "=", "Twice as fast", "Time"},
+    Shortcut{ActionId::record, Key::r, kControl, "Ctrl+R", "Record from the start, stop", "Time"},
+    Shortcut{ActionId::loop, Key::l, kPlain, "L", "Repeat the session", "Time"},
     Shortcut{ActionId::frameBody, Key::f, kPlain, "F", "Bring the model into view", "View"},
     Shortcut{ActionId::resetView, Key::home, kPlain, "Home", "Back to the first view", "View"},
     Shortcut{ActionId::viewFront, Key::digit1, kPlain, "1", "From the front", "View"},
@@ -36,7 +44,7 @@ constexpr std::array kShortcuts{
 };
 
 constexpr std::array kPointerHints{
-    PointerHint{"Left drag", "Cut: the blade follows the pointer through the model"},
+    PointerHint{"Left drag", "Cut; with the guillotine: move its handles"},
     PointerHint{"Right drag, Alt+left drag", "Turn the view"},
     PointerHint{"Middle drag, Shift+right drag", "Move the view"},
     PointerHint{"Wheel", "Zoom to the pointer"},

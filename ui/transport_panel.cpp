@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "ui/item_places.h"
@@ -29,6 +30,54 @@ void playButton(bool playing, float width, std::vector<Action>& actions) {
     ImGui::PopStyleColor();
 }
 
+void recordButton(bool recording, float width, std::vector<Action>& actions) {
+    if (recording) {
+        ImGui::PushStyleColor(ImGuiCol_Button, Theme::kVermillion);
+    }
+    actionButton(recording ? "Stop###record" : "Record###record", ActionId::record, width, actions);
+    if (recording) {
+        ImGui::PopStyleColor();
+    }
+}
+
+/// A red mark on the item above, where the replay first came out differently.
+void markDivergence(const PlaybackState& playback) {
+    if (!playback.divergedAt) {
+        return;
+    }
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float share =
+        static_cast<float>(*playback.divergedAt) / static_cast<float>(playback.steps);
+    const float x = low.x + share * (high.x - low.x);
+    const float half = 0.12F * (high.y - low.y);
+    ImGui::GetWindowDrawList()->AddRectFilled({x - half, low.y}, {x + half, high.y},
+                                              IM_COL32(235, 52, 43, 255));
+}
+
+void drawScrubber(const PlaybackState& playback, std::vector<Action>& actions) {
+    int step = std::min(playback.step, playback.steps);
+    const std::string format = "session step %d of " + std::to_string(playback.steps);
+    const float box = ImGui::GetFrameHeight() + ImGui::CalcTextSize("Loop").x +
+                      2 * ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(-box);
+    if (ImGui::SliderInt("##scrub", &step, 0, playback.steps, format.c_str(),
+                         ImGuiSliderFlags_AlwaysClamp)) {
+        actions.emplace_back(SeekTo{step});
+    }
+    noteItem("scrubber");
+    markDivergence(playback);
+    itemTooltip(playback.divergedAt
+                    ? "Go to a step. Red: here it came out differently than recorded"
+                    : "Go to a step of the session");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    bool loop = playback.loop;
+    if (ImGui::Checkbox("Loop", &loop)) {
+        actions.emplace_back(ActionId::loop);
+    }
+    itemTooltip(describeShortcut(ActionId::loop));
+}
+
 void drawSpeed(double speed, std::vector<Action>& actions) {
     static constexpr std::array<std::pair<double, const char*>, 5> kSpeeds{{{0.25, "\u00bc\u00d7"},
                                                                             {0.5, "\u00bd\u00d7"},
@@ -51,19 +100,21 @@ void drawSpeed(double speed, std::vector<Action>& actions) {
 
 void drawTransport(const PanelModel& model, std::vector<Action>& actions) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    const float width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
     playButton(model.playing, width, actions);
     ImGui::SameLine();
     actionButton("Step", ActionId::stepOnce, width, actions);
     ImGui::SameLine();
     actionButton("Restart", ActionId::reset, width, actions);
+    ImGui::SameLine();
+    recordButton(model.recording, width, actions);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("step %d, %.3f s", model.step, model.time);
-    ImGui::SameLine(2 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
+    ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
     drawSpeed(model.speed, actions);
-    if (!model.playback.empty()) {
-        ImGui::TextDisabled("%s", model.playback.c_str());
+    if (model.playback.steps > 0) {
+        drawScrubber(model.playback, actions);
     }
 }
 

@@ -114,7 +114,7 @@ TEST(BladeStroke, TheLiftComesAfterTheLastPose) {
     }
     ASSERT_TRUE(last.has_value());
     EXPECT_TRUE(std::holds_alternative<LiftBlade>(*last));
-    EXPECT_TRUE(stroke.sweep().empty());
+    EXPECT_TRUE(stroke.wayAhead().empty());
 }
 
 TEST(BladeStroke, CancelForgetsWhatIsToComeAndLifts) {
@@ -124,11 +124,20 @@ TEST(BladeStroke, CancelForgetsWhatIsToComeAndLifts) {
     for (int i = 0; i < 3; ++i) {
         stroke.next();
     }
-    EXPECT_EQ(stroke.sweep().size(), 3U);
+    EXPECT_EQ(stroke.wayAhead().size(), stroke.pending() + 2) << "the last pose and the pointer";
     stroke.cancel();
     EXPECT_FALSE(stroke.drawing());
     ASSERT_EQ(stroke.pending(), 1U);
     EXPECT_TRUE(std::holds_alternative<LiftBlade>(*stroke.next()));
+}
+
+TEST(StrokeSpace, ASetDepthEndsBehindTheNearestPoint) {
+    render::Camera camera;
+    camera.eye = Vec3(0, 0, 6);
+    camera.target = Vec3::Zero();
+    const Blade blade = StrokeSpace(camera, kAspect, unitBounds(), 0.5).bladeAt({0, 0});
+    EXPECT_NEAR(blade.b.z(), 0.5, 1e-12) << "the body reaches to z = 1";
+    EXPECT_GT(blade.a.z(), 1);
 }
 
 TEST(BladeStroke, CancelBeforeTheFirstStepLeavesNothing) {

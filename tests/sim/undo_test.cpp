@@ -107,6 +107,34 @@ TEST_F(UndoTest, WhatFollowsAnUndoIsWhatWouldHaveFollowedWithoutTheCut) {
     EXPECT_EQ(hashAfter(true), hashAfter(false));
 }
 
+TEST_F(UndoTest, GoingToAMomentAndOnGivesTheSameBits) {
+    simulation->execute(SetParam{"iterations", 3.0});
+    cutAt(0.2);
+    stroke(-0.1, 15);
+    const Moment middle = simulation->moment();
+    const std::string then = simulation->stateHash();
+    const auto goOn = [&] {
+        for (int i = 16; i <= 30; ++i) {
+            simulation->execute(MoveBlade{bladeAt(-0.1, 0.7 - 1.5 * i / 30)});
+            simulation->step();
+        }
+        simulation->execute(Undo{});
+        simulation->execute(Redo{});
+        run(2);
+        return simulation->stateHash();
+    };
+    const std::string end = goOn();
+    const int steps = simulation->stepCount();
+    simulation->reset();
+    simulation->goTo(middle);
+    EXPECT_EQ(simulation->stateHash(), then);
+    EXPECT_EQ(simulation->params().iterations, 3);
+    EXPECT_THAT(names(), ::testing::ElementsAre("Iterations: 3", "Cut 1", "Cut 2"));
+    EXPECT_TRUE(simulation->blade());
+    EXPECT_EQ(goOn(), end);
+    EXPECT_EQ(simulation->stepCount(), steps);
+}
+
 TEST_F(UndoTest, SnapshotBytesAreAboutWhatTheHeapGives) {
     simulation.emplace(test::cubeSphere(40, 0.5), falling());
     simulation->setUndoBudget(kRoom);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+
+#include "sim/cut/blade.h"
+#include "sim/math.h"
+
+namespace kerf::app {
+
+/// A posed blade above the body and the way straight down that it will go.
+class Guillotine {
+  public:
+    enum Handle { middle, endA, endB, bottom };
+    static constexpr int kHandles = 4;
+
+    Guillotine() = default;
+    /// Across the middle of `bounds`, from above it to below it.
+    explicit Guillotine(const Bounds& bounds);
+
+    /// Where the blade is once it went `lowered` of its way, 0 to 1.
+    Blade at(double lowered) const;
+    double length() const { return 2 * halfLength_; }
+    double drop() const { return drop_; }
+    void setLength(double length) { halfLength_ = 0.5 * length; }
+    void setDrop(double drop) { drop_ = drop; }
+
+    /// The middle moves it, the ends turn and lengthen it about its middle, the bottom one turns
+    /// its way down about the blade and says how far it goes.
+    std::array<Vec3, kHandles> handles() const;
+    void move(Handle handle, const Vec3& to);
+
+  private:
+    void turnTo(const Vec3& along);
+
+    Vec3 center_ = Vec3::Zero();  ///< at the top
+    Vec3 along_ = Vec3::UnitX();  ///< unit, from A to B
+    Vec3 down_ = -Vec3::UnitY();  ///< unit, square to it
+    double halfLength_ = 0.5;     ///< [m]
+    double drop_ = 1;             ///< [m]
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "render/camera.h"
+#include "ui/plot_math.h"
+
+namespace kerf::app {
+
+/// The view as the pointer sees it: between pixels of the picture and the world.
+struct ViewFrame {
+    render::Camera camera;
+    int width = 1;  ///< [px]
+    int height = 1;
+
+    double aspect() const { return double(width) / height; }
+    Vec2 toNdc(const Vec2& pixel) const {
+        return {2 * pixel.x() / width - 1, 1 - 2 * pixel.y() / height};
+    }
+    Vec3 rayThrough(const Vec2& pixel) const { return camera.rayDirection(toNdc(pixel), aspect()); }
+    /// Nothing for points that are not before the eye.
+    std::optional<ui::PlotPoint> toPixel(const Vec3& point) const;
+    /// Where the ray through a pixel meets the plane through `point` that faces the eye.
+    Vec3 onPlaneThrough(const Vec3& point, const Vec2& pixel) const;
+};
+
+}  // namespace kerf::app

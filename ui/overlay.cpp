@@ -1,0 +1,44 @@
+#include "ui/overlay.h"
+
+#include <imgui.h>
+
+#include "ui/theme.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr ImU32 kTouched = IM_COL32(240, 228, 66, 70);
+constexpr ImU32 kTouchedEdge = IM_COL32(240, 228, 66, 130);
+constexpr ImU32 kSwept = IM_COL32(64, 224, 190, 150);
+constexpr ImU32 kShade = IM_COL32(0, 0, 0, 110);
+constexpr ImU32 kWound = IM_COL32(255, 255, 255, 255);
+
+ImVec2 at(const PlotPoint& p) {
+    return {static_cast<float>(p.x), static_cast<float>(p.y)};
+}
+
+}  // namespace
+
+void drawOverlay(const Overlay& overlay, float scale) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    for (const Overlay::Face& face : overlay.touched) {
+        draw.AddTriangleFilled(at(face[0]), at(face[1]), at(face[2]), kTouched);
+        draw.AddTriangle(at(face[0]), at(face[1]), at(face[2]), kTouchedEdge, scale);
+    }
+    for (const Overlay::Line& line : overlay.swept) {
+        draw.AddLine(at(line[0]), at(line[1]), kSwept, 1.5F * scale);
+    }
+    for (const Overlay::Line& line : overlay.wound) {
+        draw.AddLine(at(line[0]), at(line[1]), kShade, 4 * scale);
+    }
+    for (const Overlay::Line& line : overlay.wound) {
+        draw.AddLine(at(line[0]), at(line[1]), kWound, 2 * scale);
+    }
+    for (const Overlay::Handle& handle : overlay.handles) {
+        const float radius = (handle.hot ? 9.0F : 7.0F) * scale;
+        draw.AddCircleFilled(at(handle.at), radius + 2 * scale, kShade, 24);
+        draw.AddCircleFilled(at(handle.at), radius, handle.hot ? kWound : Theme::kBlade, 24);
+    }
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "ui/plot_math.h"
+
+namespace kerf::ui {
+
+/// What the coming cut will do, drawn over the view, in pixels of the picture.
+struct Overlay {
+    using Line = std::array<PlotPoint, 2>;
+    using Face = std::array<PlotPoint, 3>;
+    /// A point that can be dragged.
+    struct Handle {
+        PlotPoint at;
+        bool hot = false;  ///< under the pointer, or held
+    };
+
+    std::vector<Face> touched;  ///< triangles that will be cut
+    std::vector<Line> swept;    ///< outline of the way of the blade
+    std::vector<Line> wound;    ///< where that meets the surface
+    std::vector<Handle> handles;
+};
+
+/// Behind all panels; takes no input. `scale`: of the display.
+void drawOverlay(const Overlay& overlay, float scale);
+
+}  // namespace kerf::ui
