@@ -39,7 +39,7 @@ void Range::add(double value) {
 
 std::string metricsHeader() {
     return "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
-           "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms\n";
+           "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts\n";
 }
 
 std::string formatMetrics(const MetricsRow& row) {
@@ -55,7 +55,7 @@ std::string formatMetrics(const MetricsRow& row) {
     for (const double value : {r.deformMs, r.collideMs, r.cutMs, row.renderMs, row.frameMs}) {
         line += "," + formatNumber(value);
     }
-    return line + "\n";
+    return line + "," + std::to_string(r.contacts) + "\n";
 }
 
 void RunStatistics::add(const MetricsRow& row) {

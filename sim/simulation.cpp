@@ -241,6 +241,7 @@ const StepReport& Simulation::State::step() {
 void Simulation::State::applyParameters() {
     if (std::exchange(paramsChanged, false)) {
         solver.setUniforms(solverUniforms(params));
+        solver.setContact(contactSettings(params));
     }
 }
 
@@ -416,6 +417,7 @@ void Simulation::State::publish() {
     report.volumeRatio = report.volume / model().uncutRestVolume;
     report.pieces = static_cast<int>(model().pieces.size());
     report.triangles = mesh.aliveTriangles();
+    report.contacts = measure.contacts;
     report.ispcs = static_cast<int>(model().ispcs.size());
     report.closed = closed;
 }

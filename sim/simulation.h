@@ -26,6 +26,7 @@ struct StepReport {
     int triangles = 0;
     int ispcs = 0;
     int touchedTriangles = 0;
+    int contacts = 0;  ///< of the body with itself in the last substep
     bool closed = true;
     int lostPieces = 0;  ///< pieces that ran away and were taken back to where the step began
     double deformMs = 0;
