@@ -1,6 +1,7 @@
 // What contact must hold: two halves of a cut sphere that rest on each other, an octopus dropped on
 // its arms, bodies dropped and thrown at random.
-//   kerf_contact_bench [halves|octopus|drops] [--runs N] [--first I] [--seed S] [--NAME VALUE ...]
+//   kerf_contact_bench [halves|octopus|collision|drops] [--runs N] [--first I] [--seed S] [--NAME
+//   VALUE ...]
 // where NAME is a parameter of the simulation.
 
 #include <cmath>
@@ -71,6 +72,10 @@ void play(const Options& options) {
     }
     if (asked("octopus")) {
         std::printf("octopus: %s\n", text(dropOctopus(options.params)).c_str());
+        std::fflush(stdout);
+    }
+    if (asked("collision")) {
+        std::printf("collision: %s\n", text(collideSpheres(options.params)).c_str());
         std::fflush(stdout);
     }
     if (asked("drops")) {

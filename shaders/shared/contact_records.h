@@ -60,8 +60,9 @@ struct ContactCandidate {
 
 // What a point touches in a substep.
 struct ContactRecord {
-    vec4 normal;   // of the triangle; w: how far d comes short of stopping the approach [m]
-    vec4 weights;  // of the touched point; w: how far X is to be pushed apart [m]
+    vec4 normal;   // of the triangle; w: how far X is to be pushed apart along it [m]
+    vec4 impulse;  // xyz: how the point's d is to change against the triangle's [m]; w unused
+    vec4 weights;  // xyz: of the point of the triangle's plane that answers; w unused
     uint v0;       // corners of the triangle; kNoVertex: nothing is touched
     uint v1;
     uint v2;

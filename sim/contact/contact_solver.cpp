@@ -19,7 +19,7 @@ using shared::uint;
 static_assert(sizeof(shared::ContactUniforms) == 56);
 static_assert(sizeof(shared::ContactBox) == 32);
 static_assert(sizeof(shared::ContactCandidate) == 8);
-static_assert(sizeof(shared::ContactRecord) == 48);
+static_assert(sizeof(shared::ContactRecord) == 64);
 static_assert(sizeof(shared::ContactState) == 40);
 
 constexpr double kReach = 0.5;            // h

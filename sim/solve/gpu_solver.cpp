@@ -480,6 +480,11 @@ void GpuSolver::pull() {
     }
 }
 
+void GpuSolver::searchContacts() {
+    contacts_.beginStep(relativeSpeed_);
+    contacts_.search();
+}
+
 void GpuSolver::collideBody() {
     contacts_.respond();
 }

@@ -98,6 +98,8 @@ class GpuSolver {
 
     /// Of the positions between steps; waits for the GPU. The next step counts on its speeds.
     BodyMeasure measure();
+    /// Looks for what may touch now, as the beginning of a step does.
+    void searchContacts();
     const ContactSolver& contacts() const { return contacts_; }
     /// All positions and velocities; waits for the GPU.
     BodyState readState() const;

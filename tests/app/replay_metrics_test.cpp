@@ -39,7 +39,7 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
     EXPECT_EQ(metricsHeader(),
               "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
               "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts\n");
-    EXPECT_EQ(formatMetrics(row), "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5\n");
+    EXPECT_EQ(formatMetrics(row), "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0\n");
 }
 
 TEST(Metrics, RangeOfASeries) {

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <numbers>
 #include <vector>
 
+#include "sim/body/body_model.h"
+#include "sim/body/piece_masses.h"
 #include "sim/cut/jitter.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/simulation.h"
@@ -78,6 +81,51 @@ std::vector<Solid> solids(const SurfaceMesh& mesh, const PieceMap& pieces,
     return out;
 }
 
+/// How deep p lies inside a piece: its distance from the surface where the winding number is over a
+/// half, 0 elsewhere. [m]
+double depthInside(const SurfaceMesh& mesh, const std::vector<int>& piece, const Vec3& p) {
+    double angle = 0;
+    double nearest = 1e300;
+    for (const int t : piece) {
+        const Triangle& corners = mesh.triangle(t);
+        const Vec3 a = mesh.position(corners[0]) - p;
+        const Vec3 b = mesh.position(corners[1]) - p;
+        const Vec3 c = mesh.position(corners[2]) - p;
+        const double la = a.norm();
+        const double lb = b.norm();
+        const double lc = c.norm();
+        angle += 2 * std::atan2(a.dot(b.cross(c)),
+                                la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+        const Vec3 w = closestWeights(Vec3::Zero(), a, b, c);
+        nearest = std::min(nearest, (w.x() * a + w.y() * b + w.z() * c).norm());
+    }
+    return std::fabs(angle) > 2 * std::numbers::pi ? nearest : 0.0;
+}
+
+/// Of all vertices inside other pieces than their own [m].
+double deepestPenetration(const SurfaceMesh& mesh, const PieceMap& pieces) {
+    std::vector<std::vector<int>> triangles(pieces.pieces.size());
+    std::vector<Bounds> boxes(pieces.pieces.size());
+    for (const int t : livingTriangles(mesh)) {
+        const int piece = pieces.ofVertex[mesh.triangle(t)[0]];
+        triangles[piece].push_back(t);
+        for (const int v : mesh.triangle(t)) {
+            boxes[piece].add(mesh.position(v));
+        }
+    }
+    double deepest = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        Bounds point;
+        point.add(mesh.position(v));
+        for (std::size_t p = 0; pieces.ofVertex[v] >= 0 && p < triangles.size(); ++p) {
+            if (pieces.ofVertex[v] != static_cast<int>(p) && boxes[p].overlaps(point)) {
+                deepest = std::max(deepest, depthInside(mesh, triangles[p], mesh.position(v)));
+            }
+        }
+    }
+    return deepest;
+}
+
 double heightOf(const SurfaceMesh& mesh) {
     const Bounds box = meshBounds(mesh);
     return box.high.y() - box.low.y();
@@ -97,20 +145,21 @@ void cutLevel(Simulation& simulation, double height) {
 
 }  // namespace
 
-HalvesFigures restHalves(const Params& params) {
+HalvesFigures restHalves(const Params& params, double seconds) {
     const SurfaceMesh ball = placed(cubeSphere(8), Eigen::Matrix3d::Identity(), {0, 0.5, 0});
     const double diagonal = meshBounds(ball).diagonal();
     Simulation whole(ball, params);
-    run(whole, stepsOf(3, params));
+    run(whole, stepsOf(seconds - 0.5, params));
+    HalvesFigures figures;
+    figures.wholeJitter = jitter(whole, stepsOf(0.5, params), diagonal);
 
     Params weightless = params;
     weightless.gravity.setZero();
     Simulation halves(ball, weightless);
     cutLevel(halves, 0.5);
     halves.execute(SetParam{"gravity", params.gravity});
-    run(halves, stepsOf(4, params));
-    HalvesFigures figures;
-    figures.jitter = jitter(halves, stepsOf(1, params), diagonal);
+    run(halves, stepsOf(seconds - 0.5, params));
+    figures.jitter = jitter(halves, stepsOf(0.5, params), diagonal);
     figures.contacts = halves.report().contacts;
     const SurfaceMesh& mesh = halves.mesh();
     const std::vector<Solid> now = solids(mesh, halves.pieces(), mesh.positions());
@@ -122,16 +171,17 @@ HalvesFigures restHalves(const Params& params) {
         figures.shift = std::hypot(apart.x(), apart.z()) / diagonal;
     }
     figures.height = heightOf(mesh) / heightOf(whole.mesh());
-    figures.intersections = static_cast<int>(selfIntersections(mesh).size());
+    figures.penetration = deepestPenetration(mesh, halves.pieces()) / diagonal;
     return figures;
 }
 
 std::string text(const HalvesFigures& f) {
     char line[256];
-    std::snprintf(line, sizeof line,
-                  "separation %.4f  height %.4f  shift %.4f diag  intersections %d  jitter %.6f "
-                  "diag/s  contacts %d",
-                  f.separation, f.height, f.shift, f.intersections, f.jitter, f.contacts);
+    std::snprintf(
+        line, sizeof line,
+        "separation %.4f  height %.4f  shift %.4f diag  penetration %.2e diag  jitter %.6f "
+        "diag/s (whole %.6f)  contacts %d",
+        f.separation, f.height, f.shift, f.penetration, f.jitter, f.wholeJitter, f.contacts);
     return line;
 }
 
@@ -156,6 +206,49 @@ std::string text(const OctopusFigures& f) {
                   "intersections %d at the start, %d at the end  most contacts %d  jitter %.5f "
                   "diag/s",
                   f.intersectionsAtStart, f.intersections, f.mostContacts, f.jitter);
+    return line;
+}
+
+CollisionFigures collideSpheres(const Params& given) {
+    Params params = given;
+    params.gravity.setZero();
+    params.floor.reset();
+    params.airDrag = 0;
+    const TriangleSoup lower = cubeSphereSoup(4, 0.4);
+    SurfaceMesh mesh = meshOf(joined(lower, icosphereSoup(2, 0.4), {0.2, 0.9, 0.1}));
+    mesh = placed(std::move(mesh), Eigen::Matrix3d::Identity(), {-0.1, -0.45, -0.05});
+    for (int v = static_cast<int>(lower.positions.size()); v < mesh.vertexCount(); ++v) {
+        mesh.setVelocity(v, {0, -3, 0});
+    }
+    const std::vector<double> masses = unitMasses(buildBodyModel(mesh));
+    Simulation simulation(std::move(mesh), params);
+    const auto momentum = [&] {
+        std::pair<Vec3, Vec3> sum{Vec3::Zero(), Vec3::Zero()};
+        const SurfaceMesh& now = simulation.mesh();
+        for (int v = 0; v < now.vertexCount(); ++v) {
+            sum.first += masses[v] * now.velocity(v);
+            sum.second += masses[v] * now.position(v).cross(now.velocity(v));
+        }
+        return sum;
+    };
+    const auto before = momentum();
+    CollisionFigures figures;
+    for (int i = 0; i < 120; ++i) {
+        figures.stepsInContact += simulation.step().contacts > 0;
+    }
+    const auto after = momentum();
+    figures.parted = simulation.report().contacts == 0;
+    figures.linearDrift = (after.first - before.first).norm() / before.first.norm();
+    figures.angularDrift = (after.second - before.second).norm() / before.second.norm();
+    return figures;
+}
+
+std::string text(const CollisionFigures& f) {
+    char line[256];
+    std::snprintf(
+        line, sizeof line,
+        "%d steps in contact, parted %d  drift of momentum %.2e, of angular momentum %.2e",
+        f.stepsInContact, f.parted, f.linearDrift, f.angularDrift);
     return line;
 }
 
@@ -185,45 +278,6 @@ TriangleSoup turned(TriangleSoup soup, const Eigen::Matrix3d& turn) {
         p = turn * p;
     }
     return soup;
-}
-
-/// Winding number of `piece` around p is over a half and no point of it is nearer than `depth`.
-bool deepInside(const SurfaceMesh& mesh, const std::vector<int>& piece, const Vec3& p,
-                double depth) {
-    double angle = 0;
-    for (const int t : piece) {
-        const Triangle& corners = mesh.triangle(t);
-        const Vec3 a = mesh.position(corners[0]) - p;
-        const Vec3 b = mesh.position(corners[1]) - p;
-        const Vec3 c = mesh.position(corners[2]) - p;
-        const double la = a.norm();
-        const double lb = b.norm();
-        const double lc = c.norm();
-        angle += 2 * std::atan2(a.dot(b.cross(c)),
-                                la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-        const Vec3 w = closestWeights(p, mesh.position(corners[0]), mesh.position(corners[1]),
-                                      mesh.position(corners[2]));
-        if ((w.x() * a + w.y() * b + w.z() * c).norm() < depth) {
-            return false;
-        }
-    }
-    return std::fabs(angle) > 6.28;
-}
-
-bool isTunnelled(const SurfaceMesh& mesh, const PieceMap& pieces, double depth) {
-    std::vector<std::vector<int>> triangles(pieces.pieces.size());
-    for (const int t : livingTriangles(mesh)) {
-        triangles[pieces.ofVertex[mesh.triangle(t)[0]]].push_back(t);
-    }
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        for (std::size_t p = 0; pieces.ofVertex[v] >= 0 && p < triangles.size(); ++p) {
-            if (pieces.ofVertex[v] != static_cast<int>(p) &&
-                deepInside(mesh, triangles[p], mesh.position(v), depth)) {
-                return true;
-            }
-        }
-    }
-    return false;
 }
 
 }  // namespace
@@ -258,7 +312,7 @@ DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
     const SurfaceMesh& now = simulation.mesh();
     const Bounds box = meshBounds(now);
     figures.escaped = box.low.y() < -0.02 || box.diagonal() > 10 * size;
-    figures.tunnels = isTunnelled(now, simulation.pieces(), 0.03);
+    figures.tunnels = deepestPenetration(now, simulation.pieces()) > 0.03;
     figures.intersections = static_cast<int>(selfIntersections(now).size());
     return figures;
 }

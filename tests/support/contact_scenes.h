@@ -7,16 +7,17 @@
 
 namespace kerf::test {
 
-/// Two halves of a sphere, cut apart without gravity, that rest on each other for five seconds.
+/// Two halves of a sphere, cut apart without gravity, that rest on each other.
 struct HalvesFigures {
-    double separation = 0;  ///< of their centroids, as a share of that in the whole body at rest
-    double height = 0;      ///< of both, as a share of that of the whole body lying there
-    double shift = 0;       ///< of their centroids sideways [diagonals]
-    int intersections = 0;  ///< pairs of triangles at the end
-    double jitter = 0;      ///< RMS speed in the last second [diagonals/s]
-    int contacts = 0;       ///< in the last substep
+    double separation = 0;   ///< of their centroids, as a share of that in the whole body at rest
+    double height = 0;       ///< of both, as a share of that of the whole body lying there
+    double shift = 0;        ///< of their centroids sideways [diagonals]
+    double penetration = 0;  ///< depth of the deepest vertex inside the other one [diagonals]
+    double jitter = 0;       ///< RMS speed in the last half second [diagonals/s]
+    double wholeJitter = 0;  ///< that of the whole body lying there
+    int contacts = 0;        ///< in the last substep
 };
-HalvesFigures restHalves(const Params& params);
+HalvesFigures restHalves(const Params& params, double seconds = 5);
 std::string text(const HalvesFigures& figures);
 
 /// An octopus dropped on its arms, three seconds.
@@ -28,6 +29,16 @@ struct OctopusFigures {
 };
 OctopusFigures dropOctopus(const Params& params);
 std::string text(const OctopusFigures& figures);
+
+/// Two spheres without gravity that fly into each other off their middles, spin, and part.
+struct CollisionFigures {
+    int stepsInContact = 0;
+    bool parted = false;
+    double linearDrift = 0;   ///< change of momentum as a share of it
+    double angularDrift = 0;  ///< the same of angular momentum about their common centre
+};
+CollisionFigures collideSpheres(const Params& params);
+std::string text(const CollisionFigures& figures);
 
 struct DropRun {
     std::uint64_t seed = 1;

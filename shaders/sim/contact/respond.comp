@@ -1,7 +1,6 @@
 // Solves each contact once: mass-splitting Jacobi, each vertex giving the share mass / (number of its
 // contacts). Corrections are summed as integers, which do not mind the order in which threads come.
-// Coulomb friction shortens the relative tangential displacement by at most friction * approach.
-// Reads X (inverse mass), d, records, shares. Adds to sums. One thread per listed point. A storage
+// Reads X (inverse mass), records, shares. Adds to sums. One thread per listed point. A storage
 // barrier follows, then apply.
 #include "body_records.h"
 #include "contact_bindings.h"
@@ -10,7 +9,6 @@ layout(local_size_x = kGroupSize) in;
 
 layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kContactRecordsBinding) readonly buffer Records { ContactRecord records[]; };
 layout(std430, binding = kContactSharesBinding) readonly buffer Shares { uint shares[]; };
 layout(std430, binding = kContactSumsBinding) buffer Sums { int sums[]; };
@@ -34,7 +32,6 @@ void main() {
     if (index >= state.points) return;
     ContactRecord record = records[index];
     if (record.v0 == kNoVertex) return;
-    vec3 normal = record.normal.xyz;
     vec3 b = record.weights.xyz;
     uvec4 v = uvec4(record.point, record.v0, record.v1, record.v2);
     vec4 w = uniforms.inverse_density *
@@ -42,13 +39,8 @@ void main() {
     vec4 counts = vec4(shares[v.x], shares[v.y], shares[v.z], shares[v.w]);
     float weight = dot(counts * w, vec4(1.0, b * b));
     if (!(weight > 0.0)) return;
-    vec3 slip = displacement[v.x].xyz -
-        (b.x * displacement[v.y].xyz + b.y * displacement[v.z].xyz + b.z * displacement[v.w].xyz);
-    vec3 along = slip - dot(slip, normal) * normal;
-    float way = length(along);
-    float held = min(way, uniforms.friction * record.normal.w);
-    vec3 impulse = (record.normal.w * normal - (way > 0.0 ? held / way : 0.0) * along) / weight;
-    vec3 push = (record.weights.w / weight) * normal;
+    vec3 impulse = record.impulse.xyz / weight;
+    vec3 push = (record.normal.w / weight) * record.normal.xyz;
     add(v.x, w.x, impulse, push);
     add(v.y, -b.x * w.y, impulse, push);
     add(v.z, -b.y * w.z, impulse, push);
