@@ -1,7 +1,7 @@
-// What contact must hold: two halves of a cut sphere that rest on each other, an octopus dropped on
+// What contact must hold: halves that rest on each other, an octopus dropped on
 // its arms, bodies dropped and thrown at random.
-//   kerf_contact_bench [halves|octopus|collision|drops] [--runs N] [--first I] [--seed S] [--NAME
-//   VALUE ...]
+//   kerf_contact_bench [halves|blocks|octopus|collision|drops] [--runs N] [--first I] [--seed S]
+//   [--NAME VALUE ...]
 // where NAME is a parameter of the simulation.
 
 #include <cmath>
@@ -67,7 +67,11 @@ void play(const Options& options) {
         return options.scene.empty() || options.scene == name;
     };
     if (asked("halves")) {
-        std::printf("halves: %s\n", text(restHalves(options.params)).c_str());
+        std::printf("halves: %s\n", text(restHalves(true, options.params)).c_str());
+        std::fflush(stdout);
+    }
+    if (asked("blocks")) {
+        std::printf("blocks: %s\n", text(restHalves(false, options.params)).c_str());
         std::fflush(stdout);
     }
     if (asked("octopus")) {

@@ -54,11 +54,12 @@ std::string withoutTimes(const std::string& metrics) {
     std::istringstream lines(metrics);
     std::string text;
     for (std::string line; std::getline(lines, line);) {
-        std::size_t end = line.size();
+        const std::size_t contacts = line.rfind(',');
+        std::size_t end = contacts;
         for (int column = 0; column < 5; ++column) {
             end = line.rfind(',', end - 1);
         }
-        text += line.substr(0, end) + "\n";
+        text += line.substr(0, end) + line.substr(contacts) + "\n";
     }
     return text;
 }

@@ -9,6 +9,7 @@
 
 #include "sim/body/body_model.h"
 #include "sim/body/piece_masses.h"
+#include "sim/body/rest_geometry.h"
 #include "sim/cut/jitter.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/simulation.h"
@@ -145,18 +146,19 @@ void cutLevel(Simulation& simulation, double height) {
 
 }  // namespace
 
-HalvesFigures restHalves(const Params& params, double seconds) {
-    const SurfaceMesh ball = placed(cubeSphere(8), Eigen::Matrix3d::Identity(), {0, 0.5, 0});
-    const double diagonal = meshBounds(ball).diagonal();
-    Simulation whole(ball, params);
+HalvesFigures restHalves(bool sphere, const Params& params, double seconds) {
+    const SurfaceMesh body = placed(sphere ? cubeSphere(8) : box({0.9, 0.7, 0.8}, 6),
+                                    Eigen::Matrix3d::Identity(), {0, sphere ? 0.5 : 0.35, 0});
+    const double diagonal = meshBounds(body).diagonal();
+    Simulation whole(body, params);
     run(whole, stepsOf(seconds - 0.5, params));
     HalvesFigures figures;
     figures.wholeJitter = jitter(whole, stepsOf(0.5, params), diagonal);
 
     Params weightless = params;
     weightless.gravity.setZero();
-    Simulation halves(ball, weightless);
-    cutLevel(halves, 0.5);
+    Simulation halves(body, weightless);
+    cutLevel(halves, sphere ? 0.5 : 0.36);
     halves.execute(SetParam{"gravity", params.gravity});
     run(halves, stepsOf(seconds - 0.5, params));
     figures.jitter = jitter(halves, stepsOf(0.5, params), diagonal);
@@ -185,6 +187,17 @@ std::string text(const HalvesFigures& f) {
     return line;
 }
 
+namespace {
+
+Vec3 restCenter(const SurfaceMesh& mesh, int t) {
+    const Triangle& corners = mesh.triangle(t);
+    return (mesh.restPosition(corners[0]) + mesh.restPosition(corners[1]) +
+            mesh.restPosition(corners[2])) /
+           3;
+}
+
+}  // namespace
+
 OctopusFigures dropOctopus(const Params& params) {
     SurfaceMesh mesh = builtin("octopus");
     const Bounds box = meshBounds(mesh);
@@ -196,16 +209,22 @@ OctopusFigures dropOctopus(const Params& params) {
         figures.mostContacts = std::max(figures.mostContacts, simulation.step().contacts);
     }
     figures.jitter = jitter(simulation, stepsOf(0.5, params), box.diagonal());
-    figures.intersections = static_cast<int>(selfIntersections(simulation.mesh()).size());
+    const SurfaceMesh& now = simulation.mesh();
+    const double near = 3 * meanRestEdgeLength(now);
+    for (const auto& [a, b] : selfIntersections(now)) {
+        ++figures.intersections;
+        figures.folds += (restCenter(now, a) - restCenter(now, b)).norm() < near;
+    }
     return figures;
 }
 
 std::string text(const OctopusFigures& f) {
     char line[256];
     std::snprintf(line, sizeof line,
-                  "intersections %d at the start, %d at the end  most contacts %d  jitter %.5f "
+                  "intersections %d at the start, %d at the end (%d of close neighbours)  most "
+                  "contacts %d  jitter %.5f "
                   "diag/s",
-                  f.intersectionsAtStart, f.intersections, f.mostContacts, f.jitter);
+                  f.intersectionsAtStart, f.intersections, f.folds, f.mostContacts, f.jitter);
     return line;
 }
 

@@ -7,7 +7,7 @@
 
 namespace kerf::test {
 
-/// Two halves of a sphere, cut apart without gravity, that rest on each other.
+/// Two halves of a body, cut apart level without gravity, that rest on each other.
 struct HalvesFigures {
     double separation = 0;   ///< of their centroids, as a share of that in the whole body at rest
     double height = 0;       ///< of both, as a share of that of the whole body lying there
@@ -17,13 +17,15 @@ struct HalvesFigures {
     double wholeJitter = 0;  ///< that of the whole body lying there
     int contacts = 0;        ///< in the last substep
 };
-HalvesFigures restHalves(const Params& params, double seconds = 5);
+/// Of a sphere (which rolls, whole or cut) or a block (which stands).
+HalvesFigures restHalves(bool sphere, const Params& params, double seconds = 5);
 std::string text(const HalvesFigures& figures);
 
 /// An octopus dropped on its arms, three seconds.
 struct OctopusFigures {
     int intersectionsAtStart = 0;
     int intersections = 0;  ///< pairs of triangles at the end
+    int folds = 0;          ///< those of them that are close neighbours at rest
     int mostContacts = 0;
     double jitter = 0;  ///< RMS speed in the last half second [diagonals/s]
 };

@@ -168,7 +168,7 @@ TEST_F(ContactSolverTest, KeepsMomentum) {
 }
 
 TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
-    const test::HalvesFigures figures = test::restHalves(Params{}, 0.6);
+    const test::HalvesFigures figures = test::restHalves(false, Params{}, 0.6);
     EXPECT_LT(figures.penetration, 1e-4);
     EXPECT_GT(figures.contacts, 50);
     EXPECT_GT(figures.height, 0.95);
