@@ -9,6 +9,7 @@
 
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
+#include "sim/solve/solver_uniforms.h"
 
 namespace kerf {
 
@@ -36,12 +37,13 @@ uint bucketsFor(uint triangles) {
 
 ContactSettings contactSettings(const Params& params) {
     ContactSettings settings;
+    const shared::SolverUniforms solver = solverUniforms(params);
     settings.enabled = params.contact != 0;
     settings.thickness = params.contactThickness;
-    settings.liftSpeed = params.depenetrationSpeed;
+    settings.liftSpeed = params.depenetrationSpeed / solver.sweeps;
     settings.friction = params.friction;
-    settings.substep = params.timeStep / params.iterations;
-    settings.substeps = params.iterations;
+    settings.substeps = static_cast<int>(solver.substeps);
+    settings.substep = params.timeStep / settings.substeps;
     settings.inverseDensity = 1 / params.density;
     return settings;
 }
