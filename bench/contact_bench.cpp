@@ -27,6 +27,7 @@ struct Options {
 
 Options readOptions(int count, char** words) {
     Options options;
+    options.params.contact = 1;
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
         if (!word.starts_with("--")) {

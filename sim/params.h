@@ -31,7 +31,7 @@ struct Params {
     double airDrag = 1;                 ///< velocity decay c in v exp(-c t) [1/s]
     double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
     double friction = 0.5;              ///< Coulomb coefficient of all contacts
-    int contact = 1;                    ///< 1: pieces, slits and arms meet one another; 0: not
+    int contact = 0;                    ///< 1: pieces, slits and arms meet one another; 0: not
     double contactThickness = 0.05;     ///< distance kept, as a share of the edge length of walls
     double depenetrationSpeed = 1;      ///< at which penetrations are taken back [m/s]
 };

@@ -17,8 +17,14 @@ namespace {
 
 constexpr unsigned kSeed = 11;
 
-Params weightless() {
+Params withContact() {
     Params params;
+    params.contact = 1;
+    return params;
+}
+
+Params weightless() {
+    Params params = withContact();
     params.gravity.setZero();
     params.floor.reset();
     return params;
@@ -160,7 +166,7 @@ TEST_F(ContactSolverTest, RespondsLikeTheReference) {
 }
 
 TEST_F(ContactSolverTest, KeepsMomentum) {
-    const test::CollisionFigures figures = test::collideSpheres(Params{});
+    const test::CollisionFigures figures = test::collideSpheres(withContact());
     EXPECT_GT(figures.stepsInContact, 5);
     EXPECT_TRUE(figures.parted);
     EXPECT_LT(figures.linearDrift, 1e-5);
@@ -168,7 +174,7 @@ TEST_F(ContactSolverTest, KeepsMomentum) {
 }
 
 TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
-    const test::HalvesFigures figures = test::restHalves(false, Params{}, 0.6);
+    const test::HalvesFigures figures = test::restHalves(false, withContact(), 0.6);
     EXPECT_LT(figures.penetration, 1e-4);
     EXPECT_GT(figures.contacts, 50);
     EXPECT_GT(figures.height, 0.95);
@@ -178,7 +184,7 @@ TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
 TEST_F(ContactSolverTest, NothingPassesThroughWhatItIsThrownAt) {
     test::DropFigures sum;
     for (int i = 0; i < 2; ++i) {
-        sum.add(test::dropAtRandom({1, i}, Params{}));
+        sum.add(test::dropAtRandom({1, i}, withContact()));
     }
     EXPECT_EQ(sum.nonFinite, 0) << text(sum);
     EXPECT_EQ(sum.escaped, 0) << text(sum);
