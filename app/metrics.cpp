@@ -48,7 +48,8 @@ void Range::add(double value) {
 
 std::string metricsHeader() {
     return "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
-           "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,one_to_four,one_to_three_a,"
+           "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts,one_to_four,one_to_"
+           "three_a,"
            "one_to_two,one_to_three_b,other_patterns,seeds\n";
 }
 
@@ -65,6 +66,7 @@ std::string formatMetrics(const MetricsRow& row) {
     for (const double value : {r.deformMs, r.collideMs, r.cutMs, row.renderMs, row.frameMs}) {
         line += "," + formatNumber(value);
     }
+    line += "," + std::to_string(r.contacts);
     for (int i = 0; i < kPaperPatterns; ++i) {
         line += "," + std::to_string(r.subdivisions[i]);
     }

@@ -1,5 +1,5 @@
 // Milliseconds of one time step of the builtin models at the default parameters: the GPU solver
-// beside the reference solver (double precision, one thread).
+// without contact beside the reference solver (double precision, one thread).
 
 #include <algorithm>
 #include <array>
@@ -36,10 +36,12 @@ BodyState atRest(const BodyModel& model) {
     return {model.restPositions, std::vector<Vec3f>(model.restPositions.size(), Vec3f::Zero())};
 }
 
-double gpuStep(const BodyModel& model, const shared::SolverUniforms& uniforms) {
+double gpuStep(const BodyModel& model, const shared::SolverUniforms& uniforms,
+               const ContactSettings& contact) {
     GpuSolver solver;
     solver.setModel(model, atRest(model));
     solver.setUniforms(uniforms);
+    solver.setContact(contact);
     return medianMilliseconds([&] {
         solver.step();
         solver.measure();  // waits for the GPU
@@ -55,13 +57,20 @@ double referenceStep(const BodyModel& model, const shared::SolverUniforms& unifo
 void benchModel(const std::string& name) {
     const BodyModel model = buildBodyModel(app::loadModel(app::builtinModelFile(name)));
     const shared::SolverUniforms uniforms = solverUniforms(Params{}, model);
-    const double ours = gpuStep(model, uniforms);
+    const double ours = gpuStep(model, uniforms, {});
+    Params touching;
+    touching.contact = 1;
+    const double withContact = gpuStep(model, uniforms, contactSettings(touching));
     const double theirs = referenceStep(model, uniforms);
     const nlohmann::ordered_json line = {
         {"name", "step/" + name}, {"ours", ours},
         {"theirs", theirs},       {"peer", "reference solver, double, one thread"},
         {"ratio", theirs / ours}, {"unit", "ms"}};
     std::puts(line.dump().c_str());
+    const nlohmann::ordered_json contactLine = {
+        {"name", "step with contact/" + name},     {"ours", withContact},         {"theirs", ours},
+        {"peer", "the same step without contact"}, {"ratio", ours / withContact}, {"unit", "ms"}};
+    std::puts(contactLine.dump().c_str());
 }
 
 }  // namespace

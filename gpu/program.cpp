@@ -159,6 +159,13 @@ void Program::dispatch(std::uint32_t threads, std::uint32_t groupSize) const {
     glDispatchCompute(groups, 1, 1);
 }
 
+void Program::dispatchIndirect(const Buffer& groups, std::size_t offset) const {
+    assert(offset + 3 * sizeof(GLuint) <= groups.size());
+    use();
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
+    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+}
+
 int Program::location(std::string_view name) const {
     const auto found = locations_.find(name);
     if (found != locations_.end()) {
@@ -171,6 +178,10 @@ int Program::location(std::string_view name) const {
 
 void storageBarrier() {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void commandBarrier() {
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
 }
 
 void finish() {

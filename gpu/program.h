@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "gpu/buffer.h"
+
 namespace kerf::gpu {
 
 /// A shader did not compile or link: the message has lines "file:line: error".
@@ -48,6 +50,9 @@ class Program {
 
     /// use(), then one dispatch of ceil(threads / groupSize) work groups along x; none for 0.
     void dispatch(std::uint32_t threads, std::uint32_t groupSize) const;
+    /// use(), then one dispatch of as many work groups as three words (x, y, z) of a buffer say,
+    /// from this byte on.
+    void dispatchIndirect(const Buffer& groups, std::size_t offset) const;
 
     std::uint32_t id() const { return id_; }
 
@@ -61,6 +66,8 @@ class Program {
 
 /// glMemoryBarrier for storage that the next dispatch reads.
 void storageBarrier();
+/// The same for what dispatchIndirect() reads.
+void commandBarrier();
 /// Waits until the GPU has done all that it was told; for measurements.
 void finish();
 

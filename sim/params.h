@@ -30,8 +30,11 @@ struct Params {
     double bendingStiffness = 1;        ///< factor on the bends' modulus; stiffness k in pbd
     double airDrag = 1;                 ///< velocity decay c in v exp(-c t) [1/s]
     double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
-    double friction = 0.5;              ///< Coulomb coefficient against the floor
     double wallCoarsening = 1;          ///< edge length inside finished walls over that at the rim
+    double friction = 0.5;              ///< Coulomb coefficient of all contacts
+    int contact = 0;                    ///< 1: pieces, slits and arms meet one another; 0: not
+    double contactThickness = 0.05;     ///< distance kept, as a share of the edge length of walls
+    double depenetrationSpeed = 1;      ///< at which penetrations are taken back [m/s]
 };
 
 /// A number, a vector, nothing (for parameters that may be absent, as the floor), or a choice.

@@ -272,6 +272,7 @@ void Simulation::State::applyParameters() {
     if (std::exchange(paramsChanged, false)) {
         solver.setUniforms(solverUniforms(params));
         cutter->setWallCoarsening(params.wallCoarsening);
+        solver.setContact(contactSettings(params));
     }
 }
 
@@ -462,6 +463,7 @@ void Simulation::State::publish() {
     report.volumeRatio = report.volume / model().uncutRestVolume;
     report.pieces = static_cast<int>(model().pieces.size());
     report.triangles = mesh.aliveTriangles();
+    report.contacts = measure.contacts;
     report.ispcs = static_cast<int>(model().ispcs.size());
     report.closed = closed;
 }

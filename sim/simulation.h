@@ -29,6 +29,7 @@ struct StepReport {
     int touchedTriangles = 0;
     SubdivisionCounts subdivisions{};  ///< of the touched triangles, in this step
     int seeds = 0;                     ///< groups of neighbours among the touched triangles
+    int contacts = 0;                  ///< of the body with itself in the last substep
     bool closed = true;
     int lostPieces = 0;  ///< pieces that ran away and were taken back to where the step began
     double deformMs = 0;

@@ -27,6 +27,7 @@ SHARED_CONST uint kSavedBinding = 5u;         // vec4: positions to go back to [
 SHARED_CONST uint kMarksBinding = 6u;         // uint per piece: not 0 where it goes back
 SHARED_CONST uint kPatchesBinding = 0u;       // WordPatch, for a kernel of its own
 SHARED_CONST uint kPatchedBinding = 1u;       // what it writes to
+SHARED_CONST uint kContactCountsOfStepBinding = 5u;  // ContactState
 
 SHARED_END
 #endif

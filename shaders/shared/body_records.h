@@ -68,8 +68,10 @@ struct VolumeSum {
 
 // Of one block, after a step.
 struct BlockMeasure {
-    vec4 low_volume;  // xyz: smallest coordinates [m]; w: volume as above [m^3]
-    vec4 high_lost;   // xyz: largest coordinates [m]; w: > 0 where a vertex is lost
+    vec4 low_volume;     // xyz: smallest coordinates [m]; w: volume as above [m^3]
+    vec4 high_lost;      // xyz: largest coordinates [m]; w: > 0 where a vertex is lost
+    vec4 low_velocity;   // xyz: smallest components [m/s]; w unused
+    vec4 high_velocity;  // xyz: largest [m/s]; w unused
 };
 
 SHARED_END

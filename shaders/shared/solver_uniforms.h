@@ -15,10 +15,6 @@ SHARED_CONST uint kVolumePart = 16u;
 // |C| of a bend is clamped here [rad]: the form that comes back after a snap-through.
 SHARED_CONST float kMaxBendError = 0.3f;
 
-// A vertex that starts a substep below the floor comes up at this speed [m/s] and not at once,
-// which would shoot it off.
-SHARED_CONST float kMaxLiftSpeed = 1.0f;
-
 // Rate r of the springs of hands [1/s]: held vertices follow in about 1 / r.
 SHARED_CONST float kPullRate = 120.0f;
 
@@ -34,6 +30,8 @@ struct SolverUniforms {
     float ispc_compliance;     // 1 / (E_ispc h^2); 0 is rigid
     float friction;            // Coulomb coefficient against the floor
     float floor_height;        // [m]
+    float lift_speed;          // at which what starts below the floor comes up: not at once,
+                               // which would shoot it off [m/s]
     uint active_parts;         // which of the k...Part bits are on
     uint substeps;             // per time step
     uint sweeps;               // over all constraints, per substep

@@ -1,4 +1,4 @@
-// Lifts vertices onto the floor, those that start below it at no more than kMaxLiftSpeed; Coulomb
+// Lifts vertices onto the floor, those that start below it at no more than lift_speed; Coulomb
 // friction shortens their tangential displacement by at most friction * lift.
 // Reads X. Reads and writes d. One thread per vertex. A storage barrier follows.
 #include "bindings.h"
@@ -14,7 +14,7 @@ void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     vec3 d = displacement[v].xyz;
-    float lowest = min(uniforms.floor_height - positions[v].y, kMaxLiftSpeed * uniforms.substep);
+    float lowest = min(uniforms.floor_height - positions[v].y, uniforms.lift_speed * uniforms.substep);
     float lift = lowest - d.y;
     if (!(lift > 0.0) || positions[v].w == 0.0) return;
     d.y += lift;

@@ -25,7 +25,7 @@ static_assert(sizeof(shared::BlockRecord) == 12);
 static_assert(sizeof(shared::IncidenceRange) == 8);
 static_assert(sizeof(shared::WordPatch) == 8);
 static_assert(sizeof(shared::VolumeSum) == 8);
-static_assert(sizeof(shared::BlockMeasure) == 32);
+static_assert(sizeof(shared::BlockMeasure) == 64);
 
 // Every vertex adds up the blocks of its piece, so there are few of them however large it is.
 constexpr uint kMaxBlocksPerPiece = 32;
@@ -86,6 +86,15 @@ double restDiagonal(const BodyModel& model) {
         bounds.add(p.cast<double>());
     }
     return bounds.diagonal();
+}
+
+/// The diagonal of the box of all velocities [m/s].
+double relativeSpeedOf(const std::vector<Vec3f>& velocities) {
+    Bounds box;
+    for (const Vec3f& u : velocities) {
+        box.add(u.cast<double>());
+    }
+    return box.diagonal();
 }
 
 void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint firstPage,
@@ -150,6 +159,8 @@ void GpuSolver::restoreModel(const BodyModel& model, const BodyState& state, Ver
     setCounts(uniforms_, model);
     uploadUniforms();
     setState(state);
+    contactEdgeLength_ = contactEdgeLength(model);
+    setContactBody();
 }
 
 void GpuSolver::uploadTopology(const BodyModel& model) {
@@ -199,7 +210,7 @@ void GpuSolver::uploadPieces(const BodyModel& model) {
     pieceBuffer_.assign(pieces_);
     blockBuffer_.assign(blocks_);
     blockSums_.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::VolumeSum));
-    blockMeasures_.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::BlockMeasure));
+    blockMeasures_.resize((blocks_.size() + 1) * sizeof(shared::BlockMeasure));
 }
 
 void GpuSolver::update(const BodyModel& model, const BodyChange& change,
@@ -213,6 +224,15 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     setCounts(uniforms_, model);
     uploadUniforms();
     massesLag_ = true;
+    setContactBody();
+}
+
+void GpuSolver::setContactBody() {
+    contacts_.setBody(
+        {&positions_, &velocities_, &displacement_, &restPositions_, &links_, &pieceBuffer_,
+         &triangles_, &triangleIncidence_.ranges, &triangleIncidence_.entries,
+         uniforms_.vertex_count, uniforms_.triangle_count},
+        contactEdgeLength_);
 }
 
 void GpuSolver::updateVertices(const BodyModel& model, const BodyChange& change) {
@@ -270,6 +290,7 @@ void GpuSolver::setState(const BodyState& state) {
     assert(state.velocities.size() == areas_.size());
     positions_.assign(packed(state.positions));
     velocities_.assign(packed(state.velocities));
+    relativeSpeed_ = relativeSpeedOf(state.velocities);
     setMasses();
 }
 
@@ -370,7 +391,11 @@ void GpuSolver::setInverseUnitMass(int vertex, float value) {
 }
 
 void GpuSolver::step() {
+    contacts_.beginStep(relativeSpeed_);
     for (uint i = 0; i < uniforms_.substeps; ++i) {
+        collideTimer_.begin();
+        contacts_.beforeSubstep(static_cast<int>(i));
+        collideTimer_.end();
         for (uint sweep = 0; sweep < uniforms_.sweeps; ++sweep) {
             deformTimer_.begin();
             sweep == 0 ? predictAndStretch() : stretchAgain();
@@ -380,6 +405,7 @@ void GpuSolver::step() {
             deformTimer_.end();
             collideTimer_.begin();
             pull();
+            collideBody();
             collideFloor();
             collideTimer_.end();
         }
@@ -454,6 +480,15 @@ void GpuSolver::pull() {
     }
 }
 
+void GpuSolver::searchContacts() {
+    contacts_.beginStep(relativeSpeed_);
+    contacts_.search();
+}
+
+void GpuSolver::collideBody() {
+    contacts_.respond();
+}
+
 void GpuSolver::collideFloor() {
     if (active(shared::kFloorPart)) {
         bindBody();
@@ -486,9 +521,11 @@ void GpuSolver::run(const gpu::Program& kernel, uint threads) {
 BodyMeasure GpuSolver::measure() {
     bindBody();
     blockMeasures_.bindStorage(shared::kBlockSumsBinding);
+    contacts_.state().bindStorage(shared::kContactCountsOfStepBinding);
     runOverBlocks(kernels_.measure);
-    const auto measures = blockMeasures_.read<shared::BlockMeasure>(0, blocks_.size());
+    const auto measures = blockMeasures_.read<shared::BlockMeasure>(0, blocks_.size() + 1);
     BodyMeasure out;
+    Bounds speeds;
     out.pieceVolumes.assign(pieces_.size(), 0.0);
     std::vector<Bounds> boxes(pieces_.size());
     std::vector<bool> lost(pieces_.size(), false);
@@ -500,6 +537,10 @@ BodyMeasure GpuSolver::measure() {
         boxes[piece].add({low.x, low.y, low.z});
         boxes[piece].add({high.x, high.y, high.z});
         lost[piece] = lost[piece] || high.w != 0.0f;
+        speeds.add(
+            {measures[b].low_velocity.x, measures[b].low_velocity.y, measures[b].low_velocity.z});
+        speeds.add({measures[b].high_velocity.x, measures[b].high_velocity.y,
+                    measures[b].high_velocity.z});
     }
     for (std::size_t p = 0; p < boxes.size(); ++p) {
         out.bounds.add(boxes[p]);
@@ -507,6 +548,8 @@ BodyMeasure GpuSolver::measure() {
             out.lostPieces.push_back(static_cast<int>(p));
         }
     }
+    out.contacts = static_cast<int>(measures[blocks_.size()].low_volume.x);
+    out.relativeSpeed = relativeSpeed_ = out.lostPieces.empty() ? speeds.diagonal() : 0.0;
     return out;
 }
 

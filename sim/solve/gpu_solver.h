@@ -10,6 +10,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/body/body_updater.h"
+#include "sim/contact/contact_solver.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/scatter.h"
 #include "sim/solve/vertex_pages.h"
@@ -29,6 +30,8 @@ struct BodyMeasure {
     /// Pieces with a vertex that is not finite or faster than runawaySpeed(), or that have grown
     /// beyond kLargestPiece; ascending.
     std::vector<int> lostPieces;
+    int contacts = 0;          ///< of the body with itself in the last substep
+    double relativeSpeed = 0;  ///< no two vertices differ by more in velocity [m/s]
 };
 
 /// A piece whose box is longer than this many diagonals of the uncut body has run away.
@@ -64,6 +67,8 @@ class GpuSolver {
     void setState(const BodyState& state);
     /// Takes the parameters of `uniforms` (see solverUniforms); its counts are ignored.
     void setUniforms(const shared::SolverUniforms& uniforms);
+    /// Contact of the body with itself; off until then.
+    void setContact(const ContactSettings& settings) { contacts_.setSettings(settings); }
     /// One per piece.
     void setVolumeTargets(std::span<const VolumeTarget> targets);
 
@@ -87,11 +92,15 @@ class GpuSolver {
     void solveIspcs();
     void solveVolume();
     void pull();
+    void collideBody();
     void collideFloor();
     void finishSubstep();
 
-    /// Of the positions between steps; waits for the GPU.
+    /// Of the positions between steps; waits for the GPU. The next step counts on its speeds.
     BodyMeasure measure();
+    /// Looks for what may touch now, as the beginning of a step does.
+    void searchContacts();
+    const ContactSolver& contacts() const { return contacts_; }
     /// All positions and velocities; waits for the GPU.
     BodyState readState() const;
     /// d of the running substep, shape [vertexCount] [m].
@@ -133,6 +142,7 @@ class GpuSolver {
     void refreshMasses();
     void holdPins();
     void setMasses();
+    void setContactBody();
     void uploadUniforms();
     void setInverseUnitMass(int vertex, float value);
     void bindBody() const;
@@ -166,6 +176,9 @@ class GpuSolver {
     gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, blockMeasures_;
 
     Scatter scatter_;
+    ContactSolver contacts_;
+    double contactEdgeLength_ = 0;
+    double relativeSpeed_ = 0;  ///< upper bound [m/s]
     gpu::Timer deformTimer_;
     gpu::Timer collideTimer_;
     long dispatches_ = 0;

@@ -208,7 +208,7 @@ void ReferenceSolver::collideFloor(ReferenceState& state) const {
         Vec3& d = state.displacements[v];
         const double lowest =
             std::min(uniforms_.floor_height - state.positions[v].y(),
-                     shared::kMaxLiftSpeed * static_cast<double>(uniforms_.substep));
+                     static_cast<double>(uniforms_.lift_speed) * uniforms_.substep);
         const double lift = lowest - d.y();
         if (inverseMass_[v] <= 0 || lift <= 0) {
             continue;

@@ -55,7 +55,7 @@ class ReferenceSolver {
     /// Moves the vertices that hands hold as a critically damped spring of rate kPullRate, implicit
     /// in the end of the substep, would.
     void pull(ReferenceState& state) const;
-    /// Lifts vertices onto the floor, those that start below it at no more than kMaxLiftSpeed;
+    /// Lifts vertices onto the floor, those that start below it at no more than lift_speed;
     /// friction shortens their tangential displacement by at most friction * lift.
     void collideFloor(ReferenceState& state) const;
     /// v = d / h exp(-c h) (not for kinematic vertices), X += d, d = 0.

@@ -55,6 +55,7 @@ shared::SolverUniforms commonUniforms(const Params& params, double h) {
     u.drag_factor = static_cast<float>(std::exp(-params.airDrag * h));
     u.inverse_density = static_cast<float>(1 / params.density);
     u.friction = static_cast<float>(params.friction);
+    u.lift_speed = static_cast<float>(params.depenetrationSpeed);
     u.floor_height = static_cast<float>(params.floor.value_or(0.0));
     u.active_parts = activeParts(params);
     return u;

@@ -125,7 +125,8 @@ TEST_F(Layout, VolumeSum) {
 
 TEST_F(Layout, BlockMeasure) {
     expectSame("Measures", "measures", sizeof(shared::BlockMeasure),
-               {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_lost)});
+               {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_lost),
+                MEMBER(BlockMeasure, low_velocity), MEMBER(BlockMeasure, high_velocity)});
 }
 
 TEST_F(Layout, SolverUniforms) {
@@ -135,13 +136,14 @@ TEST_F(Layout, SolverUniforms) {
                 MEMBER(SolverUniforms, damping_ratio),   MEMBER(SolverUniforms, stretch_compliance),
                 MEMBER(SolverUniforms, bend_compliance), MEMBER(SolverUniforms, ispc_compliance),
                 MEMBER(SolverUniforms, friction),        MEMBER(SolverUniforms, floor_height),
-                MEMBER(SolverUniforms, active_parts),    MEMBER(SolverUniforms, substeps),
-                MEMBER(SolverUniforms, sweeps),          MEMBER(SolverUniforms, stretch_share),
-                MEMBER(SolverUniforms, bend_share),      MEMBER(SolverUniforms, ispc_share),
-                MEMBER(SolverUniforms, vertex_count),    MEMBER(SolverUniforms, edge_count),
-                MEMBER(SolverUniforms, bend_count),      MEMBER(SolverUniforms, ispc_count),
-                MEMBER(SolverUniforms, triangle_count),  MEMBER(SolverUniforms, piece_count),
-                MEMBER(SolverUniforms, pull_count),      MEMBER(SolverUniforms, runaway_speed)});
+                MEMBER(SolverUniforms, lift_speed),      MEMBER(SolverUniforms, active_parts),
+                MEMBER(SolverUniforms, substeps),        MEMBER(SolverUniforms, sweeps),
+                MEMBER(SolverUniforms, stretch_share),   MEMBER(SolverUniforms, bend_share),
+                MEMBER(SolverUniforms, ispc_share),      MEMBER(SolverUniforms, vertex_count),
+                MEMBER(SolverUniforms, edge_count),      MEMBER(SolverUniforms, bend_count),
+                MEMBER(SolverUniforms, ispc_count),      MEMBER(SolverUniforms, triangle_count),
+                MEMBER(SolverUniforms, piece_count),     MEMBER(SolverUniforms, pull_count),
+                MEMBER(SolverUniforms, runaway_speed)});
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ double heightOf(const SurfaceMesh& mesh) {
 Params parametersOf(const SceneRun& run, bool weightless) {
     Params params;
     params.youngsModulus = run.youngsModulus;
+    params.contact = run.contact ? 1 : 0;
     if (weightless) {
         params.gravity = Vec3::Zero();
         params.floor.reset();

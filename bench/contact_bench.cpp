@@ -1,0 +1,104 @@
+// What contact must hold: halves that rest on each other, an octopus dropped on
+// its arms, bodies dropped and thrown at random.
+//   kerf_contact_bench [halves|blocks|octopus|collision|drops] [--runs N] [--first I] [--seed S]
+//   [--NAME VALUE ...]
+// where NAME is a parameter of the simulation.
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <map>
+#include <string>
+
+#include "gpu/context.h"
+#include "tests/support/contact_scenes.h"
+
+namespace kerf::test {
+namespace {
+
+struct Options {
+    std::string scene;
+    int runs = 10;
+    int first = 0;
+    std::uint64_t seed = 1;
+    Params params;
+};
+
+Options readOptions(int count, char** words) {
+    Options options;
+    options.params.contact = 1;
+    for (int i = 1; i < count; ++i) {
+        const std::string word = words[i];
+        if (!word.starts_with("--")) {
+            options.scene = word;
+        } else if (i + 1 < count) {
+            const double value = std::atof(words[++i]);
+            if (word == "--runs") {
+                options.runs = static_cast<int>(value);
+            } else if (word == "--first") {
+                options.first = static_cast<int>(value);
+            } else if (word == "--seed") {
+                options.seed = static_cast<std::uint64_t>(value);
+            } else if (const std::string error = setParam(options.params, word.substr(2), value);
+                       !error.empty()) {
+                throw std::invalid_argument(error);
+            }
+        }
+    }
+    return options;
+}
+
+void playDrops(const Options& options) {
+    DropFigures sum;
+    for (int i = options.first; i < options.first + options.runs; ++i) {
+        const DropFigures figures = dropAtRandom({options.seed, i}, options.params);
+        if (figures.nonFinite + figures.escaped + figures.tunnels + figures.intersections > 0) {
+            std::printf("  drop %d: %s\n", i, text(figures).c_str());
+            std::fflush(stdout);
+        }
+        sum.add(figures);
+    }
+    std::printf("drops from seed %llu: %s\n", static_cast<unsigned long long>(options.seed),
+                text(sum).c_str());
+}
+
+void play(const Options& options) {
+    const auto asked = [&](const char* name) {
+        return options.scene.empty() || options.scene == name;
+    };
+    if (asked("halves")) {
+        std::printf("halves: %s\n", text(restHalves(true, options.params)).c_str());
+        std::fflush(stdout);
+    }
+    if (asked("blocks")) {
+        std::printf("blocks: %s\n", text(restHalves(false, options.params)).c_str());
+        std::fflush(stdout);
+    }
+    if (asked("octopus")) {
+        std::printf("octopus: %s\n", text(dropOctopus(options.params)).c_str());
+        std::fflush(stdout);
+    }
+    if (asked("collision")) {
+        std::printf("collision: %s\n", text(collideSpheres(options.params)).c_str());
+        std::fflush(stdout);
+    }
+    if (asked("drops")) {
+        playDrops(options);
+    }
+}
+
+}  // namespace
+}  // namespace kerf::test
+
+int main(int count, char** words) {
+    try {
+        const kerf::test::Options options = kerf::test::readOptions(count, words);
+        const kerf::gpu::EglContext context;
+        kerf::test::play(options);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,33 @@
+// Storage bindings of the contact kernels, which are dispatched on their own.
+#ifndef KERF_CONTACT_BINDINGS_H
+#define KERF_CONTACT_BINDINGS_H
+#include "shared_types.h"
+SHARED_BEGIN
+
+SHARED_CONST uint kContactUniformsBinding = 0u;      // ContactUniforms
+SHARED_CONST uint kContactPositionsBinding = 1u;     // vec4: X [m], w inverse unit mass
+SHARED_CONST uint kContactVelocitiesBinding = 2u;    // vec4 [m/s]
+SHARED_CONST uint kContactRestBinding = 3u;          // vec4: rest position [m]
+SHARED_CONST uint kContactDisplacementBinding = 3u;  // vec4: d [m]
+SHARED_CONST uint kContactLinksBinding = 4u;         // VertexLinks
+SHARED_CONST uint kContactTrianglesBinding = 5u;     // uvec4, see BodyView
+SHARED_CONST uint kContactNormalsBinding = 6u;       // vec4 per vertex, see normals.comp
+SHARED_CONST uint kContactRestNormalsBinding = 7u;   // the same of the rest shape
+SHARED_CONST uint kContactBoxesBinding = 8u;         // ContactBox per triangle
+SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per active point
+SHARED_CONST uint kContactStartsBinding = 9u;        // uint per bucket: first entry in its block
+SHARED_CONST uint kContactSharesBinding = 9u;        // uint per vertex: contacts that it is part of
+SHARED_CONST uint kContactBlocksBinding = 10u;       // uint per block of buckets: its first entry
+SHARED_CONST uint kContactSumsBinding = 10u;         // 6 int per vertex: fixed-point d, then X
+SHARED_CONST uint kContactPiecesBinding = 11u;       // PieceRecord
+SHARED_CONST uint kContactCountsBinding = 11u;       // uint per bucket: triangles left to enter
+SHARED_CONST uint kContactEntriesBinding = 12u;      // uint: triangles, bucket by bucket
+SHARED_CONST uint kContactRangesBinding = 12u;       // IncidenceRange per vertex: of
+SHARED_CONST uint kContactIncidenceBinding = 13u;    // 4 * triangle + corner
+SHARED_CONST uint kContactCandidatesBinding = 13u;  // ContactCandidate, kCandidatesPerPoint a point
+SHARED_CONST uint kContactPointsBinding = 14u;      // uint: points with candidates
+SHARED_CONST uint kContactBucketsBinding = 14u;     // uint per triangle: its bucket
+SHARED_CONST uint kContactStateBinding = 15u;       // ContactState
+
+SHARED_END
+#endif

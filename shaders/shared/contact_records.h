@@ -1,0 +1,87 @@
+// Records and numbers of the contact kernels, std430.
+#ifndef KERF_CONTACT_RECORDS_H
+#define KERF_CONTACT_RECORDS_H
+#include "shared_types.h"
+SHARED_BEGIN
+
+// Triangles that a point is compared with in every substep: the nearest ones.
+SHARED_CONST uint kCandidatesPerPoint = 8u;
+// Sizes of cells of the grid, each twice the one before.
+SHARED_CONST uint kGridLevels = 16u;
+
+// A vertex and a triangle touch only where their normals oppose each other by more than this.
+SHARED_CONST float kOpposed = -0.1f;
+// A point beside a triangle touches it up to this distance, times h.
+SHARED_CONST float kLateralSlack = 0.02f;
+// Pairs nearer than this in the rest shape, times h or the triangle's size, are one material: they
+// touch across a slit alone.
+SHARED_CONST float kNearInRest = 2.0f;
+// A pair of which the vertex lies this deep behind the triangle in the rest shape, times h, is the
+// two sides of a slab and not of a slit.
+SHARED_CONST float kSlabDepth = 0.05f;
+// Up to this distance in the rest shape, times h, opposed pairs with the vertex behind the triangle
+// are taken for the two sides of an arm.
+SHARED_CONST float kArmWidth = 8.0f;
+// Share of a missing thickness that a substep makes up for.
+SHARED_CONST float kThicknessRate = 0.1f;
+
+// Bits of the w of a vertex normal: what its triangles are.
+SHARED_CONST uint kTouchesSkin = 1u;
+SHARED_CONST uint kTouchesWall = 2u;
+
+struct ContactUniforms {
+    float h;                // edge length of walls [m], unit of the lengths above
+    float reach;            // pairs this near are candidates whatever their speed [m]
+    float interval;         // time until candidates are looked for anew [s]
+    float margin;           // no pair is a candidate beyond this [m]
+    float cell;             // of the finest grid [m]
+    float thickness;        // distance kept from what was never one material [m]
+    float substep;          // [s]
+    float lift_speed;       // at which penetrations are taken back [m/s]
+    float friction;         // Coulomb coefficient
+    float inverse_density;  // w = inverse_density / unit_mass [m^3/kg]
+    float unit;             // of fixed-point displacements [m]
+    uint vertex_count;
+    uint triangle_count;
+    uint bucket_count;  // a power of two, at least kGroupSize
+};
+
+// The box around a triangle.
+struct ContactBox {
+    vec4 low;   // w unused
+    vec4 high;  // w unused
+};
+
+// A triangle that a point may touch.
+struct ContactCandidate {
+    uint triangle;    // kNoVertex: none, and none after it
+    float thickness;  // [m]
+};
+
+// What a point touches in a substep.
+struct ContactRecord {
+    vec4 normal;   // of the triangle; w: how far X is to be pushed apart along it [m]
+    vec4 impulse;  // xyz: how the point's d is to change against the triangle's [m]; w unused
+    vec4 weights;  // xyz: of the point of the triangle's plane that answers; w unused
+    uint v0;       // corners of the triangle; kNoVertex: nothing is touched
+    uint v1;
+    uint v2;
+    uint point;
+};
+
+// Counts, and the work groups of the kernels that run over what was counted.
+struct ContactState {
+    uint point_groups;  // over the points with candidates
+    uint point_groups_y;
+    uint point_groups_z;
+    uint vertex_groups;  // over all vertices: none where there are no candidates
+    uint vertex_groups_y;
+    uint vertex_groups_z;
+    uint points;         // with candidates
+    uint levels;         // bits of the grid's sizes in use
+    uint contacts;       // so far in this substep
+    uint last_contacts;  // in the last substep
+};
+
+SHARED_END
+#endif

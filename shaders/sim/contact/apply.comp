@@ -1,0 +1,33 @@
+// Adds to each vertex what its contacts sum up to: to d, which becomes velocity, and to X, which does
+// not. Clears the sums for the next substep. One thread per vertex. A storage barrier follows.
+#include "body_records.h"
+#include "contact_bindings.h"
+#include "contact_records.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+layout(std430, binding = kContactPositionsBinding) buffer Positions { vec4 positions[]; };
+layout(std430, binding = kContactDisplacementBinding) buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kContactSharesBinding) buffer Shares { uint shares[]; };
+layout(std430, binding = kContactSumsBinding) buffer Sums { int sums[]; };
+layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
+
+vec3 takeSum(uint place) {
+    vec3 sum = uniforms.unit * vec3(sums[place], sums[place + 1u], sums[place + 2u]);
+    sums[place] = 0;
+    sums[place + 1u] = 0;
+    sums[place + 2u] = 0;
+    return sum;
+}
+
+void main() {
+    uint v = gl_GlobalInvocationID.x;
+    if (v == 0u) {
+        state.last_contacts = state.contacts;
+        state.contacts = 0u;
+    }
+    if (v >= uniforms.vertex_count || shares[v] == 0u) return;
+    shares[v] = 0u;
+    displacement[v] = vec4(displacement[v].xyz + takeSum(6u * v), 0.0);
+    positions[v] = vec4(positions[v].xyz + takeSum(6u * v + 3u), positions[v].w);
+}

@@ -1,0 +1,34 @@
+// The box of each triangle and its bucket in the grid, and how many triangles a bucket gets.
+// Reads X, triangles. Writes boxes, buckets, counts, the levels in use. One thread per triangle. A
+// storage barrier follows, then scan.
+#include "body_records.h"
+#include "contact_bindings.h"
+#include "contact_records.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
+layout(std430, binding = kContactBoxesBinding) writeonly buffer Boxes { ContactBox boxes[]; };
+layout(std430, binding = kContactBucketsBinding) writeonly buffer Buckets { uint buckets[]; };
+layout(std430, binding = kContactCountsBinding) buffer Counts { uint counts[]; };
+layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
+
+#include "grid.glsl"
+
+void main() {
+    uint t = gl_GlobalInvocationID.x;
+    if (t >= uniforms.triangle_count) return;
+    vec3 a = positions[triangles[t].x].xyz;
+    vec3 b = positions[triangles[t].y].xyz;
+    vec3 c = positions[triangles[t].z].xyz;
+    vec3 low = min(a, min(b, c));
+    vec3 high = max(a, max(b, c));
+    vec3 extent = high - low;
+    uint level = levelOf(max(extent.x, max(extent.y, extent.z)));
+    uint bucket = bucketOf(ivec3(floor(0.5 * (low + high) / cellSize(level))), level);
+    boxes[t] = ContactBox(vec4(low, 0.0), vec4(high, 0.0));
+    buckets[t] = bucket;
+    atomicAdd(counts[bucket], 1u);
+    atomicOr(state.levels, 1u << level);
+}

@@ -1,0 +1,169 @@
+// The triangles that each vertex may touch until the next search: the kCandidatesPerPoint nearest
+// ones, in proportion to how far the pair can move, ties by their index. So the result does not
+// hang on the order in which the grid yields them.
+//
+// Within a piece a vertex touches the opposite wall of a slit, or what is far away in the rest
+// shape, as another arm; never the material around it or behind it.
+//
+// Reads X, velocities, rest shape, normals, the grid. Writes candidates, the list of points with any
+// and its length. One thread per vertex. A storage and a command barrier follow.
+#include "body_records.h"
+#include "contact_bindings.h"
+#include "contact_records.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = kContactVelocitiesBinding) readonly buffer Velocities { vec4 velocities[]; };
+layout(std430, binding = kContactRestBinding) readonly buffer Rest { vec4 restPositions[]; };
+layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLinks links[]; };
+layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
+layout(std430, binding = kContactNormalsBinding) readonly buffer Normals { vec4 normals[]; };
+layout(std430, binding = kContactRestNormalsBinding) readonly buffer RestNormals { vec4 restNormals[]; };
+layout(std430, binding = kContactBoxesBinding) readonly buffer Boxes { ContactBox boxes[]; };
+layout(std430, binding = kContactStartsBinding) readonly buffer Starts { uint starts[]; };
+layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };
+layout(std430, binding = kContactPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
+layout(std430, binding = kContactEntriesBinding) readonly buffer Entries { uint entries[]; };
+layout(std430, binding = kContactCandidatesBinding) writeonly buffer Candidates { ContactCandidate candidates[]; };
+layout(std430, binding = kContactPointsBinding) writeonly buffer Points { uint points[]; };
+layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
+
+#include "closest_point.glsl"
+#include "grid.glsl"
+
+// The best so far, best first.
+uint bestTriangle[kCandidatesPerPoint];
+float bestThickness[kCandidatesPerPoint];
+float bestKey[kCandidatesPerPoint];
+uint found = 0u;
+
+bool comesBefore(float key, uint t, uint place) {
+    return key < bestKey[place] || (key == bestKey[place] && t < bestTriangle[place]);
+}
+
+void keep(uint t, float key, float thickness) {
+    for (uint i = 0u; i < found; ++i) {
+        if (bestTriangle[i] == t) return;  // two cells of the search share a bucket
+    }
+    if (found == kCandidatesPerPoint && !comesBefore(key, t, found - 1u)) return;
+    uint place = found < kCandidatesPerPoint ? found++ : found - 1u;
+    while (place > 0u && comesBefore(key, t, place - 1u)) {
+        bestKey[place] = bestKey[place - 1u];
+        bestTriangle[place] = bestTriangle[place - 1u];
+        bestThickness[place] = bestThickness[place - 1u];
+        --place;
+    }
+    bestKey[place] = key;
+    bestTriangle[place] = t;
+    bestThickness[place] = thickness;
+}
+
+// How a vertex lies to a triangle in the rest shape.
+struct RestPlace {
+    float separation;  // [m]
+    float height;      // above the triangle's plane [m]
+    float size;        // longest edge of the triangle [m]
+    bool opposed;      // the normals are
+};
+
+RestPlace placeInRest(uint v, uvec4 t) {
+    vec3 p = restPositions[v].xyz;
+    vec3 a = restPositions[t.x].xyz - p;
+    vec3 b = restPositions[t.y].xyz - p;
+    vec3 c = restPositions[t.z].xyz - p;
+    vec3 normal = cross(b - a, c - a);
+    normal /= max(length(normal), 1e-30);
+    vec3 weights = closestWeights(a, b, c);
+    return RestPlace(length(weights.x * a + weights.y * b + weights.z * c), -dot(normal, a),
+                     max(length(b - a), max(length(c - b), length(a - c))),
+                     dot(restNormals[v].xyz, normal) < kOpposed);
+}
+
+// Of a vertex and a triangle of the same piece.
+bool mayTouch(uint v, uvec4 t, RestPlace rest) {
+    if (rest.separation < kNearInRest * max(uniforms.h, rest.size)) {
+        bool walls = (t.w & 1u) != 0u && (floatBitsToUint(normals[v].w) & kTouchesWall) != 0u;
+        return walls && rest.opposed && rest.height >= -kSlabDepth * uniforms.h;
+    }
+    bool throughArm = rest.opposed && rest.height < -0.5 * rest.separation &&
+        rest.separation < kArmWidth * uniforms.h;
+    return !throughArm;
+}
+
+// None across a slit, so that nothing is pushed apart where a cut has just been made.
+float thicknessAt(float separation) {
+    return uniforms.thickness * clamp(separation / uniforms.h - 0.5, 0.0, 1.0);
+}
+
+void consider(uint v, vec3 p, uint index) {
+    vec3 outside = max(max(boxes[index].low.xyz - p, p - boxes[index].high.xyz), vec3(0.0));
+    if (dot(outside, outside) > uniforms.margin * uniforms.margin) return;
+    uvec4 t = triangles[index];
+    if (t.x == v || t.y == v || t.z == v) return;
+    if (pieces[t.w >> 8].constrained == 0u) return;  // a chip
+    vec3 a = positions[t.x].xyz - p;
+    vec3 b = positions[t.y].xyz - p;
+    vec3 c = positions[t.z].xyz - p;
+    vec3 normal = cross(b - a, c - a);
+    if (!(dot(normals[v].xyz, normal) < kOpposed * length(normal))) return;
+    vec3 speed = velocities[v].xyz -
+        (velocities[t.x].xyz + velocities[t.y].xyz + velocities[t.z].xyz) / 3.0;
+    float range = min(uniforms.margin, uniforms.reach + uniforms.interval * length(speed));
+    vec3 weights = closestWeights(a, b, c);
+    float away = length(weights.x * a + weights.y * b + weights.z * c);
+    if (!(away <= range)) return;
+    RestPlace rest = placeInRest(v, t);
+    if (t.w >> 8 == links[v].piece && !mayTouch(v, t, rest)) return;
+    keep(index, away / range, thicknessAt(rest.separation));
+}
+
+void searchCell(uint v, vec3 p, ivec3 cell, uint level) {
+    uint bucket = bucketOf(cell, level);
+    uint next = bucket + 1u;
+    uint end = next == uniforms.bucket_count ? uniforms.triangle_count
+                                             : blocks[next / kGroupSize] + starts[next];
+    for (uint k = blocks[bucket / kGroupSize] + starts[bucket]; k < end; ++k) {
+        consider(v, p, entries[k]);
+    }
+}
+
+void search(uint v, vec3 p) {
+    for (uint level = 0u; level < kGridLevels; ++level) {
+        if ((state.levels & (1u << level)) == 0u) continue;
+        float size = cellSize(level);
+        float range = 0.5 * size + uniforms.margin;
+        ivec3 low = ivec3(floor((p - range) / size));
+        // Cells are at least two margins wide; a number that is not finite may say anything.
+        ivec3 count = clamp(ivec3(floor((p + range) / size)) - low, 0, 2);
+        for (int z = 0; z <= count.z; ++z) {
+            for (int y = 0; y <= count.y; ++y) {
+                for (int x = 0; x <= count.x; ++x) {
+                    searchCell(v, p, low + ivec3(x, y, z), level);
+                }
+            }
+        }
+    }
+}
+
+void main() {
+    uint v = gl_GlobalInvocationID.x;
+    if (v >= uniforms.vertex_count) return;
+    uint piece = links[v].piece;
+    if (piece != kNoPiece && pieces[piece].constrained != 0u) {
+        search(v, positions[v].xyz);
+    }
+    uint first = kCandidatesPerPoint * v;
+    for (uint i = 0u; i < found; ++i) {
+        candidates[first + i] = ContactCandidate(bestTriangle[i], bestThickness[i]);
+    }
+    if (found < kCandidatesPerPoint) {
+        candidates[first + found] = ContactCandidate(kNoVertex, 0.0);
+    }
+    if (found > 0u) {
+        uint place = atomicAdd(state.points, 1u);
+        points[place] = v;
+        atomicMax(state.point_groups, place / kGroupSize + 1u);
+        state.vertex_groups = (uniforms.vertex_count + kGroupSize - 1u) / kGroupSize;
+    }
+}

@@ -1,0 +1,132 @@
+// What each point with candidates touches in this substep: the nearest of its triangles, where it
+// comes nearer than it may. Which one is decided at X + d, and the gap is measured at X, before, and
+// by the same weights and normal at X + d, after:
+//
+//   approach  what d lacks so that the gap does not shrink below its thickness, or not at all where
+//             it is below already: this is taken from the velocity
+//   push      what X lacks of the thickness then, at most lift_speed * h: this is not
+//
+// Coulomb friction holds the tangential displacement by at most friction * approach. The triangle
+// answers where the line of the whole impulse meets its plane at X, so that no torque is left over.
+//
+// Reads X, d, candidates. Writes records, how many contacts each vertex is part of, and their number.
+// One thread per listed point. A storage barrier follows, then respond.
+#include "body_records.h"
+#include "contact_bindings.h"
+#include "contact_records.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
+layout(std430, binding = kContactCandidatesBinding) readonly buffer Candidates { ContactCandidate candidates[]; };
+layout(std430, binding = kContactPointsBinding) readonly buffer Points { uint points[]; };
+layout(std430, binding = kContactRecordsBinding) writeonly buffer Records { ContactRecord records[]; };
+layout(std430, binding = kContactSharesBinding) buffer Shares { uint shares[]; };
+layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
+
+#include "closest_point.glsl"
+
+struct Nearest {
+    uvec4 triangle;
+    vec3 offset;      // from the closest point to the vertex [m]
+    vec3 areaNormal;  // not of unit length
+    float thickness;
+};
+
+// The corners of a triangle, as seen from the vertex [m].
+struct Corners {
+    vec3 a;
+    vec3 b;
+    vec3 c;
+};
+
+// Differences of positions and of displacements are taken apart, since d is far smaller than X.
+vec3 span(uint from, uint to) {
+    return (positions[to].xyz - positions[from].xyz) +
+        (displacement[to].xyz - displacement[from].xyz);
+}
+
+Nearest nearest(uint v) {
+    Nearest best;
+    float least = 1e30;
+    for (uint k = 0u; k < kCandidatesPerPoint; ++k) {
+        ContactCandidate candidate = candidates[kCandidatesPerPoint * v + k];
+        if (candidate.triangle == kNoVertex) break;
+        uvec4 t = triangles[candidate.triangle];
+        vec3 a = span(v, t.x);
+        vec3 b = span(v, t.y);
+        vec3 c = span(v, t.z);
+        vec3 weights = closestWeights(a, b, c);
+        vec3 offset = -(weights.x * a + weights.y * b + weights.z * c);
+        float away = dot(offset, offset);
+        if (away < least) {
+            least = away;
+            best = Nearest(t, offset, cross(b - a, c - a), candidate.thickness);
+        }
+    }
+    return best;
+}
+
+// Weights of a point of the plane of the triangle, which may lie outside.
+vec3 planeWeights(Corners t, vec3 areaNormal, vec3 p) {
+    float scale = 1.0 / max(dot(areaNormal, areaNormal), 1e-30);
+    float b = dot(cross(p - t.a, t.c - t.a), areaNormal) * scale;
+    float c = dot(cross(t.b - t.a, p - t.a), areaNormal) * scale;
+    return vec3(1.0 - b - c, b, c);
+}
+
+// How far beside the triangle the vertex comes to lie [m].
+float lateralDistance(Nearest near) {
+    vec3 normal = near.areaNormal / max(length(near.areaNormal), 1e-30);
+    return length(near.offset - dot(normal, near.offset) * normal);
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= state.points) return;
+    uint v = points[index];
+    Nearest near = nearest(v);
+    vec3 own = positions[v].xyz;
+    Corners t = Corners(positions[near.triangle.x].xyz - own, positions[near.triangle.y].xyz - own,
+                        positions[near.triangle.z].xyz - own);
+    vec3 areaNormal = cross(t.b - t.a, t.c - t.a);
+    vec3 normal = areaNormal / max(length(areaNormal), 1e-30);
+    float before = -dot(normal, t.a);
+    vec3 weights = planeWeights(t, areaNormal, -before * normal);
+    vec3 slip = displacement[v].xyz -
+        (weights.x * displacement[near.triangle.x].xyz +
+         weights.y * displacement[near.triangle.y].xyz +
+         weights.z * displacement[near.triangle.z].xyz);
+    float gap = before + dot(normal, slip);
+    float least = min(before, near.thickness);
+    float approach = max(least - gap, 0.0);
+    float missing = near.thickness - max(gap, least);
+    float inside = -max(gap, least);
+    float push = min(max(inside, kThicknessRate * missing), uniforms.lift_speed * uniforms.substep);
+    bool touches = (approach > 0.0 || push > 0.0) &&
+        lateralDistance(near) <= kLateralSlack * uniforms.h && gap >= -uniforms.margin;
+    vec3 along = slip - dot(normal, slip) * normal;
+    float way = length(along);
+    float held = min(way, uniforms.friction * approach);
+    vec3 impulse = approach * normal - (way > 0.0 ? held / way : 0.0) * along;
+    if (approach > 0.0) {
+        weights = planeWeights(t, areaNormal, (-before / approach) * impulse);
+    }
+    ContactRecord record;
+    record.normal = vec4(normal, max(push, 0.0));
+    record.impulse = vec4(impulse, 0.0);
+    record.weights = vec4(weights, 0.0);
+    record.v0 = touches ? near.triangle.x : kNoVertex;
+    record.v1 = near.triangle.y;
+    record.v2 = near.triangle.z;
+    record.point = v;
+    records[index] = record;
+    if (!touches) return;
+    atomicAdd(shares[v], 1u);
+    atomicAdd(shares[near.triangle.x], 1u);
+    atomicAdd(shares[near.triangle.y], 1u);
+    atomicAdd(shares[near.triangle.z], 1u);
+    atomicAdd(state.contacts, 1u);
+}

@@ -1,0 +1,37 @@
+// The outward normal of each vertex: the sum of its triangles' area vectors over the sum of their
+// lengths, so 1 long where the surface is flat and short at tips and at the front of a slit. In w,
+// as bits, what its triangles are.
+// Reads positions (current or rest), triangles and their incidence. Writes normals, and starts the
+// counts of a search anew. One thread per vertex. A storage barrier follows.
+#include "body_records.h"
+#include "contact_bindings.h"
+#include "contact_records.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
+layout(std430, binding = kContactRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
+layout(std430, binding = kContactIncidenceBinding) readonly buffer Incidence { uint incidence[]; };
+layout(std430, binding = kContactNormalsBinding) writeonly buffer Normals { vec4 normals[]; };
+layout(std430, binding = kContactStateBinding) writeonly buffer State { ContactState state; };
+
+void main() {
+    uint v = gl_GlobalInvocationID.x;
+    if (v == 0u) {
+        state = ContactState(0u, 1u, 1u, 0u, 1u, 1u, 0u, 0u, 0u, 0u);
+    }
+    if (v >= uniforms.vertex_count) return;
+    vec3 sum = vec3(0.0);
+    float area = 0.0;
+    uint kinds = 0u;
+    for (uint k = ranges[v].first; k < ranges[v].end; ++k) {
+        uvec4 t = triangles[incidence[k] >> 2];
+        vec3 a = positions[t.x].xyz;
+        vec3 normal = cross(positions[t.y].xyz - a, positions[t.z].xyz - a);
+        sum += normal;
+        area += length(normal);
+        kinds |= (t.w & 1u) != 0u ? kTouchesWall : kTouchesSkin;
+    }
+    normals[v] = vec4(area > 0.0 ? sum / area : vec3(0.0), uintBitsToFloat(kinds));
+}

@@ -1,0 +1,48 @@
+// Solves each contact once: mass-splitting Jacobi, each vertex giving the share mass / (number of its
+// contacts). Corrections are summed as integers, which do not mind the order in which threads come.
+// Reads X (inverse mass), records, shares. Adds to sums. One thread per listed point. A storage
+// barrier follows, then apply.
+#include "body_records.h"
+#include "contact_bindings.h"
+#include "contact_records.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = kContactRecordsBinding) readonly buffer Records { ContactRecord records[]; };
+layout(std430, binding = kContactSharesBinding) readonly buffer Shares { uint shares[]; };
+layout(std430, binding = kContactSumsBinding) buffer Sums { int sums[]; };
+layout(std430, binding = kContactStateBinding) readonly buffer State { ContactState state; };
+
+void addFixed(uint place, vec3 value) {
+    ivec3 steps = ivec3(round(clamp(value / uniforms.unit, -1e9, 1e9)));
+    atomicAdd(sums[place], steps.x);
+    atomicAdd(sums[place + 1u], steps.y);
+    atomicAdd(sums[place + 2u], steps.z);
+}
+
+void add(uint v, float gain, vec3 impulse, vec3 push) {
+    if (gain == 0.0) return;
+    addFixed(6u * v, gain * impulse);
+    addFixed(6u * v + 3u, gain * push);
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= state.points) return;
+    ContactRecord record = records[index];
+    if (record.v0 == kNoVertex) return;
+    vec3 b = record.weights.xyz;
+    uvec4 v = uvec4(record.point, record.v0, record.v1, record.v2);
+    vec4 w = uniforms.inverse_density *
+        vec4(positions[v.x].w, positions[v.y].w, positions[v.z].w, positions[v.w].w);
+    vec4 counts = vec4(shares[v.x], shares[v.y], shares[v.z], shares[v.w]);
+    float weight = dot(counts * w, vec4(1.0, b * b));
+    if (!(weight > 0.0)) return;
+    vec3 impulse = record.impulse.xyz / weight;
+    vec3 push = (record.normal.w / weight) * record.normal.xyz;
+    add(v.x, w.x, impulse, push);
+    add(v.y, -b.x * w.y, impulse, push);
+    add(v.z, -b.y * w.z, impulse, push);
+    add(v.w, -b.z * w.w, impulse, push);
+}

@@ -1,0 +1,252 @@
+#include "sim/contact/contact_solver.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "shaders/shared/body_records.h"
+#include "shaders/shared/contact_bindings.h"
+#include "sim/solve/solver_uniforms.h"
+
+namespace kerf {
+
+namespace {
+
+using shared::uint;
+
+static_assert(sizeof(shared::ContactUniforms) == 56);
+static_assert(sizeof(shared::ContactBox) == 32);
+static_assert(sizeof(shared::ContactCandidate) == 8);
+static_assert(sizeof(shared::ContactRecord) == 64);
+static_assert(sizeof(shared::ContactState) == 40);
+
+constexpr double kReach = 0.5;            // h
+constexpr double kFarthest = 2;           // h: no candidate beyond
+constexpr double kWallsPerDiagonal = 12;  // see CutSettings
+constexpr double kTopSpeed = 400;         // that fixed-point displacements can hold [m/s]
+constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
+
+uint bucketsFor(uint triangles) {
+    return std::max(shared::kGroupSize, std::bit_ceil(2 * triangles));
+}
+
+}  // namespace
+
+ContactSettings contactSettings(const Params& params) {
+    ContactSettings settings;
+    const shared::SolverUniforms solver = solverUniforms(params);
+    settings.enabled = params.contact != 0;
+    settings.thickness = params.contactThickness;
+    settings.liftSpeed = params.depenetrationSpeed / solver.sweeps;
+    settings.friction = params.friction;
+    settings.substeps = static_cast<int>(solver.substeps);
+    settings.substep = params.timeStep / settings.substeps;
+    settings.inverseDensity = 1 / params.density;
+    return settings;
+}
+
+double contactEdgeLength(const BodyModel& model) {
+    Bounds box;
+    for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+        if (model.pieceOfVertex[v] >= 0) {
+            box.add(model.restPositions[v].cast<double>());
+        }
+    }
+    return std::min(model.edgeLength, box.diagonal() / kWallsPerDiagonal);
+}
+
+int contactSearches(const ContactSettings& settings, double edgeLength, double relativeSpeed) {
+    const double way = relativeSpeed * settings.substep * settings.substeps;
+    const double wanted = std::ceil(way / ((kFarthest - kReach) * edgeLength));
+    return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(settings.substeps)));
+}
+
+shared::ContactUniforms contactUniforms(const ContactSettings& settings, double edgeLength,
+                                        double relativeSpeed) {
+    const int searches = contactSearches(settings, edgeLength, relativeSpeed);
+    const int between = (settings.substeps + searches - 1) / searches;
+    const double interval = between * settings.substep;
+    const double thickness = settings.thickness * edgeLength;
+    const double reach = kReach * edgeLength + thickness;
+    const double margin = std::min(reach + relativeSpeed * interval, kFarthest * edgeLength);
+    shared::ContactUniforms u{};
+    u.h = static_cast<float>(edgeLength);
+    u.reach = static_cast<float>(reach);
+    u.interval = static_cast<float>(interval);
+    u.margin = static_cast<float>(std::max(margin, reach));
+    u.cell = 2 * u.margin;
+    u.thickness = static_cast<float>(thickness);
+    u.substep = static_cast<float>(settings.substep);
+    u.lift_speed = static_cast<float>(settings.liftSpeed);
+    u.friction = static_cast<float>(settings.friction);
+    u.inverse_density = static_cast<float>(settings.inverseDensity);
+    u.unit = static_cast<float>(kTopSpeed * settings.substep * 0x1p-31);
+    return u;
+}
+
+ContactSolver::ContactSolver() {
+    kernels_.normals = gpu::Program::compute("sim/contact/normals.comp");
+    kernels_.boxes = gpu::Program::compute("sim/contact/boxes.comp");
+    kernels_.scan = gpu::Program::compute("sim/contact/scan.comp");
+    kernels_.scanBlocks = gpu::Program::compute("sim/contact/scan_blocks.comp");
+    kernels_.fill = gpu::Program::compute("sim/contact/fill.comp");
+    kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
+    kernels_.detect = gpu::Program::compute("sim/contact/detect.comp");
+    kernels_.respond = gpu::Program::compute("sim/contact/respond.comp");
+    kernels_.apply = gpu::Program::compute("sim/contact/apply.comp");
+    state_.resize(sizeof(shared::ContactState));
+}
+
+void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
+    body_ = body;
+    edgeLength_ = edgeLength;
+    const std::size_t n = body.vertexCount;
+    const std::size_t triangles = std::max(body.triangleCount, 1u);
+    const std::size_t buckets = bucketsFor(body.triangleCount);
+    normals_.resize(n * sizeof(shared::vec4));
+    restNormals_.resize(n * sizeof(shared::vec4));
+    boxes_.resize(triangles * sizeof(shared::ContactBox));
+    buckets_.resize(triangles * sizeof(uint));
+    entries_.resize(triangles * sizeof(uint));
+    counts_.resize(buckets * sizeof(uint));
+    starts_.resize(buckets * sizeof(uint));
+    blocks_.resize(buckets / shared::kGroupSize * sizeof(uint));
+    candidates_.resize(n * kCandidatesPerPoint * sizeof(shared::ContactCandidate));
+    points_.resize(n * sizeof(uint));
+    records_.resize(n * sizeof(shared::ContactRecord));
+    shares_.resize(n * sizeof(uint));
+    sums_.resize(n * 6 * sizeof(int));
+    restNormalsLag_ = true;
+}
+
+void ContactSolver::uploadUniforms() {
+    uniforms_.vertex_count = body_.vertexCount;
+    uniforms_.triangle_count = body_.triangleCount;
+    uniforms_.bucket_count = bucketsFor(body_.triangleCount);
+    uniformBuffer_.assign(std::span<const shared::ContactUniforms>(&uniforms_, 1));
+}
+
+void ContactSolver::beginStep(double relativeSpeed) {
+    if (!enabled()) {
+        return;
+    }
+    uniforms_ = contactUniforms(settings_, edgeLength_, relativeSpeed);
+    uploadUniforms();
+    const int searches = contactSearches(settings_, edgeLength_, relativeSpeed);
+    if (std::exchange(restNormalsLag_, false)) {
+        runNormals(*body_.restPositions, restNormals_);
+    }
+    substepsBetweenSearches_ = (settings_.substeps + searches - 1) / searches;
+}
+
+void ContactSolver::beforeSubstep(int substep) {
+    if (enabled() && substep % substepsBetweenSearches_ == 0) {
+        search();
+    }
+}
+
+void ContactSolver::search() {
+    runNormals(*body_.positions, normals_);
+    fillGrid();
+    findCandidates();
+}
+
+void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals) {
+    uniformBuffer_.bindStorage(shared::kContactUniformsBinding);
+    positions.bindStorage(shared::kContactPositionsBinding);
+    body_.triangles->bindStorage(shared::kContactTrianglesBinding);
+    body_.incidenceRanges->bindStorage(shared::kContactRangesBinding);
+    body_.incidence->bindStorage(shared::kContactIncidenceBinding);
+    normals.bindStorage(shared::kContactNormalsBinding);
+    state_.bindStorage(shared::kContactStateBinding);
+    run(kernels_.normals, body_.vertexCount);
+}
+
+void ContactSolver::fillGrid() {
+    body_.positions->bindStorage(shared::kContactPositionsBinding);
+    boxes_.bindStorage(shared::kContactBoxesBinding);
+    buckets_.bindStorage(shared::kContactBucketsBinding);
+    counts_.bindStorage(shared::kContactCountsBinding);
+    starts_.bindStorage(shared::kContactStartsBinding);
+    blocks_.bindStorage(shared::kContactBlocksBinding);
+    entries_.bindStorage(shared::kContactEntriesBinding);
+    run(kernels_.boxes, body_.triangleCount);
+    run(kernels_.scan, uniforms_.bucket_count);
+    run(kernels_.scanBlocks, 1);
+    run(kernels_.fill, body_.triangleCount);
+}
+
+void ContactSolver::findCandidates() {
+    body_.velocities->bindStorage(shared::kContactVelocitiesBinding);
+    body_.restPositions->bindStorage(shared::kContactRestBinding);
+    body_.links->bindStorage(shared::kContactLinksBinding);
+    body_.pieces->bindStorage(shared::kContactPiecesBinding);
+    normals_.bindStorage(shared::kContactNormalsBinding);
+    restNormals_.bindStorage(shared::kContactRestNormalsBinding);
+    candidates_.bindStorage(shared::kContactCandidatesBinding);
+    points_.bindStorage(shared::kContactPointsBinding);
+    run(kernels_.candidates, body_.vertexCount);
+    gpu::commandBarrier();
+}
+
+void ContactSolver::respond() {
+    if (!enabled()) {
+        return;
+    }
+    uniformBuffer_.bindStorage(shared::kContactUniformsBinding);
+    body_.positions->bindStorage(shared::kContactPositionsBinding);
+    body_.displacement->bindStorage(shared::kContactDisplacementBinding);
+    body_.triangles->bindStorage(shared::kContactTrianglesBinding);
+    records_.bindStorage(shared::kContactRecordsBinding);
+    shares_.bindStorage(shared::kContactSharesBinding);
+    sums_.bindStorage(shared::kContactSumsBinding);
+    candidates_.bindStorage(shared::kContactCandidatesBinding);
+    points_.bindStorage(shared::kContactPointsBinding);
+    state_.bindStorage(shared::kContactStateBinding);
+    runIndirect(kernels_.detect, offsetof(shared::ContactState, point_groups));
+    runIndirect(kernels_.respond, offsetof(shared::ContactState, point_groups));
+    runIndirect(kernels_.apply, offsetof(shared::ContactState, vertex_groups));
+}
+
+void ContactSolver::run(const gpu::Program& kernel, uint threads) {
+    kernel.dispatch(threads, shared::kGroupSize);
+    gpu::storageBarrier();
+    ++dispatches_;
+}
+
+void ContactSolver::runIndirect(const gpu::Program& kernel, std::size_t offset) {
+    kernel.dispatchIndirect(state_, offset);
+    gpu::storageBarrier();
+    ++dispatches_;
+}
+
+std::vector<std::vector<shared::ContactCandidate>> ContactSolver::readCandidates() const {
+    const shared::ContactState state = readState();
+    const auto points = points_.read<uint>(0, state.points);
+    const auto all = candidates_.read<shared::ContactCandidate>(
+        0, std::size_t{kCandidatesPerPoint} * body_.vertexCount);
+    std::vector<std::vector<shared::ContactCandidate>> out(body_.vertexCount);
+    for (const uint v : points) {
+        for (uint k = 0; k < kCandidatesPerPoint; ++k) {
+            const shared::ContactCandidate& candidate = all[kCandidatesPerPoint * v + k];
+            if (candidate.triangle == shared::kNoVertex) {
+                break;
+            }
+            out[v].push_back(candidate);
+        }
+    }
+    return out;
+}
+
+shared::ContactState ContactSolver::readState() const {
+    return state_.read<shared::ContactState>(0, 1).front();
+}
+
+long ContactSolver::takeDispatches() {
+    return std::exchange(dispatches_, 0);
+}
+
+}  // namespace kerf

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "shaders/shared/contact_records.h"
+#include "sim/body/body_model.h"
+#include "sim/params.h"
+
+namespace kerf {
+
+/// The buffers of the running body that contact reads and changes: the solver's own.
+struct ContactBody {
+    const gpu::Buffer* positions = nullptr;     ///< vec4: X [m], w inverse unit mass
+    const gpu::Buffer* velocities = nullptr;    ///< vec4 [m/s]
+    const gpu::Buffer* displacement = nullptr;  ///< vec4: d of the running substep [m]
+    const gpu::Buffer* restPositions = nullptr;
+    const gpu::Buffer* links = nullptr;      ///< VertexLinks
+    const gpu::Buffer* pieces = nullptr;     ///< PieceRecord
+    const gpu::Buffer* triangles = nullptr;  ///< uvec4, see BodyView
+    const gpu::Buffer* incidenceRanges = nullptr;
+    const gpu::Buffer* incidence = nullptr;
+    std::uint32_t vertexCount = 0;
+    std::uint32_t triangleCount = 0;
+};
+
+/// How surfaces answer to one another.
+struct ContactSettings {
+    bool enabled = false;
+    double thickness = 0.05;    ///< distance kept, as a share of the edge length of walls
+    double liftSpeed = 1;       ///< at which penetrations are taken back [m/s]
+    double friction = 0.5;      ///< Coulomb coefficient
+    double substep = 0;         ///< [s]
+    int substeps = 1;           ///< of a time step
+    double inverseDensity = 0;  ///< [m^3/kg]
+};
+
+ContactSettings contactSettings(const Params& params);
+
+/// The edge length of walls, the unit of lengths in a contact: that of the skin, at most a twelfth
+/// of the body's diagonal (see CutSettings). [m]
+double contactEdgeLength(const BodyModel& model);
+
+/// What the kernels get to know; counts are 0. `relativeSpeed` [m/s]: an upper bound of how fast
+/// two parts of the body approach each other.
+shared::ContactUniforms contactUniforms(const ContactSettings& settings, double edgeLength,
+                                        double relativeSpeed);
+
+/// How many times in a time step candidates are looked for, so that in between nothing moves much
+/// farther than an edge.
+int contactSearches(const ContactSettings& settings, double edgeLength, double relativeSpeed);
+
+/// Contact of a body with itself, on the GPU: pieces, both walls of a slit, arms. Vertices against
+/// triangles, with the same bits for any number of threads. Candidates are found in a hash grid
+/// once or a few times a time step; in each substep a vertex answers to the nearest of its own.
+/// Where there are none, a substep dispatches no work.
+class ContactSolver {
+  public:
+    /// Compiles the kernels. Throws gpu::ShaderError.
+    ContactSolver();
+
+    /// A new body, or one of which the rest shape or the triangles changed. Throws
+    /// gpu::OutOfMemory.
+    void setBody(const ContactBody& body, double edgeLength);
+    void setSettings(const ContactSettings& settings) { settings_ = settings; }
+    bool enabled() const { return settings_.enabled; }
+
+    /// Before the first substep of a time step, with an upper bound of how fast two parts of the
+    /// body approach each other [m/s].
+    void beginStep(double relativeSpeed);
+    /// Looks for candidates where this substep needs it. Positions are those between substeps.
+    void beforeSubstep(int substep);
+    /// Stops d where it leads into another surface, and moves X out of where it is inside one.
+    void respond();
+
+    /// Looks for candidates now.
+    void search();
+    /// The candidates found last, nearest first, shape [vertexCount][]; waits for the GPU.
+    std::vector<std::vector<shared::ContactCandidate>> readCandidates() const;
+    /// Counts of the last search and the last substep.
+    const gpu::Buffer& state() const { return state_; }
+    shared::ContactState readState() const;
+    long takeDispatches();
+
+  private:
+    struct Kernels {
+        gpu::Program normals, boxes, scan, scanBlocks, fill, candidates, detect, respond, apply;
+    };
+    void uploadUniforms();
+    void runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
+    void fillGrid();
+    void findCandidates();
+    void bindGrid() const;
+    void run(const gpu::Program& kernel, std::uint32_t threads);
+    void runIndirect(const gpu::Program& kernel, std::size_t offset);
+
+    Kernels kernels_;
+    ContactBody body_;
+    ContactSettings settings_;
+    double edgeLength_ = 0;
+    shared::ContactUniforms uniforms_{};
+    int substepsBetweenSearches_ = 1;
+    bool restNormalsLag_ = false;
+
+    gpu::Buffer uniformBuffer_, state_;
+    gpu::Buffer normals_, restNormals_;
+    gpu::Buffer boxes_, buckets_, counts_, starts_, blocks_, entries_;
+    gpu::Buffer candidates_, points_, records_, shares_, sums_;
+    long dispatches_ = 0;
+};
+
+}  // namespace kerf

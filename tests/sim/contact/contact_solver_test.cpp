@@ -1,0 +1,195 @@
+#include "sim/contact/contact_solver.h"
+
+#include <algorithm>
+#include <random>
+
+#include "sim/body/piece_masses.h"
+#include "sim/contact/reference_contact.h"
+#include "sim/simulation.h"
+#include "sim/solve/gpu_solver.h"
+#include "sim/solve/solver_uniforms.h"
+#include "tests/support/contact_scenes.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+constexpr unsigned kSeed = 11;
+
+Params withContact() {
+    Params params;
+    params.contact = 1;
+    return params;
+}
+
+Params weightless() {
+    Params params = withContact();
+    params.gravity.setZero();
+    params.floor.reset();
+    return params;
+}
+
+/// Two spheres that reach a little into each other.
+SurfaceMesh twoSpheres() {
+    return test::meshOf(
+        test::joined(test::cubeSphereSoup(5, 0.4), test::icosphereSoup(2, 0.4), {0.05, 0.7, 0.02}));
+}
+
+/// A beam at rest that stands there bent round, so that its ends reach into each other.
+SurfaceMesh bentRound() {
+    SurfaceMesh mesh = test::box({3, 0.3, 0.3}, 16);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 p = mesh.restPosition(v);
+        const double angle = p.x() * 2.15;
+        const double radius = 0.48 + p.y();
+        mesh.setPosition(v, {radius * std::sin(angle), radius * std::cos(angle), p.z()});
+    }
+    return mesh;
+}
+
+/// A sphere with a slit that has opened a little.
+SurfaceMesh slitSphere() {
+    Simulation simulation(test::cubeSphere(8), weightless());
+    for (int i = 0; i <= 16; ++i) {
+        const double y = 0.6 - 0.04 * i;
+        simulation.execute(MoveBlade{{{-0.9, y, 0.03}, {0.9, y + 0.02, 0.05}}});
+        simulation.step();
+    }
+    simulation.execute(LiftBlade{});
+    simulation.step();
+    return simulation.mesh();
+}
+
+/// A body in motion on the GPU and as the reference has it.
+struct Pair {
+    explicit Pair(const SurfaceMesh& mesh) : model(buildBodyModel(mesh)) {
+        const Params params = weightless();
+        settings = contactSettings(params);
+        BodyState start = stateOf(mesh);
+        std::mt19937 random(kSeed);
+        std::uniform_real_distribution<float> noise(-1, 1);
+        const float reach = 0.01f * static_cast<float>(contactEdgeLength(model));
+        for (std::size_t v = 0; v < start.positions.size(); ++v) {
+            const auto vector = [&] { return Vec3f(noise(random), noise(random), noise(random)); };
+            start.positions[v] += reach * vector();
+            start.velocities[v] = vector();
+        }
+        gpu.setModel(model, start);
+        gpu.setUniforms(solverUniforms(params));
+        gpu.setContact(settings);
+        reference = restState(model);
+        Bounds speeds;
+        for (std::size_t v = 0; v < start.positions.size(); ++v) {
+            reference.positions[v] = start.positions[v].cast<double>();
+            reference.velocities[v] = start.velocities[v].cast<double>();
+            speeds.add(reference.velocities[v]);
+        }
+        uniforms = contactUniforms(settings, contactEdgeLength(model), speeds.diagonal());
+    }
+
+    ReferenceContact referenceContact() const {
+        std::vector<double> inverse;
+        for (const double mass : unitMasses(model)) {
+            inverse.push_back(mass > 0 ? settings.inverseDensity / mass : 0.0);
+        }
+        return {model, uniforms, inverse};
+    }
+
+    BodyModel model;
+    ContactSettings settings;
+    shared::ContactUniforms uniforms;
+    ReferenceState reference;
+    GpuSolver gpu;
+};
+
+class ContactSolverTest : public test::GlTest {};
+
+TEST_F(ContactSolverTest, FindsTheCandidatesOfTheReference) {
+    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), slitSphere()}) {
+        SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices, seed " +
+                     std::to_string(kSeed));
+        Pair pair(mesh);
+        pair.gpu.searchContacts();
+        const auto ours = pair.gpu.contacts().readCandidates();
+        const auto theirs = pair.referenceContact().findCandidates(pair.reference);
+        ASSERT_EQ(ours.size(), theirs.size());
+        int found = 0;
+        for (std::size_t v = 0; v < ours.size(); ++v) {
+            SCOPED_TRACE("vertex " + std::to_string(v));
+            ASSERT_EQ(ours[v].size(), theirs[v].size());
+            for (std::size_t k = 0; k < ours[v].size(); ++k) {
+                EXPECT_EQ(ours[v][k].triangle, theirs[v][k].triangle);
+                EXPECT_NEAR(ours[v][k].thickness, theirs[v][k].thickness, 1e-7);
+                ++found;
+            }
+        }
+        EXPECT_GT(found, 50);
+    }
+}
+
+// Displacements are 1e-4 m: a step of the fixed point is 5e-11 m.
+TEST_F(ContactSolverTest, RespondsLikeTheReference) {
+    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), slitSphere()}) {
+        SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices, seed " +
+                     std::to_string(kSeed));
+        Pair pair(mesh);
+        const ReferenceContact contact = pair.referenceContact();
+        const auto candidates = contact.findCandidates(pair.reference);
+        for (std::size_t v = 0; v < candidates.size(); ++v) {
+            pair.reference.displacements[v] = pair.uniforms.substep * pair.reference.velocities[v];
+        }
+        const ReferenceState before = pair.reference;
+        const int contacts = contact.respond(candidates, pair.reference);
+        EXPECT_GT(contacts, 10);
+
+        pair.gpu.searchContacts();
+        shared::SolverUniforms uniforms = solverUniforms(weightless());
+        uniforms.active_parts = 0;
+        pair.gpu.setUniforms(uniforms);
+        pair.gpu.predictAndStretch();
+        pair.gpu.collideBody();
+        EXPECT_EQ(pair.gpu.contacts().readState().last_contacts, static_cast<unsigned>(contacts));
+        const std::vector<Vec3f> ours = pair.gpu.readDisplacements();
+        const BodyState state = pair.gpu.readState();
+        double change = 0;
+        for (std::size_t v = 0; v < ours.size(); ++v) {
+            EXPECT_LT((ours[v].cast<double>() - pair.reference.displacements[v]).norm(), 1e-8) << v;
+            EXPECT_LT((state.positions[v].cast<double>() - pair.reference.positions[v]).norm(),
+                      2e-7)
+                << v;
+            change = std::max(change,
+                              (before.displacements[v] - pair.reference.displacements[v]).norm());
+        }
+        EXPECT_GT(change, 1e-5);
+    }
+}
+
+TEST_F(ContactSolverTest, KeepsMomentum) {
+    const test::CollisionFigures figures = test::collideSpheres(withContact());
+    EXPECT_GT(figures.stepsInContact, 5);
+    EXPECT_TRUE(figures.parted);
+    EXPECT_LT(figures.linearDrift, 1e-5);
+    EXPECT_LT(figures.angularDrift, 1e-3);
+}
+
+TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
+    const test::HalvesFigures figures = test::restHalves(false, withContact(), 0.6);
+    EXPECT_LT(figures.penetration, 1e-4);
+    EXPECT_GT(figures.contacts, 50);
+    EXPECT_GT(figures.height, 0.95);
+    EXPECT_LT(figures.shift, 0.1);
+}
+
+TEST_F(ContactSolverTest, NothingPassesThroughWhatItIsThrownAt) {
+    test::DropFigures sum;
+    for (int i = 0; i < 2; ++i) {
+        sum.add(test::dropAtRandom({1, i}, withContact()));
+    }
+    EXPECT_EQ(sum.nonFinite, 0) << text(sum);
+    EXPECT_EQ(sum.escaped, 0) << text(sum);
+    EXPECT_EQ(sum.tunnels, 0) << text(sum);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,355 @@
+#include "tests/support/contact_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "sim/body/body_model.h"
+#include "sim/body/piece_masses.h"
+#include "sim/body/rest_geometry.h"
+#include "sim/cut/jitter.h"
+#include "sim/mesh/closest_point.h"
+#include "sim/simulation.h"
+#include "tests/support/self_intersections.h"
+#include "tests/support/shapes.h"
+
+namespace kerf::test {
+
+namespace {
+
+int stepsOf(double seconds, const Params& params) {
+    return static_cast<int>(std::lround(seconds / params.timeStep));
+}
+
+void run(Simulation& simulation, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        simulation.step();
+    }
+}
+
+SurfaceMesh placed(SurfaceMesh mesh, const Eigen::Matrix3d& turn, const Vec3& by) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, turn * mesh.position(v) + by);
+        mesh.setRestPosition(v, mesh.position(v));
+    }
+    return mesh;
+}
+
+double meanSquareSpeed(const SurfaceMesh& mesh) {
+    double sum = 0;
+    int count = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.outgoing(v) >= 0) {
+            sum += mesh.velocity(v).squaredNorm();
+            ++count;
+        }
+    }
+    return sum / count;
+}
+
+/// RMS speed over some steps, in diagonals of the body a second.
+double jitter(Simulation& simulation, int steps, double diagonal) {
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        simulation.step();
+        sum += meanSquareSpeed(simulation.mesh());
+    }
+    return std::sqrt(sum / steps) / diagonal;
+}
+
+struct Solid {
+    double volume = 0;
+    Vec3 moment = Vec3::Zero();
+    Vec3 centroid() const { return moment / volume; }
+};
+
+std::vector<Solid> solids(const SurfaceMesh& mesh, const PieceMap& pieces,
+                          const std::vector<Vec3>& at) {
+    std::vector<Solid> out(pieces.pieces.size());
+    for (const int t : livingTriangles(mesh)) {
+        const Triangle& corners = mesh.triangle(t);
+        const Vec3& a = at[corners[0]];
+        const Vec3& b = at[corners[1]];
+        const Vec3& c = at[corners[2]];
+        const double volume = a.dot(b.cross(c)) / 6;
+        Solid& solid = out[pieces.ofVertex[corners[0]]];
+        solid.volume += volume;
+        solid.moment += volume * (a + b + c) / 4;
+    }
+    return out;
+}
+
+/// How deep p lies inside a piece: its distance from the surface where the winding number is over a
+/// half, 0 elsewhere. [m]
+double depthInside(const SurfaceMesh& mesh, const std::vector<int>& piece, const Vec3& p) {
+    double angle = 0;
+    double nearest = 1e300;
+    for (const int t : piece) {
+        const Triangle& corners = mesh.triangle(t);
+        const Vec3 a = mesh.position(corners[0]) - p;
+        const Vec3 b = mesh.position(corners[1]) - p;
+        const Vec3 c = mesh.position(corners[2]) - p;
+        const double la = a.norm();
+        const double lb = b.norm();
+        const double lc = c.norm();
+        angle += 2 * std::atan2(a.dot(b.cross(c)),
+                                la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+        const Vec3 w = closestWeights(Vec3::Zero(), a, b, c);
+        nearest = std::min(nearest, (w.x() * a + w.y() * b + w.z() * c).norm());
+    }
+    return std::fabs(angle) > 2 * std::numbers::pi ? nearest : 0.0;
+}
+
+/// Of all vertices inside other pieces than their own [m].
+double deepestPenetration(const SurfaceMesh& mesh, const PieceMap& pieces) {
+    std::vector<std::vector<int>> triangles(pieces.pieces.size());
+    std::vector<Bounds> boxes(pieces.pieces.size());
+    for (const int t : livingTriangles(mesh)) {
+        const int piece = pieces.ofVertex[mesh.triangle(t)[0]];
+        triangles[piece].push_back(t);
+        for (const int v : mesh.triangle(t)) {
+            boxes[piece].add(mesh.position(v));
+        }
+    }
+    double deepest = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        Bounds point;
+        point.add(mesh.position(v));
+        for (std::size_t p = 0; pieces.ofVertex[v] >= 0 && p < triangles.size(); ++p) {
+            if (pieces.ofVertex[v] != static_cast<int>(p) && boxes[p].overlaps(point)) {
+                deepest = std::max(deepest, depthInside(mesh, triangles[p], mesh.position(v)));
+            }
+        }
+    }
+    return deepest;
+}
+
+double heightOf(const SurfaceMesh& mesh) {
+    const Bounds box = meshBounds(mesh);
+    return box.high.y() - box.low.y();
+}
+
+/// Cuts right through, level, at this height.
+void cutLevel(Simulation& simulation, double height) {
+    constexpr int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double z = 0.8 * (1 - 2.0 * i / kSteps);
+        simulation.execute(MoveBlade{{{-0.9, height, z}, {0.9, height + 0.01, z}}});
+        simulation.step();
+    }
+    simulation.execute(LiftBlade{});
+    simulation.step();
+}
+
+}  // namespace
+
+HalvesFigures restHalves(bool sphere, const Params& params, double seconds) {
+    const SurfaceMesh body = placed(sphere ? cubeSphere(8) : box({0.9, 0.7, 0.8}, 6),
+                                    Eigen::Matrix3d::Identity(), {0, sphere ? 0.5 : 0.35, 0});
+    const double diagonal = meshBounds(body).diagonal();
+    Simulation whole(body, params);
+    run(whole, stepsOf(seconds - 0.5, params));
+    HalvesFigures figures;
+    figures.wholeJitter = jitter(whole, stepsOf(0.5, params), diagonal);
+
+    Params weightless = params;
+    weightless.gravity.setZero();
+    Simulation halves(body, weightless);
+    cutLevel(halves, sphere ? 0.5 : 0.36);
+    halves.execute(SetParam{"gravity", params.gravity});
+    run(halves, stepsOf(seconds - 0.5, params));
+    figures.jitter = jitter(halves, stepsOf(0.5, params), diagonal);
+    figures.contacts = halves.report().contacts;
+    const SurfaceMesh& mesh = halves.mesh();
+    const std::vector<Solid> now = solids(mesh, halves.pieces(), mesh.positions());
+    const std::vector<Solid> rest = solids(mesh, halves.pieces(), mesh.restPositions());
+    if (now.size() == 2) {
+        const Vec3 apart = now[1].centroid() - now[0].centroid();
+        figures.separation =
+            std::fabs(apart.y()) / std::fabs((rest[1].centroid() - rest[0].centroid()).y());
+        figures.shift = std::hypot(apart.x(), apart.z()) / diagonal;
+    }
+    figures.height = heightOf(mesh) / heightOf(whole.mesh());
+    figures.penetration = deepestPenetration(mesh, halves.pieces()) / diagonal;
+    return figures;
+}
+
+std::string text(const HalvesFigures& f) {
+    char line[256];
+    std::snprintf(
+        line, sizeof line,
+        "separation %.4f  height %.4f  shift %.4f diag  penetration %.2e diag  jitter %.6f "
+        "diag/s (whole %.6f)  contacts %d",
+        f.separation, f.height, f.shift, f.penetration, f.jitter, f.wholeJitter, f.contacts);
+    return line;
+}
+
+namespace {
+
+Vec3 restCenter(const SurfaceMesh& mesh, int t) {
+    const Triangle& corners = mesh.triangle(t);
+    return (mesh.restPosition(corners[0]) + mesh.restPosition(corners[1]) +
+            mesh.restPosition(corners[2])) /
+           3;
+}
+
+}  // namespace
+
+OctopusFigures dropOctopus(const Params& params) {
+    SurfaceMesh mesh = builtin("octopus");
+    const Bounds box = meshBounds(mesh);
+    mesh = placed(std::move(mesh), Eigen::Matrix3d::Identity(), {0, 0.5 - box.low.y(), 0});
+    OctopusFigures figures;
+    figures.intersectionsAtStart = static_cast<int>(selfIntersections(mesh).size());
+    Simulation simulation(std::move(mesh), params);
+    for (int i = 0; i < stepsOf(2.5, params); ++i) {
+        figures.mostContacts = std::max(figures.mostContacts, simulation.step().contacts);
+    }
+    figures.jitter = jitter(simulation, stepsOf(0.5, params), box.diagonal());
+    const SurfaceMesh& now = simulation.mesh();
+    const double near = 3 * meanRestEdgeLength(now);
+    for (const auto& [a, b] : selfIntersections(now)) {
+        ++figures.intersections;
+        figures.folds += (restCenter(now, a) - restCenter(now, b)).norm() < near;
+    }
+    return figures;
+}
+
+std::string text(const OctopusFigures& f) {
+    char line[256];
+    std::snprintf(line, sizeof line,
+                  "intersections %d at the start, %d at the end (%d of close neighbours)  most "
+                  "contacts %d  jitter %.5f "
+                  "diag/s",
+                  f.intersectionsAtStart, f.intersections, f.folds, f.mostContacts, f.jitter);
+    return line;
+}
+
+CollisionFigures collideSpheres(const Params& given) {
+    Params params = given;
+    params.gravity.setZero();
+    params.floor.reset();
+    params.airDrag = 0;
+    const TriangleSoup lower = cubeSphereSoup(4, 0.4);
+    SurfaceMesh mesh = meshOf(joined(lower, icosphereSoup(2, 0.4), {0.2, 0.9, 0.1}));
+    mesh = placed(std::move(mesh), Eigen::Matrix3d::Identity(), {-0.1, -0.45, -0.05});
+    for (int v = static_cast<int>(lower.positions.size()); v < mesh.vertexCount(); ++v) {
+        mesh.setVelocity(v, {0, -3, 0});
+    }
+    const std::vector<double> masses = unitMasses(buildBodyModel(mesh));
+    Simulation simulation(std::move(mesh), params);
+    const auto momentum = [&] {
+        std::pair<Vec3, Vec3> sum{Vec3::Zero(), Vec3::Zero()};
+        const SurfaceMesh& now = simulation.mesh();
+        for (int v = 0; v < now.vertexCount(); ++v) {
+            sum.first += masses[v] * now.velocity(v);
+            sum.second += masses[v] * now.position(v).cross(now.velocity(v));
+        }
+        return sum;
+    };
+    const auto before = momentum();
+    CollisionFigures figures;
+    for (int i = 0; i < 120; ++i) {
+        figures.stepsInContact += simulation.step().contacts > 0;
+    }
+    const auto after = momentum();
+    figures.parted = simulation.report().contacts == 0;
+    figures.linearDrift = (after.first - before.first).norm() / before.first.norm();
+    figures.angularDrift = (after.second - before.second).norm() / before.second.norm();
+    return figures;
+}
+
+std::string text(const CollisionFigures& f) {
+    char line[256];
+    std::snprintf(
+        line, sizeof line,
+        "%d steps in contact, parted %d  drift of momentum %.2e, of angular momentum %.2e",
+        f.stepsInContact, f.parted, f.linearDrift, f.angularDrift);
+    return line;
+}
+
+namespace {
+
+TriangleSoup drawnSoup(cut::Jitter& draw) {
+    switch (static_cast<int>(draw.uniform(0, 5))) {
+        case 0:
+            return icosphereSoup(1, 0.4);
+        case 1:
+            return cubeSphereSoup(6, 0.4);
+        case 2:
+            return torusSoup(20, 10);
+        case 3:
+            return boxSoup({0.6, 0.3, 0.5}, 4);
+        default:
+            return bentTubeSoup();
+    }
+}
+
+Eigen::Matrix3d drawnTurn(cut::Jitter& draw) {
+    return Eigen::AngleAxisd(draw.uniform(0, 6.28), draw.direction()).toRotationMatrix();
+}
+
+TriangleSoup turned(TriangleSoup soup, const Eigen::Matrix3d& turn) {
+    for (Vec3& p : soup.positions) {
+        p = turn * p;
+    }
+    return soup;
+}
+
+}  // namespace
+
+DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
+    cut::Jitter draw(drop.seed * 7919 + static_cast<std::uint64_t>(drop.index) * 104729);
+    TriangleSoup soup = turned(drawnSoup(draw), drawnTurn(draw));
+    const bool two = draw.uniform(0, 1) < 0.7;
+    const int first = static_cast<int>(soup.positions.size());
+    if (two) {
+        const Vec3 above(draw.uniform(-0.2, 0.2), 1.25, draw.uniform(-0.2, 0.2));
+        soup = joined(soup, turned(drawnSoup(draw), drawnTurn(draw)), above);
+    }
+    SurfaceMesh mesh = meshOf(soup);
+    mesh = placed(std::move(mesh), Eigen::Matrix3d::Identity(),
+                  {0, draw.uniform(0.1, 1.5) - meshBounds(mesh).low.y(), 0});
+    const Vec3 lower = draw.uniform(0, 2) * draw.direction();
+    const Vec3 upper = Vec3(0, -draw.uniform(0, 6), 0) + draw.uniform(0, 1) * draw.direction();
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setVelocity(v, v < first ? lower : upper);
+    }
+    const double size = meshBounds(mesh).diagonal();
+    Simulation simulation(std::move(mesh), params);
+    DropFigures figures;
+    figures.runs = 1;
+    for (int i = 0; i < stepsOf(1.5, params); ++i) {
+        simulation.step();
+        for (const std::string& message : simulation.takeMessages()) {
+            figures.nonFinite += message.find("range of numbers") != std::string::npos;
+        }
+    }
+    const SurfaceMesh& now = simulation.mesh();
+    const Bounds box = meshBounds(now);
+    figures.escaped = box.low.y() < -0.02 || box.diagonal() > 10 * size;
+    figures.tunnels = deepestPenetration(now, simulation.pieces()) > 0.03;
+    figures.intersections = static_cast<int>(selfIntersections(now).size());
+    return figures;
+}
+
+void DropFigures::add(const DropFigures& other) {
+    runs += other.runs;
+    nonFinite += other.nonFinite;
+    escaped += other.escaped;
+    tunnels += other.tunnels;
+    intersections += other.intersections;
+}
+
+std::string text(const DropFigures& f) {
+    char line[256];
+    std::snprintf(line, sizeof line,
+                  "%d runs, not finite %d, escaped %d, tunnels %d, intersecting pairs %d", f.runs,
+                  f.nonFinite, f.escaped, f.tunnels, f.intersections);
+    return line;
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "sim/params.h"
+
+namespace kerf::test {
+
+/// Two halves of a body, cut apart level without gravity, that rest on each other.
+struct HalvesFigures {
+    double separation = 0;   ///< of their centroids, as a share of that in the whole body at rest
+    double height = 0;       ///< of both, as a share of that of the whole body lying there
+    double shift = 0;        ///< of their centroids sideways [diagonals]
+    double penetration = 0;  ///< depth of the deepest vertex inside the other one [diagonals]
+    double jitter = 0;       ///< RMS speed in the last half second [diagonals/s]
+    double wholeJitter = 0;  ///< that of the whole body lying there
+    int contacts = 0;        ///< in the last substep
+};
+/// Of a sphere (which rolls, whole or cut) or a block (which stands).
+HalvesFigures restHalves(bool sphere, const Params& params, double seconds = 5);
+std::string text(const HalvesFigures& figures);
+
+/// An octopus dropped on its arms, three seconds.
+struct OctopusFigures {
+    int intersectionsAtStart = 0;
+    int intersections = 0;  ///< pairs of triangles at the end
+    int folds = 0;          ///< those of them that are close neighbours at rest
+    int mostContacts = 0;
+    double jitter = 0;  ///< RMS speed in the last half second [diagonals/s]
+};
+OctopusFigures dropOctopus(const Params& params);
+std::string text(const OctopusFigures& figures);
+
+/// Two spheres without gravity that fly into each other off their middles, spin, and part.
+struct CollisionFigures {
+    int stepsInContact = 0;
+    bool parted = false;
+    double linearDrift = 0;   ///< change of momentum as a share of it
+    double angularDrift = 0;  ///< the same of angular momentum about their common centre
+};
+CollisionFigures collideSpheres(const Params& params);
+std::string text(const CollisionFigures& figures);
+
+struct DropRun {
+    std::uint64_t seed = 1;
+    int index = 0;
+};
+
+/// A body, often two, thrown at the floor.
+struct DropFigures {
+    int runs = 0;
+    int nonFinite = 0;      ///< steps in which a body left the range of numbers
+    int escaped = 0;        ///< runs that ended with a vertex below the floor or far away
+    int tunnels = 0;        ///< runs that ended with a vertex deep inside another piece
+    int intersections = 0;  ///< pairs of triangles of two pieces at the end
+    void add(const DropFigures& other);
+};
+DropFigures dropAtRandom(const DropRun& run, const Params& params);
+std::string text(const DropFigures& figures);
+
+}  // namespace kerf::test
