@@ -454,7 +454,7 @@ class Intersector {
         std::vector<Node>& nodes = curves_.nodes;
         std::sort(hits.begin(), hits.end(), [&](const EdgeHit& p, const EdgeHit& q) {
             return nodes[p.node].t != nodes[q.node].t ? nodes[p.node].t < nodes[q.node].t
-                                                      : p.node < q.node;
+                                                      : p.stripTriangle < q.stripTriangle;
         });
         const int n = sizeOf(hits);
         const double gap = std::min(kLeastParameter, 0.5 / (n + 1));
@@ -482,11 +482,14 @@ class Intersector {
         node.velocity = lerp(mesh_.velocity(node.a), mesh_.velocity(node.b));
     }
 
+    // In canonical order throughout: the mirrored node in the other wall of an older slit comes out
+    // the same to the last bit, or the Delaunay criterion would divide the two walls differently.
     void placeOnFace(Node& node) const {
+        const std::array<int, 3> order = seenCorners(node.a).order;
         node.weights = node.weights.cwiseMax(kLeastParameter);
-        node.weights /= node.weights.sum();
+        node.weights /= node.weights[order[0]] + node.weights[order[1]] + node.weights[order[2]];
         const Triangle& ids = mesh_.triangle(node.a);
-        for (const int i : seenCorners(node.a).order) {
+        for (const int i : order) {
             node.position += node.weights[i] * mesh_.position(ids[i]);
             node.rest += node.weights[i] * mesh_.restPosition(ids[i]);
             node.velocity += node.weights[i] * mesh_.velocity(ids[i]);
