@@ -397,7 +397,7 @@ class Intersector {
             const int edge = strip_.triangleEdges[pair.s][i];
             if ((pair.shared.any() &&
                  (i == pair.shared.stripCorner || j == pair.shared.stripCorner)) ||
-                strip_.edges[edge].attached) {
+                strip_.edges[edge].frontOf == in_.pieceOfVertex[mesh_.triangle(pair.m)[0]]) {
                 continue;
             }
             const bool swapped = ids[i] > ids[j];

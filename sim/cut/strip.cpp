@@ -265,7 +265,7 @@ void zipRungs(Strip& strip) {
     }
 }
 
-void connectEdges(Strip& strip) {
+void connectEdges(const StepInput& in, Strip& strip) {
     std::map<Edge, int> known;
     for (int t = 0; t < sizeOf(strip.triangles); ++t) {
         Triangle ids{};
@@ -290,7 +290,7 @@ void connectEdges(Strip& strip) {
         if (at == known.end()) {
             throw StepFailure{"a front edge is not in the strip"};
         }
-        strip.edges[at->second].attached = true;
+        strip.edges[at->second].frontOf = in.pieceOfVertex[strip.nodes[i].vertices.back()];
     }
 }
 
@@ -344,6 +344,25 @@ bool Strip::isRail(int edge) const {
 bool Strip::onNewRung(int edge) const {
     const StripEdge& e = edges[edge];
     return isNew(e.a) && isNew(e.b) && !(isOld(e.a) && isOld(e.b)) && !isRail(edge);
+}
+
+Strip Strip::seenBy(int piece, const std::vector<int>& pieceOfVertex) const {
+    const auto isOther = [&](int v) { return pieceOfVertex[v] != piece; };
+    Strip strip = *this;
+    for (StripNode& node : strip.nodes) {
+        node.attached = node.attached && !isOther(node.vertices.back());
+        std::erase_if(node.touching, isOther);
+        for (int i = sizeOf(node.vertices) - 1; i >= 0; --i) {
+            if (isOther(node.vertices[i])) {
+                node.vertices.erase(node.vertices.begin() + i);
+                node.attachedWithin.erase(node.attachedWithin.begin() + i);
+            }
+        }
+    }
+    for (StripEdge& edge : strip.edges) {
+        edge.frontOf = edge.frontOf == piece ? piece : -1;
+    }
+    return strip;
 }
 
 Vec3 bladePoint(const StepInput& in, double s) {
@@ -419,7 +438,7 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions,
     separateParameters(in, strip);
     placeNewRung(in, skipped, strip);
     zipRungs(strip);
-    connectEdges(strip);
+    connectEdges(in, strip);
     return strip;
 }
 
