@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "sim/cut/air_edges.h"
@@ -125,6 +127,8 @@ struct Sweep {
     int vertex = -1;  ///< some vertex of the group
     int pass = 0;     ///< goes up each time the blade starts from the air
     int firstVertexOfPass = 0;
+    std::set<int> onSeams;      ///< vertices of the pass on walls of older ones
+    std::map<int, Vec3> sides;  ///< in which slits of older passes open (SweepStep)
     int refusedInARow = 0;
     std::vector<RungNode> rung;
     cut::AirTies airTies;
@@ -348,6 +352,8 @@ void Cutter::State::holdLivingVertices() {
 void Cutter::State::startPass(Sweep& sweep) {
     sweep.pass = ++pass;
     sweep.firstVertexOfPass = mesh.vertexCount();
+    sweep.onSeams.clear();
+    sweep.sides.clear();
 }
 
 // The rung carries the offset of the pass from the start: otherwise a blade that is put down
@@ -416,7 +422,10 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
 // Climbs the retry ladder: nothing is committed until one attempt succeeds.
 CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep) {
     const cut::BroadPhase candidates = findCandidates(to, sweep, from);
-    cut::clearAirEdges(mesh, candidates, to, h, sweep.airTies, from);
+    const cut::SlitOpening opening(
+        mesh, candidates,
+        {from, to, h, stroke, sweep.firstVertexOfPass, sweep.onSeams, sweep.sides});
+    cut::clearAirEdges(mesh, candidates, opening, to, h, sweep.airTies, from);
     if (samples.empty()) {
         samples = cut::thinByPiece(surface.vertices(), pieces.ofVertex());
     }
@@ -429,6 +438,7 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep&
                                 candidates,
                                 pieces.ofVertex(),
                                 surface,
+                                opening,
                                 samples,
                                 from,
                                 to,
@@ -469,6 +479,7 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
     cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
     follow(changedTriangles(committed.delta));
     madeWalls = true;
+    sweep.onSeams.insert(committed.onSeams.begin(), committed.onSeams.end());
     CutResult result = outcome(CutOutcome::cut);
     result.delta = std::move(committed.delta);
     result.statistics.cutPieces = 1;

@@ -297,7 +297,10 @@ void connectEdges(const StepInput& in, Strip& strip) {
 }  // namespace
 
 PredicatePositions::PredicatePositions(const StepInput& in)
-    : mesh_(in.mesh), closed_(in.attempt.closed), closeDistance_(kCloseDistance * in.h) {}
+    : mesh_(in.mesh),
+      opening_(in.attempt.openRetraced && !in.opening.empty() ? &in.opening : nullptr),
+      closed_(in.attempt.closed),
+      closeDistance_(kCloseDistance * in.h) {}
 
 Vec3 PredicatePositions::at(int v) const {
     if (!pins_.empty()) {
@@ -310,6 +313,11 @@ Vec3 PredicatePositions::at(int v) const {
 }
 
 Vec3 PredicatePositions::ofMaterial(int v) const {
+    return opening_ == nullptr ? closedPosition(v)
+                               : Vec3(closedPosition(v) + opening_->displacement(v));
+}
+
+Vec3 PredicatePositions::closedPosition(int v) const {
     const int group = mesh_.mateGroup(v);
     if (!closed_ || group < 0) {
         return mesh_.position(v);

@@ -7,8 +7,9 @@
 
 namespace kerf::cut {
 
-/// Where the predicates see the mesh vertices. Real positions, except that mates may close and
-/// that vertices on a front node are seen exactly there. Nothing real moves.
+/// Where the predicates see the mesh vertices. Real positions, except that mates may close, that
+/// retraced slits open, and that vertices on a front node are seen exactly there. Nothing real
+/// moves.
 class PredicatePositions {
   public:
     explicit PredicatePositions(const StepInput& in);
@@ -21,7 +22,10 @@ class PredicatePositions {
     void pin(int v, const Vec3& p) { pins_[v] = p; }
 
   private:
+    Vec3 closedPosition(int v) const;
+
     const SurfaceMesh& mesh_;
+    const SlitOpening* opening_;  ///< null where there is none to see
     bool closed_;
     double closeDistance_;
     std::map<int, Vec3> pins_;
