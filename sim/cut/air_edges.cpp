@@ -19,8 +19,9 @@ constexpr std::array<double, 5> kLifts{0, 0.05, 0.1, 0.2, 0.4};
 
 class AirEdges {
   public:
-    AirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const Blade& blade, double h)
-        : mesh_(mesh), broadPhase_(broadPhase), blade_(blade), h_(h) {}
+    AirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const SlitOpening& opening,
+             const Blade& blade, double h)
+        : mesh_(mesh), broadPhase_(broadPhase), opening_(opening), blade_(blade), h_(h) {}
 
     /// The nodes to put between two neighbours of the rung; nothing where none are needed or
     /// none help. `carried`: the points of the edge that went along with the skin.
@@ -150,7 +151,8 @@ class AirEdges {
     }
 
     bool isPierced(const RungNode& from, const RungNode& to) const {
-        for (const int t : broadPhase_.query(from.position, to.position, to.position, 0)) {
+        for (const int t :
+             broadPhase_.query(from.position, to.position, to.position, opening_.reach())) {
             if (!touches(t, from.vertex) && !touches(t, to.vertex) &&
                 crosses(from.position, to.position, t)) {
                 return true;
@@ -166,8 +168,10 @@ class AirEdges {
 
     bool crosses(const Vec3& p, const Vec3& q, int t) const {
         const Triangle& ids = mesh_.triangle(t);
-        const std::array<Vec3, 3> c{mesh_.position(ids[0]), mesh_.position(ids[1]),
-                                    mesh_.position(ids[2])};
+        std::array<Vec3, 3> c;
+        for (int i = 0; i < 3; ++i) {
+            c[i] = mesh_.position(ids[i]) + opening_.displacement(ids[i]);
+        }
         const int ofP = orient3d(c[0], c[1], c[2], p).sign;
         if (ofP * orient3d(c[0], c[1], c[2], q).sign >= 0) {
             return false;
@@ -181,15 +185,17 @@ class AirEdges {
 
     const SurfaceMesh& mesh_;
     const BroadPhase& broadPhase_;
+    const SlitOpening& opening_;
     const Blade& blade_;
     double h_;
 };
 
 }  // namespace
 
-void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const Blade& blade,
-                   double h, const AirTies& ties, std::vector<RungNode>& rung) {
-    const AirEdges edges(mesh, broadPhase, blade, h);
+void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase,
+                   const SlitOpening& opening, const Blade& blade, double h, const AirTies& ties,
+                   std::vector<RungNode>& rung) {
+    const AirEdges edges(mesh, broadPhase, opening, blade, h);
     std::vector<RungNode> cleared;
     for (std::size_t i = 0; i < rung.size(); ++i) {
         cleared.push_back(rung[i]);

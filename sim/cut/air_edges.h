@@ -5,14 +5,16 @@
 #include "sim/cut/air_ties.h"
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/cutter.h"
+#include "sim/cut/slit_opening.h"
 
 namespace kerf::cut {
 
 /// Leads the rung around skin that has moved across its edges in the air: what lies behind the
 /// rung is never swept, and would stay as a bridge. Such an edge goes by the points that the skin
 /// carried along, farther out where that is needed; or, beside a front vertex, by a node above the
-/// skin. Edges without a clear way stay as they are.
-void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const Blade& blade,
-                   double h, const AirTies& ties, std::vector<RungNode>& rung);
+/// skin. Edges without a clear way stay as they are. The mesh is seen with `opening`.
+void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase,
+                   const SlitOpening& opening, const Blade& blade, double h, const AirTies& ties,
+                   std::vector<RungNode>& rung);
 
 }  // namespace kerf::cut

@@ -24,7 +24,9 @@ class Commit {
         nameVertices();
         joinMatesOfCurves();
         buildRung();
-        joinMatesOfRung();
+        if (!plan_.retraces) {
+            joinMatesOfRung();
+        }
         repairDuplicateEdges();
         finishDelta();
         return std::move(result_);
@@ -97,6 +99,9 @@ class Commit {
     int addNode(int id) {
         const Node& node = plan_.curves.nodes[id];
         const int vertex = mesh_.addVertex(node.position, node.rest, node.velocity);
+        if (node.onSeam) {
+            result_.onSeams.push_back(vertex);
+        }
         if (vertexOfNode_[id] < 0) {
             vertexOfNode_[id] = vertex;
         } else {

@@ -15,6 +15,7 @@ struct StepPlan {
     std::vector<GluePartner> partners;   ///< by 3 * triangle + edge
     RungNode endA;                       ///< the ends of the new rung, in the air
     RungNode endB;
+    bool retraces = false;    ///< the blade runs along an older slit
     double volumeChange = 0;  ///< signed, before rounding [m^3]
 };
 
@@ -23,6 +24,7 @@ struct CommitResult {
     CutDelta delta;
     std::vector<RungNode> rung;  ///< the new one, from A to B
     int splitVertices = 0;       ///< copies of vertices that were made
+    std::vector<int> onSeams;    ///< new vertices on walls that were divided but not cut
 };
 
 /// Changes the mesh. Cannot fail. Every umbrella of the new surface becomes one vertex; the first

@@ -127,6 +127,8 @@ struct Sweep {
     int group = -1;
     int pass = 0;  ///< goes up each time the blade starts from the air
     int firstVertexOfPass = 0;
+    std::set<int> onSeams;      ///< vertices of the pass on walls of older ones
+    std::map<int, Vec3> sides;  ///< in which slits of older passes open (SweepStep)
     int refusedInARow = 0;
     std::vector<RungNode> rung;
     cut::AirTies airTies;
@@ -341,6 +343,8 @@ void Cutter::State::holdLivingVertices() {
 void Cutter::State::startPass(Sweep& sweep) {
     sweep.pass = ++pass;
     sweep.firstVertexOfPass = mesh.vertexCount();
+    sweep.onSeams.clear();
+    sweep.sides.clear();
 }
 
 // The rung carries the offset of the pass from the start: otherwise a blade that is put down
@@ -408,7 +412,10 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
 // Climbs the retry ladder: nothing is committed until one attempt succeeds.
 CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep) {
     const cut::BroadPhase candidates = findCandidates(to, sweep, from);
-    cut::clearAirEdges(mesh, candidates, to, h, sweep.airTies, from);
+    const cut::SlitOpening opening(
+        mesh, candidates,
+        {from, to, h, stroke, sweep.firstVertexOfPass, sweep.onSeams, sweep.sides});
+    cut::clearAirEdges(mesh, candidates, opening, to, h, sweep.airTies, from);
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
     const int attempts = cut::attemptCount(sweep.refusedInARow + 1 >= kRefusalsBeforeDetach);
@@ -418,6 +425,7 @@ CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep&
                                 candidates,
                                 pieces.ofVertex(),
                                 surface,
+                                opening,
                                 from,
                                 to,
                                 h,
@@ -459,6 +467,7 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
     follow(changed, sweep.group);
     surface.follow(changed, 0);
     madeWalls = true;
+    sweep.onSeams.insert(committed.onSeams.begin(), committed.onSeams.end());
     CutResult result = outcome(CutOutcome::cut);
     result.delta = std::move(committed.delta);
     result.statistics.cutPieces = 1;

@@ -92,8 +92,9 @@ struct CutSettings {
     double wallEdgeLength = 0;
     /// A step that advances less than this share of the edge length waits.
     double gate = 0.5;
-    /// Fixed offset of the blade per pass, as a share of the edge length: 1e-7 for double
-    /// positions, 1e-3 where they come back from the GPU as floats.
+    /// Fixed offset of the blade per pass, as a share of the edge length. 1e-3 is too small to see
+    /// and large enough for float positions; curves of several cuts stay that far apart. A cut that
+    /// must lie exactly in its plane takes less, down to about 1e-10 with double positions.
     double offset = 1e-3;
     /// Nodes closer than this share of the edge length are one: 1e-9 for doubles, 1e-5 for floats.
     double tolerance = 1e-5;

@@ -201,7 +201,8 @@ class Intersector {
         const Attempt& attempt = in_.attempt;
         const bool moved = attempt.closed || attempt.unfold != Unfold::nothing;
         const double closing = moved ? kCloseDistance : 0.0;
-        return (closing + 2 * attempt.shake + attempt.tolerance + attempt.gap) * in_.h;
+        const double opening = attempt.openRetraced ? in_.opening.reach() : 0.0;
+        return (closing + 2 * attempt.shake + attempt.tolerance + attempt.gap) * in_.h + opening;
     }
 
     void intersectPair(int m, int s, const std::array<Vec3, 3>& stripAt,
@@ -394,7 +395,7 @@ class Intersector {
             const int edge = strip_.triangleEdges[pair.s][i];
             if ((pair.shared.any() &&
                  (i == pair.shared.stripCorner || j == pair.shared.stripCorner)) ||
-                strip_.edges[edge].attached) {
+                strip_.edges[edge].frontOf == in_.pieceOfVertex[mesh_.triangle(pair.m)[0]]) {
                 continue;
             }
             const bool swapped = ids[i] > ids[j];
@@ -451,7 +452,7 @@ class Intersector {
         std::vector<Node>& nodes = curves_.nodes;
         std::sort(hits.begin(), hits.end(), [&](const EdgeHit& p, const EdgeHit& q) {
             return nodes[p.node].t != nodes[q.node].t ? nodes[p.node].t < nodes[q.node].t
-                                                      : p.node < q.node;
+                                                      : p.stripTriangle < q.stripTriangle;
         });
         const int n = sizeOf(hits);
         const double gap = std::min(kLeastParameter, 0.5 / (n + 1));
@@ -479,11 +480,14 @@ class Intersector {
         node.velocity = lerp(mesh_.velocity(node.a), mesh_.velocity(node.b));
     }
 
+    // In canonical order throughout: the mirrored node in the other wall of an older slit comes out
+    // the same to the last bit, or the Delaunay criterion would divide the two walls differently.
     void placeOnFace(Node& node) const {
+        const std::array<int, 3> order = seenCorners(node.a).order;
         node.weights = node.weights.cwiseMax(kLeastParameter);
-        node.weights /= node.weights.sum();
+        node.weights /= node.weights[order[0]] + node.weights[order[1]] + node.weights[order[2]];
         const Triangle& ids = mesh_.triangle(node.a);
-        for (const int i : seenCorners(node.a).order) {
+        for (const int i : order) {
             node.position += node.weights[i] * mesh_.position(ids[i]);
             node.rest += node.weights[i] * mesh_.restPosition(ids[i]);
             node.velocity += node.weights[i] * mesh_.velocity(ids[i]);

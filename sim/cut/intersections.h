@@ -24,6 +24,7 @@ struct Node {
     Vec3 weights = Vec3::Zero();  ///< face: barycentric, in the order of its corners
     int stripEdge = -1;           ///< face
     double u = 0;                 ///< face: parameter along the strip edge
+    bool onSeam = false;          ///< divides a wall that is not cut (addSeams)
     Vec2 layout = Vec2::Zero();
     Vec3 position = Vec3::Zero();
     Vec3 rest = Vec3::Zero();

@@ -137,7 +137,9 @@ class LoopNesting {
         int parent = -1;
         for (int i = 0; i < sizeOf(loops_); ++i) {
             const bool smaller = parent < 0 || areas_[i] < areas_[parent];
-            if (i != hole && areas_[i] > 0 && smaller && mostlyInside(loops_[hole], loops_[i])) {
+            const bool ofPiece = loops_[i].front().piece == loops_[hole].front().piece;
+            if (i != hole && areas_[i] > 0 && smaller && ofPiece &&
+                mostlyInside(loops_[hole], loops_[i])) {
                 parent = i;
             }
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace kerf::cut {
 
@@ -31,30 +32,43 @@ struct BorderPoint {
     bool inside = false;  ///< of the piece that follows
 };
 
+/// The walk of one piece of the body.
 class BorderWalk {
   public:
-    BorderWalk(const StepInput& in, const Strip& strip, CutCurves& curves)
-        : in_(in), strip_(strip), curves_(curves) {}
+    BorderWalk(const StepInput& in, const Strip& strip, int piece, CutCurves& curves)
+        : in_(in), strip_(strip), piece_(piece), curves_(curves) {}
 
     Outline run() {
+        collectSegments();
         countCurveEnds();
         collectFaceNodes();
         collectPoints();
         classify();
-        if (curves_.segments.empty() && !anyInside()) {
+        if (segments_.empty() && !anyInside()) {
             return {};
         }
         addCurves();
         addBorder();
-        requireClosed();
         return std::move(outline_);
     }
 
   private:
+    bool isOwn(int triangle) const {
+        return in_.pieceOfVertex[in_.mesh.triangle(triangle)[0]] == piece_;
+    }
+
+    void collectSegments() {
+        for (const Segment& segment : curves_.segments) {
+            if (isOwn(segment.triangle)) {
+                segments_.push_back(segment);
+            }
+        }
+    }
+
     // The body is entered where a curve ends on the border, and left where one starts.
     void countCurveEnds() {
         events_.assign(curves_.nodes.size(), 0);
-        for (const Segment& segment : curves_.segments) {
+        for (const Segment& segment : segments_) {
             --events_[segment.from];
             ++events_[segment.to];
         }
@@ -65,7 +79,7 @@ class BorderWalk {
     void collectFaceNodes() {
         faceNodesOfEdge_.resize(strip_.edges.size());
         for (const auto& [key, node] : curves_.onFace) {
-            if (strip_.edges[key.first].onBorder()) {
+            if (strip_.edges[key.first].onBorder() && isOwn(key.second)) {
                 faceNodesOfEdge_[key.first].push_back(node);
             }
         }
@@ -194,7 +208,7 @@ class BorderWalk {
 
     bool isFront(const BorderPoint& point) const {
         return point.link == Link::zeroFront ||
-               (point.link == Link::stripEdge && strip_.edges[point.edge].attached);
+               (point.link == Link::stripEdge && strip_.edges[point.edge].frontOf >= 0);
     }
 
     bool anyInside() const {
@@ -286,9 +300,13 @@ class BorderWalk {
     }
 
     void addCurves() {
-        for (const Segment& segment : curves_.segments) {
-            outline_.edges.push_back({segment.from, segment.to, OutlineKind::cut});
+        for (const Segment& segment : segments_) {
+            addEdge(segment.from, segment.to, OutlineKind::cut);
         }
+    }
+
+    void addEdge(int from, int to, OutlineKind kind) {
+        outline_.edges.push_back({from, to, kind, piece_});
     }
 
     void addBorder() {
@@ -310,9 +328,8 @@ class BorderWalk {
         } else if (point.inside && point.link == Link::none) {
             throw StepFailure{"the gap in the front lies inside"};
         } else if (point.inside) {
-            outline_.edges.push_back(
-                {nodeAt(i), nodeAt(j),
-                 point.link == Link::stub ? OutlineKind::free : OutlineKind::front});
+            addEdge(nodeAt(i), nodeAt(j),
+                    point.link == Link::stub ? OutlineKind::free : OutlineKind::front);
         }
     }
 
@@ -326,7 +343,7 @@ class BorderWalk {
         if (h < 0 || curves_.onEdge.count(edgeOf(from, to)) > 0) {
             throw StepFailure{"no edge to a touching vertex"};
         }
-        outline_.edges.push_back({nodeAt(i), nodeAt(j), OutlineKind::cut});
+        addEdge(nodeAt(i), nodeAt(j), OutlineKind::cut);
         curves_.segmentsOfTriangle[h / 3];
         curves_.segmentsOfTriangle[in_.mesh.twin(h) / 3];
     }
@@ -338,8 +355,8 @@ class BorderWalk {
         const int edge = points_[i].edge;
         const int from = nodeAt(i);
         const int to = nodeAt(j);
-        if (strip_.edges[edge].attached) {
-            outline_.edges.push_back({from, to, OutlineKind::front});
+        if (strip_.edges[edge].frontOf >= 0) {
+            addEdge(from, to, OutlineKind::front);
             return;
         }
         const bool newRung = strip_.onNewRung(edge);
@@ -395,7 +412,7 @@ class BorderWalk {
                 curves_.nodes.push_back(node);
                 next = sizeOf(curves_.nodes) - 1;
             }
-            outline_.edges.push_back({previous, next, OutlineKind::free});
+            addEdge(previous, next, OutlineKind::free);
             if (newRung) {
                 const double at = k / static_cast<double>(pieces);
                 outline_.front.push_back({sFrom + (sTo - sFrom) * at, previous, true});
@@ -425,34 +442,84 @@ class BorderWalk {
         return point.node;
     }
 
-    void requireClosed() const {
-        std::vector<int> out(curves_.nodes.size(), 0);
-        std::vector<int> in(curves_.nodes.size(), 0);
-        for (const OutlineEdge& edge : outline_.edges) {
-            ++out[edge.from];
-            ++in[edge.to];
-        }
-        for (int i = 0; i < sizeOf(curves_.nodes); ++i) {
-            const bool crossing = out[i] > 1 && curves_.nodes[i].kind != NodeKind::vertex;
-            if (out[i] != in[i] || crossing) {
-                throw StepFailure{"the border of the wall is not closed"};
-            }
-        }
-    }
-
     const StepInput& in_;
     const Strip& strip_;
+    int piece_;
     CutCurves& curves_;
+    std::vector<Segment> segments_;
     std::vector<int> events_;
     std::vector<std::vector<int>> faceNodesOfEdge_;
     std::vector<BorderPoint> points_;
     Outline outline_;
 };
 
+std::set<int> piecesInStrip(const StepInput& in, const Strip& strip, const CutCurves& curves) {
+    std::set<int> pieces;
+    for (const Segment& segment : curves.segments) {
+        pieces.insert(in.pieceOfVertex[in.mesh.triangle(segment.triangle)[0]]);
+    }
+    for (const StripNode& node : strip.nodes) {
+        for (const int v : node.vertices) {
+            pieces.insert(in.pieceOfVertex[v]);
+        }
+    }
+    return pieces;
+}
+
+void join(Outline& sum, const Outline& part) {
+    sum.edges.insert(sum.edges.end(), part.edges.begin(), part.edges.end());
+    sum.front.insert(sum.front.end(), part.front.begin(), part.front.end());
+    sum.endAInside |= part.endAInside;
+    sum.endBInside |= part.endBInside;
+}
+
+// Runs of attached points stay together; those of all pieces take turns from B to A.
+void sortRuns(std::vector<FrontPoint>& front) {
+    std::vector<std::vector<FrontPoint>> runs(1);
+    for (const FrontPoint& point : front) {
+        runs.back().push_back(point);
+        if (!point.attached) {
+            runs.emplace_back();
+        }
+    }
+    runs.pop_back();
+    std::stable_sort(runs.begin(), runs.end(), [](const auto& p, const auto& q) {
+        return p.front().s + p.back().s > q.front().s + q.back().s;
+    });
+    front.clear();
+    for (const std::vector<FrontPoint>& run : runs) {
+        front.insert(front.end(), run.begin(), run.end());
+    }
+}
+
+void requireClosed(const std::vector<OutlineEdge>& edges, const std::vector<Node>& nodes) {
+    std::vector<int> out(nodes.size(), 0);
+    std::vector<int> in(nodes.size(), 0);
+    for (const OutlineEdge& edge : edges) {
+        ++out[edge.from];
+        ++in[edge.to];
+    }
+    for (int i = 0; i < sizeOf(nodes); ++i) {
+        const bool crossing = out[i] > 1 && nodes[i].kind != NodeKind::vertex;
+        if (out[i] != in[i] || crossing) {
+            throw StepFailure{"the border of the wall is not closed"};
+        }
+    }
+}
+
 }  // namespace
 
 Outline traceOutline(const StepInput& in, const Strip& strip, CutCurves& curves) {
-    return BorderWalk(in, strip, curves).run();
+    const std::set<int> pieces = piecesInStrip(in, strip, curves);
+    Outline outline;
+    for (const int piece : pieces) {
+        join(outline, BorderWalk(in, strip.seenBy(piece, in.pieceOfVertex), piece, curves).run());
+    }
+    if (pieces.size() > 1) {
+        sortRuns(outline.front);
+    }
+    requireClosed(outline.edges, curves.nodes);
+    return outline;
 }
 
 }  // namespace kerf::cut

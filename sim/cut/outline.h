@@ -18,6 +18,7 @@ struct OutlineEdge {
     int from;
     int to;
     OutlineKind kind;
+    int piece;  ///< of the body
 };
 
 /// A node of the new rung, in the order from B to A.
@@ -35,9 +36,10 @@ struct Outline {
     bool endBInside = false;
 };
 
-/// Walks the border of the strip, tells inside from outside, and collects the border of the wall.
-/// Adds nodes (free samples, front vertices) to `curves`. Empty where the blade swept only air.
-/// Throws StepFailure where inside and outside contradict each other.
+/// Walks the border of the strip, tells inside from outside, and collects the border of the wall;
+/// for each piece of the body apart, so that pieces may touch or overlap. Adds nodes (free samples,
+/// front vertices) to `curves`. Empty where the blade swept only air. Throws StepFailure where
+/// inside and outside contradict each other.
 Outline traceOutline(const StepInput& in, const Strip& strip, CutCurves& curves);
 
 }  // namespace kerf::cut

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/cut/seams.h"
 #include "sim/cut/seeds.h"
 #include "sim/cut/skin_map.h"
 #include "sim/cut/wall.h"
@@ -109,9 +110,11 @@ PlannedStep planStep(const StepInput& in) {
         step.air = AirStep{plan.endA, plan.endB};
         return step;
     }
+    addSeams(in, plan.curves);
     plan.subdivision = subdivide(in.mesh, plan.curves);
     const std::vector<WallSheet> sheets = triangulateWall(in, strip, plan.outline, plan.curves);
     mapFromSkin(in, sheets, plan.curves);
+    plan.retraces = in.attempt.openRetraced && !in.opening.empty();
     plan.triangles = plan.subdivision.triangles;
     addWalls(in, sheets, plan);
     plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);

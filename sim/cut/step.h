@@ -6,6 +6,7 @@
 #include "sim/cut/blade.h"
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/cutter.h"
+#include "sim/cut/slit_opening.h"
 #include "sim/cut/stroke_surface.h"
 #include "sim/mesh/surface_mesh.h"
 
@@ -30,6 +31,7 @@ struct Attempt {
     double offsetScale = 1;  ///< length of the blade's offset, in units of the setting
     bool closed = false;     ///< predicates see mates at their common mean position
     Unfold unfold = Unfold::nothing;
+    bool openRetraced = true;   ///< predicates see slits open along which the blade runs
     bool touching = false;      ///< vertices of other pieces on a front node belong to it
     double tolerance = 0;       ///< nodes closer than this are one
     double shake = 0;           ///< virtual displacement of the front in the predicates
@@ -44,6 +46,7 @@ struct StepInput {
     const BroadPhase& broadPhase;
     const std::vector<int>& pieceOfVertex;
     const StrokeSurface& surface;
+    const SlitOpening& opening;
     const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
     Blade blade;
     double h = 0;       ///< edge length of walls [m]

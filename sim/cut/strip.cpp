@@ -267,7 +267,7 @@ void zipRungs(Strip& strip) {
     }
 }
 
-void connectEdges(Strip& strip) {
+void connectEdges(const StepInput& in, Strip& strip) {
     std::map<Edge, int> known;
     for (int t = 0; t < sizeOf(strip.triangles); ++t) {
         Triangle ids{};
@@ -292,14 +292,17 @@ void connectEdges(Strip& strip) {
         if (at == known.end()) {
             throw StepFailure{"a front edge is not in the strip"};
         }
-        strip.edges[at->second].attached = true;
+        strip.edges[at->second].frontOf = in.pieceOfVertex[strip.nodes[i].vertices.back()];
     }
 }
 
 }  // namespace
 
 PredicatePositions::PredicatePositions(const StepInput& in)
-    : mesh_(in.mesh), closed_(in.attempt.closed), closeDistance_(kCloseDistance * in.h) {}
+    : mesh_(in.mesh),
+      opening_(in.attempt.openRetraced && !in.opening.empty() ? &in.opening : nullptr),
+      closed_(in.attempt.closed),
+      closeDistance_(kCloseDistance * in.h) {}
 
 Vec3 PredicatePositions::at(int v) const {
     if (!pins_.empty()) {
@@ -312,6 +315,11 @@ Vec3 PredicatePositions::at(int v) const {
 }
 
 Vec3 PredicatePositions::ofMaterial(int v) const {
+    return opening_ == nullptr ? closedPosition(v)
+                               : Vec3(closedPosition(v) + opening_->displacement(v));
+}
+
+Vec3 PredicatePositions::closedPosition(int v) const {
     const int group = mesh_.mateGroup(v);
     if (!closed_ || group < 0) {
         return mesh_.position(v);
@@ -346,6 +354,25 @@ bool Strip::isRail(int edge) const {
 bool Strip::onNewRung(int edge) const {
     const StripEdge& e = edges[edge];
     return isNew(e.a) && isNew(e.b) && !(isOld(e.a) && isOld(e.b)) && !isRail(edge);
+}
+
+Strip Strip::seenBy(int piece, const std::vector<int>& pieceOfVertex) const {
+    const auto isOther = [&](int v) { return pieceOfVertex[v] != piece; };
+    Strip strip = *this;
+    for (StripNode& node : strip.nodes) {
+        node.attached = node.attached && !isOther(node.vertices.back());
+        std::erase_if(node.touching, isOther);
+        for (int i = sizeOf(node.vertices) - 1; i >= 0; --i) {
+            if (isOther(node.vertices[i])) {
+                node.vertices.erase(node.vertices.begin() + i);
+                node.attachedWithin.erase(node.attachedWithin.begin() + i);
+            }
+        }
+    }
+    for (StripEdge& edge : strip.edges) {
+        edge.frontOf = edge.frontOf == piece ? piece : -1;
+    }
+    return strip;
 }
 
 Vec3 bladePoint(const StepInput& in, double s) {
@@ -421,7 +448,7 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions,
     separateParameters(in, strip);
     placeNewRung(in, skipped, strip);
     zipRungs(strip);
-    connectEdges(strip);
+    connectEdges(in, strip);
     return strip;
 }
 

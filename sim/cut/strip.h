@@ -7,8 +7,9 @@
 
 namespace kerf::cut {
 
-/// Where the predicates see the mesh vertices. Real positions, except that mates may close and
-/// that vertices on a front node are seen exactly there. Nothing real moves.
+/// Where the predicates see the mesh vertices. Real positions, except that mates may close, that
+/// retraced slits open, and that vertices on a front node are seen exactly there. Nothing real
+/// moves.
 class PredicatePositions {
   public:
     explicit PredicatePositions(const StepInput& in);
@@ -21,7 +22,10 @@ class PredicatePositions {
     void pin(int v, const Vec3& p) { pins_[v] = p; }
 
   private:
+    Vec3 closedPosition(int v) const;
+
     const SurfaceMesh& mesh_;
+    const SlitOpening* opening_;  ///< null where there is none to see
     bool closed_;
     double closeDistance_;
     std::map<int, Vec3> pins_;
@@ -50,9 +54,9 @@ struct StripNode {
 struct StripEdge {
     int a = -1;
     int b = -1;
-    int first = -1;         ///< triangle that runs a -> b
-    int second = -1;        ///< the other one, -1 on the border
-    bool attached = false;  ///< a front edge of the mesh
+    int first = -1;    ///< triangle that runs a -> b
+    int second = -1;   ///< the other one, -1 on the border
+    int frontOf = -1;  ///< the piece whose front edge it is, -1 where it is none
     bool onBorder() const { return second < 0; }
 };
 
@@ -73,6 +77,8 @@ struct Strip {
     bool attachedAfter(int node) const { return isOld(node) && nodes[node].attached; }
     /// The edge lies on R1, rails excluded.
     bool onNewRung(int edge) const;
+    /// The strip as one piece of the body sees it: without the vertices and fronts of others.
+    Strip seenBy(int piece, const std::vector<int>& pieceOfVertex) const;
 
   private:
     bool isNew(int node) const;

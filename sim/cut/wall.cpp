@@ -376,32 +376,6 @@ std::vector<Triangle> triangulateSheet(const StepInput& in, const Strip& strip,
     }
 }
 
-int pieceOf(const StepInput& in, const Node& node) {
-    switch (node.kind) {
-        case NodeKind::edge:
-        case NodeKind::vertex:
-            return in.pieceOfVertex[node.a];
-        case NodeKind::face:
-            return in.pieceOfVertex[in.mesh.triangle(node.a)[0]];
-        case NodeKind::wall:
-            break;
-    }
-    return -1;
-}
-
-// A sheet whose border lies on two pieces would join them.
-int requireOnePiece(const StepInput& in, const Sheet2d& sheet, const std::vector<Node>& nodes) {
-    int piece = -1;
-    for (const OutlineEdge& edge : allEdges(sheet)) {
-        const int here = pieceOf(in, nodes[edge.from]);
-        if (here >= 0 && piece >= 0 && here != piece) {
-            throw StepFailure{"the wall would join two pieces"};
-        }
-        piece = std::max(piece, here);
-    }
-    return piece;
-}
-
 void requireBorderOnce(const Outline& outline, const std::vector<WallSheet>& sheets) {
     std::vector<std::pair<int, int>> directed;
     for (const WallSheet& sheet : sheets) {
@@ -428,8 +402,7 @@ std::vector<WallSheet> triangulateWall(const StepInput& in, const Strip& strip,
                                        const Outline& outline, CutCurves& curves) {
     std::vector<WallSheet> result;
     for (const Sheet2d& sheet : nestLoops(in, outline, curves.nodes)) {
-        const int piece = requireOnePiece(in, sheet, curves.nodes);
-        result.push_back({triangulateSheet(in, strip, sheet, curves), piece});
+        result.push_back({triangulateSheet(in, strip, sheet, curves), sheet.outer.front().piece});
     }
     requireBorderOnce(outline, result);
     return result;

@@ -53,8 +53,9 @@ struct FuzzFigures {
 };
 
 struct FuzzReport {
-    std::array<FuzzFigures, kFuzzModes> exact;    ///< positions stay doubles
-    std::array<FuzzFigures, kFuzzModes> rounded;  ///< positions are rounded to floats every step
+    std::array<FuzzFigures, kFuzzModes> exact;  ///< positions stay doubles
+    std::array<FuzzFigures, kFuzzModes>
+        rounded;  ///< moved by up to 1e-6 h and rounded to floats every step
     std::string table() const;
     FuzzFigures total(bool ofRounded) const;
     /// All modes that leave no slabs.

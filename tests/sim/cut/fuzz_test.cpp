@@ -52,18 +52,20 @@ TEST(CutFuzz, MeshesStayClosedAndStepsSucceed) {
             << "of " << slivers.triangles;
         const test::FuzzFigures ordinary = report.ordinary(rounded);
         EXPECT_LE(ordinary.intersecting, 0.02 * ordinary.strokes + 1);
-        EXPECT_LE(sum.unmirrored, 0.01 * sum.strokes) << "of " << sum.strokes << " strokes";
+        // The noise moves the two walls of a slit apart, so that a cut may meet them differently.
+        EXPECT_LE(sum.unmirrored, (rounded ? 0.02 : 0.0) * sum.strokes)
+            << "of " << sum.strokes << " strokes";
     }
 }
 
-// The blade leaves the body, turns, and comes back beside its own cut.
-TEST(CutFuzz, ABladeThatTurnsCutsThroughItsEarlierWalls) {
-    constexpr std::uint64_t kTurns = 70599;
+// Three curve nodes at one place on a wall that is cut again: both of its sides divide alike.
+TEST(CutFuzz, NodesAtOnePlaceKeepWallsMirrored) {
+    constexpr std::uint64_t kCrowdOnWall = 70350;
     test::FuzzReport report;
-    test::fuzzOnce(kTurns, report);
+    test::fuzzOnce(kCrowdOnWall, report);
     const test::FuzzFigures figures = report.total(false);
-    EXPECT_GT(figures.cuts, 5);
-    EXPECT_EQ(figures.refused, 0);
+    EXPECT_EQ(figures.strokes, 4);
+    EXPECT_EQ(figures.unmirrored, 0);
     EXPECT_EQ(figures.invalid, 0);
 }
 

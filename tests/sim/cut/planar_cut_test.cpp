@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "sim/cut/cutter.h"
 #include "sim/mesh/invariants.h"
+#include "sim/mesh/union_find.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
 
@@ -11,11 +14,33 @@ namespace {
 using test::CutCheck;
 using test::Stroke;
 
+// Of the blade, share of an edge: the parts differ by the volume that it sweeps.
+constexpr double kOffset = 1e-10;
+
+/// Pieces that the plane makes, independent of the cutter: vertices joined by edges that stay on
+/// one side. Right where no part's cap has a hole.
+int partsBeside(const SurfaceMesh& mesh, const Vec3& point, const Vec3& normal) {
+    UnionFind parts(mesh.vertexCount());
+    const auto side = [&](int v) { return (mesh.position(v) - point).dot(normal) > 0; };
+    std::set<int> roots;
+    for (int h = 0; h < 3 * mesh.triangleSlots(); ++h) {
+        if (side(mesh.origin(h)) == side(mesh.target(h))) {
+            parts.join(mesh.origin(h), mesh.target(h));
+        }
+    }
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        roots.insert(parts.root(v));
+    }
+    return static_cast<int>(roots.size());
+}
+
 void expectHalves(SurfaceMesh mesh, bool cleanUp, const Stroke& stroke, const Vec3& point,
                   const Vec3& normal, int pieces) {
     const test::HalfSpaceVolumes expected = test::clipVolumes(mesh, point, normal);
     const double whole = meshVolume(mesh);
     CutSettings settings = test::exactSettings();
+    settings.offset = kOffset;
+    settings.tolerance = 0.01 * kOffset;
     settings.cleanUp = cleanUp;
     const CutCheck check = test::runStroke(mesh, settings, stroke);
     EXPECT_EQ(check.problem, "");
@@ -29,10 +54,10 @@ void expectHalves(SurfaceMesh mesh, bool cleanUp, const Stroke& stroke, const Ve
     for (int p = 0; p < static_cast<int>(map.pieces.size()); ++p) {
         (test::meanSide(mesh, map, p, point, normal) > 0 ? above : below) += map.pieces[p].volume;
     }
-    // The blade is offset by 1e-7 of an edge, so the parts differ by that much area swept.
-    EXPECT_NEAR(above, expected.above, 1e-7 * whole);
-    EXPECT_NEAR(below, expected.below, 1e-7 * whole);
-    EXPECT_NEAR(above + below, whole, (cleanUp ? 1e-7 : 1e-9) * whole);
+    const double tolerance = (cleanUp ? 1e-7 : 1e-9) * whole;
+    EXPECT_NEAR(above, expected.above, tolerance);
+    EXPECT_NEAR(below, expected.below, tolerance);
+    EXPECT_NEAR(above + below, whole, tolerance);
 }
 
 void expectHalves(const SurfaceMesh& mesh, const Stroke& stroke, const Vec3& point,
@@ -97,6 +122,23 @@ TEST(PlanarCut, InOneGiantStep) {
                  Vec3::UnitY(), 2);
     expectHalves(test::icosphere(3), planarStroke(center, Vec3::UnitX(), Vec3::UnitZ(), 1), center,
                  Vec3::UnitY(), 2);
+}
+
+TEST(PlanarCut, OctopusLosesItsArmsToOnePlane) {
+    const SurfaceMesh octopus = test::builtin("octopus");
+    const Bounds bounds = meshBounds(octopus);
+    for (const int axis : {1, 2}) {
+        SCOPED_TRACE("axis " + std::to_string(axis));
+        const Vec3 normal = Vec3::Unit(axis);
+        const Vec3 center = bounds.center() - 0.171 * bounds.diagonal() * normal;
+        const int parts = partsBeside(octopus, center, normal);
+        EXPECT_GT(parts, 1);
+        expectHalves(
+            octopus,
+            test::straightStroke(center, Vec3::Unit((axis + 1) % 3), Vec3::Unit((axis + 2) % 3),
+                                 2.6 * bounds.diagonal(), 2.3 * bounds.diagonal(), 40),
+            center, normal, parts);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include "sim/cut/cutter.h"
+#include "sim/mesh/invariants.h"
+#include "tests/support/cut_fuzz.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+using test::CutCheck;
+using test::Stroke;
+
+// The blade hangs from above, its tip at height `tipY`, and goes along x through the unit sphere.
+Stroke along(double tipY, double z, double fromX, double toX) {
+    constexpr int kSteps = 40;
+    Stroke stroke;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double x = fromX + (toX - fromX) * i / kSteps;
+        stroke.push_back({{x, 1.5, z}, {x, tipY, z}});
+    }
+    return stroke;
+}
+
+int piecesOf(const SurfaceMesh& mesh) {
+    return static_cast<int>(findPieces(mesh).pieces.size());
+}
+
+void expectSound(const CutCheck& check) {
+    EXPECT_EQ(check.problem, "");
+    EXPECT_EQ(check.unmirrored, "");
+    EXPECT_EQ(check.refused, 0) << check.reason;
+}
+
+// Exactly along the older cut, and a twentieth of an edge beside it.
+TEST(Retrace, AlongACutThatWentThroughCutsNothing) {
+    for (const double beside : {0.0, 0.004}) {
+        SCOPED_TRACE(beside);
+        SurfaceMesh mesh = test::icosphere(3);
+        Cutter cutter(mesh, CutSettings{});
+        expectSound(test::runStroke(cutter, mesh, along(-1, 0.013, -0.8, 0.8)));
+        ASSERT_EQ(piecesOf(mesh), 2);
+        const int triangles = mesh.aliveTriangles();
+        const CutCheck again = test::runStroke(cutter, mesh, along(-1, 0.013 + beside, -0.8, 0.8));
+        expectSound(again);
+        EXPECT_EQ(again.cuts, 0);
+        EXPECT_EQ(piecesOf(mesh), 2);
+        EXPECT_EQ(mesh.aliveTriangles(), triangles);
+    }
+}
+
+TEST(Retrace, ADeeperCutGoesOnFromTheEndOfTheSlit) {
+    for (const bool backwards : {false, true}) {
+        SCOPED_TRACE(backwards ? "backwards" : "forwards");
+        SurfaceMesh mesh = test::icosphere(3);
+        Cutter cutter(mesh, CutSettings{});
+        expectSound(test::runStroke(cutter, mesh, along(0.2, 0.013, -0.8, 0.8)));
+        ASSERT_EQ(piecesOf(mesh), 1);
+        const double from = backwards ? 0.8 : -0.8;
+        const CutCheck deeper = test::runStroke(cutter, mesh, along(-1, 0.013, from, -from));
+        expectSound(deeper);
+        EXPECT_GT(deeper.cuts, 0);
+        EXPECT_EQ(piecesOf(mesh), 2) << "no slab comes off between the two cuts";
+        EXPECT_EQ(test::slitEdges(mesh, 1), 0);
+        EXPECT_LE(deeper.quality.all().below002, deeper.quality.all().triangles / 20);
+    }
+}
+
+// Strokes of the fuzz: turned back in their own cut, or ran along earlier ones.
+TEST(Retrace, FuzzedStrokesAreNeitherRefusedNorLoseTheirMirrors) {
+    for (const std::uint64_t seed : {70599, 80006, 80057, 80178, 81459, 81469, 81943}) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        test::FuzzReport report;
+        test::fuzzOnce(seed, report);
+        for (const bool rounded : {false, true}) {
+            const test::FuzzFigures figures = report.total(rounded);
+            EXPECT_EQ(figures.invalid, 0);
+            EXPECT_EQ(figures.refused, 0);
+            EXPECT_EQ(figures.unseparated, 0);
+            EXPECT_EQ(figures.unmirrored, 0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace kerf
