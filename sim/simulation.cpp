@@ -604,8 +604,9 @@ void Simulation::State::putBladeAway() {
 SnapshotPointer Simulation::State::capture() {
     syncMesh();
     if (!current) {
-            Snapshot{mesh, *body, *cutter, solver.pages(), volumeTargets, hands, pins, measure,
-                     closed, subdivisions});
+        current = std::make_shared<const Snapshot>(Snapshot{mesh, *body, *cutter, solver.pages(),
+                                                            volumeTargets, hands, pins, measure,
+                                                            closed, subdivisions});
     }
     return current;
 }
