@@ -534,9 +534,12 @@ BodyMeasure GpuSolver::measure() {
         const shared::vec4& high = measures[b].high_lost;
         const uint piece = blocks_[b].piece;
         out.pieceVolumes[piece] += low.w;
+        lost[piece] = lost[piece] || high.w != 0.0f;
+        if (low.x > high.x) {
+            continue;  // all vertices of the block's pages have gone to other pieces
+        }
         boxes[piece].add({low.x, low.y, low.z});
         boxes[piece].add({high.x, high.y, high.z});
-        lost[piece] = lost[piece] || high.w != 0.0f;
         speeds.add(
             {measures[b].low_velocity.x, measures[b].low_velocity.y, measures[b].low_velocity.z});
         speeds.add({measures[b].high_velocity.x, measures[b].high_velocity.y,
