@@ -115,7 +115,8 @@ class Opening {
         const Triangle& c = mesh_.triangle(t);
         return mesh_.kind(t) == SurfaceKind::wall &&
                (mesh_.wallLabel(t) / 2 != step_.stroke ||
-                std::any_of(c.begin(), c.end(), [&](int v) { return isOlderThanPass(v); }));
+                (!step_.firstPass &&
+                 std::any_of(c.begin(), c.end(), [&](int v) { return isOlderThanPass(v); })));
     }
 
     bool isOlderThanPass(int v) const {

@@ -16,6 +16,7 @@ struct SweepStep {
     Blade blade;
     double h = 0;  ///< edge length of walls [m]
     int stroke = 0;
+    bool firstPass = true;         ///< of the stroke: it can't meet older walls of its own
     int firstVertexOfPass = 0;     ///< vertices from here on were made in the pass
     const std::set<int>& onSeams;  ///< those of them on walls that it did not make (addSeams)
     /// By vertex: the way in which it opens, a unit vector; zero where it stays. Found when the
