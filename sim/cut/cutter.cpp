@@ -412,10 +412,9 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
 // Climbs the retry ladder: nothing is committed until one attempt succeeds.
 CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep) {
     const cut::BroadPhase candidates = findCandidates(to, sweep, from);
-    const bool firstPass = sweep.firstVertexOfPass <= surface.vertexCount();
     const cut::SlitOpening opening(
         mesh, candidates,
-        {from, to, h, stroke, firstPass, sweep.firstVertexOfPass, sweep.onSeams, sweep.sides});
+        {from, to, h, stroke, sweep.firstVertexOfPass, sweep.onSeams, sweep.sides});
     cut::clearAirEdges(mesh, candidates, opening, to, h, sweep.airTies, from);
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());

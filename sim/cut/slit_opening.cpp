@@ -111,12 +111,9 @@ class Opening {
         Vec3 normal;
     };
 
+    // A stroke that comes back to where it has cut is often not done there.
     bool isOldWall(int t) const {
-        const Triangle& c = mesh_.triangle(t);
-        return mesh_.kind(t) == SurfaceKind::wall &&
-               (mesh_.wallLabel(t) / 2 != step_.stroke ||
-                (!step_.firstPass &&
-                 std::any_of(c.begin(), c.end(), [&](int v) { return isOlderThanPass(v); })));
+        return mesh_.kind(t) == SurfaceKind::wall && mesh_.wallLabel(t) / 2 != step_.stroke;
     }
 
     bool isOlderThanPass(int v) const {

@@ -16,7 +16,6 @@ struct SweepStep {
     Blade blade;
     double h = 0;  ///< edge length of walls [m]
     int stroke = 0;
-    bool firstPass = true;         ///< of the stroke: it can't meet older walls of its own
     int firstVertexOfPass = 0;     ///< vertices from here on were made in the pass
     const std::set<int>& onSeams;  ///< those of them on walls that it did not make (addSeams)
     /// By vertex: the way in which it opens, a unit vector; zero where it stays. Found when the
@@ -24,9 +23,10 @@ struct SweepStep {
     std::map<int, Vec3>& sides;
 };
 
-/// Older slits along which the blade runs: the sweep lies within a tenth of an edge and five
-/// degrees of their walls. Cut again, they would leave a slab thinner than any useful triangle;
-/// instead the predicates see them open, and the blade runs in their gap. Nothing real moves.
+/// Slits of earlier strokes along which the blade runs: the sweep lies within a tenth of an edge
+/// and five degrees of their walls. Cut again, they would leave a slab thinner than any useful
+/// triangle; instead the predicates see them open, and the blade runs in their gap. Nothing real
+/// moves.
 class SlitOpening {
   public:
     SlitOpening() = default;
