@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/boxes.h"
+
 namespace kerf::app {
 namespace {
 
@@ -18,14 +20,6 @@ Corners cornersOf(const SurfaceMesh& mesh, int triangle) {
 
 Vec3 areaVector(const Corners& c) {
     return (c[1] - c[0]).cross(c[2] - c[0]);
-}
-
-Bounds boundsOf(std::span<const Vec3> points) {
-    Bounds bounds;
-    for (const Vec3& p : points) {
-        bounds.add(p);
-    }
-    return bounds;
 }
 
 /// The part of a line, from the shares `low` to `high` of it.
@@ -89,10 +83,8 @@ struct Strip {
     }
     void add(const Corners& face) {
         faces.push_back(face);
-        boxes.push_back(boundsOf(face));
-        for (const Vec3& p : face) {
-            box.add(p);
-        }
+        boxes.push_back(boxOf(face));
+        box.add(boxes.back());
     }
 };
 
@@ -138,7 +130,7 @@ CutPreview previewCut(const SurfaceMesh& mesh, std::span<const Blade> way) {
             continue;
         }
         const Corners corners = cornersOf(mesh, t);
-        const Bounds box = boundsOf(corners);
+        const Bounds box = boxOf(corners);
         if (!box.overlaps(strip.box)) {
             continue;
         }

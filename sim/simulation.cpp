@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/body/body_updater.h"
+#include "sim/boxes.h"
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/oriented_box.h"
 #include "sim/snapshot.h"
@@ -72,14 +73,6 @@ double copyState(const BodyState& state, SurfaceMesh& mesh) {
         mesh.setVelocity(v, state.velocities[v].cast<double>());
     }
     return std::sqrt(farthest);
-}
-
-Bounds boxOf(std::span<const Vec3> points) {
-    Bounds box;
-    for (const Vec3& p : points) {
-        box.add(p);
-    }
-    return box;
 }
 
 std::vector<Vec3> usedPositions(const SurfaceMesh& mesh) {

@@ -9,6 +9,7 @@
 
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
+#include "sim/cut/wall_edge.h"
 #include "sim/solve/solver_uniforms.h"
 
 namespace kerf {
@@ -23,10 +24,9 @@ static_assert(sizeof(shared::ContactCandidate) == 8);
 static_assert(sizeof(shared::ContactRecord) == 64);
 static_assert(sizeof(shared::ContactState) == 40);
 
-constexpr double kReach = 0.5;            // h
-constexpr double kFarthest = 2;           // h: no candidate beyond
-constexpr double kWallsPerDiagonal = 12;  // see CutSettings
-constexpr double kTopSpeed = 400;         // that fixed-point displacements can hold [m/s]
+constexpr double kReach = 0.5;     // h
+constexpr double kFarthest = 2;    // h: no candidate beyond
+constexpr double kTopSpeed = 400;  // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
 uint bucketsFor(uint triangles) {
@@ -55,7 +55,7 @@ double contactEdgeLength(const BodyModel& model) {
             box.add(model.restPositions[v].cast<double>());
         }
     }
-    return std::min(model.edgeLength, box.diagonal() / kWallsPerDiagonal);
+    return wallEdgeFor(model.edgeLength, box.diagonal());
 }
 
 int contactSearches(const ContactSettings& settings, double edgeLength, double relativeSpeed) {
@@ -103,9 +103,14 @@ ContactSolver::ContactSolver() {
 void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
     body_ = body;
     edgeLength_ = edgeLength;
-    const std::size_t n = body.vertexCount;
-    const std::size_t triangles = std::max(body.triangleCount, 1u);
-    const std::size_t buckets = bucketsFor(body.triangleCount);
+    bodyIsNew_ = true;
+}
+
+// Not before contact is on: the buffers are larger than the body's own.
+void ContactSolver::takeBody() {
+    const std::size_t n = body_.vertexCount;
+    const std::size_t triangles = std::max(body_.triangleCount, 1u);
+    const std::size_t buckets = bucketsFor(body_.triangleCount);
     normals_.resize(n * sizeof(shared::vec4));
     restNormals_.resize(n * sizeof(shared::vec4));
     boxes_.resize(triangles * sizeof(shared::ContactBox));
@@ -119,7 +124,7 @@ void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
     records_.resize(n * sizeof(shared::ContactRecord));
     shares_.resize(n * sizeof(uint));
     sums_.resize(n * 6 * sizeof(int));
-    restNormalsLag_ = true;
+    runNormals(*body_.restPositions, restNormals_);
 }
 
 void ContactSolver::uploadUniforms() {
@@ -135,10 +140,10 @@ void ContactSolver::beginStep(double relativeSpeed) {
     }
     uniforms_ = contactUniforms(settings_, edgeLength_, relativeSpeed);
     uploadUniforms();
-    const int searches = contactSearches(settings_, edgeLength_, relativeSpeed);
-    if (std::exchange(restNormalsLag_, false)) {
-        runNormals(*body_.restPositions, restNormals_);
+    if (std::exchange(bodyIsNew_, false)) {
+        takeBody();
     }
+    const int searches = contactSearches(settings_, edgeLength_, relativeSpeed);
     substepsBetweenSearches_ = (settings_.substeps + searches - 1) / searches;
 }
 

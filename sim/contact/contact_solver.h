@@ -88,11 +88,11 @@ class ContactSolver {
     struct Kernels {
         gpu::Program normals, boxes, scan, scanBlocks, fill, candidates, detect, respond, apply;
     };
+    void takeBody();
     void uploadUniforms();
     void runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
     void fillGrid();
     void findCandidates();
-    void bindGrid() const;
     void run(const gpu::Program& kernel, std::uint32_t threads);
     void runIndirect(const gpu::Program& kernel, std::size_t offset);
 
@@ -102,7 +102,7 @@ class ContactSolver {
     double edgeLength_ = 0;
     shared::ContactUniforms uniforms_{};
     int substepsBetweenSearches_ = 1;
-    bool restNormalsLag_ = false;
+    bool bodyIsNew_ = false;  ///< since the last step with contact on
 
     gpu::Buffer uniformBuffer_, state_;
     gpu::Buffer normals_, restNormals_;

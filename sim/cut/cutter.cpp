@@ -17,6 +17,7 @@
 #include "sim/cut/skin_map.h"
 #include "sim/cut/strip.h"
 #include "sim/cut/sweep.h"
+#include "sim/cut/wall_edge.h"
 #include "sim/mesh/piece_labels.h"
 #include "sim/mesh/triangle_tree.h"
 
@@ -24,8 +25,6 @@ namespace kerf {
 
 namespace {
 
-// On coarse models walls are finer than the skin: about twelve of their edges span the body.
-constexpr double kEdgesPerDiagonal = 12;
 // After so many refused steps in a row the front is let go; it stays as a slit.
 constexpr int kRefusalsBeforeDetach = 3;
 // What `finish` sweeps although it is below the gate (share of h), and how many times the blade's
@@ -60,7 +59,7 @@ double defaultWallEdge(const SurfaceMesh& mesh) {
             ++count;
         }
     }
-    return count == 0 ? 1.0 : std::min(sum / count, bounds.diagonal() / kEdgesPerDiagonal);
+    return count == 0 ? 1.0 : wallEdgeFor(sum / count, bounds.diagonal());
 }
 
 int strokesSoFar(const SurfaceMesh& mesh) {
@@ -128,7 +127,7 @@ struct Sweep {
     int pass = 0;  ///< goes up each time the blade starts from the air
     int firstVertexOfPass = 0;
     std::set<int> onSeams;      ///< vertices of the pass on walls of older ones
-    std::map<int, Vec3> sides;  ///< in which slits of older passes open (SweepStep)
+    std::map<int, Vec3> sides;  ///< in which slits of earlier strokes open (SweepStep)
     int refusedInARow = 0;
     std::vector<RungNode> rung;
     cut::AirTies airTies;

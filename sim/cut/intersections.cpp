@@ -201,8 +201,8 @@ class Intersector {
         const Attempt& attempt = in_.attempt;
         const bool moved = attempt.closed || attempt.unfold != Unfold::nothing;
         const double closing = moved ? kCloseDistance : 0.0;
-        const double opening = attempt.openRetraced ? in_.opening.reach() : 0.0;
-        return (closing + 2 * attempt.shake + attempt.tolerance + attempt.gap) * in_.h + opening;
+        const double shares = closing + 2 * attempt.shake + attempt.tolerance + attempt.gap;
+        return shares * in_.h + in_.opening.reach();
     }
 
     void intersectPair(int m, int s, const std::array<Vec3, 3>& stripAt,

@@ -114,7 +114,7 @@ PlannedStep planStep(const StepInput& in) {
     plan.subdivision = subdivide(in.mesh, plan.curves);
     const std::vector<WallSheet> sheets = triangulateWall(in, strip, plan.outline, plan.curves);
     mapFromSkin(in, sheets, plan.curves);
-    plan.retraces = in.attempt.openRetraced && !in.opening.empty();
+    plan.retraces = !in.opening.empty();
     plan.triangles = plan.subdivision.triangles;
     addWalls(in, sheets, plan);
     plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);

@@ -238,7 +238,7 @@ class Seams {
 }  // namespace
 
 void addSeams(const StepInput& in, CutCurves& curves) {
-    if (in.attempt.openRetraced && !in.opening.empty()) {
+    if (!in.opening.empty()) {
         Seams(in, curves).run();
     }
 }

@@ -31,7 +31,6 @@ struct Attempt {
     double offsetScale = 1;  ///< length of the blade's offset, in units of the setting
     bool closed = false;     ///< predicates see mates at their common mean position
     Unfold unfold = Unfold::nothing;
-    bool openRetraced = true;   ///< predicates see slits open along which the blade runs
     bool touching = false;      ///< vertices of other pieces on a front node belong to it
     double tolerance = 0;       ///< nodes closer than this are one
     double shake = 0;           ///< virtual displacement of the front in the predicates

@@ -300,7 +300,7 @@ void connectEdges(const StepInput& in, Strip& strip) {
 
 PredicatePositions::PredicatePositions(const StepInput& in)
     : mesh_(in.mesh),
-      opening_(in.attempt.openRetraced && !in.opening.empty() ? &in.opening : nullptr),
+      opening_(!in.opening.empty() ? &in.opening : nullptr),
       closed_(in.attempt.closed),
       closeDistance_(kCloseDistance * in.h) {}
 

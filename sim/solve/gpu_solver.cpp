@@ -393,9 +393,7 @@ void GpuSolver::setInverseUnitMass(int vertex, float value) {
 void GpuSolver::step() {
     contacts_.beginStep(relativeSpeed_);
     for (uint i = 0; i < uniforms_.substeps; ++i) {
-        collideTimer_.begin();
-        contacts_.beforeSubstep(static_cast<int>(i));
-        collideTimer_.end();
+        searchContactsBefore(i);
         for (uint sweep = 0; sweep < uniforms_.sweeps; ++sweep) {
             deformTimer_.begin();
             sweep == 0 ? predictAndStretch() : stretchAgain();
@@ -480,6 +478,14 @@ void GpuSolver::pull() {
     }
 }
 
+void GpuSolver::searchContactsBefore(uint substep) {
+    if (contacts_.enabled()) {
+        collideTimer_.begin();
+        contacts_.beforeSubstep(static_cast<int>(substep));
+        collideTimer_.end();
+    }
+}
+
 void GpuSolver::searchContacts() {
     contacts_.beginStep(relativeSpeed_);
     contacts_.search();
@@ -551,7 +557,8 @@ BodyMeasure GpuSolver::measure() {
             out.lostPieces.push_back(static_cast<int>(p));
         }
     }
-    out.contacts = static_cast<int>(measures[blocks_.size()].low_volume.x);
+    out.contacts =
+        contacts_.enabled() ? static_cast<int>(measures[blocks_.size()].low_volume.x) : 0;
     out.relativeSpeed = relativeSpeed_ = out.lostPieces.empty() ? speeds.diagonal() : 0.0;
     return out;
 }

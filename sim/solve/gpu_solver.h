@@ -131,6 +131,7 @@ class GpuSolver {
             volumeCorrect, floor, finish, measure, masses, pull, restore;
     };
 
+    void searchContactsBefore(std::uint32_t substep);
     void uploadTopology(const BodyModel& model);
     void uploadPieces(const BodyModel& model);
     void resizeScratch(const BodyModel& model);

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <algorithm>
+
+namespace kerf {
+
+/// The edge length of walls where nobody has set one [m]: that of the skin (its mean), but at most
+/// a twelfth of the body's diagonal, so that coarse bodies get walls finer than their skin.
+inline double wallEdgeFor(double meanEdge, double diagonal) {
+    constexpr double kEdgesPerDiagonal = 12;
+    return std::min(meanEdge, diagonal / kEdgesPerDiagonal);
+}
+
+}  // namespace kerf
