@@ -1,0 +1,199 @@
+#include "app/editor_state.h"
+
+namespace kerf::app {
+namespace {
+
+const Vec3 kEarthGravity{0, -9.81, 0};
+
+}  // namespace
+
+void Editor::State::apply(const ui::Action& action) {
+    if (const auto* id = std::get_if<ui::ActionId>(&action)) {
+        perform(*id);
+    } else if (const auto* change = std::get_if<ui::GoToChange>(&action)) {
+        goToChange(change->done);
+    } else if (const auto* speed = std::get_if<ui::SetSpeed>(&action)) {
+        clock.setSpeed(speed->factor);
+    } else if (const auto* seek = std::get_if<ui::SeekTo>(&action)) {
+        seekTo(seek->step);
+    } else if (const auto* blade = std::get_if<ui::SetBlade>(&action)) {
+        setBlade(blade->settings);
+    } else {
+        execute(std::get<SetParam>(action));
+    }
+}
+
+void Editor::State::execute(const Command& command) {
+    if (scene == nullptr) {
+        return;
+    }
+    if (const std::string problem = scene->execute(command); !problem.empty()) {
+        toast.show(problem, true);
+    }
+    sceneChanged = true;
+    settlePasses = kSettlePasses;
+}
+
+void Editor::State::seekTo(int step) {
+    if (scene != nullptr) {
+        scene->seek(step);
+        sceneChanged = true;
+        settlePasses = kSettlePasses;
+    }
+}
+
+void Editor::State::setBlade(const ui::BladeSettings& settings) {
+    if (scene != nullptr) {
+        hand.set(settings, *scene);
+        settlePasses = kSettlePasses;
+    }
+}
+
+void Editor::State::setTool(ui::BladeTool tool) {
+    ui::BladeSettings settings = hand.settings();
+    settings.tool = tool;
+    setBlade(settings);
+}
+
+void Editor::State::toggleRecording() {
+    if (!scene->recording()) {
+        scene->startRecording();
+        toast.show("Recording. Ctrl+R stops it and saves a session.", false);
+        return;
+    }
+    scene->stopRecording();
+    saveSession();
+}
+
+void Editor::State::goToChange(std::size_t done) {
+    if (scene == nullptr) {
+        return;
+    }
+    const UndoHistory& history = scene->simulation().history();
+    while (history.done() > done && history.canUndo()) {
+        execute(Undo{});
+    }
+    while (history.done() < done && history.canRedo()) {
+        execute(Redo{});
+    }
+}
+
+void Editor::State::perform(ui::ActionId id) {
+    settlePasses = kSettlePasses;
+    switch (id) {
+        case ui::ActionId::help:
+            helpOpen = !helpOpen;
+            return;
+        case ui::ActionId::screenshot:
+            screenshotWanted = true;
+            return;
+        case ui::ActionId::cancel:
+            cancel();
+            return;
+        case ui::ActionId::quit:
+            closing = true;
+            return;
+        default:
+            if (scene != nullptr) {
+                performOnScene(id);
+                sceneChanged = true;
+            }
+    }
+}
+
+void Editor::State::performOnScene(ui::ActionId id) {
+    switch (id) {
+        case ui::ActionId::playPause:
+            scene->playing = !scene->playing;
+            return;
+        case ui::ActionId::stepOnce:
+            scene->playing = false;
+            runSteps(1, 0);
+            return;
+        case ui::ActionId::reset:
+            scene->reset();
+            return;
+        case ui::ActionId::undo:
+            execute(Undo{});
+            return;
+        case ui::ActionId::redo:
+            execute(Redo{});
+            return;
+        case ui::ActionId::toolStroke:
+            setTool(ui::BladeTool::stroke);
+            return;
+        case ui::ActionId::toolScalpel:
+            setTool(ui::BladeTool::scalpel);
+            return;
+        case ui::ActionId::toolGuillotine:
+            setTool(ui::BladeTool::guillotine);
+            return;
+        case ui::ActionId::bringDown:
+            hand.bringDown(*scene);
+            strokedOnce = true;
+            return;
+        case ui::ActionId::record:
+            toggleRecording();
+            return;
+        case ui::ActionId::saveSession:
+            saveSession();
+            return;
+        case ui::ActionId::loop:
+            scene->toggleLoop();
+            return;
+        case ui::ActionId::slower:
+            clock.setSpeed(clock.speed() / 2);
+            return;
+        case ui::ActionId::faster:
+            clock.setSpeed(clock.speed() * 2);
+            return;
+        case ui::ActionId::toggleGravity:
+            toggleGravity();
+            return;
+        case ui::ActionId::wireframe:
+            wireframe = !wireframe;
+            return;
+        default:
+            moveCamera(id);
+    }
+}
+
+void Editor::State::moveCamera(ui::ActionId id) {
+    switch (id) {
+        case ui::ActionId::frameBody:
+            camera.frame(scene->bounds());
+            return;
+        case ui::ActionId::resetView:
+            camera = scene->document().camera;
+            return;
+        case ui::ActionId::viewFront:
+            lookAlong(camera, AxisView::front);
+            return;
+        case ui::ActionId::viewRight:
+            lookAlong(camera, AxisView::right);
+            return;
+        case ui::ActionId::viewTop:
+            lookAlong(camera, AxisView::top);
+            return;
+        default:
+            return;
+    }
+}
+
+void Editor::State::cancel() {
+    if (helpOpen) {
+        helpOpen = false;
+    } else if (scene != nullptr) {
+        hand.cancel(*scene);
+        sceneChanged = true;
+    }
+}
+
+void Editor::State::toggleGravity() {
+    const bool on = scene->simulation().params().gravity.norm() > 0;
+    const Vec3 before = scene->document().session.params.gravity;
+    const Vec3 switchedOn = before.norm() > 0 ? before : kEarthGravity;
+    execute(SetParam{"gravity", on ? Vec3(Vec3::Zero()) : switchedOn});
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,53 @@
+#include "app/editor_state.h"
+
+namespace kerf::app {
+namespace {
+
+const Vec2 kNowhere(-1e5, -1e5);  // [px]
+
+}  // namespace
+
+std::string Editor::State::hint() const {
+    if (scene == nullptr) {
+        return "Drop a model (OBJ, PLY, STL) or a session here to open it.";
+    }
+    if (scene->pieceCount() > 1 && !scene->playing) {
+        const bool weightless = scene->simulation().params().gravity.norm() == 0;
+        return weightless ? "Press V for gravity, then Space to let the pieces fall."
+                          : "Press Space to let the pieces fall.";
+    }
+    if (strokedOnce || scene->playing) {
+        return "";
+    }
+    if (hand.settings().tool == ui::BladeTool::scalpel) {
+        return "Drag over the surface to cut into it.";
+    }
+    if (hand.settings().tool == ui::BladeTool::guillotine) {
+        return "Drag the four handles to pose the blade, then press Enter to bring it down.";
+    }
+    return scene->playingBack()
+               ? "Press Space to play the session, or drag across the model to cut it."
+               : "Drag across the model to cut it.";
+}
+
+void Editor::State::describe() {
+    model = {};
+    model.helpOpen = helpOpen;
+    model.wireframe = wireframe;
+    model.history = &noHistory;
+    if (scene != nullptr) {
+        scene->describe(model);
+    }
+    model.speed = clock.speed();
+    model.stages.frame = clock.rate() > 0 ? 1000 / clock.rate() : 0;
+    model.device = options.device;
+    model.hint = hint();
+    model.blade = hand.settings();
+    if (scene != nullptr) {
+        const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
+        model.overlay = hand.overlay(viewFrame(), inView, *scene);
+    }
+    toast.describe(model);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,79 @@
+#include <spdlog/spdlog.h>
+
+#include <ctime>
+
+#include "app/editor_state.h"
+#include "app/file_io.h"
+
+namespace kerf::app {
+namespace {
+
+/// NAME-YYYYMMDD-HHMMSS with an ending, numbered where that is taken.
+std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
+                               const std::string& ending) {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    char moment[32];
+    std::strftime(moment, sizeof moment, "-%Y%m%d-%H%M%S", &local);
+    const std::string stem = name + moment;
+    std::filesystem::path file = folder / (stem + ending);
+    for (int n = 2; std::filesystem::exists(file); ++n) {
+        file = folder / (stem + "-" + std::to_string(n) + ending);
+    }
+    return std::filesystem::absolute(file).lexically_normal();
+}
+
+}  // namespace
+
+void Editor::State::saveSession() {
+    try {
+        const std::filesystem::path file =
+            freeFile(options.screenshotFolder, scene->document().name, ".kerf.json");
+        writeOutputFile(file, formatSession(scene->recordedSession(camera), file.parent_path()));
+        spdlog::info("session saved to {}", file.string());
+        toast.show("Saved " + file.string(), false);
+    } catch (const std::exception& error) {
+        toast.show(error.what(), true);
+    }
+}
+
+void Editor::State::open(const std::filesystem::path& file) {
+    try {
+        show(openDocument(file));
+    } catch (const std::exception& error) {
+        // The scene is as it was: the new one is only taken once it stands.
+        spdlog::error("{}", error.what());
+        toast.show(error.what(), true);
+    }
+}
+
+void Editor::State::show(Document document) {
+    const std::string note = document.note;
+    scene = std::make_unique<EditorScene>(std::move(document));
+    camera = scene->document().camera;
+    renderer.setRestShape(scene->document().mesh);
+    hand.fitTo(scene->bounds());
+    cameraControl.releaseAll();
+    strokedOnce = false;
+    sceneChanged = true;
+    clock.stop();
+    if (!note.empty()) {
+        spdlog::info("{}: {}", scene->document().name, note);
+        toast.show(note, false);
+    }
+}
+
+void Editor::State::saveScreenshot() {
+    screenshotWanted = false;
+    try {
+        const std::filesystem::path file = freeFile(options.screenshotFolder, "kerf", ".png");
+        render::writePng({options.width, options.height, picture.readColor()}, file);
+        spdlog::info("screenshot saved to {}", file.string());
+        toast.show("Saved " + file.string(), false);
+    } catch (const std::exception& error) {
+        toast.show(error.what(), true);
+    }
+}
+
+}  // namespace kerf::app

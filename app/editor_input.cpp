@@ -1,0 +1,110 @@
+#include <algorithm>
+
+#include "app/editor_state.h"
+#include "ui/shortcuts.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr int kMaxBatchesPerPicture = 16;
+
+}  // namespace
+
+void Editor::State::takeInput(double elapsedSeconds) {
+    // At least one pass, so that the panels live; later batches of one picture take no time.
+    pass(queue.takeBatch(), elapsedSeconds);
+    for (int n = 1; n < kMaxBatchesPerPicture && !queue.empty(); ++n) {
+        pass(queue.takeBatch(), 0);
+    }
+}
+
+void Editor::State::pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds) {
+    describe();
+    settlePasses = batch.empty() ? std::max(0, settlePasses - 1) : kSettlePasses;
+    const std::vector<ui::Action> actions =
+        interface.pass(batch, model, options.width, options.height, elapsedSeconds);
+    for (const ui::InputEvent& event : batch) {
+        dispatch(event);
+    }
+    for (const ui::Action& action : actions) {
+        apply(action);
+    }
+}
+
+void Editor::State::dispatch(const ui::InputEvent& event) {
+    if (const auto* move = std::get_if<ui::PointerMove>(&event)) {
+        onMove(*move);
+    } else if (const auto* change = std::get_if<ui::ButtonChange>(&event)) {
+        onButton(*change);
+    } else if (const auto* wheel = std::get_if<ui::Wheel>(&event)) {
+        onWheel(*wheel);
+    } else if (const auto* key = std::get_if<ui::KeyChange>(&event); key != nullptr && key->down) {
+        onKey(key->key, key->modifiers);
+    } else if (const auto* typed = std::get_if<ui::Character>(&event);
+               typed && typed->code == '?') {
+        onKey(ui::Key::questionMark, {});
+    } else if (const auto* drop = std::get_if<ui::FileDrop>(&event); drop && !drop->files.empty()) {
+        open(drop->files.front());
+    } else if (std::holds_alternative<ui::FocusLost>(event)) {
+        onFocusLost();
+    }
+}
+
+void Editor::State::onMove(const ui::PointerMove& move) {
+    const Vec2 to{move.x, move.y};
+    const Vec2 by = to - pointer;
+    pointer = to;
+    if (cameraControl.move(camera, by.x(), by.y(), options.height)) {
+        sceneChanged = true;
+    }
+    if (scene != nullptr) {
+        hand.move(viewFrame(), pointer, *scene);
+    }
+}
+
+void Editor::State::onButton(const ui::ButtonChange& change) {
+    if (!change.down) {
+        cameraControl.release(change.button);
+        if (change.button == ui::Button::left) {
+            endStroke();
+        }
+        return;
+    }
+    if (interface.ownsPointer() || hand.holds() || cameraControl.press(change)) {
+        return;
+    }
+    if (change.button == ui::Button::left && scene != nullptr) {
+        hand.press(viewFrame(), pointer, *scene);
+    }
+}
+
+void Editor::State::endStroke() {
+    if (scene != nullptr && hand.holds()) {
+        hand.release(*scene);
+        strokedOnce = strokedOnce || scene->stroke().pending() > 0;
+    }
+}
+
+void Editor::State::onWheel(const ui::Wheel& wheel) {
+    if (!interface.ownsPointer()) {
+        const ViewFrame view = viewFrame();
+        CameraControl::zoom(camera, wheel.y, view.toNdc(pointer), view.aspect());
+        sceneChanged = true;
+    }
+}
+
+void Editor::State::onKey(ui::Key key, const ui::Modifiers& modifiers) {
+    if (interface.ownsKeyboard()) {
+        return;
+    }
+    if (const std::optional<ui::ActionId> id = ui::findAction(key, modifiers)) {
+        perform(*id);
+    }
+}
+
+void Editor::State::onFocusLost() {
+    cameraControl.releaseAll();
+    endStroke();
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/blade_hand.h"
+#include "app/editor.h"
+#include "app/editor_camera.h"
+#include "app/editor_scene.h"
+#include "app/editor_toast.h"
+#include "app/input_queue.h"
+#include "app/step_clock.h"
+#include "app/view_frame.h"
+#include "ui/interface.h"
+
+namespace kerf::app {
+
+/// Passes over the panels after the last input, for those that answer late.
+inline constexpr int kSettlePasses = 2;
+
+/// All that an editor holds. Its functions stand in a file per concern, as the headings say.
+struct Editor::State {
+    explicit State(const EditorOptions& wanted)
+        : options(wanted),
+          clock(wanted.byTheClock),
+          interface(wanted.scale),
+          renderer(wanted.quality) {}
+
+    EditorOptions options;
+    StepClock clock;
+    InputQueue queue;
+    ui::Interface interface;
+    render::Renderer renderer;
+    std::unique_ptr<EditorScene> scene;
+    render::Camera camera;
+    CameraControl cameraControl;
+    Vec2 pointer = Vec2::Zero();  ///< [px]
+    gpu::Framebuffer picture;
+    ui::PanelModel model;
+    ui::History noHistory;
+    EditorToast toast;
+    BladeHand hand;
+    bool sceneChanged = true;
+    bool closing = false;
+    bool helpOpen = false;
+    bool wireframe = false;
+    bool screenshotWanted = false;
+    bool strokedOnce = false;
+    int settlePasses = kSettlePasses;
+
+    // Input: editor_input.cpp.
+    void takeInput(double elapsedSeconds);
+    void pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds);
+    void dispatch(const ui::InputEvent& event);
+    void onMove(const ui::PointerMove& move);
+    void onButton(const ui::ButtonChange& change);
+    void onWheel(const ui::Wheel& wheel);
+    void onKey(ui::Key key, const ui::Modifiers& modifiers);
+    void onFocusLost();
+    void endStroke();
+
+    // Answers to keys and panels: editor_actions.cpp.
+    void apply(const ui::Action& action);
+    void perform(ui::ActionId id);
+    void performOnScene(ui::ActionId id);
+    void moveCamera(ui::ActionId id);
+    void execute(const Command& command);
+    void goToChange(std::size_t done);
+    void seekTo(int step);
+    void setBlade(const ui::BladeSettings& settings);
+    void setTool(ui::BladeTool tool);
+    void toggleRecording();
+    void cancel();
+    void toggleGravity();
+
+    // Files: editor_files.cpp.
+    void open(const std::filesystem::path& file);
+    void show(Document document);
+    void saveSession();
+    void saveScreenshot();
+
+    // Time: editor_time.cpp.
+    void advance(double elapsedSeconds);
+    /// `needed` steps whatever they cost, up to `due` ones while they are fast.
+    void runSteps(int needed, int due);
+    bool running() const;
+
+    // What the panels are told: editor_description.cpp.
+    void describe();
+    std::string hint() const;
+
+    // Pictures: editor_picture.cpp.
+    void draw();
+    void drawScene();
+    void ensurePicture();
+
+    ViewFrame viewFrame() const { return {camera, options.width, options.height}; }
+};
+
+}  // namespace kerf::app
