@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 
+#include "app/bar_experiment.h"
 #include "app/compare_verb.h"
 #include "app/editor.h"
 #include "app/exit_codes.h"
@@ -82,23 +83,25 @@ void describeReplay(Parser& parser, Arguments& arguments) {
     parser.replay->add_flag("--json", arguments.replay.json, "Print one JSON object");
 }
 
-/// "sphere20, ..., banana, all".
+/// "sphere20, ..., banana, bar, all".
 std::string experimentNames() {
     std::string names;
     for (const PaperExperiment& experiment : paperExperiments()) {
         names += std::string(experiment.name) + ", ";
     }
-    return names + "all";
+    return names + kBarExperiment + ", all";
 }
 
 std::string refuseUnknownExperiment(const std::string& name) {
-    const bool known = name == "all" || findPaperExperiment(name) != nullptr;
+    const bool known =
+        name == "all" || name == kBarExperiment || findPaperExperiment(name) != nullptr;
     return known ? "" : "there is no experiment '" + name + "'; there are " + experimentNames();
 }
 
 void describeExperiment(Parser& parser, Arguments& arguments) {
     parser.experiment = parser.app.add_subcommand(
-        "experiment", "Run the paper's experiments headless and write a report");
+        "experiment",
+        "Run the paper's experiments, or the virtual test bench, headless and write a report");
     parser.experiment->add_option("NAME", arguments.experiment.name, experimentNames())
         ->required()
         ->check(refuseUnknownExperiment);

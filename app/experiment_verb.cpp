@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "app/bar_experiment.h"
 #include "app/exit_codes.h"
 #include "app/experiment_report.h"
 #include "app/file_io.h"
@@ -158,6 +159,9 @@ int complainAboutFailures(const std::vector<ExperimentResult>& results, std::ost
 }  // namespace
 
 int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std::ostream& errors) {
+    if (arguments.name == kBarExperiment) {
+        return runBarExperiment(arguments.out, arguments.json, out, errors);
+    }
     const std::vector<const PaperExperiment*> experiments = chosenExperiments(arguments.name);
     gpu::EglContext context;
     gpu::enableDebugOutput();

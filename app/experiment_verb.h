@@ -8,7 +8,7 @@ namespace kerf::app {
 
 /// `kerf experiment NAME|all --out DIR [--json]`, parsed.
 struct ExperimentArguments {
-    std::string name;  ///< of an experiment, or "all"
+    std::string name;  ///< of an experiment, "bar" or "all"
     std::filesystem::path out;
     bool json = false;
 };
@@ -17,7 +17,7 @@ struct ExperimentArguments {
 /// each writes into DIR/NAME what a replay writes and a plot of volume and frame rate, then
 /// DIR/report.md comes last. Prints the volumes beside the paper's on `out`; the first failed check
 /// goes to `errors`. Returns the exit code, 0 or 1. Throws what replaySession throws, and
-/// gpu::ContextError.
+/// gpu::ContextError. "bar" is the test bench instead, which "all" leaves out: runBarExperiment.
 int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std::ostream& errors);
 
 }  // namespace kerf::app

@@ -8,6 +8,7 @@
 
 #include "app/export.h"
 #include "app/file_io.h"
+#include "app/output_folder.h"
 #include "app/scene_view.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
@@ -18,53 +19,6 @@
 namespace kerf::app {
 
 namespace {
-
-/// The folder that a replay writes into, and what it wrote.
-class OutputFolder {
-  public:
-    explicit OutputFolder(const std::filesystem::path& folder) {
-        std::error_code error;
-        std::filesystem::create_directories(folder, error);
-        folder_ = std::filesystem::canonical(folder, error);
-        if (error || !std::filesystem::is_directory(folder_)) {
-            throw OutputError(folder.string() + ": this folder could not be made; choose another.");
-        }
-    }
-
-    /// Where `name` lies, its own folder made. Throws OutputError where a link leads outside.
-    std::filesystem::path place(const std::string& name) const {
-        std::filesystem::path file = folder_ / name;
-        std::error_code error;
-        std::filesystem::create_directories(file.parent_path(), error);
-        const auto parent = std::filesystem::canonical(file.parent_path(), error);
-        const auto relative = parent.lexically_relative(folder_);
-        if (error || relative.empty() || *relative.begin() == "..") {
-            throw OutputError(name + ": it would not lie inside the output folder.");
-        }
-        return file;
-    }
-
-    void remove(const std::string& name) const {
-        std::error_code error;
-        std::filesystem::remove(folder_ / name, error);
-        if (error) {
-            throw OutputError(name + ": an older result could not be removed (" + error.message() +
-                              ").");
-        }
-    }
-
-    void write(const std::string& name, std::string_view bytes) {
-        writeOutputFile(place(name), bytes);
-        written_.push_back(name);
-    }
-
-    void noteWritten(const std::string& name) { written_.push_back(name); }
-    const std::vector<std::string>& written() const { return written_; }
-
-  private:
-    std::filesystem::path folder_;
-    std::vector<std::string> written_;
-};
 
 void removeEarlierResults(const OutputFolder& folder, const Session& session) {
     for (const char* name : {kSummaryFile, kMetricsFile, kMeshFile}) {

@@ -1,0 +1,42 @@
+#include "app/output_folder.h"
+
+#include "app/file_io.h"
+
+namespace kerf::app {
+
+OutputFolder::OutputFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    folder_ = std::filesystem::canonical(folder, error);
+    if (error || !std::filesystem::is_directory(folder_)) {
+        throw OutputError(folder.string() + ": this folder could not be made; choose another.");
+    }
+}
+
+std::filesystem::path OutputFolder::place(const std::string& name) const {
+    std::filesystem::path file = folder_ / name;
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    const auto parent = std::filesystem::canonical(file.parent_path(), error);
+    const auto relative = parent.lexically_relative(folder_);
+    if (error || relative.empty() || *relative.begin() == "..") {
+        throw OutputError(name + ": it would not lie inside the output folder.");
+    }
+    return file;
+}
+
+void OutputFolder::remove(const std::string& name) const {
+    std::error_code error;
+    std::filesystem::remove(folder_ / name, error);
+    if (error) {
+        throw OutputError(name + ": an older result could not be removed (" + error.message() +
+                          ").");
+    }
+}
+
+void OutputFolder::write(const std::string& name, std::string_view bytes) {
+    writeOutputFile(place(name), bytes);
+    written_.push_back(name);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kerf::app {
+
+/// The folder that a run writes its results into, and what it wrote. Nothing is written outside it.
+class OutputFolder {
+  public:
+    /// Makes the folder where it is missing. Throws OutputError, as all functions here.
+    explicit OutputFolder(const std::filesystem::path& folder);
+
+    /// Where `name` lies, its own folder made. Throws also where a link leads outside.
+    std::filesystem::path place(const std::string& name) const;
+    /// Removes an earlier result, if there is one.
+    void remove(const std::string& name) const;
+    /// Writes a whole file; it appears complete or not at all.
+    void write(const std::string& name, std::string_view bytes);
+    /// Of a file that was written at its place() by others.
+    void noteWritten(const std::string& name) { written_.push_back(name); }
+    /// Names in the order of writing.
+    const std::vector<std::string>& written() const { return written_; }
+
+  private:
+    std::filesystem::path folder_;
+    std::vector<std::string> written_;
+};
+
+}  // namespace kerf::app

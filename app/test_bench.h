@@ -1,0 +1,35 @@
+#pragma once
+
+namespace kerf::app {
+
+/// What is loaded on the virtual test bench, and how.
+enum class SpecimenKind {
+    hangingBar,       ///< 0.1 x 0.4 x 0.1 m, its top pinned, pulled by its own weight
+    compressedBlock,  ///< 0.2 m cube that stands on a floor without friction under its own weight
+};
+
+/// One test.
+struct BenchSetting {
+    SpecimenKind kind = SpecimenKind::hangingBar;
+    int cells = 4;         ///< squares across the specimen
+    double modulus = 1e5;  ///< the parameter `youngs_modulus` [Pa]
+    int iterations = 20;   ///< substeps of 5 ms
+    double ispcStiffness = 0.5;
+};
+
+/// What came of it.
+struct BenchResult {
+    int triangles = 0;
+    double strain = 0;            ///< mean, by which the specimen got longer or shorter
+    double effectiveModulus = 0;  ///< [Pa]
+    double volumeRatio = 1;       ///< at rest under load, against the unloaded specimen
+    bool settled = false;         ///< false where it still moved when time was up
+};
+
+/// Loads the specimen by a gravity that gives a strain of 1 % at the parameter's modulus, lets it
+/// settle, and takes the modulus from its change of length. With the weight of the vertices m g, at
+/// distances h from the support, a bar of cross-section A changes its length by sum(m g h) / (E A).
+/// Runs on the GL context that is current.
+BenchResult measureModulus(const BenchSetting& setting);
+
+}  // namespace kerf::app

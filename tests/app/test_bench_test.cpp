@@ -1,0 +1,153 @@
+#include "app/test_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "app/bar_experiment.h"
+#include "sim/mesh/box_surface.h"
+#include "tests/support/finite_elements.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/run_kerf.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using app::BenchResult;
+using app::BenchRun;
+using app::BenchSetting;
+using app::SpecimenKind;
+using test::ElasticSolid;
+
+constexpr double kDensity = 1000;
+constexpr double kGravity = 5;
+const Vec3 kBar(0.1, 0.4, 0.1);
+
+/// The bar of the test bench as a solid: its top holds, and each node on its skin has the weight of
+/// a third of the area around it, as in Kerf.
+ElasticSolid hangingSolid(int cells, double poisson) {
+    ElasticSolid solid = test::solidBox(kBar, {cells, 4 * cells, cells});
+    solid.poissonRatio = poisson;
+    const TriangleSoup skin = boxSurface(kBar, {cells, 4 * cells, cells});
+    std::map<std::array<double, 3>, int> nodeAt;
+    for (std::size_t n = 0; n < solid.nodes.size(); ++n) {
+        const Vec3& p = solid.nodes[n];
+        nodeAt[{p.x(), p.y(), p.z()}] = static_cast<int>(n);
+        solid.supported[n].fill(p.y() == kBar.y() / 2);
+    }
+    const double weight = kDensity * kGravity * kBar.prod();
+    const double surface = 2 * (kBar.x() * kBar.y() + kBar.y() * kBar.z() + kBar.z() * kBar.x());
+    for (const Triangle& t : skin.triangles) {
+        const Vec3& a = skin.positions[t[0]];
+        const double area = 0.5 * (skin.positions[t[1]] - a).cross(skin.positions[t[2]] - a).norm();
+        for (const int corner : t) {
+            const Vec3& p = skin.positions[corner];
+            solid.loads[nodeAt.at({p.x(), p.y(), p.z()})].y() -= weight * area / surface / 3;
+        }
+    }
+    return solid;
+}
+
+/// By how much the lower end comes down, over what a bar without clamps would do.
+double deflectionOverTheory(const ElasticSolid& solid) {
+    const std::vector<Vec3> displacements = test::solveElastic(solid);
+    double moved = 0;
+    int count = 0;
+    double theory = 0;
+    for (std::size_t n = 0; n < solid.nodes.size(); ++n) {
+        const double below = kBar.y() / 2 - solid.nodes[n].y();
+        theory -= solid.loads[n].y() * below / (solid.youngsModulus * kBar.x() * kBar.z());
+        if (below == kBar.y()) {
+            moved -= displacements[n].y();
+            ++count;
+        }
+    }
+    return moved / count / theory;
+}
+
+TEST(FiniteElements, StretchUniformlyUnderUniformTension) {
+    const Vec3 size(0.2, 0.3, 0.1);
+    ElasticSolid solid = test::solidBox(size, {2, 3, 2});
+    solid.poissonRatio = 0.4;
+    const double stress = 700;
+    for (std::size_t n = 0; n < solid.nodes.size(); ++n) {
+        for (int axis = 0; axis < 3; ++axis) {
+            solid.supported[n][axis] = solid.nodes[n][axis] == -size[axis] / 2;
+        }
+    }
+    const ElasticSolid& s = solid;
+    // Consistent loads of the tetrahedra's faces on the upper end.
+    for (const std::array<int, 4>& t : s.tetrahedra) {
+        std::vector<int> face;
+        for (const int n : t) {
+            if (s.nodes[n].y() == size.y() / 2) {
+                face.push_back(n);
+            }
+        }
+        if (face.size() == 3) {
+            const Vec3 area =
+                0.5 *
+                (s.nodes[face[1]] - s.nodes[face[0]]).cross(s.nodes[face[2]] - s.nodes[face[0]]);
+            for (const int n : face) {
+                solid.loads[n].y() += stress * area.norm() / 3;
+            }
+        }
+    }
+    const std::vector<Vec3> moved = test::solveElastic(solid);
+    const double strain = stress / solid.youngsModulus;
+    for (std::size_t n = 0; n < solid.nodes.size(); ++n) {
+        const Vec3 from = solid.nodes[n] + size / 2;
+        const Vec3 expected = strain * Vec3(-0.4 * from.x(), from.y(), -0.4 * from.z());
+        EXPECT_LT((moved[n] - expected).norm(), 1e-12) << n;
+    }
+}
+
+TEST(FiniteElements, RefuseASolidThatCanMoveFreely) {
+    ElasticSolid solid = test::solidBox(kBar, {1, 2, 1});
+    solid.loads[0] = Vec3::UnitY();
+    EXPECT_THROW(test::solveElastic(solid), std::runtime_error);
+}
+
+TEST(FiniteElements, AgreeWithTheFormulaOfTheTestBench) {
+    // The clamped top stiffens a little, the more so the less the solid can be compressed.
+    EXPECT_NEAR(deflectionOverTheory(hangingSolid(4, 0.0)), 1, 1e-2);
+    EXPECT_NEAR(deflectionOverTheory(hangingSolid(4, 0.3)), 1, 0.03);
+    EXPECT_NEAR(deflectionOverTheory(hangingSolid(4, 0.45)), 1, 0.08);
+}
+
+class TestBench : public test::GlTest {};
+
+TEST_F(TestBench, TheBarsModulusIsOfTheParametersSize) {
+    const BenchSetting setting{.cells = 3};
+    const BenchResult result = app::measureModulus(setting);
+    EXPECT_TRUE(result.settled);
+    EXPECT_NEAR(result.volumeRatio, 1, 1e-3);
+    const double solid = deflectionOverTheory(hangingSolid(3, 0.45));
+    const double deviation = result.effectiveModulus / setting.modulus * solid;
+    RecordProperty("deviation", std::to_string(deviation));
+    EXPECT_GT(deviation, 0.9) << "docs/physics.md states 1.6";
+    EXPECT_LT(deviation, 1.8);
+}
+
+TEST_F(TestBench, TooFewIterationsMakeAStiffBlockSoft) {
+    BenchSetting setting{.kind = SpecimenKind::compressedBlock, .cells = 2, .modulus = 1e6};
+    setting.iterations = 5;
+    const double few = app::measureModulus(setting).effectiveModulus;
+    setting.iterations = 40;
+    const double many = app::measureModulus(setting).effectiveModulus;
+    EXPECT_GT(many, 2 * few) << "Jacobi needs small substeps";
+}
+
+TEST(BarReport, PutsEachTestInItsPlace) {
+    BenchRun run;
+    run.setting = {.kind = SpecimenKind::compressedBlock, .cells = 3, .modulus = 1e5};
+    run.result.effectiveModulus = 1.25e5;
+    run.result.settled = true;
+    const std::string report = app::formatBarReport({run});
+    EXPECT_NE(report.find("| compressed block | 1e+05 | - | 1.25 | - | - |"), std::string::npos)
+        << report;
+}
+
+}  // namespace
+}  // namespace kerf
