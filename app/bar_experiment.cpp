@@ -21,7 +21,7 @@ constexpr std::array kKinds{SpecimenKind::hangingBar, SpecimenKind::compressedBl
 constexpr std::array kModuli{1e4, 1e5, 1e6};
 constexpr std::array kCells{2, 3, 4, 6};
 constexpr std::array kIterations{5, 10, 20, 40, 60};
-constexpr double kMostVolumeChange = 1e-3;
+constexpr double kMostVolumeChange = 0.01;
 constexpr const char* kReportFile = "report.md";
 constexpr const char* kSummaryFile = "summary.json";
 
