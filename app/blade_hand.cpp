@@ -57,7 +57,7 @@ void addTouched(const ViewFrame& view, const SurfaceMesh& mesh, const std::vecto
         const auto a = view.toPixel(p);
         const auto b = view.toPixel(mesh.position(c[1]));
         const auto d = view.toPixel(mesh.position(c[2]));
-        if (normal.dot(view.camera.eye - p) > 0 && a && b && d) {
+        if (normal.dot(view.camera.towardsEye(p)) > 0 && a && b && d) {
             overlay.touched.push_back({*a, *b, *d});
         }
     }
@@ -139,8 +139,7 @@ void BladeHand::move(const ViewFrame& view, const Vec2& pixel, EditorScene& scen
 }
 
 void BladeHand::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point =
-        pickSurface(scene.simulation().mesh(), view.camera.eye, view.rayThrough(pixel));
+    const auto point = pickSurface(scene.simulation().mesh(), view.rayThrough(pixel));
     if (!point) {
         scalpel_.reset();
         scene.stroke().end();
@@ -241,8 +240,7 @@ std::vector<Blade> BladeHand::wayAhead(const ViewFrame& view, const Vec2& pixel,
         return {guillotine_.at(settings_.lowered), guillotine_.at(1)};
     }
     if (settings_.tool == ui::BladeTool::scalpel) {
-        const auto point =
-            pickSurface(scene.simulation().mesh(), view.camera.eye, view.rayThrough(pixel));
+        const auto point = pickSurface(scene.simulation().mesh(), view.rayThrough(pixel));
         if (point) {
             return {Scalpel(settings_.scalpelDepth).at(*point)};
         }

@@ -8,7 +8,8 @@
 namespace kerf::app {
 namespace {
 
-constexpr double kParallel = 1e-14;            // of squared areas
+constexpr double kParallel = 1e-14;  // of squared areas
+constexpr double kOnEdge = 1e-9;     // of squared areas: no ray slips between two triangles
 const Vec3 kAside{0.61e-4, 0.35e-4, 0.71e-4};  // of the blade's length
 
 using Corners = std::array<Vec3, 3>;
@@ -113,7 +114,7 @@ std::optional<Vec3> meet(const Corners& c, const Vec3& origin, const Vec3& direc
     for (int k = 0; k < 3; ++k) {
         shares[k] = areaVector({p, c[(k + 1) % 3], c[(k + 2) % 3]}).dot(normal);
     }
-    if (at <= 0 || at >= distance || shares.minCoeff() < 0) {
+    if (at <= 0 || at >= distance || shares.minCoeff() < -kOnEdge * normal.squaredNorm()) {
         return std::nullopt;
     }
     distance = at;
@@ -149,8 +150,7 @@ CutPreview previewCut(const SurfaceMesh& mesh, std::span<const Blade> way) {
     return preview;
 }
 
-std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const Vec3& origin,
-                                        const Vec3& direction) {
+std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const render::Ray& ray) {
     SurfacePoint best;
     Vec3 shares = Vec3::Zero();
     double distance = 1e300;
@@ -158,7 +158,7 @@ std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const Vec3& ori
         if (!mesh.alive(t)) {
             continue;
         }
-        if (const auto hit = meet(cornersOf(mesh, t), origin, direction, distance)) {
+        if (const auto hit = meet(cornersOf(mesh, t), ray.origin, ray.direction, distance)) {
             best.triangle = t;
             shares = *hit;
         }
@@ -166,7 +166,7 @@ std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const Vec3& ori
     if (best.triangle < 0) {
         return std::nullopt;
     }
-    best.position = origin + distance * direction;
+    best.position = ray.origin + distance * ray.direction;
     Vec3 normal = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
         normal += shares[k] *

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "render/camera.h"
 #include "sim/cut/blade.h"
 #include "sim/mesh/surface_mesh.h"
 
@@ -24,8 +25,7 @@ struct SurfacePoint {
     Vec3 position = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();  ///< outwards, smooth over the same kind of surface
 };
-/// The first one that a ray meets from outside. `direction`: unit. O(triangles).
-std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const Vec3& origin,
-                                        const Vec3& direction);
+/// The first one that a ray meets from outside. O(triangles).
+std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const render::Ray& ray);
 
 }  // namespace kerf::app

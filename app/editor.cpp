@@ -37,6 +37,7 @@ void Editor::frame(double elapsedSeconds) {
     State& s = *state_;
     s.toast.pass(elapsedSeconds);
     s.takeInput(elapsedSeconds);
+    s.sceneChanged |= s.cameraFlight.advance(s.camera, elapsedSeconds);
     s.advance(elapsedSeconds);
     s.draw();
     if (s.screenshotWanted) {
@@ -46,7 +47,8 @@ void Editor::frame(double elapsedSeconds) {
 
 double Editor::idleSeconds() const {
     const State& s = *state_;
-    if (!s.queue.empty() || s.running() || s.sceneChanged || s.settlePasses > 0) {
+    if (!s.queue.empty() || s.running() || s.sceneChanged || s.settlePasses > 0 ||
+        s.cameraFlight.flying()) {
         return 0;
     }
     return s.toast.visible() ? s.toast.steadySeconds() : kForever;

@@ -150,33 +150,8 @@ void Editor::State::performOnScene(ui::ActionId id) {
         case ui::ActionId::toggleGravity:
             toggleGravity();
             return;
-        case ui::ActionId::wireframe:
-            wireframe = !wireframe;
-            return;
         default:
-            moveCamera(id);
-    }
-}
-
-void Editor::State::moveCamera(ui::ActionId id) {
-    switch (id) {
-        case ui::ActionId::frameBody:
-            camera.frame(scene->bounds());
-            return;
-        case ui::ActionId::resetView:
-            camera = scene->document().camera;
-            return;
-        case ui::ActionId::viewFront:
-            lookAlong(camera, AxisView::front);
-            return;
-        case ui::ActionId::viewRight:
-            lookAlong(camera, AxisView::right);
-            return;
-        case ui::ActionId::viewTop:
-            lookAlong(camera, AxisView::top);
-            return;
-        default:
-            return;
+            performOnView(id);
     }
 }
 

@@ -7,6 +7,26 @@ namespace {
 
 constexpr double kRadiansPerHeight = 3.5;  // a drag over the whole height turns by 200 degrees
 constexpr double kZoomPerNotch = 0.88;
+constexpr double kOffPole = 1e-4;  // from above: "up" still says which way the view is turned [rad]
+
+/// From the target to the eye, unit.
+Vec3 directionOf(AxisView view) {
+    switch (view) {
+        case AxisView::front:
+            return Vec3::UnitZ();
+        case AxisView::back:
+            return -Vec3::UnitZ();
+        case AxisView::right:
+            return Vec3::UnitX();
+        case AxisView::left:
+            return -Vec3::UnitX();
+        case AxisView::top:
+            return Vec3(0, 1, kOffPole).normalized();
+        case AxisView::bottom:
+            return Vec3(0, -1, kOffPole).normalized();
+    }
+    return Vec3::UnitZ();
+}
 
 }  // namespace
 
@@ -53,17 +73,7 @@ void CameraControl::zoom(render::Camera& camera, double notches, const Vec2& ndc
 void lookAlong(render::Camera& camera, AxisView view) {
     const double distance = (camera.eye - camera.target).norm();
     camera.up = Vec3::UnitY();
-    switch (view) {
-        case AxisView::front:
-            camera.eye = camera.target + distance * Vec3::UnitZ();
-            return;
-        case AxisView::right:
-            camera.eye = camera.target + distance * Vec3::UnitX();
-            return;
-        case AxisView::top:
-            camera.eye = camera.target + distance * Vec3::UnitY();
-            return;
-    }
+    camera.eye = camera.target + distance * directionOf(view);
 }
 
 }  // namespace kerf::app

@@ -28,7 +28,7 @@ class CameraControl {
 };
 
 /// Views along the axes, as numbered in modelling programs.
-enum class AxisView { front, right, top };
+enum class AxisView { front, back, right, left, top, bottom };
 /// Looks at the camera's target along an axis, from where it stands away.
 void lookAlong(render::Camera& camera, AxisView view);
 

@@ -5,6 +5,12 @@ namespace {
 
 const Vec2 kNowhere(-1e5, -1e5);  // [px]
 
+/// As the view shows them.
+ui::ViewAxes axesOf(const render::Camera& camera) {
+    const Eigen::Matrix3d turn = camera.view().topLeftCorner<3, 3>().cast<double>();
+    return {{turn.col(0), turn.col(1), turn.col(2)}};
+}
+
 }  // namespace
 
 std::string Editor::State::hint() const {
@@ -43,6 +49,8 @@ void Editor::State::describe() {
     model.device = options.device;
     model.hint = hint();
     model.blade = hand.settings();
+    model.axes = axesOf(camera);
+    model.orthographic = camera.orthographic;
     if (scene != nullptr) {
         const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
         model.overlay = hand.overlay(viewFrame(), inView, *scene);

@@ -30,7 +30,9 @@ void Editor::State::saveSession() {
     try {
         const std::filesystem::path file =
             freeFile(options.screenshotFolder, scene->document().name, ".kerf.json");
-        writeOutputFile(file, formatSession(scene->recordedSession(camera), file.parent_path()));
+        writeOutputFile(file,
+                        formatSession(scene->recordedSession(cameraFlight.destination(camera)),
+                                      file.parent_path()));
         spdlog::info("session saved to {}", file.string());
         toast.show("Saved " + file.string(), false);
     } catch (const std::exception& error) {
@@ -51,6 +53,7 @@ void Editor::State::open(const std::filesystem::path& file) {
 void Editor::State::show(Document document) {
     const std::string note = document.note;
     scene = std::make_unique<EditorScene>(std::move(document));
+    landCamera();
     camera = scene->document().camera;
     renderer.setRestShape(scene->document().mesh);
     hand.fitTo(scene->bounds());

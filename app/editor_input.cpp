@@ -70,7 +70,11 @@ void Editor::State::onButton(const ui::ButtonChange& change) {
         }
         return;
     }
-    if (interface.ownsPointer() || hand.holds() || cameraControl.press(change)) {
+    if (interface.ownsPointer() || hand.holds()) {
+        return;
+    }
+    landCamera();
+    if (cameraControl.press(change)) {
         return;
     }
     if (change.button == ui::Button::left && scene != nullptr) {
@@ -87,6 +91,7 @@ void Editor::State::endStroke() {
 
 void Editor::State::onWheel(const ui::Wheel& wheel) {
     if (!interface.ownsPointer()) {
+        landCamera();
         const ViewFrame view = viewFrame();
         CameraControl::zoom(camera, wheel.y, view.toNdc(pointer), view.aspect());
         sceneChanged = true;

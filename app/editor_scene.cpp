@@ -276,7 +276,7 @@ void EditorScene::recordFrameRate(double framesPerSecond) {
 }
 
 render::SceneView EditorScene::view() {
-    return sceneOf(simulation_, document_.session.model.name(), document_.restBounds, sweep_);
+    return sceneOf(simulation_, materialOf(document_.session), document_.restBounds, sweep_);
 }
 
 void EditorScene::refreshPieces() {

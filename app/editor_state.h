@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/blade_hand.h"
+#include "app/camera_flight.h"
 #include "app/editor.h"
 #include "app/editor_camera.h"
 #include "app/editor_scene.h"
@@ -36,6 +37,7 @@ struct Editor::State {
     render::Renderer renderer;
     std::unique_ptr<EditorScene> scene;
     render::Camera camera;
+    CameraFlight cameraFlight;
     CameraControl cameraControl;
     Vec2 pointer = Vec2::Zero();  ///< [px]
     gpu::Framebuffer picture;
@@ -66,7 +68,6 @@ struct Editor::State {
     void apply(const ui::Action& action);
     void perform(ui::ActionId id);
     void performOnScene(ui::ActionId id);
-    void moveCamera(ui::ActionId id);
     void execute(const Command& command);
     void goToChange(std::size_t done);
     void seekTo(int step);
@@ -75,6 +76,11 @@ struct Editor::State {
     void toggleRecording();
     void cancel();
     void toggleGravity();
+
+    // The view: editor_view.cpp.
+    void performOnView(ui::ActionId id);
+    void moveCamera(ui::ActionId id);
+    void landCamera();
 
     // Files: editor_files.cpp.
     void open(const std::filesystem::path& file);

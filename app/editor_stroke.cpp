@@ -28,11 +28,15 @@ double maxStrokeStep(const Bounds& bounds) {
 
 StrokeSpace::StrokeSpace(const render::Camera& camera, double aspect, const Bounds& bounds,
                          std::optional<double> depth)
-    : camera_(camera), aspect_(aspect), forward_((camera.target - camera.eye).normalized()) {
+    : camera_(camera), aspect_(aspect), forward_(camera.forward()) {
     const double diagonal = std::max(bounds.diagonal(), kLeastDiagonal);
-    const double middle = std::max((bounds.center() - camera.eye).dot(forward_), 0.1 * diagonal);
+    double middle = (bounds.center() - camera.eye).dot(forward_);
     const double reach = (0.5 + kOvershoot) * diagonal;
-    nearDepth_ = std::max(middle - reach, kNearestShare * middle);
+    nearDepth_ = middle - reach;
+    if (!camera.orthographic) {
+        middle = std::max(middle, 0.1 * diagonal);
+        nearDepth_ = std::max(middle - reach, kNearestShare * middle);
+    }
     farDepth_ = depth ? nearestDepth(bounds) + *depth : middle + reach;
     farDepth_ = std::max(farDepth_, nearDepth_ + kMinBladeShare * diagonal);
     middleShare_ = std::min((middle - nearDepth_) / (farDepth_ - nearDepth_), 1.0);
@@ -47,10 +51,7 @@ double StrokeSpace::nearestDepth(const Bounds& bounds) const {
 }
 
 Blade StrokeSpace::bladeAt(const Vec2& ndc) const {
-    const Vec3 ray = camera_.rayDirection(ndc, aspect_);
-    const double perDepth = 1 / ray.dot(forward_);
-    return {camera_.eye + ray * (nearDepth_ * perDepth),
-            camera_.eye + ray * (farDepth_ * perDepth)};
+    return {camera_.pointAt(ndc, aspect_, nearDepth_), camera_.pointAt(ndc, aspect_, farDepth_)};
 }
 
 void BladeStroke::begin(const Blade& first, const StrokeScale& scale) {

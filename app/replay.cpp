@@ -95,7 +95,7 @@ class Replay {
 
     void operator()(const ScreenshotEvent& event) {
         const Stopwatch watch;
-        renderer_.draw(sceneOf(simulation_, session_.model.name(), restBounds_, sweep_), camera_,
+        renderer_.draw(sceneOf(simulation_, materialOf(session_), restBounds_, sweep_), camera_,
                        event.width, event.height);
         writePicture(renderer_.readPicture(), folder_.place(event.file));
         folder_.noteWritten(event.file);

@@ -2,11 +2,15 @@
 
 namespace kerf::app {
 
-render::SceneView sceneOf(const Simulation& simulation, const std::string& modelName,
+render::Material materialOf(const Session& session) {
+    return render::colored(render::materialFor(session.model.name()), session.colors);
+}
+
+render::SceneView sceneOf(const Simulation& simulation, const render::Material& material,
                           const Bounds& restBounds, const std::vector<Blade>& sweep) {
     render::SceneView scene;
     scene.body = simulation.bodyView();
-    scene.material = render::materialFor(modelName);
+    scene.material = material;
     scene.restBounds = restBounds;
     scene.floor = simulation.params().floor;
     scene.blade = simulation.blade();

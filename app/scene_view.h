@@ -1,17 +1,19 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "app/session.h"
 #include "render/renderer.h"
 #include "sim/simulation.h"
 
 namespace kerf::app {
 
-/// What a picture shows of a simulation as it stands, in the window as in a replay. `modelName`:
-/// see ModelReference::name(); `restBounds`: of the uncut rest shape; `sweep`: poses of the running
-/// stroke.
-render::SceneView sceneOf(const Simulation& simulation, const std::string& modelName,
+/// The look of a session's model, in the session's colours.
+render::Material materialOf(const Session& session);
+
+/// What a picture shows of a simulation as it stands, in the window as in a replay.
+/// `restBounds`: of the uncut rest shape; `sweep`: poses of the running stroke.
+render::SceneView sceneOf(const Simulation& simulation, const render::Material& material,
                           const Bounds& restBounds, const std::vector<Blade>& sweep);
 
 }  // namespace kerf::app

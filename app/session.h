@@ -8,6 +8,7 @@
 
 #include "app/model_source.h"
 #include "render/camera.h"
+#include "render/material.h"
 #include "sim/command.h"
 #include "sim/params.h"
 
@@ -82,6 +83,7 @@ struct Session {
     int steps = 0;
     std::vector<SessionEvent> events;  ///< by step, the file's order within one
     std::optional<render::Camera> view;
+    render::ChosenColors colors;        ///< of the view, instead of the model's own
     std::vector<std::string> warnings;  ///< unknown extra keys
 };
 

@@ -394,7 +394,16 @@ std::vector<SessionEvent> readEvents(const Node& node, int steps,
     return events;
 }
 
-render::Camera readView(const Node& node, std::vector<std::string>& warnings) {
+Vec3 readColor(const Node& node) {
+    const Vec3 color = readVector(node, 1);
+    if (color.minCoeff() < 0) {
+        fail(node.place, "expected red, green and blue from 0 to 1.");
+    }
+    return color;
+}
+
+/// The camera, and beside it the colours.
+void readView(const Node& node, Session& session) {
     ObjectReader object(node);
     render::Camera camera;
     camera.eye = readVector(object.required("eye"), kMaxSessionCoordinate);
@@ -405,6 +414,15 @@ render::Camera readView(const Node& node, std::vector<std::string>& warnings) {
     if (const auto fov = object.optional("fov_y")) {
         camera.fovY = readNumber(*fov, kLeastFieldOfView, kLargestFieldOfView);
     }
+    if (const auto orthographic = object.optional("orthographic")) {
+        camera.orthographic = readBoolean(*orthographic);
+    }
+    if (const auto skin = object.optional("skin")) {
+        session.colors.skin = readColor(*skin);
+    }
+    if (const auto flesh = object.optional("flesh")) {
+        session.colors.flesh = readColor(*flesh);
+    }
     const Vec3 forward = camera.target - camera.eye;
     if (forward.norm() == 0) {
         fail(node.place, "eye and target are the same point.");
@@ -413,8 +431,8 @@ render::Camera readView(const Node& node, std::vector<std::string>& warnings) {
         camera.up.norm() == 0) {
         fail(object.place("up"), "up must not point along the line of sight.");
     }
-    object.warnAboutTheRest(warnings);
-    return camera;
+    object.warnAboutTheRest(session.warnings);
+    session.view = camera;
 }
 
 }  // namespace
@@ -436,7 +454,7 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
         session.events = readEvents(*events, session.steps, session.warnings);
     }
     if (const auto view = top.optional("view")) {
-        session.view = readView(*view, session.warnings);
+        readView(*view, session);
     }
     top.warnAboutTheRest(session.warnings);
     return session;

@@ -60,7 +60,20 @@ Json toJson(const render::Camera& camera) {
     return {{"eye", toJson(camera.eye)},
             {"target", toJson(camera.target)},
             {"up", toJson(camera.up)},
-            {"fov_y", toJson(camera.fovY)}};
+            {"fov_y", toJson(camera.fovY)},
+            {"orthographic", camera.orthographic}};
+}
+
+/// The colours lie beside the camera.
+Json viewOf(const Session& session) {
+    Json json = toJson(*session.view);
+    if (session.colors.skin) {
+        json["skin"] = toJson(*session.colors.skin);
+    }
+    if (session.colors.flesh) {
+        json["flesh"] = toJson(*session.colors.flesh);
+    }
+    return json;
 }
 
 /// Puts the keys of one action behind "step".
@@ -149,7 +162,7 @@ std::string formatSession(const Session& session, const std::filesystem::path& b
     text += "  \"steps\": " + std::to_string(session.steps) + ",\n";
     text += "  \"events\": " + eventLines(session.events);
     if (session.view) {
-        text += ",\n  \"view\": " + toJson(*session.view).dump();
+        text += ",\n  \"view\": " + viewOf(session).dump();
     }
     return text + "\n}\n";
 }

@@ -14,10 +14,8 @@ std::optional<ui::PlotPoint> ViewFrame::toPixel(const Vec3& point) const {
 }
 
 Vec3 ViewFrame::onPlaneThrough(const Vec3& point, const Vec2& pixel) const {
-    const Vec3 forward = (camera.target - camera.eye).normalized();
-    const Vec3 ray = rayThrough(pixel);
-    const double depth = (point - camera.eye).dot(forward);
-    return camera.eye + ray * (depth / ray.dot(forward));
+    const double depth = (point - camera.eye).dot(camera.forward());
+    return camera.pointAt(toNdc(pixel), aspect(), depth);
 }
 
 }  // namespace kerf::app

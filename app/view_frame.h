@@ -17,7 +17,7 @@ struct ViewFrame {
     Vec2 toNdc(const Vec2& pixel) const {
         return {2 * pixel.x() / width - 1, 1 - 2 * pixel.y() / height};
     }
-    Vec3 rayThrough(const Vec2& pixel) const { return camera.rayDirection(toNdc(pixel), aspect()); }
+    render::Ray rayThrough(const Vec2& pixel) const { return camera.ray(toNdc(pixel), aspect()); }
     /// Nothing for points that are not before the eye.
     std::optional<ui::PlotPoint> toPixel(const Vec3& point) const;
     /// Where the ray through a pixel meets the plane through `point` that faces the eye.

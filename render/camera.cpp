@@ -7,9 +7,10 @@
 namespace kerf::render {
 namespace {
 
-constexpr double kNearShare = 0.02;   // of the distance to the target
-constexpr double kFarShare = 80.0;    // of the distance to the target
-constexpr double kPoleMargin = 0.03;  // closest approach to the poles [rad]
+constexpr double kNearShare = 0.02;        // of the distance to the target
+constexpr double kFarShare = 80.0;         // of the distance to the target
+constexpr double kOrthographicReach = 25;  // of the distance, to both sides of the target
+constexpr double kPoleMargin = 0.03;       // closest approach to the poles [rad]
 
 struct Frame {
     Vec3 forward;
@@ -59,24 +60,38 @@ Eigen::Matrix4f Camera::view() const {
 }
 
 Eigen::Matrix4f Camera::projection(double aspect) const {
-    const double f = 1.0 / tanHalfFov(*this);
+    const double f = 1.0 / (tanHalfFov(*this) * (orthographic ? distance(*this) : 1));
     const double n = nearPlane();
     const double z = farPlane();
     Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
     m(0, 0) = f / aspect;
     m(1, 1) = f;
-    m(2, 2) = (z + n) / (n - z);
-    m(2, 3) = 2 * z * n / (n - z);
-    m(3, 2) = -1;
+    if (orthographic) {
+        m(2, 2) = 2 / (n - z);
+        m(2, 3) = (z + n) / (n - z);
+        m(3, 3) = 1;
+    } else {
+        m(2, 2) = (z + n) / (n - z);
+        m(2, 3) = 2 * z * n / (n - z);
+        m(3, 2) = -1;
+    }
     return m.cast<float>();
 }
 
 double Camera::nearPlane() const {
-    return kNearShare * distance(*this);
+    return (orthographic ? 1 - kOrthographicReach : kNearShare) * distance(*this);
 }
 
 double Camera::farPlane() const {
-    return kFarShare * distance(*this);
+    return (orthographic ? 1 + kOrthographicReach : kFarShare) * distance(*this);
+}
+
+Vec3 Camera::forward() const {
+    return frameOf(*this).forward;
+}
+
+Vec3 Camera::towardsEye(const Vec3& point) const {
+    return orthographic ? Vec3(-forward()) : Vec3((eye - point).normalized());
 }
 
 void Camera::orbit(double yaw, double pitch) {
@@ -99,8 +114,7 @@ void Camera::pan(double dx, double dy) {
 }
 
 void Camera::zoom(double factor, const Vec2& ndc, double aspect) {
-    const Vec3 ray = rayDirection(ndc, aspect);
-    const Vec3 fixed = eye + ray * (distance(*this) / ray.dot(frameOf(*this).forward));
+    const Vec3 fixed = pointAt(ndc, aspect, distance(*this));
     eye = fixed + factor * (eye - fixed);
     target = fixed + factor * (target - fixed);
 }
@@ -116,18 +130,28 @@ void Camera::frame(const Bounds& bounds) {
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 q = bounds.corner(corner) - center;
         const double sideways = std::max(std::abs(q.dot(frame.right)), std::abs(q.dot(frame.up)));
-        needed = std::max(needed, sideways / tangent - q.dot(frame.forward));
+        const double nearer = orthographic ? 0 : -q.dot(frame.forward);
+        needed = std::max(needed, sideways / tangent + nearer);
     }
     target = center;
     eye = center - frame.forward * std::max(needed, 1e-6);
 }
 
-Vec3 Camera::rayDirection(const Vec2& ndc, double aspect) const {
+Ray Camera::ray(const Vec2& ndc, double aspect) const {
     const Frame frame = frameOf(*this);
     const double tangent = tanHalfFov(*this);
-    return (frame.forward + frame.right * (ndc.x() * tangent * aspect) +
-            frame.up * (ndc.y() * tangent))
-        .normalized();
+    const Vec3 aside = frame.right * (ndc.x() * tangent * aspect) + frame.up * (ndc.y() * tangent);
+    if (orthographic) {
+        return {eye + distance(*this) * aside + nearPlane() * frame.forward, frame.forward};
+    }
+    return {eye, (frame.forward + aside).normalized()};
+}
+
+Vec3 Camera::pointAt(const Vec2& ndc, double aspect, double depth) const {
+    const Ray through = ray(ndc, aspect);
+    const Vec3 ahead = forward();
+    const double missing = depth - (through.origin - eye).dot(ahead);
+    return through.origin + through.direction * (missing / through.direction.dot(ahead));
 }
 
 }  // namespace kerf::render

@@ -4,19 +4,32 @@
 
 namespace kerf::render {
 
-/// A perspective camera, as the "view" of a session file.
+/// A half-line.
+struct Ray {
+    Vec3 origin = Vec3::Zero();
+    Vec3 direction = Vec3::UnitZ();  ///< unit
+};
+
+/// A camera, as the "view" of a session file.
 struct Camera {
     Vec3 eye = {3, 2, 4};
     Vec3 target = {0, 0, 0};
     Vec3 up = {0, 1, 0};
     double fovY = 35;  ///< vertical field of view [degrees]
+    /// Parallel rays: the picture is as high as the perspective one is at the target.
+    bool orthographic = false;
 
     /// World to eye space.
     Eigen::Matrix4f view() const;
     /// Depth range chosen from the distance to the target.
     Eigen::Matrix4f projection(double aspect) const;
-    double nearPlane() const;  ///< [m]
-    double farPlane() const;   ///< [m]
+    /// Along the line of sight from the eye; behind it in an orthographic view [m].
+    double nearPlane() const;
+    double farPlane() const;  ///< [m]
+    /// Unit, from the eye to the target.
+    Vec3 forward() const;
+    /// Unit, from a point towards where it is seen from.
+    Vec3 towardsEye(const Vec3& point) const;
 
     /// Rotates about the target: yaw about up, pitch about the right axis, clamped short of the
     /// poles [rad].
@@ -29,8 +42,10 @@ struct Camera {
     /// Moves along the view direction until `bounds` fills the view.
     void frame(const Bounds& bounds);
 
-    /// World ray through `ndc` (-1..1, y up): origin eye, unit direction.
-    Vec3 rayDirection(const Vec2& ndc, double aspect) const;
+    /// World ray through `ndc` (-1..1, y up), from the eye or, orthographic, from the near plane.
+    Ray ray(const Vec2& ndc, double aspect) const;
+    /// Where that ray meets the plane square to the line of sight, `depth` [m] before the eye.
+    Vec3 pointAt(const Vec2& ndc, double aspect, double depth) const;
 };
 
 }  // namespace kerf::render

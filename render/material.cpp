@@ -1,10 +1,14 @@
-#include <map>
-#include <string>
+#include "render/material.h"
 
-#include "render/renderer.h"
+#include <cmath>
+#include <map>
 
 namespace kerf::render {
 namespace {
+
+// What skin and flesh add to the rind between them.
+constexpr float kRindOfSkin = 0.5F;
+constexpr float kRindOfFlesh = 0.15F;
 
 Material ball(float facets) {
     Material material;
@@ -45,6 +49,30 @@ Material clay() {
 }
 
 }  // namespace
+
+Material colored(Material material, const ChosenColors& colors) {
+    if (colors.skin) {
+        material.skin = toLinear(*colors.skin);
+    }
+    if (colors.flesh) {
+        material.inner = toLinear(*colors.flesh);
+    }
+    if (colors.skin || colors.flesh) {
+        material.rind = kRindOfSkin * material.skin + kRindOfFlesh * material.inner;
+    }
+    return material;
+}
+
+Vec3 toDisplay(const Eigen::Vector3f& linear) {
+    return linear.cast<double>().unaryExpr(
+        [](double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; });
+}
+
+Eigen::Vector3f toLinear(const Vec3& display) {
+    const Vec3 linear = display.unaryExpr(
+        [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); });
+    return linear.cast<float>();
+}
 
 Material materialFor(const std::string& modelName) {
     static const std::map<std::string, Material> kLooks = {{"sphere20", ball(0.8f)},

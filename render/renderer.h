@@ -8,26 +8,12 @@
 #include "gpu/framebuffer.h"
 #include "render/camera.h"
 #include "render/image.h"
+#include "render/material.h"
 #include "sim/cut/blade.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/solve/body_view.h"
 
 namespace kerf::render {
-
-/// What a cut shows inside a body.
-enum class MaterialPattern { pulp, rings, marbling };
-/// Colours and inner structure of a body, evaluated in rest space so that they stay attached.
-struct Material {
-    Eigen::Vector3f skin = {0.74f, 0.070f, 0.035f};  ///< linear albedo
-    Eigen::Vector3f inner = {0.42f, 0.46f, 0.17f};   ///< linear albedo of the cut faces
-    Eigen::Vector3f rind = {0.44f, 0.10f, 0.04f};    ///< linear albedo just below the skin
-    MaterialPattern pattern = MaterialPattern::rings;
-    float mottle = 0.15f;  ///< strength of the skin's broad colour variation, 0 to 1
-    float spots = 0;       ///< strength of the spots on the skin, 0 to 1
-    float facets = 0;      ///< share of flat shading on the skin, for very coarse models, 0 to 1
-};
-/// The look of a builtin model by name ("sphere768", "banana", "octopus"); a default for others.
-Material materialFor(const std::string& modelName);
 
 /// What the light tier leaves out: multisampling, the soft edge of the shadow.
 enum class Quality { light, full };

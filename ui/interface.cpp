@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/axes_widget.h"
 #include "ui/blade_panel.h"
 #include "ui/changes_panel.h"
 #include "ui/help_overlay.h"
@@ -143,6 +144,9 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
     drawOverlay(model.overlay, scale_);
     drawControls(model, layout.controls, actions);
     drawReadings(model, layout.plots, actions);
+    if (!model.name.empty()) {
+        drawAxes(model.axes, layout.view, scale_, actions);
+    }
     drawStatusBar(model, layout.status);
     drawHint(model, layout.view);
     drawHelp(model, layout.view, actions);

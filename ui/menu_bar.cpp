@@ -90,6 +90,8 @@ bool isOn(const PanelModel& model, ActionId id) {
             return model.blade.tool == BladeTool::scalpel;
         case ActionId::toolGuillotine:
             return model.blade.tool == BladeTool::guillotine;
+        case ActionId::orthographic:
+            return model.orthographic;
         case ActionId::record:
             return model.recording;
         case ActionId::loop:

@@ -6,6 +6,7 @@
 
 #include "sim/cut/subdivision_pattern.h"
 #include "sim/params.h"
+#include "ui/axes_widget.h"
 #include "ui/blade_settings.h"
 #include "ui/history.h"
 #include "ui/overlay.h"
@@ -60,6 +61,8 @@ struct PanelModel {
     ChangeList changes;
     BladeSettings blade;
     Overlay overlay;  ///< of the coming cut
+    ViewAxes axes;
+    bool orthographic = false;
     PlaybackState playback;
     bool recording = false;
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come

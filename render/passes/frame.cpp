@@ -8,6 +8,7 @@ namespace {
 
 const Vec3 kKeyDirection = Vec3(-0.18, 0.86, 0.48).normalized();
 constexpr double kShadeRange = 2.0;   // of the body's size: heights that are told apart
+constexpr double kFarAway = 1e4;      // of the distance between eye and target
 constexpr double kShadeMargin = 0.2;  // of the body's size, around the darkened floor
 
 Bounds focusOf(const SceneView& scene) {
@@ -21,6 +22,18 @@ Bounds focusOf(const SceneView& scene) {
     unit.add(Vec3::Constant(-0.5));
     unit.add(Vec3::Constant(0.5));
     return unit;
+}
+
+/// Parallel rays come, near enough, from very far away.
+Vec3 shadingEye(const Camera& camera) {
+    const Vec3 arm = camera.eye - camera.target;
+    return camera.orthographic ? Vec3(camera.target + kFarAway * arm) : camera.eye;
+}
+
+/// The backdrop keeps its gradient in an orthographic view.
+Eigen::Matrix4f perspectiveOf(Camera camera, double aspect) {
+    camera.orthographic = false;
+    return camera.projection(aspect);
 }
 
 /// Rounds up in steps of 1/16 of its power of two, so that a moving body changes it rarely.
@@ -101,8 +114,8 @@ Frame frameOf(const SceneView& scene, const Camera& camera, int width, int heigh
     Eigen::Matrix4f turn = camera.view();
     frame.viewProjection = projection * turn;
     turn.topRightCorner<3, 1>().setZero();
-    frame.pictureToWorld = (projection * turn).inverse();
-    frame.eye = camera.eye.cast<float>();
+    frame.pictureToWorld = (perspectiveOf(camera, double(width) / height) * turn).inverse();
+    frame.eye = shadingEye(camera).cast<float>();
     frame.hasBody = scene.body.positions != nullptr && scene.body.triangleCount > 0;
     frame.focus = focusOf(scene);
     const Bounds& sized = scene.restBounds.empty() ? frame.focus : scene.restBounds;

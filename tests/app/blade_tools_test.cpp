@@ -14,13 +14,26 @@ constexpr double kRadius = 0.5;
 
 TEST(PickSurface, FindsTheNearSideWithItsNormal) {
     const SurfaceMesh ball = test::cubeSphere(10, kRadius);
-    const auto hit = pickSurface(ball, Vec3(0.1, 0.2, 3), -Vec3::UnitZ());
+    const auto hit = pickSurface(ball, {Vec3(0.1, 0.2, 3), -Vec3::UnitZ()});
     ASSERT_TRUE(hit.has_value());
     EXPECT_GT(hit->position.z(), 0.4);
     EXPECT_NEAR(hit->position.norm(), kRadius, 0.01);
     EXPECT_GT(hit->normal.dot(hit->position.normalized()), 0.999);
-    EXPECT_FALSE(pickSurface(ball, Vec3(0.7, 0, 3), -Vec3::UnitZ()));
-    EXPECT_FALSE(pickSurface(ball, Vec3(0, 0, 3), Vec3::UnitZ()));
+    EXPECT_FALSE(pickSurface(ball, {Vec3(0.7, 0, 3), -Vec3::UnitZ()}));
+    EXPECT_FALSE(pickSurface(ball, {Vec3(0, 0, 3), Vec3::UnitZ()}));
+}
+
+TEST(PickSurface, NoRaySlipsThroughAnEdgeOrACorner) {
+    const SurfaceMesh ball = test::cubeSphere(8, kRadius);
+    for (int t = 0; t < ball.triangleSlots(); ++t) {
+        const Triangle& corners = ball.triangle(t);
+        for (const double share : {0.0, 0.3, 0.5}) {
+            const Vec3 a = ball.position(corners[0]);
+            const Vec3 on = a + share * (ball.position(corners[1]) - a);
+            const Vec3 direction = -on.normalized();
+            EXPECT_TRUE(pickSurface(ball, {on - 3 * direction, direction})) << t << ", " << share;
+        }
+    }
 }
 
 TEST(CutPreview, APlaneThroughTheBallTouchesABeltAndLeavesACircle) {

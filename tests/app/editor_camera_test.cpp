@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/camera_flight.h"
+
 namespace kerf::app {
 namespace {
 
@@ -63,12 +65,55 @@ TEST(CameraControl, TheWheelZoomsIn) {
 TEST(LookAlong, KeepsTargetAndDistance) {
     for (const auto& [view, direction] :
          {std::pair{AxisView::front, Vec3(0, 0, 1)}, std::pair{AxisView::right, Vec3(1, 0, 0)},
-          std::pair{AxisView::top, Vec3(0, 1, 0)}}) {
+          std::pair{AxisView::top, Vec3(0, 1, 0)}, std::pair{AxisView::back, Vec3(0, 0, -1)},
+          std::pair{AxisView::left, Vec3(-1, 0, 0)}, std::pair{AxisView::bottom, Vec3(0, -1, 0)}}) {
         render::Camera moved{.eye = {3, 4, 0}, .target = {0, 0, 0}};
         lookAlong(moved, view);
-        EXPECT_NEAR((moved.eye - 5 * direction).norm(), 0, 1e-9);
+        EXPECT_NEAR((moved.eye - 5 * direction).norm(), 0, 1e-3);
+        EXPECT_NEAR((moved.eye - moved.target).norm(), 5, 1e-9);
         EXPECT_TRUE(moved.view().allFinite());
     }
+}
+
+TEST(LookAlong, FromAboveTheRightStaysRight) {
+    render::Camera moved{.eye = {3, 4, 0}, .target = {0, 0, 0}};
+    lookAlong(moved, AxisView::top);
+    const Eigen::Vector3f right = moved.view().row(0).head<3>();
+    EXPECT_NEAR((right - Eigen::Vector3f::UnitX()).norm(), 0, 1e-3);
+}
+
+TEST(CameraFlight, EndsAtItsDestinationAndKeepsTheDistanceOnTheWay) {
+    render::Camera shown = camera();
+    render::Camera wanted = shown;
+    lookAlong(wanted, AxisView::right);
+    CameraFlight flight;
+    flight.start(shown, wanted);
+    double last = (shown.eye - wanted.eye).norm();
+    int pictures = 0;
+    for (; flight.flying(); ++pictures) {
+        ASSERT_TRUE(flight.advance(shown, 1.0 / 60));
+        ASSERT_LE((shown.eye - wanted.eye).norm(), last + 1e-9);
+        last = (shown.eye - wanted.eye).norm();
+        ASSERT_NEAR((shown.eye - shown.target).norm(), 5, 1e-5);
+    }
+    EXPECT_GT(pictures, 5);
+    EXPECT_LT(pictures, 20);
+    EXPECT_EQ(shown.eye, wanted.eye);
+    EXPECT_EQ(shown.up, wanted.up);
+    EXPECT_FALSE(flight.advance(shown, 1));
+}
+
+TEST(CameraFlight, LandsAtOnceWhereSomethingIsDone) {
+    render::Camera shown = camera();
+    render::Camera wanted = shown;
+    lookAlong(wanted, AxisView::top);
+    CameraFlight flight;
+    flight.start(shown, wanted);
+    flight.advance(shown, 0.05);
+    EXPECT_EQ(flight.destination(shown).eye, wanted.eye);
+    flight.land(shown);
+    EXPECT_EQ(shown.eye, wanted.eye);
+    EXPECT_FALSE(flight.flying());
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(StrokeSpace, TheBladeLiesOnTheRayThroughThePointer) {
     const render::Camera camera;
     const Vec2 ndc(0.3, -0.2);
     const Blade blade = space().bladeAt(ndc);
-    const Vec3 ray = camera.rayDirection(ndc, kAspect);
+    const Vec3 ray = camera.ray(ndc, kAspect).direction;
     EXPECT_NEAR(((blade.a - camera.eye).cross(ray)).norm(), 0, 1e-12);
     EXPECT_NEAR(((blade.b - camera.eye).cross(ray)).norm(), 0, 1e-12);
     EXPECT_LT((blade.a - camera.eye).dot(ray), (blade.b - camera.eye).dot(ray));
@@ -138,6 +138,21 @@ TEST(StrokeSpace, ASetDepthEndsBehindTheNearestPoint) {
     const Blade blade = StrokeSpace(camera, kAspect, unitBounds(), 0.5).bladeAt({0, 0});
     EXPECT_NEAR(blade.b.z(), 0.5, 1e-12) << "the body reaches to z = 1";
     EXPECT_GT(blade.a.z(), 1);
+}
+
+TEST(StrokeSpace, AnOrthographicBladeStandsAlongTheViewAndGoesThroughAll) {
+    render::Camera camera;
+    camera.eye = Vec3(0, 0, 6);
+    camera.target = Vec3::Zero();
+    camera.orthographic = true;
+    for (const double distance : {6.0, 0.1}) {
+        // Near by, the eye itself is inside the body.
+        camera.eye.z() = distance;
+        const Blade blade = StrokeSpace(camera, kAspect, unitBounds()).bladeAt({0.3, -0.2});
+        EXPECT_NEAR((blade.b - blade.a).cross(Vec3::UnitZ()).norm(), 0, 1e-9);
+        EXPECT_GT(blade.a.z(), 1);
+        EXPECT_LT(blade.b.z(), -1);
+    }
 }
 
 TEST(BladeStroke, CancelBeforeTheFirstStepLeavesNothing) {

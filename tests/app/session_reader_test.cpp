@@ -160,6 +160,7 @@ INSTANTIATE_TEST_SUITE_P(All, SessionErrors, ::testing::Values(
     BadSession{"ShortHash", sessionWithEvent(R"({"step": 1, "type": "check", "hash": "12"})"), "events[0].hash: expected 16"},
     BadSession{"EyeAtTarget", sessionWith(R"("view": {"eye": [1, 1, 1], "target": [1, 1, 1]})"), "view: eye and target are the same"},
     BadSession{"UpAlongView", sessionWith(R"("view": {"eye": [0, 5, 0], "target": [0, 1, 0]})"), "view.up: up must not point"},
+    BadSession{"DarkerThanBlack", sessionWith(R"("view": {"eye": [0, 5, 0], "target": [0, 1, 1], "skin": [0, -0.1, 0]})"), "view.skin: expected red, green and blue"},
     BadSession{"FlatView", sessionWith(R"("view": {"eye": [0, 5, 0], "target": [0, 1, 1], "fov_y": 180})"), "view.fov_y: 180 is out of range"}),
     [](const auto& each) { return std::string(each.param.name); });
 // clang-format on
@@ -232,7 +233,8 @@ TEST(SessionWriter, RoundTripKeepsEveryBit) {
                        {"step": 4, "type": "screenshot", "file": "ä \" b.png", "width": 3},
                        {"step": 5, "type": "export", "file": "a/b.obj"},
                        {"step": 6, "type": "check", "hash": "00ff00ff00ff00ff"}],
-            "view": {"eye": [1, 2, 3.3], "target": [0, 0, 0]})"),
+            "view": {"eye": [1, 2, 3.3], "target": [0, 0, 0], "orthographic": true,
+                     "skin": [0.2, 0.5, 1], "flesh": [1, 0.9, 0]})"),
                      "/folder");
     const std::string text = formatSession(session);
     const Session again = parseSession(text, "/folder");
@@ -242,6 +244,9 @@ TEST(SessionWriter, RoundTripKeepsEveryBit) {
     ASSERT_EQ(again.events.size(), session.events.size());
     EXPECT_EQ(std::get<MoveBlade>(again.events[0].action).blade.a, Vec3(0.1, 1e-300, 3));
     EXPECT_EQ(again.view->eye, session.view->eye);
+    EXPECT_TRUE(again.view->orthographic);
+    EXPECT_EQ(again.colors.skin, Vec3(0.2, 0.5, 1));
+    EXPECT_EQ(again.colors.flesh, Vec3(1, 0.9, 0));
     EXPECT_TRUE(again.warnings.empty());
 }
 

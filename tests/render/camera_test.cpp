@@ -38,12 +38,50 @@ TEST(Camera, TargetIsInTheMiddleOfThePicture) {
 TEST(Camera, RayIsTheInverseOfTheProjection) {
     Camera camera;
     for (const Vec2& ndc : {Vec2(0, 0), Vec2(0.7, -0.4), Vec2(-0.9, 0.95)}) {
-        const Vec3 point = camera.eye + 3.7 * camera.rayDirection(ndc, 1.5);
+        const Vec3 point = camera.eye + 3.7 * camera.ray(ndc, 1.5).direction;
         const Vec3 back = project(camera, point, 1.5);
         EXPECT_NEAR(back.x(), ndc.x(), 1e-5);
         EXPECT_NEAR(back.y(), ndc.y(), 1e-5);
     }
-    EXPECT_NEAR(camera.rayDirection({0.3, 0.1}, 1.5).norm(), 1, 1e-12);
+    EXPECT_NEAR(camera.ray({0.3, 0.1}, 1.5).direction.norm(), 1, 1e-12);
+}
+
+TEST(Camera, OrthographicRaysAreParallelAndTheInverseOfTheProjection) {
+    Camera camera;
+    camera.orthographic = true;
+    for (const Vec2& ndc : {Vec2(0, 0), Vec2(0.7, -0.4), Vec2(-0.9, 0.95)}) {
+        const Ray ray = camera.ray(ndc, 1.5);
+        EXPECT_NEAR((ray.direction - camera.forward()).norm(), 0, 1e-12);
+        for (const double along : {1.0, 30.0, 150.0}) {
+            const Vec3 back = project(camera, ray.origin + along * ray.direction, 1.5);
+            EXPECT_NEAR(back.x(), ndc.x(), 1e-4);
+            EXPECT_NEAR(back.y(), ndc.y(), 1e-4);
+            EXPECT_LT(std::abs(back.z()), 1) << "inside the depth range";
+        }
+    }
+}
+
+TEST(Camera, BothKindsShowThePlaneOfTheTargetAlike) {
+    Camera camera;
+    Camera flat = camera;
+    flat.orthographic = true;
+    const double depth = (camera.eye - camera.target).norm();
+    const Vec3 point = camera.pointAt({0.6, -0.3}, 1.5, depth);
+    EXPECT_NEAR((point - flat.pointAt({0.6, -0.3}, 1.5, depth)).norm(), 0, 1e-9);
+    EXPECT_NEAR((project(camera, point, 1.5) - project(flat, point, 1.5)).head<2>().norm(), 0,
+                1e-5);
+    const Vec3 before = flat.pointAt({0.6, -0.3}, 1.5, 0.1 * depth);
+    EXPECT_NEAR((before - point).cross(flat.forward()).norm(), 0, 1e-9);
+}
+
+TEST(Camera, AnOrthographicZoomKeepsThePointBelowThePointer) {
+    Camera camera;
+    camera.orthographic = true;
+    const Vec3 below = camera.pointAt({0.5, 0.4}, 1.5, (camera.eye - camera.target).norm());
+    camera.zoom(0.5, {0.5, 0.4}, 1.5);
+    const Vec3 after = project(camera, below, 1.5);
+    EXPECT_NEAR(after.x(), 0.5, 1e-5);
+    EXPECT_NEAR(after.y(), 0.4, 1e-5);
 }
 
 TEST(Camera, VerticalFieldOfViewSpansTheHeight) {
@@ -99,7 +137,7 @@ TEST(Camera, ZoomKeepsThePointUnderThePointer) {
     const Vec2 pointer(0.4, -0.3);
     const double distance = (camera.target - camera.eye).norm();
     const Vec3 forward = (camera.target - camera.eye) / distance;
-    const Vec3 ray = camera.rayDirection(pointer, 1.6);
+    const Vec3 ray = camera.ray(pointer, 1.6).direction;
     const Vec3 under = camera.eye + ray * (distance / ray.dot(forward));
     camera.zoom(0.5, pointer, 1.6);
     EXPECT_NEAR((camera.target - camera.eye).norm(), 0.5 * distance, 1e-9);

@@ -1,0 +1,124 @@
+// The whole editor without a window: events in, pictures out.
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include "app/editor.h"
+#include "sim/mesh/invariants.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+#include "tests/support/temporary_folder.h"
+#include "ui/layout.h"
+
+namespace kerf::app {
+using ui::Button;
+using ui::Key;
+
+inline constexpr int kWidth = 960;
+inline constexpr int kHeight = 540;
+inline constexpr double kFrameSeconds = 1.0 / 60;
+
+/// A sphere in the middle of the view, weightless and paused.
+inline Document sphereDocument() {
+    Document document{.name = "ball",
+                      .session = {},
+                      .mesh = test::cubeSphere(8, 0.5),
+                      .restBounds = {},
+                      .camera = {},
+                      .note = {}};
+    document.session.model.builtin = "sphere768";
+    document.session.params.gravity = Vec3::Zero();
+    document.session.params.floor = -0.6;
+    document.session.params.iterations = 4;
+    document.restBounds = meshBounds(document.mesh);
+    document.camera.eye = Vec3(0, 0.4, 3);
+    document.camera.target = Vec3::Zero();
+    return document;
+}
+
+class EditorTest : public test::GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        EditorOptions options;
+        options.width = kWidth;
+        options.height = kHeight;
+        options.quality = render::Quality::light;
+        options.byTheClock = false;
+        options.screenshotFolder = folder.path();
+        editor = std::make_unique<Editor>(options, sphereDocument());
+        frames(2);
+    }
+    void TearDown() override {
+        editor.reset();
+        GlTest::TearDown();
+    }
+
+    void frames(int count) {
+        for (int i = 0; i < count; ++i) {
+            editor->frame(kFrameSeconds);
+        }
+    }
+    /// Frames until nothing moves any more.
+    void settle() {
+        for (int i = 0; i < 400 && editor->idleSeconds() == 0; ++i) {
+            editor->frame(kFrameSeconds);
+        }
+    }
+    void moveTo(double x, double y) { editor->post(ui::PointerMove{x, y, {}}); }
+    void press(bool down, Button button = Button::left) {
+        editor->post(ui::ButtonChange{button, down, {}});
+    }
+    void tap(Key key) {
+        editor->post(ui::KeyChange{key, true, {}});
+        editor->post(ui::KeyChange{key, false, {}});
+        frames(1);
+    }
+    /// All events at once, as a hand faster than the frames would send them.
+    void drag(const Vec2& from, const Vec2& to, int points, Button button = Button::left) {
+        moveTo(from.x(), from.y());
+        press(true, button);
+        for (int i = 1; i <= points; ++i) {
+            const Vec2 p = from + (to - from) * i / points;
+            moveTo(p.x(), p.y());
+        }
+        press(false, button);
+    }
+    /// Nearly all the way to the right.
+    void dragSlider(const std::string& item) {
+        const ui::Rect place = editor->places().at(item);
+        const double y = place.y + place.height / 2;
+        drag(Vec2(place.x + 0.3 * place.width, y), Vec2(place.x + 0.9 * place.width, y), 5);
+        settle();
+    }
+    const ui::PanelModel& panels() const { return editor->panels(); }
+
+    test::TemporaryFolder folder;
+    std::unique_ptr<Editor> editor;
+};
+
+/// What the panels leave free: they show measured times.
+inline std::vector<std::uint8_t> viewPixels(const render::Image& image) {
+    const ui::Rect view = ui::layoutPanels(kWidth, kHeight, 1).view;
+    std::vector<std::uint8_t> pixels;
+    for (int y = 0; y < static_cast<int>(view.height); ++y) {
+        const auto row = image.pixels.begin() + 4 * (y * kWidth + static_cast<int>(view.x));
+        pixels.insert(pixels.end(), row, row + 4 * static_cast<int>(view.width));
+    }
+    return pixels;
+}
+
+inline const Vec2 kTop(kWidth / 2.0, 20);
+inline const Vec2 kBottom(kWidth / 2.0, kHeight - 40.0);
+
+/// The one file in it.
+inline std::filesystem::path onlyFile(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        files.push_back(entry.path());
+    }
+    EXPECT_EQ(files.size(), 1U);
+    return files.empty() ? "" : files[0];
+}
+
+}  // namespace kerf::app
