@@ -10,6 +10,8 @@ namespace {
 // Shares of the body's diagonal.
 constexpr double kStrokeDepth = 0.25;
 constexpr double kScalpelDepth = 0.06;
+constexpr double kGrabRadius = 0.12;
+constexpr double kPinRadius = 0.08;
 constexpr double kLongest = 2;
 
 constexpr double kHandleReach = 14;  // [px]
@@ -69,6 +71,8 @@ void BladeHand::fitTo(const Bounds& bounds) {
     const double diagonal = bounds.diagonal();
     settings_.strokeDepth = kStrokeDepth * diagonal;
     settings_.scalpelDepth = kScalpelDepth * diagonal;
+    settings_.grabRadius = kGrabRadius * diagonal;
+    settings_.pinRadius = kPinRadius * diagonal;
     settings_.longest = kLongest * diagonal;
     settings_.lowered = 0;
     guillotine_ = Guillotine(bounds);
@@ -79,8 +83,8 @@ void BladeHand::fitTo(const Bounds& bounds) {
     held_ = false;
 }
 
-void BladeHand::set(const ui::BladeSettings& settings, EditorScene& scene) {
-    const ui::BladeSettings before = settings_;
+void BladeHand::set(const ui::ToolSettings& settings, EditorScene& scene) {
+    const ui::ToolSettings before = settings_;
     settings_ = settings;
     if (settings.tool != before.tool) {
         settings_.lowered = before.lowered;
@@ -101,17 +105,20 @@ void BladeHand::set(const ui::BladeSettings& settings, EditorScene& scene) {
 
 void BladeHand::press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
     switch (settings_.tool) {
-        case ui::BladeTool::stroke:
+        case ui::Tool::stroke:
             pressStroke(view, pixel, scene);
             return;
-        case ui::BladeTool::scalpel:
+        case ui::Tool::scalpel:
             held_ = true;
             scalpel_.reset();
             moveScalpel(view, pixel, scene);
             return;
-        case ui::BladeTool::guillotine:
+        case ui::Tool::guillotine:
             handle_ = handleAt(view, pixel);
             return;
+        case ui::Tool::grab:
+        case ui::Tool::pin:
+            return;  // see BodyHand
     }
 }
 
@@ -122,19 +129,23 @@ void BladeHand::pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScen
     // Where an earlier stroke is still being cut, this one's poses queue up behind it.
     scene.stroke().begin(StrokeSpace(view.camera, view.aspect(), scene.bounds(), depth),
                          view.toNdc(pixel));
+    ruler_.emplace(pixel);
     held_ = true;
 }
 
-void BladeHand::move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+void BladeHand::move(const ViewFrame& view, const Vec2& pixel, bool straight, EditorScene& scene) {
     if (handle_) {
         raise(scene);
         guillotine_.move(*handle_, view.onPlaneThrough(guillotine_.handles()[*handle_], pixel));
         settings_.length = guillotine_.length();
         settings_.drop = guillotine_.drop();
-    } else if (held_ && settings_.tool == ui::BladeTool::scalpel) {
+    } else if (held_ && settings_.tool == ui::Tool::scalpel) {
         moveScalpel(view, pixel, scene);
     } else if (held_) {
-        scene.stroke().moveTo(view.toNdc(pixel));
+        const std::optional<Vec2> to = straight ? ruler_->along(pixel) : pixel;
+        if (to) {
+            scene.stroke().moveTo(view.toNdc(*to));
+        }
     }
 }
 
@@ -178,7 +189,7 @@ void BladeHand::cancel(EditorScene& scene) {
 // --- The guillotine ----------------------------------------------------------------------------
 
 void BladeHand::bringDown(EditorScene& scene) {
-    if (settings_.tool == ui::BladeTool::guillotine) {
+    if (settings_.tool == ui::Tool::guillotine) {
         if (settings_.lowered >= 1) {
             settings_.lowered = 0;
         }
@@ -236,10 +247,10 @@ std::vector<Blade> BladeHand::wayAhead(const ViewFrame& view, const Vec2& pixel,
     if (stroke.drawing() || stroke.pending() > 0) {
         return stroke.wayAhead();
     }
-    if (settings_.tool == ui::BladeTool::guillotine && settings_.lowered < 1) {
+    if (settings_.tool == ui::Tool::guillotine && settings_.lowered < 1) {
         return {guillotine_.at(settings_.lowered), guillotine_.at(1)};
     }
-    if (settings_.tool == ui::BladeTool::scalpel) {
+    if (settings_.tool == ui::Tool::scalpel) {
         const auto point = pickSurface(scene.simulation().mesh(), view.rayThrough(pixel));
         if (point) {
             return {Scalpel(settings_.scalpelDepth).at(*point)};
@@ -262,7 +273,7 @@ ui::Overlay BladeHand::overlay(const ViewFrame& view, const Vec2& pixel, EditorS
             addLine(view, line[0], line[1], overlay.wound);
         }
     }
-    if (settings_.tool == ui::BladeTool::guillotine) {
+    if (settings_.tool == ui::Tool::guillotine) {
         addHandles(view, pixel, overlay);
     }
     return overlay;

@@ -4,10 +4,11 @@
 
 #include "app/editor_scene.h"
 #include "app/guillotine.h"
+#include "app/ruler.h"
 #include "app/scalpel.h"
 #include "app/view_frame.h"
-#include "ui/blade_settings.h"
 #include "ui/overlay.h"
+#include "ui/tool_settings.h"
 
 namespace kerf::app {
 
@@ -15,16 +16,17 @@ namespace kerf::app {
 /// with poses in the scene's stroke.
 class BladeHand {
   public:
-    /// Depths and the guillotine's pose for another body.
+    /// Depths, radii and the guillotine's pose for another body.
     void fitTo(const Bounds& bounds);
 
-    const ui::BladeSettings& settings() const { return settings_; }
+    const ui::ToolSettings& settings() const { return settings_; }
     /// Another tool, another depth; a guillotine that is lowered cuts.
-    void set(const ui::BladeSettings& settings, EditorScene& scene);
+    void set(const ui::ToolSettings& settings, EditorScene& scene);
 
     // The pointer in the view; positions in pixels of the picture.
     void press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
-    void move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
+    /// `straight`: a stroke goes on along a straight line (see Ruler).
+    void move(const ViewFrame& view, const Vec2& pixel, bool straight, EditorScene& scene);
     void release(EditorScene& scene);
     /// Lets go of everything.
     void cancel(EditorScene& scene);
@@ -46,11 +48,12 @@ class BladeHand {
     std::vector<Blade> wayAhead(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const;
     void addHandles(const ViewFrame& view, const Vec2& pixel, ui::Overlay& overlay) const;
 
-    ui::BladeSettings settings_;
+    ui::ToolSettings settings_;
     Guillotine guillotine_;
     std::optional<Scalpel> scalpel_;  ///< while it is on the surface
     std::optional<Guillotine::Handle> handle_;
     bool held_ = false;  ///< by the pointer
+    std::optional<Ruler> ruler_;
 };
 
 }  // namespace kerf::app

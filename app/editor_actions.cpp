@@ -16,8 +16,8 @@ void Editor::State::apply(const ui::Action& action) {
         clock.setSpeed(speed->factor);
     } else if (const auto* seek = std::get_if<ui::SeekTo>(&action)) {
         seekTo(seek->step);
-    } else if (const auto* blade = std::get_if<ui::SetBlade>(&action)) {
-        setBlade(blade->settings);
+    } else if (const auto* blade = std::get_if<ui::SetTools>(&action)) {
+        setTools(blade->settings);
     } else {
         execute(std::get<SetParam>(action));
     }
@@ -27,7 +27,14 @@ void Editor::State::execute(const Command& command) {
     if (scene == nullptr) {
         return;
     }
-    if (const std::string problem = scene->execute(command); !problem.empty()) {
+    if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
+        bodyHand.cancel(*scene);
+    }
+    say(scene->execute(command));
+}
+
+void Editor::State::say(const std::string& problem) {
+    if (!problem.empty()) {
         toast.show(problem, true);
     }
     sceneChanged = true;
@@ -42,17 +49,20 @@ void Editor::State::seekTo(int step) {
     }
 }
 
-void Editor::State::setBlade(const ui::BladeSettings& settings) {
+void Editor::State::setTools(const ui::ToolSettings& settings) {
     if (scene != nullptr) {
+        if (settings.tool != hand.settings().tool) {
+            bodyHand.cancel(*scene);
+        }
         hand.set(settings, *scene);
         settlePasses = kSettlePasses;
     }
 }
 
-void Editor::State::setTool(ui::BladeTool tool) {
-    ui::BladeSettings settings = hand.settings();
+void Editor::State::setTool(ui::Tool tool) {
+    ui::ToolSettings settings = hand.settings();
     settings.tool = tool;
-    setBlade(settings);
+    setTools(settings);
 }
 
 void Editor::State::toggleRecording() {
@@ -111,6 +121,7 @@ void Editor::State::performOnScene(ui::ActionId id) {
             runSteps(1, 0);
             return;
         case ui::ActionId::reset:
+            bodyHand.cancel(*scene);
             scene->reset();
             return;
         case ui::ActionId::undo:
@@ -120,13 +131,22 @@ void Editor::State::performOnScene(ui::ActionId id) {
             execute(Redo{});
             return;
         case ui::ActionId::toolStroke:
-            setTool(ui::BladeTool::stroke);
+            setTool(ui::Tool::stroke);
             return;
         case ui::ActionId::toolScalpel:
-            setTool(ui::BladeTool::scalpel);
+            setTool(ui::Tool::scalpel);
             return;
         case ui::ActionId::toolGuillotine:
-            setTool(ui::BladeTool::guillotine);
+            setTool(ui::Tool::guillotine);
+            return;
+        case ui::ActionId::toolGrab:
+            setTool(ui::Tool::grab);
+            return;
+        case ui::ActionId::toolPin:
+            setTool(ui::Tool::pin);
+            return;
+        case ui::ActionId::freePins:
+            freePins();
             return;
         case ui::ActionId::bringDown:
             hand.bringDown(*scene);
@@ -160,8 +180,19 @@ void Editor::State::cancel() {
         helpOpen = false;
     } else if (scene != nullptr) {
         hand.cancel(*scene);
+        bodyHand.cancel(*scene);
         sceneChanged = true;
     }
+}
+
+void Editor::State::freePins() {
+    if (scene->simulation().pinnedVertices().empty()) {
+        return;
+    }
+    Bounds everywhere;
+    everywhere.add(Vec3::Constant(-kMaxSessionCoordinate));
+    everywhere.add(Vec3::Constant(kMaxSessionCoordinate));
+    execute(Pin{everywhere, false});
 }
 
 void Editor::State::toggleGravity() {

@@ -17,18 +17,33 @@ std::string Editor::State::hint() const {
     if (scene == nullptr) {
         return "Drop a model (OBJ, PLY, STL) or a session here to open it.";
     }
-    if (scene->pieceCount() > 1 && !scene->playing) {
-        const bool weightless = scene->simulation().params().gravity.norm() == 0;
-        return weightless ? "Press V for gravity, then Space to let the pieces fall."
-                          : "Press Space to let the pieces fall.";
-    }
-    if (strokedOnce || scene->playing) {
+    if (scene->playing || bodyHand.holds()) {
         return "";
     }
-    if (hand.settings().tool == ui::BladeTool::scalpel) {
+    const ui::Tool tool = hand.settings().tool;
+    if (tool == ui::Tool::grab) {
+        return "Drag the body to pull at it: time runs while you hold it.";
+    }
+    if (tool == ui::Tool::pin) {
+        return "Drag over the body to pin it there. Shift+drag pins a box, Ctrl+drag frees.";
+    }
+    return scene->pieceCount() > 1 ? hintForPieces() : hintForBlade(tool);
+}
+
+std::string Editor::State::hintForPieces() const {
+    const bool weightless = scene->simulation().params().gravity.norm() == 0;
+    return weightless ? "Press V for gravity, then Space to let the pieces fall."
+                      : "Press Space to let the pieces fall.";
+}
+
+std::string Editor::State::hintForBlade(ui::Tool tool) const {
+    if (strokedOnce) {
+        return "";
+    }
+    if (tool == ui::Tool::scalpel) {
         return "Drag over the surface to cut into it.";
     }
-    if (hand.settings().tool == ui::BladeTool::guillotine) {
+    if (tool == ui::Tool::guillotine) {
         return "Drag the four handles to pose the blade, then press Enter to bring it down.";
     }
     return scene->playingBack()
@@ -48,12 +63,14 @@ void Editor::State::describe() {
     model.stages.frame = clock.rate() > 0 ? 1000 / clock.rate() : 0;
     model.device = options.device;
     model.hint = hint();
-    model.blade = hand.settings();
+    model.tools = hand.settings();
     model.axes = axesOf(camera);
     model.orthographic = camera.orthographic;
     if (scene != nullptr) {
         const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
         model.overlay = hand.overlay(viewFrame(), inView, *scene);
+        bodyHand.addTo(model.overlay, viewFrame(), inView, hand.settings(), *scene);
+        model.pinned = scene->simulation().pinnedVertices().size();
     }
     toast.describe(model);
 }

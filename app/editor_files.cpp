@@ -57,6 +57,7 @@ void Editor::State::show(Document document) {
     camera = scene->document().camera;
     renderer.setRestShape(scene->document().mesh);
     hand.fitTo(scene->bounds());
+    bodyHand = {};
     cameraControl.releaseAll();
     strokedOnce = false;
     sceneChanged = true;

@@ -58,7 +58,8 @@ void Editor::State::onMove(const ui::PointerMove& move) {
         sceneChanged = true;
     }
     if (scene != nullptr) {
-        hand.move(viewFrame(), pointer, *scene);
+        hand.move(viewFrame(), pointer, move.modifiers.shift, *scene);
+        bodyHand.move(viewFrame(), pointer, *scene);
     }
 }
 
@@ -70,7 +71,7 @@ void Editor::State::onButton(const ui::ButtonChange& change) {
         }
         return;
     }
-    if (interface.ownsPointer() || hand.holds()) {
+    if (interface.ownsPointer() || hand.holds() || bodyHand.holds()) {
         return;
     }
     landCamera();
@@ -78,7 +79,15 @@ void Editor::State::onButton(const ui::ButtonChange& change) {
         return;
     }
     if (change.button == ui::Button::left && scene != nullptr) {
-        hand.press(viewFrame(), pointer, *scene);
+        pressInScene(change.modifiers);
+    }
+}
+
+void Editor::State::pressInScene(const ui::Modifiers& modifiers) {
+    hand.press(viewFrame(), pointer, *scene);
+    const ui::ToolSettings& settings = hand.settings();
+    if (settings.tool == ui::Tool::grab || settings.tool == ui::Tool::pin) {
+        say(bodyHand.press(viewFrame(), pointer, settings, modifiers, *scene));
     }
 }
 
@@ -86,6 +95,9 @@ void Editor::State::endStroke() {
     if (scene != nullptr && hand.holds()) {
         hand.release(*scene);
         strokedOnce = strokedOnce || scene->stroke().pending() > 0;
+    }
+    if (scene != nullptr && bodyHand.holds()) {
+        say(bodyHand.release(viewFrame(), *scene));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 #include "app/scene_view.h"
 
@@ -11,6 +12,7 @@ namespace {
 constexpr std::size_t kStrokeBacklog = 8;         // poses that may wait per step of a picture
 constexpr int kMaxStrokeSteps = 4;                // per picture
 constexpr std::size_t kUndoBudget = 512'000'000;  // [bytes]
+constexpr int kPersonsHand = 0;                   // its number among the hands
 constexpr int kCheckEvery = 50;                   // steps of a recording
 constexpr int kPiecesEvery = 10;                  // steps between two looks at the pieces' volumes
 
@@ -42,6 +44,8 @@ EditorScene::EditorScene(Document document)
 /// With a simulation at its start.
 void EditorScene::startAnew() {
     playing = false;
+    pulling_ = false;
+    dragTo_.reset();
     stroke_.clear();
     sweep_.clear();
     journal_.clear();
@@ -73,6 +77,7 @@ std::string EditorScene::perform(const Command& command) {
 std::string EditorScene::execute(const Command& command) {
     if (takesBodyElsewhere(command)) {
         takeBlade();
+        letGo();
         stroke_.clear();
         sweep_.clear();
     } else if (playback_) {
@@ -80,6 +85,7 @@ std::string EditorScene::execute(const Command& command) {
     }
     std::string problem = perform(command);
     if (problem.empty() && takesBodyElsewhere(command)) {
+        releaseAllHands();
         record();
         refreshPieces();
     }
@@ -90,9 +96,41 @@ std::string EditorScene::execute(const Command& command) {
     return problem;
 }
 
+std::string EditorScene::grab(const Vec3& at, double radius) {
+    takeBlade();
+    letGo();
+    std::string problem = perform(Grab{kPersonsHand, at, radius});
+    pulling_ = problem.empty();
+    return problem;
+}
+
+void EditorScene::moveHand() {
+    if (pulling_ && dragTo_) {
+        perform(Drag{kPersonsHand, *dragTo_});
+    }
+    dragTo_.reset();
+}
+
+void EditorScene::letGo() {
+    dragTo_.reset();
+    if (std::exchange(pulling_, false)) {
+        perform(Release{kPersonsHand});
+    }
+}
+
+/// After an undo or a redo hands may hold what nobody drags any more.
+void EditorScene::releaseAllHands() {
+    while (!simulation_.hands().empty()) {
+        perform(Release{simulation_.hands().front().number});
+    }
+}
+
 void EditorScene::takeBlade() {
-    if (playingBack() && simulation_.blade()) {
-        perform(LiftBlade{});
+    if (playingBack()) {
+        releaseAllHands();
+        if (simulation_.blade()) {
+            perform(LiftBlade{});
+        }
     }
     playback_.reset();
     seekTarget_.reset();
@@ -105,6 +143,7 @@ void EditorScene::reset() {
         return;
     }
     playing = false;
+    letGo();
     stroke_.clear();
     sweep_.clear();
     perform(Restart{});
@@ -120,6 +159,7 @@ void EditorScene::step() {
     } else if (playingBack()) {
         playSessionEvents();
     }
+    moveHand();
     const int piecesBefore = pieceCount();
     const StepReport& report = simulation_.step();
     followBlade();
@@ -193,6 +233,8 @@ void EditorScene::goTo(int step, const Keyframe& keyframe) {
     journal_.goBackTo(keyframe.journal);
     sweep_ = keyframe.sweep;
     stroke_.clear();
+    pulling_ = false;
+    dragTo_.reset();
     playback_->wentTo(step);
     std::erase_if(history_.framesPerSecond, isLater);
     std::erase_if(history_.volumePercent, isLater);

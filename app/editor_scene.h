@@ -42,6 +42,14 @@ class EditorScene {
     /// Steps that the stroke needs for the coming picture so as not to fall behind the hand.
     int strokeSteps() const;
 
+    // A hand that pulls at the body. Time runs while it does.
+    /// Takes hold of what lies within `radius` of `at` [m]. Returns "" or one sentence.
+    std::string grab(const Vec3& at, double radius);
+    /// Where the hand is in the coming steps.
+    void dragTo(const Vec3& to) { dragTo_ = to; }
+    void letGo();
+    bool pulling() const { return pulling_; }
+
     // The session that is played.
     bool playing = false;
     /// Whether the session's own events are still to come.
@@ -79,6 +87,8 @@ class EditorScene {
 
   private:
     std::string perform(const Command& command);
+    void moveHand();
+    void releaseAllHands();
     void playSessionEvents();
     void keepKeyframe();
     void goTo(int step, const Keyframe& keyframe);
@@ -100,6 +110,8 @@ class EditorScene {
     BladeStroke stroke_;
     std::vector<Blade> sweep_;       ///< poses of the running stroke, drawn or played
     std::vector<SetParam> choices_;  ///< of a person, one per name; a played session keeps them
+    bool pulling_ = false;
+    std::optional<Vec3> dragTo_;  ///< where the hand has not been told to go yet
     SessionJournal journal_;
     bool recording_ = false;
     /// The last restart: what the panels count from.

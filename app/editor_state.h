@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/blade_hand.h"
+#include "app/body_hand.h"
 #include "app/camera_flight.h"
 #include "app/editor.h"
 #include "app/editor_camera.h"
@@ -45,6 +46,7 @@ struct Editor::State {
     ui::History noHistory;
     EditorToast toast;
     BladeHand hand;
+    BodyHand bodyHand;
     bool sceneChanged = true;
     bool closing = false;
     bool helpOpen = false;
@@ -62,6 +64,7 @@ struct Editor::State {
     void onWheel(const ui::Wheel& wheel);
     void onKey(ui::Key key, const ui::Modifiers& modifiers);
     void onFocusLost();
+    void pressInScene(const ui::Modifiers& modifiers);
     void endStroke();
 
     // Answers to keys and panels: editor_actions.cpp.
@@ -69,10 +72,13 @@ struct Editor::State {
     void perform(ui::ActionId id);
     void performOnScene(ui::ActionId id);
     void execute(const Command& command);
+    /// What came of something that was done to the body: "" or one sentence.
+    void say(const std::string& problem);
     void goToChange(std::size_t done);
     void seekTo(int step);
-    void setBlade(const ui::BladeSettings& settings);
-    void setTool(ui::BladeTool tool);
+    void freePins();
+    void setTools(const ui::ToolSettings& settings);
+    void setTool(ui::Tool tool);
     void toggleRecording();
     void cancel();
     void toggleGravity();
@@ -97,6 +103,8 @@ struct Editor::State {
     // What the panels are told: editor_description.cpp.
     void describe();
     std::string hint() const;
+    std::string hintForPieces() const;
+    std::string hintForBlade(ui::Tool tool) const;
 
     // Pictures: editor_picture.cpp.
     void draw();

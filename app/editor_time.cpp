@@ -14,8 +14,8 @@ constexpr int kMostSeekSteps = 64;            // per picture, while they are fas
 }  // namespace
 
 bool Editor::State::running() const {
-    return scene != nullptr &&
-           (scene->playing || scene->stroke().pending() > 0 || scene->seekSteps() > 0);
+    return scene != nullptr && (scene->playing || scene->pulling() ||
+                                scene->stroke().pending() > 0 || scene->seekSteps() > 0);
 }
 
 void Editor::State::runSteps(int needed, int due) {
@@ -38,7 +38,7 @@ void Editor::State::runSteps(int needed, int due) {
 void Editor::State::advance(double elapsedSeconds) {
     const bool ran = running();
     if (ran) {
-        const bool playing = scene->playing;
+        const bool playing = scene->playing || scene->pulling();
         const double timeStep = scene->simulation().params().timeStep;
         const int due = playing ? clock.takeDue(elapsedSeconds, timeStep) : 0;
         runSteps(scene->strokeSteps(), std::max(due, std::min(scene->seekSteps(), kMostSeekSteps)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,17 +23,21 @@ class SessionJournal {
     struct Mark {
         std::size_t events = 0;
         std::optional<SessionEvent> lastPose;
+        std::map<int, SessionEvent> lastDrags;
     };
-    Mark mark() const { return {events_.size(), lastPose_}; }
+    Mark mark() const { return {events_.size(), lastPose_, lastDrags_}; }
     void goBackTo(const Mark& mark);
 
     const std::vector<SessionEvent>& events() const { return events_; }
 
   private:
-    void holdBlade(int step);
+    void notePose(int step, const Command& command);
+    void noteHand(int step, const Command& command);
+    void hold(const SessionEvent& last, int step);
 
     std::vector<SessionEvent> events_;
-    std::optional<SessionEvent> lastPose_;  ///< while the blade is placed
+    std::optional<SessionEvent> lastPose_;   ///< while the blade is placed
+    std::map<int, SessionEvent> lastDrags_;  ///< of hands that hold something, by number
 };
 
 }  // namespace kerf::app

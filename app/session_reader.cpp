@@ -296,6 +296,14 @@ Region readRegion(ObjectReader& object) {
     return box;
 }
 
+Pin readPin(ObjectReader& object, bool pinned) {
+    Pin pin{readRegion(object), pinned};
+    if (const auto continues = object.optional("continues")) {
+        pin.continues = readBoolean(*continues);
+    }
+    return pin;
+}
+
 /// A file below the output folder: never outside, and none of those that a replay writes itself.
 std::string readOutputName(const Node& node) {
     const std::string name = readString(node);
@@ -365,7 +373,7 @@ SessionAction readAction(ObjectReader& object, const Node& event) {
     if (name == "grab") return readGrab(object);
     if (name == "drag") return readDrag(object);
     if (name == "release") return Release{readHand(object)};
-    if (name == "pin" || name == "unpin") return Pin{readRegion(object), name == "pin"};
+    if (name == "pin" || name == "unpin") return readPin(object, name == "pin");
     if (name == "restart") return Restart{};
     if (name == "undo") return Undo{};
     if (name == "redo") return Redo{};

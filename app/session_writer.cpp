@@ -116,6 +116,9 @@ struct ActionWriter {
             json["low"] = toJson(std::get<Bounds>(pin.region).low);
             json["high"] = toJson(std::get<Bounds>(pin.region).high);
         }
+        if (pin.continues) {
+            json["continues"] = true;
+        }
     }
     void operator()(const Restart&) const { json["type"] = "restart"; }
     void operator()(const Undo&) const { json["type"] = "undo"; }

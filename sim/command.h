@@ -46,11 +46,14 @@ struct Release {
 struct Pin {
     Region region;
     bool pinned = true;  ///< false frees those in the region
+    /// Of the same gesture as the pin just before: one undo takes both back.
+    bool continues = false;
 };
 /// Brings back the uncut body at rest; the parameters and the time go on.
 struct Restart {};
-/// Takes back the last change that is not undone: a cut (with all that the body did since), a
-/// restart or a parameter. A blade that is in the body is lifted first; time goes on.
+/// Takes back the last change that is not undone: a cut or a grab (with all that the body did
+/// since), a restart, a parameter or pins. A blade that is in the body is lifted first; time goes
+/// on.
 struct Undo {};
 /// Brings back what the last undo took.
 struct Redo {};

@@ -138,6 +138,8 @@ struct Simulation::State {
     Moment moment();
     void goTo(const Moment::Content& then);
     void apply(const UndoEntry::ParamChange& change, bool forward);
+    void apply(const UndoEntry::PinChange& change, bool forward);
+    void apply(const UndoEntry::BodyChange& change, bool forward);
     void putBladeAway();
     void beginStroke();
     void noteCut();
@@ -511,9 +513,14 @@ std::string Simulation::State::execute(const SetParam& set) {
 }
 
 std::string Simulation::State::execute(const Grab& grab) {
+    const SnapshotPointer before = history.keeps() ? capture() : nullptr;
     syncMesh();
     touch();
-    return hands.grab(grab, mesh);
+    std::string error = hands.grab(grab, mesh);
+    if (error.empty() && before) {
+        history.add({"Pull", time, UndoEntry::BodyChange{before, nullptr}});
+    }
+    return error;
 }
 
 std::string Simulation::State::execute(const Drag& drag) {
@@ -529,11 +536,17 @@ std::string Simulation::State::execute(const Release& release) {
 std::string Simulation::State::execute(const Pin& pin) {
     syncMesh();
     touch();
+    const Pins before = pins;
     if (pins.change(pin.region, pin.pinned, mesh) == 0) {
         return pin.pinned ? "No free vertex lies in that region; nothing was pinned."
                           : "No pinned vertex lies in that region; nothing was freed.";
     }
     solver.setPinned(pins.vertices());
+    if (pin.continues && history.continuesLastPins()) {
+        history.extendLast(pins);
+    } else {
+        history.add({pin.pinned ? "Pin" : "Free pins", time, UndoEntry::PinChange{before, pins}});
+    }
     return "";
 }
 
@@ -553,12 +566,10 @@ std::string Simulation::State::execute(const Undo&) {
     }
     SnapshotPointer after;
     const UndoEntry& entry = history.lastDone();
-    if (const auto* param = std::get_if<UndoEntry::ParamChange>(&entry.change)) {
-        apply(*param, false);
-    } else {
+    if (std::holds_alternative<UndoEntry::BodyChange>(entry.change)) {
         after = capture();
-        restoreBody(std::get<UndoEntry::BodyChange>(entry.change).before);
     }
+    std::visit([this](const auto& change) { apply(change, false); }, entry.change);
     history.markUndone(std::move(after));
     return "";
 }
@@ -568,12 +579,7 @@ std::string Simulation::State::execute(const Redo&) {
         return "There is nothing to redo.";
     }
     putBladeAway();
-    const UndoEntry& entry = history.firstUndone();
-    if (const auto* param = std::get_if<UndoEntry::ParamChange>(&entry.change)) {
-        apply(*param, true);
-    } else {
-        restoreBody(std::get<UndoEntry::BodyChange>(entry.change).after);
-    }
+    std::visit([this](const auto& change) { apply(change, true); }, history.firstUndone().change);
     history.markRedone();
     return "";
 }
@@ -582,6 +588,16 @@ void Simulation::State::apply(const UndoEntry::ParamChange& change, bool forward
     touch();
     setParam(params, change.param, forward ? change.after : change.before);
     paramsChanged = true;
+}
+
+void Simulation::State::apply(const UndoEntry::PinChange& change, bool forward) {
+    touch();
+    pins = forward ? change.after : change.before;
+    solver.setPinned(pins.vertices());
+}
+
+void Simulation::State::apply(const UndoEntry::BodyChange& change, bool forward) {
+    restoreBody(forward ? change.after : change.before);
 }
 
 /// Whatever the blade was about to do, it does no more.

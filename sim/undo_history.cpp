@@ -87,6 +87,15 @@ void UndoHistory::extendLast(std::string name, const ParamValue& after) {
     std::get<UndoEntry::ParamChange>(last.change).after = after;
 }
 
+bool UndoHistory::continuesLastPins() const {
+    return canUndo() && !canRedo() &&
+           std::holds_alternative<UndoEntry::PinChange>(lastDone().change);
+}
+
+void UndoHistory::extendLast(const Pins& after) {
+    std::get<UndoEntry::PinChange>(entries_[done_ - 1].change).after = after;
+}
+
 void UndoHistory::clear() {
     entries_.clear();
     done_ = 0;

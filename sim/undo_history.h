@@ -17,7 +17,12 @@ struct UndoEntry {
         ParamValue before;
         ParamValue after;
     };
-    /// A cut or a restart. `after` is known while it is undone.
+    /// Vertices that were pinned or freed.
+    struct PinChange {
+        Pins before;
+        Pins after;
+    };
+    /// A cut, a grab or a restart. `after` is known while it is undone.
     struct BodyChange {
         SnapshotPointer before;
         SnapshotPointer after;
@@ -25,7 +30,7 @@ struct UndoEntry {
 
     std::string name;  ///< as people read it: "Cut 2", "Gravity: none"
     double time = 0;   ///< simulated, when it happened [s]
-    std::variant<ParamChange, BodyChange> change;
+    std::variant<ParamChange, PinChange, BodyChange> change;
 };
 
 /// The changes of a simulation in their order. The first done() of them are in force, the others
@@ -53,6 +58,9 @@ class UndoHistory {
     bool continuesLast(const std::string& param) const;
     /// Gives that change a new end.
     void extendLast(std::string name, const ParamValue& after);
+    /// The same for pins.
+    bool continuesLastPins() const;
+    void extendLast(const Pins& after);
     void clear();
 
     /// The change to take back next; markUndone() once that is done.

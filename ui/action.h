@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "sim/command.h"
-#include "ui/blade_settings.h"
+#include "ui/tool_settings.h"
 
 namespace kerf::ui {
 
@@ -22,7 +22,10 @@ enum class ActionId : std::uint8_t {
     toolStroke,
     toolScalpel,
     toolGuillotine,
+    toolGrab,
+    toolPin,
     bringDown,
+    freePins,
     record,
     saveSession,
     loop,
@@ -55,12 +58,12 @@ struct SetSpeed {
 struct SeekTo {
     int step = 0;
 };
-/// Another blade, or another depth of it.
-struct SetBlade {
-    BladeSettings settings;
+/// Another tool, or another depth or radius of it.
+struct SetTools {
+    ToolSettings settings;
 };
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
-using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetBlade>;
+using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools>;
 
 }  // namespace kerf::ui

@@ -7,7 +7,6 @@
 #include <array>
 
 #include "ui/axes_widget.h"
-#include "ui/blade_panel.h"
 #include "ui/changes_panel.h"
 #include "ui/help_overlay.h"
 #include "ui/hint.h"
@@ -21,6 +20,7 @@
 #include "ui/status_bar.h"
 #include "ui/theme.h"
 #include "ui/toast.h"
+#include "ui/tools_panel.h"
 #include "ui/transport_panel.h"
 #include "ui/widgets.h"
 
@@ -94,7 +94,7 @@ void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>
     beginPanel("controls", rect, true);
     drawMenuBar(model, actions);
     drawTransport(model, actions);
-    drawBlade(model, actions);
+    drawTools(model, actions);
     drawParameters(model, actions);
     drawPieces(model);
     ImGui::End();

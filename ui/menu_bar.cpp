@@ -68,7 +68,9 @@ bool isAvailable(const PanelModel& model, ActionId id) {
         case ActionId::redo:
             return model.changes.done < model.changes.rows.size();
         case ActionId::bringDown:
-            return model.blade.tool == BladeTool::guillotine && !model.name.empty();
+            return model.tools.tool == Tool::guillotine && !model.name.empty();
+        case ActionId::freePins:
+            return model.pinned > 0;
         case ActionId::loop:
             return model.playback.steps > 0;
         default:
@@ -85,11 +87,15 @@ bool isOn(const PanelModel& model, ActionId id) {
         case ActionId::wireframe:
             return model.wireframe;
         case ActionId::toolStroke:
-            return model.blade.tool == BladeTool::stroke;
+            return model.tools.tool == Tool::stroke;
         case ActionId::toolScalpel:
-            return model.blade.tool == BladeTool::scalpel;
+            return model.tools.tool == Tool::scalpel;
         case ActionId::toolGuillotine:
-            return model.blade.tool == BladeTool::guillotine;
+            return model.tools.tool == Tool::guillotine;
+        case ActionId::toolGrab:
+            return model.tools.tool == Tool::grab;
+        case ActionId::toolPin:
+            return model.tools.tool == Tool::pin;
         case ActionId::orthographic:
             return model.orthographic;
         case ActionId::record:

@@ -11,6 +11,7 @@ constexpr ImU32 kTouched = IM_COL32(240, 228, 66, 70);
 constexpr ImU32 kTouchedEdge = IM_COL32(240, 228, 66, 130);
 constexpr ImU32 kSwept = IM_COL32(64, 224, 190, 150);
 constexpr ImU32 kShade = IM_COL32(0, 0, 0, 110);
+constexpr ImU32 kGuide = IM_COL32(86, 180, 233, 255);
 constexpr ImU32 kWound = IM_COL32(255, 255, 255, 255);
 
 ImVec2 at(const PlotPoint& p) {
@@ -33,6 +34,12 @@ void drawOverlay(const Overlay& overlay, float scale) {
     }
     for (const Overlay::Line& line : overlay.wound) {
         draw.AddLine(at(line[0]), at(line[1]), kWound, 2 * scale);
+    }
+    for (const Overlay::Line& line : overlay.guides) {
+        draw.AddLine(at(line[0]), at(line[1]), kShade, 3.5F * scale);
+    }
+    for (const Overlay::Line& line : overlay.guides) {
+        draw.AddLine(at(line[0]), at(line[1]), kGuide, 1.5F * scale);
     }
     for (const Overlay::Handle& handle : overlay.handles) {
         const float radius = (handle.hot ? 9.0F : 7.0F) * scale;

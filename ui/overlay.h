@@ -7,7 +7,7 @@
 
 namespace kerf::ui {
 
-/// What the coming cut will do, drawn over the view, in pixels of the picture.
+/// What the tool will do, drawn over the view, in pixels of the picture.
 struct Overlay {
     using Line = std::array<PlotPoint, 2>;
     using Face = std::array<PlotPoint, 3>;
@@ -20,6 +20,7 @@ struct Overlay {
     std::vector<Face> touched;  ///< triangles that will be cut
     std::vector<Line> swept;    ///< outline of the way of the blade
     std::vector<Line> wound;    ///< where that meets the surface
+    std::vector<Line> guides;   ///< how far the tool reaches
     std::vector<Handle> handles;
 };
 

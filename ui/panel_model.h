@@ -7,9 +7,9 @@
 #include "sim/cut/subdivision_pattern.h"
 #include "sim/params.h"
 #include "ui/axes_widget.h"
-#include "ui/blade_settings.h"
 #include "ui/history.h"
 #include "ui/overlay.h"
+#include "ui/tool_settings.h"
 
 namespace kerf::ui {
 
@@ -59,8 +59,9 @@ struct PanelModel {
     bool playing = false;
     double speed = 1;  ///< of simulated time against the clock
     ChangeList changes;
-    BladeSettings blade;
-    Overlay overlay;  ///< of the coming cut
+    ToolSettings tools;
+    std::size_t pinned = 0;  ///< vertices that are held in place
+    Overlay overlay;         ///< of the coming cut
     ViewAxes axes;
     bool orthographic = false;
     PlaybackState playback;

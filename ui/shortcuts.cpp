@@ -7,6 +7,7 @@ namespace kerf::ui {
 namespace {
 
 constexpr Modifiers kPlain{};
+constexpr Modifiers kShift{.shift = true};
 constexpr Modifiers kControl{.control = true};
 
 constexpr Modifiers kControlShift{.shift = true, .control = true};
@@ -21,11 +22,13 @@ constexpr std::array kShortcuts{
     Shortcut{ActionId::cancel, Key::escape, kPlain, "Esc", "Stop the stroke, close the help",
              "Edit"},
     Shortcut{ActionId::toggleGravity, Key::v, kPlain, "V", "Gravity on or off", "Edit"},
-    Shortcut{ActionId::toolStroke, Key::c, kPlain, "C", "Stroke: cut along the view", "Blade"},
-    Shortcut{ActionId::toolScalpel, Key::s, kPlain, "S", "Scalpel: follow the surface", "Blade"},
-    Shortcut{ActionId::toolGuillotine, Key::g, kPlain, "G", "Guillotine: pose the blade", "Blade"},
-    Shortcut{ActionId::bringDown, Key::enter, kPlain, "Enter", "Bring the guillotine down",
-             "Blade"},
+    Shortcut{ActionId::toolStroke, Key::c, kPlain, "C", "Stroke: cut along the view", "Tool"},
+    Shortcut{ActionId::toolScalpel, Key::s, kPlain, "S", "Scalpel: follow the surface", "Tool"},
+    Shortcut{ActionId::toolGuillotine, Key::g, kPlain, "G", "Guillotine: pose the blade", "Tool"},
+    Shortcut{ActionId::toolGrab, Key::d, kPlain, "D", "Grab: pull at the body", "Tool"},
+    Shortcut{ActionId::toolPin, Key::p, kPlain, "P", "Pin: hold parts in place", "Tool"},
+    Shortcut{ActionId::bringDown, Key::enter, kPlain, "Enter", "Bring the guillotine down", "Tool"},
+    Shortcut{ActionId::freePins, Key::p, kShift, "Shift+P", "Free all that is pinned", "Tool"},
     Shortcut{ActionId::playPause, Key::space, kPlain, "Space", "Play or pause", "Time"},
     Shortcut{ActionId::stepOnce, Key::period, kPlain, ".", "One step", "Time"},
     Shortcut{ActionId::reset, Key::r, kPlain, "R", "Back to the start", "Time"},
@@ -48,7 +51,9 @@ constexpr std::array kShortcuts{
 };
 
 constexpr std::array kPointerHints{
-    PointerHint{"Left drag", "Cut; with the guillotine: move its handles"},
+    PointerHint{"Left drag", "Cut, move a handle of the guillotine, pull or pin"},
+    PointerHint{"Shift+left drag", "Stroke: straight, in steps of 15 degrees; pin: a box"},
+    PointerHint{"Ctrl+left drag", "Pin: free again"},
     PointerHint{"Right drag, Alt+left drag", "Turn the view"},
     PointerHint{"Middle drag, Shift+right drag", "Move the view"},
     PointerHint{"Wheel", "Zoom to the pointer"},

@@ -274,7 +274,7 @@ TEST_F(EditorTest, AShallowStrokeLeavesOnePiece) {
     const ui::Rect box = editor->places().at("blade.through");
     drag(Vec2(box.x + 8, box.y + box.height / 2), Vec2(box.x + 8, box.y + box.height / 2), 1);
     settle();
-    EXPECT_FALSE(panels().blade.throughAll);
+    EXPECT_FALSE(panels().tools.throughAll);
     drag(kTop, kBottom, 10);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");

@@ -27,6 +27,35 @@ TEST(SessionJournal, ABladeThatStoodStillIsSaidToHave) {
     EXPECT_EQ(std::get<MoveBlade>(player.actionsAt(9).at(0)).blade.a.y(), 0.8);
 }
 
+TEST(SessionJournal, AHandThatStoodStillIsSaidToHave) {
+    SessionJournal journal;
+    journal.note(3, Grab{0, Vec3(1, 0, 0), 0.1});
+    journal.note(7, Drag{0, Vec3(2, 0, 0)});
+    journal.note(12, Drag{0, Vec3(3, 0, 0)});
+    journal.note(13, Release{0});
+    Session session;
+    session.steps = 15;
+    session.events = journal.events();
+    const SessionPlayer player(session);
+    const auto drags = [&](int step) {
+        std::vector<double> places;
+        for (const SessionAction& action : player.actionsAt(step)) {
+            if (const auto* drag = std::get_if<Drag>(&action)) {
+                places.push_back(drag->to.x());
+            }
+        }
+        return places;
+    };
+    for (const int step : {4, 5, 6}) {
+        EXPECT_EQ(drags(step), std::vector<double>{1}) << step;
+    }
+    EXPECT_EQ(drags(7), std::vector<double>{2});
+    for (const int step : {8, 9, 10, 11}) {
+        EXPECT_EQ(drags(step), std::vector<double>{2}) << step;
+    }
+    EXPECT_EQ(drags(12), std::vector<double>{3});
+}
+
 TEST(SessionJournal, OfASliderDragAtOneStepOnlyTheLastValueIsKept) {
     SessionJournal journal;
     journal.note(2, SetParam{"friction", 0.1});

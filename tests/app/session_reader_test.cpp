@@ -229,7 +229,7 @@ TEST(SessionWriter, RoundTripKeepsEveryBit) {
                        {"step": 3, "type": "drag", "hand": 2, "to": [0.1, 0.2, 0.7]},
                        {"step": 3, "type": "release", "hand": 2},
                        {"step": 3, "type": "pin", "low": [-1, -0.1, 0], "high": [1, 0, 0.3]},
-                       {"step": 3, "type": "unpin", "center": [0, 0.1, 0], "radius": 0.7},
+                       {"step": 3, "type": "unpin", "center": [0, 0.1, 0], "radius": 0.7, "continues": true},
                        {"step": 4, "type": "screenshot", "file": "ä \" b.png", "width": 3},
                        {"step": 5, "type": "export", "file": "a/b.obj"},
                        {"step": 6, "type": "check", "hash": "00ff00ff00ff00ff"}],

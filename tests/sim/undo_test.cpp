@@ -231,5 +231,38 @@ TEST_F(UndoTest, WithoutABudgetNothingIsKeptAndTheBitsAreTheSame) {
     simulation.swap(other);
 }
 
+TEST_F(UndoTest, PinsOfOneGestureAreTakenBackTogether) {
+    const auto pinned = [&] { return simulation->pinnedVertices(); };
+    ASSERT_EQ(simulation->execute(Pin{Ball{{0.5, 0, 0}, 0.2}}), "");
+    const auto first = pinned();
+    ASSERT_EQ(simulation->execute(Pin{Ball{{-0.5, 0, 0}, 0.2}}), "");
+    ASSERT_EQ(simulation->execute(Pin{Ball{{0, 0, 0.5}, 0.2}, true, true}), "");
+    const auto all = pinned();
+    EXPECT_EQ(names(), (std::vector<std::string>{"Pin", "Pin"}));
+    run(3);
+    undo();
+    EXPECT_EQ(pinned(), first);
+    undo();
+    EXPECT_TRUE(pinned().empty());
+    redo();
+    redo();
+    EXPECT_EQ(pinned(), all);
+}
+
+TEST_F(UndoTest, APullIsTakenBackToWhereItTookHold) {
+    run(3);
+    const std::string before = simulation->stateHash();
+    ASSERT_EQ(simulation->execute(Grab{0, Vec3(0.5, 0, 0), 0.3}), "");
+    simulation->execute(Drag{0, Vec3(0.9, 0, 0)});
+    run(5);
+    simulation->execute(Release{0});
+    const std::string after = simulation->stateHash();
+    undo();
+    EXPECT_EQ(simulation->stateHash(), before);
+    EXPECT_TRUE(simulation->hands().empty());
+    redo();
+    EXPECT_EQ(simulation->stateHash(), after);
+}
+
 }  // namespace
 }  // namespace kerf

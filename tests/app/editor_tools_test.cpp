@@ -1,0 +1,182 @@
+// The hand that pulls, the pins, the straight stroke.
+#include <cmath>
+#include <numbers>
+
+#include "app/body_hand.h"
+#include "app/replay.h"
+#include "app/ruler.h"
+#include "tests/app/editor_fixture.h"
+
+namespace kerf::app {
+namespace {
+
+const Vec2 kMiddle(kWidth / 2.0, kHeight / 2.0);
+
+class EditorToolsTest : public EditorTest {
+  protected:
+    void dragWith(const ui::Modifiers& modifiers, const Vec2& from, const Vec2& to, int points) {
+        editor->post(ui::PointerMove{from.x(), from.y(), modifiers});
+        editor->post(ui::ButtonChange{Button::left, true, modifiers});
+        for (int i = 1; i <= points; ++i) {
+            const Vec2 p = from + (to - from) * i / points;
+            editor->post(ui::PointerMove{p.x(), p.y(), modifiers});
+        }
+        editor->post(ui::ButtonChange{Button::left, false, modifiers});
+        settle();
+    }
+    /// Takes hold in the middle, pulls to the right and holds there for some pictures.
+    void pull(int pictures) {
+        moveTo(kMiddle.x(), kMiddle.y());
+        press(true);
+        frames(2);
+        moveTo(kMiddle.x() + 120, kMiddle.y());
+        frames(pictures);
+    }
+    Session savedSession() {
+        editor->post(ui::KeyChange{Key::s, true, {.control = true}});
+        settle();
+        return readSession(onlyFile(folder.path()));
+    }
+};
+
+TEST_F(EditorToolsTest, AHandPullsTheBodyWhileItHoldsIt) {
+    tap(Key::d);
+    frames(1);
+    moveTo(kMiddle.x(), kMiddle.y());
+    frames(2);
+    EXPECT_FALSE(panels().overlay.guides.empty()) << "a ring shows what it would take";
+    pull(20);
+    EXPECT_GE(panels().step, 20) << "time runs while it holds";
+    ASSERT_EQ(panels().overlay.handles.size(), 1U);
+    EXPECT_NEAR(panels().overlay.handles[0].at.x, kMiddle.x() + 120, 0.5);
+    press(false);
+    settle();
+    const int step = panels().step;
+    frames(5);
+    EXPECT_EQ(panels().step, step) << "and stands when it lets go";
+    ASSERT_EQ(panels().changes.rows.size(), 1U);
+    EXPECT_EQ(panels().changes.rows[0].name, "Pull");
+}
+
+TEST_F(EditorToolsTest, APullIsRecordedAndReplaysToTheSameBits) {
+    tap(Key::d);
+    pull(12);
+    moveTo(kMiddle.x() + 140, kMiddle.y() + 30);
+    frames(3);
+    press(false);
+    settle();
+    const Session session = savedSession();
+    test::TemporaryFolder out;
+    const ReplayResult result = replaySession(session, sphereDocument().mesh, out.path(), {});
+    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
+    const auto& last = std::get<CheckEvent>(session.events.back().action);
+    EXPECT_EQ(result.summary.stateHash, last.hash);
+}
+
+TEST_F(EditorToolsTest, UndoWhileItHoldsTakesThePullBackAndLetsGo) {
+    tap(Key::d);
+    pull(10);
+    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
+    frames(2);
+    EXPECT_EQ(panels().changes.done, 0U);
+    EXPECT_TRUE(panels().overlay.handles.empty()) << "it holds nothing any more";
+    press(false);
+    settle();
+    const Session session = savedSession();
+    test::TemporaryFolder out;
+    const ReplayResult result = replaySession(session, sphereDocument().mesh, out.path(), {});
+    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
+}
+
+TEST_F(EditorToolsTest, TheBrushPinsInOneChangeAndTheControlKeyFrees) {
+    tap(Key::p);
+    dragWith({}, kMiddle - Vec2(60, 0), kMiddle + Vec2(60, 0), 6);
+    const std::size_t pinned = panels().pinned;
+    EXPECT_GT(pinned, 10U);
+    ASSERT_EQ(panels().changes.rows.size(), 1U);
+    EXPECT_EQ(panels().changes.rows[0].name, "Pin");
+    dragWith({.control = true}, kMiddle, kMiddle + Vec2(1, 0), 1);
+    EXPECT_LT(panels().pinned, pinned);
+    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
+    settle();
+    EXPECT_EQ(panels().pinned, pinned);
+    editor->post(ui::KeyChange{Key::p, true, {.shift = true}});
+    settle();
+    EXPECT_EQ(panels().pinned, 0U);
+}
+
+TEST_F(EditorToolsTest, ABoxPinsThroughTheWholeBody) {
+    tap(Key::digit1);
+    tap(Key::digit5);
+    settle();
+    tap(Key::p);
+    dragWith({.shift = true}, kMiddle, kMiddle + Vec2(300, -200), 4);
+    // A quarter of the sphere, front and back.
+    EXPECT_GT(panels().pinned, 386U / 5);
+    EXPECT_LT(panels().pinned, 386U / 3);
+}
+
+TEST_F(EditorToolsTest, PinsAreRecordedAndReplayToTheSameBits) {
+    tap(Key::p);
+    dragWith({}, kMiddle - Vec2(40, 0), kMiddle + Vec2(40, 0), 4);
+    tap(Key::v);
+    tap(Key::space);
+    frames(10);
+    tap(Key::space);
+    const Session session = savedSession();
+    test::TemporaryFolder out;
+    const ReplayResult result = replaySession(session, sphereDocument().mesh, out.path(), {});
+    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
+    const auto& last = std::get<CheckEvent>(session.events.back().action);
+    EXPECT_EQ(result.summary.stateHash, last.hash);
+}
+
+TEST_F(EditorToolsTest, AStrokeWithShiftHeldIsStraight) {
+    const ui::Modifiers shift{.shift = true};
+    editor->post(ui::PointerMove{kTop.x(), kTop.y(), shift});
+    editor->post(ui::ButtonChange{Button::left, true, shift});
+    for (int i = 1; i <= 20; ++i) {
+        const double y = kTop.y() + i * (kBottom.y() - kTop.y()) / 20;
+        editor->post(ui::PointerMove{kTop.x() + (i % 2 == 0 ? 14.0 : -14.0) * (i > 1), y, shift});
+    }
+    frames(1);
+    const auto& swept = panels().overlay.swept;
+    editor->post(ui::ButtonChange{Button::left, false, shift});
+    frames(1);
+    for (const ui::Overlay::Line& line : swept) {
+        EXPECT_NEAR(line[0].x, kTop.x(), 1);
+        EXPECT_NEAR(line[1].x, kTop.x(), 1);
+    }
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+}
+
+TEST(Ruler, TakesTheNearestOfTwentyFourDirectionsAndKeepsIt) {
+    Ruler ruler(Vec2(100, 100));
+    EXPECT_EQ(ruler.along(Vec2(105, 103)), std::nullopt) << "too near to tell";
+    EXPECT_LT((*ruler.along(Vec2(150, 104)) - Vec2(150, 100)).norm(), 1e-9);
+    EXPECT_LT((*ruler.along(Vec2(160, 190)) - Vec2(160, 100)).norm(), 1e-9) << "it stays";
+    Ruler slanted(Vec2(0, 0));
+    const Vec2 on = *slanted.along(Vec2(100, 60));
+    EXPECT_NEAR(std::atan2(on.y(), on.x()), std::numbers::pi / 6, 1e-12);
+}
+
+TEST(BoxBetween, IsTheRectangleOfAStraightOrthographicView) {
+    ViewFrame view;
+    view.width = 800;
+    view.height = 400;
+    view.camera.eye = Vec3(0, 0, 5);
+    view.camera.orthographic = true;
+    Bounds body;
+    body.add(Vec3(-1, -1, -0.5));
+    body.add(Vec3(1, 1, 0.7));
+    const Bounds box = boxBetween(view, Vec2(400, 200), Vec2(500, 100), body);
+    const double perPixel = 2 * 5 * std::tan(17.5 * std::numbers::pi / 180) / 400;
+    EXPECT_LT((box.low.head<2>() - Vec2(0, 0)).norm(), 1e-9);
+    EXPECT_LT((box.high.head<2>() - 100 * perPixel * Vec2(1, 1)).norm(), 1e-9);
+    EXPECT_LT(box.low.z(), -0.5);
+    EXPECT_GT(box.high.z(), 0.7);
+}
+
+}  // namespace
+}  // namespace kerf::app

@@ -1,0 +1,146 @@
+#include "ui/tools_panel.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <string>
+
+#include "ui/item_places.h"
+#include "ui/shortcuts.h"
+#include "ui/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+struct ToolButton {
+    Tool tool;
+    ActionId id;
+    const char* label;
+};
+constexpr std::array kTools{
+    ToolButton{Tool::stroke, ActionId::toolStroke, "Stroke"},
+    ToolButton{Tool::scalpel, ActionId::toolScalpel, "Scalpel"},
+    ToolButton{Tool::guillotine, ActionId::toolGuillotine, "Guillotine"},
+    ToolButton{Tool::grab, ActionId::toolGrab, "Grab"},
+    ToolButton{Tool::pin, ActionId::toolPin, "Pin"},
+};
+constexpr std::size_t kToolsInARow = 3;
+constexpr double kLargestRadius = 0.2;  // of a hand or brush, of the longest blade
+
+void drawToolButton(const ToolButton& button, bool chosen, float width,
+                    std::vector<Action>& actions) {
+    if (chosen) {
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
+    }
+    if (ImGui::Button(button.label, {width, 0})) {
+        actions.emplace_back(button.id);
+    }
+    if (chosen) {
+        ImGui::PopStyleColor();
+    }
+    noteItem(std::string("tool.") + button.label);
+    itemTooltip(describeShortcut(button.id));
+}
+
+void drawToolButtons(const PanelModel& model, std::vector<Action>& actions) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width =
+        (ImGui::GetContentRegionAvail().x - (kToolsInARow - 1) * gap) / kToolsInARow;
+    for (std::size_t i = 0; i < kTools.size(); ++i) {
+        if (i % kToolsInARow > 0) {
+            ImGui::SameLine(0, gap);
+        }
+        drawToolButton(kTools[i], model.tools.tool == kTools[i].tool, width, actions);
+    }
+}
+
+/// A length from a hundredth of the longest one up. `beside`: width of what follows in its row.
+bool slideLength(const char* label, double& value, double longest, const char* tooltip,
+                 float beside = 0) {
+    const double least = 0.01 * longest;
+    const std::string format = std::string(label) + " %.3f m";
+    ImGui::PushID(label);
+    ImGui::SetNextItemWidth(beside > 0 ? -beside - ImGui::GetStyle().ItemInnerSpacing.x : -1);
+    const bool changed =
+        ImGui::SliderScalar("##length", ImGuiDataType_Double, &value, &least, &longest,
+                            format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+    noteItem(std::string("blade.") + label);
+    ImGui::PopID();
+    itemTooltip(tooltip);
+    return changed;
+}
+
+bool drawStrokeRows(ToolSettings& tools) {
+    bool changed = ImGui::Checkbox("Through all", &tools.throughAll);
+    noteItem("blade.through");
+    itemTooltip("The blade reaches through the whole body along the line of sight");
+    if (!tools.throughAll) {
+        changed |= slideLength("Depth", tools.strokeDepth, tools.longest,
+                               "How far the blade goes in, from the nearest point of the body");
+    }
+    return changed;
+}
+
+bool drawGuillotineRows(ToolSettings& tools, std::vector<Action>& actions) {
+    bool changed = slideLength("Length", tools.length, tools.longest, "Length of the blade");
+    changed |= slideLength("Drop", tools.drop, tools.longest, "How far the blade goes down");
+    const double up = 0;
+    const double down = 1;
+    const float button = 4.6F * ImGui::GetFontSize();
+    ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemInnerSpacing.x);
+    changed |= ImGui::SliderScalar("##lowered", ImGuiDataType_Double, &tools.lowered, &up, &down,
+                                   "Lowered %.2f", ImGuiSliderFlags_AlwaysClamp);
+    noteItem("blade.lowered");
+    itemTooltip("Pulls the blade down by hand, and cuts");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::Button("Down", {button, 0})) {
+        actions.emplace_back(ActionId::bringDown);
+    }
+    noteItem("blade.down");
+    itemTooltip(describeShortcut(ActionId::bringDown));
+    return changed;
+}
+
+bool drawPinRows(ToolSettings& tools, std::vector<Action>& actions) {
+    const float button = 5.4F * ImGui::GetFontSize();
+    const bool changed = slideLength("Brush", tools.pinRadius, kLargestRadius * tools.longest,
+                                     "How far around the pointer it pins", button);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::Button("Free all", {button, 0})) {
+        actions.emplace_back(ActionId::freePins);
+    }
+    noteItem("pin.free");
+    itemTooltip(describeShortcut(ActionId::freePins));
+    return changed;
+}
+
+bool drawRowsOf(ToolSettings& tools, std::vector<Action>& actions) {
+    switch (tools.tool) {
+        case Tool::stroke:
+            return drawStrokeRows(tools);
+        case Tool::scalpel:
+            return slideLength("Depth", tools.scalpelDepth, tools.longest,
+                               "How deep the scalpel goes below the surface");
+        case Tool::guillotine:
+            return drawGuillotineRows(tools, actions);
+        case Tool::grab:
+            return slideLength("Hand", tools.grabRadius, kLargestRadius * tools.longest,
+                               "How far around the pointer the hand takes hold");
+        case Tool::pin:
+            return drawPinRows(tools, actions);
+    }
+    return false;
+}
+
+}  // namespace
+
+void drawTools(const PanelModel& model, std::vector<Action>& actions) {
+    sectionTitle("Tool");
+    drawToolButtons(model, actions);
+    ToolSettings tools = model.tools;
+    if (drawRowsOf(tools, actions)) {
+        actions.emplace_back(SetTools{tools});
+    }
+}
+
+}  // namespace kerf::ui
