@@ -1,3 +1,4 @@
+#include "app/box_placement.h"
 #include "app/editor_state.h"
 
 namespace kerf::app {
@@ -18,8 +19,20 @@ void Editor::State::apply(const ui::Action& action) {
         seekTo(seek->step);
     } else if (const auto* blade = std::get_if<ui::SetTools>(&action)) {
         setTools(blade->settings);
+    } else if (std::holds_alternative<ui::PlaceBox>(action)) {
+        placeBox();
+    } else if (const auto* moved = std::get_if<ChangeBox>(&action)) {
+        execute(*moved);
+    } else if (const auto* removed = std::get_if<RemoveBox>(&action)) {
+        execute(*removed);
     } else {
         execute(std::get<SetParam>(action));
+    }
+}
+
+void Editor::State::placeBox() {
+    if (scene != nullptr) {
+        execute(AddBox{boxBeside(scene->bounds(), scene->simulation().params().floor)});
     }
 }
 

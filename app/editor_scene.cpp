@@ -36,7 +36,8 @@ bool takesBodyElsewhere(const Command& command) {
 }  // namespace
 
 EditorScene::EditorScene(Document document)
-    : document_(std::move(document)), simulation_(document_.mesh, document_.session.params) {
+    : document_(std::move(document)),
+      simulation_(document_.mesh, document_.session.params, document_.session.boxes) {
     simulation_.setUndoBudget(kUndoBudget);
     startAnew();
 }
@@ -272,11 +273,26 @@ void EditorScene::wrapPlayback() {
 // --- Recording ---------------------------------------------------------------------------------
 
 void EditorScene::startRecording() {
+    const std::vector<StaticBox> boxes = simulation_.boxes();
     simulation_.reset();
     playback_.reset();
     document_.session.events.clear();
     startAnew();
+    putUp(boxes);
     recording_ = true;
+}
+
+/// Instead of the boxes there are.
+void EditorScene::putUp(const std::vector<StaticBox>& boxes) {
+    if (boxes == simulation_.boxes()) {
+        return;
+    }
+    while (!simulation_.boxes().empty()) {
+        perform(RemoveBox{0});
+    }
+    for (const StaticBox& box : boxes) {
+        perform(AddBox{box});
+    }
 }
 
 void EditorScene::checkNowAndThen() {
@@ -353,6 +369,8 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.name = document_.name;
     model.params = simulation_.params();
     model.startParams = document_.session.params;
+    model.boxes = simulation_.boxes();
+    model.bodySize = document_.restBounds.diagonal();
     model.playing = playing;
     model.stroking = stroke_.drawing() || stroke_.pending() > 0;
     model.step = simulation_.stepCount() - start_.step;

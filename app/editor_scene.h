@@ -95,6 +95,7 @@ class EditorScene {
     void endPlayback();
     void wrapPlayback();
     void startAnew();
+    void putUp(const std::vector<StaticBox>& boxes);
     void followBlade();
     void checkNowAndThen();
     void record();

@@ -74,6 +74,7 @@ struct Editor::State {
     void execute(const Command& command);
     /// What came of something that was done to the body: "" or one sentence.
     void say(const std::string& problem);
+    void placeBox();
     void goToChange(std::size_t done);
     void seekTo(int step);
     void freePins();

@@ -49,7 +49,7 @@ class Replay {
           player_(session),
           metrics_(folder.place(kMetricsFile)),
           renderer_(render::Quality::full),
-          simulation_(std::move(model), session.params),
+          simulation_(std::move(model), session.params, session.boxes),
           restBounds_(meshBounds(simulation_.mesh())),
           camera_(sessionCamera(session, restBounds_)) {
         summary_.model = session.model.name();
@@ -89,6 +89,9 @@ class Replay {
     void operator()(const Drag& drag) { execute(drag); }
     void operator()(const Release& release) { execute(release); }
     void operator()(const Pin& pin) { execute(pin); }
+    void operator()(const AddBox& add) { execute(add); }
+    void operator()(const ChangeBox& change) { execute(change); }
+    void operator()(const RemoveBox& remove) { execute(remove); }
     void operator()(const Restart& restart) { execute(restart); }
     void operator()(const Undo& undo) { execute(undo); }
     void operator()(const Redo& redo) { execute(redo); }

@@ -12,6 +12,7 @@ render::SceneView sceneOf(const Simulation& simulation, const render::Material& 
     scene.body = simulation.bodyView();
     scene.material = material;
     scene.restBounds = restBounds;
+    scene.boxes = simulation.boxes();
     scene.floor = simulation.params().floor;
     scene.blade = simulation.blade();
     scene.sweep = sweep;

@@ -45,12 +45,7 @@ void requireRoomInFloats(const Bounds& bounds) {
 }  // namespace
 
 Vec3 Placement::apply(const Vec3& point) const {
-    const Vec3 radians = rotate * (EIGEN_PI / 180);
-    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(radians.z(), Vec3::UnitZ()) *
-                                  Eigen::AngleAxisd(radians.y(), Vec3::UnitY()) *
-                                  Eigen::AngleAxisd(radians.x(), Vec3::UnitX()))
-                                     .toRotationMatrix();
-    return turn * (scale * point) + translate;
+    return turnOf(rotate) * (scale * point) + translate;
 }
 
 void place(SurfaceMesh& mesh, const Placement& placement) {

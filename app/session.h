@@ -66,8 +66,9 @@ struct CheckEvent {
 
 /// A blade event is a key pose: between two of them the ends move linearly, a quad per step. So do
 /// hands from their grab or drag to their next drag.
-using SessionAction = std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin,
-                                   Restart, Undo, Redo, ScreenshotEvent, ExportEvent, CheckEvent>;
+using SessionAction =
+    std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, AddBox, ChangeBox,
+                 RemoveBox, Restart, Undo, Redo, ScreenshotEvent, ExportEvent, CheckEvent>;
 
 /// Something that happens before a step.
 struct SessionEvent {
@@ -80,6 +81,7 @@ struct Session {
     ModelReference model;
     Placement placement;
     Params params;
+    std::vector<StaticBox> boxes;  ///< at the start
     int steps = 0;
     std::vector<SessionEvent> events;  ///< by step, the file's order within one
     std::optional<render::Camera> view;

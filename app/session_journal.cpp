@@ -9,18 +9,30 @@ SessionAction actionOf(const Command& command) {
     return std::visit([](const auto& c) { return SessionAction(c); }, command);
 }
 
-/// The value of a slider that is dragged while time stands: only the last one counts.
-bool replaces(const SetParam& later, const SessionEvent& before, int step) {
-    const auto* set = std::get_if<SetParam>(&before.action);
-    return set != nullptr && later.continues && before.step == step && set->name == later.name;
+/// What a slider changes that is dragged while time stands: only its last value counts. Returns
+/// whether `before` was changed instead of noting a later event.
+bool extend(SessionEvent& before, const Command& command) {
+    if (const auto* later = std::get_if<SetParam>(&command); later != nullptr && later->continues) {
+        auto* set = std::get_if<SetParam>(&before.action);
+        if (set != nullptr && set->name == later->name) {
+            set->value = later->value;
+            return true;
+        }
+    }
+    if (const auto* later = std::get_if<ChangeBox>(&command); later && later->continues) {
+        auto* change = std::get_if<ChangeBox>(&before.action);
+        if (change != nullptr && change->index == later->index) {
+            change->box = later->box;
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace
 
 void SessionJournal::note(int step, const Command& command) {
-    const auto* set = std::get_if<SetParam>(&command);
-    if (set != nullptr && !events_.empty() && replaces(*set, events_.back(), step)) {
-        std::get<SetParam>(events_.back().action).value = set->value;
+    if (!events_.empty() && events_.back().step == step && extend(events_.back(), command)) {
         return;
     }
     notePose(step, command);

@@ -304,6 +304,50 @@ Pin readPin(ObjectReader& object, bool pinned) {
     return pin;
 }
 
+/// "center", "size" and, where the box is turned, "rotate".
+StaticBox readBox(ObjectReader& object) {
+    StaticBox box;
+    box.center = readVector(object.required("center"), kFarthestBox);
+    const Node size = object.required("size");
+    box.size = readVector(size, kLargestBoxSize);
+    if (box.size.minCoeff() < kLeastBoxSize) {
+        fail(size.place,
+             "each side of a box must be at least " + formatNumber(kLeastBoxSize) + " m long.");
+    }
+    if (const auto rotate = object.optional("rotate")) {
+        box.rotate = readVector(*rotate, kLargestBoxTurn);
+    }
+    return box;
+}
+
+std::vector<StaticBox> readBoxes(const Node& node, std::vector<std::string>& warnings) {
+    if (!node.value->is_array()) {
+        fail(node.place, "expected a list in brackets.");
+    }
+    if (node.value->size() > kMostBoxes) {
+        fail(node.place, "at most " + std::to_string(kMostBoxes) + " boxes.");
+    }
+    std::vector<StaticBox> boxes;
+    for (std::size_t i = 0; i < node.value->size(); ++i) {
+        ObjectReader object({&(*node.value)[i], node.place + "[" + std::to_string(i) + "]"});
+        boxes.push_back(readBox(object));
+        object.warnAboutTheRest(warnings);
+    }
+    return boxes;
+}
+
+int readBoxIndex(ObjectReader& object) {
+    return readInteger(object.required("box"), 0, static_cast<int>(kMostBoxes) - 1);
+}
+
+ChangeBox readChangeBox(ObjectReader& object) {
+    ChangeBox change{readBoxIndex(object), readBox(object)};
+    if (const auto continues = object.optional("continues")) {
+        change.continues = readBoolean(*continues);
+    }
+    return change;
+}
+
 /// A file below the output folder: never outside, and none of those that a replay writes itself.
 std::string readOutputName(const Node& node) {
     const std::string name = readString(node);
@@ -374,12 +418,16 @@ SessionAction readAction(ObjectReader& object, const Node& event) {
     if (name == "drag") return readDrag(object);
     if (name == "release") return Release{readHand(object)};
     if (name == "pin" || name == "unpin") return readPin(object, name == "pin");
+    if (name == "add_box") return AddBox{readBox(object)};
+    if (name == "change_box") return readChangeBox(object);
+    if (name == "remove_box") return RemoveBox{readBoxIndex(object)};
     if (name == "restart") return Restart{};
     if (name == "undo") return Undo{};
     if (name == "redo") return Redo{};
     fail(type.place, "there is no event type '" + name +
-                         "'; there are blade, lift, set, grab, drag, release, pin, unpin, restart, "
-                         "undo, redo, screenshot, export, check.");
+                         "'; there are blade, lift, set, grab, drag, release, pin, unpin, add_box, "
+                         "change_box, remove_box, restart, undo, redo, screenshot, export, "
+                         "check.");
 }
 
 std::vector<SessionEvent> readEvents(const Node& node, int steps,
@@ -456,6 +504,9 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
     }
     if (const auto params = top.optional("params")) {
         session.params = readParams(*params);
+    }
+    if (const auto boxes = top.optional("boxes")) {
+        session.boxes = readBoxes(*boxes, session.warnings);
     }
     session.steps = readInteger(top.required("steps"), 1, kMaxSteps);
     if (const auto events = top.optional("events")) {

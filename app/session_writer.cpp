@@ -56,6 +56,11 @@ Json toJson(const Params& params) {
     return json;
 }
 
+Json toJson(const StaticBox& box) {
+    return {
+        {"center", toJson(box.center)}, {"size", toJson(box.size)}, {"rotate", toJson(box.rotate)}};
+}
+
 Json toJson(const render::Camera& camera) {
     return {{"eye", toJson(camera.eye)},
             {"target", toJson(camera.target)},
@@ -120,6 +125,20 @@ struct ActionWriter {
             json["continues"] = true;
         }
     }
+    void operator()(const AddBox& add) const {
+        json["type"] = "add_box";
+        json.update(toJson(add.box));
+    }
+    void operator()(const ChangeBox& change) const {
+        json["type"] = "change_box";
+        json["box"] = change.index;
+        json.update(toJson(change.box));
+        if (change.continues) json["continues"] = true;
+    }
+    void operator()(const RemoveBox& remove) const {
+        json["type"] = "remove_box";
+        json["box"] = remove.index;
+    }
     void operator()(const Restart&) const { json["type"] = "restart"; }
     void operator()(const Undo&) const { json["type"] = "undo"; }
     void operator()(const Redo&) const { json["type"] = "redo"; }
@@ -147,10 +166,12 @@ Json toJson(const SessionEvent& event) {
     return json;
 }
 
-std::string eventLines(const std::vector<SessionEvent>& events) {
+/// A list with one line each.
+template <class Item>
+std::string linesOf(const std::vector<Item>& items) {
     std::string lines;
-    for (const SessionEvent& event : events) {
-        lines += (lines.empty() ? "\n    " : ",\n    ") + toJson(event).dump();
+    for (const Item& item : items) {
+        lines += (lines.empty() ? "\n    " : ",\n    ") + toJson(item).dump();
     }
     return lines.empty() ? "[]" : "[" + lines + "\n  ]";
 }
@@ -162,8 +183,11 @@ std::string formatSession(const Session& session, const std::filesystem::path& b
     text += "  \"model\": " + toJson(session.model, baseFolder).dump() + ",\n";
     text += "  \"placement\": " + toJson(session.placement).dump() + ",\n";
     text += "  \"params\": " + toJson(session.params).dump() + ",\n";
+    if (!session.boxes.empty()) {
+        text += "  \"boxes\": " + linesOf(session.boxes) + ",\n";
+    }
     text += "  \"steps\": " + std::to_string(session.steps) + ",\n";
-    text += "  \"events\": " + eventLines(session.events);
+    text += "  \"events\": " + linesOf(session.events);
     if (session.view) {
         text += ",\n  \"view\": " + viewOf(session).dump();
     }

@@ -7,6 +7,7 @@
 #include "gpu/context.h"
 #include "gpu/program.h"
 #include "render/passes/blade_pass.h"
+#include "render/passes/box_pass.h"
 #include "render/passes/depth_passes.h"
 #include "render/passes/floor_pass.h"
 #include "render/passes/frame.h"
@@ -53,7 +54,8 @@ struct Renderer::State {
         : samples(quality == Quality::full ? std::min(kSamples, gpu::queryDevice().maxSamples) : 1),
           shadow(shadowSize(quality)),
           floorShade(floorShadeSize(quality)),
-          surface(definesFor(quality)) {
+          surface(definesFor(quality)),
+          boxes(definesFor(quality)) {
         // Core profile draws nothing without a vertex array, even where no attribute is read.
         glCreateVertexArrays(1, &vertexArray);
     }
@@ -73,6 +75,7 @@ struct Renderer::State {
     ShadowPass shadow;
     FloorShadePass floorShade;
     SurfacePass surface;
+    BoxPass boxes;
     FloorPass floor;
     BladePass blade;
     SmoothPass smoothing;
@@ -88,9 +91,9 @@ void Renderer::State::makeTargets(int width, int height) {
 
 void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
     normals.run(scene.body);
-    shadow.draw(scene, frame);
+    shadow.draw(scene, boxes.view(), frame);
     if (scene.floor) {
-        floorShade.draw(scene, frame);
+        floorShade.draw(scene, boxes.view(), frame);
     }
 }
 
@@ -106,6 +109,7 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     if (frame.hasBody) {
         surface.draw(scene, frame, normals.normals());
     }
+    boxes.draw(frame);
     blade.drawBlade(scene, frame);
     floor.drawBackdrop(scene.floor.has_value(), frame);
     if (scene.floor) {
@@ -135,6 +139,7 @@ void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int
     const Frame frame = frameOf(scene, camera, width, height, state_->shadow.size());
     glBindVertexArray(state_->vertexArray);
     resetState();
+    state_->boxes.update(scene);
     if (frame.hasBody) {
         gpu::storageBarrier();
         state_->drawShadows(scene, frame);

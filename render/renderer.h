@@ -9,6 +9,7 @@
 #include "render/camera.h"
 #include "render/image.h"
 #include "render/material.h"
+#include "sim/contact/static_box.h"
 #include "sim/cut/blade.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/solve/body_view.h"
@@ -22,7 +23,8 @@ enum class Quality { light, full };
 struct SceneView {
     BodyView body;
     Material material;
-    Bounds restBounds;            ///< of the uncut rest shape, for the inner structure
+    Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
+    std::vector<StaticBox> boxes;
     std::optional<double> floor;  ///< height of the grid floor [m]
     std::optional<Blade> blade;   ///< steel with a bright edge
     std::vector<Blade> sweep;     ///< poses of the running stroke: translucent quads
@@ -30,7 +32,7 @@ struct SceneView {
     bool wireframe = false;
 };
 
-/// Draws a scene into an off-screen target: shadow pass, floor, surface, blade, overlays.
+/// Draws a scene into an off-screen target: shadow pass, floor, surface, boxes, blade, overlays.
 /// The window and a headless run use the same path, so their pictures agree to the pixel.
 class Renderer {
   public:

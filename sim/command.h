@@ -3,6 +3,7 @@
 #include <string>
 #include <variant>
 
+#include "sim/contact/static_box.h"
 #include "sim/cut/blade.h"
 #include "sim/params.h"
 #include "sim/region.h"
@@ -49,16 +50,32 @@ struct Pin {
     /// Of the same gesture as the pin just before: one undo takes both back.
     bool continues = false;
 };
-/// Brings back the uncut body at rest; the parameters and the time go on.
+/// Puts up a box, behind those there are.
+struct AddBox {
+    StaticBox box;
+};
+/// Puts the box of this number, from 0, elsewhere or makes it another; what lies in its new place
+/// is pushed out.
+struct ChangeBox {
+    int index = 0;
+    StaticBox box;
+    /// Of the same gesture as the change of this box just before: one undo takes both back.
+    bool continues = false;
+};
+/// Takes the box of this number away; those behind it move up.
+struct RemoveBox {
+    int index = 0;
+};
+/// Brings back the uncut body at rest; parameters, boxes and the time go on.
 struct Restart {};
 /// Takes back the last change that is not undone: a cut or a grab (with all that the body did
-/// since), a restart, a parameter or pins. A blade that is in the body is lifted first; time goes
-/// on.
+/// since), a restart, a parameter, pins or a box. A blade that is in the body is lifted first; time
+/// goes on.
 struct Undo {};
 /// Brings back what the last undo took.
 struct Redo {};
 
-using Command =
-    std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, Restart, Undo, Redo>;
+using Command = std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, AddBox,
+                             ChangeBox, RemoveBox, Restart, Undo, Redo>;
 
 }  // namespace kerf

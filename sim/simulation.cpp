@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/body/body_updater.h"
+#include "sim/box_edit.h"
 #include "sim/boxes.h"
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/oriented_box.h"
@@ -100,6 +101,7 @@ bool standsInMaterial(const std::vector<RungNode>& rung) {
 struct Moment::Content {
     SnapshotPointer body;
     Params params;
+    std::vector<StaticBox> boxes;
     std::optional<Blade> blade;
     UndoHistory history;
     SnapshotPointer beforeStroke;
@@ -111,8 +113,11 @@ struct Moment::Content {
 };
 
 struct Simulation::State {
-    State(SurfaceMesh uncutMesh, const Params& firstParams)
-        : uncut(std::move(uncutMesh)), initialParams(firstParams), mesh(uncut) {
+    State(SurfaceMesh uncutMesh, const Params& firstParams, std::vector<StaticBox> firstBoxes)
+        : uncut(std::move(uncutMesh)),
+          initialParams(firstParams),
+          initialBoxes(std::move(firstBoxes)),
+          mesh(uncut) {
         start();
     }
 
@@ -128,6 +133,9 @@ struct Simulation::State {
     std::string execute(const Drag& drag);
     std::string execute(const Release& release);
     std::string execute(const Pin& pin);
+    std::string execute(const AddBox& add) { return apply(edited(boxes, add)); }
+    std::string execute(const ChangeBox& change) { return apply(edited(boxes, change)); }
+    std::string execute(const RemoveBox& remove) { return apply(edited(boxes, remove)); }
     std::string execute(const Restart&);
     std::string execute(const Undo&);
     std::string execute(const Redo&);
@@ -140,6 +148,9 @@ struct Simulation::State {
     void apply(const UndoEntry::ParamChange& change, bool forward);
     void apply(const UndoEntry::PinChange& change, bool forward);
     void apply(const UndoEntry::BodyChange& change, bool forward);
+    void apply(const UndoEntry::BoxesChange& change, bool forward);
+    std::string apply(BoxEdit edit);
+    void setBoxes(std::vector<StaticBox> now);
     void putBladeAway();
     void beginStroke();
     void noteCut();
@@ -175,6 +186,7 @@ struct Simulation::State {
     // What the simulation was made with.
     const SurfaceMesh uncut;
     const Params initialParams;
+    const std::vector<StaticBox> initialBoxes;
 
     // The body: constant set-up, running state on the GPU, and the mesh, which is the truth about
     // topology and lags behind in positions until syncMesh().
@@ -191,6 +203,7 @@ struct Simulation::State {
     // Input.
     Params params;
     bool paramsChanged = false;
+    std::vector<StaticBox> boxes;
     std::vector<BladeAction> bladeActions;
     std::optional<Blade> blade;
     std::optional<Cutter> cutter;
@@ -216,6 +229,7 @@ struct Simulation::State {
 
 void Simulation::State::start() {
     params = initialParams;
+    setBoxes(initialBoxes);
     messages.clear();
     history.clear();
     stepsDone = 0;
@@ -550,6 +564,29 @@ std::string Simulation::State::execute(const Pin& pin) {
     return "";
 }
 
+std::string Simulation::State::apply(BoxEdit edit) {
+    if (!edit.error.empty() || edit.after == boxes) {
+        return edit.error;
+    }
+    if (edit.continues && history.continuesLastBox(edit.changed)) {
+        history.extendLastBox(edit.after);
+    } else {
+        history.add(
+            {std::move(edit.name), time, UndoEntry::BoxesChange{boxes, edit.after, edit.changed}});
+    }
+    setBoxes(std::move(edit.after));
+    return "";
+}
+
+void Simulation::State::apply(const UndoEntry::BoxesChange& change, bool forward) {
+    setBoxes(forward ? change.after : change.before);
+}
+
+void Simulation::State::setBoxes(std::vector<StaticBox> now) {
+    boxes = std::move(now);
+    solver.setBoxes(boxes);
+}
+
 std::string Simulation::State::execute(const Restart&) {
     putBladeAway();
     if (history.keeps()) {
@@ -646,14 +683,15 @@ void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
 
 Moment Simulation::State::moment() {
     return Moment(std::make_shared<const Moment::Content>(
-        Moment::Content{capture(), params, blade, history, beforeStroke, strokeNoted, cutsSoFar,
-                        stepsDone, time, report}));
+        Moment::Content{capture(), params, boxes, blade, history, beforeStroke, strokeNoted,
+                        cutsSoFar, stepsDone, time, report}));
 }
 
 void Simulation::State::goTo(const Moment::Content& then) {
     restoreBody(then.body);
     params = then.params;
     paramsChanged = true;
+    setBoxes(then.boxes);
     blade = then.blade;
     history = then.history;
     beforeStroke = then.beforeStroke;
@@ -664,8 +702,8 @@ void Simulation::State::goTo(const Moment::Content& then) {
     report = then.report;
 }
 
-Simulation::Simulation(SurfaceMesh mesh, const Params& params)
-    : state_(std::make_unique<State>(std::move(mesh), params)) {}
+Simulation::Simulation(SurfaceMesh mesh, const Params& params, std::vector<StaticBox> boxes)
+    : state_(std::make_unique<State>(std::move(mesh), params, std::move(boxes))) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -719,6 +757,10 @@ std::vector<std::string> Simulation::takeMessages() {
     return std::exchange(state_->messages, {});
 }
 
+const std::vector<StaticBox>& Simulation::boxes() const {
+    return state_->boxes;
+}
+
 const std::vector<std::uint32_t>& Simulation::pinnedVertices() const {
     return state_->pins.vertices();
 }
@@ -756,7 +798,7 @@ const PieceMap& Simulation::pieces() {
 }
 
 std::string Simulation::stateHash() {
-    return hashMesh(mesh()).hexadecimal();
+    return hashScene(mesh(), state_->boxes).hexadecimal();
 }
 
 }  // namespace kerf

@@ -41,8 +41,9 @@ struct StepReport {
 /// when it is made. Equal commands at equal steps give equal bits.
 class Simulation {
   public:
-    /// `mesh` at rest, in world units. Throws gpu::ShaderError, gpu::OutOfMemory.
-    Simulation(SurfaceMesh mesh, const Params& params);
+    /// `mesh` at rest, in world units; `boxes` that checkBox() lets pass. Throws gpu::ShaderError,
+    /// gpu::OutOfMemory.
+    Simulation(SurfaceMesh mesh, const Params& params, std::vector<StaticBox> boxes = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
@@ -51,8 +52,8 @@ class Simulation {
     std::string execute(const Command& command);
     /// One time step: solve -> cut -> publish.
     const StepReport& step();
-    /// Back to the uncut body at rest with the parameters it was made with; nothing can be undone
-    /// then, and time starts anew.
+    /// Back to the uncut body at rest with the parameters and boxes it was made with; nothing can
+    /// be undone then, and time starts anew.
     void reset();
 
     /// How much memory the changes that can be undone may take [bytes]; 0, as at the start: none
@@ -79,6 +80,8 @@ class Simulation {
     /// call.
     std::vector<std::string> takeMessages();
 
+    /// What the body collides with.
+    const std::vector<StaticBox>& boxes() const;
     /// Vertices that stay where they are, ascending.
     const std::vector<std::uint32_t>& pinnedVertices() const;
     /// What hands hold, by their numbers.
@@ -94,7 +97,7 @@ class Simulation {
     const SurfaceMesh& mesh();
     /// Per piece: triangles, volume, rest volume (waits for the GPU as mesh()).
     const PieceMap& pieces();
-    /// 64-bit FNV-1a over topology, positions and velocities, as 16 hexadecimal digits.
+    /// 64-bit FNV-1a over topology, positions, velocities and boxes, as 16 hexadecimal digits.
     std::string stateHash();
 
   private:

@@ -41,4 +41,14 @@ StateHash hashMesh(const SurfaceMesh& mesh) {
     return hash;
 }
 
+StateHash hashScene(const SurfaceMesh& mesh, std::span<const StaticBox> boxes) {
+    StateHash hash = hashMesh(mesh);
+    for (const StaticBox& box : boxes) {
+        hash.add(box.center);
+        hash.add(box.size);
+        hash.add(box.rotate);
+    }
+    return hash;
+}
+
 }  // namespace kerf

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
+#include "sim/contact/static_box.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
@@ -23,5 +25,7 @@ class StateHash {
 
 /// Corners and kinds of the living triangles, then positions and velocities of all vertices.
 StateHash hashMesh(const SurfaceMesh& mesh);
+/// The mesh, then the boxes that it collides with; without boxes that of the mesh alone.
+StateHash hashScene(const SurfaceMesh& mesh, std::span<const StaticBox> boxes);
 
 }  // namespace kerf

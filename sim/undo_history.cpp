@@ -96,6 +96,18 @@ void UndoHistory::extendLast(const Pins& after) {
     std::get<UndoEntry::PinChange>(entries_[done_ - 1].change).after = after;
 }
 
+bool UndoHistory::continuesLastBox(int changed) const {
+    if (!canUndo() || canRedo()) {
+        return false;
+    }
+    const auto* last = std::get_if<UndoEntry::BoxesChange>(&lastDone().change);
+    return last != nullptr && last->changed == changed;
+}
+
+void UndoHistory::extendLastBox(std::vector<StaticBox> after) {
+    std::get<UndoEntry::BoxesChange>(entries_[done_ - 1].change).after = std::move(after);
+}
+
 void UndoHistory::clear() {
     entries_.clear();
     done_ = 0;

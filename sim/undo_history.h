@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/contact/static_box.h"
 #include "sim/params.h"
 #include "sim/snapshot.h"
 
@@ -22,6 +23,12 @@ struct UndoEntry {
         Pins before;
         Pins after;
     };
+    /// Boxes that were added, changed or removed: all there were and are.
+    struct BoxesChange {
+        std::vector<StaticBox> before;
+        std::vector<StaticBox> after;
+        int changed = -1;  ///< number of the box that was changed; -1 for none
+    };
     /// A cut, a grab or a restart. `after` is known while it is undone.
     struct BodyChange {
         SnapshotPointer before;
@@ -30,7 +37,7 @@ struct UndoEntry {
 
     std::string name;  ///< as people read it: "Cut 2", "Gravity: none"
     double time = 0;   ///< simulated, when it happened [s]
-    std::variant<ParamChange, PinChange, BodyChange> change;
+    std::variant<ParamChange, PinChange, BoxesChange, BodyChange> change;
 };
 
 /// The changes of a simulation in their order. The first done() of them are in force, the others
@@ -61,6 +68,9 @@ class UndoHistory {
     /// The same for pins.
     bool continuesLastPins() const;
     void extendLast(const Pins& after);
+    /// The same of a change of box number `changed`.
+    bool continuesLastBox(int changed) const;
+    void extendLastBox(std::vector<StaticBox> after);
     void clear();
 
     /// The change to take back next; markUndone() once that is done.

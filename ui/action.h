@@ -63,7 +63,11 @@ struct SetTools {
     ToolSettings settings;
 };
 
+/// A new box beside the body.
+struct PlaceBox {};
+
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
-using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools>;
+using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools, PlaceBox,
+                            ChangeBox, RemoveBox>;
 
 }  // namespace kerf::ui

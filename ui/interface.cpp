@@ -7,9 +7,11 @@
 #include <array>
 
 #include "ui/axes_widget.h"
+#include "ui/boxes_panel.h"
 #include "ui/changes_panel.h"
 #include "ui/help_overlay.h"
 #include "ui/hint.h"
+#include "ui/item_places.h"
 #include "ui/layout.h"
 #include "ui/menu_bar.h"
 #include "ui/overlay.h"
@@ -110,6 +112,12 @@ void drawReadings(const PanelModel& model, const Rect& rect, std::vector<Action>
         }
         if (ImGui::BeginTabItem("History")) {
             drawChanges(model, actions);
+            ImGui::EndTabItem();
+        }
+        const bool boxesOpen = ImGui::BeginTabItem("Boxes");
+        noteItem("tab.Boxes");
+        if (boxesOpen) {
+            drawBoxes(model, actions);
             ImGui::EndTabItem();
         }
         ImGui::EndTabBar();

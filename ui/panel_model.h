@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/contact/static_box.h"
 #include "sim/cut/subdivision_pattern.h"
 #include "sim/params.h"
 #include "ui/axes_widget.h"
@@ -56,6 +57,8 @@ struct PanelModel {
     std::string name;    ///< of what is open; empty while nothing is
     Params params;       ///< as they are
     Params startParams;  ///< as they were when it was opened: what the reset mark returns to
+    std::vector<StaticBox> boxes;  ///< that the body collides with
+    double bodySize = 1;           ///< diagonal of the body at rest [m]
     bool playing = false;
     double speed = 1;  ///< of simulated time against the clock
     ChangeList changes;

@@ -165,15 +165,6 @@ void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::SameLine();
 }
 
-/// Whether the drag that changes the row already changed it before: one undo for all of a drag.
-bool continuesGesture() {
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID id = ImGui::GetID("gesture");
-    const bool continues = ImGui::IsItemActive() && storage.GetBool(id);
-    storage.SetBool(id, ImGui::IsItemActive());
-    return continues;
-}
-
 void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
     ImGui::PushID(info.name.data(), info.name.data() + info.name.size());
     if (info.name == "gravity") {
@@ -186,12 +177,12 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
     const bool changed = slideValue(info, value);
     ImGui::EndGroup();
     noteItem("param." + std::string(info.name));
+    const bool continues = continuesGesture(changed);
     if (!ImGui::IsItemActive()) {
-        ImGui::GetStateStorage()->SetBool(ImGui::GetID("gesture"), false);
         itemTooltip(tooltipOf(info));
     }
     if (changed) {
-        actions.emplace_back(SetParam{std::string(info.name), value, continuesGesture()});
+        actions.emplace_back(SetParam{std::string(info.name), value, continues});
     }
     ImGui::PopID();
 }

@@ -66,6 +66,15 @@ void sectionTitle(const char* title) {
     ImGui::Separator();
 }
 
+bool continuesGesture(bool changed) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID("gesture");
+    const bool active = ImGui::IsItemActive();
+    const bool changedBefore = active && storage.GetBool(id);
+    storage.SetBool(id, active && (changed || changedBefore));
+    return changed && changedBefore;
+}
+
 bool resetButton(const char* id) {
     const float side = ImGui::GetFrameHeight();
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4{0, 0, 0, 0});

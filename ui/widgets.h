@@ -25,6 +25,11 @@ void itemTooltip(std::string_view text);
 /// A heading of a group of rows.
 void sectionTitle(const char* title);
 
+/// Whether the drag that changes the last item already changed it in an earlier pass: one undo for
+/// all of a drag. Call it in each pass, with whether this one changed the item; one item for an id
+/// on the stack.
+bool continuesGesture(bool changed);
+
 /// A small square button with a turning arrow, drawn rather than taken from the font.
 bool resetButton(const char* id);
 

@@ -2,6 +2,8 @@
 
 #include <glad/gl.h>
 
+#include <initializer_list>
+
 #include "shaders/shared/render_bindings.h"
 
 namespace kerf::render {
@@ -10,8 +12,17 @@ namespace {
 constexpr float kContactFalloff = 0.085f;  // of the body's size
 constexpr float kContactBlur = 0.010f;     // distance between taps, of the body's size
 
-void drawBodyDepth(const gpu::Program& program, const gpu::Framebuffer& map,
-                   const Eigen::Matrix4f& matrix, const BodyView& body) {
+void drawTriangles(const BodyView& body) {
+    if (body.triangleCount == 0) {
+        return;
+    }
+    body.positions->bindStorage(shared::kBindPositions);
+    body.triangles->bindStorage(shared::kBindTriangles);
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * body.triangleCount));
+}
+
+void drawDepth(const gpu::Program& program, const gpu::Framebuffer& map,
+               const Eigen::Matrix4f& matrix, std::initializer_list<BodyView> bodies) {
     map.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -22,9 +33,9 @@ void drawBodyDepth(const gpu::Program& program, const gpu::Framebuffer& map,
     glClear(GL_DEPTH_BUFFER_BIT);
     program.use();
     program.set("lightMatrix", matrix);
-    body.positions->bindStorage(shared::kBindPositions);
-    body.triangles->bindStorage(shared::kBindTriangles);
-    glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * body.triangleCount));
+    for (const BodyView& body : bodies) {
+        drawTriangles(body);
+    }
     glDisable(GL_DEPTH_CLAMP);
 }
 
@@ -44,8 +55,8 @@ ShadowPass::ShadowPass(int size)
     glTextureParameteri(map_.depth().id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void ShadowPass::draw(const SceneView& scene, const Frame& frame) {
-    drawBodyDepth(program_, map_, frame.lightMatrix, scene.body);
+void ShadowPass::draw(const SceneView& scene, const BodyView& others, const Frame& frame) {
+    drawDepth(program_, map_, frame.lightMatrix, {scene.body, others});
 }
 
 void ShadowPass::bind() const {
@@ -61,9 +72,9 @@ FloorShadePass::FloorShadePass(int size)
       shade_(GL_RG16F, GL_DEPTH_COMPONENT16, size, size),
       scratch_(GL_RG16F, GL_DEPTH_COMPONENT16, size, size) {}
 
-void FloorShadePass::draw(const SceneView& scene, const Frame& frame) {
-    drawBodyDepth(depthProgram_, fromBelow_, frame.shadeMatrix, scene.body);
-    drawBodyDepth(depthProgram_, alongKey_, frame.shadeMatrixAlongKey, scene.body);
+void FloorShadePass::draw(const SceneView& scene, const BodyView& others, const Frame& frame) {
+    drawDepth(depthProgram_, fromBelow_, frame.shadeMatrix, {scene.body, others});
+    drawDepth(depthProgram_, alongKey_, frame.shadeMatrixAlongKey, {scene.body, others});
     fromBelow_.depth().bind(0);
     alongKey_.depth().bind(1);
     shadeProgram_.use();

@@ -6,11 +6,12 @@
 
 namespace kerf::render {
 
-/// Depth of the body seen from the key light.
+/// Depth of body and boxes seen from the key light.
 class ShadowPass {
   public:
     explicit ShadowPass(int size);
-    void draw(const SceneView& scene, const Frame& frame);
+    /// `others`: what casts shadows besides the body.
+    void draw(const SceneView& scene, const BodyView& others, const Frame& frame);
     /// Binds the map for light.glsl.
     void bind() const;
     int size() const { return map_.width(); }
@@ -25,7 +26,7 @@ class ShadowPass {
 class FloorShadePass {
   public:
     explicit FloorShadePass(int size);
-    void draw(const SceneView& scene, const Frame& frame);
+    void draw(const SceneView& scene, const BodyView& others, const Frame& frame);
     /// Binds the result for floor.frag.
     void bind() const;
 

@@ -36,6 +36,21 @@ Eigen::Matrix4f perspectiveOf(Camera camera, double aspect) {
     return camera.projection(aspect);
 }
 
+/// Boxes around the body cast and catch its shadow; those farther away would only coarsen it.
+Bounds withBoxes(const Bounds& focus, const std::vector<StaticBox>& boxes) {
+    constexpr double kReach = 0.75;  // of the body's diagonal
+    Bounds reach = focus;
+    reach.widen(kReach * focus.diagonal());
+    Bounds out = focus;
+    for (const StaticBox& box : boxes) {
+        const Bounds bounds = box.bounds();
+        if (bounds.overlaps(reach)) {
+            out.add(Bounds{bounds.low.cwiseMax(reach.low), bounds.high.cwiseMin(reach.high)});
+        }
+    }
+    return out;
+}
+
 /// Rounds up in steps of 1/16 of its power of two, so that a moving body changes it rarely.
 double steppedUp(double radius) {
     const double step = std::exp2(std::floor(std::log2(radius))) / 16;
@@ -120,6 +135,7 @@ Frame frameOf(const SceneView& scene, const Camera& camera, int width, int heigh
     frame.focus = focusOf(scene);
     const Bounds& sized = scene.restBounds.empty() ? frame.focus : scene.restBounds;
     frame.bodySize = float(std::max(sized.diagonal(), 1e-6));
+    frame.focus = withBoxes(frame.focus, scene.boxes);
     aimKeyLight(frame, shadowSize);
     if (scene.floor) {
         aimFloorShade(frame, *scene.floor);

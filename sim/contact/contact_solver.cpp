@@ -40,12 +40,17 @@ ContactSettings contactSettings(const Params& params) {
     const shared::SolverUniforms solver = solverUniforms(params);
     settings.enabled = params.contact != 0;
     settings.thickness = params.contactThickness;
-    settings.liftSpeed = params.depenetrationSpeed / solver.sweeps;
+    settings.sweeps = static_cast<int>(solver.sweeps);
+    settings.liftSpeed = params.depenetrationSpeed / settings.sweeps;
     settings.friction = params.friction;
     settings.substeps = static_cast<int>(solver.substeps);
     settings.substep = params.timeStep / settings.substeps;
     settings.inverseDensity = 1 / params.density;
     return settings;
+}
+
+double fixedUnit(const ContactSettings& settings) {
+    return kTopSpeed * settings.substep * 0x1p-31;
 }
 
 double contactEdgeLength(const BodyModel& model) {
@@ -83,7 +88,7 @@ shared::ContactUniforms contactUniforms(const ContactSettings& settings, double 
     u.lift_speed = static_cast<float>(settings.liftSpeed);
     u.friction = static_cast<float>(settings.friction);
     u.inverse_density = static_cast<float>(settings.inverseDensity);
-    u.unit = static_cast<float>(kTopSpeed * settings.substep * 0x1p-31);
+    u.unit = static_cast<float>(fixedUnit(settings));
     return u;
 }
 
@@ -219,13 +224,11 @@ void ContactSolver::respond() {
 void ContactSolver::run(const gpu::Program& kernel, uint threads) {
     kernel.dispatch(threads, shared::kGroupSize);
     gpu::storageBarrier();
-    ++dispatches_;
 }
 
 void ContactSolver::runIndirect(const gpu::Program& kernel, std::size_t offset) {
     kernel.dispatchIndirect(state_, offset);
     gpu::storageBarrier();
-    ++dispatches_;
 }
 
 std::vector<std::vector<shared::ContactCandidate>> ContactSolver::readCandidates() const {
@@ -248,10 +251,6 @@ std::vector<std::vector<shared::ContactCandidate>> ContactSolver::readCandidates
 
 shared::ContactState ContactSolver::readState() const {
     return state_.read<shared::ContactState>(0, 1).front();
-}
-
-long ContactSolver::takeDispatches() {
-    return std::exchange(dispatches_, 0);
 }
 
 }  // namespace kerf

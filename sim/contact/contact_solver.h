@@ -30,7 +30,8 @@ struct ContactBody {
 struct ContactSettings {
     bool enabled = false;
     double thickness = 0.05;    ///< distance kept, as a share of the edge length of walls
-    double liftSpeed = 1;       ///< at which penetrations are taken back [m/s]
+    double liftSpeed = 1;       ///< at which a sweep takes penetrations back [m/s]
+    int sweeps = 1;             ///< of a substep
     double friction = 0.5;      ///< Coulomb coefficient
     double substep = 0;         ///< [s]
     int substeps = 1;           ///< of a time step
@@ -38,6 +39,9 @@ struct ContactSettings {
 };
 
 ContactSettings contactSettings(const Params& params);
+
+/// A step of the fixed-point numbers that displacements are summed up in [m].
+double fixedUnit(const ContactSettings& settings);
 
 /// The edge length of walls, the unit of lengths in a contact: that of the skin, at most a twelfth
 /// of the body's diagonal (see CutSettings). [m]
@@ -82,7 +86,6 @@ class ContactSolver {
     /// Counts of the last search and the last substep.
     const gpu::Buffer& state() const { return state_; }
     shared::ContactState readState() const;
-    long takeDispatches();
 
   private:
     struct Kernels {
@@ -108,7 +111,6 @@ class ContactSolver {
     gpu::Buffer normals_, restNormals_;
     gpu::Buffer boxes_, buckets_, counts_, starts_, blocks_, entries_;
     gpu::Buffer candidates_, points_, records_, shares_, sums_;
-    long dispatches_ = 0;
 };
 
 }  // namespace kerf

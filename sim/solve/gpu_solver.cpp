@@ -80,21 +80,12 @@ std::vector<uint> entriesOf(const Incidence& incidence, const std::vector<uint>&
     return places;
 }
 
-double restDiagonal(const BodyModel& model) {
-    Bounds bounds;
-    for (const Vec3f& p : model.restPositions) {
-        bounds.add(p.cast<double>());
-    }
-    return bounds.diagonal();
-}
-
-/// The diagonal of the box of all velocities [m/s].
-double relativeSpeedOf(const std::vector<Vec3f>& velocities) {
+Bounds boundsOf(const std::vector<Vec3f>& values) {
     Bounds box;
-    for (const Vec3f& u : velocities) {
+    for (const Vec3f& u : values) {
         box.add(u.cast<double>());
     }
-    return box.diagonal();
+    return box;
 }
 
 void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint firstPage,
@@ -150,7 +141,7 @@ void GpuSolver::restoreModel(const BodyModel& model, const BodyState& state, Ver
     areas_.assign(model.vertexAreas.begin(), model.vertexAreas.end());
     pieceOf_ = model.pieceOfVertex;
     pinned_.clear();
-    diagonal_ = restDiagonal(model);
+    diagonal_ = boundsOf(model.restPositions).diagonal();
     pages_ = std::move(pages);
     pages_.takeChangedPlaces();
     placeBuffer_.assign(pages_.places());
@@ -228,11 +219,24 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
 }
 
 void GpuSolver::setContactBody() {
-    contacts_.setBody(
-        {&positions_, &velocities_, &displacement_, &restPositions_, &links_, &pieceBuffer_,
-         &triangles_, &triangleIncidence_.ranges, &triangleIncidence_.entries,
-         uniforms_.vertex_count, uniforms_.triangle_count},
-        contactEdgeLength_);
+    const ContactBody body{&positions_,
+                           &velocities_,
+                           &displacement_,
+                           &restPositions_,
+                           &links_,
+                           &pieceBuffer_,
+                           &triangles_,
+                           &triangleIncidence_.ranges,
+                           &triangleIncidence_.entries,
+                           uniforms_.vertex_count,
+                           uniforms_.triangle_count};
+    contacts_.setBody(body, contactEdgeLength_);
+    boxes_.setBody(body, contactEdgeLength_);
+}
+
+void GpuSolver::setContact(const ContactSettings& settings) {
+    contacts_.setSettings(settings);
+    boxes_.setSettings(settings);
 }
 
 void GpuSolver::updateVertices(const BodyModel& model, const BodyChange& change) {
@@ -290,7 +294,7 @@ void GpuSolver::setState(const BodyState& state) {
     assert(state.velocities.size() == areas_.size());
     positions_.assign(packed(state.positions));
     velocities_.assign(packed(state.velocities));
-    relativeSpeed_ = relativeSpeedOf(state.velocities);
+    setReach(boundsOf(state.positions), boundsOf(state.velocities));
     setMasses();
 }
 
@@ -392,6 +396,7 @@ void GpuSolver::setInverseUnitMass(int vertex, float value) {
 
 void GpuSolver::step() {
     contacts_.beginStep(relativeSpeed_);
+    boxes_.beginStep(reach_);
     for (uint i = 0; i < uniforms_.substeps; ++i) {
         searchContactsBefore(i);
         for (uint sweep = 0; sweep < uniforms_.sweeps; ++sweep) {
@@ -404,6 +409,7 @@ void GpuSolver::step() {
             collideTimer_.begin();
             pull();
             collideBody();
+            collideBoxes();
             collideFloor();
             collideTimer_.end();
         }
@@ -495,6 +501,10 @@ void GpuSolver::collideBody() {
     contacts_.respond();
 }
 
+void GpuSolver::collideBoxes() {
+    boxes_.respond();
+}
+
 void GpuSolver::collideFloor() {
     if (active(shared::kFloorPart)) {
         bindBody();
@@ -559,8 +569,17 @@ BodyMeasure GpuSolver::measure() {
     }
     out.contacts =
         contacts_.enabled() ? static_cast<int>(measures[blocks_.size()].low_volume.x) : 0;
-    out.relativeSpeed = relativeSpeed_ = out.lostPieces.empty() ? speeds.diagonal() : 0.0;
+    setReach(out.bounds, out.lostPieces.empty() ? speeds : Bounds{});
+    out.relativeSpeed = relativeSpeed_;
     return out;
+}
+
+/// An empty box of velocities: all at rest.
+void GpuSolver::setReach(const Bounds& positions, const Bounds& velocities) {
+    constexpr double kMargin = 0.5;  // of the diagonal
+    const Vec3 fastest = velocities.low.cwiseAbs().cwiseMax(velocities.high.cwiseAbs());
+    relativeSpeed_ = velocities.diagonal();
+    reach_ = {positions, velocities.empty() ? 0.0 : fastest.norm(), kMargin * diagonal_};
 }
 
 BodyState GpuSolver::readState() const {

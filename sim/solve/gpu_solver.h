@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -10,6 +11,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/body/body_updater.h"
+#include "sim/contact/box_contact.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/scatter.h"
@@ -67,8 +69,10 @@ class GpuSolver {
     void setState(const BodyState& state);
     /// Takes the parameters of `uniforms` (see solverUniforms); its counts are ignored.
     void setUniforms(const shared::SolverUniforms& uniforms);
-    /// Contact of the body with itself; off until then.
-    void setContact(const ContactSettings& settings) { contacts_.setSettings(settings); }
+    /// Contact of the body with itself, off until then, and with boxes.
+    void setContact(const ContactSettings& settings);
+    /// What the body collides with. Throws gpu::ShaderError.
+    void setBoxes(std::vector<StaticBox> boxes) { boxes_.setBoxes(std::move(boxes)); }
     /// One per piece.
     void setVolumeTargets(std::span<const VolumeTarget> targets);
 
@@ -93,10 +97,12 @@ class GpuSolver {
     void solveVolume();
     void pull();
     void collideBody();
+    void collideBoxes();
     void collideFloor();
     void finishSubstep();
 
-    /// Of the positions between steps; waits for the GPU. The next step counts on its speeds.
+    /// Of the positions between steps; waits for the GPU. The next step counts on its box and
+    /// speeds.
     BodyMeasure measure();
     /// Looks for what may touch now, as the beginning of a step does.
     void searchContacts();
@@ -144,6 +150,7 @@ class GpuSolver {
     void holdPins();
     void setMasses();
     void setContactBody();
+    void setReach(const Bounds& positions, const Bounds& velocities);
     void uploadUniforms();
     void setInverseUnitMass(int vertex, float value);
     void bindBody() const;
@@ -180,6 +187,8 @@ class GpuSolver {
     ContactSolver contacts_;
     double contactEdgeLength_ = 0;
     double relativeSpeed_ = 0;  ///< upper bound [m/s]
+    BodyReach reach_;
+    BoxContact boxes_;
     gpu::Timer deformTimer_;
     gpu::Timer collideTimer_;
     long dispatches_ = 0;

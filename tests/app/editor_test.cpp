@@ -148,6 +148,39 @@ TEST_F(EditorTest, OneUndoTakesBackAllOfASliderDrag) {
     EXPECT_EQ(panels().params.timeStep, before);
 }
 
+TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
+    const auto click = [&](const std::string& item) {
+        const ui::Rect place = editor->places().at(item);
+        moveTo(place.x + std::min(10.F, place.width / 2), place.y + place.height / 2);
+        frames(1);
+        press(true);
+        frames(1);
+        press(false);
+        settle();
+    };
+    for (const char* row : {"tab.Boxes", "boxes.add", "box.0"}) {
+        click(row);
+    }
+    ASSERT_EQ(panels().boxes.size(), 1U);
+    EXPECT_NEAR(panels().boxes[0].center.y() - panels().boxes[0].size.y() / 2, -0.6, 1e-12);
+    const StaticBox before = panels().boxes[0];
+    const ui::Rect row = editor->places().at("box.0.Center");
+    const double y = row.y + row.height / 2;
+    drag(Vec2(row.x + 10, y), Vec2(row.x + 60, y), 5);
+    settle();
+    EXPECT_GT(panels().boxes[0].center.x(), before.center.x());
+    EXPECT_EQ(panels().boxes[0].size, before.size);
+    EXPECT_EQ(panels().changes.rows.size(), 2U) << "a drag is one change";
+    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
+    settle();
+    EXPECT_EQ(panels().boxes[0], before);
+    editor->post(ui::KeyChange{Key::r, true, {.control = true}});
+    settle();
+    EXPECT_EQ(panels().boxes, std::vector<StaticBox>{before}) << "a recording keeps them";
+    click("box.0.remove");
+    EXPECT_TRUE(panels().boxes.empty());
+}
+
 TEST_F(EditorTest, SpeedDoublesAndHalves) {
     tap(Key::equal);
     tap(Key::space);

@@ -115,6 +115,10 @@ INSTANTIATE_TEST_SUITE_P(All, SessionErrors, ::testing::Values(
     BadSession{"GrabWithoutRadius", R"({"format": "kerf-session", "version": 1, "steps": 9, "model": {"builtin": "sphere20"}, "events": [{"step": 1, "type": "grab", "at": [0, 0, 0]}]})", "events[0].radius: this key is missing"},
     BadSession{"NegativeRadius", R"({"format": "kerf-session", "version": 1, "steps": 9, "model": {"builtin": "sphere20"}, "events": [{"step": 1, "type": "pin", "center": [0, 0, 0], "radius": -1}]})", "events[0].radius: -1 is out of range"},
     BadSession{"BoxUpsideDown", R"({"format": "kerf-session", "version": 1, "steps": 9, "model": {"builtin": "sphere20"}, "events": [{"step": 1, "type": "pin", "low": [0, 1, 0], "high": [1, 0, 1]}]})", "events[0].low: a box needs"},
+    BadSession{"FlatBox", sessionWith(R"("boxes": [{"center": [0, 0, 0], "size": [1, 0, 1]}])"), "boxes[0].size: each side of a box must be at least 1e-06 m long."},
+    BadSession{"BoxesNoList", sessionWith(R"("boxes": {})"), "boxes: expected a list"},
+    BadSession{"BoxWithoutSize", sessionWithEvent(R"({"step": 1, "type": "add_box", "center": [0, 0, 0]})"), "events[0].size: this key is missing"},
+    BadSession{"WhichBox", sessionWithEvent(R"({"step": 1, "type": "remove_box"})"), "events[0].box: this key is missing"},
     BadSession{"NoSuchSolver", R"({"format": "kerf-session", "version": 1, "steps": 9, "model": {"builtin": "sphere20"}, "params": {"solver": "fem"}})", "params.solver: \"solver\" must be one of small_steps, pbd."},
     BadSession{"TwoKeys", R"({"a": 1, "a": 2})", "top level: the key 'a' stands there twice"},
     BadSession{"TwoKeysInside", R"({"e": [{}, {"s": {"a": 1, "a": 2}}]})", "e[1].s: the key 'a' stands there twice"},
@@ -220,6 +224,8 @@ TEST(SessionWriter, RoundTripKeepsEveryBit) {
     Session session =
         parseSession(sessionWith(R"("params": {"time_step": 0.0033333333333333335, "floor": null},
             "placement": {"rotate": [0.1, 0.2, 0.30000000000000004]},
+            "boxes": [{"center": [0, -0.3, 0.1], "size": [1, 0.1, 1]},
+                      {"center": [0, -9, 0], "size": [1, 0.7, 1], "rotate": [30, 0.1, -7]}],
             "events": [{"step": 1, "type": "blade", "a": [0.1, 1e-300, 3], "b": [1, 2, -0.7]},
                        {"step": 2, "type": "lift"},
                        {"step": 3, "type": "set", "name": "gravity", "value": [0, -9.81, 0]},
@@ -230,6 +236,10 @@ TEST(SessionWriter, RoundTripKeepsEveryBit) {
                        {"step": 3, "type": "release", "hand": 2},
                        {"step": 3, "type": "pin", "low": [-1, -0.1, 0], "high": [1, 0, 0.3]},
                        {"step": 3, "type": "unpin", "center": [0, 0.1, 0], "radius": 0.7, "continues": true},
+                       {"step": 3, "type": "add_box", "center": [0, 0.1, 0], "size": [1, 2, 3]},
+                       {"step": 3, "type": "change_box", "box": 2, "center": [0, 0.2, 0],
+                        "size": [1, 2, 3], "rotate": [0, 0.1, 0], "continues": true},
+                       {"step": 3, "type": "remove_box", "box": 2},
                        {"step": 4, "type": "screenshot", "file": "ä \" b.png", "width": 3},
                        {"step": 5, "type": "export", "file": "a/b.obj"},
                        {"step": 6, "type": "check", "hash": "00ff00ff00ff00ff"}],
@@ -241,6 +251,9 @@ TEST(SessionWriter, RoundTripKeepsEveryBit) {
     EXPECT_EQ(formatSession(again), text);
     EXPECT_TRUE(again.params == session.params);
     EXPECT_EQ(again.placement.rotate, session.placement.rotate);
+    ASSERT_EQ(session.boxes.size(), 2u);
+    EXPECT_EQ(again.boxes, session.boxes);
+    EXPECT_EQ(session.boxes[1].rotate, Vec3(30, 0.1, -7));
     ASSERT_EQ(again.events.size(), session.events.size());
     EXPECT_EQ(std::get<MoveBlade>(again.events[0].action).blade.a, Vec3(0.1, 1e-300, 3));
     EXPECT_EQ(again.view->eye, session.view->eye);

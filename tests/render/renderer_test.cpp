@@ -169,6 +169,23 @@ TEST_F(RendererTest, BladeAndSweepAreDrawn) {
     EXPECT_GT(compareImages(blade, pictureOf(stage)).differingPixels, 300);
 }
 
+TEST_F(RendererTest, BoxesAreDrawnAndShadowed) {
+    Stage stage(test::cubeSphere(8));
+    stage.camera.eye = Vec3(0, 3, 0.5);
+    const Image bare = pictureOf(stage);
+    stage.scene.boxes = {StaticBox{{0, -0.45, 0}, {1.6, 0.1, 1.6}, {0, 30, 0}}};
+    const Image lit = pictureOf(stage);
+    EXPECT_GT(compareImages(bare, lit).differingPixels, 2000);
+    // The sphere stands on the box and darkens it; without a body there is no shadow.
+    stage.scene.body = BodyView{};
+    const Image alone = pictureOf(stage);
+    long darker = 0;
+    for (std::size_t i = 0; i < lit.pixels.size(); i += 4) {
+        darker += !isReddish(&lit.pixels[i]) && lit.pixels[i + 2] + 30 < alone.pixels[i + 2];
+    }
+    EXPECT_GT(darker, 300);
+}
+
 TEST_F(RendererTest, DegenerateBladeAndCameraAreHarmless) {
     Stage stage(test::cubeSphere(4));
     stage.scene.blade = Blade{Vec3(0, 1, 0), Vec3(0, 1, 0)};

@@ -37,6 +37,16 @@ TEST(StateHash, SeesEveryPartOfTheState) {
     EXPECT_NE(hashMesh(turned).hexadecimal(), before);
 }
 
+TEST(StateHash, SeesBoxesWhereThereAreAny) {
+    const SurfaceMesh mesh = test::icosphere(1);
+    std::vector<StaticBox> boxes(1);
+    const std::string before = hashScene(mesh, boxes).hexadecimal();
+    EXPECT_EQ(hashScene(mesh, {}).hexadecimal(), hashMesh(mesh).hexadecimal());
+    EXPECT_NE(before, hashMesh(mesh).hexadecimal());
+    boxes[0].rotate.z() = 1e-6;
+    EXPECT_NE(hashScene(mesh, boxes).hexadecimal(), before);
+}
+
 TEST(StateHash, RoundsToFloat) {
     const SurfaceMesh mesh = test::icosphere(1);
     SurfaceMesh rounded = mesh;

@@ -103,6 +103,14 @@ double depthInside(const SurfaceMesh& mesh, const std::vector<int>& piece, const
     return std::fabs(angle) > 2 * std::numbers::pi ? nearest : 0.0;
 }
 
+}  // namespace
+
+double depthInside(const SurfaceMesh& mesh, const Vec3& p) {
+    return depthInside(mesh, livingTriangles(mesh), p);
+}
+
+namespace {
+
 /// Of all vertices inside other pieces than their own [m].
 double deepestPenetration(const SurfaceMesh& mesh, const PieceMap& pieces) {
     std::vector<std::vector<int>> triangles(pieces.pieces.size());

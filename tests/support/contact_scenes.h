@@ -3,9 +3,14 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/mesh/surface_mesh.h"
 #include "sim/params.h"
 
 namespace kerf::test {
+
+/// How deep p lies inside a mesh: its distance from the surface where the winding number is over a
+/// half, 0 elsewhere. [m]
+double depthInside(const SurfaceMesh& mesh, const Vec3& p);
 
 /// Two halves of a body, cut apart level without gravity, that rest on each other.
 struct HalvesFigures {

@@ -12,13 +12,7 @@ layout(std430, binding = kContactSharesBinding) buffer Shares { uint shares[]; }
 layout(std430, binding = kContactSumsBinding) buffer Sums { int sums[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
-vec3 takeSum(uint place) {
-    vec3 sum = uniforms.unit * vec3(sums[place], sums[place + 1u], sums[place + 2u]);
-    sums[place] = 0;
-    sums[place + 1u] = 0;
-    sums[place + 2u] = 0;
-    return sum;
-}
+#include "sim/fixed_sums.glsl"
 
 void main() {
     uint v = gl_GlobalInvocationID.x;

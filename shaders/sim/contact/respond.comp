@@ -14,17 +14,10 @@ layout(std430, binding = kContactSharesBinding) readonly buffer Shares { uint sh
 layout(std430, binding = kContactSumsBinding) buffer Sums { int sums[]; };
 layout(std430, binding = kContactStateBinding) readonly buffer State { ContactState state; };
 
-void addFixed(uint place, vec3 value) {
-    ivec3 steps = ivec3(round(clamp(value / uniforms.unit, -1e9, 1e9)));
-    atomicAdd(sums[place], steps.x);
-    atomicAdd(sums[place + 1u], steps.y);
-    atomicAdd(sums[place + 2u], steps.z);
-}
+#include "sim/fixed_sums.glsl"
 
-void add(uint v, float gain, vec3 impulse, vec3 push) {
-    if (gain == 0.0) return;
-    addFixed(6u * v, gain * impulse);
-    addFixed(6u * v + 3u, gain * push);
+void answer(uint v, float gain, vec3 impulse, vec3 push) {
+    if (gain != 0.0) addToSums(v, gain * impulse, gain * push);
 }
 
 void main() {
@@ -41,8 +34,8 @@ void main() {
     if (!(weight > 0.0)) return;
     vec3 impulse = record.impulse.xyz / weight;
     vec3 push = (record.normal.w / weight) * record.normal.xyz;
-    add(v.x, w.x, impulse, push);
-    add(v.y, -b.x * w.y, impulse, push);
-    add(v.z, -b.y * w.z, impulse, push);
-    add(v.w, -b.z * w.w, impulse, push);
+    answer(v.x, w.x, impulse, push);
+    answer(v.y, -b.x * w.y, impulse, push);
+    answer(v.z, -b.y * w.z, impulse, push);
+    answer(v.w, -b.z * w.w, impulse, push);
 }

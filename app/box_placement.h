@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/contact/static_box.h"
+
+namespace kerf::app {
+
+/// A cube of a third of the body's size on its right, on the floor or level with its underside.
+/// `body`: its bounds; `floor`: height [m].
+StaticBox boxBeside(const Bounds& body, std::optional<double> floor);
+
+}  // namespace kerf::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "render/passes/frame.h"
+
+namespace kerf::render {
+
+/// The boxes that the body collides with: matt, shaded flat, with light edges.
+class BoxPass {
+  public:
+    explicit BoxPass(const gpu::Defines& defines);
+    /// Takes the boxes of the scene; before the shadows are drawn.
+    void update(const SceneView& scene);
+    /// With the shadow map bound.
+    void draw(const Frame& frame) const;
+    /// What the shadow passes draw of them: positions and triangles alone.
+    BodyView view() const;
+
+  private:
+    gpu::Program program_;
+    gpu::Buffer positions_;
+    gpu::Buffer triangles_;
+    std::uint32_t triangleCount_ = 0;
+};
+
+}  // namespace kerf::render

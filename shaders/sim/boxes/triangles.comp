@@ -1,0 +1,174 @@
+// Where corners and edges of boxes meet triangles: a box may be smaller than a triangle, so that no
+// vertex gets near it. Of all boxes the most urgent touch of each triangle is kept, where the gap
+// ends up smallest. Normals and gaps are those at X, so that what crosses within a substep is met:
+//
+//   corner  against the triangle, along the triangle's normal
+//   edge    against an edge of the triangle (which each edge is for one of its two triangles), along
+//           the line across both, where that lies between the two faces of the box
+//
+// How a gap becomes a change of d and a push of X is said in contact/detect.comp.
+// Reads X, d, triangles, boxes. Writes touches, how many of them each vertex is part of. One thread
+// per triangle. A storage barrier follows, then respond.
+#include "body_records.h"
+#include "box_records.h"
+layout(local_size_x = kGroupSize) in;
+
+layout(std430, binding = kBoxUniformsBinding) readonly buffer Uniforms { BoxUniforms uniforms; };
+layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = kBoxDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
+layout(std430, binding = kBoxBoxesBinding) readonly buffer Boxes { BoxRecord boxes[]; };
+layout(std430, binding = kBoxRecordsBinding) writeonly buffer Records { BoxTouch records[]; };
+layout(std430, binding = kBoxSharesBinding) buffer Shares { uint shares[]; };
+
+#include "boxes.glsl"
+
+// Positions and displacements of the corners of a triangle, in the coordinates of a box.
+struct Corners {
+    vec3 at[3];
+    vec3 way[3];
+};
+
+struct Touch {
+    vec3 normal;
+    float before;  // gap at X [m]
+    vec3 slip;     // of the touched point [m]
+    float gap;     // at X + d [m]
+    vec3 weights;
+};
+
+Corners cornersIn(BoxRecord box, uvec3 t) {
+    Corners c;
+    for (int k = 0; k < 3; ++k) {
+        c.at[k] = toBox(box, positions[t[k]].xyz - box.center.xyz);
+        c.way[k] = toBox(box, displacement[t[k]].xyz);
+    }
+    return c;
+}
+
+bool nearBox(Corners c, vec3 reach) {
+    vec3 low = vec3(1e30);
+    vec3 high = vec3(-1e30);
+    for (int k = 0; k < 3; ++k) {
+        vec3 end = c.at[k] + c.way[k];
+        low = min(low, min(c.at[k], end));
+        high = max(high, max(c.at[k], end));
+    }
+    return all(lessThan(low, reach)) && all(greaterThan(high, -reach));
+}
+
+Touch touchAt(Corners c, vec3 normal, float before, vec3 weights) {
+    vec3 slip = weights.x * c.way[0] + weights.y * c.way[1] + weights.z * c.way[2];
+    return Touch(normal, before, slip, before + dot(normal, slip), weights);
+}
+
+Touch moreUrgent(Touch a, Touch b) {
+    if (b.gap < a.gap) return b;
+    return a;
+}
+
+// Weights of the point of the plane of the triangle below or above p.
+vec3 planeWeights(vec3 a, vec3 b, vec3 c, vec3 p) {
+    vec3 normal = cross(b - a, c - a);
+    float scale = 1.0 / max(dot(normal, normal), 1e-30);
+    float v = dot(cross(p - a, c - a), normal) * scale;
+    float w = dot(cross(b - a, p - a), normal) * scale;
+    return vec3(1.0 - v - w, v, w);
+}
+
+// Only a box in front of the triangle touches it: its middle lies there, as seen from the corner.
+Touch cornerTouch(Touch best, Corners c, vec3 normal, vec3 corner) {
+    float before = dot(normal, c.at[0] - corner);  // normal: into the body, away from the box
+    if (dot(normal, corner) <= 0.0 || before < -uniforms.depth) return best;
+    vec3 weights = planeWeights(c.at[0] + c.way[0], c.at[1] + c.way[1], c.at[2] + c.way[2], corner);
+    if (min(weights.x, min(weights.y, weights.z)) < 0.0) return best;
+    return moreUrgent(best, touchAt(c, normal, before, weights));
+}
+
+// How far along two lines, from p along u and from q along v, they come nearest to each other.
+vec2 nearestOnLines(vec3 p, vec3 u, vec3 q, vec3 v) {
+    vec3 r = p - q;
+    float uu = dot(u, u);
+    float vv = dot(v, v);
+    float uv = dot(u, v);
+    float scale = uu * vv - uv * uv;
+    float s = (uv * dot(v, r) - vv * dot(u, r)) / scale;
+    return vec2(s, (dot(v, r) + s * uv) / vv);
+}
+
+// Between corner i of the triangle and the next, and the edge of the box along `axis` that starts
+// at the corner `start`, which has this axis negative.
+Touch edgeTouch(Touch best, Corners c, vec3 normal, int i, int axis, vec3 start) {
+    int j = (i + 1) % 3;
+    vec3 along = vec3(0.0);
+    along[axis] = -2.0 * start[axis];
+    vec3 edge = c.at[j] - c.at[i];
+    vec3 across = cross(edge, along);
+    float size = length(across);
+    if (size < 1e-3 * length(edge) * along[axis]) return best;
+    vec3 outward = start;
+    outward[axis] = 0.0;
+    across *= (dot(across, outward) < 0.0 ? -1.0 : 1.0) / size;
+    bool betweenFaces = all(greaterThanEqual(across * outward, vec3(0.0)));
+    if (!betweenFaces || dot(across, normal) <= 0.0) return best;
+    float before = dot(across, c.at[i] - start);
+    if (before < -uniforms.depth) return best;
+    vec3 from = c.at[i] + c.way[i];
+    vec2 where = nearestOnLines(from, c.at[j] + c.way[j] - from, start, along);
+    if (any(lessThan(where, vec2(0.0))) || any(greaterThan(where, vec2(1.0)))) return best;
+    vec3 weights = vec3(0.0);
+    weights[i] = 1.0 - where.x;
+    weights[j] = where.x;
+    return moreUrgent(best, touchAt(c, across, before, weights));
+}
+
+Touch touchOf(BoxRecord box, Corners c, uvec3 t) {
+    Touch best = Touch(vec3(0.0), 0.0, vec3(0.0), uniforms.thickness, vec3(0.0));
+    vec3 reach = halfOf(box);
+    if (!nearBox(c, reach + uniforms.thickness)) return best;
+    vec3 normal = -cross(c.at[1] - c.at[0], c.at[2] - c.at[0]);
+    normal /= max(length(normal), 1e-30);
+    for (int corner = 0; corner < 8; ++corner) {
+        vec3 p = reach * (2.0 * vec3(corner & 1, (corner >> 1) & 1, corner >> 2) - 1.0);
+        best = cornerTouch(best, c, normal, p);
+        for (int i = 0; i < 3; ++i) {
+            if (t[i] > t[(i + 1) % 3]) continue;
+            for (int axis = 0; axis < 3; ++axis) {
+                if (p[axis] < 0.0) best = edgeTouch(best, c, normal, i, axis, p);
+            }
+        }
+    }
+    return best;
+}
+
+BoxTouch recordOf(BoxRecord box, Touch touch) {
+    float least = min(touch.before, uniforms.thickness);
+    float reached = max(touch.gap, least);
+    float approach = max(least - touch.gap, 0.0);
+    float push = min(max(-reached, kBoxThicknessRate * (uniforms.thickness - reached)), uniforms.push);
+    vec3 along = touch.slip - dot(touch.normal, touch.slip) * touch.normal;
+    float kept = slipLeft(length(along), approach, uniforms.friction);
+    vec3 impulse = approach * touch.normal - (1.0 - kept) * along;
+    return BoxTouch(vec4(fromBox(box, touch.normal), max(push, 0.0)),
+                    vec4(fromBox(box, impulse), 1.0), vec4(touch.weights, 0.0));
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= uniforms.triangle_count) return;
+    uvec3 t = triangles[index].xyz;
+    BoxTouch record = BoxTouch(vec4(0.0), vec4(0.0), vec4(0.0));
+    float least = uniforms.thickness;
+    for (uint b = 0u; b < uniforms.box_count; ++b) {
+        Touch touch = touchOf(boxes[b], cornersIn(boxes[b], t), t);
+        if (touch.gap < least) {
+            least = touch.gap;
+            record = recordOf(boxes[b], touch);
+        }
+    }
+    records[index] = record;
+    if (record.impulse.w == 0.0) return;
+    for (int k = 0; k < 3; ++k) {
+        if (record.weights[k] > 0.0) atomicAdd(shares[t[k]], 1u);
+    }
+}

@@ -1,0 +1,53 @@
+#include "sim/contact/static_box.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace kerf {
+
+namespace {
+
+bool within(const Vec3& value, double low, double high) {
+    return value.allFinite() && value.minCoeff() >= low && value.maxCoeff() <= high;
+}
+
+}  // namespace
+
+Eigen::Matrix3d turnOf(const Vec3& degrees) {
+    const Vec3 radians = degrees * (EIGEN_PI / 180);
+    return (Eigen::AngleAxisd(radians.z(), Vec3::UnitZ()) *
+            Eigen::AngleAxisd(radians.y(), Vec3::UnitY()) *
+            Eigen::AngleAxisd(radians.x(), Vec3::UnitX()))
+        .toRotationMatrix();
+}
+
+Eigen::Matrix3d StaticBox::axes() const {
+    return turnOf(rotate);
+}
+
+Vec3 StaticBox::corner(int index) const {
+    return center + axes() * Bounds{-0.5 * size, 0.5 * size}.corner(index);
+}
+
+Bounds StaticBox::bounds() const {
+    Bounds out;
+    for (int i = 0; i < 8; ++i) {
+        out.add(corner(i));
+    }
+    return out;
+}
+
+std::string checkBox(const StaticBox& box) {
+    if (!within(box.center, -kFarthestBox, kFarthestBox)) {
+        return "The centre of a box needs three numbers from -1e6 to 1e6 m.";
+    }
+    if (!within(box.size, kLeastBoxSize, kLargestBoxSize)) {
+        return "The size of a box needs three numbers from 1e-6 to 1e6 m.";
+    }
+    if (!within(box.rotate, -kLargestBoxTurn, kLargestBoxTurn)) {
+        return "The rotation of a box needs three numbers from -36000 to 36000 degrees.";
+    }
+    return "";
+}
+
+}  // namespace kerf

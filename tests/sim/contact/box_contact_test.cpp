@@ -1,0 +1,228 @@
+#include "sim/contact/box_contact.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "sim/simulation.h"
+#include "sim/state_hash.h"
+#include "tests/support/contact_scenes.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+Params withoutFloor() {
+    Params params;
+    params.floor.reset();
+    return params;
+}
+
+SurfaceMesh lifted(SurfaceMesh mesh, double by, const Vec3& velocity = Vec3::Zero()) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, mesh.position(v) + Vec3(0, by, 0));
+        mesh.setRestPosition(v, mesh.position(v));
+        mesh.setVelocity(v, velocity);
+    }
+    return mesh;
+}
+
+Vec3 middle(const SurfaceMesh& mesh) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : mesh.positions()) {
+        sum += p;
+    }
+    return sum / mesh.vertexCount();
+}
+
+/// How deep the deepest vertex lies inside a box [m].
+double deepestVertexIn(const StaticBox& box, const SurfaceMesh& mesh) {
+    double deepest = 0;
+    for (const Vec3& p : mesh.positions()) {
+        const Vec3 at = box.axes().transpose() * (p - box.center);
+        deepest = std::max(deepest, (0.5 * box.size - at.cwiseAbs()).minCoeff());
+    }
+    return deepest;
+}
+
+/// How deep the surface of a box lies inside a mesh, at 5 x 5 x 5 points of its edges and faces
+/// [m].
+double deepestPointOf(const StaticBox& box, const SurfaceMesh& mesh) {
+    double deepest = 0;
+    for (int i = 0; i < 125; ++i) {
+        const Vec3 at(i % 5, (i / 5) % 5, i / 25.0 - std::fmod(i / 25.0, 1));
+        if ((at.array() - 2).abs().maxCoeff() < 2) {
+            continue;
+        }
+        const Vec3 p =
+            box.center + box.axes() * ((at.array() / 4 - 0.5) * box.size.array()).matrix();
+        deepest = std::max(deepest, test::depthInside(mesh, p));
+    }
+    return deepest;
+}
+
+class BoxContactTest : public test::GlTest {};
+
+TEST_F(BoxContactTest, ABodyRestsOnABoxAsOnTheFloor) {
+    const StaticBox slab{{0, -0.5, 0}, {4, 1, 4}, {0, 90, 0}};
+    Params params;
+    params.contactThickness = 0;
+    Simulation onFloor(lifted(test::cubeSphere(5), 0.55), params);
+    params.floor.reset();
+    Simulation onBox(lifted(test::cubeSphere(5), 0.55), params, {slab});
+    for (int i = 0; i < 70; ++i) {
+        onFloor.step();
+        onBox.step();
+    }
+    EXPECT_LT(deepestVertexIn(slab, onBox.mesh()), 1e-6);
+    EXPECT_LT((middle(onFloor.mesh()) - middle(onBox.mesh())).norm(), 2e-3);
+    EXPECT_GT(onBox.report().volumeRatio, 0.99);
+}
+
+// As after a fall of two metres; a substep of small_steps is 1.6 mm, one of pbd 31 mm.
+TEST_F(BoxContactTest, NothingTunnelsThroughAThinPlate) {
+    const StaticBox plate{{0, 0, 0}, {3, 0.002, 3}, {0, 20, 12}};
+    for (const char* solver : {"small_steps", "pbd"}) {
+        for (const SurfaceMesh& shape : {test::cubeSphere(4), test::box({0.8, 0.5, 0.6}, 1)}) {
+            SCOPED_TRACE(solver + std::to_string(shape.vertexCount()));
+            Params params = withoutFloor();
+            setParam(params, "solver", solver);
+            Simulation simulation(lifted(shape, 0.8, {0, -6.3, 0}), params, {plate});
+            for (int i = 0; i < 40; ++i) {
+                simulation.step();
+            }
+            const Vec3 up = plate.axes().col(1);
+            double lowest = 1;
+            for (const Vec3& p : simulation.mesh().positions()) {
+                lowest = std::min(lowest, up.dot(p));
+            }
+            EXPECT_GT(lowest, 0.0005);
+            EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+        }
+    }
+}
+
+// The faces of the block are a metre long, the boxes a tenth: no vertex gets near them.
+TEST_F(BoxContactTest, ACoarseBodyDoesNotSinkOntoSmallBoxes) {
+    const Vec3 size = Vec3::Constant(0.1);
+    for (const StaticBox& box : {StaticBox{{0.2, 0, 0.1}, size, {0, 30, 0}},         // a face
+                                 StaticBox{{0.2, 0, 0.1}, size, {45, 10, 0}},        // an edge
+                                 StaticBox{{0.2, 0, 0.1}, size, {45, 0, 35.26}}}) {  // a corner
+        SCOPED_TRACE(box.rotate.x() + box.rotate.z());
+        Params params;
+        params.floor = -0.3;
+        params.gravity = {0, -2, 0};
+        Simulation simulation(lifted(test::box({1, 0.6, 1}, 1), 0.42, {0, -3, 0}), params, {box});
+        double deepest = 0;
+        for (int i = 0; i < 60; ++i) {
+            simulation.step();
+            deepest = std::max(deepest, deepestPointOf(box, simulation.mesh()));
+        }
+        EXPECT_LT(deepest, 0.002);
+        EXPECT_GT(middle(simulation.mesh()).y(), 0.1) << "it lies on the box and the floor";
+        EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    }
+}
+
+/// How far a block slides down a slope of 20 degrees in a third of a second [m].
+double slideDown(double friction) {
+    const double tilt = 20;
+    Params params = withoutFloor();
+    params.friction = friction;
+    params.airDrag = 0;
+    params.contactThickness = 0;
+    params.youngsModulus = 1e6;
+    StaticBox slope{{0, 0, 0}, {6, 0.4, 4}, {0, 0, -tilt}};
+    SurfaceMesh block = test::box({0.6, 0.2, 0.6}, 4);
+    for (int v = 0; v < block.vertexCount(); ++v) {
+        block.setPosition(v, slope.axes() * (block.position(v) + Vec3(0, 0.3, 0)));
+        block.setRestPosition(v, block.position(v));
+    }
+    Simulation simulation(block, params, {slope});
+    const Vec3 start = middle(simulation.mesh());
+    for (int i = 0; i < 80; ++i) {
+        simulation.step();
+    }
+    return slope.axes().col(0).dot(middle(simulation.mesh()) - start);
+}
+
+TEST_F(BoxContactTest, FrictionHoldsOnASlopeOrSlowsDown) {
+    EXPECT_LT(slideDown(0.6), 0.02);
+    const double angle = 20 * EIGEN_PI / 180;
+    for (const double friction : {0.0, 0.15}) {
+        const double rate = 9.81 * (std::sin(angle) - friction * std::cos(angle));
+        const double way = 0.5 * rate * 0.4 * 0.4;
+        EXPECT_NEAR(slideDown(friction), way, 0.05 * way) << friction;
+    }
+}
+
+TEST_F(BoxContactTest, ABoxInTheBodyPushesItOutGently) {
+    const StaticBox box{{0, -0.45, 0}, {3, 0.4, 3}};
+    Params params = withoutFloor();
+    params.gravity.setZero();
+    Simulation simulation(test::cubeSphere(5), params);
+    simulation.step();
+    ASSERT_EQ(simulation.execute(AddBox{box}), "");
+    double fastest = 0;
+    for (int i = 0; i < 100; ++i) {
+        simulation.step();
+        for (int v = 0; v < simulation.mesh().vertexCount(); ++v) {
+            fastest = std::max(fastest, simulation.mesh().velocity(v).norm());
+        }
+    }
+    EXPECT_LT(deepestVertexIn(box, simulation.mesh()), 1e-6);
+    EXPECT_LT(fastest, 3);
+}
+
+TEST_F(BoxContactTest, ABoxOutOfReachChangesNoBit) {
+    const auto hashWith = [](const std::vector<StaticBox>& boxes) {
+        Simulation simulation(lifted(test::cubeSphere(4), 0.6), Params{}, boxes);
+        for (int i = 0; i < 10; ++i) {
+            simulation.step();
+        }
+        return hashMesh(simulation.mesh()).hexadecimal();
+    };
+    EXPECT_EQ(hashWith({}), hashWith({{{50, 0, 0}, {1, 1, 1}}}));
+    EXPECT_NE(hashWith({}), hashWith({{{0, 0.1, 0}, {0.3, 0.3, 0.3}}}));
+}
+
+TEST_F(BoxContactTest, CommandsAreCheckedAndUndone) {
+    const StaticBox box{{0, -1, 0}, {1, 1, 1}};
+    Simulation simulation(test::cubeSphere(3), withoutFloor(), {box});
+    simulation.setUndoBudget(1 << 30);
+    EXPECT_EQ(simulation.execute(RemoveBox{1}), "There is no box 1; they count from 0 to 0.");
+    EXPECT_EQ(simulation.execute(AddBox{{{0, 0, 0}, {1, 0, 1}}}),
+              "The size of a box needs three numbers from 1e-6 to 1e6 m.");
+    EXPECT_EQ(simulation.execute(ChangeBox{0, {{NAN, 0, 0}, {1, 1, 1}}}),
+              "The centre of a box needs three numbers from -1e6 to 1e6 m.");
+    EXPECT_EQ(simulation.history().entries().size(), 0U);
+
+    const std::string before = simulation.stateHash();
+    StaticBox moved = box;
+    EXPECT_EQ(simulation.execute(AddBox{box}), "");
+    for (const double x : {0.1, 0.2, 0.3}) {
+        moved.center.x() = x;
+        EXPECT_EQ(simulation.execute(ChangeBox{1, moved, x > 0.1}), "");
+    }
+    EXPECT_EQ(simulation.history().entries().size(), 2U) << "one gesture is one change";
+    EXPECT_EQ(simulation.execute(RemoveBox{0}), "");
+    EXPECT_EQ(simulation.boxes(), std::vector<StaticBox>{moved});
+    EXPECT_NE(simulation.stateHash(), before);
+    simulation.execute(Undo{});
+    EXPECT_EQ(simulation.boxes(), (std::vector<StaticBox>{box, moved}));
+    simulation.execute(Undo{});
+    EXPECT_EQ(simulation.boxes(), (std::vector<StaticBox>{box, box}));
+    simulation.execute(Redo{});
+    EXPECT_EQ(simulation.boxes(), (std::vector<StaticBox>{box, moved}));
+    simulation.execute(Undo{});
+    simulation.execute(Undo{});
+    EXPECT_EQ(simulation.stateHash(), before);
+    simulation.execute(RemoveBox{0});
+    EXPECT_EQ(simulation.execute(RemoveBox{0}), "There is no box yet; add one first.");
+    simulation.reset();
+    EXPECT_EQ(simulation.boxes(), std::vector<StaticBox>{box});
+}
+
+}  // namespace
+}  // namespace kerf

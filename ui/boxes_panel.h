@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "ui/action.h"
+#include "ui/panel_model.h"
+
+namespace kerf::ui {
+
+/// The boxes that the body collides with, one foldable group each, and a button for another one.
+void drawBoxes(const PanelModel& model, std::vector<Action>& actions);
+
+}  // namespace kerf::ui
