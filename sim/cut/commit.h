@@ -15,8 +15,9 @@ struct StepPlan {
     std::vector<GluePartner> partners;   ///< by 3 * triangle + edge
     RungNode endA;                       ///< the ends of the new rung, in the air
     RungNode endB;
-    bool retraces = false;    ///< the blade runs along an older slit
-    double volumeChange = 0;  ///< signed, before rounding [m^3]
+    bool retraces = false;        ///< the blade runs along an older slit
+    double volumeChange = 0;      ///< signed, before rounding [m^3]
+    double restVolumeChange = 0;  ///< the same of the rest shape
 };
 
 /// What a step made of the mesh.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,6 +15,7 @@
 #include "sim/cut/ladder.h"
 #include "sim/cut/piece_groups.h"
 #include "sim/cut/plan.h"
+#include "sim/cut/resume.h"
 #include "sim/cut/skin_map.h"
 #include "sim/cut/strip.h"
 #include "sim/cut/sweep.h"
@@ -41,6 +43,12 @@ constexpr double kBroadPhaseMargin = 3;
 constexpr double kBinSize = 1.0;
 // Pieces whose copies lie farther apart (share of h) are swept apart.
 constexpr double kParted = 1e-3;
+// Of the body at rest: a step that would change its volume by more is not done. The bar is 1e-9 for
+// all pieces together.
+constexpr double kMostVolumeChange = 5e-10;
+// Levels of the retry ladder that are tried for each way to go on after a refusal.
+constexpr int kAttemptsOfResumption = 2;
+const cut::SlitOpening kNoOpening;
 // Keeps passes apart from those of strokes that an earlier cutter made.
 constexpr int kPassesPerStroke = 1000;
 
@@ -70,6 +78,14 @@ int strokesSoFar(const SurfaceMesh& mesh) {
     return last < 0 ? 0 : last / 2 + 1;
 }
 
+double sumOfRestVolumes(const PieceLabels& pieces) {
+    double sum = 0;
+    for (const PieceContent& piece : pieces.pieces()) {
+        sum += std::fabs(piece.restVolume);
+    }
+    return sum;
+}
+
 bool isInAir(const std::vector<RungNode>& rung) {
     return std::all_of(rung.begin(), rung.end(), [](const RungNode& n) { return n.vertex < 0; });
 }
@@ -96,6 +112,7 @@ void addTo(CutDelta& sum, const CutDelta& part) {
 void addTo(CutStatistics& sum, const CutStatistics& part) {
     sum.cutPieces += part.cutPieces;
     sum.refusedPieces += part.refusedPieces;
+    sum.resumed += part.resumed;
     sum.touchedTriangles += part.touchedTriangles;
     sum.wallTriangles += part.wallTriangles;
     sum.splitVertices += part.splitVertices;
@@ -127,6 +144,7 @@ struct Sweep {
     int pass = 0;  ///< goes up each time the blade starts from the air
     int firstVertexOfPass = 0;
     std::set<int> onSeams;      ///< vertices of the pass on walls of older ones
+    bool opensSlits = true;     ///< sees older slits along its way open
     std::map<int, Vec3> sides;  ///< in which slits of earlier strokes open (SweepStep)
     int refusedInARow = 0;
     std::vector<RungNode> rung;
@@ -152,6 +170,7 @@ struct Cutter::State {
     TriangleTree tree{mesh};
     std::optional<double> moved{};  ///< how far vertices moved at most since the last step [m]
     std::vector<int> groupOfPiece{};
+    double restVolume = 0;  ///< of the body at the start of the stroke [m^3]
     cut::StrokeSurface surface{mesh};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
@@ -178,7 +197,14 @@ struct Cutter::State {
     void setRung(std::vector<RungNode> next, Sweep& sweep);
     void tie(Sweep& sweep);
     CutResult advance(const Blade& to, double gate, Sweep& sweep);
-    CutResult cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep);
+    CutResult cut(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep);
+    bool climb(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep, CutResult& result);
+    bool resume(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
+                CutResult& result);
+    bool attempt(const Blade& to, const std::vector<RungNode>& from,
+                 const cut::BroadPhase& candidates, const cut::SlitOpening& opening, int level,
+                 Sweep& sweep, CutResult& result);
+    void requireVolume(const cut::StepPlan& plan) const;
     CutResult accept(const cut::PlannedStep& step, Sweep& sweep);
     void keepOwnNodes(std::vector<RungNode> nodes, Sweep& sweep);
     static void moveOn(const Blade& to, const CutResult& result, Sweep& sweep);
@@ -198,6 +224,7 @@ void Cutter::State::start(const Blade& at) {
     cleanup.reset();
     sweeps.clear();
     groupOfPiece = cut::groupPieces(mesh, pieces, kParted * h, {});
+    restVolume = sumOfRestVolumes(pieces);
     for (const int v : lowestVertices({groupOfPiece.begin(), groupOfPiece.end()})) {
         Sweep& sweep = sweeps.emplace_back();
         sweep.vertex = v;
@@ -344,6 +371,7 @@ void Cutter::State::startPass(Sweep& sweep) {
     sweep.firstVertexOfPass = mesh.vertexCount();
     sweep.onSeams.clear();
     sweep.sides.clear();
+    sweep.opensSlits = true;
 }
 
 // The rung carries the offset of the pass from the start: otherwise a blade that is put down
@@ -408,48 +436,106 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
         [this, group = sweep.group](int t) { return groupOfVertex(mesh.triangle(t)[0]) == group; }};
 }
 
-// Climbs the retry ladder: nothing is committed until one attempt succeeds.
-CutResult Cutter::State::cut(const Blade& to, std::vector<RungNode> from, Sweep& sweep) {
-    const cut::BroadPhase candidates = findCandidates(to, sweep, from);
-    const cut::SlitOpening opening(
-        mesh, candidates,
-        {from, to, h, stroke, sweep.firstVertexOfPass, sweep.onSeams, sweep.sides});
-    cut::clearAirEdges(mesh, candidates, opening, to, h, sweep.airTies, from);
-    const std::uint64_t retrySeed =
-        settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
-    const int attempts = cut::attemptCount(sweep.refusedInARow + 1 >= kRefusalsBeforeDetach);
-    std::string reason;
-    for (int i = 0; i < attempts; ++i) {
-        const cut::StepInput in{mesh,
-                                candidates,
-                                pieces.ofVertex(),
-                                surface,
-                                opening,
-                                from,
-                                to,
-                                h,
-                                settings.offset,
-                                settings.seed,
-                                stroke,
-                                sweep.pass,
-                                sweep.firstVertexOfPass,
-                                cut::attemptAt(i, settings.tolerance, retrySeed)};
-        try {
-            CutResult result = accept(cut::planStep(in), sweep);
-            moveOn(to, result, sweep);
-            result.statistics.tries = i + 1;
-            result.reason = reason;
-            return result;
-        } catch (const cut::StepFailure& failure) {
-            reason = failure.reason;
-        }
-    }
+// Nothing is committed until one attempt succeeds.
+CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep) {
     CutResult result = outcome(CutOutcome::refused);
-    result.statistics.tries = attempts;
+    if (climb(to, from, sweep, result) || resume(to, from, sweep, result)) {
+        moveOn(to, result, sweep);
+        return result;
+    }
     result.statistics.refusedPieces = 1;
-    result.reason = reason;
     countRefusal(to, sweep);
     return result;
+}
+
+// The retry ladder: with older slits along the blade seen open, then with all as they are; a pass
+// that once had to do without stays so.
+bool Cutter::State::climb(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
+                          CutResult& result) {
+    const cut::BroadPhase candidates = findCandidates(to, sweep, from);
+    const auto tryAll = [&](const cut::SlitOpening& opening) {
+        std::vector<RungNode> clear = from;
+        cut::clearAirEdges(mesh, candidates, opening, to, h, sweep.airTies, clear);
+        for (int i = 0; i < cut::attemptCount(); ++i) {
+            if (attempt(to, clear, candidates, opening, i, sweep, result)) {
+                return true;
+            }
+        }
+        return false;
+    };
+    if (sweep.opensSlits) {
+        const cut::SlitOpening opening(
+            mesh, candidates,
+            {from, to, h, stroke, sweep.firstVertexOfPass, sweep.onSeams, sweep.sides});
+        if (tryAll(opening)) {
+            return true;
+        }
+        sweep.opensSlits = opening.empty();
+    }
+    return !sweep.opensSlits && tryAll(kNoOpening);
+}
+
+// Lets go of the front, and sweeps anew across the walls behind it.
+bool Cutter::State::resume(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
+                           CutResult& result) {
+    for (const cut::Resumption& way : cut::resumptions(from, to, h)) {
+        Sweep anew = sweep;
+        startPass(anew);
+        std::vector<RungNode> start = way.rung;
+        cut::reparametrize(way.blade, h, start);
+        const cut::BroadPhase candidates = findCandidates(way.blade, anew, start);
+        for (int i = 0; i < kAttemptsOfResumption; ++i) {
+            if (attempt(way.blade, start, candidates, kNoOpening, i, anew, result)) {
+                sweep = std::move(anew);
+                sweep.opensSlits = false;
+                result.statistics.resumed = 1;
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void Cutter::State::requireVolume(const cut::StepPlan& plan) const {
+    const double allowed = kMostVolumeChange * restVolume;
+    if (std::fabs(plan.volumeChange) > allowed || std::fabs(plan.restVolumeChange) > allowed) {
+        throw cut::StepFailure{"the step would change the volume"};
+    }
+}
+
+bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
+                            const cut::BroadPhase& candidates, const cut::SlitOpening& opening,
+                            int level, Sweep& sweep, CutResult& result) {
+    const std::uint64_t retrySeed =
+        settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
+    const cut::StepInput in{mesh,
+                            candidates,
+                            pieces.ofVertex(),
+                            surface,
+                            opening,
+                            from,
+                            to,
+                            h,
+                            settings.offset,
+                            settings.seed,
+                            stroke,
+                            sweep.pass,
+                            sweep.firstVertexOfPass,
+                            cut::attemptAt(level, settings.tolerance, retrySeed)};
+    const int tries = result.statistics.tries + 1;
+    const std::string reason = result.reason;
+    result.statistics.tries = tries;
+    try {
+        const cut::PlannedStep step = cut::planStep(in);
+        requireVolume(step.plan);
+        result = accept(step, sweep);
+        result.statistics.tries = tries;
+        result.reason = reason;
+        return true;
+    } catch (const cut::StepFailure& failure) {
+        result.reason = failure.reason;
+        return false;
+    }
 }
 
 CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {

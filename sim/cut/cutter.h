@@ -58,6 +58,7 @@ struct CleanupStatistics {
 struct CutStatistics {
     int cutPieces = 0;             ///< pieces of the body that were cut
     int refusedPieces = 0;         ///< pieces whose step was refused
+    int resumed = 0;               ///< pieces whose front was let go and cut anew from behind it
     int touchedTriangles = 0;      ///< surface triangles that the strip met
     int wallTriangles = 0;         ///< new, both sides
     int splitVertices = 0;         ///< copies of vertices that were made

@@ -199,8 +199,8 @@ class Intersector {
     // How far from its real position a vertex may be seen.
     double predicateDrift() const {
         const Attempt& attempt = in_.attempt;
-        const bool moved = attempt.closed || attempt.unfold != Unfold::nothing;
-        const double closing = moved ? kCloseDistance : 0.0;
+        const bool unfolded = attempt.unfold != Unfold::nothing;
+        const double closing = unfolded ? kCloseDistance : attempt.closing;
         const double shares = closing + 2 * attempt.shake + attempt.tolerance + attempt.gap;
         return shares * in_.h + in_.opening.reach();
     }
@@ -224,7 +224,7 @@ class Intersector {
         if (pair.hits != 2 || pair.entry < 0 || pair.exit < 0) {
             throw StepFailure{"two triangles meet in an impossible way"};
         }
-        if (!in_.attempt.allowStub && isFringe(m)) {
+        if (isFringe(m)) {
             throw StepFailure{"the blade meets the walls that it has just made"};
         }
         curves_.segmentsOfTriangle[m].push_back(sizeOf(curves_.segments));

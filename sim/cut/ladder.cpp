@@ -45,10 +45,7 @@ constexpr std::array<Level, 21> kLevels{{
     {216, true, true, 3e-2, 1e-2, 3e-2},
 }};
 constexpr int kFixedLevels = static_cast<int>(kLevels.size());
-constexpr int kRandomLevels = 24;
-// The last levels give up more: a short uncut edge at the old rung, then the walls at the front.
-constexpr int kLevelsWithStub = 8;
-constexpr int kLevelsWithoutFringe = 4;
+constexpr int kRandomLevels = 8;
 
 Level randomLevel(int index, std::uint64_t seed) {
     Jitter jitter(seed + static_cast<std::uint64_t>(index) * 1001);
@@ -64,8 +61,8 @@ Level randomLevel(int index, std::uint64_t seed) {
 
 }  // namespace
 
-int attemptCount(bool lastChance) {
-    return kFixedLevels + kRandomLevels - (lastChance ? 0 : kLevelsWithStub);
+int attemptCount() {
+    return kFixedLevels + kRandomLevels;
 }
 
 double largestOffsetScale() {
@@ -77,14 +74,13 @@ Attempt attemptAt(int index, double tolerance, std::uint64_t seed) {
     Attempt attempt;
     attempt.index = index;
     attempt.offsetScale = level.offsetScale;
-    attempt.closed = level.closed;
+    attempt.closing = level.closed ? kCloseDistance : kCloseNoise;
     attempt.unfold = level.unfold;
     attempt.touching = level.touching;
     attempt.tolerance = std::max(level.tolerance, tolerance);
     attempt.shake = level.shake;
     attempt.gap = std::max(level.gap, tolerance);
-    attempt.allowStub = index >= attemptCount(false);
-    attempt.ignoreFringe = level.ignoreFringe || index >= attemptCount(true) - kLevelsWithoutFringe;
+    attempt.ignoreFringe = level.ignoreFringe;
     return attempt;
 }
 

@@ -6,9 +6,8 @@
 
 namespace kerf::cut {
 
-/// Levels of the retry ladder: some chosen by measurement, the rest drawn at random. Only at the
-/// last chance, before the front would be let go, are there those that may leave a short bridge.
-int attemptCount(bool lastChance);
+/// Levels of the retry ladder: some chosen by measurement, the rest drawn at random.
+int attemptCount();
 
 /// The largest Attempt::offsetScale of all levels.
 double largestOffsetScale();

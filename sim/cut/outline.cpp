@@ -17,7 +17,6 @@ enum class Link {
     stripEdge,   ///< a piece of a strip edge
     none,        ///< nothing: both points are one strip node, seen from two sides of a gap
     zeroFront,   ///< a front edge of length zero inside a cluster
-    stub,        ///< a free edge across the gap (Attempt::allowStub)
     touchedEdge  ///< the mesh edge from a front end to a vertex that touches it
 };
 
@@ -125,10 +124,6 @@ class BorderWalk {
         std::vector<BorderPoint> here =
             strip_.nodes[v].isCluster() ? clusterPoints(v) : vertexPoints(v);
         addTouching(v, here);
-        if (here.empty() && in_.attempt.allowStub && sizeOf(strip_.nodes[v].vertices) == 2) {
-            here.push_back({ownNode(v, 0), v, 0, Link::stub});
-            here.push_back({ownNode(v, 1), v, 0});
-        }
         if (here.empty()) {
             here.push_back({-1, v, 0});
         }
@@ -328,8 +323,7 @@ class BorderWalk {
         } else if (point.inside && point.link == Link::none) {
             throw StepFailure{"the gap in the front lies inside"};
         } else if (point.inside) {
-            addEdge(nodeAt(i), nodeAt(j),
-                    point.link == Link::stub ? OutlineKind::free : OutlineKind::front);
+            addEdge(nodeAt(i), nodeAt(j), OutlineKind::front);
         }
     }
 
@@ -381,7 +375,7 @@ class BorderWalk {
         const bool onOldRung = strip_.isOld(e.a) && strip_.isOld(e.b);
         const bool besideFront =
             !strip_.nodes[e.a].vertices.empty() || !strip_.nodes[e.b].vertices.empty();
-        if (!in_.attempt.allowStub && onOldRung && besideFront) {
+        if (onOldRung && besideFront) {
             throw StepFailure{"a free piece beside the old front"};
         }
     }

@@ -40,11 +40,13 @@ double signedVolume(const Vec3& a, const Vec3& b, const Vec3& c) {
     return a.dot(b.cross(c)) / 6;
 }
 
-double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan) {
+/// `ofVertex` and `ofNode` give positions, current or at rest.
+template <class OfVertex, class OfNode>
+double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, const OfVertex& ofVertex,
+                    const OfNode& ofNode) {
     const auto at = [&](int corner) -> const Vec3& {
-        return corner < mesh.vertexCount()
-                   ? mesh.position(corner)
-                   : plan.curves.nodes[corner - mesh.vertexCount()].position;
+        return corner < mesh.vertexCount() ? ofVertex(corner)
+                                           : ofNode(plan.curves.nodes[corner - mesh.vertexCount()]);
     };
     double added = 0;
     for (const NewTriangle& t : plan.triangles) {
@@ -53,9 +55,18 @@ double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan) {
     double removed = 0;
     for (const int t : plan.subdivision.replaced) {
         const Triangle& c = mesh.triangle(t);
-        removed += signedVolume(mesh.position(c[0]), mesh.position(c[1]), mesh.position(c[2]));
+        removed += signedVolume(ofVertex(c[0]), ofVertex(c[1]), ofVertex(c[2]));
     }
     return added - removed;
+}
+
+void measureVolumeChange(const SurfaceMesh& mesh, StepPlan& plan) {
+    plan.volumeChange = volumeChange(
+        mesh, plan, [&](int v) -> const Vec3& { return mesh.position(v); },
+        [](const Node& node) -> const Vec3& { return node.position; });
+    plan.restVolumeChange = volumeChange(
+        mesh, plan, [&](int v) -> const Vec3& { return mesh.restPosition(v); },
+        [](const Node& node) -> const Vec3& { return node.rest; });
 }
 
 void requireFinite(const CutCurves& curves) {
@@ -111,14 +122,14 @@ PlannedStep planStep(const StepInput& in) {
         return step;
     }
     addSeams(in, plan.curves);
-    plan.subdivision = subdivide(in.mesh, plan.curves);
+    plan.subdivision = subdivide(in.mesh, plan.curves, kCloseNoise * in.h);
     const std::vector<WallSheet> sheets = triangulateWall(in, strip, plan.outline, plan.curves);
     mapFromSkin(in, sheets, plan.curves);
     plan.retraces = !in.opening.empty();
     plan.triangles = plan.subdivision.triangles;
     addWalls(in, sheets, plan);
     plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);
-    plan.volumeChange = volumeChange(in.mesh, plan);
+    measureVolumeChange(in.mesh, plan);
     requireFinite(plan.curves);
     step.seeds = countSeeds(in.mesh, plan.subdivision.replaced);
     step.wallTriangles = sizeOf(plan.triangles) - sizeOf(plan.subdivision.triangles);

@@ -29,13 +29,13 @@ enum class Unfold {
 struct Attempt {
     int index = 0;
     double offsetScale = 1;  ///< length of the blade's offset, in units of the setting
-    bool closed = false;     ///< predicates see mates at their common mean position
+    /// Predicates see mates that lie within this of their mean there (commonPosition).
+    double closing = 0;
     Unfold unfold = Unfold::nothing;
     bool touching = false;      ///< vertices of other pieces on a front node belong to it
     double tolerance = 0;       ///< nodes closer than this are one
     double shake = 0;           ///< virtual displacement of the front in the predicates
     double gap = 0;             ///< front ends closer than this across a slit are one node
-    bool allowStub = false;     ///< the old rung may leave a short uncut edge
     bool ignoreFringe = false;  ///< walls next to the front are not cut
 };
 
@@ -57,8 +57,10 @@ struct StepInput {
     Attempt attempt;
 };
 
-/// Mates whose positions lie within this share of h of their mean close in `Attempt::closed`.
+/// Attempt::closing where older slits are to close, share of h.
 inline constexpr double kCloseDistance = 1.0;
+/// The same where only the noise of positions that were rounded is to go.
+inline constexpr double kCloseNoise = 1e-4;
 
 /// An undirected pair of ids, the lower one first.
 using Edge = std::pair<int, int>;

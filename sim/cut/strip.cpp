@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "sim/cut/common_position.h"
 #include "sim/cut/jitter.h"
 
 namespace kerf::cut {
@@ -32,26 +33,31 @@ double bladeLength(const StepInput& in) {
     return (in.blade.b - in.blade.a).norm();
 }
 
-bool joinsPrevious(const StepInput& in, const Strip& strip, int i) {
+Vec3 seenPosition(const PredicatePositions& positions, const RungNode& node) {
+    return node.vertex >= 0 ? positions.ofMaterial(node.vertex) : node.position;
+}
+
+bool joinsPrevious(const StepInput& in, const PredicatePositions& positions, const Strip& strip,
+                   int i) {
     const RungNode& node = in.rung[i];
     if (i == 0 || node.vertex < 0 || in.rung[i - 1].vertex < 0 ||
         sizeOf(strip.nodes.back().vertices) >= kMostVerticesOfNode) {
         return false;
     }
-    const double distance = (node.position - strip.nodes.back().position).norm();
+    const double distance = (seenPosition(positions, node) - strip.nodes.back().position).norm();
     if (in.rung[i - 1].attached) {
         return distance < in.attempt.tolerance * in.h;
     }
     return distance < in.attempt.gap * in.h ||
-           (in.attempt.closed && areMates(in.mesh, node.vertex, in.rung[i - 1].vertex) &&
-            distance < kCloseDistance * in.h);
+           (areMates(in.mesh, node.vertex, in.rung[i - 1].vertex) &&
+            distance < in.attempt.closing * in.h);
 }
 
-void joinPrevious(const StepInput& in, Strip& strip, int i) {
+void joinPrevious(const StepInput& in, const PredicatePositions& positions, Strip& strip, int i) {
     StripNode& last = strip.nodes.back();
     const double count = sizeOf(last.vertices);
-    if (!in.attempt.closed) {
-        last.position = (last.position * count + in.rung[i].position) / (count + 1);
+    if (in.attempt.closing < kCloseDistance) {
+        last.position = (last.position * count + seenPosition(positions, in.rung[i])) / (count + 1);
     }
     last.attachedWithin.back() = in.rung[i - 1].attached;
     last.vertices.push_back(in.rung[i].vertex);
@@ -61,7 +67,7 @@ void joinPrevious(const StepInput& in, Strip& strip, int i) {
 
 StripNode oldNode(const StepInput& in, const PredicatePositions& positions, const RungNode& from) {
     StripNode node;
-    node.position = from.vertex >= 0 ? positions.ofMaterial(from.vertex) : from.position;
+    node.position = seenPosition(positions, from);
     node.s = from.s;
     node.layout = {from.s * bladeLength(in), 0};
     node.attached = from.attached;
@@ -74,8 +80,8 @@ StripNode oldNode(const StepInput& in, const PredicatePositions& positions, cons
 
 void placeOldRung(const StepInput& in, const PredicatePositions& positions, Strip& strip) {
     for (int i = 0; i < sizeOf(in.rung); ++i) {
-        if (joinsPrevious(in, strip, i)) {
-            joinPrevious(in, strip, i);
+        if (joinsPrevious(in, positions, strip, i)) {
+            joinPrevious(in, positions, strip, i);
         } else {
             strip.nodes.push_back(oldNode(in, positions, in.rung[i]));
         }
@@ -301,8 +307,7 @@ void connectEdges(const StepInput& in, Strip& strip) {
 PredicatePositions::PredicatePositions(const StepInput& in)
     : mesh_(in.mesh),
       opening_(!in.opening.empty() ? &in.opening : nullptr),
-      closed_(in.attempt.closed),
-      closeDistance_(kCloseDistance * in.h) {}
+      closeDistance_(in.attempt.closing * in.h) {}
 
 Vec3 PredicatePositions::at(int v) const {
     if (!pins_.empty()) {
@@ -315,27 +320,8 @@ Vec3 PredicatePositions::at(int v) const {
 }
 
 Vec3 PredicatePositions::ofMaterial(int v) const {
-    return opening_ == nullptr ? closedPosition(v)
-                               : Vec3(closedPosition(v) + opening_->displacement(v));
-}
-
-Vec3 PredicatePositions::closedPosition(int v) const {
-    const int group = mesh_.mateGroup(v);
-    if (!closed_ || group < 0) {
-        return mesh_.position(v);
-    }
-    const std::vector<int>& mates = mesh_.matesOfGroup(group);
-    Vec3 mean = Vec3::Zero();
-    for (const int mate : mates) {
-        mean += mesh_.position(mate);
-    }
-    mean /= static_cast<double>(mates.size());
-    for (const int mate : mates) {
-        if ((mesh_.position(mate) - mean).norm() > closeDistance_) {
-            return mesh_.position(v);
-        }
-    }
-    return mean;
+    const Vec3 position = commonPosition(mesh_, v, closeDistance_);
+    return opening_ == nullptr ? position : Vec3(position + opening_->displacement(v));
 }
 
 bool StripNode::isCluster() const {

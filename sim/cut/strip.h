@@ -22,11 +22,8 @@ class PredicatePositions {
     void pin(int v, const Vec3& p) { pins_[v] = p; }
 
   private:
-    Vec3 closedPosition(int v) const;
-
     const SurfaceMesh& mesh_;
     const SlitOpening* opening_;  ///< null where there is none to see
-    bool closed_;
     double closeDistance_;
     std::map<int, Vec3> pins_;
 };

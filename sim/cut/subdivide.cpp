@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/cut/common_position.h"
 #include "sim/cut/triangulation.h"
 
 namespace kerf::cut {
@@ -96,7 +97,8 @@ CanonicalTriangle canonicalTriangle(const SurfaceMesh& mesh, int m) {
 
 class TriangleSubdivision {
   public:
-    TriangleSubdivision(const SurfaceMesh& mesh, const CutCurves& curves, int m)
+    TriangleSubdivision(const SurfaceMesh& mesh, const CutCurves& curves, int m,
+                        double closeDistance)
         : mesh_(mesh),
           curves_(curves),
           m_(m),
@@ -104,8 +106,8 @@ class TriangleSubdivision {
           corners_(canonical_.corners),
           plane_({0, 0}, {1, 0}, {0, 1}),
           ids_(corners_.begin(), corners_.end()) {
-        plane_.setMetric(triangleMetric(mesh.position(corners_[0]), mesh.position(corners_[1]),
-                                        mesh.position(corners_[2])));
+        const auto at = [&](int i) { return commonPosition(mesh, corners_[i], closeDistance); };
+        plane_.setMetric(triangleMetric(at(0), at(1), at(2)));
         for (int i = 0; i < 3; ++i) {
             vertexOf_[corners_[i]] = i;
         }
@@ -232,11 +234,11 @@ int cornerId(const SurfaceMesh& mesh, const CutCurves& curves, int node) {
                                                        : mesh.vertexCount() + node;
 }
 
-Subdivision subdivide(const SurfaceMesh& mesh, const CutCurves& curves) {
+Subdivision subdivide(const SurfaceMesh& mesh, const CutCurves& curves, double closeDistance) {
     requireComplete(mesh, curves);
     Subdivision result;
     for (const auto& [m, segments] : curves.segmentsOfTriangle) {
-        TriangleSubdivision triangle(mesh, curves, m);
+        TriangleSubdivision triangle(mesh, curves, m, closeDistance);
         triangle.run(segments);
         triangle.emit(result);
     }

@@ -29,7 +29,8 @@ struct Subdivision {
 
 /// Divides every surface triangle that the strip meets along its curve segments. The four
 /// patterns of the paper come out as special cases of one constrained Delaunay triangulation in
-/// barycentric coordinates. Throws StepFailure.
-Subdivision subdivide(const SurfaceMesh& mesh, const CutCurves& curves);
+/// barycentric coordinates. Lengths are those of corners at their common positions within
+/// `closeDistance` [m], so that both walls of a slit divide alike. Throws StepFailure.
+Subdivision subdivide(const SurfaceMesh& mesh, const CutCurves& curves, double closeDistance);
 
 }  // namespace kerf::cut

@@ -20,6 +20,12 @@ namespace {
 // Of positions that are rounded, share of h.
 constexpr double kNoise = 1e-6;
 
+// A piece reaches to both sides of a stroke if it has vertices farther away from it, share of h: as
+// far as a step that cuts anew from behind the front may lie aside.
+constexpr double kOtherSide = 0.3;
+// The clean-up moves vertices of the skin, and the rim with them, this far, share of h.
+constexpr double kCleanupReach = 0.03;
+
 class Dice {
   public:
     explicit Dice(std::uint64_t seed) : engine_(seed) {}
@@ -311,32 +317,69 @@ void addCleanup(const CleanupStatistics& from, CleanupStatistics& to) {
     to.volumeSpent = std::max(to.volumeSpent, from.volumeSpent);
 }
 
+/// Of living triangles.
+Bounds restBounds(const SurfaceMesh& mesh, bool wallsAlone) {
+    Bounds bounds;
+    for (const int t : livingTriangles(mesh)) {
+        for (const int v : mesh.triangle(t)) {
+            if (!wallsAlone || mesh.kind(t) == SurfaceKind::wall) {
+                bounds.add(mesh.restPosition(v));
+            }
+        }
+    }
+    return bounds;
+}
+
+bool reachesOut(const Bounds& inner, const Bounds& box) {
+    return (inner.low.array() < box.low.array()).any() ||
+           (inner.high.array() > box.high.array()).any();
+}
+
 /// Only where the body stays where it is: a deformation may push it through itself.
 bool intersectsOpened(const SurfaceMesh& mesh, double h) {
     constexpr double kOpening = 1e-6;
     return !selfIntersections(opened(mesh, kOpening * h)).empty();
 }
 
-void count(const CutCheck& check, bool unseparated, bool intersecting, const std::string& name,
+/// What is wrong with the mesh after a stroke.
+struct Defects {
+    bool unseparated = false;
+    bool slitEnds = false;
+    bool intersecting = false;
+    bool outside = false;
+    bool any() const { return unseparated || slitEnds || intersecting || outside; }
+};
+
+std::string noteOn(const CutCheck& check, const Defects& defects) {
+    std::string note = check.problem + check.unmirrored + " " + std::to_string(check.refused) +
+                       " refused, " + std::to_string(check.resumed) + " resumed of " +
+                       std::to_string(check.cuts + check.refused) + " ";
+    note += defects.unseparated ? ", not separated" : "";
+    note += defects.slitEnds ? ", leaves the end of a slit" : "";
+    note += defects.intersecting ? ", intersects when opened" : "";
+    note += defects.outside ? ", a wall lies outside" : "";
+    return note + " " + check.reason;
+}
+
+void count(const CutCheck& check, const Defects& defects, const std::string& name,
            FuzzFigures& figures) {
     ++figures.strokes;
     figures.cuts += check.cuts;
     figures.refused += check.refused;
     figures.retried += check.retried;
-    figures.unseparated += unseparated;
-    figures.intersecting += intersecting;
+    figures.resumed += check.resumed;
+    figures.unseparated += defects.unseparated;
+    figures.slitEnds += defects.slitEnds;
+    figures.intersecting += defects.intersecting;
+    figures.outside += defects.outside;
     figures.unmirrored += !check.unmirrored.empty();
     figures.invalid += !check.problem.empty();
     figures.quality.add(check.quality);
     figures.mostVolumeChange = std::max(figures.mostVolumeChange, check.volumeChange);
     addCleanup(check.cleanup, figures.cleanup);
-    if (!check.problem.empty() || !check.unmirrored.empty() || unseparated || intersecting ||
-        check.refused > 0) {
-        figures.notes.push_back(name + ": " + check.problem + check.unmirrored + " " +
-                                std::to_string(check.refused) + " refused of " +
-                                std::to_string(check.cuts + check.refused) +
-                                (unseparated ? ", not separated " : " ") +
-                                (intersecting ? "intersects when opened " : "") + check.reason);
+    if (!check.problem.empty() || !check.unmirrored.empty() || check.refused + check.resumed > 0 ||
+        defects.any()) {
+        figures.notes.push_back(name + ": " + noteOn(check, defects));
     }
 }
 
@@ -345,7 +388,10 @@ void add(const FuzzFigures& from, FuzzFigures& to) {
     to.cuts += from.cuts;
     to.refused += from.refused;
     to.retried += from.retried;
+    to.resumed += from.resumed;
     to.unseparated += from.unseparated;
+    to.slitEnds += from.slitEnds;
+    to.outside += from.outside;
     to.unmirrored += from.unmirrored;
     to.intersecting += from.intersecting;
     to.invalid += from.invalid;
@@ -361,10 +407,14 @@ void writeSlivers(std::ostringstream& out, const char* of, const SliverCount& co
 }
 
 void writeRow(std::ostringstream& out, const std::string& name, const FuzzFigures& f) {
+    if (f.strokes == 0) {
+        return;
+    }
     out.width(18);
     out << std::left << name << " strokes " << f.strokes << ", cutting steps " << f.cuts
-        << ", refused " << f.refused << ", retried " << f.retried << ", unseparated "
-        << f.unseparated << ", unmirrored " << f.unmirrored << ", intersecting " << f.intersecting
+        << ", refused " << f.refused << ", retried " << f.retried << ", resumed " << f.resumed
+        << ", unseparated " << f.unseparated << ", slit ends " << f.slitEnds << ", outside "
+        << f.outside << ", unmirrored " << f.unmirrored << ", intersecting " << f.intersecting
         << ", invalid " << f.invalid;
     writeSlivers(out, "skin", f.quality.skin);
     writeSlivers(out, "walls", f.quality.walls);
@@ -444,6 +494,8 @@ void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
     const int strokes = strokesOf(dice, mode);
     const Course shared = randomCourse(dice, mesh, h);
     const bool canOpen = mode != FuzzMode::deform && !rounded;
+    Bounds restBox = restBounds(mesh, false);
+    restBox.widen(kCleanupReach * h);
     bool intersected = false;
     for (int i = 0; i < strokes; ++i) {
         const Stroke stroke = mode == FuzzMode::concurrent ? concurrentStroke(shared, i)
@@ -452,12 +504,16 @@ void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
         const CutCheck check =
             runStroke(cutter, mesh, stroke,
                       disturbance(mode, rounded, meshBounds(mesh).diagonal(), h, phase, seed + i));
-        const bool unseparated = goesThrough(mode) && slitEdges(mesh, i) > 0;
+        Defects defects;
+        defects.slitEnds = goesThrough(mode) && slitEdges(mesh, i) > 0;
+        defects.unseparated =
+            defects.slitEnds && piecesOnBothSides(mesh, stroke, kOtherSide * h) > 0;
+        defects.outside = reachesOut(restBounds(mesh, true), restBox);
         const bool intersects = canOpen && intersectsOpened(mesh, h);
-        const bool newly = intersects && !std::exchange(intersected, intersects);
+        defects.intersecting = intersects && !std::exchange(intersected, intersects);
         const std::string name = "seed " + std::to_string(seed) + " " + body + " " + nameOf(mode) +
                                  " stroke " + std::to_string(i);
-        count(check, unseparated, newly, name,
+        count(check, defects, name,
               (rounded ? report.rounded : report.exact)[static_cast<int>(mode)]);
         if (!check.problem.empty()) {
             return;

@@ -40,12 +40,15 @@ struct FuzzFigures {
     int cuts = 0;
     int refused = 0;
     int retried = 0;
-    int unseparated = 0;  ///< strokes right through that left the end of a slit inside the body
+    int resumed = 0;      ///< steps that let go of the front and cut anew from behind it
+    int unseparated = 0;  ///< strokes right through after which a piece lies on both sides
+    int slitEnds = 0;     ///< strokes right through that left the end of a slit inside the body
     int unmirrored = 0;   ///< strokes after which some wall triangle has no mirror
     /// Strokes after which the mesh passes through itself where all slits are opened by 1e-6 h, and
     /// did not before.
     int intersecting = 0;
-    int invalid = 0;              ///< strokes in which an invariant broke
+    int outside = 0;  ///< strokes that left a wall vertex outside the box of the skin, at rest
+    int invalid = 0;  ///< strokes in which an invariant broke
     StrokeQuality quality;        ///< of the new triangles after each stroke
     double mostVolumeChange = 0;  ///< of a stroke, relative
     CleanupStatistics cleanup;

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <iostream>
 #include <map>
 #include <set>
+
+#include "sim/mesh/closest_point.h"
 
 namespace kerf::test {
 
@@ -105,6 +109,7 @@ void countStep(const CutResult& result, CutCheck& check) {
     ++check.steps;
     check.cuts += result.outcome == CutOutcome::cut;
     check.refused += result.outcome == CutOutcome::refused;
+    check.resumed += result.statistics.resumed;
     check.retried += result.outcome == CutOutcome::cut && result.statistics.tries > 1;
     check.tries += result.statistics.tries;
     check.cleanup.collapses += result.statistics.cleanup.collapses;
@@ -114,6 +119,19 @@ void countStep(const CutResult& result, CutCheck& check) {
         std::max(check.cleanup.volumeSpent, result.statistics.cleanup.volumeSpent);
     if (result.outcome == CutOutcome::refused) {
         check.reason = result.reason;
+    }
+}
+
+// KERF_FUZZ_TRACE=1 tells what each step did.
+void trace(const CutResult& result, int step, const SurfaceMesh& mesh) {
+    static const bool wanted = std::getenv("KERF_FUZZ_TRACE") != nullptr;
+    if (wanted && (result.outcome == CutOutcome::cut || result.outcome == CutOutcome::refused)) {
+        std::cerr << "  step " << step << (result.outcome == CutOutcome::cut ? " cut" : " refused")
+                  << ", tries " << result.statistics.tries << ", touched "
+                  << result.statistics.touchedTriangles << ", triangles "
+                  << livingTriangles(mesh).size() << ", volume change "
+                  << result.statistics.volumeChange
+                  << (result.statistics.resumed > 0 ? ", resumed " : " ") << result.reason << "\n";
     }
 }
 
@@ -142,6 +160,25 @@ double volumeAbove(std::array<Vec3, 3> p, const Vec3& normal) {
         volume += tetrahedron(polygon[0], polygon[i], polygon[i + 1]);
     }
     return volume;
+}
+
+/// To the part of the sweep that is nearest, positive on the side of along x travel.
+double signedDistance(const Stroke& stroke, const Vec3& p) {
+    double least = 1e300;
+    double side = 0;
+    const auto measure = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Vec3 w = closestWeights(p, a, b, c);
+        const double distance = (w[0] * a + w[1] * b + w[2] * c - p).norm();
+        if (distance < least) {
+            least = distance;
+            side = (b - a).cross(c - a).dot(p - a) > 0 ? distance : -distance;
+        }
+    };
+    for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
+        measure(stroke[i].a, stroke[i].b, stroke[i + 1].b);
+        measure(stroke[i].a, stroke[i + 1].b, stroke[i + 1].a);
+    }
+    return side;
 }
 
 double heightOverLongestEdge(const SurfaceMesh& mesh, int t) {
@@ -225,6 +262,7 @@ CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
         const CutResult result = i < stroke.size() ? cutter.advance(stroke[i]) : cutter.finish();
         const double spentBefore = check.cleanup.volumeSpent;
         countStep(result, check);
+        trace(result, static_cast<int>(i), mesh);
         check.problem =
             checkStep(mesh, cutter, result, before, check.cleanup.volumeSpent - spentBefore);
         check.volumeChange += std::max(relativeChange(meshVolume(mesh), before.volume),
@@ -314,6 +352,19 @@ std::vector<int> slitHalfEdges(const SurfaceMesh& mesh, int stroke) {
 
 int slitEdges(const SurfaceMesh& mesh, int stroke) {
     return static_cast<int>(slitHalfEdges(mesh, stroke).size());
+}
+
+int piecesOnBothSides(const SurfaceMesh& mesh, const Stroke& stroke, double distance) {
+    const PieceMap map = findPieces(mesh);
+    std::vector<std::array<bool, 2>> sides(map.pieces.size(), {false, false});
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const double side = map.ofVertex[v] < 0 ? 0 : signedDistance(stroke, mesh.position(v));
+        if (std::fabs(side) > distance) {
+            sides[map.ofVertex[v]][side > 0 ? 1 : 0] = true;
+        }
+    }
+    return static_cast<int>(
+        std::ranges::count_if(sides, [](const auto& s) { return s[0] && s[1]; }));
 }
 
 std::vector<int> strayedHalfEdges(const SurfaceMesh& mesh, const std::vector<RungNode>& rung) {

@@ -47,6 +47,7 @@ struct CutCheck {
     int cuts = 0;
     int refused = 0;
     int retried = 0;
+    int resumed = 0;
     int tries = 0;
     CleanupStatistics cleanup;  ///< of the whole stroke
     double volumeChange = 0;    ///< by steps and clean-up of the stroke, relative, the larger of
@@ -78,6 +79,9 @@ std::string checkFront(const SurfaceMesh& mesh, const std::vector<RungNode>& run
 /// Half-edges between the two walls of one stroke, on W+: the ends of slits inside the body.
 std::vector<int> slitHalfEdges(const SurfaceMesh& mesh, int stroke);
 int slitEdges(const SurfaceMesh& mesh, int stroke);
+/// Pieces with vertices farther than `distance` [m] from what the blade swept on both of its sides:
+/// a stroke right through leaves none.
+int piecesOnBothSides(const SurfaceMesh& mesh, const Stroke& stroke, double distance);
 /// Ends of slits of all strokes that lie apart from the front of `rung`.
 std::vector<int> strayedHalfEdges(const SurfaceMesh& mesh, const std::vector<RungNode>& rung);
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/blade.h"
+#include "sim/cut/cutter.h"
+
+namespace kerf::cut {
+
+/// A sweep that takes the place of one that was refused: it starts in the material behind the
+/// front, on one side of the walls there, and ends on the other, so that the new walls cross the
+/// old ones. It has nothing in common with the old front, which stays as the end of a slit.
+struct Resumption {
+    std::vector<RungNode> rung;  ///< without vertices
+    Blade blade;                 ///< moved aside by a share of h
+};
+
+/// Ways to go on from `rung` to `blade`, the least visible first. `h`: edge length of walls [m].
+/// Empty where the blade hardly moves.
+std::vector<Resumption> resumptions(const std::vector<RungNode>& rung, const Blade& blade,
+                                    double h);
+
+}  // namespace kerf::cut
