@@ -6,14 +6,15 @@
 namespace kerf::app {
 namespace {
 
-constexpr double kForever = 1e9;  // [s]
+constexpr double kForever = 1e9;     // [s]
+constexpr double kWorkPause = 0.05;  // between two pictures while a thread works [s]
 
 }  // namespace
 
 Editor::Editor(const EditorOptions& options, std::optional<Document> document)
     : state_(std::make_unique<State>(options)) {
     if (document) {
-        state_->show(std::move(*document));
+        state_->show(UploadedDocument(prepareDocument(std::move(*document))));
     }
     state_->describe();
 }
@@ -38,6 +39,7 @@ void Editor::frame(double elapsedSeconds) {
     s.toast.pass(elapsedSeconds);
     s.takeInput(elapsedSeconds);
     s.sceneChanged |= s.cameraFlight.advance(s.camera, elapsedSeconds);
+    s.followLoading();
     s.advance(elapsedSeconds);
     s.draw();
     if (s.screenshotWanted) {
@@ -51,7 +53,14 @@ double Editor::idleSeconds() const {
         s.cameraFlight.flying()) {
         return 0;
     }
+    if (s.loading != nullptr) {
+        return s.loading->preparing() ? kWorkPause : 0;
+    }
     return s.toast.visible() ? s.toast.steadySeconds() : kForever;
+}
+
+bool Editor::working() const {
+    return state_->loading != nullptr;
 }
 
 bool Editor::closing() const {

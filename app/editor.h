@@ -47,6 +47,8 @@ class Editor {
     /// How long nothing will change without input [s]; 0 while something moves.
     double idleSeconds() const;
 
+    /// Whether a file is on its way in; what is open goes on meanwhile.
+    bool working() const;
     /// Whether the person asked to leave.
     bool closing() const;
 
@@ -61,7 +63,8 @@ class Editor {
     /// Where the named items of the panels are.
     const ui::ItemPlaces& places() const;
 
-    /// Opens a model or a session; what cannot be opened is said in the view and changes nothing.
+    /// Begins to open a model or a session, which takes some frames. What cannot be opened is said
+    /// in the view and changes nothing.
     void open(const std::filesystem::path& file);
 
   private:

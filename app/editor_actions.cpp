@@ -25,6 +25,8 @@ void Editor::State::apply(const ui::Action& action) {
         execute(*moved);
     } else if (const auto* removed = std::get_if<RemoveBox>(&action)) {
         execute(*removed);
+    } else if (std::holds_alternative<ui::CancelWork>(action)) {
+        cancelLoading();
     } else {
         execute(std::get<SetParam>(action));
     }
@@ -191,6 +193,8 @@ void Editor::State::performOnScene(ui::ActionId id) {
 void Editor::State::cancel() {
     if (helpOpen) {
         helpOpen = false;
+    } else if (loading != nullptr && !handIsBusy()) {
+        cancelLoading();
     } else if (scene != nullptr) {
         hand.cancel(*scene);
         bodyHand.cancel(*scene);

@@ -72,6 +72,7 @@ void Editor::State::describe() {
         bodyHand.addTo(model.overlay, viewFrame(), inView, hand.settings(), *scene);
         model.pinned = scene->simulation().pinnedVertices().size();
     }
+    model.work = workState();
     toast.describe(model);
 }
 

@@ -38,9 +38,9 @@ Document finish(std::string name, Session session, SurfaceMesh mesh, std::string
     return {std::move(name), std::move(session), std::move(mesh), bounds, camera, std::move(note)};
 }
 
-Document openModel(const std::filesystem::path& file) {
+Document openModel(const std::filesystem::path& file, WorkProgress* progress) {
     MeshReport report;
-    SurfaceMesh mesh = loadModel(file, &report);
+    SurfaceMesh mesh = loadModel(file, &report, progress);
     Session session;
     session.model.path = std::filesystem::absolute(file);
     session.placement = fitPlacement(meshBounds(mesh), kModelDiagonal);
@@ -49,21 +49,21 @@ Document openModel(const std::filesystem::path& file) {
     return finish(shortName(file), std::move(session), std::move(mesh), std::move(note));
 }
 
-Document openSession(const std::filesystem::path& file) {
+Document openSession(const std::filesystem::path& file, WorkProgress* progress) {
     Session session = readSession(file);
-    SurfaceMesh mesh = loadSessionModel(session);
+    SurfaceMesh mesh = loadSessionModel(session, progress);
     std::string note = joined(session.warnings, "; ");
     return finish(shortName(file), std::move(session), std::move(mesh), std::move(note));
 }
 
 }  // namespace
 
-Document openDocument(const std::filesystem::path& file) {
-    return isSession(file) ? openSession(file) : openModel(file);
+Document openDocument(const std::filesystem::path& file, WorkProgress* progress) {
+    return isSession(file) ? openSession(file, progress) : openModel(file, progress);
 }
 
 Document openDefaultDocument() {
-    return openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"));
+    return openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"), nullptr);
 }
 
 Placement fitPlacement(const Bounds& bounds, double diagonal) {

@@ -23,8 +23,9 @@ struct Document {
 /// little above the floor.
 inline constexpr double kModelDiagonal = 1.5;
 
-/// Opens a model or a session (*.kerf.json). Throws InputError.
-Document openDocument(const std::filesystem::path& file);
+/// Opens a model or a session (*.kerf.json). Throws InputError, and WorkCancelled where `progress`
+/// was cancelled.
+Document openDocument(const std::filesystem::path& file, WorkProgress* progress = nullptr);
 
 /// What the editor opens without a file: assets/sessions/drop-in.kerf.json. Throws InputError.
 Document openDefaultDocument();

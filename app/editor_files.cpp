@@ -8,6 +8,8 @@
 namespace kerf::app {
 namespace {
 
+constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over sooner
+
 /// NAME-YYYYMMDD-HHMMSS with an ending, numbered where that is taken.
 std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
                                const std::string& ending) {
@@ -41,21 +43,50 @@ void Editor::State::saveSession() {
 }
 
 void Editor::State::open(const std::filesystem::path& file) {
+    cancelLoading();
+    loading = std::make_unique<DocumentLoading>(file);
+}
+
+/// The scene stays as it is until the new one stands and the hand is free.
+void Editor::State::followLoading() {
+    std::erase_if(cancelledLoadings, [](const auto& cancelled) { return cancelled->ended(); });
+    if (loading == nullptr) {
+        return;
+    }
     try {
-        show(openDocument(file));
+        loading->advance();
+        if (loading->ready() && !handIsBusy()) {
+            show(loading->take());
+            loading.reset();
+        }
     } catch (const std::exception& error) {
-        // The scene is as it was: the new one is only taken once it stands.
         spdlog::error("{}", error.what());
         toast.show(error.what(), true);
+        loading.reset();
+    }
+    settlePasses = kSettlePasses;
+}
+
+void Editor::State::cancelLoading() {
+    if (loading != nullptr) {
+        loading->cancel();
+        cancelledLoadings.push_back(std::move(loading));
     }
 }
 
-void Editor::State::show(Document document) {
-    const std::string note = document.note;
-    scene = std::make_unique<EditorScene>(std::move(document));
+ui::WorkState Editor::State::workState() const {
+    if (loading == nullptr || loading->seconds() < kQuietSeconds) {
+        return {};
+    }
+    return {"Opening " + loading->file().filename().string(), loading->stage(), loading->seconds()};
+}
+
+void Editor::State::show(UploadedDocument uploaded) {
+    const std::string note = uploaded.document.note;
+    renderer.setRestDepth(uploaded.depth);
+    scene = std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     landCamera();
     camera = scene->document().camera;
-    renderer.setRestShape(scene->document().mesh);
     hand.fitTo(scene->bounds());
     bodyHand = {};
     cameraControl.releaseAll();

@@ -12,6 +12,14 @@ namespace {
 
 constexpr double kLongestWait = 1;  // between two looks at what the system wants [s]
 
+/// So large a model is opened in the window, where its progress is seen.
+bool isLarge(const std::filesystem::path& file) {
+    constexpr std::uintmax_t kLarge = 8'000'000;  // [bytes]
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    return !error && size > kLarge;
+}
+
 /// The document of the command line, or the default one; without that the editor opens empty.
 std::optional<Document> firstDocument(const std::optional<std::filesystem::path>& file) {
     if (file) {
@@ -52,9 +60,13 @@ void runLoop(Window& window, Editor& editor) {
     }
 }
 
-void openWindow(std::optional<Document> document) {
+void openWindow(std::optional<Document> document,
+                const std::optional<std::filesystem::path>& stillToOpen) {
     Window window("Kerf");
     Editor editor(optionsFor(window), std::move(document));
+    if (stillToOpen) {
+        editor.open(*stillToOpen);
+    }
     window.onInput([&editor](ui::InputEvent event) { editor.post(std::move(event)); });
     runLoop(window, editor);
     window.onInput(nullptr);
@@ -63,8 +75,12 @@ void openWindow(std::optional<Document> document) {
 }  // namespace
 
 int runEditor(const std::optional<std::filesystem::path>& file) {
+    if (file && isLarge(*file)) {
+        openWindow(std::nullopt, file);
+        return 0;
+    }
     // The file first: a wrong one is told without a window flashing up.
-    openWindow(firstDocument(file));
+    openWindow(firstDocument(file), std::nullopt);
     return 0;
 }
 

@@ -35,9 +35,9 @@ bool takesBodyElsewhere(const Command& command) {
 
 }  // namespace
 
-EditorScene::EditorScene(Document document)
+EditorScene::EditorScene(Document document, BodyUpload body)
     : document_(std::move(document)),
-      simulation_(document_.mesh, document_.session.params, document_.session.boxes) {
+      simulation_(std::move(body), document_.session.params, document_.session.boxes) {
     simulation_.setUndoBudget(kUndoBudget);
     startAnew();
 }

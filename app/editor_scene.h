@@ -21,8 +21,8 @@ namespace kerf::app {
 /// cut opens under the pointer; once the blade is lifted, time stands still again.
 class EditorScene {
   public:
-    /// Throws gpu::ShaderError, gpu::OutOfMemory.
-    explicit EditorScene(Document document);
+    /// `body` is that of the document. Throws gpu::OutOfMemory.
+    EditorScene(Document document, BodyUpload body);
     EditorScene(const EditorScene&) = delete;  // the playback points into the document
     EditorScene& operator=(const EditorScene&) = delete;
 

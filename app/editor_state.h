@@ -9,6 +9,7 @@
 #include "app/blade_hand.h"
 #include "app/body_hand.h"
 #include "app/camera_flight.h"
+#include "app/document_loading.h"
 #include "app/editor.h"
 #include "app/editor_camera.h"
 #include "app/editor_scene.h"
@@ -45,6 +46,8 @@ struct Editor::State {
     ui::PanelModel model;
     ui::History noHistory;
     EditorToast toast;
+    std::unique_ptr<DocumentLoading> loading;
+    std::vector<std::unique_ptr<DocumentLoading>> cancelledLoadings;  ///< until their threads end
     BladeHand hand;
     BodyHand bodyHand;
     bool sceneChanged = true;
@@ -91,7 +94,12 @@ struct Editor::State {
 
     // Files: editor_files.cpp.
     void open(const std::filesystem::path& file);
-    void show(Document document);
+    void followLoading();
+    /// A stroke or a pull is under way.
+    bool handIsBusy() const { return hand.holds() || bodyHand.holds(); }
+    void cancelLoading();
+    void show(UploadedDocument uploaded);
+    ui::WorkState workState() const;
     void saveSession();
     void saveScreenshot();
 

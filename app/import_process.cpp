@@ -28,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr char kCpuVariable[] = "KERF_IMPORT_CPU_SECONDS";
 constexpr char kMemoryVariable[] = "KERF_IMPORT_ADDRESS_SPACE";
 constexpr std::size_t kMaxLog = 64 * 1024;
+constexpr std::chrono::milliseconds kCancelPoll{50};
 
 bool thisProgramReads = false;  // see readModelsWithThisProgram
 
@@ -125,19 +126,25 @@ void drain(Descriptor& from, std::string& bytes, std::size_t limit) {
     }
 }
 
-/// Collects both streams until they end. False where the deadline passes or the answer grows past
-/// its limit.
-bool collect(Pipe& answer, Pipe& log, Clock::time_point deadline, ImportOutcome& outcome) {
+bool isCancelled(const WorkProgress* progress) {
+    return progress != nullptr && progress->cancelled();
+}
+
+/// Collects both streams until they end. False where the deadline passes, the answer grows past
+/// its limit, or nobody wants it any more.
+bool collect(Pipe& answer, Pipe& log, Clock::time_point deadline, const WorkProgress* progress,
+             ImportOutcome& outcome) {
     while (answer.read.get() >= 0 || log.read.get() >= 0) {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
         outcome.tooSlow = left.count() <= 0;
         outcome.tooLong = outcome.answer.size() > kMaxImportAnswer;
-        if (outcome.tooSlow || outcome.tooLong) {
+        if (outcome.tooSlow || outcome.tooLong || isCancelled(progress)) {
             return false;
         }
         std::array<pollfd, 2> waiting{
             {{answer.read.get(), POLLIN, 0}, {log.read.get(), POLLIN, 0}}};
-        ::poll(waiting.data(), waiting.size(), static_cast<int>(left.count()));
+        const auto pause = progress != nullptr ? std::min(left, kCancelPoll) : left;
+        ::poll(waiting.data(), waiting.size(), static_cast<int>(pause.count()));
         if (waiting[0].revents != 0) {
             drain(answer.read, outcome.answer, kMaxImportAnswer + 1);
         }
@@ -189,7 +196,8 @@ std::filesystem::path importProgram() {
 }
 
 ImportOutcome runImportProcess(const std::filesystem::path& program,
-                               const std::filesystem::path& file, const ImportLimits& limits) {
+                               const std::filesystem::path& file, const ImportLimits& limits,
+                               const WorkProgress* progress) {
     const auto deadline = Clock::now() + std::chrono::seconds(limits.wallSeconds);
     Pipe answer;
     Pipe log;
@@ -197,10 +205,13 @@ ImportOutcome runImportProcess(const std::filesystem::path& program,
     answer.write.close();
     log.write.close();
     ImportOutcome outcome;
-    if (!collect(answer, log, deadline, outcome)) {
+    if (!collect(answer, log, deadline, progress, outcome)) {
         ::kill(child, SIGKILL);
     }
     waitFor(child, outcome);
+    if (isCancelled(progress)) {
+        throw WorkCancelled();
+    }
     return outcome;
 }
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "app/work_progress.h"
+
 namespace kerf::app {
 
 /// What a reader process may use. The defaults leave a real model of the largest size room.
@@ -30,9 +32,11 @@ void readModelsWithThisProgram();
 std::filesystem::path importProgram();
 
 /// Runs `program import-worker file` and collects what it says. The child inherits no open files,
-/// and is killed when the wall time is over. Throws InputError where it can't be started.
+/// and is killed when the wall time is over. Throws InputError where it can't be started, and
+/// WorkCancelled soon after `progress` was cancelled; the child is gone then.
 ImportOutcome runImportProcess(const std::filesystem::path& program,
-                               const std::filesystem::path& file, const ImportLimits& limits);
+                               const std::filesystem::path& file, const ImportLimits& limits,
+                               const WorkProgress* progress = nullptr);
 
 /// Takes the limits that the parent passed on to this process: CPU time, address space, no core
 /// file. Called first by the child.

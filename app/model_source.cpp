@@ -105,14 +105,18 @@ void checkOutcome(const ImportOutcome& outcome, const std::string& format,
     }
 }
 
-TriangleSoup readThroughProcess(const fs::path& file, const ImportLimits& limits) {
+TriangleSoup readThroughProcess(const fs::path& file, const ImportLimits& limits,
+                                WorkProgress* progress) {
+    enter(progress, "Reading the file");
     checkFile(file);
     const Format& format = formatOf(file);
-    const ImportOutcome outcome = runImportProcess(importProgram(), fs::absolute(file), limits);
+    const ImportOutcome outcome =
+        runImportProcess(importProgram(), fs::absolute(file), limits, progress);
     if (!outcome.log.empty()) {
         spdlog::debug("{}: {}", file.string(), outcome.log);
     }
     checkOutcome(outcome, format.name, limits);
+    enter(progress, "Joining equal vertices");
     TriangleSoup soup = weldExactly(decodeImport(outcome.answer));
     checkImportedPositions(soup);
     return soup;
@@ -134,20 +138,21 @@ fs::path builtinModelFile(const std::string& name) {
     return gpu::dataPath("assets/models/" + name + ".obj");
 }
 
-TriangleSoup importModel(const fs::path& file, const ImportLimits& limits) {
+TriangleSoup importModel(const fs::path& file, const ImportLimits& limits, WorkProgress* progress) {
     try {
-        return readThroughProcess(file, limits);
+        return readThroughProcess(file, limits, progress);
     } catch (const InputError& error) {
         throw InputError(file.string() + ": " + error.what());
     }
 }
 
-TriangleSoup importModel(const fs::path& file) {
-    return importModel(file, ImportLimits{});
+TriangleSoup importModel(const fs::path& file, WorkProgress* progress) {
+    return importModel(file, ImportLimits{}, progress);
 }
 
-SurfaceMesh loadModel(const fs::path& file, MeshReport* report) {
-    TriangleSoup soup = importModel(file);
+SurfaceMesh loadModel(const fs::path& file, MeshReport* report, WorkProgress* progress) {
+    TriangleSoup soup = importModel(file, progress);
+    enter(progress, "Looking for faults");
     MeshReport found = inspectTriangles(soup);
     if (found.insideOutPieces > 0) {
         const int turned = turnOutward(soup);
@@ -161,6 +166,7 @@ SurfaceMesh loadModel(const fs::path& file, MeshReport* report) {
     if (!found.cuttable) {
         throw InputError(file.string() + ": " + found.problem);
     }
+    enter(progress, "Building the surface");
     return SurfaceMesh::fromTriangles(std::move(soup.positions), std::move(soup.triangles));
 }
 

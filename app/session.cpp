@@ -64,10 +64,10 @@ std::string ModelReference::name() const {
     return builtin.empty() ? path.stem().string() : builtin;
 }
 
-SurfaceMesh loadSessionModel(const Session& session) {
+SurfaceMesh loadSessionModel(const Session& session, WorkProgress* progress) {
     const std::filesystem::path file = session.model.file();
     requireDigest(file, session.model.sha256);
-    SurfaceMesh mesh = loadModel(file);
+    SurfaceMesh mesh = loadModel(file, nullptr, progress);
     place(mesh, session.placement);
     requireRoomInFloats(meshBounds(mesh));
     return mesh;

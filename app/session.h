@@ -109,7 +109,7 @@ std::string formatSession(const Session& session, const std::filesystem::path& b
 
 /// The model of a session, placed in the world. Throws InputError, also where its sha256 differs
 /// or where it would be too small or too far from the origin for floats.
-SurfaceMesh loadSessionModel(const Session& session);
+SurfaceMesh loadSessionModel(const Session& session, WorkProgress* progress = nullptr);
 
 /// The session's view, or the default one: from the front right above, `bounds` in the middle and
 /// room around it for what falls.

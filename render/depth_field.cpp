@@ -180,6 +180,11 @@ DepthField measureDepth(const SurfaceMesh& mesh, int resolution) {
     return Measurement(mesh, resolution).run();
 }
 
+DepthField measureSkinDepth(const SurfaceMesh& mesh) {
+    constexpr int kResolution = 56;
+    return mesh.aliveTriangles() > 0 ? measureDepth(mesh, kResolution) : DepthField{};
+}
+
 DepthTexture::DepthTexture(const DepthField& field) {
     const auto [nx, ny, nz] = field.size;
     glCreateTextures(GL_TEXTURE_3D, 1, &id_);

@@ -25,6 +25,10 @@ struct DepthField {
 /// parity along x. `resolution` samples on the longest side.
 DepthField measureDepth(const SurfaceMesh& mesh, int resolution);
 
+/// As fine as the materials need it; empty for an empty mesh. Takes long for large models, and may
+/// run on any thread.
+DepthField measureSkinDepth(const SurfaceMesh& mesh);
+
 /// The field as a 3D texture with linear filtering (move only).
 class DepthTexture {
   public:

@@ -129,7 +129,11 @@ Renderer::Renderer(Quality quality) : state_(std::make_unique<State>(quality)) {
 Renderer::~Renderer() = default;
 
 void Renderer::setRestShape(const SurfaceMesh& uncut) {
-    state_->surface.setRestShape(uncut);
+    setRestDepth(measureSkinDepth(uncut));
+}
+
+void Renderer::setRestDepth(const DepthField& depth) {
+    state_->surface.setDepth(depth);
 }
 
 void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int height) {

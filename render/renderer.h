@@ -7,6 +7,7 @@
 
 #include "gpu/framebuffer.h"
 #include "render/camera.h"
+#include "render/depth_field.h"
 #include "render/image.h"
 #include "render/material.h"
 #include "sim/contact/static_box.h"
@@ -45,6 +46,8 @@ class Renderer {
     /// don't change it. Without it, or with an empty mesh, depth comes from the ellipsoid in
     /// restBounds.
     void setRestShape(const SurfaceMesh& uncut);
+    /// The same with what measureSkinDepth() found.
+    void setRestDepth(const DepthField& depth);
 
     /// Draws into target(), made or remade at this size.
     void draw(const SceneView& scene, const Camera& camera, int width, int height);

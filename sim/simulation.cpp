@@ -113,16 +113,24 @@ struct Moment::Content {
 };
 
 struct Simulation::State {
-    State(SurfaceMesh uncutMesh, const Params& firstParams, std::vector<StaticBox> firstBoxes)
-        : uncut(std::move(uncutMesh)),
+    State(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver, const Params& firstParams,
+          std::vector<StaticBox> firstBoxes)
+        : uncut(*prepared.mesh),
           initialParams(firstParams),
           initialBoxes(std::move(firstBoxes)),
-          mesh(uncut) {
-        start();
+          meshOwner(std::move(prepared.mesh)),
+          body(std::move(prepared.body)),
+          solverOwner(std::move(loadedSolver)),
+          closed(prepared.closed),
+          cutter(std::move(*prepared.cutter)) {
+        startRun();
+        beginAtRest();
     }
 
     void start();
+    void startRun();
     void startBody();
+    void beginAtRest();
     const StepReport& step();
 
     // Commands that take effect at once; each returns "" or one sentence.
@@ -190,9 +198,11 @@ struct Simulation::State {
 
     // The body: constant set-up, running state on the GPU, and the mesh, which is the truth about
     // topology and lags behind in positions until syncMesh().
-    SurfaceMesh mesh;
-    std::optional<BodyUpdater> body;
-    GpuSolver solver;
+    const std::unique_ptr<SurfaceMesh> meshOwner;
+    SurfaceMesh& mesh = *meshOwner;
+    std::unique_ptr<BodyUpdater> body;
+    const std::unique_ptr<GpuSolver> solverOwner;
+    GpuSolver& solver = *solverOwner;
     VolumeTargets volumeTargets;
     std::vector<Anchor> anchors;
     Hands hands;
@@ -228,6 +238,12 @@ struct Simulation::State {
 };
 
 void Simulation::State::start() {
+    startRun();
+    startBody();
+}
+
+/// With the first parameters, at step 0.
+void Simulation::State::startRun() {
     params = initialParams;
     setBoxes(initialBoxes);
     messages.clear();
@@ -236,23 +252,27 @@ void Simulation::State::start() {
     time = 0;
     cutsSoFar = 0;
     report = {};
-    startBody();
 }
 
 /// The uncut body at rest, with the parameters and at the time that are.
 void Simulation::State::startBody() {
+    mesh = uncut;
+    body = std::make_unique<BodyUpdater>(mesh);
+    solver.setModel(model(), stateOf(mesh));
+    closed = checkClosedManifold(mesh).empty();
+    cutter.emplace(mesh, CutSettings{});
+    beginAtRest();
+}
+
+/// With body, solver and cutter as new.
+void Simulation::State::beginAtRest() {
     touch();
     beforeStroke.reset();
-    mesh = uncut;
-    body.emplace(mesh);
-    solver.setModel(model(), stateOf(mesh));
     volumeTargets.reset(model());
     meshLags = true;  // by the rounding to float
-    closed = checkClosedManifold(mesh).empty();
     paramsChanged = true;
     bladeActions.clear();
     blade.reset();
-    cutter.emplace(mesh, CutSettings{});
     hands = {};
     pins = {};
     lastCut = {};
@@ -659,7 +679,7 @@ SnapshotPointer Simulation::State::capture() {
 
 void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
     mesh = snapshot->mesh;
-    body.emplace(snapshot->body);
+    body = std::make_unique<BodyUpdater>(snapshot->body);
     cutter.emplace(snapshot->cutter);
     volumeTargets = snapshot->volumeTargets;
     hands = snapshot->hands;
@@ -703,7 +723,13 @@ void Simulation::State::goTo(const Moment::Content& then) {
 }
 
 Simulation::Simulation(SurfaceMesh mesh, const Params& params, std::vector<StaticBox> boxes)
-    : state_(std::make_unique<State>(std::move(mesh), params, std::move(boxes))) {}
+    : Simulation(BodyUpload(PreparedBody(std::move(mesh))), params, std::move(boxes)) {}
+
+Simulation::Simulation(BodyUpload body, const Params& params, std::vector<StaticBox> boxes) {
+    body.finish();
+    state_ = std::make_unique<State>(std::move(body.prepared_), std::move(body.solver_), params,
+                                     std::move(boxes));
+}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;

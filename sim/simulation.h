@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/body_upload.h"
 #include "sim/command.h"
 #include "sim/cut/cutter.h"
 #include "sim/mesh/invariants.h"
@@ -44,6 +45,8 @@ class Simulation {
     /// `mesh` at rest, in world units; `boxes` that checkBox() lets pass. Throws gpu::ShaderError,
     /// gpu::OutOfMemory.
     Simulation(SurfaceMesh mesh, const Params& params, std::vector<StaticBox> boxes = {});
+    /// Of a body that was prepared elsewhere; finishes its upload.
+    Simulation(BodyUpload body, const Params& params, std::vector<StaticBox> boxes = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;

@@ -65,9 +65,11 @@ struct SetTools {
 
 /// A new box beside the body.
 struct PlaceBox {};
+/// Gives up what takes long.
+struct CancelWork {};
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
 using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools, PlaceBox,
-                            ChangeBox, RemoveBox>;
+                            ChangeBox, RemoveBox, CancelWork>;
 
 }  // namespace kerf::ui

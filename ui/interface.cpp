@@ -25,6 +25,7 @@
 #include "ui/tools_panel.h"
 #include "ui/transport_panel.h"
 #include "ui/widgets.h"
+#include "ui/work_box.h"
 
 namespace kerf::ui {
 namespace {
@@ -157,6 +158,7 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
     }
     drawStatusBar(model, layout.status);
     drawHint(model, layout.view);
+    drawWork(model.work, layout.view, actions);
     drawHelp(model, layout.view, actions);
     drawToast(model, layout.view);
     ImGui::Render();

@@ -52,6 +52,13 @@ struct StageTimes {
     double frame = 0;
 };
 
+/// Something that takes long while the editor goes on.
+struct WorkState {
+    std::string title;  ///< "Opening ball.ply"; empty while there is nothing to tell
+    std::string stage;  ///< "Building the constraints"
+    double seconds = 0;
+};
+
 /// All that the panels show: filled by the editor every frame, read only here.
 struct PanelModel {
     std::string name;    ///< of what is open; empty while nothing is
@@ -78,7 +85,8 @@ struct PanelModel {
     int triangles = 0;
     std::string device;  ///< what draws: "llvmpipe"
     std::string hint;    ///< what to do first or next; empty for none
-    std::string toast;   ///< what just happened; empty for none
+    WorkState work;
+    std::string toast;  ///< what just happened; empty for none
     bool toastIsError = false;
     float toastOpacity = 1;  ///< 0 to 1, while it fades
     StageTimes stages;

@@ -7,8 +7,6 @@
 namespace kerf::render {
 namespace {
 
-constexpr int kDepthResolution = 56;
-
 void bindBody(const BodyView& body, const gpu::Buffer& normals) {
     body.positions->bindStorage(shared::kBindPositions);
     body.restPositions->bindStorage(shared::kBindRestPositions);
@@ -29,9 +27,8 @@ SurfacePass::SurfacePass(const gpu::Defines& defines)
              program(defines, {{"WALLS", "1"}, {"PATTERN", "1"}}),
              program(defines, {{"WALLS", "1"}, {"PATTERN", "2"}})} {}
 
-void SurfacePass::setRestShape(const SurfaceMesh& uncut) {
-    depth_ = uncut.aliveTriangles() > 0 ? DepthTexture(measureDepth(uncut, kDepthResolution))
-                                        : DepthTexture();
+void SurfacePass::setDepth(const DepthField& depth) {
+    depth_ = depth.values.empty() ? DepthTexture() : DepthTexture(depth);
 }
 
 void SurfacePass::setMaterial(const gpu::Program& program, const SceneView& scene) const {

@@ -13,7 +13,7 @@ class SurfacePass {
   public:
     /// `defines` of the quality tier go into every program.
     explicit SurfacePass(const gpu::Defines& defines);
-    void setRestShape(const SurfaceMesh& uncut);
+    void setDepth(const DepthField& depth);
     /// Into the bound target, with the shadow map bound.
     void draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) const;
 

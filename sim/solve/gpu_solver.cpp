@@ -138,6 +138,46 @@ void GpuSolver::setModel(const BodyModel& model, const BodyState& state) {
 }
 
 void GpuSolver::restoreModel(const BodyModel& model, const BodyState& state, VertexPages pages) {
+    for (int portion = 0; portion < kModelPortions; ++portion) {
+        setModelPortion(portion, model, state, pages);
+    }
+}
+
+/// Portions of about the same size: most are one or two of the large buffers.
+void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyState& state,
+                                VertexPages& pages) {
+    switch (portion) {
+        case 0:
+            return takeModel(model, pages);
+        case 1:
+            return resizeScratch(model);
+        case 2:
+            return uploadRestShape(model);
+        case 3:
+            return triangles_.assign(model.triangles);
+        case 4:
+            return edges_.assign(model.edges);
+        case 5:
+            return bends_.assign(model.bends);
+        case 6:
+            return ispcs_.assign(model.ispcs);
+        case 7:
+            edgeIncidence_.assign(model.edgeIncidence);
+            return bendIncidence_.assign(model.bendIncidence);
+        case 8:
+            return ispcIncidence_.assign(model.ispcIncidence);
+        case 9:
+            return uploadTriangleLists(model);
+        case 10:
+            return uploadCounts(model);
+        case 11:
+            return uploadState(model, state);
+        default:
+            assert(false && "portions end with kModelPortions");
+    }
+}
+
+void GpuSolver::takeModel(const BodyModel& model, VertexPages& pages) {
     areas_.assign(model.vertexAreas.begin(), model.vertexAreas.end());
     pieceOf_ = model.pieceOfVertex;
     pinned_.clear();
@@ -145,30 +185,30 @@ void GpuSolver::restoreModel(const BodyModel& model, const BodyState& state, Ver
     pages_ = std::move(pages);
     pages_.takeChangedPlaces();
     placeBuffer_.assign(pages_.places());
-    uploadTopology(model);
-    uploadPieces(model);
-    setCounts(uniforms_, model);
-    uploadUniforms();
-    setState(state);
-    contactEdgeLength_ = contactEdgeLength(model);
-    setContactBody();
 }
 
-void GpuSolver::uploadTopology(const BodyModel& model) {
-    resizeScratch(model);
+void GpuSolver::uploadRestShape(const BodyModel& model) {
     displacement_.clear();
     restPositions_.assign(packed(model.restPositions));
     links_.assign(vertexLinks(model));
     areaBuffer_.assign(areas_);
-    triangles_.assign(model.triangles);
-    edges_.assign(model.edges);
-    bends_.assign(model.bends);
-    ispcs_.assign(model.ispcs);
-    edgeIncidence_.assign(model.edgeIncidence);
-    bendIncidence_.assign(model.bendIncidence);
-    ispcIncidence_.assign(model.ispcIncidence);
+}
+
+void GpuSolver::uploadTriangleLists(const BodyModel& model) {
     triangleIncidence_.assign(model.triangleIncidence);
     neighbours_.assign(model.neighbours);
+}
+
+void GpuSolver::uploadCounts(const BodyModel& model) {
+    uploadPieces(model);
+    setCounts(uniforms_, model);
+    uploadUniforms();
+}
+
+void GpuSolver::uploadState(const BodyModel& model, const BodyState& state) {
+    setState(state);
+    contactEdgeLength_ = contactEdgeLength(model);
+    setContactBody();
 }
 
 void GpuSolver::resizeScratch(const BodyModel& model) {

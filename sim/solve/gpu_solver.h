@@ -59,6 +59,11 @@ class GpuSolver {
     /// setModel() for a body that was cut before, with the pages that it had then: what follows is
     /// equal bit for bit.
     void restoreModel(const BodyModel& model, const BodyState& state, VertexPages pages);
+    /// restoreModel() in so many calls, portion 0 first, so that pictures can be drawn in between.
+    /// The pages are moved from.
+    static constexpr int kModelPortions = 12;
+    void setModelPortion(int portion, const BodyModel& model, const BodyState& state,
+                         VertexPages& pages);
     /// Follows an update of the model, at the cost of what it changed. `written`: the vertices
     /// that get a new state, those that are new among them; ascending. `state`: theirs, shape
     /// [written]. All others go on. Volume targets are the rest volumes again. Throws
@@ -138,7 +143,11 @@ class GpuSolver {
     };
 
     void searchContactsBefore(std::uint32_t substep);
-    void uploadTopology(const BodyModel& model);
+    void takeModel(const BodyModel& model, VertexPages& pages);
+    void uploadRestShape(const BodyModel& model);
+    void uploadTriangleLists(const BodyModel& model);
+    void uploadCounts(const BodyModel& model);
+    void uploadState(const BodyModel& model, const BodyState& state);
     void uploadPieces(const BodyModel& model);
     void resizeScratch(const BodyModel& model);
     void updateVertices(const BodyModel& model, const BodyChange& change);

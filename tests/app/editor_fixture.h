@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <thread>
+
 #include "app/editor.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/gl_fixture.h"
@@ -69,10 +72,35 @@ class EditorTest : public test::GlTest {
     void press(bool down, Button button = Button::left) {
         editor->post(ui::ButtonChange{button, down, {}});
     }
-    void tap(Key key) {
-        editor->post(ui::KeyChange{key, true, {}});
-        editor->post(ui::KeyChange{key, false, {}});
+    /// Frames until no file is on its way in or out any more, a minute at most.
+    void waitForWork() {
+        editor->frame(kFrameSeconds);
+        for (int i = 0; i < 12000 && editor->working(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            editor->frame(kFrameSeconds);
+        }
+        ASSERT_FALSE(editor->working());
         frames(1);
+    }
+    void tap(Key key, const ui::Modifiers& modifiers = {}) {
+        editor->post(ui::KeyChange{key, true, modifiers});
+        editor->post(ui::KeyChange{key, false, modifiers});
+        frames(1);
+    }
+    void type(const std::string& text) {
+        for (const char letter : text) {
+            editor->post(ui::Character{static_cast<std::uint32_t>(letter)});
+        }
+        frames(2);
+    }
+    /// Presses and releases the left button over a named item.
+    void click(const std::string& item) {
+        ASSERT_TRUE(editor->places().contains(item)) << item;
+        const ui::Rect place = editor->places().at(item);
+        moveTo(place.x + place.width / 2, place.y + place.height / 2);
+        press(true);
+        press(false);
+        frames(2);
     }
     /// All events at once, as a hand faster than the frames would send them.
     void drag(const Vec2& from, const Vec2& to, int points, Button button = Button::left) {

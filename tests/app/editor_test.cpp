@@ -240,6 +240,7 @@ TEST_F(EditorTest, APlayedSessionCanBeScrubbedAndTellsWhereItDiverged) {
                    {"step": 45, "type": "check", "pieces": 2},
                    {"step": 50, "type": "check", "hash": "0123456789abcdef"}]})");
     editor->open(folder / "slice.kerf.json");
+    waitForWork();
     settle();
     const auto scrubTo = [&](double share) {
         const ui::Rect bar = editor->places().at("scrubber");
@@ -360,12 +361,12 @@ TEST_F(EditorTest, WhatCannotBeOpenedLeavesTheSceneAsItWas) {
     settle();
     test::writeText(folder / "broken.kerf.json", "{\"format\": \"kerf-session\"");
     editor->post(ui::FileDrop{{folder / "broken.kerf.json"}});
-    frames(2);
+    waitForWork();
     EXPECT_TRUE(panels().toastIsError);
     EXPECT_THAT(panels().toast, ::testing::HasSubstr("broken.kerf.json"));
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     editor->post(ui::FileDrop{{folder / "missing.obj"}});
-    frames(2);
+    waitForWork();
     EXPECT_THAT(panels().toast, ::testing::HasSubstr("missing.obj"));
 }
 
@@ -377,7 +378,7 @@ TEST_F(EditorTest, ADroppedSessionIsPlayed) {
                    {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
                    {"step": 41, "type": "lift"}]})");
     editor->post(ui::FileDrop{{folder / "slice.kerf.json"}});
-    frames(2);
+    waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
     EXPECT_THAT(panels().hint, ::testing::HasSubstr("play the session"));
     tap(Key::space);
@@ -394,6 +395,7 @@ TEST_F(EditorTest, ASessionPlaysOnWhileAParameterIsChanged) {
         "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
                    {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]}]})");
     editor->open(folder / "slice.kerf.json");
+    waitForWork();
     tap(Key::space);
     frames(5);
     tap(Key::v);

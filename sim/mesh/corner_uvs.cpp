@@ -1,0 +1,167 @@
+#include "sim/mesh/corner_uvs.h"
+
+#include <cassert>
+#include <limits>
+
+#include "sim/mesh/box_tree.h"
+#include "sim/mesh/closest_point.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kMaxWalk = 16;          // triangles from the middle of a new one to its corner
+constexpr double kOutside = -1e-6;    // a weight below this is outside
+constexpr double kFirstReach = 1e-6;  // of the diagonal
+
+CornerUvs noUvs() {
+    return {Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
+}
+
+/// Finds places on the uncut skin and their texture coordinates.
+class UvLookup {
+  public:
+    UvLookup(const SurfaceMesh& uncut, const std::vector<CornerUvs>& uvs)
+        : mesh_(uncut),
+          uvs_(uvs),
+          tree_(livingTriangles(uncut), [this](int t) { return boundsOf(t); }) {
+        for (const Vec3& p : uncut.restPositions()) {
+            bounds_.add(p);
+        }
+    }
+
+    CornerUvs uvsOf(const Triangle& corners, const SurfaceMesh& cut) {
+        const Vec3& a = cut.restPosition(corners[0]);
+        const Vec3& b = cut.restPosition(corners[1]);
+        const Vec3& c = cut.restPosition(corners[2]);
+        const int middle = nearest((a + b + c) / 3);
+        return {at(middle, a), at(middle, b), at(middle, c)};
+    }
+
+  private:
+    Bounds boundsOf(int t) const {
+        Bounds bounds;
+        for (const int v : mesh_.triangle(t)) {
+            bounds.add(mesh_.restPosition(v));
+        }
+        return bounds;
+    }
+
+    std::array<Vec3, 3> placesOf(int t) const {
+        const auto [a, b, c] = mesh_.triangle(t);
+        return {mesh_.restPosition(a), mesh_.restPosition(b), mesh_.restPosition(c)};
+    }
+
+    int nearest(const Vec3& p) {
+        int found = -1;
+        for (double reach = kFirstReach * bounds_.diagonal(); found < 0; reach *= 8) {
+            found = nearestWithin(p, reach);
+        }
+        return found;
+    }
+
+    /// The lowest of equally near ones; -1 where none is within reach.
+    int nearestWithin(const Vec3& p, double reach) {
+        Bounds around;
+        around.add(p);
+        around.widen(reach);
+        double least = reach;
+        int found = -1;
+        tree_.find([this](int t) { return boundsOf(t); },
+                   [&](const Bounds& box) { return box.overlaps(around); },
+                   [&](int t) {
+                       const auto [a, b, c] = placesOf(t);
+                       const Vec3 w = closestWeights(p, a, b, c);
+                       const double distance = (w[0] * a + w[1] * b + w[2] * c - p).norm();
+                       if (distance < least || (distance == least && t < found)) {
+                           least = distance;
+                           found = t;
+                       }
+                   });
+        return found;
+    }
+
+    /// From triangle t over edges that are no seams to where p lies.
+    Eigen::Vector2f at(int t, const Vec3& p) const {
+        for (int walked = 0; walked < kMaxWalk; ++walked) {
+            const Vec3 weights = planeWeights(t, p);
+            int least = 0;
+            weights.minCoeff(&least);
+            const int across = neighbour(t, (least + 1) % 3);
+            if (weights[least] >= kOutside || across < 0) {
+                break;
+            }
+            t = across;
+        }
+        const auto [a, b, c] = placesOf(t);
+        return blend(t, closestWeights(p, a, b, c));
+    }
+
+    Eigen::Vector2f blend(int t, const Vec3& weights) const {
+        const Eigen::Vector3f w = weights.cast<float>();
+        return w[0] * uvs_[t][0] + w[1] * uvs_[t][1] + w[2] * uvs_[t][2];
+    }
+
+    /// Barycentric, of the foot of p in the plane of t.
+    Vec3 planeWeights(int t, const Vec3& p) const {
+        const auto [a, b, c] = placesOf(t);
+        const Vec3 normal = (b - a).cross(c - a);
+        const double area = normal.squaredNorm();
+        if (area == 0) {
+            return Vec3::Constant(1.0 / 3);
+        }
+        const double v = (p - a).cross(c - a).dot(normal) / area;
+        const double w = (b - a).cross(p - a).dot(normal) / area;
+        return {1 - v - w, v, w};
+    }
+
+    /// Over the edge that begins at a corner; -1 where that is a seam.
+    int neighbour(int t, int corner) const {
+        const int h = 3 * t + corner;
+        const int g = mesh_.twin(h);
+        const CornerUvs& here = uvs_[t];
+        const CornerUvs& there = uvs_[g / 3];
+        const bool seam =
+            here[corner] != there[(g % 3 + 1) % 3] || here[(corner + 1) % 3] != there[g % 3];
+        return seam ? -1 : g / 3;
+    }
+
+    const SurfaceMesh& mesh_;
+    const std::vector<CornerUvs>& uvs_;
+    Bounds bounds_;
+    BoxTree tree_;
+};
+
+/// No cut has touched it: its corners may be copies, at the same places.
+bool isOriginal(const SurfaceMesh& uncut, const SurfaceMesh& cut, int t) {
+    if (t >= uncut.triangleSlots()) {
+        return false;
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (cut.restPosition(cut.triangle(t)[i]) != uncut.restPosition(uncut.triangle(t)[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+std::vector<CornerUvs> carryUvs(const SurfaceMesh& uncut, const std::vector<CornerUvs>& uvs,
+                                const SurfaceMesh& cut) {
+    if (uvs.empty()) {
+        return {};
+    }
+    assert(static_cast<int>(uvs.size()) == uncut.triangleSlots());
+    UvLookup lookup(uncut, uvs);
+    std::vector<CornerUvs> out(cut.triangleSlots(), noUvs());
+    for (int t = 0; t < cut.triangleSlots(); ++t) {
+        if (!cut.alive(t) || cut.kind(t) != SurfaceKind::skin) {
+            continue;
+        }
+        out[t] = isOriginal(uncut, cut, t) ? uvs[t] : lookup.uvsOf(cut.triangle(t), cut);
+    }
+    return out;
+}
+
+}  // namespace kerf

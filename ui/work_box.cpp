@@ -1,0 +1,57 @@
+#include "ui/work_box.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/item_places.h"
+#include "ui/theme.h"
+
+namespace kerf::ui {
+namespace {
+
+/// A light that runs to and fro: how much is left is not known.
+void drawRunner(double seconds) {
+    constexpr float kShare = 0.25F;
+    constexpr double kPeriod = 2.4;  // [s]
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = std::floor(0.3F * ImGui::GetFontSize());
+    const auto phase = static_cast<float>(std::fmod(seconds / kPeriod, 1.0));
+    const float x = low.x + (1 - kShare) * width * (1 - std::abs(2 * phase - 1));
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, {low.x + width, low.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                       height / 2);
+    draw.AddRectFilled({x, low.y}, {x + kShare * width, low.y + height}, Theme::kBlade, height / 2);
+    ImGui::Dummy({width, height});
+}
+
+}  // namespace
+
+void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& actions) {
+    if (work.title.empty()) {
+        return;
+    }
+    const float line = ImGui::GetFontSize();
+    const float width = std::min(view.width, 26 * line);
+    ImGui::SetNextWindowPos({view.x + (view.width - width) / 2, view.y + 4.5F * line});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::Begin("work", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::TextUnformatted(work.title.c_str());
+    drawRunner(work.seconds);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s, %.0f s", work.stage.c_str(), work.seconds);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize("Cancel").x -
+                    2 * ImGui::GetStyle().FramePadding.x);
+    if (ImGui::Button("Cancel")) {
+        actions.emplace_back(CancelWork{});
+    }
+    noteItem("work.cancel");
+    ImGui::End();
+}
+
+}  // namespace kerf::ui
