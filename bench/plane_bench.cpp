@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bench/cgal_plane_cut.h"
+#include "bench/timing.h"
 #include "sim/cut/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
@@ -33,11 +34,6 @@ const Vec3 kPoint(0.013, 0.021, 0.034);
 const Vec3 kAlong = Vec3(0.9, 0.1, -0.3).normalized();
 const Vec3 kTravel = kAlong.cross(Vec3(0.2, 1, 0.37)).normalized();
 const Vec3 kNormal = kAlong.cross(kTravel);
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 /// Of this process since it was made; other programs on the machine do not count.
 class CpuTime {

@@ -1,14 +1,12 @@
 // Milliseconds of one time step of the builtin models at the default parameters: the GPU solver
 // without contact beside the reference solver (double precision, one thread).
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
 
 #include "app/model_source.h"
+#include "bench/timing.h"
 #include "gpu/context.h"
 #include "sim/solve/gpu_solver.h"
 #include "sim/solve/reference_solver.h"
@@ -17,20 +15,7 @@
 namespace kerf {
 namespace {
 
-/// Median of 15 calls, after one to warm up [ms].
-template <class Call>
-double medianMilliseconds(Call&& call) {
-    using Clock = std::chrono::steady_clock;
-    std::array<double, 15> times{};
-    call();
-    for (double& time : times) {
-        const Clock::time_point start = Clock::now();
-        call();
-        time = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    }
-    std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
-    return times[times.size() / 2];
-}
+constexpr int kRepeats = 15;
 
 BodyState atRest(const BodyModel& model) {
     return {model.restPositions, std::vector<Vec3f>(model.restPositions.size(), Vec3f::Zero())};
@@ -42,7 +27,7 @@ double gpuStep(const BodyModel& model, const shared::SolverUniforms& uniforms,
     solver.setModel(model, atRest(model));
     solver.setUniforms(uniforms);
     solver.setContact(contact);
-    return medianMilliseconds([&] {
+    return medianMilliseconds(kRepeats, [&] {
         solver.step();
         solver.measure();  // waits for the GPU
     });
@@ -51,7 +36,7 @@ double gpuStep(const BodyModel& model, const shared::SolverUniforms& uniforms,
 double referenceStep(const BodyModel& model, const shared::SolverUniforms& uniforms) {
     const ReferenceSolver solver(model, uniforms);
     ReferenceState state = restState(model);
-    return medianMilliseconds([&] { solver.step(state); });
+    return medianMilliseconds(kRepeats, [&] { solver.step(state); });
 }
 
 void benchModel(const std::string& name) {

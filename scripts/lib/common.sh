@@ -42,6 +42,7 @@ python3-numpy       remakes the builtin models, to compare them
 '
 bench_packages='
 libcgal-dev         is the peer of the planar cut
+libbullet-dev       is the peer of projecting constraints
 '
 format_packages='
 clang-format        checks the layout of the code

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "sim/body/body_model.h"
+
+namespace kerf {
+
+/// The same nodes and springs as a soft body of Bullet (its position-based solver, one thread,
+/// Gauss-Seidel over links, single precision): a peer for the speed of projecting constraints.
+class BulletSoftBody {
+  public:
+    /// A node per vertex and a link per edge of `model`; bending and inside are left out.
+    explicit BulletSoftBody(const BodyModel& model, int iterations);
+    ~BulletSoftBody();
+    BulletSoftBody(const BulletSoftBody&) = delete;
+    BulletSoftBody& operator=(const BulletSoftBody&) = delete;
+
+    /// Moves the nodes along by a step of `seconds` under gravity, without projecting anything.
+    void predict(double seconds);
+    /// All iterations of a step over all links, and what Bullet prepares for them.
+    void project();
+    int links() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace kerf {
+
+/// The upper of the middle two where their number is even. Must not be empty.
+inline double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Median of `repeats` calls, after one to warm up [ms], by the clock on the wall.
+template <class Call>
+double medianMilliseconds(int repeats, Call&& call) {
+    using Clock = std::chrono::steady_clock;
+    std::vector<double> times;
+    call();
+    for (int i = 0; i < repeats; ++i) {
+        const Clock::time_point start = Clock::now();
+        call();
+        times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    }
+    return median(times);
+}
+
+}  // namespace kerf
