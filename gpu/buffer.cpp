@@ -4,6 +4,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -54,6 +55,29 @@ void clearRange(std::uint32_t id, std::size_t first, std::size_t last) {
     }
 }
 
+struct Texel {
+    GLenum format;
+    std::size_t bytes;
+};
+
+/// In the order of TexelFormat.
+const Texel& texelOf(TexelFormat format) {
+    static constexpr std::array<Texel, 4> texels{
+        {{GL_R32UI, 4}, {GL_RG32UI, 8}, {GL_RGBA32UI, 16}, {GL_RGBA32F, 16}}};
+    return texels[static_cast<std::size_t>(format)];
+}
+
+void requireTexels(std::size_t count) {
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    if (count > static_cast<std::size_t>(limit)) {
+        throw OutOfMemory(fmt::format(
+            "A texture buffer of {} elements is needed, but this driver allows {} at most; use a "
+            "smaller model.",
+            count, limit));
+    }
+}
+
 /// Makes what shaders wrote visible to the buffer calls that follow.
 void updateBarrier() {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -62,6 +86,9 @@ void updateBarrier() {
 }  // namespace
 
 Buffer::~Buffer() {
+    if (texels_.texture != 0) {
+        glDeleteTextures(1, &texels_.texture);
+    }
     if (id_ != 0) {
         glDeleteBuffers(1, &id_);
     }
@@ -70,12 +97,14 @@ Buffer::~Buffer() {
 Buffer::Buffer(Buffer&& other) noexcept
     : id_(std::exchange(other.id_, 0)),
       size_(std::exchange(other.size_, 0)),
-      capacity_(std::exchange(other.capacity_, 0)) {}
+      capacity_(std::exchange(other.capacity_, 0)),
+      texels_(std::exchange(other.texels_, {})) {}
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
+    std::swap(texels_, other.texels_);
     return *this;
 }
 
@@ -100,6 +129,7 @@ void Buffer::reserve(std::size_t bytes, std::size_t keep) {
     }
     id_ = grown;
     capacity_ = capacity;
+    texels_.buffer = 0;  // the old number may come back for another buffer
 }
 
 void Buffer::copyFrom(const Buffer& other) {
@@ -115,6 +145,25 @@ void Buffer::clear() {
 void Buffer::bindStorage(std::uint32_t binding) const {
     assert(id_ != 0 && "a buffer needs storage before it is bound");
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_);
+}
+
+void Buffer::bindTexels(std::uint32_t unit, TexelFormat format) const {
+    assert(id_ != 0 && "a buffer needs storage before it is bound");
+    if (texels_.buffer != id_ || texels_.format != format) {
+        showTexels(format);
+    }
+    glBindTextureUnit(unit, texels_.texture);
+}
+
+void Buffer::showTexels(TexelFormat format) const {
+    const Texel& texel = texelOf(format);
+    requireTexels(capacity_ / texel.bytes);
+    if (texels_.texture == 0) {
+        glCreateTextures(GL_TEXTURE_BUFFER, 1, &texels_.texture);
+    }
+    glTextureBuffer(texels_.texture, texel.format, id_);
+    texels_.buffer = id_;
+    texels_.format = format;
 }
 
 void Buffer::assignBytes(std::span<const std::byte> data) {

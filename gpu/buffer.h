@@ -14,6 +14,9 @@ class OutOfMemory : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// How shaders see the elements of a buffer that they read through a texture unit.
+enum class TexelFormat { uint32, uint32x2, uint32x4, float32x4 };
+
 /// An OpenGL buffer object (move only) with a size in use and a capacity with headroom.
 class Buffer {
   public:
@@ -61,6 +64,10 @@ class Buffer {
 
     /// Binds as shader storage to `binding`.
     void bindStorage(std::uint32_t binding) const;
+    /// Binds as a texture buffer to `unit`, for kernels that only read it, here and there: Mesa's
+    /// llvmpipe fetches a texel about four times as fast as it reads four words of storage, other
+    /// drivers as fast. Throws OutOfMemory where the driver's texture buffers are too small.
+    void bindTexels(std::uint32_t unit, TexelFormat format) const;
 
     std::uint32_t id() const { return id_; }
     std::size_t size() const { return size_; }          ///< [bytes]
@@ -69,6 +76,7 @@ class Buffer {
   private:
     /// Makes room for `bytes`; the first `keep` bytes survive.
     void reserve(std::size_t bytes, std::size_t keep);
+    void showTexels(TexelFormat format) const;
     void assignBytes(std::span<const std::byte> data);
     void writeBytes(std::size_t offset, std::span<const std::byte> data);
     void readBytes(std::size_t offset, std::span<std::byte> out) const;
@@ -76,6 +84,14 @@ class Buffer {
     std::uint32_t id_ = 0;
     std::size_t size_ = 0;
     std::size_t capacity_ = 0;
+
+    /// A view for texture units, made when it is first asked for.
+    struct Texels {
+        std::uint32_t texture = 0;
+        std::uint32_t buffer = 0;  ///< whose storage it shows
+        TexelFormat format = TexelFormat::uint32;
+    };
+    mutable Texels texels_;
 };
 
 }  // namespace kerf::gpu

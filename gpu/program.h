@@ -64,7 +64,7 @@ class Program {
     mutable std::map<std::string, int, std::less<>> locations_;
 };
 
-/// glMemoryBarrier for storage that the next dispatch reads.
+/// glMemoryBarrier for what the next dispatch reads, as storage or as texels.
 void storageBarrier();
 /// The same for what dispatchIndirect() reads.
 void commandBarrier();

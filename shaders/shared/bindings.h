@@ -1,5 +1,6 @@
 // Storage bindings of the simulation kernels. Every number below 16 (what drivers guarantee a
 // compute shader in practice); buffers of one role share a binding, since no kernel needs two.
+// The same numbers are the texture units of buffers that a kernel fetches as texels.
 #ifndef KERF_BINDINGS_H
 #define KERF_BINDINGS_H
 #include "shared_types.h"
@@ -13,7 +14,7 @@ SHARED_CONST uint kLinksBinding = 4u;         // VertexLinks
 SHARED_CONST uint kConstraintsBinding = 5u;   // EdgeConstraint, BendConstraint or IspcConstraint
 SHARED_CONST uint kRangesBinding = 6u;        // IncidenceRange per vertex: of
 SHARED_CONST uint kEntriesBinding = 7u;       // 4 * element + slot, or neighbours
-SHARED_CONST uint kCorrectionsBinding = 8u;   // vec4 per element and slot [m]
+SHARED_CONST uint kCorrectionsBinding = 8u;   // vec4: two per bend, or one per ISPC (bend.comp)
 SHARED_CONST uint kPlacesBinding = 9u;        // uint: vertices by pages, kNoVertex for holes
 SHARED_CONST uint kGradientsBinding = 10u;    // vec4 per vertex: dV/dp [m^2]
 SHARED_CONST uint kPiecesBinding = 11u;       // PieceRecord

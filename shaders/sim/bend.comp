@@ -6,7 +6,8 @@
 //           |  /
 //            v3
 //
-// Reads X, d, links, bends. Writes a correction per bend and vertex. One thread per bend.
+// Reads X, d, links, bends. Writes what gather_corrections makes the four corrections of: the pull
+// at v2 and v3 and where along the edge each acts on v0 and v1. One thread per bend.
 // A storage barrier follows, then gather_corrections.
 #include "bindings.h"
 #include "body_records.h"
@@ -14,11 +15,13 @@
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
+#include "sim/fetch.glsl"
+
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
-layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
-layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };
-layout(std430, binding = kConstraintsBinding) readonly buffer Bends { BendConstraint bends[]; };
+layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
+layout(binding = kLinksBinding) uniform usamplerBuffer links;
+layout(binding = kConstraintsBinding) uniform usamplerBuffer bends;
 layout(std430, binding = kCorrectionsBinding) writeonly buffer Corrections { vec4 corrections[]; };
 
 #include "sim/inverse_tangent.glsl"
@@ -28,25 +31,18 @@ float wrapped(float angle) {
     return angle > 0.5 * kTwoPi ? angle - kTwoPi : (angle < -0.5 * kTwoPi ? angle + kTwoPi : angle);
 }
 
-void write(uint bend, vec3 c0, vec3 c1, vec3 c2, vec3 c3) {
-    corrections[4u * bend] = vec4(c0, 0.0);
-    corrections[4u * bend + 1u] = vec4(c1, 0.0);
-    corrections[4u * bend + 2u] = vec4(c2, 0.0);
-    corrections[4u * bend + 3u] = vec4(c3, 0.0);
-}
-
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= uniforms.bend_count) return;
-    BendConstraint bend = bends[index];
-    vec4 x0 = positions[bend.v0];
-    vec4 x1 = positions[bend.v1];
-    vec4 x2 = positions[bend.v2];
-    vec4 x3 = positions[bend.v3];
-    vec3 d0 = displacement[bend.v0].xyz;
-    vec3 d1 = displacement[bend.v1].xyz;
-    vec3 d2 = displacement[bend.v2].xyz;
-    vec3 d3 = displacement[bend.v3].xyz;
+    BendConstraint bend = fetchBend(bends, index);
+    vec4 x0 = fetch(positions, bend.v0);
+    vec4 x1 = fetch(positions, bend.v1);
+    vec4 x2 = fetch(positions, bend.v2);
+    vec4 x3 = fetch(positions, bend.v3);
+    vec3 d0 = fetch(displacement, bend.v0).xyz;
+    vec3 d1 = fetch(displacement, bend.v1).xyz;
+    vec3 d2 = fetch(displacement, bend.v2).xyz;
+    vec3 d3 = fetch(displacement, bend.v3).xyz;
     vec3 e = (x1.xyz - x0.xyz) + (d1 - d0);
     vec3 left = (x2.xyz - x0.xyz) + (d2 - d0);
     vec3 right = (x3.xyz - x0.xyz) + (d3 - d0);
@@ -56,7 +52,8 @@ void main() {
     float lengthB2 = dot(nB, nB);
     float e2 = dot(e, e);
     if (lengthA2 <= 1e-8 * e2 * e2 || lengthB2 <= 1e-8 * e2 * e2 || !(e2 > 0.0)) {
-        write(index, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+        corrections[2u * index] = vec4(0.0);
+        corrections[2u * index + 1u] = vec4(0.0);
         return;
     }
     float reach = sqrt(e2);
@@ -73,14 +70,14 @@ void main() {
     vec3 g3 = -b;
 
     vec4 w = uniforms.inverse_density * vec4(x0.w, x1.w, x2.w, x3.w);
-    vec4 counts = vec4(links[bend.v0].bends, links[bend.v1].bends, links[bend.v2].bends,
-                       links[bend.v3].bends);
+    vec4 counts = vec4(fetch(links, bend.v0).y, fetch(links, bend.v1).y, fetch(links, bend.v2).y,
+                       fetch(links, bend.v3).y);
     float weight = dot(counts * w, vec4(dot(g0, g0), dot(g1, g1), dot(g2, g2), dot(g3, g3)));
     float gamma = uniforms.damping_ratio;
     float denominator = (1.0 + gamma) * weight + bend.geometry * uniforms.bend_compliance;
     float rate = dot(g0, d0) + dot(g1, d1) + dot(g2, d2) + dot(g3, d3);
     float impulse =
         weight > 0.0 ? uniforms.bend_share * -(error + gamma * rate) / denominator : 0.0;
-    write(index, g0 * (w.x * impulse), g1 * (w.y * impulse), g2 * (w.z * impulse),
-          g3 * (w.w * impulse));
+    corrections[2u * index] = vec4(a * impulse, sA);
+    corrections[2u * index + 1u] = vec4(b * impulse, sB);
 }

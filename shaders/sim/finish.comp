@@ -5,16 +5,19 @@
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
+#include "sim/fetch.glsl"
+
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
-layout(std430, binding = kPositionsBinding) buffer Positions { vec4 positions[]; };
-layout(std430, binding = kVelocitiesBinding) buffer Velocities { vec4 velocities[]; };
-layout(std430, binding = kDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
+layout(binding = kPositionsBinding) uniform samplerBuffer before;
+layout(std430, binding = kPositionsBinding) writeonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };
+layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
-    vec4 x = positions[v];
-    vec3 d = displacement[v].xyz;
+    vec4 x = fetch(before, v);
+    vec3 d = fetch(displacement, v).xyz;
     if (x.w > 0.0) {
         velocities[v] = vec4(d / uniforms.substep * uniforms.drag_factor, 0.0);
     }

@@ -6,17 +6,21 @@
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
+#include "sim/fetch.glsl"
+
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
-layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kDisplacementBinding) buffer Displacement { vec4 displacement[]; };
+layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kDisplacementBinding) uniform samplerBuffer before;
+layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
-    vec3 d = displacement[v].xyz;
-    float lowest = min(uniforms.floor_height - positions[v].y, uniforms.lift_speed * uniforms.substep);
+    vec4 x = fetch(positions, v);
+    vec3 d = fetch(before, v).xyz;
+    float lowest = min(uniforms.floor_height - x.y, uniforms.lift_speed * uniforms.substep);
     float lift = lowest - d.y;
-    if (!(lift > 0.0) || positions[v].w == 0.0) return;
+    if (!(lift > 0.0) || x.w == 0.0) return;
     d.y += lift;
     float slip = length(d.xz);
     if (slip > 0.0) {

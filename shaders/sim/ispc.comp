@@ -1,6 +1,7 @@
 // Solves each internal shape-preserving constraint once against the displacement as it stands
 // (XPBD, mass split among the ISPCs of a vertex): r = p_v - (b0 p_0 + b1 p_1 + b2 p_2), C = |r| - L0.
-// Reads X, d, links, ISPCs. Writes a correction per ISPC and vertex. One thread per ISPC.
+// Reads X, d, links, ISPCs. Writes the pull of each ISPC, which gather_corrections
+// shares out. One thread per ISPC.
 // A storage barrier follows, then gather_corrections.
 #include "bindings.h"
 #include "body_records.h"
@@ -8,34 +9,36 @@
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
+#include "sim/fetch.glsl"
+
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
-layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
-layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };
-layout(std430, binding = kConstraintsBinding) readonly buffer Ispcs { IspcConstraint ispcs[]; };
+layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
+layout(binding = kLinksBinding) uniform usamplerBuffer links;
+layout(binding = kConstraintsBinding) uniform usamplerBuffer ispcs;
 layout(std430, binding = kCorrectionsBinding) writeonly buffer Corrections { vec4 corrections[]; };
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= uniforms.ispc_count) return;
-    IspcConstraint ispc = ispcs[index];
+    IspcConstraint ispc = fetchIspc(ispcs, index);
     vec3 b = vec3(1.0 - ispc.b1 - ispc.b2, ispc.b1, ispc.b2);
-    vec4 xv = positions[ispc.vertex];
-    vec4 x0 = positions[ispc.t0];
-    vec4 x1 = positions[ispc.t1];
-    vec4 x2 = positions[ispc.t2];
-    vec3 dv = displacement[ispc.vertex].xyz;
-    vec3 d0 = displacement[ispc.t0].xyz;
-    vec3 d1 = displacement[ispc.t1].xyz;
-    vec3 d2 = displacement[ispc.t2].xyz;
+    vec4 xv = fetch(positions, ispc.vertex);
+    vec4 x0 = fetch(positions, ispc.t0);
+    vec4 x1 = fetch(positions, ispc.t1);
+    vec4 x2 = fetch(positions, ispc.t2);
+    vec3 dv = fetch(displacement, ispc.vertex).xyz;
+    vec3 d0 = fetch(displacement, ispc.t0).xyz;
+    vec3 d1 = fetch(displacement, ispc.t1).xyz;
+    vec3 d2 = fetch(displacement, ispc.t2).xyz;
     vec3 base = b.x * (xv.xyz - x0.xyz) + b.y * (xv.xyz - x1.xyz) + b.z * (xv.xyz - x2.xyz);
     vec3 step = b.x * (dv - d0) + b.y * (dv - d1) + b.z * (dv - d2);
     vec3 r = base + step;
     float reach = length(r);
 
     vec4 w = uniforms.inverse_density * vec4(xv.w, x0.w, x1.w, x2.w);
-    vec4 counts = vec4(links[ispc.vertex].ispcs, links[ispc.t0].ispcs, links[ispc.t1].ispcs,
-                       links[ispc.t2].ispcs);
+    vec4 counts = vec4(fetch(links, ispc.vertex).z, fetch(links, ispc.t0).z,
+                       fetch(links, ispc.t1).z, fetch(links, ispc.t2).z);
     float weight = dot(counts * w, vec4(1.0, b * b));
     float gamma = uniforms.damping_ratio;
     float denominator = (1.0 + gamma) * weight + ispc.geometry * uniforms.ispc_compliance;
@@ -44,8 +47,5 @@ void main() {
         ? uniforms.ispc_share * -((reach - ispc.rest_length) + gamma * dot(direction, step)) /
             denominator
         : 0.0;
-    corrections[4u * index] = vec4(direction * (w.x * impulse), 0.0);
-    corrections[4u * index + 1u] = vec4(direction * (-b.x * w.y * impulse), 0.0);
-    corrections[4u * index + 2u] = vec4(direction * (-b.y * w.z * impulse), 0.0);
-    corrections[4u * index + 3u] = vec4(direction * (-b.z * w.w * impulse), 0.0);
+    corrections[index] = vec4(direction * impulse, 0.0);
 }

@@ -9,12 +9,14 @@
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
+#include "sim/fetch.glsl"
+
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
-layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kVelocitiesBinding) readonly buffer Velocities { vec4 velocities[]; };
-layout(std430, binding = kRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
-layout(std430, binding = kEntriesBinding) readonly buffer Neighbours { uint neighbours[]; };
-layout(std430, binding = kPlacesBinding) readonly buffer Places { uint places[]; };
+layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
+layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
+layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
+layout(binding = kPlacesBinding) uniform usamplerBuffer places;
 layout(std430, binding = kPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
@@ -27,7 +29,7 @@ shared vec3 slowest[kGroupSize];
 shared vec3 fastest[kGroupSize];
 
 vec3 span(uint from, uint to) {
-    return positions[to].xyz - positions[from].xyz;
+    return fetch(positions, to).xyz - fetch(positions, from).xyz;
 }
 
 #include "sim/volume_gradient.glsl"
@@ -51,11 +53,11 @@ void main() {
     vec3 slow = vec3(1e30);
     vec3 fast = vec3(-1e30);
     for (uint i = 0u; i < block.page_count; ++i) {
-        uint v = places[kPageSize * pages[block.first_page + i] + self];
+        uint v = fetch(places, kPageSize * pages[block.first_page + i] + self).x;
         if (v == kNoVertex) continue;
-        vec3 p = positions[v].xyz;
+        vec3 p = fetch(positions, v).xyz;
         low = vec4(min(low.xyz, p), low.w + dot(span(origin, v), volumeGradient(v)) / 3.0);
-        vec3 u = velocities[v].xyz;
+        vec3 u = fetch(velocities, v).xyz;
         high = vec4(max(high.xyz, p), lost(p, u) ? 1.0 : high.w);
         slow = min(slow, u);
         fast = max(fast, u);

@@ -11,24 +11,26 @@
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
+#include "sim/fetch.glsl"
+
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
-layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kVelocitiesBinding) readonly buffer Velocities { vec4 velocities[]; };
+layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
-layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };
-layout(std430, binding = kConstraintsBinding) readonly buffer Edges { EdgeConstraint edges[]; };
-layout(std430, binding = kRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
-layout(std430, binding = kEntriesBinding) readonly buffer Entries { uint entries[]; };
+layout(binding = kLinksBinding) uniform usamplerBuffer links;
+layout(binding = kConstraintsBinding) uniform usamplerBuffer edges;
+layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
+layout(binding = kEntriesBinding) uniform usamplerBuffer entries;
 
 #ifdef SWEEP_AGAIN
-layout(std430, binding = kPreviousBinding) readonly buffer Previous { vec4 previous[]; };
+layout(binding = kPreviousBinding) uniform samplerBuffer previous;
 
 vec3 startOf(uint v, float inverseMass) {
-    return previous[v].xyz;
+    return fetch(previous, v).xyz;
 }
 #else
 vec3 startOf(uint v, float inverseMass) {
-    vec3 speed = velocities[v].xyz;
+    vec3 speed = fetch(velocities, v).xyz;
     if (inverseMass > 0.0) {
         speed += uniforms.substep * uniforms.gravity.xyz;
     }
@@ -36,18 +38,18 @@ vec3 startOf(uint v, float inverseMass) {
 }
 #endif
 
-// What the edge adds to the displacement of v.
-vec3 correction(EdgeConstraint edge, uint v, vec4 own, vec3 ownStart) {
+// What the edge adds to the displacement of v, which has `ownCount` of them.
+vec3 correction(EdgeConstraint edge, uint v, vec4 own, float ownCount, vec3 ownStart) {
     uint other = edge.a == v ? edge.b : edge.a;
-    vec4 far = positions[other];
+    vec4 far = fetch(positions, other);
     vec3 step = ownStart - startOf(other, far.w);
     vec3 span = (own.xyz - far.xyz) + step;
     float reach = length(span);
     if (reach < 1e-12) {
         return vec3(0.0);
     }
-    float inverseMasses =
-        uniforms.inverse_density * (float(links[v].edges) * own.w + float(links[other].edges) * far.w);
+    float farCount = float(fetch(links, other).x);
+    float inverseMasses = uniforms.inverse_density * (ownCount * own.w + farCount * far.w);
     float gamma = uniforms.damping_ratio;
     float denominator =
         (1.0 + gamma) * inverseMasses + edge.geometry * uniforms.stretch_compliance;
@@ -62,12 +64,15 @@ vec3 correction(EdgeConstraint edge, uint v, vec4 own, vec3 ownStart) {
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
-    vec4 own = positions[v];
+    vec4 own = fetch(positions, v);
     vec3 start = startOf(v, own.w);
     vec3 sum = vec3(0.0);
     if ((uniforms.active_parts & kStretchPart) != 0u && own.w > 0.0) {
-        for (uint k = ranges[v].first; k < ranges[v].end; ++k) {
-            sum += correction(edges[entries[k] >> 2], v, own, start);
+        float count = float(fetch(links, v).x);
+        uvec2 range = fetch(ranges, v).xy;
+        for (uint k = range.x; k < range.y; ++k) {
+            EdgeConstraint edge = fetchEdge(edges, fetch(entries, k).x >> 2);
+            sum += correction(edge, v, own, count, start);
         }
     }
     displacement[v] = vec4(start + sum, 0.0);

@@ -7,19 +7,23 @@
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
+#include "sim/fetch.glsl"
+
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
-layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kDisplacementBinding) buffer Displacement { vec4 displacement[]; };
-layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };
-layout(std430, binding = kGradientsBinding) readonly buffer Gradients { vec4 gradients[]; };
+layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kDisplacementBinding) uniform samplerBuffer before;
+layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
+layout(binding = kLinksBinding) uniform usamplerBuffer links;
+layout(binding = kGradientsBinding) uniform samplerBuffer gradients;
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kBlockSumsBinding) readonly buffer Sums { VolumeSum sums[]; };
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
-    if (links[v].piece == kNoPiece) return;
-    PieceRecord piece = pieces[links[v].piece];
+    uint own = fetch(links, v).w;
+    if (own == kNoPiece) return;
+    PieceRecord piece = pieces[own];
     if (piece.constrained == 0u) return;
     float volume = 0.0;
     float denominator = 0.0;
@@ -29,6 +33,6 @@ void main() {
     }
     if (!(denominator > 0.0)) return;
     float impulse = -(volume - piece.target_volume) / denominator;
-    float w = uniforms.inverse_density * positions[v].w;
-    displacement[v] = vec4(displacement[v].xyz + (w * impulse) * gradients[v].xyz, 0.0);
+    float w = uniforms.inverse_density * fetch(positions, v).w;
+    displacement[v] = vec4(fetch(before, v).xyz + (w * impulse) * fetch(gradients, v).xyz, 0.0);
 }

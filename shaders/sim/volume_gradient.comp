@@ -8,12 +8,14 @@
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
+#include "sim/fetch.glsl"
+
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
-layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
-layout(std430, binding = kRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
-layout(std430, binding = kEntriesBinding) readonly buffer Neighbours { uint neighbours[]; };
-layout(std430, binding = kPlacesBinding) readonly buffer Places { uint places[]; };
+layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
+layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
+layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
+layout(binding = kPlacesBinding) uniform usamplerBuffer places;
 layout(std430, binding = kPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kGradientsBinding) writeonly buffer Gradients { vec4 gradients[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
@@ -23,8 +25,8 @@ layout(std430, binding = kBlockSumsBinding) writeonly buffer Sums { VolumeSum su
 shared vec2 partial[kGroupSize];
 
 vec3 span(uint from, uint to) {
-    return (positions[to].xyz - positions[from].xyz) +
-        (displacement[to].xyz - displacement[from].xyz);
+    return (fetch(positions, to).xyz - fetch(positions, from).xyz) +
+        (fetch(displacement, to).xyz - fetch(displacement, from).xyz);
 }
 
 #include "sim/volume_gradient.glsl"
@@ -35,12 +37,12 @@ void main() {
     uint self = gl_LocalInvocationID.x;
     vec2 sum = vec2(0.0);
     for (uint i = 0u; i < block.page_count; ++i) {
-        uint v = places[kPageSize * pages[block.first_page + i] + self];
+        uint v = fetch(places, kPageSize * pages[block.first_page + i] + self).x;
         if (v == kNoVertex) continue;
         vec3 g = volumeGradient(v);
         gradients[v] = vec4(g, 0.0);
         sum += vec2(dot(span(origin, v), g) / 3.0,
-                    uniforms.inverse_density * positions[v].w * dot(g, g));
+                    uniforms.inverse_density * fetch(positions, v).w * dot(g, g));
     }
     partial[self] = sum;
     for (uint reach = kGroupSize / 2u; reach > 0u; reach /= 2u) {

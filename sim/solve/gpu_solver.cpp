@@ -12,6 +12,7 @@ namespace kerf {
 
 namespace {
 
+using gpu::TexelFormat;
 using shared::uint;
 
 static_assert(sizeof(shared::SolverUniforms) == 112);
@@ -80,6 +81,11 @@ std::vector<uint> entriesOf(const Incidence& incidence, const std::vector<uint>&
     return places;
 }
 
+void bindIncidence(const gpu::Buffer& ranges, const gpu::Buffer& entries) {
+    ranges.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
+    entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32);
+}
+
 Bounds boundsOf(const std::vector<Vec3f>& values) {
     Bounds box;
     for (const Vec3f& u : values) {
@@ -110,8 +116,7 @@ void GpuSolver::IncidenceBuffers::assign(const Incidence& incidence) {
 }
 
 void GpuSolver::IncidenceBuffers::bind() const {
-    ranges.bindStorage(shared::kRangesBinding);
-    entries.bindStorage(shared::kEntriesBinding);
+    bindIncidence(ranges, entries);
 }
 
 GpuSolver::GpuSolver() {
@@ -119,7 +124,9 @@ GpuSolver::GpuSolver() {
     kernels_.stretchAgain = gpu::Program::compute("sim/stretch.comp", {{"SWEEP_AGAIN", "1"}});
     kernels_.bend = gpu::Program::compute("sim/bend.comp");
     kernels_.ispc = gpu::Program::compute("sim/ispc.comp");
-    kernels_.gatherCorrections = gpu::Program::compute("sim/gather_corrections.comp");
+    kernels_.gatherBends = gpu::Program::compute("sim/gather_corrections.comp");
+    kernels_.gatherIspcs =
+        gpu::Program::compute("sim/gather_corrections.comp", {{"GATHER_ISPCS", "1"}});
     kernels_.volumeGradient = gpu::Program::compute("sim/volume_gradient.comp");
     kernels_.volumeCorrect = gpu::Program::compute("sim/volume_correct.comp");
     kernels_.floor = gpu::Program::compute("sim/floor.comp");
@@ -216,8 +223,8 @@ void GpuSolver::resizeScratch(const BodyModel& model) {
     displacement_.resize(vertexBytes);
     previous_.resize(vertexBytes);
     gradients_.resize(vertexBytes);
-    corrections_.resize(4 * sizeof(shared::vec4) *
-                        std::max({model.bends.size(), model.ispcs.size(), std::size_t{1}}));
+    corrections_.resize(sizeof(shared::vec4) *
+                        std::max({2 * model.bends.size(), model.ispcs.size(), std::size_t{1}}));
 }
 
 /// Few records each, however large the body: pages hold hundreds of vertices.
@@ -462,7 +469,7 @@ void GpuSolver::step() {
 void GpuSolver::predictAndStretch() {
     refreshMasses();
     bindBody();
-    edges_.bindStorage(shared::kConstraintsBinding);
+    edges_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
     edgeIncidence_.bind();
     run(kernels_.stretch, uniforms_.vertex_count);
 }
@@ -470,32 +477,35 @@ void GpuSolver::predictAndStretch() {
 void GpuSolver::stretchAgain() {
     std::swap(displacement_, previous_);
     bindBody();
-    previous_.bindStorage(shared::kPreviousBinding);
-    edges_.bindStorage(shared::kConstraintsBinding);
+    previous_.bindTexels(shared::kPreviousBinding, TexelFormat::float32x4);
+    edges_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
     edgeIncidence_.bind();
     run(kernels_.stretchAgain, uniforms_.vertex_count);
 }
 
 void GpuSolver::solveBends() {
     if (active(shared::kBendPart)) {
-        runOverConstraints(kernels_.bend, bends_, uniforms_.bend_count, bendIncidence_);
+        bends_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x2);
+        runOverConstraints(kernels_.bend, uniforms_.bend_count);
+        bendIncidence_.bind();
+        run(kernels_.gatherBends, uniforms_.vertex_count);
     }
 }
 
 void GpuSolver::solveIspcs() {
     if (active(shared::kIspcPart)) {
-        runOverConstraints(kernels_.ispc, ispcs_, uniforms_.ispc_count, ispcIncidence_);
+        ispcs_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
+        runOverConstraints(kernels_.ispc, uniforms_.ispc_count);
+        ispcIncidence_.bind();
+        run(kernels_.gatherIspcs, uniforms_.vertex_count);
     }
 }
 
-void GpuSolver::runOverConstraints(const gpu::Program& kernel, const gpu::Buffer& records,
-                                   uint count, const IncidenceBuffers& incidence) {
+void GpuSolver::runOverConstraints(const gpu::Program& kernel, uint count) {
     bindBody();
-    records.bindStorage(shared::kConstraintsBinding);
     corrections_.bindStorage(shared::kCorrectionsBinding);
-    incidence.bind();
+    corrections_.bindTexels(shared::kCorrectionsBinding, TexelFormat::float32x4);
     run(kernel, count);
-    run(kernels_.gatherCorrections, uniforms_.vertex_count);
 }
 
 void GpuSolver::solveVolume() {
@@ -509,9 +519,8 @@ void GpuSolver::solveVolume() {
 }
 
 void GpuSolver::runOverBlocks(const gpu::Program& kernel) {
-    triangleIncidence_.ranges.bindStorage(shared::kRangesBinding);
-    neighbours_.bindStorage(shared::kEntriesBinding);
-    placeBuffer_.bindStorage(shared::kPlacesBinding);
+    bindIncidence(triangleIncidence_.ranges, neighbours_);
+    placeBuffer_.bindTexels(shared::kPlacesBinding, TexelFormat::uint32);
     pageBuffer_.bindStorage(shared::kPagesBinding);
     run(kernel, size32(blocks_.size()) * shared::kGroupSize);
 }
@@ -566,6 +575,11 @@ void GpuSolver::bindBody() const {
     gradients_.bindStorage(shared::kGradientsBinding);
     pieceBuffer_.bindStorage(shared::kPiecesBinding);
     blockBuffer_.bindStorage(shared::kBlocksBinding);
+    positions_.bindTexels(shared::kPositionsBinding, TexelFormat::float32x4);
+    velocities_.bindTexels(shared::kVelocitiesBinding, TexelFormat::float32x4);
+    displacement_.bindTexels(shared::kDisplacementBinding, TexelFormat::float32x4);
+    links_.bindTexels(shared::kLinksBinding, TexelFormat::uint32x4);
+    gradients_.bindTexels(shared::kGradientsBinding, TexelFormat::float32x4);
 }
 
 void GpuSolver::run(const gpu::Program& kernel, uint threads) {

@@ -138,7 +138,7 @@ class GpuSolver {
         void bind() const;
     };
     struct Kernels {
-        gpu::Program stretch, stretchAgain, bend, ispc, gatherCorrections, volumeGradient,
+        gpu::Program stretch, stretchAgain, bend, ispc, gatherBends, gatherIspcs, volumeGradient,
             volumeCorrect, floor, finish, measure, masses, pull, restore;
     };
 
@@ -164,8 +164,7 @@ class GpuSolver {
     void setInverseUnitMass(int vertex, float value);
     void bindBody() const;
     void run(const gpu::Program& kernel, std::uint32_t threads);
-    void runOverConstraints(const gpu::Program& kernel, const gpu::Buffer& records,
-                            std::uint32_t count, const IncidenceBuffers& incidence);
+    void runOverConstraints(const gpu::Program& kernel, std::uint32_t count);
     void runOverBlocks(const gpu::Program& kernel);
     bool isPinned(int vertex) const {
         return std::ranges::binary_search(pinned_, static_cast<std::uint32_t>(vertex));
