@@ -13,7 +13,7 @@ SHARED_CONST uint kDisplacementBinding = 3u;  // vec4: d = P - X of this substep
 SHARED_CONST uint kLinksBinding = 4u;         // VertexLinks
 SHARED_CONST uint kConstraintsBinding = 5u;   // EdgeConstraint, BendConstraint or IspcConstraint
 SHARED_CONST uint kRangesBinding = 6u;        // IncidenceRange per vertex: of
-SHARED_CONST uint kEntriesBinding = 7u;       // 4 * element + slot, or neighbours
+SHARED_CONST uint kEntriesBinding = 7u;       // 4 * element + slot, or neighbours, or Spoke
 SHARED_CONST uint kCorrectionsBinding = 8u;   // vec4: two per bend, or one per ISPC (bend.comp)
 SHARED_CONST uint kPlacesBinding = 9u;        // uint: vertices by pages, kNoVertex for holes
 SHARED_CONST uint kGradientsBinding = 10u;    // vec4 per vertex: dV/dp [m^2]
@@ -22,6 +22,7 @@ SHARED_CONST uint kBlocksBinding = 12u;       // BlockRecord
 SHARED_CONST uint kBlockSumsBinding = 13u;    // VolumeSum or BlockMeasure, one per block
 SHARED_CONST uint kPagesBinding = 14u;        // uint: the pages of each block, block after block
 SHARED_CONST uint kAreasBinding = 15u;        // float: rest area of each vertex [m^2]
+SHARED_CONST uint kImpulsesBinding = 8u;      // VolumeImpulse per piece
 SHARED_CONST uint kPreviousBinding = 8u;      // vec4: d before a sweep over the edges [m]
 SHARED_CONST uint kPullsBinding = 5u;         // PullRecord
 SHARED_CONST uint kSavedBinding = 5u;         // vec4: positions to go back to [m]

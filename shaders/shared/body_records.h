@@ -43,6 +43,14 @@ struct IncidenceRange {
     uint end;
 };
 
+// An edge constraint as seen from one of its vertices, in the order of the incidence.
+struct Spoke {
+    uint other;         // the vertex at its other end
+    float rest_length;  // [m]
+    float geometry;     // see EdgeConstraint
+    uint other_count;   // of spokes there
+};
+
 // A word to be written into a buffer.
 struct WordPatch {
     uint word;
@@ -58,6 +66,12 @@ struct PullRecord {
     float motion_x;  // of the hand [m/s]
     float motion_y;
     float motion_z;
+};
+
+// Of one piece, in a substep.
+struct VolumeImpulse {
+    float impulse;  // by which volume_correct multiplies w dV/dp [1/m]
+    uint finished;  // blocks that have their sum; 0 between substeps
 };
 
 // Of one block, in a substep.

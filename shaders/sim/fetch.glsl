@@ -9,13 +9,14 @@ uvec4 fetch(usamplerBuffer texels, uint index) {
     return texelFetch(texels, int(index));
 }
 
-// Needs constraints.h.
-#ifdef KERF_CONSTRAINTS_H
-EdgeConstraint fetchEdge(usamplerBuffer records, uint index) {
+#ifdef KERF_BODY_RECORDS_H
+Spoke fetchSpoke(usamplerBuffer records, uint index) {
     uvec4 words = fetch(records, index);
-    return EdgeConstraint(words.x, words.y, uintBitsToFloat(words.z), uintBitsToFloat(words.w));
+    return Spoke(words.x, uintBitsToFloat(words.y), uintBitsToFloat(words.z), words.w);
 }
+#endif
 
+#ifdef KERF_CONSTRAINTS_H
 BendConstraint fetchBend(usamplerBuffer records, uint index) {
     uvec2 edge = fetch(records, 3u * index).xy;
     uvec2 apexes = fetch(records, 3u * index + 1u).xy;

@@ -1,7 +1,9 @@
 // dV/dp of each vertex, and what the volume constraint sums of it over a block: the volume, a third
 // of (p - origin) . dV/dp since V is homogeneous of degree 3, and w |dV/dp|^2. First each thread
 // over its own vertices, in order, then a tree over the group: both orders are fixed.
-// Reads X, d, neighbours, places, pages, pieces, blocks. Writes gradients and block sums.
+// The block of a piece that finishes last adds the sums of all of them up, in their order, to the
+// impulse that brings the piece back to its target volume, as a rigid constraint (alpha = 0).
+// Reads X, d, neighbours, places, pages, pieces, blocks. Writes gradients, block sums, impulses.
 // One group per block. A storage barrier follows, then volume_correct.
 #include "bindings.h"
 #include "body_records.h"
@@ -20,7 +22,8 @@ layout(std430, binding = kPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kGradientsBinding) writeonly buffer Gradients { vec4 gradients[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
-layout(std430, binding = kBlockSumsBinding) writeonly buffer Sums { VolumeSum sums[]; };
+layout(std430, binding = kBlockSumsBinding) coherent buffer Sums { VolumeSum sums[]; };
+layout(std430, binding = kImpulsesBinding) coherent buffer Impulses { VolumeImpulse impulses[]; };
 
 shared vec2 partial[kGroupSize];
 
@@ -30,6 +33,17 @@ vec3 span(uint from, uint to) {
 }
 
 #include "sim/volume_gradient.glsl"
+
+float impulseOf(PieceRecord piece) {
+    float volume = 0.0;
+    float denominator = 0.0;
+    for (uint k = 0u; k < piece.block_count; ++k) {
+        volume += sums[piece.first_block + k].volume;
+        denominator += sums[piece.first_block + k].denominator;
+    }
+    bool holds = piece.constrained != 0u && denominator > 0.0;
+    return holds ? -(volume - piece.target_volume) / denominator : 0.0;
+}
 
 void main() {
     BlockRecord block = blocks[gl_WorkGroupID.x];
@@ -53,5 +67,10 @@ void main() {
     }
     if (self == 0u) {
         sums[gl_WorkGroupID.x] = VolumeSum(partial[0].x, partial[0].y);
+        memoryBarrierBuffer();
+        if (atomicAdd(impulses[block.piece].finished, 1u) + 1u == pieces[block.piece].block_count) {
+            memoryBarrierBuffer();
+            impulses[block.piece] = VolumeImpulse(impulseOf(pieces[block.piece]), 0u);
+        }
     }
 }

@@ -26,6 +26,8 @@ static_assert(sizeof(shared::BlockRecord) == 12);
 static_assert(sizeof(shared::IncidenceRange) == 8);
 static_assert(sizeof(shared::WordPatch) == 8);
 static_assert(sizeof(shared::VolumeSum) == 8);
+static_assert(sizeof(shared::VolumeImpulse) == 8);
+static_assert(sizeof(shared::Spoke) == 16);
 static_assert(sizeof(shared::BlockMeasure) == 64);
 
 // Every vertex adds up the blocks of its piece, so there are few of them however large it is.
@@ -69,6 +71,24 @@ std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
     return links;
 }
 
+/// At a place of the incidence of the edges that is in use.
+shared::Spoke spokeAt(const BodyModel& model, uint place) {
+    const uint entry = model.edgeIncidence.entries[place];
+    const shared::EdgeConstraint& edge = model.edges[entry / 4];
+    const uint other = entry % 4 == 0 ? edge.b : edge.a;
+    return {other, edge.rest_length, edge.geometry, valence(model.edgeIncidence, other)};
+}
+
+std::vector<shared::Spoke> allSpokes(const BodyModel& model) {
+    std::vector<shared::Spoke> spokes(model.edgeIncidence.entries.size());
+    for (const IncidenceRange& range : model.edgeIncidence.ranges) {
+        for (uint place = range.first; place < range.end; ++place) {
+            spokes[place] = spokeAt(model, place);
+        }
+    }
+    return spokes;
+}
+
 /// Ascending: the places of `vertices` in the lists of an incidence.
 std::vector<uint> entriesOf(const Incidence& incidence, const std::vector<uint>& vertices) {
     std::vector<uint> places;
@@ -84,6 +104,22 @@ std::vector<uint> entriesOf(const Incidence& incidence, const std::vector<uint>&
 void bindIncidence(const gpu::Buffer& ranges, const gpu::Buffer& entries) {
     ranges.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
     entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32);
+}
+
+/// Ascending: whose spokes a change touched, by an edge of their own or by the number at its end.
+std::vector<uint> verticesWithNewSpokes(const BodyModel& model, const BodyChange& change) {
+    std::vector<uint> vertices = change.edgeLists;
+    for (const uint e : change.edges) {
+        vertices.insert(vertices.end(), {model.edges[e].a, model.edges[e].b});
+    }
+    for (const uint v : change.edgeLists) {
+        for (const uint place : entriesOf(model.edgeIncidence, {v})) {
+            vertices.push_back(spokeAt(model, place).other);
+        }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
 }
 
 Bounds boundsOf(const std::vector<Vec3f>& values) {
@@ -163,13 +199,13 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
         case 3:
             return triangles_.assign(model.triangles);
         case 4:
-            return edges_.assign(model.edges);
+            edgeRanges_.assign(model.edgeIncidence.ranges);
+            return spokes_.assign(allSpokes(model));
         case 5:
             return bends_.assign(model.bends);
         case 6:
             return ispcs_.assign(model.ispcs);
         case 7:
-            edgeIncidence_.assign(model.edgeIncidence);
             return bendIncidence_.assign(model.bendIncidence);
         case 8:
             return ispcIncidence_.assign(model.ispcIncidence);
@@ -248,6 +284,7 @@ void GpuSolver::uploadPieces(const BodyModel& model) {
     pieceBuffer_.assign(pieces_);
     blockBuffer_.assign(blocks_);
     blockSums_.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::VolumeSum));
+    impulses_.resize(std::max<std::size_t>(pieces_.size(), 1) * sizeof(shared::VolumeImpulse));
     blockMeasures_.resize((blocks_.size() + 1) * sizeof(shared::BlockMeasure));
 }
 
@@ -319,15 +356,23 @@ void GpuSolver::updateState(std::span<const uint> written, const BodyState& stat
 
 void GpuSolver::updateRecords(const BodyModel& model, const BodyChange& change) {
     scatter_.write<std::array<uint, 4>>(triangles_, model.triangles, change.triangles);
-    scatter_.write<shared::EdgeConstraint>(edges_, model.edges, change.edges);
     scatter_.write<shared::BendConstraint>(bends_, model.bends, change.bends);
     scatter_.write<shared::IspcConstraint>(ispcs_, model.ispcs, change.ispcs);
-    updateLists(edgeIncidence_, model.edgeIncidence, change.edgeLists);
+    updateSpokes(model, change);
     updateLists(bendIncidence_, model.bendIncidence, change.bendLists);
     updateLists(ispcIncidence_, model.ispcIncidence, change.ispcLists);
     updateLists(triangleIncidence_, model.triangleIncidence, change.triangleLists);
     scatter_.write<uint>(neighbours_, model.neighbours,
                          entriesOf(model.triangleIncidence, change.triangleLists));
+}
+
+void GpuSolver::updateSpokes(const BodyModel& model, const BodyChange& change) {
+    scatter_.write<IncidenceRange>(edgeRanges_, model.edgeIncidence.ranges, change.edgeLists);
+    const std::vector<uint> places =
+        entriesOf(model.edgeIncidence, verticesWithNewSpokes(model, change));
+    scatter_.write<shared::Spoke>(spokes_, model.edgeIncidence.entries.size(), places,
+                                  Scatter::Gaps::keep,
+                                  [&](uint place) { return spokeAt(model, place); });
 }
 
 void GpuSolver::updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
@@ -469,8 +514,7 @@ void GpuSolver::step() {
 void GpuSolver::predictAndStretch() {
     refreshMasses();
     bindBody();
-    edges_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
-    edgeIncidence_.bind();
+    bindSpokes();
     run(kernels_.stretch, uniforms_.vertex_count);
 }
 
@@ -478,9 +522,13 @@ void GpuSolver::stretchAgain() {
     std::swap(displacement_, previous_);
     bindBody();
     previous_.bindTexels(shared::kPreviousBinding, TexelFormat::float32x4);
-    edges_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
-    edgeIncidence_.bind();
+    bindSpokes();
     run(kernels_.stretchAgain, uniforms_.vertex_count);
+}
+
+void GpuSolver::bindSpokes() const {
+    edgeRanges_.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
+    spokes_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x4);
 }
 
 void GpuSolver::solveBends() {
@@ -514,6 +562,7 @@ void GpuSolver::solveVolume() {
     }
     bindBody();
     blockSums_.bindStorage(shared::kBlockSumsBinding);
+    impulses_.bindStorage(shared::kImpulsesBinding);
     runOverBlocks(kernels_.volumeGradient);
     run(kernels_.volumeCorrect, uniforms_.vertex_count);
 }

@@ -153,6 +153,8 @@ class GpuSolver {
     void updateVertices(const BodyModel& model, const BodyChange& change);
     void updateState(std::span<const std::uint32_t> written, const BodyState& state);
     void updateRecords(const BodyModel& model, const BodyChange& change);
+    void updateSpokes(const BodyModel& model, const BodyChange& change);
+    void bindSpokes() const;
     void updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
                      const std::vector<std::uint32_t>& vertices);
     void refreshMasses();
@@ -187,9 +189,9 @@ class GpuSolver {
     gpu::Buffer savedPositions_;
     gpu::Buffer links_, areaBuffer_, triangles_, placeBuffer_, pageBuffer_, neighbours_;
     gpu::Buffer pulls_, marks_;
-    gpu::Buffer edges_, bends_, ispcs_, corrections_;
-    IncidenceBuffers edgeIncidence_, bendIncidence_, ispcIncidence_, triangleIncidence_;
-    gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, blockMeasures_;
+    gpu::Buffer edgeRanges_, spokes_, bends_, ispcs_, corrections_;
+    IncidenceBuffers bendIncidence_, ispcIncidence_, triangleIncidence_;
+    gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, impulses_, blockMeasures_;
 
     Scatter scatter_;
     ContactSolver contacts_;
