@@ -16,6 +16,9 @@ Editor::Editor(const EditorOptions& options, std::optional<Document> document)
     if (document) {
         state_->show(UploadedDocument(prepareDocument(std::move(*document))));
     }
+    if (const std::string& problem = state_->settingsFile.problem(); !problem.empty()) {
+        state_->toast.show(problem, true);
+    }
     state_->describe();
 }
 
@@ -34,6 +37,13 @@ void Editor::resize(int width, int height) {
     }
 }
 
+void Editor::setScale(float scale) {
+    if (scale != state_->options.scale) {
+        state_->options.scale = scale;
+        state_->settlePasses = kSettlePasses;
+    }
+}
+
 void Editor::frame(double elapsedSeconds) {
     State& s = *state_;
     s.toast.pass(elapsedSeconds);
@@ -45,6 +55,7 @@ void Editor::frame(double elapsedSeconds) {
     if (s.screenshotWanted) {
         s.saveScreenshot();
     }
+    s.keepSettings();
 }
 
 double Editor::idleSeconds() const {

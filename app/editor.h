@@ -25,6 +25,8 @@ struct EditorOptions {
     /// Time runs by the clock where it can; otherwise every picture is one step, for tests.
     bool byTheClock = true;
     std::filesystem::path screenshotFolder = ".";
+    /// Where the person's settings are kept; empty: nowhere, as in tests.
+    std::filesystem::path settingsFile;
 };
 
 /// The editor behind a window or without one: events in, pictures out. It needs a current OpenGL
@@ -42,6 +44,8 @@ class Editor {
     void post(ui::InputEvent event);
     /// Of the picture [px]; ignored where a side is 0, as of a hidden window.
     void resize(int width, int height);
+    /// Of the display, as the window moves to another one; 1 = 96 dpi.
+    void setScale(float scale);
     /// One picture; `elapsedSeconds` since the one before.
     void frame(double elapsedSeconds);
     /// How long nothing will change without input [s]; 0 while something moves.

@@ -27,8 +27,10 @@ void Editor::State::apply(const ui::Action& action) {
         execute(*removed);
     } else if (std::holds_alternative<ui::CancelWork>(action)) {
         cancelLoading();
+    } else if (const auto* set = std::get_if<SetParam>(&action)) {
+        execute(*set);
     } else {
-        execute(std::get<SetParam>(action));
+        applyToPanels(action);
     }
 }
 
@@ -114,6 +116,15 @@ void Editor::State::perform(ui::ActionId id) {
             return;
         case ui::ActionId::cancel:
             cancel();
+            return;
+        case ui::ActionId::togglePanels:
+            togglePanels();
+            return;
+        case ui::ActionId::holdPlots:
+            holdPlots();
+            return;
+        case ui::ActionId::fitPlots:
+            plotView = {};
             return;
         case ui::ActionId::quit:
             closing = true;

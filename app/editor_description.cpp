@@ -15,7 +15,8 @@ ui::ViewAxes axesOf(const render::Camera& camera) {
 
 std::string Editor::State::hint() const {
     if (scene == nullptr) {
-        return "Drop a model (OBJ, PLY, STL) or a session here to open it.";
+        return "Drop a model (OBJ, PLY, STL) or a session here to open it, or choose an experiment "
+               "at the left.";
     }
     if (scene->playing || bodyHand.holds()) {
         return "";
@@ -52,15 +53,19 @@ std::string Editor::State::hintForBlade(ui::Tool tool) const {
 }
 
 void Editor::State::describe() {
-    model = {};
+    const ui::PanelModel blank;  // GCC 12 takes parts of a temporary for uninitialized
+    model = blank;
     model.helpOpen = helpOpen;
     model.wireframe = wireframe;
     model.history = &noHistory;
     if (scene != nullptr) {
         scene->describe(model);
+        pieceDisplay.describe(model);
     }
+    experiments.describe(scene.get(), model);
+    model.settings = settingsFile.now;
+    model.plotView = plotView;
     model.speed = clock.speed();
-    model.stages.frame = clock.rate() > 0 ? 1000 / clock.rate() : 0;
     model.device = options.device;
     model.hint = hint();
     model.tools = hand.settings();

@@ -1,30 +1,13 @@
 #include <spdlog/spdlog.h>
 
-#include <ctime>
-
 #include "app/editor_state.h"
 #include "app/file_io.h"
+#include "app/free_file.h"
 
 namespace kerf::app {
 namespace {
 
 constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over sooner
-
-/// NAME-YYYYMMDD-HHMMSS with an ending, numbered where that is taken.
-std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
-                               const std::string& ending) {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    char moment[32];
-    std::strftime(moment, sizeof moment, "-%Y%m%d-%H%M%S", &local);
-    const std::string stem = name + moment;
-    std::filesystem::path file = folder / (stem + ending);
-    for (int n = 2; std::filesystem::exists(file); ++n) {
-        file = folder / (stem + "-" + std::to_string(n) + ending);
-    }
-    return std::filesystem::absolute(file).lexically_normal();
-}
 
 }  // namespace
 
@@ -91,6 +74,8 @@ void Editor::State::show(UploadedDocument uploaded) {
     bodyHand = {};
     cameraControl.releaseAll();
     strokedOnce = false;
+    pieceDisplay.clear();
+    plotView = {};
     sceneChanged = true;
     clock.stop();
     if (!note.empty()) {

@@ -21,6 +21,7 @@ void Editor::State::takeInput(double elapsedSeconds) {
 void Editor::State::pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds) {
     describe();
     settlePasses = batch.empty() ? std::max(0, settlePasses - 1) : kSettlePasses;
+    interface.restyle(settingsFile.now.theme, scale());
     const std::vector<ui::Action> actions =
         interface.pass(batch, model, options.width, options.height, elapsedSeconds);
     for (const ui::InputEvent& event : batch) {

@@ -24,7 +24,10 @@ void Editor::State::drawScene() {
     }
     render::SceneView view = scene->view();
     view.wireframe = wireframe;
+    view.pieces = pieceDisplay.looks(scene->simulation().pieceBounds().size());
+    sceneTimer.begin();
     renderer.draw(view, camera, options.width, options.height);
+    sceneTimer.end();
     sceneChanged = false;
 }
 

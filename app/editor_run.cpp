@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor.h"
+#include "app/settings_file.h"
 #include "app/window.h"
 #include "gpu/context.h"
 #include "sim/stopwatch.h"
@@ -40,6 +41,7 @@ EditorOptions optionsFor(const Window& window) {
     options.height = std::max(1, window.height());
     options.scale = window.scale();
     options.quality = device.software ? render::Quality::light : render::Quality::full;
+    options.settingsFile = defaultSettingsFile();
     options.device = device.renderer.substr(0, device.renderer.find(" ("));
     return options;
 }
@@ -54,6 +56,7 @@ void runLoop(Window& window, Editor& editor) {
             continue;
         }
         editor.resize(window.width(), window.height());
+        editor.setScale(window.scale());
         editor.frame(watch.restart());
         window.setTitle(editor.title());
         window.show(editor.picture());

@@ -33,6 +33,14 @@ bool takesBodyElsewhere(const Command& command) {
            std::holds_alternative<Restart>(command);
 }
 
+/// Of a command that takes the body elsewhere, in the plots.
+const char* markOf(const Command& command) {
+    if (std::holds_alternative<Undo>(command)) {
+        return "undo";
+    }
+    return std::holds_alternative<Redo>(command) ? "redo" : "restart";
+}
+
 }  // namespace
 
 EditorScene::EditorScene(Document document, BodyUpload body)
@@ -50,7 +58,7 @@ void EditorScene::startAnew() {
     stroke_.clear();
     sweep_.clear();
     journal_.clear();
-    history_.clear();
+    readings_.clear();
     start_ = {};
     seekTarget_.reset();
     const bool loop = playback_ && playback_->loop;
@@ -87,7 +95,8 @@ std::string EditorScene::execute(const Command& command) {
     std::string problem = perform(command);
     if (problem.empty() && takesBodyElsewhere(command)) {
         releaseAllHands();
-        record();
+        readings_.addJump(timeNow(), simulation_);
+        readings_.mark(timeNow(), markOf(command));
         refreshPieces();
     }
     if (const auto* set = std::get_if<SetParam>(&command); set != nullptr && problem.empty()) {
@@ -149,7 +158,7 @@ void EditorScene::reset() {
     sweep_.clear();
     perform(Restart{});
     start_ = {simulation_.stepCount(), simulation_.report().time};
-    history_.clear();
+    readings_.clear();
     refreshPieces();
 }
 
@@ -165,9 +174,9 @@ void EditorScene::step() {
     const StepReport& report = simulation_.step();
     followBlade();
     if (report.pieces != piecesBefore) {
-        history_.marks.push_back({timeNow(), "cut"});
+        readings_.mark(timeNow(), "cut");
     }
-    record();
+    readings_.addStep(timeNow(), simulation_);
     checkNowAndThen();
     wrapPlayback();
 }
@@ -229,7 +238,6 @@ void EditorScene::seek(int step) {
 }
 
 void EditorScene::goTo(int step, const Keyframe& keyframe) {
-    const auto isLater = [&](const auto& point) { return point.x > timeNow(); };
     simulation_.goTo(keyframe.moment);
     journal_.goBackTo(keyframe.journal);
     sweep_ = keyframe.sweep;
@@ -237,9 +245,7 @@ void EditorScene::goTo(int step, const Keyframe& keyframe) {
     pulling_ = false;
     dragTo_.reset();
     playback_->wentTo(step);
-    std::erase_if(history_.framesPerSecond, isLater);
-    std::erase_if(history_.volumePercent, isLater);
-    std::erase_if(history_.marks, isLater);
+    readings_.forgetAfter(timeNow());
     refreshPieces();
 }
 
@@ -324,13 +330,8 @@ std::vector<std::string> EditorScene::takeMessages() {
     return messages;
 }
 
-void EditorScene::record() {
-    const StepReport& report = simulation_.report();
-    history_.volumePercent.push_back({timeNow(), 100 * report.volumeRatio});
-}
-
-void EditorScene::recordFrameRate(double framesPerSecond) {
-    history_.framesPerSecond.push_back({timeNow(), framesPerSecond});
+void EditorScene::recordPicture(double elapsedSeconds, double renderMs) {
+    readings_.addPicture(timeNow(), elapsedSeconds, renderMs);
 }
 
 render::SceneView EditorScene::view() {
@@ -378,12 +379,9 @@ void EditorScene::describe(ui::PanelModel& model) {
     describeChanges(model.changes);
     model.vertices = report.vertices;
     model.triangles = report.triangles;
-    model.stages.deform = report.deformMs;
-    model.stages.collide = report.collideMs;
-    model.stages.cut = report.cutMs;
     model.subdivisions = simulation_.subdivisions();
     model.pieces = pieces_;
-    model.history = &history_;
+    model.history = &readings_.history();
     model.recording = recording_;
     describePlayback(model.playback);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/editor_document.h"
+#include "app/editor_readings.h"
 #include "app/editor_stroke.h"
 #include "app/session_journal.h"
 #include "app/session_playback.h"
@@ -67,8 +68,10 @@ class EditorScene {
     /// All that was done since the start, as a session that ends here with a check of the state.
     Session recordedSession(const render::Camera& camera);
 
-    /// Notes how fast pictures follow each other while time runs.
-    void recordFrameRate(double framesPerSecond);
+    /// Notes a picture while time runs: how long after the one before it came [s], and how long it
+    /// took to draw [ms].
+    void recordPicture(double elapsedSeconds, double renderMs);
+    const EditorReadings& readings() const { return readings_; }
 
     const Document& document() const { return document_; }
     Simulation& simulation() { return simulation_; }
@@ -98,7 +101,6 @@ class EditorScene {
     void putUp(const std::vector<StaticBox>& boxes);
     void followBlade();
     void checkNowAndThen();
-    void record();
     void refreshPieces();
     void describeChanges(ui::ChangeList& list) const;
     void describePlayback(ui::PlaybackState& state) const;
@@ -120,7 +122,7 @@ class EditorScene {
         int step = 0;
         double time = 0;  ///< [s]
     } start_;
-    ui::History history_;
+    EditorReadings readings_;
     std::vector<std::string> messages_;
     std::vector<ui::PieceRow> pieces_;
     int piecesStep_ = -1;  ///< step that pieces_ tells of

@@ -14,9 +14,13 @@
 #include "app/editor_camera.h"
 #include "app/editor_scene.h"
 #include "app/editor_toast.h"
+#include "app/experiment_board.h"
 #include "app/input_queue.h"
+#include "app/piece_display.h"
+#include "app/settings_file.h"
 #include "app/step_clock.h"
 #include "app/view_frame.h"
+#include "gpu/timer.h"
 #include "ui/interface.h"
 
 namespace kerf::app {
@@ -29,12 +33,14 @@ struct Editor::State {
     explicit State(const EditorOptions& wanted)
         : options(wanted),
           clock(wanted.byTheClock),
-          interface(wanted.scale),
+          settingsFile(wanted.settingsFile),
+          interface(settingsFile.now.theme, scale()),
           renderer(wanted.quality) {}
 
     EditorOptions options;
     StepClock clock;
     InputQueue queue;
+    SettingsFile settingsFile;
     ui::Interface interface;
     render::Renderer renderer;
     std::unique_ptr<EditorScene> scene;
@@ -48,6 +54,10 @@ struct Editor::State {
     EditorToast toast;
     std::unique_ptr<DocumentLoading> loading;
     std::vector<std::unique_ptr<DocumentLoading>> cancelledLoadings;  ///< until their threads end
+    ExperimentBoard experiments;
+    PieceDisplay pieceDisplay;
+    gpu::Timer sceneTimer;
+    ui::PlotView plotView;
     BladeHand hand;
     BodyHand bodyHand;
     bool sceneChanged = true;
@@ -91,6 +101,20 @@ struct Editor::State {
     void performOnView(ui::ActionId id);
     void moveCamera(ui::ActionId id);
     void landCamera();
+
+    // Answers of the panels about the panels: editor_panels.cpp.
+    void applyToPanels(const ui::Action& action);
+    void setSettings(const ui::Settings& wanted);
+    void keepSettings();
+    void togglePanels();
+    void holdPlots();
+    void exportPlots(bool asPicture);
+    void openExperiment(const std::string& name);
+    void framePiece(int piece);
+    void showPiece(int piece, bool visible);
+    void hoverPiece(int piece);
+    /// Of the panels: the display's times the person's choice.
+    float scale() const { return options.scale * static_cast<float>(settingsFile.now.uiScale); }
 
     // Files: editor_files.cpp.
     void open(const std::filesystem::path& file);

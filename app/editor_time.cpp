@@ -43,8 +43,10 @@ void Editor::State::advance(double elapsedSeconds) {
         const int due = playing ? clock.takeDue(elapsedSeconds, timeStep) : 0;
         runSteps(scene->strokeSteps(), std::max(due, std::min(scene->seekSteps(), kMostSeekSteps)));
     }
+    const double renderMs = sceneTimer.takeMilliseconds();
     if (clock.measure(elapsedSeconds, ran)) {
-        scene->recordFrameRate(1 / elapsedSeconds);
+        scene->recordPicture(elapsedSeconds, renderMs);
+        experiments.note(*scene);
     }
 }
 

@@ -9,12 +9,17 @@ namespace {
 constexpr double kNoticeSeconds = 5;
 constexpr double kErrorSeconds = 12;
 constexpr double kFadeSeconds = 0.5;
+constexpr std::size_t kMostLogLines = 200;
 
 }  // namespace
 
 void EditorToast::show(std::string text, bool isError) {
     text_ = std::move(text);
     isError_ = isError;
+    if (log_.size() == kMostLogLines) {
+        log_.erase(log_.begin());
+    }
+    log_.push_back({text_, isError});
     remaining_ = isError ? kErrorSeconds : kNoticeSeconds;
 }
 
@@ -28,6 +33,7 @@ double EditorToast::steadySeconds() const {
 
 void EditorToast::describe(ui::PanelModel& model) const {
     model.toast = visible() ? text_ : "";
+    model.log = log_;
     model.toastIsError = isError_;
     model.toastOpacity = static_cast<float>(std::min(1.0, remaining_ / kFadeSeconds));
 }

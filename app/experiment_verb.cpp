@@ -16,7 +16,6 @@
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "ui/plot_picture.h"
-#include "ui/theme.h"
 
 namespace kerf::app {
 
@@ -29,8 +28,8 @@ constexpr int kPlotHeight = 560;
 
 /// What the plots show, against simulated time.
 struct Curves {
-    std::vector<ui::PlotPoint> volume;  ///< % of rest
-    std::vector<ui::PlotPoint> frames;  ///< [1/s]
+    ui::Series volume;  ///< % of rest
+    ui::Series frames;  ///< [1/s]
     std::vector<ui::PlotMark> marks;
 
     void add(const MetricsRow& row) {
@@ -39,31 +38,30 @@ struct Curves {
             marks.push_back({step.time, fmt::format("{} pieces", step.pieces)});
         }
         pieces_ = step.pieces;
-        volume.push_back({step.time, 100 * step.volumeRatio});
-        frames.push_back({step.time, row.frameMs > 0 ? 1000 / row.frameMs : 0});
+        volume.add(step.time, 100 * step.volumeRatio);
+        frames.add(step.time, row.frameMs > 0 ? 1000 / row.frameMs : 0);
     }
 
   private:
     int pieces_ = 0;
 };
 
-render::Image drawCurves(const Curves& curves) {
+render::Image drawCurves(const Curves& curves, const PaperExperiment& paper) {
     ui::PlotSpec volume;
     volume.id = "volume";
     volume.title = "Volume, % of rest";
-    volume.color = ui::Theme::kGreen;
-    volume.points = curves.volume;
+    volume.curves = {{.label = "volume", .hue = ui::Hue::green, .series = &curves.volume}};
     volume.marks = curves.marks;
-    volume.reference = 100;
+    volume.reference = {paper.meanVolume, fmt::format("paper's mean {:.1f}", paper.meanVolume)};
     volume.readoutDecimals = 2;
     ui::PlotSpec frames;
     frames.id = "frames";
     frames.title = "Frames per second";
-    frames.color = ui::Theme::kBlue;
-    frames.points = curves.frames;
+    frames.curves = {{.label = "frames/s", .series = &curves.frames}};
     frames.marks = curves.marks;
+    frames.reference = {paper.meanFps, fmt::format("paper's mean {:.1f}", paper.meanFps)};
     frames.minSpan = 10;
-    return ui::PlotPainter().draw(std::array{volume, frames}, kPlotWidth, kPlotHeight);
+    return ui::PlotPainter().draw(std::array{volume, frames}, {}, kPlotWidth, kPlotHeight);
 }
 
 Session sessionOf(const PaperExperiment& experiment) {
@@ -86,7 +84,7 @@ ExperimentResult runExperiment(const PaperExperiment& experiment,
                                {[&line](int done, int total) { line.show(done, total); },
                                 [&curves](const MetricsRow& row) { curves.add(row); }});
     }
-    writePicture(drawCurves(curves), folder / experiment.name / kPlotFile);
+    writePicture(drawCurves(curves, experiment), folder / experiment.name / kPlotFile);
     ExperimentResult result{&experiment, std::move(replay.summary), {}};
     replay.files.emplace_back(kPlotFile);
     for (const std::string& file : replay.files) {

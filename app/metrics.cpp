@@ -50,7 +50,7 @@ std::string metricsHeader() {
     return "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
            "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts,one_to_four,one_to_"
            "three_a,"
-           "one_to_two,one_to_three_b,other_patterns,seeds\n";
+           "one_to_two,one_to_three_b,other_patterns,seeds,kinetic_energy,potential_energy\n";
 }
 
 std::string formatMetrics(const MetricsRow& row) {
@@ -72,6 +72,9 @@ std::string formatMetrics(const MetricsRow& row) {
     }
     for (const int value : {otherPatterns(r.subdivisions), r.seeds}) {
         line += "," + std::to_string(value);
+    }
+    for (const double value : {r.kineticEnergy, r.potentialEnergy}) {
+        line += "," + formatNumber(value);
     }
     return line + "\n";
 }

@@ -14,6 +14,7 @@
 #include "render/passes/normals_pass.h"
 #include "render/passes/smooth_pass.h"
 #include "render/passes/surface_pass.h"
+#include "shaders/shared/shared_types.h"
 
 namespace kerf::render {
 namespace {
@@ -64,11 +65,13 @@ struct Renderer::State {
     State& operator=(const State&) = delete;
 
     void makeTargets(int width, int height);
+    void uploadLooks(const SceneView& scene, Frame& frame);
     void drawShadows(const SceneView& scene, const Frame& frame);
     void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
 
     int samples;
     std::uint32_t vertexArray = 0;
+    gpu::Buffer looks;
     gpu::Framebuffer drawn;
     gpu::Framebuffer resolved;
     NormalsPass normals;
@@ -87,6 +90,18 @@ void Renderer::State::makeTargets(int width, int height) {
     }
     resolved = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height);
     drawn = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height, samples);
+}
+
+void Renderer::State::uploadLooks(const SceneView& scene, Frame& frame) {
+    std::vector<shared::vec4> words(std::max<std::size_t>(1, scene.pieces.size()));
+    for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
+        const PieceLook& look = scene.pieces[p];
+        words[p] = {look.tint.x(), look.tint.y(), look.tint.z(),
+                    look.hidden ? -1.0f : look.strength};
+    }
+    looks.assign(words);
+    frame.looks = &looks;
+    frame.lookCount = static_cast<std::uint32_t>(scene.pieces.size());
 }
 
 void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
@@ -140,7 +155,8 @@ void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int
     width = std::max(width, 1);
     height = std::max(height, 1);
     state_->makeTargets(width, height);
-    const Frame frame = frameOf(scene, camera, width, height, state_->shadow.size());
+    Frame frame = frameOf(scene, camera, width, height, state_->shadow.size());
+    state_->uploadLooks(scene, frame);
     glBindVertexArray(state_->vertexArray);
     resetState();
     state_->boxes.update(scene);

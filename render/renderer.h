@@ -20,6 +20,13 @@ namespace kerf::render {
 /// What the light tier leaves out: multisampling, the soft edge of the shadow.
 enum class Quality { light, full };
 
+/// How a piece differs from the others of its body.
+struct PieceLook {
+    Eigen::Vector3f tint = Eigen::Vector3f::Zero();  ///< linear albedo
+    float strength = 0;                              ///< of the tint, 0 to 1
+    bool hidden = false;                             ///< neither drawn nor casting a shadow
+};
+
 /// All that a picture shows.
 struct SceneView {
     BodyView body;
@@ -31,6 +38,7 @@ struct SceneView {
     std::vector<Blade> sweep;     ///< poses of the running stroke: translucent quads
     Bounds focus;                 ///< what the shadow map must cover (body, current)
     bool wireframe = false;
+    std::vector<PieceLook> pieces;  ///< by BodyView's pieces; those behind its end look as always
 };
 
 /// Draws a scene into an off-screen target: shadow pass, floor, surface, boxes, blade, overlays.

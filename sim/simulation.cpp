@@ -493,6 +493,8 @@ void Simulation::State::publish() {
     report.pieces = static_cast<int>(model().pieces.size());
     report.triangles = mesh.aliveTriangles();
     report.contacts = measure.contacts;
+    report.kineticEnergy = measure.kineticEnergy;
+    report.potentialEnergy = measure.potentialEnergy;
     report.ispcs = static_cast<int>(model().ispcs.size());
     report.closed = closed;
 }
@@ -812,6 +814,10 @@ std::vector<Piece> Simulation::measuredPieces() const {
                        state_->measure.pieceVolumes[p], piece.restVolume, piece.restArea});
     }
     return out;
+}
+
+const std::vector<Bounds>& Simulation::pieceBounds() const {
+    return state_->measure.pieceBounds;
 }
 
 const SurfaceMesh& Simulation::mesh() {

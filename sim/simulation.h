@@ -32,6 +32,8 @@ struct StepReport {
     int seeds = 0;                     ///< groups of neighbours among the touched triangles
     int contacts = 0;                  ///< of the body with itself in the last substep
     bool closed = true;
+    double kineticEnergy = 0;    ///< see BodyMeasure [J]
+    double potentialEnergy = 0;  ///< [J]
     int lostPieces = 0;  ///< pieces that ran away and were taken back to where the step began
     double deformMs = 0;
     double collideMs = 0;
@@ -96,6 +98,8 @@ class Simulation {
     /// back. Pieces stand in the order in which they came off.
     const Bounds& bounds() const;
     std::vector<Piece> measuredPieces() const;
+    /// Boxes around these pieces [m], in their order.
+    const std::vector<Bounds>& pieceBounds() const;
     /// The mesh with current positions and velocities (waits for the GPU where they are newer).
     const SurfaceMesh& mesh();
     /// Per piece: triangles, volume, rest volume (waits for the GPU as mesh()).

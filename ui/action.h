@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <variant>
 
 #include "sim/command.h"
+#include "ui/plot_math.h"
+#include "ui/settings.h"
 #include "ui/tool_settings.h"
 
 namespace kerf::ui {
@@ -40,6 +43,9 @@ enum class ActionId : std::uint8_t {
     viewBottom,
     orthographic,
     wireframe,
+    togglePanels,
+    holdPlots,
+    fitPlots,
     screenshot,
     help,
     quit,
@@ -68,8 +74,39 @@ struct PlaceBox {};
 /// Gives up what takes long.
 struct CancelWork {};
 
+/// Another look of the window.
+struct SetSettings {
+    Settings settings;
+};
+/// Another part of the time axis.
+struct SetPlotView {
+    PlotView view;
+};
+/// Writes the plots that are shown into the current folder.
+struct ExportPlots {
+    bool asPicture = false;  ///< as PNG; otherwise their values as CSV
+};
+/// Opens the session of one of the paper's experiments.
+struct OpenExperiment {
+    std::string name;
+};
+/// The pointer rests on a row of the piece list, -1 on none.
+struct HoverPiece {
+    int piece = -1;
+};
+/// Brings a piece into view.
+struct FramePiece {
+    int piece = 0;
+};
+/// Shows or hides a piece; it is simulated and cut all the same.
+struct ShowPiece {
+    int piece = 0;
+    bool visible = true;
+};
+
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
 using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools, PlaceBox,
-                            ChangeBox, RemoveBox, CancelWork>;
+                            ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
+                            OpenExperiment, HoverPiece, FramePiece, ShowPiece>;
 
 }  // namespace kerf::ui

@@ -14,7 +14,7 @@ namespace {
 void drawEntry(std::string_view keys, std::string_view label) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, Theme::kBlue);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::blue));
     ImGui::TextUnformatted(keys.data(), keys.data() + keys.size());
     ImGui::PopStyleColor();
     ImGui::TableNextColumn();

@@ -14,7 +14,7 @@ void drawHint(const PanelModel& model, const Rect& view) {
     const float line = ImGui::GetFontSize();
     const float y = model.name.empty() ? view.y + view.height / 2 : view.y + view.height - 2 * line;
     drawBanner("hint", model.hint, view.x + view.width / 2, y, view.width,
-               {.accent = Theme::kBlade, .opacity = 1});
+               {.accent = palette().blade, .opacity = 1});
 }
 
 }  // namespace kerf::ui

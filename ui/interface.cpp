@@ -9,22 +9,26 @@
 #include "ui/axes_widget.h"
 #include "ui/boxes_panel.h"
 #include "ui/changes_panel.h"
+#include "ui/experiments_panel.h"
 #include "ui/help_overlay.h"
 #include "ui/hint.h"
 #include "ui/item_places.h"
 #include "ui/layout.h"
+#include "ui/log_panel.h"
 #include "ui/menu_bar.h"
 #include "ui/overlay.h"
 #include "ui/parameters_panel.h"
 #include "ui/pieces_panel.h"
 #include "ui/plots_panel.h"
+#include "ui/sections.h"
+#include "ui/splitter.h"
 #include "ui/stages_panel.h"
 #include "ui/status_bar.h"
-#include "ui/theme.h"
 #include "ui/toast.h"
 #include "ui/tools_panel.h"
 #include "ui/transport_panel.h"
 #include "ui/widgets.h"
+#include "ui/window_panel.h"
 #include "ui/work_box.h"
 
 namespace kerf::ui {
@@ -93,42 +97,100 @@ struct Feed {
     }
 };
 
+/// The sections of the left panel, which scroll.
+void drawSections(const PanelModel& model, float height, std::vector<Action>& actions) {
+    ImGui::BeginChild("sections", {0, height});
+    if (beginSection("experiments", "Experiments of the paper", model, actions)) {
+        drawExperiments(model, actions);
+    }
+    if (beginSection("tools", "Tool", model, actions)) {
+        drawTools(model, actions);
+    }
+    if (beginSection("simulation", "Simulation", model, actions)) {
+        drawParameters(model, actions);
+    }
+    if (beginSection("window", "Window", model, actions)) {
+        drawWindowRows(model, actions);
+    }
+    ImGui::EndChild();
+}
+
+/// What is left of a panel, divided by a bar that can be dragged: the height of the upper part for
+/// the share that the lower one has.
+struct Division {
+    float top = 0;     ///< on the screen [px]
+    float height = 0;  ///< of both parts [px]
+
+    static Division ofTheRest() {
+        return {ImGui::GetCursorScreenPos().y, ImGui::GetContentRegionAvail().y - splitterHeight()};
+    }
+    /// Each part keeps a few lines.
+    float upper(double share) const {
+        const float least = 4 * ImGui::GetTextLineHeightWithSpacing();
+        return std::clamp(static_cast<float>(share) * height, least,
+                          std::max(least, height - least));
+    }
+};
+
 void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
     beginPanel("controls", rect, true);
     drawMenuBar(model, actions);
     drawTransport(model, actions);
-    drawTools(model, actions);
-    drawParameters(model, actions);
-    drawPieces(model);
+    const Division division = Division::ofTheRest();
+    drawSections(model, division.upper(1 - model.settings.piecesShare), actions);
+    if (const auto share = horizontalSplitter("pieces", division.top, division.height)) {
+        Settings settings = model.settings;
+        settings.piecesShare = 1 - *share;
+        actions.emplace_back(SetSettings{settings});
+    }
+    drawPieces(model, actions);
     ImGui::End();
 }
 
-void drawReadings(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
-    beginPanel("plots", rect);
-    drawPlots(model, 0.62F * ImGui::GetContentRegionAvail().y);
-    if (ImGui::BeginTabBar("readings")) {
-        if (ImGui::BeginTabItem("Times")) {
-            drawStages(model.stages, model.subdivisions);
-            ImGui::EndTabItem();
-        }
-        if (ImGui::BeginTabItem("History")) {
-            drawChanges(model, actions);
-            ImGui::EndTabItem();
-        }
-        const bool boxesOpen = ImGui::BeginTabItem("Boxes");
-        noteItem("tab.Boxes");
-        if (boxesOpen) {
-            drawBoxes(model, actions);
-            ImGui::EndTabItem();
-        }
-        ImGui::EndTabBar();
+void drawTabs(const PanelModel& model, std::vector<Action>& actions) {
+    if (!ImGui::BeginTabBar("readings")) {
+        return;
     }
+    const auto tab = [](const char* name) {
+        const bool open = ImGui::BeginTabItem(name);
+        noteItem(std::string("tab.") + name);
+        return open;
+    };
+    if (tab("Times")) {
+        drawStages(model);
+        ImGui::EndTabItem();
+    }
+    if (tab("History")) {
+        drawChanges(model, actions);
+        ImGui::EndTabItem();
+    }
+    if (tab("Boxes")) {
+        drawBoxes(model, actions);
+        ImGui::EndTabItem();
+    }
+    if (tab("Log")) {
+        drawLog(model);
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}
+
+void drawReadings(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
+    beginPanel("readings", rect);
+    const Division division = Division::ofTheRest();
+    drawPlots(model, division.upper(model.settings.plotsShare), actions);
+    if (const auto share = horizontalSplitter("plots", division.top, division.height)) {
+        Settings settings = model.settings;
+        settings.plotsShare = *share;
+        actions.emplace_back(SetSettings{settings});
+    }
+    drawTabs(model, actions);
     ImGui::End();
 }
 
 }  // namespace
 
-Interface::Interface(float scale) : context_(scale), scale_(scale) {
+Interface::Interface(Theme theme, float scale) : context_(theme, scale) {
     ImGuiIO& io = ImGui::GetIO();
     io.BackendPlatformName = "kerf input queue";
     io.ConfigInputTextCursorBlink = false;
@@ -149,12 +211,18 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
 
     std::vector<Action> actions;
     const ItemNotes notes(places_);
-    const Layout layout = layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale_);
-    drawOverlay(model.overlay, scale_);
-    drawControls(model, layout.controls, actions);
-    drawReadings(model, layout.plots, actions);
+    const float scale = context_.scale();
+    const Layout layout = layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings);
+    drawOverlay(model.overlay, scale);
+    if (model.settings.showControls) {
+        drawControls(model, layout.controls, actions);
+    }
+    if (model.settings.showReadings) {
+        drawReadings(model, layout.plots, actions);
+    }
+    drawEdges(model, layout, scale, actions);
     if (!model.name.empty()) {
-        drawAxes(model.axes, layout.view, scale_, actions);
+        drawAxes(model.axes, layout.view, scale, actions);
     }
     drawStatusBar(model, layout.status);
     drawHint(model, layout.view);
@@ -174,6 +242,11 @@ void Interface::draw(const gpu::Framebuffer& picture) {
 bool Interface::ownsPointer() const {
     context_.makeCurrent();
     return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Interface::isDragging() const {
+    context_.makeCurrent();
+    return ImGui::IsAnyItemActive();
 }
 
 bool Interface::ownsKeyboard() const {

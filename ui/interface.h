@@ -16,8 +16,11 @@ namespace kerf::ui {
 /// queue, so that it behaves alike with a window and without one.
 class Interface {
   public:
-    /// Needs a current OpenGL 4.5 context; `scale` is the display's (1 = 96 dpi).
-    explicit Interface(float scale);
+    /// Needs a current OpenGL 4.5 context; `scale` of all lengths and letters: 1 for 96 dpi.
+    Interface(Theme theme, float scale);
+
+    /// Another look from the next pass on.
+    void restyle(Theme theme, float scale) { context_.restyle(theme, scale); }
 
     /// One pass over the panels with the input of one batch; the answers of the person. A pass
     /// without draw() is fine: only the last one is shown.
@@ -29,13 +32,14 @@ class Interface {
     /// Whether the pointer (or the keyboard) belonged to a panel in the last pass.
     bool ownsPointer() const;
     bool ownsKeyboard() const;
+    /// Whether a panel's item is held with the pointer.
+    bool isDragging() const;
 
     /// Where the named items of the last pass are.
     const ItemPlaces& places() const { return places_; }
 
   private:
     PanelContext context_;
-    float scale_ = 1;
     ItemPlaces places_;
 };
 

@@ -4,20 +4,27 @@
 
 namespace kerf::ui {
 
-Layout layoutPanels(float width, float height, float scale) {
-    constexpr float kSideWidth = 300;
+Layout layoutPanels(float width, float height, float scale, const Settings& settings) {
     constexpr float kMargin = 8;
     constexpr float kStatusHeight = 28;
     const float margin = kMargin * scale;
     const float status = kStatusHeight * scale;
-    const float side = std::min(kSideWidth * scale, width / 3 - margin);
     const float panelHeight = std::max(1.0F, height - status - 2 * margin);
+    const auto side = [&](bool shown, double wanted) {
+        return shown ? std::min(static_cast<float>(wanted) * scale, width / 3 - margin) : 0;
+    };
+    const float left = side(settings.showControls, settings.controlsWidth);
+    const float right = side(settings.showReadings, settings.readingsWidth);
+    const float leftEnd = left > 0 ? margin + left : 0;
+    const float rightStart = right > 0 ? width - margin - right : width;
 
     Layout layout;
-    layout.controls = {margin, margin, side, panelHeight};
-    layout.plots = {width - margin - side, margin, side, panelHeight};
+    layout.controls = {margin, margin, left, panelHeight};
+    layout.plots = {width - margin - right, margin, right, panelHeight};
     layout.status = {0, height - status, width, status};
-    layout.view = {2 * margin + side, margin, width - 4 * margin - 2 * side, panelHeight};
+    layout.controlsEdge = {leftEnd, margin, margin, panelHeight};
+    layout.plotsEdge = {rightStart - margin, margin, margin, panelHeight};
+    layout.view = {leftEnd + margin, margin, rightStart - leftEnd - 2 * margin, panelHeight};
     return layout;
 }
 

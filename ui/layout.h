@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/settings.h"
+
 namespace kerf::ui {
 
 /// A rectangle in pixels of the picture, from its top left corner.
@@ -12,14 +14,16 @@ struct Rect {
 
 /// Where the fixed panels stand; the view fills the whole picture behind them.
 struct Layout {
-    Rect controls;  ///< left
-    Rect plots;     ///< right
-    Rect status;    ///< bottom, full width
-    Rect view;      ///< what the panels leave free, for hints and toasts
+    Rect controls;      ///< left; without width where it is put away
+    Rect plots;         ///< right; without width where it is put away
+    Rect status;        ///< bottom, full width
+    Rect view;          ///< what the panels leave free, for hints and toasts
+    Rect controlsEdge;  ///< between the left panel and the view: drags its width
+    Rect plotsEdge;     ///< between the view and the right panel
 };
 
-/// `scale` is the display's (1 = 96 dpi). Both side panels give way in narrow windows, so that at
-/// least a third of the width stays free.
-Layout layoutPanels(float width, float height, float scale);
+/// `scale` is that of all lengths (1 = 96 dpi). Both side panels give way in narrow windows, so
+/// that at least a third of the width stays free.
+Layout layoutPanels(float width, float height, float scale, const Settings& settings = {});
 
 }  // namespace kerf::ui

@@ -60,6 +60,7 @@ void drawMenuBar(const PanelModel& model, std::vector<Action>& actions) {
 bool isAvailable(const PanelModel& model, ActionId id) {
     switch (id) {
         case ActionId::screenshot:
+        case ActionId::togglePanels:
         case ActionId::help:
         case ActionId::quit:
             return true;
@@ -102,6 +103,10 @@ bool isOn(const PanelModel& model, ActionId id) {
             return model.recording;
         case ActionId::loop:
             return model.playback.loop;
+        case ActionId::togglePanels:
+            return model.settings.showControls || model.settings.showReadings;
+        case ActionId::holdPlots:
+            return model.plotView.end.has_value();
         case ActionId::help:
             return model.helpOpen;
         default:

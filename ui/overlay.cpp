@@ -44,7 +44,7 @@ void drawOverlay(const Overlay& overlay, float scale) {
     for (const Overlay::Handle& handle : overlay.handles) {
         const float radius = (handle.hot ? 9.0F : 7.0F) * scale;
         draw.AddCircleFilled(at(handle.at), radius + 2 * scale, kShade, 24);
-        draw.AddCircleFilled(at(handle.at), radius, handle.hot ? kWound : Theme::kBlade, 24);
+        draw.AddCircleFilled(at(handle.at), radius, handle.hot ? kWound : palette().blade, 24);
     }
 }
 

@@ -5,16 +5,15 @@
 
 #include <stdexcept>
 
-#include "ui/theme.h"
-
 namespace kerf::ui {
 
-PanelContext::PanelContext(float scale) : context_(ImGui::CreateContext()) {
+PanelContext::PanelContext(Theme theme, float scale)
+    : context_(ImGui::CreateContext()), theme_(theme), scale_(scale) {
     makeCurrent();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    applyTheme(scale);
+    applyTheme(theme, scale);
     loadFont(scale);
     if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
         ImGui::DestroyContext(context_);
@@ -30,6 +29,23 @@ PanelContext::~PanelContext() {
 
 void PanelContext::makeCurrent() const {
     ImGui::SetCurrentContext(context_);
+    usePalette(theme_);
+}
+
+void PanelContext::restyle(Theme theme, float scale) {
+    if (theme == theme_ && scale == scale_) {
+        return;
+    }
+    const bool otherSize = scale != scale_;
+    theme_ = theme;
+    scale_ = scale;
+    makeCurrent();
+    applyTheme(theme, scale);
+    if (otherSize) {
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        loadFont(scale);
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
 }
 
 }  // namespace kerf::ui

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/theme.h"
+
 struct ImGuiContext;
 
 namespace kerf::ui {
@@ -9,16 +11,21 @@ class PanelContext {
   public:
     /// Needs a current OpenGL 4.5 context; `scale` is the display's (1 = 96 dpi). Throws
     /// std::runtime_error.
-    explicit PanelContext(float scale);
+    PanelContext(Theme theme, float scale);
     ~PanelContext();
     PanelContext(const PanelContext&) = delete;
     PanelContext& operator=(const PanelContext&) = delete;
 
-    /// Makes it the one that ImGui's functions mean.
+    /// Makes it the one that ImGui's functions and palette() mean.
     void makeCurrent() const;
+    /// Another look from the next pass on; between passes, at no cost where nothing changes.
+    void restyle(Theme theme, float scale);
+    float scale() const { return scale_; }
 
   private:
     ImGuiContext* context_ = nullptr;
+    Theme theme_ = Theme::dark;
+    float scale_ = 1;
 };
 
 }  // namespace kerf::ui

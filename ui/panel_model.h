@@ -10,6 +10,7 @@
 #include "ui/axes_widget.h"
 #include "ui/history.h"
 #include "ui/overlay.h"
+#include "ui/settings.h"
 #include "ui/tool_settings.h"
 
 namespace kerf::ui {
@@ -19,6 +20,7 @@ struct PieceRow {
     int triangles = 0;
     double volume = 0;  ///< [m^3]
     double share = 0;   ///< of its rest volume, 1 = all
+    bool hidden = false;
 };
 
 /// One row of the history: something that can be taken back or brought back.
@@ -44,12 +46,29 @@ struct PlaybackState {
     std::optional<int> divergedAt;  ///< the first step that came out differently
 };
 
-/// Time of the last step by stage, and of a frame on average [ms].
-struct StageTimes {
-    double deform = 0;
-    double collide = 0;
-    double cut = 0;
-    double frame = 0;
+/// Figures of a run.
+struct RunFigures {
+    double fps = 0;     ///< mean [1/s]
+    double volume = 0;  ///< mean [% of rest]
+};
+
+/// One of the paper's experiments: its figures beside ours.
+struct ExperimentCard {
+    std::string name;     ///< "sphere768": what OpenExperiment asks for
+    std::string label;    ///< "Sphere 768"
+    double timeStep = 0;  ///< the paper's [s]
+    int iterations = 0;   ///< the paper's
+    int triangles = 0;    ///< the paper's, before the cut; 0 where it is not known
+    RunFigures paper;
+    std::optional<RunFigures> ours;  ///< of the run that is open, or of the last one; none without
+    int ourTriangles = 0;            ///< of that run, as it stands
+    bool open = false;
+};
+
+/// One line of the log.
+struct LogLine {
+    std::string text;
+    bool isError = false;
 };
 
 /// Something that takes long while the editor goes on.
@@ -88,11 +107,16 @@ struct PanelModel {
     WorkState work;
     std::string toast;  ///< what just happened; empty for none
     bool toastIsError = false;
-    float toastOpacity = 1;  ///< 0 to 1, while it fades
-    StageTimes stages;
+    float toastOpacity = 1;            ///< 0 to 1, while it fades
+    std::vector<LogLine> log;          ///< oldest first
     SubdivisionCounts subdivisions{};  ///< of the surface, since the body was whole
     std::vector<PieceRow> pieces;
+    int hoveredPiece = -1;             ///< in that list; -1 for none
     const History* history = nullptr;  ///< never null while panels are drawn
+    std::optional<RunFigures> paper;   ///< of what is open, where the paper has it
+    std::vector<ExperimentCard> experiments;
+    PlotView plotView;
+    Settings settings;
 };
 
 }  // namespace kerf::ui

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
+#include <cstdio>
 
 #include "ui/item_places.h"
 #include "ui/shortcuts.h"
@@ -50,10 +52,48 @@ std::string unitText(const ParamInfo& info) {
     return text;
 }
 
+/// What the paper's section 3.1 says of a parameter; "" where it gives no value.
+std::string_view paperValue(std::string_view name) {
+    if (name == "time_step") {
+        return "0.005 s for the spheres, 0.003 s for the octopus and the banana";
+    }
+    if (name == "iterations") {
+        return "30 for Sphere 20 and 80, 20 for Sphere 768 and the octopus, 10 for the banana";
+    }
+    if (name == "gravity") {
+        return "none while the blade cuts, then on";
+    }
+    return "";
+}
+
+std::string numberText(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+std::string rangeText(const ParamInfo& info) {
+    std::string text = "Range: " + numberText(info.low) + " to " + numberText(info.high);
+    if (!info.unit.empty()) {
+        text += " " + unitText(info);
+    }
+    return text + (info.type == ParamType::vector ? ", each of x, y and z" : "");
+}
+
 std::string tooltipOf(const ParamInfo& info) {
     std::string text(info.meaning);
-    text += "\nIn a session: " + std::string(info.name);
-    return text;
+    if (info.type != ParamType::choice) {
+        text += "\n" + rangeText(info) + ". Ctrl+click to type a value.";
+    }
+    if (const std::string_view paper = paperValue(info.name); !paper.empty()) {
+        text += "\nPaper: " + std::string(paper) + ".";
+    }
+    return text + "\nIn a session: " + std::string(info.name);
+}
+
+/// As the width of an item: all but the place of the reset mark.
+float resetRoom() {
+    return -(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
 }
 
 /// A slider over a double. True while its value is being changed.
@@ -74,14 +114,14 @@ bool slideInteger(const ParamInfo& info, double& value) {
 
 bool slideVector(const ParamInfo& info, Vec3& value) {
     static constexpr std::array<const char*, 3> kAxes{"##x", "##y", "##z"};
+    static constexpr std::array<const char*, 3> kFormats{"x %.2f", "y %.2f", "z %.2f"};
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::CalcItemWidth() - 2 * gap) / 3;
     bool changed = false;
-    ParamInfo bare = info;
-    bare.unit = "";
     for (int axis = 0; axis < 3; ++axis) {
         ImGui::SetNextItemWidth(width);
-        changed |= slideReal(bare, kAxes[axis], value[axis]);
+        changed |= ImGui::SliderScalar(kAxes[axis], ImGuiDataType_Double, &value[axis], &info.low,
+                                       &info.high, kFormats[axis], sliderFlags(info));
         if (axis < 2) {
             ImGui::SameLine(0, gap);
         }
@@ -98,7 +138,7 @@ bool slideOptional(const ParamInfo& info, ParamValue& value) {
     }
     ImGui::SameLine();
     if (double* number = std::get_if<double>(&value)) {
-        ImGui::SetNextItemWidth(-1);
+        ImGui::SetNextItemWidth(resetRoom());
         changed |= slideReal(info, "##value", *number);
     } else {
         ImGui::TextDisabled("none");
@@ -137,13 +177,19 @@ bool slideValue(const ParamInfo& info, ParamValue& value) {
     return false;
 }
 
-void drawLabelLine(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
-    const std::string label = info.type == ParamType::vector && !info.unit.empty()
-                                  ? std::string(info.label) + ", " + unitText(info)
-                                  : std::string(info.label);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label.c_str());
+/// Only a vector has its label, and its unit, on a line of their own.
+void drawLabel(const ParamInfo& info) {
+    if (info.type == ParamType::vector) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted((std::string(info.label) + ", " + unitText(info)).c_str());
+    } else {
+        rowLabel(info.label);
+    }
     itemTooltip(tooltipOf(info));
+}
+
+/// At the right end of the line, where the value is not what it was at the start.
+void drawReset(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
     const ParamValue start = getParam(model.startParams, info.name);
     if (getParam(model.params, info.name) == start) {
         return;
@@ -170,9 +216,13 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
     if (info.name == "gravity") {
         drawGravitySwitch(model, actions);
     }
-    drawLabelLine(info, model, actions);
-    ImGui::SetNextItemWidth(-1);
+    drawLabel(info);
+    const bool isVector = info.type == ParamType::vector;
+    if (isVector) {
+        drawReset(info, model, actions);
+    }
     ParamValue value = getParam(model.params, info.name);
+    ImGui::SetNextItemWidth(isVector ? -FLT_MIN : resetRoom());
     ImGui::BeginGroup();
     const bool changed = slideValue(info, value);
     ImGui::EndGroup();
@@ -183,6 +233,9 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
     }
     if (changed) {
         actions.emplace_back(SetParam{std::string(info.name), value, continues});
+    }
+    if (!isVector) {
+        drawReset(info, model, actions);
     }
     ImGui::PopID();
 }
@@ -198,7 +251,6 @@ std::string sliderFormat(const ParamInfo& info) {
 }
 
 void drawParameters(const PanelModel& model, std::vector<Action>& actions) {
-    sectionTitle("Simulation");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3});
     for (const std::string_view name : kProminent) {
         drawRow(*findParam(name), model, actions);

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "ui/action.h"
 #include "ui/panel_model.h"
 
 namespace kerf::ui {
 
-/// A row per piece: triangles, volume, share of its rest volume.
-void drawPieces(const PanelModel& model);
+/// A row per piece: an eye that hides it, its colour, triangles, volume and share of its rest
+/// volume. Hovered rows answer, clicked ones bring their piece into view.
+void drawPieces(const PanelModel& model, std::vector<Action>& actions);
+
+/// A volume [m^3] in the unit that suits it: "4.19 m³", "12.3 l", "0.52 ml".
+std::string volumeText(double volume);
 
 }  // namespace kerf::ui

@@ -1,12 +1,13 @@
 #include "ui/plot.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "ui/theme.h"
+#include "ui/item_places.h"
 
 namespace kerf::ui {
 namespace {
@@ -30,31 +31,104 @@ struct Frame {
     float atY(double value) const {
         return high.y - (high.y - low.y) * static_cast<float>((value - y.low) / y.span());
     }
-    int columns() const { return std::max(1, static_cast<int>(high.x - low.x)); }
+    double timeAt(float pixel) const { return x.low + (pixel - low.x) / width() * x.span(); }
+    float width() const { return std::max(1.0F, high.x - low.x); }
+    int columns() const { return static_cast<int>(width()); }
     bool holds(const ImVec2& p) const {
         return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
     }
 };
 
-PlotRange timeRange(std::span<const PlotPoint> points) {
-    constexpr double kShortest = 1;  // An empty plot shows its first second.
-    if (points.empty()) {
-        return {0, kShortest};
+unsigned colorOf(const PlotCurve& curve) {
+    return curve.color != 0 ? curve.color : palette().of(curve.hue);
+}
+
+/// A dash and the gap after it [px]; a gap of 0 for a solid line.
+struct Dashes {
+    float on = 1;
+    float off = 0;
+};
+
+Dashes dashesOf(CurveStyle style) {
+    const float unit = ImGui::GetFontSize() / 15;
+    switch (style) {
+        case CurveStyle::dashed:
+            return {6 * unit, 3 * unit};
+        case CurveStyle::dotted:
+            return {2 * unit, 2 * unit};
+        default:
+            return {};
     }
-    return {0, std::max(kShortest, points.back().x)};
+}
+
+/// The parts of a segment that fall onto dashes. They stand at fixed x, so that a curve that moves
+/// does not flicker.
+void drawDashed(ImDrawList& draw, const ImVec2& from, const ImVec2& to, unsigned color,
+                float thickness, const Dashes& dashes) {
+    if (dashes.off == 0 || to.x <= from.x) {
+        draw.AddLine(from, to, color, thickness);
+        return;
+    }
+    const float period = dashes.on + dashes.off;
+    const float slope = (to.y - from.y) / (to.x - from.x);
+    for (float start = std::floor(from.x / period) * period; start < to.x; start += period) {
+        const float begin = std::max(from.x, start);
+        const float end = std::min(to.x, start + dashes.on);
+        if (end > begin) {
+            draw.AddLine({begin, from.y + slope * (begin - from.x)},
+                         {end, from.y + slope * (end - from.x)}, color, thickness);
+        }
+    }
+}
+
+float curveThickness() {
+    return ImGui::GetFontSize() / 10;
+}
+
+// --- Around the frame --------------------------------------------------------------------------
+
+void drawLastValue(const PlotSpec& spec) {
+    const PlotCurve& curve = spec.curves.front();
+    if (curve.series->empty()) {
+        return;
+    }
+    const std::string value = formatNumber(curve.series->last(), spec.readoutDecimals);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
+    ImGui::TextUnformatted(value.c_str());
+}
+
+/// A sample of each line with its label; what does not fit ends with dots.
+void drawLegend(const PlotSpec& spec) {
+    const float line = ImGui::GetFontSize();
+    const float sample = 1.4F * line;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float end = corner.x + ImGui::GetContentRegionAvail().x;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    float x = corner.x;
+    for (const PlotCurve& curve : spec.curves) {
+        const float width = ImGui::CalcTextSize(curve.label.c_str()).x;
+        const bool isLast = &curve == &spec.curves.back();
+        if (x + sample + 0.3F * line + width > end - (isLast ? 0 : line)) {
+            draw.AddText({x, corner.y}, palette().dimText, "\u2026");
+            break;
+        }
+        const float y = std::round(corner.y + 0.55F * line);
+        drawDashed(draw, {x, y}, {x + sample, y}, colorOf(curve), 1.3F * curveThickness(),
+                   dashesOf(curve.style));
+        x += sample + 0.3F * line;
+        draw.AddText({x, corner.y}, palette().dimText, curve.label.c_str());
+        x += width + 0.8F * line;
+    }
+    ImGui::Dummy({1, line});
 }
 
 void drawHeader(const PlotSpec& spec) {
     ImGui::TextUnformatted(spec.title.data(), spec.title.data() + spec.title.size());
-    if (spec.points.empty()) {
-        return;
+    if (spec.curves.size() == 1) {
+        drawLastValue(spec);
+    } else {
+        drawLegend(spec);
     }
-    const std::string value = formatNumber(spec.points.back().y, spec.readoutDecimals);
-    const float width = ImGui::CalcTextSize(value.c_str()).x;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    ImGui::PushStyleColor(ImGuiCol_Text, spec.color);
-    ImGui::TextUnformatted(value.c_str());
-    ImGui::PopStyleColor();
 }
 
 void drawTicksY(ImDrawList& draw, const Frame& frame) {
@@ -65,15 +139,15 @@ void drawTicksY(ImDrawList& draw, const Frame& frame) {
         const float y = std::round(frame.atY(value));
         const std::string text = formatNumber(value, ticks.decimals);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
-        draw.AddLine({frame.low.x, y}, {frame.high.x, y}, Theme::kGrid);
-        draw.AddText({frame.low.x - width - 0.4F * line, y - line / 2}, Theme::kDimText,
-                     text.c_str());
+        const float top = std::clamp(y - line / 2, frame.low.y - line / 4, frame.high.y - line);
+        draw.AddLine({frame.low.x, y}, {frame.high.x, y}, palette().grid);
+        draw.AddText({frame.low.x - width - 0.4F * line, top}, palette().dimText, text.c_str());
     }
 }
 
 void drawTicksX(ImDrawList& draw, const Frame& frame, std::string_view unit) {
     const float line = ImGui::GetFontSize();
-    const int most = std::max(2, static_cast<int>((frame.high.x - frame.low.x) / (2.4F * line)));
+    const int most = std::max(2, static_cast<int>(frame.width() / (2.4F * line)));
     const PlotTicks ticks = niceTicks(frame.x, most);
     float freeUntil = frame.high.x;
     for (auto tick = ticks.values.rbegin(); tick != ticks.values.rend(); ++tick) {
@@ -84,13 +158,15 @@ void drawTicksX(ImDrawList& draw, const Frame& frame, std::string_view unit) {
         }
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         const float left = std::min(x - width / 2, frame.high.x - width);
-        draw.AddLine({x, frame.low.y}, {x, frame.high.y}, Theme::kGrid);
+        draw.AddLine({x, frame.low.y}, {x, frame.high.y}, palette().grid);
         if (left + width <= freeUntil) {
-            draw.AddText({left, frame.high.y + 0.2F * line}, Theme::kDimText, text.c_str());
+            draw.AddText({left, frame.high.y + 0.2F * line}, palette().dimText, text.c_str());
             freeUntil = left - 0.3F * line;
         }
     }
 }
+
+// --- Inside the frame --------------------------------------------------------------------------
 
 void drawMarks(ImDrawList& draw, const Frame& frame, std::span<const PlotMark> marks) {
     float freeFrom = frame.low.x;
@@ -99,29 +175,47 @@ void drawMarks(ImDrawList& draw, const Frame& frame, std::span<const PlotMark> m
             continue;
         }
         const float x = std::round(frame.atX(mark.x));
-        draw.AddLine({x, frame.low.y}, {x, frame.high.y}, Theme::kMark);
+        draw.AddLine({x, frame.low.y}, {x, frame.high.y}, palette().mark);
         const float width = ImGui::CalcTextSize(mark.label.c_str()).x;
-        // A label that would run into the one before or out of the plot is left out.
-        if (x >= freeFrom && x + width + 6 < frame.high.x) {
-            draw.AddText({x + 3, frame.low.y + 1}, Theme::kDimText, mark.label.c_str());
-            freeFrom = x + width + 8;
+        // Right of its line, or left of it at the plot's end; left out where it would run into
+        // another.
+        const float left = x + width + 6 < frame.high.x ? x + 3 : x - width - 3;
+        if (left >= freeFrom) {
+            draw.AddText({left, frame.low.y + 1}, palette().dimText, mark.label.c_str());
+            freeFrom = left + width + 5;
         }
     }
 }
 
-void drawReference(ImDrawList& draw, const Frame& frame, double value) {
-    const float y = std::round(frame.atY(value));
-    if (y < frame.low.y || y > frame.high.y) {
-        return;
+/// The label stands at the lower end of the plot's right side, where marks have none.
+void drawReference(ImDrawList& draw, const Frame& frame, const PlotReference& reference) {
+    const float line = ImGui::GetFontSize();
+    const bool above = reference.value > frame.y.high;
+    const bool below = reference.value < frame.y.low;
+    const std::string text = above   ? reference.label + " \u2191"
+                             : below ? reference.label + " \u2193"
+                                     : reference.label;
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    const float y = std::round(frame.atY(reference.value));
+    float top = y + 1;
+    if (above) {
+        top = frame.low.y + 1.1F * line;  // below the labels of marks
+    } else if (below || top + line > frame.high.y) {
+        top = below ? frame.high.y - 1.1F * line : y - 1.1F * line;
     }
-    for (float x = frame.low.x; x < frame.high.x; x += 8) {
-        draw.AddLine({x, y}, {std::min(x + 4, frame.high.x), y}, Theme::kMark);
+    if (!above && !below) {
+        const float unit = line / 15;
+        drawDashed(draw, {frame.low.x, y}, {frame.high.x, y}, palette().mark, std::max(1.0F, unit),
+                   {5 * unit, 4 * unit});
     }
+    draw.AddText({frame.high.x - width - 0.3F * line, top}, palette().dimText, text.c_str());
 }
 
-void drawCurve(ImDrawList& draw, const Frame& frame, const PlotSpec& spec) {
-    const std::vector<PlotColumn> columns = gatherColumns(spec.points, frame.x, frame.columns());
-    const ImU32 band = (spec.color & ~IM_COL32_A_MASK) | (72U << IM_COL32_A_SHIFT);
+void drawCurve(ImDrawList& draw, const Frame& frame, const PlotCurve& curve) {
+    const std::vector<PlotColumn> columns =
+        gatherColumns(curve.series->buckets(), frame.x, frame.columns());
+    const unsigned color = colorOf(curve);
+    const ImU32 band = (color & ~IM_COL32_A_MASK) | (72U << IM_COL32_A_SHIFT);
     const double pixel = frame.x.span() / frame.columns();
     std::vector<ImVec2> line;
     line.reserve(columns.size());
@@ -134,85 +228,147 @@ void drawCurve(ImDrawList& draw, const Frame& frame, const PlotSpec& spec) {
         }
         line.push_back({x, frame.atY(column.mean)});
     }
-    const float thickness = ImGui::GetFontSize() / 10;
+    const float thickness = curveThickness();
+    const Dashes dashes = dashesOf(curve.style);
     // Segment by segment: ImGui's polyline thins out where a curve turns sharply.
     for (std::size_t i = 1; i < line.size(); ++i) {
-        draw.AddLine(line[i - 1], line[i], spec.color, thickness);
+        drawDashed(draw, line[i - 1], line[i], color, thickness, dashes);
     }
     if (line.size() == 1) {
-        draw.AddCircleFilled(line.front(), thickness, spec.color);
+        draw.AddCircleFilled(line.front(), thickness, color);
     }
 }
 
-/// The point nearest to `x`; the points are not empty.
-const PlotPoint& nearestPoint(std::span<const PlotPoint> points, double x) {
-    const auto after = std::lower_bound(points.begin(), points.end(), x,
-                                        [](const PlotPoint& p, double v) { return p.x < v; });
-    if (after == points.begin()) {
-        return points.front();
+/// "98.21", or "97.90 to 98.40" where a bucket holds more than one value.
+std::string readout(const SeriesBucket& bucket, int decimals) {
+    const std::string low = formatNumber(bucket.low, decimals);
+    const std::string high = formatNumber(bucket.high, decimals);
+    return low == high ? low : low + " to " + high;
+}
+
+void drawTooltip(const PlotSpec& spec, double time) {
+    ImGui::BeginTooltip();
+    ImGui::TextDisabled("%s %s", formatNumber(time, 3).c_str(), std::string(spec.xUnit).c_str());
+    for (const PlotCurve& curve : spec.curves) {
+        if (!curve.series->empty()) {
+            const SeriesBucket& bucket = nearestBucket(curve.series->buckets(), time);
+            ImGui::Text("%s %s", curve.label.c_str(),
+                        readout(bucket, spec.readoutDecimals).c_str());
+        }
     }
-    if (after == points.end()) {
-        return points.back();
-    }
-    const auto before = after - 1;
-    return x - before->x < after->x - x ? *before : *after;
+    ImGui::EndTooltip();
 }
 
 void drawCrosshair(ImDrawList& draw, const Frame& frame, const PlotSpec& spec) {
     const ImVec2 pointer = ImGui::GetMousePos();
-    if (spec.points.empty() || !frame.holds(pointer)) {
+    const auto curve =
+        std::ranges::find_if(spec.curves, [](const PlotCurve& c) { return !c.series->empty(); });
+    if (curve == spec.curves.end() || !frame.holds(pointer)) {
         return;
     }
-    const double share = (pointer.x - frame.low.x) / (frame.high.x - frame.low.x);
-    const PlotPoint& p = nearestPoint(spec.points, frame.x.low + share * frame.x.span());
-    const ImVec2 at{frame.atX(p.x), frame.atY(p.y)};
-    draw.AddLine({at.x, frame.low.y}, {at.x, frame.high.y}, Theme::kFrame);
-    draw.AddCircleFilled(at, ImGui::GetFontSize() / 5, spec.color);
-    ImGui::SetTooltip("%s at %s %s", formatNumber(p.y, spec.readoutDecimals).c_str(),
-                      formatNumber(p.x, 2).c_str(), std::string(spec.xUnit).c_str());
-}
-
-PlotRange valueRange(const PlotSpec& spec) {
-    if (spec.points.empty() && spec.reference) {
-        return {*spec.reference - spec.minSpan / 2, *spec.reference + spec.minSpan / 2};
+    const double time = nearestBucket(curve->series->buckets(), frame.timeAt(pointer.x)).x;
+    const float x = std::clamp(frame.atX(time), frame.low.x, frame.high.x);
+    draw.AddLine({x, frame.low.y}, {x, frame.high.y}, palette().frame);
+    for (const PlotCurve& other : spec.curves) {
+        if (!other.series->empty()) {
+            const SeriesBucket& bucket = nearestBucket(other.series->buckets(), time);
+            const float y = std::clamp(frame.atY(bucket.mean), frame.low.y, frame.high.y);
+            draw.AddCircleFilled({x, y}, ImGui::GetFontSize() / 5, colorOf(other));
+        }
     }
-    return paddedRange(spec.points, spec.minSpan);
+    drawTooltip(spec, time);
 }
 
-Frame placeFrame(const PlotSpec& spec, float height) {
+PlotRange shownValues(const PlotSpec& spec, const PlotRange& x) {
+    PlotRange range{1e300, -1e300};
+    for (const PlotCurve& curve : spec.curves) {
+        const PlotRange own = valueRange(bucketsIn(curve.series->buckets(), x));
+        range.low = std::min(range.low, own.low);
+        range.high = std::max(range.high, own.high);
+    }
+    if (range.low > range.high && spec.reference) {
+        range = {spec.reference->value, spec.reference->value};
+    }
+    PlotRange padded = paddedRange(range, spec.minSpan);
+    if (range.low >= 0 && padded.low < 0) {
+        padded = {0, padded.high - padded.low};  // no room for negative values where there are none
+    }
+    return padded;
+}
+
+Frame placeFrame(const PlotSpec& spec, const PlotTimeline& timeline, float height) {
     const float line = ImGui::GetFontSize();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::InvisibleButton(spec.id, {width, height});
+    ImGui::InvisibleButton(spec.id, {width, std::max(height, 3 * line)});
     Frame frame;
     frame.low = {std::round(corner.x + 2.9F * line), std::round(corner.y)};
-    frame.high = {std::round(corner.x + width), std::round(corner.y + height - 1.3F * line)};
-    frame.x = timeRange(spec.points);
-    frame.y = valueRange(spec);
+    frame.high = {std::round(corner.x + width),
+                  std::round(corner.y + std::max(height, 3 * line) - 1.3F * line)};
+    frame.x = rangeOf(timeline.view, timeline.newest);
+    frame.y = shownValues(spec, frame.x);
     return frame;
+}
+
+/// What the pointer asks of the time axis; the last item is the plot.
+std::optional<PlotView> answer(const Frame& frame, const PlotTimeline& timeline) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetItemUsingMouseWheel();
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+            return PlotView{};
+        }
+        if (io.MouseWheel != 0) {
+            return zoomed(timeline.view, timeline.newest, io.MouseWheel,
+                          frame.timeAt(io.MousePos.x), timeline.running);
+        }
+    }
+    if (ImGui::IsItemActive() && io.MouseDelta.x != 0) {
+        return panned(timeline.view, timeline.newest,
+                      -io.MouseDelta.x / frame.width() * frame.x.span());
+    }
+    return std::nullopt;
 }
 
 }  // namespace
 
-void drawPlot(const PlotSpec& spec, float height) {
+double newestOf(std::span<const PlotSpec> plots) {
+    double newest = 0;
+    for (const PlotSpec& plot : plots) {
+        for (const PlotCurve& curve : plot.curves) {
+            if (!curve.series->empty()) {
+                newest = std::max(newest, curve.series->buckets().back().x);
+            }
+        }
+    }
+    return newest;
+}
+
+std::optional<PlotView> drawPlot(const PlotSpec& spec, const PlotTimeline& timeline, float height) {
+    const float top = ImGui::GetCursorPosY();
     drawHeader(spec);
-    const Frame frame = placeFrame(spec, height - ImGui::GetTextLineHeightWithSpacing());
+    const Frame frame = placeFrame(spec, timeline, height - (ImGui::GetCursorPosY() - top));
+    noteItem(std::string("plot.") + spec.id);
     const bool hovered = ImGui::IsItemHovered();
+    std::optional<PlotView> view = answer(frame, timeline);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled(frame.low, frame.high, Theme::kPlotGround);
+    draw.AddRectFilled(frame.low, frame.high, palette().plotGround);
     drawTicksY(draw, frame);
     drawTicksX(draw, frame, spec.xUnit);
     draw.PushClipRect(frame.low, frame.high, true);
+    drawMarks(draw, frame, spec.marks);
+    for (const PlotCurve& curve : spec.curves) {
+        drawCurve(draw, frame, curve);
+    }
     if (spec.reference) {
         drawReference(draw, frame, *spec.reference);
     }
-    drawMarks(draw, frame, spec.marks);
-    drawCurve(draw, frame, spec);
     draw.PopClipRect();
-    draw.AddRect(frame.low, frame.high, Theme::kFrame);
+    draw.AddRect(frame.low, frame.high, palette().frame);
     if (hovered) {
         drawCrosshair(draw, frame, spec);
     }
+    return view;
 }
 
 }  // namespace kerf::ui

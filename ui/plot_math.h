@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "ui/series.h"
 
 namespace kerf::ui {
 
@@ -34,20 +37,43 @@ struct PlotTicks {
 };
 PlotTicks niceTicks(const PlotRange& range, int maxCount);
 
-/// The values' range with a margin of a twentieth at both ends, opened about its middle to at
-/// least `minSpan`. Values that are not finite are left out; {0, minSpan} where nothing is left.
-PlotRange paddedRange(std::span<const PlotPoint> points, double minSpan);
+/// The range with a margin of a twentieth at both ends, opened about its middle to at least
+/// `minSpan`; {0, minSpan} for one that is turned over.
+PlotRange paddedRange(const PlotRange& range, double minSpan);
 
-/// Lowest, highest and mean value of the points in one column of pixels.
+/// The buckets that begin in the range, and the one before.
+std::span<const SeriesBucket> bucketsIn(std::span<const SeriesBucket> buckets, const PlotRange& x);
+/// Lowest and highest value of them; turned over where there are none.
+PlotRange valueRange(std::span<const SeriesBucket> buckets);
+
+/// Which part of the time axis all plots show.
+struct PlotView {
+    double span = 0;            ///< [s]; 0: all since the start
+    std::optional<double> end;  ///< [s]; none: the newest, so that the plots follow
+    bool operator==(const PlotView&) const = default;
+};
+/// The range of a view where the newest value is at `newest`; never shorter than a second where all
+/// is shown.
+PlotRange rangeOf(const PlotView& view, double newest);
+/// The view after `notches` of the wheel (> 0: closer), with the time `at` staying in its place,
+/// or, where `following`, the newest one.
+PlotView zoomed(const PlotView& view, double newest, double notches, double at, bool following);
+/// The view moved by so much time [s], within the run.
+PlotView panned(const PlotView& view, double newest, double by);
+
+/// Lowest, highest and mean value of one column of pixels.
 struct PlotColumn {
     int column = 0;
     double low = 0;
     double high = 0;
     double mean = 0;
 };
-/// Points (by rising x) gathered into `columns` equal columns of `x`; empty ones are left out, as
-/// are points outside and values that are not finite.
-std::vector<PlotColumn> gatherColumns(std::span<const PlotPoint> points, const PlotRange& x,
+/// Buckets (by rising x) gathered into `columns` equal columns of `x`; empty ones are left out, as
+/// are buckets outside.
+std::vector<PlotColumn> gatherColumns(std::span<const SeriesBucket> buckets, const PlotRange& x,
                                       int columns);
+
+/// The bucket that begins nearest to `x`; they are not empty.
+const SeriesBucket& nearestBucket(std::span<const SeriesBucket> buckets, double x);
 
 }  // namespace kerf::ui

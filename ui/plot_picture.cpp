@@ -10,19 +10,21 @@
 namespace kerf::ui {
 namespace {
 
-void drawAll(std::span<const PlotSpec> plots) {
+void drawAll(std::span<const PlotSpec> plots, const PlotView& view) {
+    const PlotTimeline timeline{view, newestOf(plots), false};
     const float gaps = ImGui::GetStyle().ItemSpacing.y * static_cast<float>(plots.size());
     const float room = ImGui::GetContentRegionAvail().y - gaps;
     for (const PlotSpec& plot : plots) {
-        drawPlot(plot, room / static_cast<float>(plots.size()));
+        drawPlot(plot, timeline, room / static_cast<float>(plots.size()));
     }
 }
 
 }  // namespace
 
-PlotPainter::PlotPainter() : context_(1) {}
+PlotPainter::PlotPainter(Theme theme) : context_(theme, 1) {}
 
-render::Image PlotPainter::draw(std::span<const PlotSpec> plots, int width, int height) {
+render::Image PlotPainter::draw(std::span<const PlotSpec> plots, const PlotView& view, int width,
+                                int height) {
     context_.makeCurrent();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
@@ -32,7 +34,7 @@ render::Image PlotPainter::draw(std::span<const PlotSpec> plots, int width, int 
         ImGui_ImplOpenGL3_NewFrame();
         ImGui::NewFrame();
         beginPanel("plots", {0, 0, io.DisplaySize.x, io.DisplaySize.y});
-        drawAll(plots);
+        drawAll(plots, view);
         ImGui::End();
         ImGui::Render();
     }

@@ -8,14 +8,15 @@
 
 namespace kerf::ui {
 
-/// Draws plots into pictures, for reports: the same plots as in the editor.
+/// Draws plots into pictures, for reports and exports: the same plots as in the editor.
 class PlotPainter {
   public:
     /// Needs a current OpenGL 4.5 context.
-    PlotPainter();
+    explicit PlotPainter(Theme theme = Theme::dark);
 
     /// The plots one below the other, of equal heights. `width`, `height` of the picture [pixels].
-    render::Image draw(std::span<const PlotSpec> plots, int width, int height);
+    render::Image draw(std::span<const PlotSpec> plots, const PlotView& view, int width,
+                       int height);
 
   private:
     PanelContext context_;

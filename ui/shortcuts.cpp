@@ -46,6 +46,10 @@ constexpr std::array kShortcuts{
     Shortcut{ActionId::viewBottom, Key::digit7, kControl, "Ctrl+7", "From below", "View"},
     Shortcut{ActionId::orthographic, Key::digit5, kPlain, "5", "Without perspective", "View"},
     Shortcut{ActionId::wireframe, Key::w, kPlain, "W", "Show the triangles", "View"},
+    Shortcut{ActionId::togglePanels, Key::tab, kPlain, "Tab", "Panels, or the view alone", "View"},
+    Shortcut{ActionId::holdPlots, Key::h, kPlain, "H", "Hold the plots, or follow again", "View"},
+    Shortcut{ActionId::fitPlots, Key::h, kShift, "Shift+H", "Show the plots from the start",
+             "View"},
     Shortcut{ActionId::help, Key::f1, kPlain, "F1", "All keys", "Help"},
     Shortcut{ActionId::help, Key::questionMark, kPlain, "?", "All keys", "Help"},
 };
@@ -58,6 +62,9 @@ constexpr std::array kPointerHints{
     PointerHint{"Middle drag, Shift+right drag", "Move the view"},
     PointerHint{"Wheel", "Zoom to the pointer"},
     PointerHint{"Ctrl+click a slider", "Type a value"},
+    PointerHint{"Wheel, drag over a plot", "Zoom and move along its time"},
+    PointerHint{"Double click on a plot", "Show it from the start"},
+    PointerHint{"Drag an edge of a panel", "Make it larger or smaller"},
     PointerHint{"Drop a file", "Open a model or a session"},
 };
 

@@ -2,41 +2,113 @@
 
 #include <imgui.h>
 
+#include <array>
+#include <cstdio>
+
+#include "ui/widgets.h"
+
 namespace kerf::ui {
 namespace {
 
-void drawStage(const char* name, double milliseconds) {
-    ImGui::TableNextRow();
+struct StageText {
+    Stage stage;
+    const char* name;
+    const char* meaning;
+};
+constexpr std::array kTexts{
+    StageText{Stage::deform, "Deform", "Constraints and volume, of a step on the GPU"},
+    StageText{Stage::collide, "Collide", "Floor and contact, of a step on the GPU"},
+    StageText{Stage::cut, "Cut", "The blade's way through the mesh, of a step on the CPU"},
+    StageText{Stage::render, "Render", "The scene, of a picture on the GPU"},
+    StageText{Stage::frame, "Frame", "From picture to picture while time runs, panels included"},
+};
+
+const Series& seriesOf(const PanelModel& model, Stage stage) {
+    return model.history->stages[static_cast<std::size_t>(stage)];
+}
+
+/// Of the four stages together; frames hold them and what lies between.
+double sumOfMeans(const PanelModel& model) {
+    double sum = 0;
+    for (const Stage stage : {Stage::deform, Stage::collide, Stage::cut, Stage::render}) {
+        sum += seriesOf(model, stage).mean();
+    }
+    return sum;
+}
+
+void numberCell(const char* format, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(name);
-    ImGui::TableNextColumn();
-    ImGui::Text("%.2f ms", milliseconds);
+    textRight(text);
+}
+
+void millisecondsCell(double value) {
+    numberCell(value >= 99.95 ? "%.0f" : value >= 9.995 ? "%.1f" : "%.2f", value);
 }
 
 void explainCut(const SubdivisionCounts& counts) {
-    if (!ImGui::IsItemHovered()) {
-        return;
-    }
-    ImGui::BeginTooltip();
     ImGui::TextUnformatted("Triangles divided so far");
     for (int i = 0; i < kPaperPatterns; ++i) {
         ImGui::Text("%s: %d", nameOf(static_cast<SubdivisionPattern>(i)), counts[i]);
     }
     ImGui::Text("other: %d", otherPatterns(counts));
+}
+
+void explain(const StageText& row, const PanelModel& model) {
+    if (!ImGui::IsItemHovered()) {
+        return;
+    }
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(row.meaning);
+    if (row.stage == Stage::cut) {
+        explainCut(model.subdivisions);
+    }
     ImGui::EndTooltip();
+}
+
+void drawRow(const StageText& row, const PanelModel& model) {
+    const Series& series = seriesOf(model, row.stage);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.name);
+    explain(row, model);
+    if (series.empty()) {
+        return;
+    }
+    for (const double value : {series.last(), series.mean(), series.min(), series.max()}) {
+        millisecondsCell(value);
+    }
+    const double sum = sumOfMeans(model);
+    if (row.stage != Stage::frame && sum > 0) {
+        numberCell("%.0f %%", 100 * series.mean() / sum);
+    }
+}
+
+void drawHeader() {
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("ms");
+    for (const char* title : {"last", "mean", "min", "max", "share"}) {
+        ImGui::TableNextColumn();
+        textRight(title);
+    }
 }
 
 }  // namespace
 
-void drawStages(const StageTimes& stages, const SubdivisionCounts& subdivisions) {
-    if (ImGui::BeginTable("stages", 2, ImGuiTableFlags_RowBg)) {
-        drawStage("Deform", stages.deform);
-        drawStage("Collide", stages.collide);
-        drawStage("Cut", stages.cut);
-        explainCut(subdivisions);
-        drawStage("Frame", stages.frame);
+void drawStages(const PanelModel& model) {
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.25F * ImGui::GetFontSize(), 3});
+    if (ImGui::BeginTable("stages", 6, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                                ImGui::CalcTextSize("Collide").x);
+        drawHeader();
+        for (const StageText& row : kTexts) {
+            drawRow(row, model);
+        }
         ImGui::EndTable();
     }
+    ImGui::PopStyleVar();
 }
 
 }  // namespace kerf::ui

@@ -4,7 +4,8 @@
 
 namespace kerf::ui {
 
-/// What the stages of a step took.
-void drawStages(const StageTimes& stages, const SubdivisionCounts& subdivisions);
+/// Time by stage: last, mean, smallest, largest, and the share of all stages, as in the paper's
+/// table 3.
+void drawStages(const PanelModel& model);
 
 }  // namespace kerf::ui

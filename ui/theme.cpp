@@ -10,17 +10,48 @@ namespace {
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr float kFontPixels = 15;
 
+constexpr Palette kDark{
+    .hues = {IM_COL32(86, 180, 233, 255), IM_COL32(230, 159, 0, 255), IM_COL32(0, 176, 128, 255),
+             IM_COL32(226, 106, 20, 255), IM_COL32(204, 121, 167, 255), IM_COL32(240, 228, 66, 255),
+             IM_COL32(64, 224, 208, 255), IM_COL32(176, 182, 192, 255)},
+    .text = IM_COL32(228, 231, 236, 255),
+    .dimText = IM_COL32(150, 157, 169, 255),
+    .grid = IM_COL32(255, 255, 255, 18),
+    .frame = IM_COL32(255, 255, 255, 56),
+    .plotGround = IM_COL32(30, 34, 43, 255),
+    .mark = IM_COL32(190, 196, 208, 130),
+    .splitter = IM_COL32(86, 180, 233, 200),
+    .primary = IM_COL32(38, 104, 143, 255),
+    .primaryText = IM_COL32(255, 255, 255, 255),
+    .blade = IM_COL32(64, 224, 190, 255),
+};
+
+// The same hues, darker where they would fade on a white ground.
+constexpr Palette kLight{
+    .hues = {IM_COL32(0, 114, 178, 255), IM_COL32(206, 132, 0, 255), IM_COL32(0, 138, 100, 255),
+             IM_COL32(198, 82, 0, 255), IM_COL32(176, 84, 134, 255), IM_COL32(150, 138, 0, 255),
+             IM_COL32(0, 140, 150, 255), IM_COL32(96, 100, 108, 255)},
+    .text = IM_COL32(26, 29, 35, 255),
+    .dimText = IM_COL32(92, 99, 110, 255),
+    .grid = IM_COL32(0, 0, 0, 20),
+    .frame = IM_COL32(0, 0, 0, 70),
+    .plotGround = IM_COL32(255, 255, 255, 255),
+    .mark = IM_COL32(60, 66, 78, 140),
+    .splitter = IM_COL32(0, 114, 178, 200),
+    .primary = IM_COL32(0, 104, 163, 255),
+    .primaryText = IM_COL32(255, 255, 255, 255),
+    .blade = IM_COL32(0, 150, 125, 255),
+};
+
+const Palette* paletteNow = &kDark;
+
 ImVec4 rgb(int red, int green, int blue, float alpha = 1) {
     return {static_cast<float>(red) / 255, static_cast<float>(green) / 255,
             static_cast<float>(blue) / 255, alpha};
 }
 
-void applyColors(ImGuiStyle& style) {
-    ImVec4* c = style.Colors;
-    c[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(Theme::kText);
-    c[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(Theme::kDimText);
-    c[ImGuiCol_WindowBg] = rgb(23, 25, 31, 0.93F);
-    c[ImGuiCol_ChildBg] = rgb(0, 0, 0, 0);
+void applyDarkColors(ImVec4* c) {
+    c[ImGuiCol_WindowBg] = rgb(23, 25, 31, 0.94F);
     c[ImGuiCol_PopupBg] = rgb(28, 31, 38, 0.98F);
     c[ImGuiCol_Border] = rgb(255, 255, 255, 0.06F);
     c[ImGuiCol_FrameBg] = rgb(41, 46, 57);
@@ -33,7 +64,7 @@ void applyColors(ImGuiStyle& style) {
     c[ImGuiCol_Button] = rgb(50, 59, 72);
     c[ImGuiCol_ButtonHovered] = rgb(63, 77, 96);
     c[ImGuiCol_ButtonActive] = rgb(75, 132, 168);
-    c[ImGuiCol_Header] = rgb(42, 49, 61);
+    c[ImGuiCol_Header] = rgb(40, 46, 58);
     c[ImGuiCol_HeaderHovered] = rgb(50, 59, 74);
     c[ImGuiCol_HeaderActive] = rgb(56, 66, 83);
     c[ImGuiCol_MenuBarBg] = rgb(28, 31, 39);
@@ -44,10 +75,51 @@ void applyColors(ImGuiStyle& style) {
     c[ImGuiCol_Separator] = rgb(255, 255, 255, 0.08F);
     c[ImGuiCol_TableHeaderBg] = rgb(36, 40, 49);
     c[ImGuiCol_TableBorderLight] = c[ImGuiCol_TableBorderStrong] = rgb(255, 255, 255, 0.07F);
-    c[ImGuiCol_TableRowBg] = rgb(0, 0, 0, 0);
     c[ImGuiCol_TableRowBgAlt] = rgb(255, 255, 255, 0.025F);
-    c[ImGuiCol_ScrollbarBg] = rgb(0, 0, 0, 0);
     c[ImGuiCol_ScrollbarGrab] = rgb(60, 67, 80);
+}
+
+void applyLightColors(ImVec4* c) {
+    c[ImGuiCol_WindowBg] = rgb(245, 246, 248, 0.96F);
+    c[ImGuiCol_PopupBg] = rgb(255, 255, 255, 0.98F);
+    c[ImGuiCol_Border] = rgb(0, 0, 0, 0.12F);
+    c[ImGuiCol_FrameBg] = rgb(224, 227, 232);
+    c[ImGuiCol_FrameBgHovered] = rgb(212, 218, 226);
+    c[ImGuiCol_FrameBgActive] = rgb(200, 209, 220);
+    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = rgb(230, 233, 238);
+    c[ImGuiCol_CheckMark] = rgb(0, 104, 163);
+    c[ImGuiCol_SliderGrab] = rgb(110, 160, 196);
+    c[ImGuiCol_SliderGrabActive] = rgb(0, 114, 178);
+    c[ImGuiCol_Button] = rgb(214, 219, 226);
+    c[ImGuiCol_ButtonHovered] = rgb(198, 208, 220);
+    c[ImGuiCol_ButtonActive] = rgb(160, 190, 214);
+    c[ImGuiCol_Header] = rgb(222, 226, 232);
+    c[ImGuiCol_HeaderHovered] = rgb(208, 216, 226);
+    c[ImGuiCol_HeaderActive] = rgb(196, 208, 221);
+    c[ImGuiCol_MenuBarBg] = rgb(233, 235, 239);
+    c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = rgb(229, 232, 237);
+    c[ImGuiCol_TabHovered] = rgb(198, 208, 220);
+    c[ImGuiCol_TabActive] = c[ImGuiCol_TabUnfocusedActive] = rgb(208, 215, 224);
+    c[ImGuiCol_PlotHistogram] = rgb(110, 160, 196);
+    c[ImGuiCol_Separator] = rgb(0, 0, 0, 0.12F);
+    c[ImGuiCol_TableHeaderBg] = rgb(228, 231, 236);
+    c[ImGuiCol_TableBorderLight] = c[ImGuiCol_TableBorderStrong] = rgb(0, 0, 0, 0.10F);
+    c[ImGuiCol_TableRowBgAlt] = rgb(0, 0, 0, 0.03F);
+    c[ImGuiCol_ScrollbarGrab] = rgb(186, 192, 201);
+}
+
+void applyColors(Theme theme, ImGuiStyle& style) {
+    ImVec4* c = style.Colors;
+    if (theme == Theme::light) {
+        ImGui::StyleColorsLight(&style);
+        applyLightColors(c);
+    } else {
+        ImGui::StyleColorsDark(&style);
+        applyDarkColors(c);
+    }
+    c[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(palette().text);
+    c[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(palette().dimText);
+    c[ImGuiCol_ChildBg] = c[ImGuiCol_TableRowBg] = c[ImGuiCol_ScrollbarBg] = rgb(0, 0, 0, 0);
 }
 
 void applySizes(ImGuiStyle& style) {
@@ -62,7 +134,7 @@ void applySizes(ImGuiStyle& style) {
     style.FrameBorderSize = 0;
     style.WindowPadding = {12, 10};
     style.FramePadding = {8, 4};
-    style.ItemSpacing = {8, 7};
+    style.ItemSpacing = {8, 6};
     style.ItemInnerSpacing = {7, 4};
     style.CellPadding = {6, 3};
     style.GrabMinSize = 11;
@@ -71,11 +143,23 @@ void applySizes(ImGuiStyle& style) {
 
 }  // namespace
 
-void applyTheme(float scale) {
+const Palette& palette() {
+    return *paletteNow;
+}
+
+ImU32 pieceColor(int index) {
+    return kDark.hues[static_cast<std::size_t>(index) % kHues];
+}
+
+void usePalette(Theme theme) {
+    paletteNow = theme == Theme::light ? &kLight : &kDark;
+}
+
+void applyTheme(Theme theme, float scale) {
+    usePalette(theme);
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle{};
-    ImGui::StyleColorsDark(&style);
-    applyColors(style);
+    applyColors(theme, style);
     applySizes(style);
     style.ScaleAllSizes(scale);
 }
@@ -86,6 +170,7 @@ void loadFont(float scale) {
                                           0x2044, 0x2190, 0x21FF, 0x2212, 0x2212,
                                           0x2248, 0x2265, 0x25A0, 0x25FF, 0};
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
     if (std::filesystem::exists(kFontFile)) {
         ImFontConfig config;
         config.OversampleH = 2;

@@ -2,26 +2,45 @@
 
 #include <imgui.h>
 
+#include <array>
+
 namespace kerf::ui {
 
-/// Colours of the interface. Data lines use the Okabe-Ito palette, which stays apart for every
-/// kind of colour vision.
-struct Theme {
-    static constexpr ImU32 kBlue = IM_COL32(86, 180, 233, 255);
-    static constexpr ImU32 kGreen = IM_COL32(0, 158, 115, 255);
-    static constexpr ImU32 kOrange = IM_COL32(230, 159, 0, 255);
-    static constexpr ImU32 kVermillion = IM_COL32(213, 94, 0, 255);
-    static constexpr ImU32 kText = IM_COL32(228, 231, 236, 255);
-    static constexpr ImU32 kDimText = IM_COL32(143, 150, 162, 255);
-    static constexpr ImU32 kGrid = IM_COL32(255, 255, 255, 18);
-    static constexpr ImU32 kFrame = IM_COL32(255, 255, 255, 56);
-    static constexpr ImU32 kPlotGround = IM_COL32(30, 34, 43, 255);
-    static constexpr ImU32 kMark = IM_COL32(190, 196, 208, 120);
-    static constexpr ImU32 kBlade = IM_COL32(64, 224, 190, 255);
+enum class Theme { dark, light };
+
+/// Hues of data, by their place in Palette::hues: the Okabe-Ito palette, which stays apart for
+/// every kind of colour vision. Nothing is told by a hue alone.
+enum class Hue { blue, orange, green, vermillion, purple, yellow, cyan, gray };
+inline constexpr int kHues = 8;
+
+/// Colours of a theme that ImGui's style has no place for.
+struct Palette {
+    std::array<ImU32, kHues> hues{};  ///< of curves and marks
+    ImU32 text = 0;
+    ImU32 dimText = 0;
+    ImU32 grid = 0;
+    ImU32 frame = 0;  ///< around plots
+    ImU32 plotGround = 0;
+    ImU32 mark = 0;         ///< lines of events and references
+    ImU32 splitter = 0;     ///< under the pointer
+    ImU32 primary = 0;      ///< ground of the button that people want most
+    ImU32 primaryText = 0;  ///< on it
+    ImU32 blade = 0;
+
+    ImU32 of(Hue hue) const { return hues[static_cast<std::size_t>(hue)]; }
 };
 
+/// Of the panel context that is current.
+const Palette& palette();
+
+/// Of the curves and the chip of a piece, which the view shows it in as well; the same in both
+/// themes. `index` as in the list of pieces.
+ImU32 pieceColor(int index);
+
 /// Sets style and colours of the current ImGui context; `scale` is the display's (1 = 96 dpi).
-void applyTheme(float scale);
+void applyTheme(Theme theme, float scale);
+/// Makes palette() that of a theme.
+void usePalette(Theme theme);
 
 /// Loads DejaVu Sans (Debian package fonts-dejavu-core) at 15 px times `scale`, or ImGui's own
 /// bitmap font where it is missing, which is said in the log.

@@ -13,7 +13,7 @@ void drawToast(const PanelModel& model, const Rect& view) {
     }
     const float line = ImGui::GetFontSize();
     drawBanner("toast", model.toast, view.x + view.width / 2, view.y + 2.5F * line, view.width,
-               {.accent = model.toastIsError ? Theme::kVermillion : Theme::kBlue,
+               {.accent = palette().of(model.toastIsError ? Hue::vermillion : Hue::blue),
                 .opacity = model.toastOpacity});
 }
 

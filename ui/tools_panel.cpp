@@ -135,7 +135,6 @@ bool drawRowsOf(ToolSettings& tools, std::vector<Action>& actions) {
 }  // namespace
 
 void drawTools(const PanelModel& model, std::vector<Action>& actions) {
-    sectionTitle("Tool");
     drawToolButtons(model, actions);
     ToolSettings tools = model.tools;
     if (drawRowsOf(tools, actions)) {

@@ -24,15 +24,19 @@ void actionButton(const char* label, ActionId id, float width, std::vector<Actio
 }
 
 void playButton(bool playing, float width, std::vector<Action>& actions) {
-    ImGui::PushStyleColor(ImGuiCol_Button,
-                          playing ? IM_COL32(50, 59, 72, 255) : IM_COL32(38, 104, 143, 255));
+    if (!playing) {
+        ImGui::PushStyleColor(ImGuiCol_Button, palette().primary);
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().primaryText);
+    }
     actionButton(playing ? "Pause###play" : "Play###play", ActionId::playPause, width, actions);
-    ImGui::PopStyleColor();
+    if (!playing) {
+        ImGui::PopStyleColor(2);
+    }
 }
 
 void recordButton(bool recording, float width, std::vector<Action>& actions) {
     if (recording) {
-        ImGui::PushStyleColor(ImGuiCol_Button, Theme::kVermillion);
+        ImGui::PushStyleColor(ImGuiCol_Button, palette().of(Hue::vermillion));
     }
     actionButton(recording ? "Stop###record" : "Record###record", ActionId::record, width, actions);
     if (recording) {

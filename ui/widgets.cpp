@@ -2,7 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "ui/theme.h"
 
@@ -60,10 +62,25 @@ void itemTooltip(std::string_view text) {
     ImGui::EndTooltip();
 }
 
-void sectionTitle(const char* title) {
-    ImGui::Dummy({0, ImGui::GetFontSize() * 0.15F});
-    ImGui::TextDisabled("%s", title);
-    ImGui::Separator();
+void textRight(std::string_view text) {
+    const char* end = text.data() + text.size();
+    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.data(), end).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, free));
+    ImGui::TextUnformatted(text.data(), end);
+}
+
+void rowLabel(std::string_view text) {
+    constexpr float kShare = 0.43F;  // of the row
+    const float width = kShare * ImGui::GetContentRegionAvail().x;
+    const float start = ImGui::GetCursorPosX();
+    std::string shown(text);
+    while (!shown.empty() && ImGui::CalcTextSize(shown.c_str()).x > width) {
+        const std::size_t keep = shown.ends_with("\u2026") ? shown.size() - 4 : shown.size() - 1;
+        shown = shown.substr(0, keep) + "\u2026";
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::SameLine(start + width + ImGui::GetStyle().ItemInnerSpacing.x);
 }
 
 bool continuesGesture(bool changed) {
@@ -85,12 +102,12 @@ bool resetButton(const char* id) {
     const float radius = side * 0.22F;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PathArcTo(center, radius, -2.4F, 2.6F, 16);
-    draw.PathStroke(Theme::kOrange, 0, side * 0.06F);
+    draw.PathStroke(palette().of(Hue::orange), 0, side * 0.06F);
     const ImVec2 tip{center.x + radius * std::cos(-2.4F), center.y + radius * std::sin(-2.4F)};
     const float wing = radius * 0.8F;
     draw.AddTriangleFilled({tip.x - wing * 0.35F, tip.y + wing * 0.75F},
                            {tip.x + wing * 0.9F, tip.y + wing * 0.55F},
-                           {tip.x - wing * 0.1F, tip.y - wing * 0.7F}, Theme::kOrange);
+                           {tip.x - wing * 0.1F, tip.y - wing * 0.7F}, palette().of(Hue::orange));
     return pressed;
 }
 

@@ -22,8 +22,12 @@ void drawBanner(const char* name, std::string_view text, float x, float y, float
 /// Shows `text` beside the last item while the pointer rests on it.
 void itemTooltip(std::string_view text);
 
-/// A heading of a group of rows.
-void sectionTitle(const char* title);
+/// A text at the right end of what is left of the line or of the table's cell.
+void textRight(std::string_view text);
+
+/// The left part of a row, dots where it is too long; what stands right of it comes next on the
+/// line.
+void rowLabel(std::string_view text);
 
 /// Whether the drag that changes the last item already changed it in an earlier pass: one undo for
 /// all of a drag. Call it in each pass, with whether this one changed the item; one item for an id

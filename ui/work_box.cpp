@@ -23,7 +23,8 @@ void drawRunner(double seconds) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(low, {low.x + width, low.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg),
                        height / 2);
-    draw.AddRectFilled({x, low.y}, {x + kShare * width, low.y + height}, Theme::kBlade, height / 2);
+    draw.AddRectFilled({x, low.y}, {x + kShare * width, low.y + height}, palette().blade,
+                       height / 2);
     ImGui::Dummy({width, height});
 }
 

@@ -22,7 +22,8 @@ void drawTriangles(const BodyView& body) {
 }
 
 void drawDepth(const gpu::Program& program, const gpu::Framebuffer& map,
-               const Eigen::Matrix4f& matrix, std::initializer_list<BodyView> bodies) {
+               const Eigen::Matrix4f& matrix, const Frame& frame, const BodyView& body,
+               const BodyView& others) {
     map.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -33,9 +34,10 @@ void drawDepth(const gpu::Program& program, const gpu::Framebuffer& map,
     glClear(GL_DEPTH_BUFFER_BIT);
     program.use();
     program.set("lightMatrix", matrix);
-    for (const BodyView& body : bodies) {
-        drawTriangles(body);
-    }
+    bindLooks(program, frame);
+    drawTriangles(body);
+    bindNoLooks(program, frame);
+    drawTriangles(others);
     glDisable(GL_DEPTH_CLAMP);
 }
 
@@ -56,7 +58,7 @@ ShadowPass::ShadowPass(int size)
 }
 
 void ShadowPass::draw(const SceneView& scene, const BodyView& others, const Frame& frame) {
-    drawDepth(program_, map_, frame.lightMatrix, {scene.body, others});
+    drawDepth(program_, map_, frame.lightMatrix, frame, scene.body, others);
 }
 
 void ShadowPass::bind() const {
@@ -73,8 +75,8 @@ FloorShadePass::FloorShadePass(int size)
       scratch_(GL_RG16F, GL_DEPTH_COMPONENT16, size, size) {}
 
 void FloorShadePass::draw(const SceneView& scene, const BodyView& others, const Frame& frame) {
-    drawDepth(depthProgram_, fromBelow_, frame.shadeMatrix, {scene.body, others});
-    drawDepth(depthProgram_, alongKey_, frame.shadeMatrixAlongKey, {scene.body, others});
+    drawDepth(depthProgram_, fromBelow_, frame.shadeMatrix, frame, scene.body, others);
+    drawDepth(depthProgram_, alongKey_, frame.shadeMatrixAlongKey, frame, scene.body, others);
     fromBelow_.depth().bind(0);
     alongKey_.depth().bind(1);
     shadeProgram_.use();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/shared/render_bindings.h"
+
 namespace kerf::render {
 namespace {
 
@@ -141,6 +143,16 @@ Frame frameOf(const SceneView& scene, const Camera& camera, int width, int heigh
         aimFloorShade(frame, *scene.floor);
     }
     return frame;
+}
+
+void bindLooks(const gpu::Program& program, const Frame& frame) {
+    frame.looks->bindStorage(shared::kBindLooks);
+    program.set("lookCount", frame.lookCount);
+}
+
+void bindNoLooks(const gpu::Program& program, const Frame& frame) {
+    frame.looks->bindStorage(shared::kBindLooks);
+    program.set("lookCount", std::uint32_t{0});
 }
 
 void setLight(const gpu::Program& program, const Frame& frame) {

@@ -27,10 +27,17 @@ struct Frame {
     Eigen::Matrix4f shadeMatrixAlongKey = Eigen::Matrix4f::Identity();
     float shadeRange = 1;
     float shadeReach = 1;
+    const gpu::Buffer* looks = nullptr;  ///< vec4 per piece (see kBindLooks); never empty
+    std::uint32_t lookCount = 0;
 };
 
 /// `shadowSize`: side of the shadow map [px].
 Frame frameOf(const SceneView& scene, const Camera& camera, int width, int height, int shadowSize);
+
+/// Buffer and uniform of piece_looks.glsl.
+void bindLooks(const gpu::Program& program, const Frame& frame);
+/// The same for what is no piece of the body.
+void bindNoLooks(const gpu::Program& program, const Frame& frame);
 
 /// Uniforms of light.glsl.
 void setLight(const gpu::Program& program, const Frame& frame);

@@ -61,6 +61,7 @@ void SurfacePass::drawKind(const gpu::Program& program, const SceneView& scene,
     program.use();
     setLight(program, frame);
     setMaterial(program, scene);
+    bindLooks(program, frame);
     program.set("viewProjection", frame.viewProjection);
     program.set("eye", frame.eye);
     program.set("bodySize", frame.bodySize);

@@ -1,8 +1,12 @@
 // Depth of the body from a light, or from below the floor.
 #include "body.glsl"
+#include "piece_looks.glsl"
 uniform mat4 lightMatrix;
 
 void main() {
-    uint vertex = triangles[gl_VertexID / 3][gl_VertexID % 3];
-    gl_Position = lightMatrix * vec4(positions[vertex].xyz, 1);
+    uvec4 triangle = triangles[gl_VertexID / 3];
+    uint vertex = triangle[gl_VertexID % 3];
+    bool drawn = lookOfPiece(triangle).w >= 0.0;
+    // Depth is clamped in these pictures: what is not drawn falls outside by x and y.
+    gl_Position = drawn ? lightMatrix * vec4(positions[vertex].xyz, 1) : vec4(2, 2, 2, 1);
 }

@@ -13,6 +13,7 @@ in vec3 worldPosition;
 in vec3 worldNormal;
 in vec3 restPosition;
 in vec3 corners;
+flat in vec4 pieceTint;  // w: strength
 
 uniform vec3 eye;
 uniform float bodySize;     // diagonal at rest [m]
@@ -84,7 +85,9 @@ void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 n = normalize(worldNormal);
     n = gl_FrontFacing ? n : -n;
-    vec3 light = shade(lookOf(restPosition), n, v);
+    Look look = lookOf(restPosition);
+    look.albedo = mix(look.albedo, pieceTint.rgb, max(pieceTint.w, 0.0));
+    vec3 light = shade(look, n, v);
     if (wireframe > 0.0) {
         light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * edgeCover());
     }

@@ -1,4 +1,5 @@
 #include "body.glsl"
+#include "piece_looks.glsl"
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
 layout(std430, binding = kBindNormals) readonly buffer Normals { vec4 normals[]; };
 
@@ -15,6 +16,7 @@ out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 restPosition;
 out vec3 corners;
+flat out vec4 pieceTint;
 
 vec3 faceNormal(uvec4 triangle) {
     vec3 a = positions[triangle.x].xyz;
@@ -34,7 +36,8 @@ void main() {
     worldNormal = mix(worldNormal, faceNormal(triangle), facets);
 #endif
     corners = vec3(corner == 0, corner == 1, corner == 2);
-    // Triangles of the other kind fall outside the picture.
-    bool drawn = (triangle.w & 1u) == kKind;
+    pieceTint = lookOfPiece(triangle);
+    // Triangles of the other kind, and of hidden pieces, fall outside the picture.
+    bool drawn = (triangle.w & 1u) == kKind && pieceTint.w >= 0.0;
     gl_Position = drawn ? viewProjection * vec4(worldPosition, 1) : vec4(2, 2, 2, 1);
 }

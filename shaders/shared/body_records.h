@@ -82,10 +82,12 @@ struct VolumeSum {
 
 // Of one block, after a step.
 struct BlockMeasure {
-    vec4 low_volume;     // xyz: smallest coordinates [m]; w: volume as above [m^3]
-    vec4 high_lost;      // xyz: largest coordinates [m]; w: > 0 where a vertex is lost
-    vec4 low_velocity;   // xyz: smallest components [m/s]; w unused
-    vec4 high_velocity;  // xyz: largest [m/s]; w unused
+    vec4 low_volume;  // xyz: smallest coordinates [m]; w: volume as above [m^3]
+    vec4 high_lost;   // xyz: largest coordinates [m]; w: > 0 where a vertex is lost
+    // xyz: smallest components [m/s]; w: kinetic energy [J], as the other of free vertices alone
+    vec4 low_velocity_kinetic;
+    // xyz: largest components [m/s]; w: energy in the field of gravity [J]
+    vec4 high_velocity_potential;
 };
 
 SHARED_END

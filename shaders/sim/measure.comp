@@ -1,8 +1,8 @@
-// What the CPU wants to know after a step: volume, boxes of positions and velocities and whether a
-// vertex is lost (not finite, or faster than anything real), per block; behind the blocks, how many
-// contacts there were. Reads X, velocities, neighbours, places, pages, pieces, blocks, the state of
-// contact. Writes block measures. One group per block; sums in a fixed order (see volume_gradient).
-// The CPU reads the result.
+// What the CPU wants to know after a step: volume, boxes of positions and velocities, energy and
+// whether a vertex is lost (not finite, or faster than anything real), per block; behind the blocks,
+// how many contacts there were. Reads X, velocities, neighbours, places, pages, pieces, blocks, the
+// state of contact. Writes block measures. One group per block; sums in a fixed order (see
+// volume_gradient). The CPU reads the result.
 #include "bindings.h"
 #include "body_records.h"
 #include "contact_records.h"
@@ -25,8 +25,8 @@ layout(std430, binding = kBlockSumsBinding) writeonly buffer Measures { BlockMea
 
 shared vec4 lows[kGroupSize];
 shared vec4 highs[kGroupSize];
-shared vec3 slowest[kGroupSize];
-shared vec3 fastest[kGroupSize];
+shared vec4 slowest[kGroupSize];
+shared vec4 fastest[kGroupSize];
 
 vec3 span(uint from, uint to) {
     return fetch(positions, to).xyz - fetch(positions, from).xyz;
@@ -40,6 +40,16 @@ bool within(vec3 a, float limit) {
     return all(lessThan(magnitude, uvec3(floatBitsToUint(limit))));
 }
 
+// Kinetic, and potential about the floor (about 0 without one) [J]. What does not move by itself has
+// no inverse mass and counts for nothing.
+vec2 energyOf(vec4 position, vec3 velocity) {
+    if (position.w <= 0.0) return vec2(0.0);
+    float mass = 1.0 / (position.w * uniforms.inverse_density);
+    bool hasFloor = (uniforms.active_parts & kFloorPart) != 0u;
+    vec3 above = position.xyz - vec3(0.0, hasFloor ? uniforms.floor_height : 0.0, 0.0);
+    return mass * vec2(0.5 * dot(velocity, velocity), -dot(uniforms.gravity.xyz, above));
+}
+
 bool lost(vec3 position, vec3 velocity) {
     return !within(position, 1e10) || !within(velocity, uniforms.runaway_speed);
 }
@@ -50,17 +60,19 @@ void main() {
     uint self = gl_LocalInvocationID.x;
     vec4 low = vec4(vec3(1e30), 0.0);
     vec4 high = vec4(vec3(-1e30), 0.0);
-    vec3 slow = vec3(1e30);
-    vec3 fast = vec3(-1e30);
+    vec4 slow = vec4(vec3(1e30), 0.0);
+    vec4 fast = vec4(vec3(-1e30), 0.0);
     for (uint i = 0u; i < block.page_count; ++i) {
         uint v = fetch(places, kPageSize * pages[block.first_page + i] + self).x;
         if (v == kNoVertex) continue;
-        vec3 p = fetch(positions, v).xyz;
+        vec4 x = fetch(positions, v);
+        vec3 p = x.xyz;
         low = vec4(min(low.xyz, p), low.w + dot(span(origin, v), volumeGradient(v)) / 3.0);
         vec3 u = fetch(velocities, v).xyz;
         high = vec4(max(high.xyz, p), lost(p, u) ? 1.0 : high.w);
-        slow = min(slow, u);
-        fast = max(fast, u);
+        vec2 energy = energyOf(x, u);
+        slow = vec4(min(slow.xyz, u), slow.w + energy.x);
+        fast = vec4(max(fast.xyz, u), fast.w + energy.y);
     }
     lows[self] = low;
     highs[self] = high;
@@ -72,8 +84,10 @@ void main() {
             vec4 other = lows[self + reach];
             lows[self] = vec4(min(lows[self].xyz, other.xyz), lows[self].w + other.w);
             highs[self] = max(highs[self], highs[self + reach]);
-            slowest[self] = min(slowest[self], slowest[self + reach]);
-            fastest[self] = max(fastest[self], fastest[self + reach]);
+            vec4 slowerOne = slowest[self + reach];
+            vec4 fasterOne = fastest[self + reach];
+            slowest[self] = vec4(min(slowest[self].xyz, slowerOne.xyz), slowest[self].w + slowerOne.w);
+            fastest[self] = vec4(max(fastest[self].xyz, fasterOne.xyz), fastest[self].w + fasterOne.w);
         }
     }
     if (self == 0u && gl_WorkGroupID.x == 0u) {
@@ -81,7 +95,6 @@ void main() {
                                                     vec4(0.0), vec4(0.0));
     }
     if (self == 0u) {
-        measures[gl_WorkGroupID.x] = BlockMeasure(lows[0], highs[0], vec4(slowest[0], 0.0),
-                                                  vec4(fastest[0], 0.0));
+        measures[gl_WorkGroupID.x] = BlockMeasure(lows[0], highs[0], slowest[0], fastest[0]);
     }
 }

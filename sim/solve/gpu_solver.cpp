@@ -646,23 +646,26 @@ BodyMeasure GpuSolver::measure() {
     BodyMeasure out;
     Bounds speeds;
     out.pieceVolumes.assign(pieces_.size(), 0.0);
-    std::vector<Bounds> boxes(pieces_.size());
+    std::vector<Bounds>& boxes = out.pieceBounds;
+    boxes.resize(pieces_.size());
     std::vector<bool> lost(pieces_.size(), false);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         const shared::vec4& low = measures[b].low_volume;
         const shared::vec4& high = measures[b].high_lost;
         const uint piece = blocks_[b].piece;
+        const shared::vec4& slow = measures[b].low_velocity_kinetic;
+        const shared::vec4& fast = measures[b].high_velocity_potential;
         out.pieceVolumes[piece] += low.w;
+        out.kineticEnergy += slow.w;
+        out.potentialEnergy += fast.w;
         lost[piece] = lost[piece] || high.w != 0.0f;
         if (low.x > high.x) {
             continue;  // all vertices of the block's pages have gone to other pieces
         }
         boxes[piece].add({low.x, low.y, low.z});
         boxes[piece].add({high.x, high.y, high.z});
-        speeds.add(
-            {measures[b].low_velocity.x, measures[b].low_velocity.y, measures[b].low_velocity.z});
-        speeds.add({measures[b].high_velocity.x, measures[b].high_velocity.y,
-                    measures[b].high_velocity.z});
+        speeds.add({slow.x, slow.y, slow.z});
+        speeds.add({fast.x, fast.y, fast.z});
     }
     for (std::size_t p = 0; p < boxes.size(); ++p) {
         out.bounds.add(boxes[p]);

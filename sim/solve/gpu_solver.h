@@ -28,11 +28,15 @@ struct VolumeTarget {
 /// What the CPU learns from the GPU after a step, without reading the body back.
 struct BodyMeasure {
     std::vector<double> pieceVolumes;  ///< [m^3]
+    std::vector<Bounds> pieceBounds;   ///< [m]
     Bounds bounds;                     ///< of the living triangles [m]
     /// Pieces with a vertex that is not finite or faster than runawaySpeed(), or that have grown
     /// beyond kLargestPiece; ascending.
     std::vector<int> lostPieces;
     int contacts = 0;          ///< of the body with itself in the last substep
+    double kineticEnergy = 0;  ///< of the vertices that are free to move [J]
+    double potentialEnergy =
+        0;                     ///< of them, in the field of gravity above the floor, or above 0 [J]
     double relativeSpeed = 0;  ///< no two vertices differ by more in velocity [m/s]
 };
 

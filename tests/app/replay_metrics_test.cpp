@@ -38,12 +38,14 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
     row.frameMs = 2.5;
     row.report.subdivisions = {7, 0, 0, 1, 2, 0, 3};
     row.report.seeds = 2;
+    row.report.kineticEnergy = 1.5;
+    row.report.potentialEnergy = -0.25;
     EXPECT_EQ(
         metricsHeader(),
         "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
         "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts,one_to_four,one_to_three_a,"
-        "one_to_two,one_to_three_b,other_patterns,seeds\n");
-    EXPECT_EQ(formatMetrics(row), "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2\n");
+        "one_to_two,one_to_three_b,other_patterns,seeds,kinetic_energy,potential_energy\n");
+    EXPECT_EQ(formatMetrics(row), "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25\n");
 }
 
 TEST(Metrics, RangeOfASeries) {

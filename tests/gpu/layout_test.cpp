@@ -126,7 +126,8 @@ TEST_F(Layout, VolumeSum) {
 TEST_F(Layout, BlockMeasure) {
     expectSame("Measures", "measures", sizeof(shared::BlockMeasure),
                {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_lost),
-                MEMBER(BlockMeasure, low_velocity), MEMBER(BlockMeasure, high_velocity)});
+                MEMBER(BlockMeasure, low_velocity_kinetic),
+                MEMBER(BlockMeasure, high_velocity_potential)});
 }
 
 TEST_F(Layout, SolverUniforms) {

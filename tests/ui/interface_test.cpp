@@ -4,6 +4,7 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <set>
 
 #include "tests/support/gl_fixture.h"
@@ -19,7 +20,7 @@ class InterfaceTest : public test::GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
-        interface.emplace(1.0F);
+        interface.emplace(Theme::dark, 1.0F);
         model.name = "ball";
         model.history = &history;
         model.pieces = {{768, 4.18, 1.0}};
@@ -38,8 +39,17 @@ class InterfaceTest : public test::GlTest {
             if (const auto* set = std::get_if<SetParam>(&action)) {
                 EXPECT_EQ(setParam(model.params, set->name, set->value), "");
                 changed.insert(set->name);
+            } else if (const auto* wanted = std::get_if<SetSettings>(&action)) {
+                model.settings = wanted->settings;
+            } else if (const auto* view = std::get_if<SetPlotView>(&action)) {
+                model.plotView = view->view;
+            } else if (const auto* id = std::get_if<ActionId>(&action)) {
+                asked.push_back(*id);
             } else {
-                asked.push_back(std::get<ActionId>(action));
+                if (const auto* hover = std::get_if<HoverPiece>(&action)) {
+                    model.hoveredPiece = hover->piece;
+                }
+                others.push_back(action);
             }
         }
         return actions;
@@ -62,7 +72,17 @@ class InterfaceTest : public test::GlTest {
     History history;
     std::set<std::string> changed;
     std::vector<ActionId> asked;
+    std::vector<Action> others;
 };
+
+/// Values against time over `seconds`, a hundred a second.
+Series wave(double seconds, double middle) {
+    Series series;
+    for (int i = 0; i <= static_cast<int>(100 * seconds); ++i) {
+        series.add(0.01 * i, middle + std::sin(0.05 * i));
+    }
+    return series;
+}
 
 TEST_F(InterfaceTest, PanelsOwnThePointerOnlyOverThemselves) {
     const Layout layout = layoutPanels(kWidth, kHeight, 1);
@@ -112,8 +132,8 @@ TEST_F(InterfaceTest, TransportButtonsAsk) {
 }
 
 TEST_F(InterfaceTest, DrawsTheSamePictureTwice) {
-    history.framesPerSecond = {{0, 60}, {1, 58}, {2, 61}};
-    history.volumePercent = {{0, 100}, {1, 99.8}, {2, 99.9}};
+    history.framesPerSecond = wave(2, 60);
+    history.volumePercent = wave(2, 99);
     history.marks = {{1, "cut"}};
     const auto draw = [&] {
         pass({});
@@ -128,6 +148,148 @@ TEST_F(InterfaceTest, DrawsTheSamePictureTwice) {
     EXPECT_EQ(first, draw());
     const std::set<std::uint8_t> values(first.begin(), first.end());
     EXPECT_GT(values.size(), 50U) << "panels and text leave many shades";
+}
+
+TEST_F(InterfaceTest, WheelDragAndDoubleClickMoveAlongThePlots) {
+    history.framesPerSecond = wave(10, 60);
+    model.time = 10;
+    pass({});
+    const Rect plot = interface->places().at("plot.frames");
+    const double x = plot.x + 0.6 * plot.width;
+    const double y = plot.y + 0.4 * plot.height;
+    moveTo(x, y);
+    pass({Wheel{0, 5}});
+    ASSERT_GT(model.plotView.span, 0);
+    ASSERT_LT(model.plotView.span, 5);
+    const PlotView zoomedIn = model.plotView;
+    press(true);
+    moveTo(x + 30, y);
+    press(false);
+    EXPECT_LT(rangeOf(model.plotView, 10).low, rangeOf(zoomedIn, 10).low) << "the hand pulls it";
+    EXPECT_NEAR(model.plotView.span, zoomedIn.span, 1e-9);
+    for (int i = 0; i < 2; ++i) {
+        press(true);
+        press(false);
+    }
+    EXPECT_EQ(model.plotView, PlotView{});
+}
+
+TEST_F(InterfaceTest, PlotsAreChosenAndExported) {
+    clickOn("plots.choose");
+    pass({});
+    clickOn("plots.energy");
+    EXPECT_THAT(model.settings.plots, ::testing::ElementsAre("frames", "volume", "energy"));
+    pass({});
+    clickOn("plots.frames");
+    EXPECT_THAT(model.settings.plots, ::testing::ElementsAre("volume", "energy"));
+    click(kWidth / 2.0, kHeight / 2.0);  // away from the list, which closes it
+    pass({});
+    clickOn("plots.csv");
+    clickOn("plots.png");
+    ASSERT_EQ(others.size(), 2U);
+    EXPECT_FALSE(std::get<ExportPlots>(others[0]).asPicture);
+    EXPECT_TRUE(std::get<ExportPlots>(others[1]).asPicture);
+    clickOn("plots.hold");
+    clickOn("plots.fit");
+    EXPECT_THAT(asked, ::testing::ElementsAre(ActionId::holdPlots, ActionId::fitPlots));
+}
+
+TEST_F(InterfaceTest, AnEdgeIsDraggedAndPutsItsPanelAway) {
+    const auto dragEdge = [&](const std::string& name, double to) {
+        const Rect edge = interface->places().at(name);
+        moveTo(edge.x + edge.width / 2, 300);
+        press(true);
+        moveTo(to, 300);
+        pass({});
+        press(false);
+        pass({});
+    };
+    const double before = interface->places().at("plot.frames").width;
+    dragEdge("edge.readings", kWidth - 400.0);
+    EXPECT_NEAR(model.settings.readingsWidth, 388, 1);
+    EXPECT_GT(interface->places().at("plot.frames").width, before + 50);
+    dragEdge("edge.controls", 20);
+    EXPECT_FALSE(model.settings.showControls);
+    EXPECT_FALSE(interface->places().contains("param.iterations"));
+    clickOn("edge.controls.open");
+    pass({});
+    EXPECT_TRUE(model.settings.showControls);
+    EXPECT_TRUE(interface->places().contains("param.iterations"));
+}
+
+TEST_F(InterfaceTest, BarsDivideThePanels) {
+    for (const char* name : {"splitter.pieces", "splitter.plots"}) {
+        const Rect bar = interface->places().at(name);
+        moveTo(bar.x + bar.width / 2, bar.y + bar.height / 2);
+        press(true);
+        moveTo(bar.x + bar.width / 2, bar.y - 60);
+        press(false);
+    }
+    EXPECT_GT(model.settings.piecesShare, Settings{}.piecesShare + 0.05);
+    EXPECT_LT(model.settings.plotsShare, Settings{}.plotsShare - 0.05);
+}
+
+TEST_F(InterfaceTest, SectionsFoldAndStayFolded) {
+    ASSERT_TRUE(interface->places().contains("param.iterations"));
+    clickOn("section.simulation");
+    pass({});
+    EXPECT_FALSE(interface->places().contains("param.iterations"));
+    EXPECT_THAT(model.settings.folded, ::testing::Contains("simulation"));
+    clickOn("section.simulation");
+    pass({});
+    EXPECT_TRUE(interface->places().contains("param.iterations"));
+}
+
+TEST_F(InterfaceTest, ACardOpensItsExperiment) {
+    model.experiments.resize(2);
+    model.experiments[0].name = "sphere20";
+    model.experiments[1].name = "banana";
+    model.experiments[1].ours = RunFigures{60.5, 99.9};
+    model.settings.folded.clear();
+    pass({});
+    pass({});
+    clickOn("experiment.banana");
+    ASSERT_EQ(others.size(), 1U);
+    EXPECT_EQ(std::get<OpenExperiment>(others[0]).name, "banana");
+}
+
+TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
+    model.pieces = {{768, 0.21, 1.0}, {770, 0.20, 0.99}};
+    pass({});
+    const Rect row = interface->places().at("piece.1");
+    moveTo(row.x + 0.7 * row.width, row.y + row.height / 2);
+    ASSERT_EQ(others.size(), 1U);
+    EXPECT_EQ(std::get<HoverPiece>(others[0]).piece, 1);
+    press(true);
+    press(false);
+    ASSERT_EQ(others.size(), 2U);
+    EXPECT_EQ(std::get<FramePiece>(others[1]).piece, 1);
+    others.clear();
+    clickOn("eye.0");
+    ASSERT_EQ(others.size(), 2U);
+    EXPECT_EQ(std::get<HoverPiece>(others[0]).piece, 0);
+    EXPECT_EQ(std::get<ShowPiece>(others[1]).piece, 0);
+    EXPECT_FALSE(std::get<ShowPiece>(others[1]).visible);
+    model.pieces[0].hidden = true;
+    pass({});
+    others.clear();
+    clickOn("pieces.show_all");
+    EXPECT_TRUE(std::holds_alternative<ShowPiece>(others.back()));
+}
+
+TEST_F(InterfaceTest, ThemeAndSizeAreChosen) {
+    clickOn("window.light");
+    EXPECT_EQ(model.settings.theme, Theme::light);
+    clickOn("window.dark");
+    EXPECT_EQ(model.settings.theme, Theme::dark);
+}
+
+TEST_F(InterfaceTest, AnotherScaleMakesEverythingLarger) {
+    const double before = interface->places().at("param.iterations").height;
+    interface->restyle(Theme::light, 1.5F);
+    pass({});
+    pass({});
+    EXPECT_NEAR(interface->places().at("param.iterations").height, 1.5 * before, 2);
 }
 
 }  // namespace

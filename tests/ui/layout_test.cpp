@@ -32,6 +32,23 @@ TEST_P(LayoutTest, TheFreeViewHasTheMiddleOfThePicture) {
     EXPECT_GE(l.view.width, width() / 4);
 }
 
+TEST_P(LayoutTest, APanelThatIsPutAwayLeavesItsPlaceToTheView) {
+    Settings settings;
+    settings.showControls = false;
+    const Layout l = layoutPanels(width(), height(), GetParam()[2], settings);
+    EXPECT_EQ(l.controls.width, 0);
+    EXPECT_GT(l.view.width, layout().view.width);
+    EXPECT_FALSE(overlap(l.view, l.plots));
+}
+
+TEST_P(LayoutTest, WidthsFollowTheSettings) {
+    Settings settings;
+    settings.readingsWidth = 250;
+    const Layout l = layoutPanels(width(), height(), GetParam()[2], settings);
+    EXPECT_LE(l.plots.width, 250 * GetParam()[2]);
+    EXPECT_GE(l.view.width, width() / 4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest,
                          ::testing::Values(std::array{1280.0F, 720.0F, 1.0F},
                                            std::array{2560.0F, 1440.0F, 2.0F},

@@ -55,26 +55,74 @@ TEST(NiceTicks, KeepTheirPromisesForAnyRange) {
 }
 
 TEST(PaddedRange, LeavesAMarginAroundTheValues) {
-    const std::vector<PlotPoint> points{{0, 10}, {1, 30}};
-    const PlotRange range = paddedRange(points, 1);
+    const PlotRange range = paddedRange({10, 30}, 1);
     EXPECT_DOUBLE_EQ(range.low, 9);
     EXPECT_DOUBLE_EQ(range.high, 31);
 }
 
 TEST(PaddedRange, NeverShowsLessThanTheSmallestSpan) {
-    const std::vector<PlotPoint> points{{0, 100}, {1, 100}};
-    EXPECT_EQ(paddedRange(points, 1), (PlotRange{99.5, 100.5}));
+    EXPECT_EQ(paddedRange({100, 100}, 1), (PlotRange{99.5, 100.5}));
+    EXPECT_EQ(paddedRange({1, -1}, 2), (PlotRange{0, 2})) << "turned over: there are no values";
 }
 
-TEST(PaddedRange, IgnoresWhatIsNotFinite) {
-    const std::vector<PlotPoint> points{{0, std::nan("")}, {1, 5}, {2, HUGE_VAL}};
-    EXPECT_EQ(paddedRange(points, 2), (PlotRange{4, 6}));
-    EXPECT_EQ(paddedRange({}, 2), (PlotRange{0, 2}));
+Series seriesOf(const std::vector<PlotPoint>& points) {
+    Series series;
+    for (const PlotPoint& p : points) {
+        series.add(p.x, p.y);
+    }
+    return series;
+}
+
+TEST(ValueRange, CoversTheBucketsInSightAndTheOneBefore) {
+    const Series series = seriesOf({{0, 100}, {1, 7}, {2, 3}, {3, 50}});
+    EXPECT_EQ(valueRange(bucketsIn(series.buckets(), {1.5, 2.5})), (PlotRange{3, 7}));
+    EXPECT_EQ(valueRange(bucketsIn(series.buckets(), {-1, 9})), (PlotRange{3, 100}));
+    EXPECT_TRUE(bucketsIn(series.buckets(), {4, 5}).empty());
+    EXPECT_TRUE(bucketsIn({}, {0, 1}).empty());
+}
+
+TEST(NearestBucket, IsTheNearestOne) {
+    const Series series = seriesOf({{0, 1}, {1, 2}, {3, 4}});
+    EXPECT_EQ(nearestBucket(series.buckets(), -5).x, 0);
+    EXPECT_EQ(nearestBucket(series.buckets(), 1.9).x, 1);
+    EXPECT_EQ(nearestBucket(series.buckets(), 2.1).x, 3);
+    EXPECT_EQ(nearestBucket(series.buckets(), 99).x, 3);
+}
+
+TEST(PlotView, ShowsAllUntilItIsZoomed) {
+    EXPECT_EQ(rangeOf({}, 0.2), (PlotRange{0, 1})) << "an empty plot shows its first second";
+    EXPECT_EQ(rangeOf({}, 7), (PlotRange{0, 7}));
+    EXPECT_EQ(rangeOf({2, {}}, 7), (PlotRange{5, 7}));
+    EXPECT_EQ(rangeOf({2, 4}, 7), (PlotRange{2, 4}));
+}
+
+TEST(PlotView, ZoomKeepsTheTimeUnderThePointer) {
+    const PlotRange before = rangeOf({}, 10);
+    const PlotView view = zoomed({}, 10, 3, 4, false);
+    const PlotRange after = rangeOf(view, 10);
+    EXPECT_LT(after.span(), before.span());
+    EXPECT_NEAR((4 - after.low) / after.span(), 0.4, 1e-12);
+    EXPECT_EQ(zoomed(view, 10, -9, 4, false), PlotView{}) << "far out it shows all again";
+}
+
+TEST(PlotView, ZoomFollowsWhileTimeRuns) {
+    const PlotView view = zoomed({}, 10, 3, 4, true);
+    EXPECT_FALSE(view.end.has_value());
+    EXPECT_NEAR(rangeOf(view, 12).high, 12, 1e-12);
+}
+
+TEST(PlotView, PanStaysInsideTheRun) {
+    const PlotView view{2, 5};
+    EXPECT_EQ(rangeOf(panned(view, 10, 1), 10), (PlotRange{4, 6}));
+    EXPECT_EQ(rangeOf(panned(view, 10, -99), 10), (PlotRange{0, 2}));
+    const PlotView newest = panned(view, 10, 99);
+    EXPECT_FALSE(newest.end.has_value()) << "at the newest value it follows";
+    EXPECT_EQ(rangeOf(newest, 10), (PlotRange{8, 10}));
 }
 
 TEST(GatherColumns, KeepsTheExtremesOfEachColumn) {
-    const std::vector<PlotPoint> points{{0.0, 1}, {0.1, 9}, {0.2, 2}, {0.9, 5}};
-    const std::vector<PlotColumn> columns = gatherColumns(points, {0, 1}, 2);
+    const Series series = seriesOf({{0.0, 1}, {0.1, 9}, {0.2, 2}, {0.9, 5}});
+    const std::vector<PlotColumn> columns = gatherColumns(series.buckets(), {0, 1}, 2);
     ASSERT_EQ(columns.size(), 2U);
     EXPECT_EQ(columns[0].column, 0);
     EXPECT_DOUBLE_EQ(columns[0].low, 1);
@@ -85,27 +133,27 @@ TEST(GatherColumns, KeepsTheExtremesOfEachColumn) {
 }
 
 TEST(GatherColumns, PutsTheLastPointIntoTheLastColumn) {
-    const std::vector<PlotPoint> points{{0, 1}, {1, 2}};
-    const std::vector<PlotColumn> columns = gatherColumns(points, {0, 1}, 100);
+    const Series series = seriesOf({{0, 1}, {1, 2}});
+    const std::vector<PlotColumn> columns = gatherColumns(series.buckets(), {0, 1}, 100);
     ASSERT_EQ(columns.size(), 2U);
     EXPECT_EQ(columns.back().column, 99);
 }
 
 TEST(GatherColumns, LosesNoPeakHoweverManyPoints) {
-    std::vector<PlotPoint> points;
+    Series series;
     for (int i = 0; i < 100000; ++i) {
-        points.push_back({i * 1e-3, i == 54321 ? 1000.0 : 1.0});
+        series.add(i * 1e-3, i == 54321 ? 1000.0 : 1.0);
     }
     double highest = 0;
-    for (const PlotColumn& column : gatherColumns(points, {0, 100}, 250)) {
+    for (const PlotColumn& column : gatherColumns(series.buckets(), {0, 100}, 250)) {
         highest = std::max(highest, column.high);
     }
     EXPECT_DOUBLE_EQ(highest, 1000);
 }
 
-TEST(GatherColumns, LeavesOutWhatIsOutsideOrNotFinite) {
-    const std::vector<PlotPoint> points{{-1, 1}, {0.5, std::nan("")}, {2, 1}};
-    EXPECT_TRUE(gatherColumns(points, {0, 1}, 10).empty());
+TEST(GatherColumns, LeavesOutWhatIsOutside) {
+    const Series series = seriesOf({{-1, 1}, {2, 1}});
+    EXPECT_TRUE(gatherColumns(series.buckets(), {0, 1}, 10).empty());
 }
 
 }  // namespace

@@ -234,6 +234,25 @@ TEST_F(GpuSolverTest, MeasuresEveryPiece) {
     EXPECT_TRUE(measure.lostPieces.empty());
 }
 
+TEST_F(GpuSolverTest, MeasuresTheEnergyOfAFallingBody) {
+    Params params;
+    params.floor = -3.0;
+    Pair pair(test::icosphere(3), params, shared::kFloorPart, 3);
+    const double mass = params.density * pair.model.pieces[0].restVolume;
+    BodyState state{pair.model.restPositions, {}};
+    state.velocities.assign(state.positions.size(), Vec3f(0, -2, 0));
+    pair.gpu.setState(state);
+    const BodyMeasure measure = pair.gpu.measure();
+    EXPECT_NEAR(measure.kineticEnergy, 0.5 * mass * 4, 1e-3 * mass);
+    // The middle of the sphere is 3 m above the floor.
+    EXPECT_NEAR(measure.potentialEnergy, mass * 9.81 * 3, 1e-3 * mass * 9.81 * 3);
+    ASSERT_EQ(measure.pieceBounds.size(), 1U);
+    EXPECT_EQ(measure.pieceBounds[0].low, measure.bounds.low);
+    const BodyMeasure again = pair.gpu.measure();
+    EXPECT_EQ(again.kineticEnergy, measure.kineticEnergy);
+    EXPECT_EQ(again.potentialEnergy, measure.potentialEnergy);
+}
+
 TEST_F(GpuSolverTest, FlagsWhatIsNotFiniteOrRunsAway) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinite = std::numeric_limits<float>::infinity();

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+class EditorScene;
+
+/// The paper's experiments beside what they gave here. Ours are measured: of the run that is open,
+/// or of the last one in this window.
+class ExperimentBoard {
+  public:
+    /// Takes the figures of what is open, where that is one of them.
+    void note(const EditorScene& scene);
+    /// Sets the cards, and the paper's figures of what is open; `scene` may be null.
+    void describe(const EditorScene* scene, ui::PanelModel& model) const;
+
+  private:
+    struct Run {
+        ui::RunFigures figures;
+        int triangles = 0;
+    };
+    std::map<std::string, Run, std::less<>> runs_;  ///< by the experiment's name
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,22 @@
+#include "app/free_file.h"
+
+#include <ctime>
+
+namespace kerf::app {
+
+std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
+                               const std::string& ending) {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    char moment[32];
+    std::strftime(moment, sizeof moment, "-%Y%m%d-%H%M%S", &local);
+    const std::string stem = name + moment;
+    std::filesystem::path file = folder / (stem + ending);
+    for (int n = 2; std::filesystem::exists(file); ++n) {
+        file = folder / (stem + "-" + std::to_string(n) + ending);
+    }
+    return std::filesystem::absolute(file).lexically_normal();
+}
+
+}  // namespace kerf::app

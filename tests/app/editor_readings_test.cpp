@@ -1,0 +1,88 @@
+#include "app/editor_readings.h"
+
+#include <gmock/gmock.h>
+
+#include "app/plot_export.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf::app {
+namespace {
+
+std::vector<Bounds> boxAt(double low) {
+    Bounds box;
+    box.add(Vec3(0, low, 0));
+    box.add(Vec3(1, low + 1, 1));
+    return {box};
+}
+
+TEST(ImpactWatch, SeesEachFallOnce) {
+    ImpactWatch watch;
+    int impacts = 0;
+    for (const double height : {0.0, 0.0, 0.5, 0.2, 0.001, 0.0, 0.0, 0.3, 0.0}) {
+        impacts += watch.see(boxAt(height), 0.0, 1.7) ? 1 : 0;
+    }
+    EXPECT_EQ(impacts, 2) << "resting on the floor is none, and neither is starting there";
+}
+
+TEST(ImpactWatch, WithoutAFloorThereIsNone) {
+    ImpactWatch watch;
+    EXPECT_FALSE(watch.see(boxAt(3), std::nullopt, 1.7));
+    EXPECT_FALSE(watch.see(boxAt(-3), std::nullopt, 1.7));
+}
+
+TEST(ImpactWatch, NewPiecesAreFollowedToo) {
+    ImpactWatch watch;
+    std::vector<Bounds> two = boxAt(1);
+    two.push_back(two[0]);
+    EXPECT_FALSE(watch.see(boxAt(1), 0.0, 1.7));
+    EXPECT_FALSE(watch.see(two, 0.0, 1.7));
+    two[1] = boxAt(0)[0];
+    EXPECT_TRUE(watch.see(two, 0.0, 1.7));
+}
+
+class EditorReadingsTest : public test::GlTest {};
+
+TEST_F(EditorReadingsTest, FollowsABodyThatFalls) {
+    Params params;
+    params.floor = -0.7;
+    params.iterations = 4;
+    Simulation simulation(test::cubeSphere(4, 0.5), params);
+    EditorReadings readings;
+    EXPECT_FALSE(readings.figures().has_value());
+    for (int i = 0; i < 60; ++i) {
+        simulation.step();
+        readings.addStep(simulation.report().time, simulation);
+        readings.addPicture(simulation.report().time, 0.02, 3);
+    }
+    const ui::History& history = readings.history();
+    EXPECT_EQ(history.volumePercent.buckets().size(), 60U);
+    ASSERT_EQ(history.piecePercent.size(), 1U);
+    EXPECT_NEAR(history.piecePercent[0].last(), history.volumePercent.last(), 0.01);
+    EXPECT_GT(history.kineticEnergy.max(), 0);
+    EXPECT_LT(history.potentialEnergy.last(), history.potentialEnergy.buckets().front().low);
+    EXPECT_EQ(history.stages[static_cast<std::size_t>(ui::Stage::render)].mean(), 3);
+    ASSERT_EQ(history.marks.size(), 1U);
+    EXPECT_EQ(history.marks[0].label, "impact");
+    ASSERT_TRUE(readings.figures().has_value());
+    EXPECT_NEAR(readings.figures()->fps, 50, 1e-9);
+    readings.forgetAfter(0.1);
+    EXPECT_LE(history.volumePercent.buckets().back().x, 0.1);
+    EXPECT_TRUE(history.marks.empty()) << "the impact came later";
+}
+
+TEST(FormatPlots, HasARowPerValue) {
+    ui::Series series;
+    series.add(0, 1.5);
+    series.add(0.25, 2);
+    ui::PlotSpec plot;
+    plot.id = "volume";
+    plot.curves = {{.label = "volume", .series = &series}};
+    EXPECT_EQ(formatPlots(std::span(&plot, 1)),
+              "plot,curve,time,mean,min,max,values\n"
+              "volume,volume,0,1.5,1.5,1.5,1\n"
+              "volume,volume,0.25,2,2,2,1\n");
+}
+
+}  // namespace
+}  // namespace kerf::app

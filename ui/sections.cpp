@@ -1,0 +1,30 @@
+#include "ui/sections.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "ui/item_places.h"
+
+namespace kerf::ui {
+
+bool beginSection(const char* id, const char* title, const PanelModel& model,
+                  std::vector<Action>& actions) {
+    const std::vector<std::string>& folded = model.settings.folded;
+    const bool open = std::ranges::find(folded, id) == folded.end();
+    ImGui::SetNextItemOpen(open, ImGuiCond_Always);
+    const bool wanted = ImGui::CollapsingHeader((std::string(title) + "###" + id).c_str());
+    noteItem(std::string("section.") + id);
+    if (wanted != open) {
+        Settings settings = model.settings;
+        std::erase(settings.folded, id);
+        if (!wanted) {
+            settings.folded.emplace_back(id);
+        }
+        actions.emplace_back(SetSettings{settings});
+    }
+    return open;
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace kerf::ui {
+
+/// Values of neighbouring x: lowest, highest and mean.
+struct SeriesBucket {
+    double x = 0;  ///< of the first one
+    double low = 0;
+    double high = 0;
+    double mean = 0;
+    int count = 0;
+};
+
+/// Values against a rising x, in a bounded number of buckets: as long as there are few values a
+/// bucket holds one; then neighbours are merged, again and again, and no extreme is lost. So hours
+/// cost no more memory and time than minutes.
+class Series {
+  public:
+    static constexpr std::size_t kMostBuckets = 16384;
+
+    /// `x` is not below that of the value before. Values that are not finite are left out.
+    void add(double x, double y);
+    /// Leaves out the buckets that begin behind `x`.
+    void forgetAfter(double x);
+
+    bool empty() const { return buckets_.empty(); }
+    std::span<const SeriesBucket> buckets() const { return buckets_; }
+    /// The newest value; 0 while empty.
+    double last() const { return last_; }
+    /// Over all values; 0 while empty.
+    double mean() const { return count_ > 0 ? sum_ / count_ : 0; }
+    double min() const { return min_; }
+    double max() const { return max_; }
+
+  private:
+    void count(const SeriesBucket& bucket);
+    void mergeNeighbours();
+
+    std::vector<SeriesBucket> buckets_;
+    int perBucket_ = 1;
+    double last_ = 0;
+    double sum_ = 0;
+    double min_ = 0;
+    double max_ = 0;
+    double count_ = 0;
+};
+
+}  // namespace kerf::ui

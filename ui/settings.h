@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/theme.h"
+
+namespace kerf::ui {
+
+/// How a person likes the window: kept in a file by the editor (app/settings_file.h), never part of
+/// a session. Lengths hold at scale 1 (96 dpi).
+struct Settings {
+    static constexpr double kLeastWidth = 230;  ///< of a side panel [px]
+    static constexpr double kMostWidth = 640;
+
+    Theme theme = Theme::dark;
+    double uiScale = 1;  ///< over the display's own
+    bool showControls = true;
+    bool showReadings = true;
+    double controlsWidth = 300;                          ///< of the left panel [px]
+    double readingsWidth = 300;                          ///< of the right panel [px]
+    double piecesShare = 0.24;                           ///< of the left panel's height
+    double plotsShare = 0.62;                            ///< of the right panel's height
+    std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of plotKinds()
+    std::vector<std::string> folded{"experiments"};      ///< sections of the left panel
+
+    bool operator==(const Settings&) const = default;
+};
+
+/// Scales that a person can choose.
+inline constexpr double kUiScales[] = {0.75, 1, 1.25, 1.5, 2};
+
+}  // namespace kerf::ui
