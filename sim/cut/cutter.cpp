@@ -508,6 +508,8 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
                             int level, Sweep& sweep, CutResult& result) {
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
+    Bounds bodyBox = tree.bounds();
+    bodyBox.widen(kBroadPhaseMargin * h);  // predicates may see vertices that far outside
     const cut::StepInput in{mesh,
                             candidates,
                             pieces.ofVertex(),
@@ -521,7 +523,8 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
                             stroke,
                             sweep.pass,
                             sweep.firstVertexOfPass,
-                            cut::attemptAt(level, settings.tolerance, retrySeed)};
+                            cut::attemptAt(level, settings.tolerance, retrySeed),
+                            bodyBox};
     const int tries = result.statistics.tries + 1;
     const std::string reason = result.reason;
     result.statistics.tries = tries;

@@ -232,11 +232,27 @@ class BorderWalk {
             if (isFront(point) && !point.inside) {
                 throw StepFailure{"the front lies outside"};
             }
+            if (point.inside && isInTheAir(point)) {
+                throw StepFailure{"the air lies inside"};
+            }
         }
     }
 
-    // Start after the lowest prefix sum: nothing is inside there, unless the front says otherwise.
+    /// A node of the blade far away from the body.
+    bool isInTheAir(const BorderPoint& point) const {
+        if (point.stripNode < 0 || in_.body.empty()) {
+            return false;
+        }
+        const StripNode& node = strip_.nodes[point.stripNode];
+        return node.vertices.empty() && !in_.body.overlaps({node.position, node.position});
+    }
+
+    // A point of which it is known that nothing is inside there; otherwise after the lowest prefix
+    // sum, unless the front says otherwise.
     int firstPoint() const {
+        if (const int known = pointInTheAir(); known >= 0) {
+            return known;
+        }
         int lowest = 0;
         int sum = 0;
         int first = 0;
@@ -251,6 +267,9 @@ class BorderWalk {
     }
 
     int windingBefore(int first) const {
+        if (isInTheAir(points_[first])) {
+            return 0;
+        }
         int winding = 0;
         for (int k = 0; k < sizeOf(points_); ++k) {
             const BorderPoint& point = points_[(first + k) % sizeOf(points_)];
@@ -260,6 +279,12 @@ class BorderWalk {
             }
         }
         return 0;
+    }
+
+    int pointInTheAir() const {
+        const auto found = std::ranges::find_if(
+            points_, [this](const BorderPoint& point) { return isInTheAir(point); });
+        return found == points_.end() ? -1 : static_cast<int>(found - points_.begin());
     }
 
     void classifyByEvents() {

@@ -55,6 +55,7 @@ struct StepInput {
     int pass = 0;               ///< of the blade through the body, counted over all strokes
     int firstVertexOfPass = 0;  ///< vertices from here on were made in the pass
     Attempt attempt;
+    Bounds body{};  ///< what lies outside of this box is in the air; empty where nothing is known
 };
 
 /// Attempt::closing where older slits are to close, share of h.

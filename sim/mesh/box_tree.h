@@ -51,6 +51,12 @@ class BoxTree {
     template <class Meets, class Visit>
     void find(const BoundsOf& boundsOf, Meets&& meets, Visit&& visit);
 
+    /// Holds all things; larger than needed by as much as they may have moved. Empty where there is
+    /// nothing.
+    Bounds bounds() const {
+        return nodes_.empty() || nodes_[0].count == 0 ? Bounds{} : widened(nodes_[0]);
+    }
+
     /// For other ways through the tree: node 0 is the root; empty where nothing was ever put in.
     const std::vector<Node>& nodes() const { return nodes_; }
     std::span<const int> idsOf(const Node& leaf) const {

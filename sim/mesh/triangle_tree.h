@@ -35,6 +35,12 @@ class TriangleTree {
         return found;
     }
 
+    /// No triangle reaches out of this box; it may be larger than needed.
+    Bounds bounds() {
+        catchUp();
+        return tree_.bounds();
+    }
+
   private:
     Bounds boundsOf(int triangle) const;
     void catchUp();

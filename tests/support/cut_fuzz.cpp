@@ -23,6 +23,9 @@ constexpr double kNoise = 1e-6;
 // A piece reaches to both sides of a stroke if it has vertices farther away from it, share of h: as
 // far as a step that cuts anew from behind the front may lie aside.
 constexpr double kOtherSide = 0.3;
+constexpr double kChanceOfRounding = 0.4;
+constexpr double kChanceOfFineOffset = 0.2;  // of strokes in doubles, drawn apart
+constexpr int kManySlivers = 4;              // of one stroke that are worth a note
 // The clean-up moves vertices of the skin, and the rim with them, this far, share of h.
 constexpr double kCleanupReach = 0.03;
 
@@ -347,7 +350,8 @@ struct Defects {
     bool slitEnds = false;
     bool intersecting = false;
     bool outside = false;
-    bool any() const { return unseparated || slitEnds || intersecting || outside; }
+    bool slivers = false;
+    bool any() const { return unseparated || slitEnds || intersecting || outside || slivers; }
 };
 
 std::string noteOn(const CutCheck& check, const Defects& defects) {
@@ -358,6 +362,9 @@ std::string noteOn(const CutCheck& check, const Defects& defects) {
     note += defects.slitEnds ? ", leaves the end of a slit" : "";
     note += defects.intersecting ? ", intersects when opened" : "";
     note += defects.outside ? ", a wall lies outside" : "";
+    if (defects.slivers) {
+        note += ", slivers " + std::to_string(check.quality.all().below0001);
+    }
     return note + " " + check.reason;
 }
 
@@ -422,6 +429,36 @@ void writeRow(std::ostringstream& out, const std::string& name, const FuzzFigure
         << f.cleanup.slides << ", volume changed " << f.mostVolumeChange << "\n";
 }
 
+const char* nameOf(FuzzSetting setting) {
+    switch (setting) {
+        case FuzzSetting::exact:
+            return "positions in doubles";
+        case FuzzSetting::fine:
+            return "positions in doubles, offset 1e-7 h";
+        case FuzzSetting::rounded:
+            break;
+    }
+    return "positions rounded to floats";
+}
+
+FuzzSetting randomSetting(Dice& dice, std::uint64_t seed) {
+    if (dice.chance(kChanceOfRounding)) {
+        return FuzzSetting::rounded;
+    }
+    return Dice(seed + 2000000011).chance(kChanceOfFineOffset) ? FuzzSetting::fine
+                                                               : FuzzSetting::exact;
+}
+
+CutSettings cutSettings(FuzzSetting setting, std::uint64_t seed) {
+    CutSettings settings = setting == FuzzSetting::fine ? exactSettings() : CutSettings{};
+    if (setting == FuzzSetting::exact) {
+        settings.tolerance = exactSettings().tolerance;
+    }
+    settings.seed = seed;
+    settings.cleanUp = std::getenv("KERF_FUZZ_NO_CLEANUP") == nullptr;
+    return settings;
+}
+
 }  // namespace
 
 const char* nameOf(FuzzMode mode) {
@@ -439,31 +476,35 @@ bool leavesSlabs(FuzzMode mode) {
     return mode == FuzzMode::realigned || mode == FuzzMode::concurrent || mode == FuzzMode::reverse;
 }
 
-FuzzFigures FuzzReport::ordinary(bool ofRounded) const {
+FuzzFigures FuzzReport::ordinary(FuzzSetting setting) const {
     FuzzFigures sum;
     for (int mode = 0; mode < kFuzzModes; ++mode) {
         if (!leavesSlabs(static_cast<FuzzMode>(mode))) {
-            add((ofRounded ? rounded : exact)[mode], sum);
+            add(of(setting, static_cast<FuzzMode>(mode)), sum);
         }
     }
     return sum;
 }
 
-SliverCount FuzzReport::ordinarySlivers(bool ofRounded) const {
-    return ordinary(ofRounded).quality.all();
+FuzzFigures FuzzReport::total(FuzzSetting setting) const {
+    FuzzFigures sum;
+    for (const FuzzFigures& ofMode : figures[static_cast<int>(setting)]) {
+        add(ofMode, sum);
+    }
+    return sum;
 }
 
 std::string FuzzReport::table() const {
     std::ostringstream out;
-    for (const bool ofRounded : {false, true}) {
-        out << (ofRounded ? "positions rounded to floats\n" : "positions in doubles\n");
+    for (const FuzzSetting setting : kFuzzSettings) {
+        out << nameOf(setting) << "\n";
         for (int mode = 0; mode < kFuzzModes; ++mode) {
-            writeRow(out, nameOf(static_cast<FuzzMode>(mode)), (ofRounded ? rounded : exact)[mode]);
+            writeRow(out, nameOf(static_cast<FuzzMode>(mode)),
+                     of(setting, static_cast<FuzzMode>(mode)));
         }
-        const FuzzFigures sum = total(ofRounded);
+        const FuzzFigures sum = total(setting);
+        writeRow(out, "modes without slabs", ordinary(setting));
         writeRow(out, "all", sum);
-        writeSlivers(out, "modes without slabs", ordinarySlivers(ofRounded));
-        out << "\n";
         for (const std::string& note : sum.notes) {
             out << "  " << note << "\n";
         }
@@ -471,26 +512,15 @@ std::string FuzzReport::table() const {
     return out.str();
 }
 
-FuzzFigures FuzzReport::total(bool ofRounded) const {
-    FuzzFigures sum;
-    for (const FuzzFigures& figures : ofRounded ? rounded : exact) {
-        add(figures, sum);
-    }
-    return sum;
-}
-
 void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
     Dice dice(seed);
     std::string body;
     SurfaceMesh mesh = randomBody(dice, seed, body);
     const auto mode = static_cast<FuzzMode>(dice.below(kFuzzModes));
-    const bool rounded = dice.chance(0.4);
+    const FuzzSetting setting = randomSetting(dice, seed);
+    const bool rounded = setting == FuzzSetting::rounded;
     const double h = meanEdge(mesh);
-    CutSettings settings;
-    settings.tolerance = rounded ? settings.tolerance : exactSettings().tolerance;
-    settings.seed = seed;
-    settings.cleanUp = std::getenv("KERF_FUZZ_NO_CLEANUP") == nullptr;
-    Cutter cutter(mesh, settings);
+    Cutter cutter(mesh, cutSettings(setting, seed));
     const int strokes = strokesOf(dice, mode);
     const Course shared = randomCourse(dice, mesh, h);
     const bool canOpen = mode != FuzzMode::deform && !rounded;
@@ -509,12 +539,12 @@ void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
         defects.unseparated =
             defects.slitEnds && piecesOnBothSides(mesh, stroke, kOtherSide * h) > 0;
         defects.outside = reachesOut(restBounds(mesh, true), restBox);
+        defects.slivers = !leavesSlabs(mode) && check.quality.all().below0001 > kManySlivers;
         const bool intersects = canOpen && intersectsOpened(mesh, h);
         defects.intersecting = intersects && !std::exchange(intersected, intersects);
         const std::string name = "seed " + std::to_string(seed) + " " + body + " " + nameOf(mode) +
                                  " stroke " + std::to_string(i);
-        count(check, defects, name,
-              (rounded ? report.rounded : report.exact)[static_cast<int>(mode)]);
+        count(check, defects, name, report.of(setting, mode));
         if (!check.problem.empty()) {
             return;
         }

@@ -55,16 +55,28 @@ struct FuzzFigures {
     std::vector<std::string> notes;  ///< one line for each stroke worth looking at
 };
 
+/// How positions and the blade's offset are.
+enum class FuzzSetting {
+    exact,    ///< positions stay doubles
+    fine,     ///< doubles, and the blade's offset is 1e-7 h
+    rounded,  ///< moved by up to 1e-6 h and rounded to floats every step
+};
+inline constexpr std::array kFuzzSettings{FuzzSetting::exact, FuzzSetting::fine,
+                                          FuzzSetting::rounded};
+
 struct FuzzReport {
-    std::array<FuzzFigures, kFuzzModes> exact;  ///< positions stay doubles
-    std::array<FuzzFigures, kFuzzModes>
-        rounded;  ///< moved by up to 1e-6 h and rounded to floats every step
+    /// By setting, then by mode.
+    std::array<std::array<FuzzFigures, kFuzzModes>, kFuzzSettings.size()> figures;
     std::string table() const;
-    FuzzFigures total(bool ofRounded) const;
+    FuzzFigures total(FuzzSetting setting) const;
     /// All modes that leave no slabs.
-    FuzzFigures ordinary(bool ofRounded) const;
-    /// New triangles of all modes that leave no slabs.
-    SliverCount ordinarySlivers(bool ofRounded) const;
+    FuzzFigures ordinary(FuzzSetting setting) const;
+    FuzzFigures& of(FuzzSetting setting, FuzzMode mode) {
+        return figures[static_cast<int>(setting)][static_cast<int>(mode)];
+    }
+    const FuzzFigures& of(FuzzSetting setting, FuzzMode mode) const {
+        return figures[static_cast<int>(setting)][static_cast<int>(mode)];
+    }
 };
 
 /// One random body and its strokes; `seed` decides everything.

@@ -40,19 +40,20 @@ test::FuzzReport runFuzz() {
 
 TEST(CutFuzz, MeshesStayClosedAndStepsSucceed) {
     const test::FuzzReport report = runFuzz();
-    for (const bool rounded : {false, true}) {
-        const test::FuzzFigures sum = report.total(rounded);
+    for (const test::FuzzSetting setting : test::kFuzzSettings) {
+        const test::FuzzFigures sum = report.total(setting);
         EXPECT_EQ(sum.invalid, 0);
-        EXPECT_LE(sum.refused, (rounded ? 0.001 : 0.0) * sum.cuts) << "of " << sum.cuts << " steps";
+        EXPECT_LE(sum.refused, (setting == test::FuzzSetting::rounded ? 0.001 : 0.0) * sum.cuts)
+            << "of " << sum.cuts << " steps";
         EXPECT_EQ(sum.outside, 0) << "of " << sum.strokes << " strokes";
         EXPECT_EQ(sum.unseparated, 0) << "of " << sum.strokes << " strokes";
         EXPECT_LE(sum.mostVolumeChange, 1e-6);
-        const test::SliverCount slivers = report.ordinarySlivers(rounded);
+        const test::SliverCount slivers = report.ordinary(setting).quality.all();
         EXPECT_LE(slivers.below002, 0.005 * slivers.triangles) << "of " << slivers.triangles;
         // They come in crowds: two crowds in a short run say nothing about thousands of strokes.
         EXPECT_LE(slivers.below0001, 1e-4 * slivers.triangles + 2 * kCrowd)
             << "of " << slivers.triangles;
-        const test::FuzzFigures ordinary = report.ordinary(rounded);
+        const test::FuzzFigures ordinary = report.ordinary(setting);
         EXPECT_LE(ordinary.intersecting, 0.02 * ordinary.strokes + 1);
         EXPECT_EQ(sum.unmirrored, 0) << "of " << sum.strokes << " strokes";
     }
@@ -63,7 +64,7 @@ TEST(CutFuzz, NodesAtOnePlaceKeepWallsMirrored) {
     constexpr std::uint64_t kCrowdOnWall = 70350;
     test::FuzzReport report;
     test::fuzzOnce(kCrowdOnWall, report);
-    const test::FuzzFigures figures = report.total(false);
+    const test::FuzzFigures figures = report.total(test::FuzzSetting::exact);
     EXPECT_EQ(figures.strokes, 4);
     EXPECT_EQ(figures.unmirrored, 0);
     EXPECT_EQ(figures.invalid, 0);

@@ -62,12 +62,12 @@ TEST(Resume, ABladeThatStandsHasNoWayOn) {
 // The first one built walls far outside the body at what was then the last level of the ladder.
 TEST(Resume, CrumpledFrontsAreCutAnewAndTheBodyParts) {
     int resumed = 0;
-    for (const std::uint64_t seed : {201160, 300344, 300617}) {
+    for (const std::uint64_t seed : {201160, 300344, 300617, 300945, 302320}) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         test::FuzzReport report;
         test::fuzzOnce(seed, report);
-        for (const bool rounded : {false, true}) {
-            const test::FuzzFigures figures = report.total(rounded);
+        for (const test::FuzzSetting setting : test::kFuzzSettings) {
+            const test::FuzzFigures figures = report.total(setting);
             EXPECT_EQ(figures.invalid, 0);
             EXPECT_EQ(figures.refused, 0);
             EXPECT_EQ(figures.unseparated, 0);

@@ -73,8 +73,8 @@ TEST(Retrace, FuzzedStrokesAreNeitherRefusedNorLoseTheirMirrors) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         test::FuzzReport report;
         test::fuzzOnce(seed, report);
-        for (const bool rounded : {false, true}) {
-            const test::FuzzFigures figures = report.total(rounded);
+        for (const test::FuzzSetting setting : test::kFuzzSettings) {
+            const test::FuzzFigures figures = report.total(setting);
             EXPECT_EQ(figures.invalid, 0);
             EXPECT_EQ(figures.refused, 0);
             EXPECT_EQ(figures.unseparated, 0);
