@@ -535,7 +535,8 @@ void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
             runStroke(cutter, mesh, stroke,
                       disturbance(mode, rounded, meshBounds(mesh).diagonal(), h, phase, seed + i));
         Defects defects;
-        defects.slitEnds = goesThrough(mode) && slitEdges(mesh, i) > 0;
+        const bool done = check.problem.empty();  // otherwise it ended early
+        defects.slitEnds = done && goesThrough(mode) && slitEdges(mesh, i) > 0;
         defects.unseparated =
             defects.slitEnds && piecesOnBothSides(mesh, stroke, kOtherSide * h) > 0;
         defects.outside = reachesOut(restBounds(mesh, true), restBox);

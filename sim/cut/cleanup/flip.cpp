@@ -28,7 +28,8 @@ struct Quad {
 struct QuadShape {
     Vec3 a, b, c, d;
 
-    double volume() const { return std::fabs((b - a).dot((c - a).cross(d - a)) / 6); }
+    /// That a flip adds, up to its sign; those of the two walls of a slit have opposite signs.
+    double volume() const { return (b - a).dot((c - a).cross(d - a)) / 6; }
     /// Distance between the lines of the two diagonals.
     double height() const {
         const Vec3 across = (b - a).cross(d - c);
@@ -167,8 +168,12 @@ class Flip {
 
     void measure(const Quad& quad) {
         const QuadShape current = shapeOf(quad, mesh_.positions());
-        defect_.current = std::max(defect_.current, current.volume());
-        defect_.rest = std::max(defect_.rest, shapeOf(quad, mesh_.restPositions()).volume());
+        const double rest = shapeOf(quad, mesh_.restPositions()).volume();
+        net_.current += current.volume();
+        net_.rest += rest;
+        defect_.current =
+            std::max({defect_.current, std::fabs(current.volume()), std::fabs(net_.current)});
+        defect_.rest = std::max({defect_.rest, std::fabs(rest), std::fabs(net_.rest)});
         if (!onWalls_) {
             deviation_ = std::max(deviation_, current.height());
         }
@@ -199,7 +204,8 @@ class Flip {
     MaterialStar from_;
     bool onWalls_ = false;
     std::vector<Quad> quads_;
-    VolumeDefect defect_;
+    VolumeDefect net_;     ///< signed; walls that noise has moved apart don't cancel
+    VolumeDefect defect_;  ///< of the worst copy, or of all together
     double deviation_ = 0;
 };
 

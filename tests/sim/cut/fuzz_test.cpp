@@ -70,5 +70,16 @@ TEST(CutFuzz, NodesAtOnePlaceKeepWallsMirrored) {
     EXPECT_EQ(figures.invalid, 0);
 }
 
+// Edges of walls flipped on both sides, which noise had moved apart: the volumes don't cancel.
+TEST(CutFuzz, NoiseInWallsIsInTheVolumeThatTheCleanupAdmits) {
+    for (const std::uint64_t seed : {400514, 401847}) {
+        test::FuzzReport report;
+        test::fuzzOnce(seed, report);
+        const test::FuzzFigures figures = report.total(test::FuzzSetting::rounded);
+        EXPECT_GT(figures.strokes, 1) << "seed " << seed;
+        EXPECT_EQ(figures.invalid, 0) << "seed " << seed;
+    }
+}
+
 }  // namespace
 }  // namespace kerf
