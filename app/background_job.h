@@ -25,7 +25,7 @@ class BackgroundJob {
     /// Asks the work to stop and waits until it has.
     ~BackgroundJob() {
         progress_.cancel();
-        thread_.join();
+        wait();
     }
     BackgroundJob(const BackgroundJob&) = delete;
     BackgroundJob& operator=(const BackgroundJob&) = delete;
@@ -40,6 +40,12 @@ class BackgroundJob {
     }
     std::string stage() const { return progress_.stage(); }
     double seconds() const { return watch_.seconds(); }
+    /// Until it is done.
+    void wait() {
+        if (thread_.joinable()) {
+            thread_.join();
+        }
+    }
     /// The work ends soon with WorkCancelled.
     void cancel() { progress_.cancel(); }
 

@@ -22,9 +22,13 @@ UploadedDocument::UploadedDocument(PreparedDocument prepared)
       body(std::move(prepared.body)),
       depth(std::move(prepared.depth)) {}
 
-DocumentLoading::DocumentLoading(std::filesystem::path file)
-    : file_(std::move(file)), job_([path = file_](WorkProgress& progress) {
-          return prepareDocument(openDocument(path, &progress), &progress);
+DocumentLoading::DocumentLoading(std::filesystem::path file, bool fillHoles)
+    : file_(std::move(file)), job_([path = file_, fillHoles](WorkProgress& progress) {
+          ReadOptions options;
+          options.fillHoles = fillHoles;
+          options.tryFilling = !fillHoles;
+          options.progress = &progress;
+          return prepareDocument(openDocument(path, options), &progress);
       }) {}
 
 void DocumentLoading::advance() {

@@ -35,7 +35,7 @@ struct UploadedDocument {
 /// GPU a portion a picture. What is open goes on meanwhile.
 class DocumentLoading {
   public:
-    explicit DocumentLoading(std::filesystem::path file);
+    explicit DocumentLoading(std::filesystem::path file, bool fillHoles = false);
 
     /// Once a picture, on the thread of the context. Throws InputError where the file can't be
     /// opened, gpu::ShaderError, gpu::OutOfMemory.

@@ -22,7 +22,11 @@ Editor::Editor(const EditorOptions& options, std::optional<Document> document)
     state_->describe();
 }
 
-Editor::~Editor() = default;
+Editor::~Editor() {
+    if (state_->saving != nullptr) {
+        state_->saving->job.wait();  // What was to be saved is saved.
+    }
+}
 
 void Editor::post(ui::InputEvent event) {
     state_->queue.push(std::move(event));
@@ -49,7 +53,7 @@ void Editor::frame(double elapsedSeconds) {
     s.toast.pass(elapsedSeconds);
     s.takeInput(elapsedSeconds);
     s.sceneChanged |= s.cameraFlight.advance(s.camera, elapsedSeconds);
-    s.followLoading();
+    s.followWork();
     s.advance(elapsedSeconds);
     s.draw();
     if (s.screenshotWanted) {
@@ -64,18 +68,18 @@ double Editor::idleSeconds() const {
         s.cameraFlight.flying()) {
         return 0;
     }
-    if (s.loading != nullptr) {
-        return s.loading->preparing() ? kWorkPause : 0;
+    if (s.isWorking() || s.preview.working()) {
+        return s.loading != nullptr && !s.loading->preparing() ? 0 : kWorkPause;
     }
     return s.toast.visible() ? s.toast.steadySeconds() : kForever;
 }
 
 bool Editor::working() const {
-    return state_->loading != nullptr;
+    return state_->isWorking();
 }
 
 bool Editor::closing() const {
-    return state_->closing;
+    return state_->closing && state_->saving == nullptr;
 }
 
 const gpu::Framebuffer& Editor::picture() const {

@@ -24,9 +24,11 @@ struct EditorOptions {
     std::string device;  ///< what draws, for the status bar
     /// Time runs by the clock where it can; otherwise every picture is one step, for tests.
     bool byTheClock = true;
+    /// Where pictures go, and where files are looked for first.
     std::filesystem::path screenshotFolder = ".";
     /// Where the person's settings are kept; empty: nowhere, as in tests.
     std::filesystem::path settingsFile;
+    std::filesystem::path recentFiles;  ///< see RecentFiles; empty keeps none
 };
 
 /// The editor behind a window or without one: events in, pictures out. It needs a current OpenGL
@@ -51,9 +53,9 @@ class Editor {
     /// How long nothing will change without input [s]; 0 while something moves.
     double idleSeconds() const;
 
-    /// Whether a file is on its way in; what is open goes on meanwhile.
+    /// Whether a file is on its way in or out; what is open goes on meanwhile.
     bool working() const;
-    /// Whether the person asked to leave.
+    /// Whether the person asked to leave and nothing is left to be saved.
     bool closing() const;
 
     /// Scene and panels, as the window shows them.

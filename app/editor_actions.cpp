@@ -26,7 +26,11 @@ void Editor::State::apply(const ui::Action& action) {
     } else if (const auto* removed = std::get_if<RemoveBox>(&action)) {
         execute(*removed);
     } else if (std::holds_alternative<ui::CancelWork>(action)) {
-        cancelLoading();
+        cancelWork();
+    } else if (const auto* answered = std::get_if<ui::AnswerQuestion>(&action)) {
+        answer(answered->choice);
+    } else if (const auto* file = std::get_if<ui::FileAction>(&action)) {
+        applyToFiles(*file);
     } else if (const auto* set = std::get_if<SetParam>(&action)) {
         execute(*set);
     } else {
@@ -89,7 +93,7 @@ void Editor::State::toggleRecording() {
         return;
     }
     scene->stopRecording();
-    saveSession();
+    saveRecording();
 }
 
 void Editor::State::goToChange(std::size_t done) {
@@ -110,6 +114,9 @@ void Editor::State::perform(ui::ActionId id) {
     switch (id) {
         case ui::ActionId::help:
             helpOpen = !helpOpen;
+            return;
+        case ui::ActionId::openFile:
+            browse(ui::FilePurpose::open);
             return;
         case ui::ActionId::screenshot:
             screenshotWanted = true;
@@ -182,7 +189,10 @@ void Editor::State::performOnScene(ui::ActionId id) {
             toggleRecording();
             return;
         case ui::ActionId::saveSession:
-            saveSession();
+            browse(ui::FilePurpose::saveSession);
+            return;
+        case ui::ActionId::exportBody:
+            browse(ui::FilePurpose::exportMesh);
             return;
         case ui::ActionId::loop:
             scene->toggleLoop();
@@ -204,8 +214,8 @@ void Editor::State::performOnScene(ui::ActionId id) {
 void Editor::State::cancel() {
     if (helpOpen) {
         helpOpen = false;
-    } else if (loading != nullptr && !handIsBusy()) {
-        cancelLoading();
+    } else if (isWorking() && !handIsBusy()) {
+        cancelWork();
     } else if (scene != nullptr) {
         hand.cancel(*scene);
         bodyHand.cancel(*scene);

@@ -78,6 +78,13 @@ void Editor::State::describe() {
         model.pinned = scene->simulation().pinnedVertices().size();
     }
     model.work = workState();
+    model.recentFiles = recent.files();
+    if (browser) {
+        model.files = browser->state();
+    }
+    if (fault) {
+        model.question = fault->question;
+    }
     toast.describe(model);
 }
 

@@ -32,38 +32,43 @@ std::string modelNote(const MeshReport& report, double scale) {
     return repairs.empty() ? text : std::string(text) + " Repaired: " + repairs + ".";
 }
 
-Document finish(std::string name, Session session, SurfaceMesh mesh, std::string note) {
-    const Bounds bounds = meshBounds(mesh);
+Document finish(std::string name, Session session, ModelMesh model, std::string note) {
+    const Bounds bounds = meshBounds(model.mesh);
     const render::Camera camera = sessionCamera(session, bounds);
-    return {std::move(name), std::move(session), std::move(mesh), bounds, camera, std::move(note)};
+    return {std::move(name), std::move(session),   std::move(model.mesh), bounds,
+            camera,          std::move(model.uvs), std::move(note)};
 }
 
-Document openModel(const std::filesystem::path& file, WorkProgress* progress) {
+Document openModel(const std::filesystem::path& file, const ReadOptions& options) {
     MeshReport report;
-    SurfaceMesh mesh = loadModel(file, &report, progress);
+    ReadOptions ours = options;
+    ours.report = &report;
+    ModelMesh model = readModel(file, ours);
     Session session;
     session.model.path = std::filesystem::absolute(file);
-    session.placement = fitPlacement(meshBounds(mesh), kModelDiagonal);
-    place(mesh, session.placement);
+    session.model.fillHoles = options.fillHoles;
+    session.placement = fitPlacement(meshBounds(model.mesh), kModelDiagonal);
+    place(model.mesh, session.placement);
     std::string note = modelNote(report, session.placement.scale);
-    return finish(shortName(file), std::move(session), std::move(mesh), std::move(note));
+    return finish(shortName(file), std::move(session), std::move(model), std::move(note));
 }
 
-Document openSession(const std::filesystem::path& file, WorkProgress* progress) {
+Document openSession(const std::filesystem::path& file, const ReadOptions& options) {
     Session session = readSession(file);
-    SurfaceMesh mesh = loadSessionModel(session, progress);
+    session.model.fillHoles |= options.fillHoles;
+    ModelMesh model = loadSessionModel(session, options);
     std::string note = joined(session.warnings, "; ");
-    return finish(shortName(file), std::move(session), std::move(mesh), std::move(note));
+    return finish(shortName(file), std::move(session), std::move(model), std::move(note));
 }
 
 }  // namespace
 
-Document openDocument(const std::filesystem::path& file, WorkProgress* progress) {
-    return isSession(file) ? openSession(file, progress) : openModel(file, progress);
+Document openDocument(const std::filesystem::path& file, const ReadOptions& options) {
+    return isSession(file) ? openSession(file, options) : openModel(file, options);
 }
 
 Document openDefaultDocument() {
-    return openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"), nullptr);
+    return openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"), {});
 }
 
 Placement fitPlacement(const Bounds& bounds, double diagonal) {

@@ -11,21 +11,22 @@ namespace kerf::app {
 
 /// What is open in the editor: the start state, ready to be simulated.
 struct Document {
-    std::string name;       ///< of the file, without folder and extension
-    Session session;        ///< a model file makes one without events
-    SurfaceMesh mesh;       ///< at rest, placed in the world [m]
-    Bounds restBounds;      ///< of `mesh`
-    render::Camera camera;  ///< the first view
-    std::string note;       ///< what was done to it on the way in, one sentence; may be empty
+    std::string name;            ///< of the file, without folder and extension
+    Session session;             ///< a model file makes one without events
+    SurfaceMesh mesh;            ///< at rest, placed in the world [m]
+    Bounds restBounds;           ///< of `mesh`
+    render::Camera camera;       ///< the first view
+    std::vector<CornerUvs> uvs;  ///< of `mesh`, by triangle slot, or none
+    std::string note;            ///< what was done to it on the way in, one sentence; may be empty
 };
 
 /// Models come in any unit: one is scaled so that its bounds have this diagonal [m], and put a
 /// little above the floor.
 inline constexpr double kModelDiagonal = 1.5;
 
-/// Opens a model or a session (*.kerf.json). Throws InputError, and WorkCancelled where `progress`
-/// was cancelled.
-Document openDocument(const std::filesystem::path& file, WorkProgress* progress = nullptr);
+/// Opens a model or a session (*.kerf.json). Throws InputError, ModelFault among them, and
+/// WorkCancelled where the progress of `options` was cancelled.
+Document openDocument(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// What the editor opens without a file: assets/sessions/drop-in.kerf.json. Throws InputError.
 Document openDefaultDocument();

@@ -1,8 +1,8 @@
 #include <spdlog/spdlog.h>
 
 #include "app/editor_state.h"
-#include "app/file_io.h"
 #include "app/free_file.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 namespace {
@@ -11,23 +11,40 @@ constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over s
 
 }  // namespace
 
-void Editor::State::saveSession() {
-    try {
-        const std::filesystem::path file =
-            freeFile(options.screenshotFolder, scene->document().name, ".kerf.json");
-        writeOutputFile(file,
-                        formatSession(scene->recordedSession(cameraFlight.destination(camera)),
-                                      file.parent_path()));
-        spdlog::info("session saved to {}", file.string());
-        toast.show("Saved " + file.string(), false);
-    } catch (const std::exception& error) {
-        toast.show(error.what(), true);
+void Editor::State::saveSession(const std::filesystem::path& file) {
+    if (startsSaving()) {
+        saving = startSaving(file, scene->recordedSession(camera));
     }
 }
 
-void Editor::State::open(const std::filesystem::path& file) {
+void Editor::State::saveRecording() {
+    saveSession(freeFile(options.screenshotFolder, scene->document().name, ".kerf.json"));
+}
+
+void Editor::State::exportBody(const std::filesystem::path& file, bool filePerPiece) {
+    if (startsSaving()) {
+        saving = startExport({file, filePerPiece}, scene->document(), scene->simulation());
+    }
+}
+
+/// One file after the other.
+bool Editor::State::startsSaving() {
+    if (saving != nullptr) {
+        toast.show(saving->title + " is not done yet; save again after it.", true);
+    }
+    return scene != nullptr && saving == nullptr;
+}
+
+void Editor::State::open(const std::filesystem::path& file, bool fillHoles) {
     cancelLoading();
-    loading = std::make_unique<DocumentLoading>(file);
+    fault.reset();
+    loading = std::make_unique<DocumentLoading>(file, fillHoles);
+}
+
+void Editor::State::followWork() {
+    followLoading();
+    followSaving();
+    followPreview();
 }
 
 /// The scene stays as it is until the new one stands and the hand is free.
@@ -36,18 +53,68 @@ void Editor::State::followLoading() {
     if (loading == nullptr) {
         return;
     }
+    settlePasses = kSettlePasses;
     try {
         loading->advance();
         if (loading->ready() && !handIsBusy()) {
             show(loading->take());
+            recent.add(loading->file());
             loading.reset();
         }
+    } catch (const ModelFault& found) {
+        spdlog::error("{}", found.what());
+        askAboutHoles(found);
+        loading.reset();
     } catch (const std::exception& error) {
         spdlog::error("{}", error.what());
         toast.show(error.what(), true);
         loading.reset();
     }
+}
+
+/// Only what would really help is offered.
+void Editor::State::askAboutHoles(const ModelFault& found) {
+    if (found.fillableHoles() == 0) {
+        toast.show(found.what(), true);
+        return;
+    }
+    std::string sentence = found.what();
+    if (const std::string whole = loading->file().string(); sentence.starts_with(whole)) {
+        sentence.replace(0, whole.size(), loading->file().filename().string());
+    }
+    const std::string holes = counted(found.fillableHoles(), "hole", "holes");
+    fault = {loading->file(),
+             {"This model can't be cut as it is",
+              sentence.substr(0, sentence.find(';')) + ". Filling " + holes +
+                  " would close it; the file stays as it is.",
+              {"Fill " + holes, "Cancel"}}};
+}
+
+void Editor::State::followSaving() {
+    if (cancelledSaving != nullptr && cancelledSaving->job.done()) {
+        cancelledSaving.reset();
+    }
+    if (saving == nullptr || !saving->job.done()) {
+        return;
+    }
     settlePasses = kSettlePasses;
+    try {
+        const std::string sentence = saving->job.take();
+        spdlog::info("{}", sentence);
+        toast.show(sentence, false);
+    } catch (const std::exception& error) {
+        toast.show(error.what(), true);
+    }
+    saving.reset();
+}
+
+void Editor::State::cancelWork() {
+    if (loading != nullptr) {
+        cancelLoading();
+    } else if (saving != nullptr) {
+        saving->job.cancel();
+        cancelledSaving = std::move(saving);
+    }
 }
 
 void Editor::State::cancelLoading() {
@@ -58,10 +125,14 @@ void Editor::State::cancelLoading() {
 }
 
 ui::WorkState Editor::State::workState() const {
-    if (loading == nullptr || loading->seconds() < kQuietSeconds) {
-        return {};
+    ui::WorkState work;
+    if (loading != nullptr) {
+        work = {"Opening " + loading->file().filename().string(), loading->stage(),
+                loading->seconds()};
+    } else if (saving != nullptr) {
+        work = {saving->title, saving->job.stage(), saving->job.seconds()};
     }
-    return {"Opening " + loading->file().filename().string(), loading->stage(), loading->seconds()};
+    return work.seconds < kQuietSeconds ? ui::WorkState{} : work;
 }
 
 void Editor::State::show(UploadedDocument uploaded) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor.h"
+#include "app/recent_files.h"
 #include "app/settings_file.h"
 #include "app/window.h"
 #include "gpu/context.h"
@@ -42,6 +43,7 @@ EditorOptions optionsFor(const Window& window) {
     options.scale = window.scale();
     options.quality = device.software ? render::Quality::light : render::Quality::full;
     options.settingsFile = defaultSettingsFile();
+    options.recentFiles = recentFilesStore();
     options.device = device.renderer.substr(0, device.renderer.find(" ("));
     return options;
 }

@@ -15,8 +15,12 @@
 #include "app/editor_scene.h"
 #include "app/editor_toast.h"
 #include "app/experiment_board.h"
+#include "app/file_browser.h"
+#include "app/file_preview.h"
+#include "app/file_saving.h"
 #include "app/input_queue.h"
 #include "app/piece_display.h"
+#include "app/recent_files.h"
 #include "app/settings_file.h"
 #include "app/step_clock.h"
 #include "app/view_frame.h"
@@ -35,7 +39,8 @@ struct Editor::State {
           clock(wanted.byTheClock),
           settingsFile(wanted.settingsFile),
           interface(settingsFile.now.theme, scale()),
-          renderer(wanted.quality) {}
+          renderer(wanted.quality),
+          recent(wanted.recentFiles) {}
 
     EditorOptions options;
     StepClock clock;
@@ -52,6 +57,15 @@ struct Editor::State {
     ui::PanelModel model;
     ui::History noHistory;
     EditorToast toast;
+    RecentFiles recent;
+    std::optional<FileBrowser> browser;  ///< while a file dialog is open
+    FilePreview preview;
+    /// Where files were looked for and written last: to save beside what was opened would put
+    /// results among the models.
+    std::filesystem::path lastSource;
+    std::filesystem::path lastTarget;
+    std::unique_ptr<FileSaving> saving;
+    std::unique_ptr<FileSaving> cancelledSaving;  ///< until its thread ends
     std::unique_ptr<DocumentLoading> loading;
     std::vector<std::unique_ptr<DocumentLoading>> cancelledLoadings;  ///< until their threads end
     ExperimentBoard experiments;
@@ -60,6 +74,12 @@ struct Editor::State {
     ui::PlotView plotView;
     BladeHand hand;
     BodyHand bodyHand;
+    /// A model with holes that could be filled, while that is asked.
+    struct OpenFault {
+        std::filesystem::path file;
+        ui::Question question;
+    };
+    std::optional<OpenFault> fault;
     bool sceneChanged = true;
     bool closing = false;
     bool helpOpen = false;
@@ -117,14 +137,33 @@ struct Editor::State {
     float scale() const { return options.scale * static_cast<float>(settingsFile.now.uiScale); }
 
     // Files: editor_files.cpp.
-    void open(const std::filesystem::path& file);
+    void open(const std::filesystem::path& file, bool fillHoles = false);
+    void followWork();
     void followLoading();
+    void followSaving();
+    bool isWorking() const { return loading != nullptr || saving != nullptr; }
     /// A stroke or a pull is under way.
     bool handIsBusy() const { return hand.holds() || bodyHand.holds(); }
     void cancelLoading();
+    void cancelWork();
+    void askAboutHoles(const ModelFault& fault);
     void show(UploadedDocument uploaded);
     ui::WorkState workState() const;
-    void saveSession();
+    void saveSession(const std::filesystem::path& file);
+    void saveRecording();
+    void exportBody(const std::filesystem::path& file, bool filePerPiece);
+    bool startsSaving();
+
+    // The file dialog: editor_file_dialog.cpp.
+    void browse(ui::FilePurpose purpose);
+    void applyToFiles(const ui::FileAction& action);
+    void takeFile(const std::filesystem::path& file);
+    void followPreview();
+    void answer(int choice);
+    std::filesystem::path& lastFolder(ui::FilePurpose purpose) {
+        return purpose == ui::FilePurpose::open ? lastSource : lastTarget;
+    }
+    std::vector<ui::FilePlace> filePlaces(ui::FilePurpose purpose) const;
     void saveScreenshot();
 
     // Time: editor_time.cpp.

@@ -1,11 +1,14 @@
 #include "app/export.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <tuple>
 #include <vector>
 
+#include "app/export_gltf.h"
+#include "app/export_mesh.h"
 #include "app/file_io.h"
 
 namespace kerf::app {
@@ -14,69 +17,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "PLY and STL are written as they lie");
 
-struct ExportFace {
-    Triangle corners;  ///< indices into ExportMesh::positions
-    int piece = 0;
-    bool cut = false;
-};
-
-/// A mesh without dead slots and unused vertices, in float as it is written.
-struct ExportMesh {
-    std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals;  ///< unit, area-weighted
-    std::vector<ExportFace> faces;
-};
-
-std::vector<int> numberUsedVertices(const SurfaceMesh& mesh) {
-    std::vector<int> numbers(mesh.vertexCount(), -1);
-    int next = 0;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (mesh.outgoing(v) >= 0) {
-            numbers[v] = next++;
-        }
-    }
-    return numbers;
-}
-
-Vec3 areaVector(const SurfaceMesh& mesh, int t) {
-    const auto [a, b, c] = mesh.triangle(t);
-    return (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a));
-}
-
-/// At the front of a slit the normals of its two walls cancel each other: there the first triangle
-/// with an area stands for all.
-Vec3f vertexNormal(const SurfaceMesh& mesh, int v) {
-    Vec3 sum = Vec3::Zero();
-    Vec3 first = Vec3::Zero();
-    mesh.forEachOutgoing(v, [&](int h) {
-        const Vec3 area = areaVector(mesh, h / 3);
-        sum += area;
-        first = first.isZero(0) ? area : first;
-    });
-    const Vec3& normal = sum.isZero(0) ? first : sum;
-    return (normal.isZero(0) ? Vec3(Vec3::UnitY()) : normal.stableNormalized()).cast<float>();
-}
-
-ExportMesh compact(const SurfaceMesh& mesh, const PieceMap& pieces) {
-    const std::vector<int> numbers = numberUsedVertices(mesh);
-    ExportMesh out;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (numbers[v] >= 0) {
-            out.positions.push_back(mesh.position(v).cast<float>());
-            out.normals.push_back(vertexNormal(mesh, v));
-        }
-    }
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            const auto [a, b, c] = mesh.triangle(t);
-            out.faces.push_back({{numbers[a], numbers[b], numbers[c]},
-                                 pieces.ofVertex[a],
-                                 mesh.kind(t) == SurfaceKind::wall});
-        }
-    }
-    return out;
-}
-
 template <class T>
 void append(std::string& bytes, const T& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
@@ -84,6 +24,16 @@ void append(std::string& bytes, const T& value) {
 
 void append(std::string& bytes, const Vec3f& v) {
     bytes.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(float));
+}
+
+/// As MeshLab has them: two numbers a corner; none on the faces of cuts, since readers that keep
+/// one pair a vertex would take theirs.
+void appendTexcoord(std::string& bytes, const ExportMesh& mesh, const ExportFace& face) {
+    append(bytes, static_cast<std::uint8_t>(face.cut ? 0 : 6));
+    for (int i = 0; i < 3 && !face.cut; ++i) {
+        append(bytes, mesh.uvs[face.uvs[i]].x());
+        append(bytes, mesh.uvs[face.uvs[i]].y());
+    }
 }
 
 std::string encodePly(const ExportMesh& mesh) {
@@ -95,8 +45,8 @@ std::string encodePly(const ExportMesh& mesh) {
         "property float nx\nproperty float ny\nproperty float nz\n"
         "element face " +
         std::to_string(mesh.faces.size()) +
-        "\nproperty list uchar int vertex_indices\nproperty int piece\nproperty uchar cut\n"
-        "end_header\n";
+        "\nproperty list uchar int vertex_indices\nproperty int piece\nproperty uchar cut\n" +
+        (mesh.uvs.empty() ? "" : "property list uchar float texcoord\n") + "end_header\n";
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         append(bytes, mesh.positions[v]);
         append(bytes, mesh.normals[v]);
@@ -108,15 +58,19 @@ std::string encodePly(const ExportMesh& mesh) {
         }
         append(bytes, std::int32_t{face.piece});
         append(bytes, std::uint8_t{face.cut});
+        if (!mesh.uvs.empty()) {
+            appendTexcoord(bytes, mesh, face);
+        }
     }
     return bytes;
 }
 
-void appendObjVector(std::string& text, const char* keyword, const Vec3f& v) {
+template <class Vector>
+void appendObjVector(std::string& text, const char* keyword, const Vector& v) {
     text += keyword;
-    for (int i = 0; i < 3; ++i) {
+    for (const float number : v) {
         text += ' ';
-        text += formatNumber(v[i]);
+        text += formatNumber(number);
     }
     text += '\n';
 }
@@ -128,6 +82,7 @@ std::string encodeObj(ExportMesh mesh) {
     std::stable_sort(mesh.faces.begin(), mesh.faces.end(), byGroup);
     std::string text = "# Kerf, metres, +y up\n";
     for (const Vec3f& p : mesh.positions) appendObjVector(text, "v", p);
+    for (const Eigen::Vector2f& uv : mesh.uvs) appendObjVector(text, "vt", uv);
     for (const Vec3f& n : mesh.normals) appendObjVector(text, "vn", n);
     const ExportFace* last = nullptr;
     for (const ExportFace& face : mesh.faces) {
@@ -138,9 +93,10 @@ std::string encodeObj(ExportMesh mesh) {
             text += face.cut ? "g cut\n" : "g skin\n";
         }
         text += 'f';
-        for (const int corner : face.corners) {
-            const std::string index = std::to_string(corner + 1);
-            text.append(" ").append(index).append("//").append(index);
+        for (int i = 0; i < 3; ++i) {
+            const std::string index = std::to_string(face.corners[i] + 1);
+            const std::string uv = face.uvs[i] < 0 ? "" : std::to_string(face.uvs[i] + 1);
+            text.append(" ").append(index).append("/").append(uv).append("/").append(index);
         }
         text += '\n';
         last = &face;
@@ -167,27 +123,71 @@ std::string encodeStl(const ExportMesh& mesh) {
     return bytes;
 }
 
+std::string encode(const ExportMesh& mesh, MeshFormat format) {
+    switch (format) {
+        case MeshFormat::ply:
+            return encodePly(mesh);
+        case MeshFormat::obj:
+            return encodeObj(mesh);
+        case MeshFormat::stl:
+            return encodeStl(mesh);
+        case MeshFormat::glb:
+            return encodeGlb(mesh);
+        case MeshFormat::gltf:
+            break;
+    }
+    return encodeGltf(mesh);
+}
+
 }  // namespace
+
+std::span<const MeshFormatInfo> meshFormats() {
+    static constexpr std::array kFormats{
+        MeshFormatInfo{MeshFormat::obj, ".obj", "OBJ"},
+        MeshFormatInfo{MeshFormat::ply, ".ply", "PLY"},
+        MeshFormatInfo{MeshFormat::stl, ".stl", "STL"},
+        MeshFormatInfo{MeshFormat::glb, ".glb", "glTF, binary"},
+        MeshFormatInfo{MeshFormat::gltf, ".gltf", "glTF"},
+    };
+    return kFormats;
+}
 
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
-    if (extension == ".ply") return MeshFormat::ply;
-    if (extension == ".obj") return MeshFormat::obj;
-    if (extension == ".stl") return MeshFormat::stl;
+    for (const MeshFormatInfo& info : meshFormats()) {
+        if (info.extension == extension) {
+            return info.format;
+        }
+    }
     return std::nullopt;
 }
 
-std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format) {
-    ExportMesh out = compact(mesh, pieces);
-    switch (format) {
-        case MeshFormat::ply:
-            return encodePly(out);
-        case MeshFormat::obj:
-            return encodeObj(std::move(out));
-        case MeshFormat::stl:
-            break;
+std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
+                       const std::vector<CornerUvs>& uvs) {
+    return encode(gatherMesh(mesh, pieces, uvs), format);
+}
+
+std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
+                                       const PieceMap& pieces, const std::vector<CornerUvs>& uvs) {
+    const MeshFormat format = *meshFormatOf(target.file);
+    const ExportMesh whole = gatherMesh(mesh, pieces, uvs);
+    std::vector<ExportedFile> files;
+    if (!target.filePerPiece) {
+        files.push_back({target.file, encode(whole, format)});
+        return files;
     }
-    return encodeStl(out);
+    for (int piece = 0; piece < static_cast<int>(pieces.pieces.size()); ++piece) {
+        const auto belongs = [&](const ExportFace& face) { return face.piece == piece; };
+        files.push_back({pieceFile(target.file, piece), encode(partOf(whole, belongs), format)});
+    }
+    return files;
+}
+
+std::filesystem::path pieceFile(const std::filesystem::path& file, int piece) {
+    std::filesystem::path name = file.stem();
+    name += "-" + std::to_string(piece + 1);
+    name += file.extension();
+    return file.parent_path() / name;
 }
 
 }  // namespace kerf::app

@@ -2,24 +2,57 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "sim/mesh/corner_uvs.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::app {
 
 /// Formats that a mesh can be written in.
-enum class MeshFormat { ply, obj, stl };
-/// By the file's extension (.ply, .obj, .stl); none for any other.
+enum class MeshFormat { ply, obj, stl, glb, gltf };
+
+struct MeshFormatInfo {
+    MeshFormat format = MeshFormat::obj;
+    std::string_view extension;  ///< ".obj"
+    std::string_view name;       ///< as people call it
+};
+/// All of them; what is offered first stands first.
+std::span<const MeshFormatInfo> meshFormats();
+/// By the file's extension; none for any other.
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file);
 
 /// The living triangles at their current positions and the vertices that they use, as the bytes of
-/// a file. `pieces` must be those of `mesh`. Pieces and the faces of cuts can be told apart:
+/// a file. `pieces` must be those of `mesh`; `uvs` its texture coordinates by slot (see carryUvs),
+/// or empty. Pieces and the faces of cuts can be told apart:
 /// - ply: binary little-endian; x y z nx ny nz per vertex, `piece` (int) and `cut` (uchar, 1 on the
-///   faces that a cut made) per face; vertices are shared inside a piece.
+///   faces that a cut made) per face; vertices are shared inside a piece. Texture coordinates
+///   stand with the faces (`texcoord`, empty on the faces of cuts).
 /// - obj: an object per piece with the groups `skin` and `cut`.
-/// - stl: binary; the attribute word of a triangle is its piece.
-std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format);
+/// - stl: binary; the attribute word of a triangle is its piece; without texture coordinates.
+/// - glb, gltf: glTF 2.0, a node and a mesh per piece with a primitive for each of the materials
+///   `skin` and `cut`; in a .gltf the buffer is part of the file.
+std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
+                       const std::vector<CornerUvs>& uvs = {});
+
+/// Where a body goes, by the extension of a format.
+struct ExportTarget {
+    std::filesystem::path file;
+    bool filePerPiece = false;  ///< named by pieceFile()
+};
+struct ExportedFile {
+    std::filesystem::path file;
+    std::string bytes;
+};
+/// encodeMesh() of the whole body or of each piece.
+std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
+                                       const PieceMap& pieces, const std::vector<CornerUvs>& uvs);
+
+/// Where a piece goes if each gets a file: "slice.obj" becomes "slice-1.obj" for piece 0.
+std::filesystem::path pieceFile(const std::filesystem::path& file, int piece);
 
 }  // namespace kerf::app

@@ -11,7 +11,7 @@ namespace kerf::app {
 
 namespace {
 
-constexpr char kMagic[8] = {'K', 'E', 'R', 'F', 'M', 'E', 'S', '1'};
+constexpr char kMagic[8] = {'K', 'E', 'R', 'F', 'M', 'E', 'S', '2'};
 constexpr std::uint64_t kMaxMessage = 1000;
 constexpr std::uint64_t kLeastTriangles = 4;  // a tetrahedron; the sentence below says it
 
@@ -79,30 +79,50 @@ void checkIndices(const TriangleSoup& soup) {
     }
 }
 
+void clearOddUvs(std::vector<CornerUvs>& uvs) {
+    for (CornerUvs& corners : uvs) {
+        for (Eigen::Vector2f& uv : corners) {
+            if (!uv.allFinite()) {
+                uv.setZero();
+            }
+        }
+    }
+}
+
 TriangleSoup readBody(const ImportHeader& head, std::string_view body) {
     const std::size_t positionBytes = head.vertices * sizeof(Vec3);
-    if (body.size() != positionBytes + head.triangles * sizeof(Triangle)) {
+    const std::size_t triangleBytes = head.triangles * sizeof(Triangle);
+    const std::size_t uvBytes = head.textured != 0 ? head.triangles * sizeof(CornerUvs) : 0;
+    if (body.size() != positionBytes + triangleBytes + uvBytes) {
         throw InputError("the model reader stopped in the middle; the file may be damaged");
     }
     TriangleSoup soup;
     soup.positions.resize(head.vertices);
     soup.triangles.resize(head.triangles);
     std::memcpy(static_cast<void*>(soup.positions.data()), body.data(), positionBytes);
-    std::memcpy(soup.triangles.data(), body.data() + positionBytes, body.size() - positionBytes);
+    std::memcpy(soup.triangles.data(), body.data() + positionBytes, triangleBytes);
+    if (uvBytes > 0) {
+        soup.uvs.resize(head.triangles);
+        std::memcpy(static_cast<void*>(soup.uvs.data()),
+                    body.data() + positionBytes + triangleBytes, uvBytes);
+        clearOddUvs(soup.uvs);
+    }
     return soup;
 }
 
 }  // namespace
 
 std::string encodeImport(const TriangleSoup& soup) {
-    static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12);
+    static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(CornerUvs) == 24);
     ImportHeader head = header(0);
     head.vertices = soup.positions.size();
     head.triangles = soup.triangles.size();
+    head.textured = soup.uvs.empty() ? 0 : 1;
     std::string bytes;
     append(bytes, &head, 1);
     append(bytes, soup.positions.data(), soup.positions.size());
     append(bytes, soup.triangles.data(), soup.triangles.size());
+    append(bytes, soup.uvs.data(), soup.uvs.size());
     return bytes;
 }
 

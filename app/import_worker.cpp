@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cerrno>
+#include <span>
 #include <string>
 
 #include "app/import_process.h"
@@ -43,7 +44,17 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     std::filesystem::path folder_;
 };
 
-void appendMesh(const aiMesh& mesh, TriangleSoup& soup) {
+CornerUvs uvsOf(const aiMesh& mesh, const aiFace& face) {
+    CornerUvs uvs;
+    for (unsigned i = 0; i < 3; ++i) {
+        const aiVector3D uv =
+            mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0][face.mIndices[i]] : aiVector3D();
+        uvs[i] = {uv.x, uv.y};
+    }
+    return uvs;
+}
+
+void appendMesh(const aiMesh& mesh, bool textured, TriangleSoup& soup) {
     const int first = static_cast<int>(soup.positions.size());
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
         const aiVector3D& p = mesh.mVertices[i];
@@ -55,6 +66,9 @@ void appendMesh(const aiMesh& mesh, TriangleSoup& soup) {
             soup.triangles.push_back({first + static_cast<int>(face.mIndices[0]),
                                       first + static_cast<int>(face.mIndices[1]),
                                       first + static_cast<int>(face.mIndices[2])});
+            if (textured) {
+                soup.uvs.push_back(uvsOf(mesh, face));
+            }
         }
     }
 }
@@ -82,9 +96,12 @@ TriangleSoup readTriangles(const std::filesystem::path& file) {
     if (scene == nullptr) {
         throw InputError(plainReason(importer.GetErrorString()));
     }
+    const std::span<aiMesh* const> meshes(scene->mMeshes, scene->mNumMeshes);
+    const bool textured =
+        std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasTextureCoords(0); });
     TriangleSoup soup;
-    for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
-        appendMesh(*scene->mMeshes[i], soup);
+    for (const aiMesh* mesh : meshes) {
+        appendMesh(*mesh, textured, soup);
     }
     return soup;
 }

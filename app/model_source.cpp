@@ -9,6 +9,7 @@
 #include "app/import_process.h"
 #include "app/import_protocol.h"
 #include "gpu/data_path.h"
+#include "sim/mesh/hole_filling.h"
 #include "sim/text.h"
 
 namespace kerf::app {
@@ -122,6 +123,34 @@ TriangleSoup readThroughProcess(const fs::path& file, const ImportLimits& limits
     return soup;
 }
 
+/// Fills holes where that is wanted, and turns what is inside out.
+MeshReport inspectAndRepair(TriangleSoup& soup, bool withFilling) {
+    MeshReport found = inspectTriangles(soup);
+    std::vector<std::string> repairs;
+    if (withFilling && found.openEdges > 0) {
+        const HoleFilling filled = fillHoles(soup);
+        found = inspectTriangles(soup);
+        repairs.push_back("filled " + counted(filled.holes, "hole", "holes") + " with " +
+                          counted(filled.triangles, "triangle", "triangles"));
+    }
+    if (found.insideOutPieces > 0) {
+        const int turned = turnOutward(soup);
+        found = inspectTriangles(soup);
+        repairs.push_back("turned " + counted(turned, "inside-out piece", "inside-out pieces"));
+    }
+    found.repairs = std::move(repairs);
+    return found;
+}
+
+/// See ModelFault::fillableHoles.
+int holesThatHelp(TriangleSoup soup, const MeshReport& report) {
+    if (report.openEdges == 0) {
+        return 0;
+    }
+    const int holes = fillHoles(soup).holes;
+    return inspectAndRepair(soup, false).cuttable ? holes : 0;
+}
+
 }  // namespace
 
 const std::vector<std::string>& builtinModels() {
@@ -150,24 +179,32 @@ TriangleSoup importModel(const fs::path& file, WorkProgress* progress) {
     return importModel(file, ImportLimits{}, progress);
 }
 
-SurfaceMesh loadModel(const fs::path& file, MeshReport* report, WorkProgress* progress) {
-    TriangleSoup soup = importModel(file, progress);
-    enter(progress, "Looking for faults");
-    MeshReport found = inspectTriangles(soup);
-    if (found.insideOutPieces > 0) {
-        const int turned = turnOutward(soup);
-        found = inspectTriangles(soup);
-        found.repairs.push_back("turned " +
-                                counted(turned, "inside-out piece", "inside-out pieces"));
-    }
-    if (report != nullptr) {
-        *report = found;
+bool isModelFile(const fs::path& file) {
+    const std::string extension = lowerCase(file.extension().string());
+    return std::ranges::any_of(formats(),
+                               [&](const Format& f) { return extension == f.extension; });
+}
+
+ModelMesh readModel(const fs::path& file, const ReadOptions& options) {
+    TriangleSoup soup = importModel(file, options.progress);
+    enter(options.progress, "Looking for faults");
+    const MeshReport found = inspectAndRepair(soup, options.fillHoles);
+    if (options.report != nullptr) {
+        *options.report = found;
     }
     if (!found.cuttable) {
-        throw InputError(file.string() + ": " + found.problem);
+        const int holes = options.tryFilling ? holesThatHelp(soup, found) : 0;
+        throw ModelFault(file.string() + ": " + found.problem, holes);
     }
-    enter(progress, "Building the surface");
-    return SurfaceMesh::fromTriangles(std::move(soup.positions), std::move(soup.triangles));
+    enter(options.progress, "Building the surface");
+    return {SurfaceMesh::fromTriangles(std::move(soup.positions), std::move(soup.triangles)),
+            std::move(soup.uvs)};
+}
+
+SurfaceMesh loadModel(const fs::path& file, MeshReport* report) {
+    ReadOptions options;
+    options.report = report;
+    return readModel(file, options).mesh;
 }
 
 }  // namespace kerf::app

@@ -20,6 +20,18 @@ namespace kerf::app {
 
 namespace {
 
+/// How many pieces an earlier run had is not known: their files have no gaps.
+void removeExport(const OutputFolder& folder, const ExportEvent& event) {
+    folder.remove(event.file);
+    for (int piece = 0; event.filePerPiece; ++piece) {
+        const std::string name = pieceFile(event.file, piece).generic_string();
+        if (!std::filesystem::exists(folder.place(name))) {
+            return;
+        }
+        folder.remove(name);
+    }
+}
+
 void removeEarlierResults(const OutputFolder& folder, const Session& session) {
     for (const char* name : {kSummaryFile, kMetricsFile, kMeshFile}) {
         folder.remove(name);
@@ -28,7 +40,7 @@ void removeEarlierResults(const OutputFolder& folder, const Session& session) {
         if (const auto* picture = std::get_if<ScreenshotEvent>(&event.action)) {
             folder.remove(picture->file);
         } else if (const auto* mesh = std::get_if<ExportEvent>(&event.action)) {
-            folder.remove(mesh->file);
+            removeExport(folder, *mesh);
         }
     }
 }
@@ -43,13 +55,15 @@ bool hasPictures(const Session& session) {
 /// One run of one session.
 class Replay {
   public:
-    Replay(const Session& session, SurfaceMesh model, OutputFolder& folder)
+    Replay(const Session& session, ModelMesh model, OutputFolder& folder)
         : session_(session),
           folder_(folder),
           player_(session),
           metrics_(folder.place(kMetricsFile)),
+          uncut_(std::move(model.mesh)),
+          uvs_(std::move(model.uvs)),
           renderer_(render::Quality::full),
-          simulation_(std::move(model), session.params, session.boxes),
+          simulation_(uncut_, session.params, session.boxes),
           restBounds_(meshBounds(simulation_.mesh())),
           camera_(sessionCamera(session, restBounds_)) {
         summary_.model = session.model.name();
@@ -105,8 +119,12 @@ class Replay {
         renderMs_ += watch.milliseconds();
     }
     void operator()(const ExportEvent& event) {
-        folder_.write(event.file, encodeMesh(simulation_.mesh(), simulation_.pieces(),
-                                             *meshFormatOf(event.file)));
+        const SurfaceMesh& mesh = simulation_.mesh();
+        for (const ExportedFile& file :
+             encodeExport({event.file, event.filePerPiece}, mesh, simulation_.pieces(),
+                          carryUvs(uncut_, uvs_, mesh))) {
+            folder_.write(file.file.generic_string(), file.bytes);
+        }
     }
     void operator()(const CheckEvent& event) {
         checkHash(event);
@@ -208,6 +226,8 @@ class Replay {
     OutputFolder& folder_;
     SessionPlayer player_;
     AtomicFile metrics_;
+    const SurfaceMesh uncut_;
+    const std::vector<CornerUvs> uvs_;  ///< of it
     render::Renderer renderer_;
     Simulation simulation_;
     Bounds restBounds_;
@@ -222,7 +242,7 @@ class Replay {
 
 }  // namespace
 
-ReplayResult replaySession(const Session& session, SurfaceMesh model,
+ReplayResult replaySession(const Session& session, ModelMesh model,
                            const std::filesystem::path& folder, const ReplayListener& listener) {
     OutputFolder output(folder);
     Replay replay(session, std::move(model), output);

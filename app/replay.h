@@ -32,7 +32,7 @@ struct ReplayResult {
 /// stop the run: they stand in summary.failures. `model` is loadSessionModel(session).
 ///
 /// Throws OutputError, gpu::ShaderError, gpu::OutOfMemory.
-ReplayResult replaySession(const Session& session, SurfaceMesh model,
+ReplayResult replaySession(const Session& session, ModelMesh model,
                            const std::filesystem::path& folder, const ReplayListener& listener);
 
 }  // namespace kerf::app

@@ -16,7 +16,7 @@ namespace kerf::app {
 
 namespace {
 
-ReplayResult runHeadless(const Session& session, SurfaceMesh model,
+ReplayResult runHeadless(const Session& session, ModelMesh model,
                          const std::filesystem::path& folder) {
     gpu::EglContext context;
     gpu::enableDebugOutput();

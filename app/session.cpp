@@ -64,13 +64,15 @@ std::string ModelReference::name() const {
     return builtin.empty() ? path.stem().string() : builtin;
 }
 
-SurfaceMesh loadSessionModel(const Session& session, WorkProgress* progress) {
+ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
     const std::filesystem::path file = session.model.file();
     requireDigest(file, session.model.sha256);
-    SurfaceMesh mesh = loadModel(file, nullptr, progress);
-    place(mesh, session.placement);
-    requireRoomInFloats(meshBounds(mesh));
-    return mesh;
+    ReadOptions ours = options;
+    ours.fillHoles |= session.model.fillHoles;
+    ModelMesh model = readModel(file, ours);
+    place(model.mesh, session.placement);
+    requireRoomInFloats(meshBounds(model.mesh));
+    return model;
 }
 
 render::Camera sessionCamera(const Session& session, const Bounds& bounds) {

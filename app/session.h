@@ -41,6 +41,7 @@ struct ModelReference {
     std::string builtin;         ///< name of a builtin model, or
     std::filesystem::path path;  ///< absolute once read
     std::string sha256;          ///< optional
+    bool fillHoles = false;      ///< see ReadOptions
 
     /// The file that holds the model. Throws InputError for an unknown builtin name.
     std::filesystem::path file() const;
@@ -54,9 +55,10 @@ struct ScreenshotEvent {
     int width = 1280;  ///< [pixels]
     int height = 720;  ///< [pixels]
 };
-/// The mesh as it stands before the step: .ply, .obj or .stl below the output folder.
+/// The mesh as it stands before the step: a file of meshFormats() below the output folder.
 struct ExportEvent {
     std::string file;
+    bool filePerPiece = false;  ///< see pieceFile()
 };
 /// What must hold before the step.
 struct CheckEvent {
@@ -109,7 +111,7 @@ std::string formatSession(const Session& session, const std::filesystem::path& b
 
 /// The model of a session, placed in the world. Throws InputError, also where its sha256 differs
 /// or where it would be too small or too far from the origin for floats.
-SurfaceMesh loadSessionModel(const Session& session, WorkProgress* progress = nullptr);
+ModelMesh loadSessionModel(const Session& session, const ReadOptions& options = {});
 
 /// The session's view, or the default one: from the front right above, `bounds` in the middle and
 /// room around it for what falls.

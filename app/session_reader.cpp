@@ -175,6 +175,9 @@ ModelReference readModel(const Node& node, const std::filesystem::path& baseFold
     } else {
         model.path = std::filesystem::absolute(baseFolder / readString(*path)).lexically_normal();
     }
+    if (const auto fill = object.optional("fill_holes")) {
+        model.fillHoles = readBoolean(*fill);
+    }
     if (digest) {
         model.sha256 = readHexadecimal(*digest, kSha256Digits);
     }
@@ -384,9 +387,12 @@ ScreenshotEvent readScreenshot(ObjectReader& object) {
 
 ExportEvent readExport(ObjectReader& object) {
     const Node file = object.required("file");
-    ExportEvent event{readOutputName(file)};
+    ExportEvent event{readOutputName(file), false};
     if (!meshFormatOf(event.file)) {
-        fail(file.place, "'" + event.file + "' must end in .ply, .obj or .stl.");
+        fail(file.place, "'" + event.file + "' must end in .ply, .obj, .stl, .glb or .gltf.");
+    }
+    if (const auto perPiece = object.optional("per_piece")) {
+        event.filePerPiece = readBoolean(*perPiece);
     }
     return event;
 }

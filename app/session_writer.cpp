@@ -39,6 +39,9 @@ Json toJson(const ModelReference& model, const std::filesystem::path& baseFolder
     if (!model.sha256.empty()) {
         json["sha256"] = model.sha256;
     }
+    if (model.fillHoles) {
+        json["fill_holes"] = true;
+    }
     return json;
 }
 
@@ -151,6 +154,7 @@ struct ActionWriter {
     void operator()(const ExportEvent& event) const {
         json["type"] = "export";
         json["file"] = event.file;
+        if (event.filePerPiece) json["per_piece"] = true;
     }
     void operator()(const CheckEvent& event) const {
         json["type"] = "check";

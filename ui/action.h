@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "sim/command.h"
+#include "ui/file_dialog_state.h"
 #include "ui/plot_math.h"
 #include "ui/settings.h"
 #include "ui/tool_settings.h"
@@ -30,7 +31,9 @@ enum class ActionId : std::uint8_t {
     bringDown,
     freePins,
     record,
+    openFile,
     saveSession,
+    exportBody,
     loop,
     cancel,
     frameBody,
@@ -73,6 +76,10 @@ struct SetTools {
 struct PlaceBox {};
 /// Gives up what takes long.
 struct CancelWork {};
+/// One of the choices of the question that is asked.
+struct AnswerQuestion {
+    int choice = 0;
+};
 
 /// Another look of the window.
 struct SetSettings {
@@ -105,8 +112,9 @@ struct ShowPiece {
 };
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
-using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools, PlaceBox,
-                            ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
-                            OpenExperiment, HoverPiece, FramePiece, ShowPiece>;
+using Action =
+    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools, PlaceBox, ChangeBox,
+                 RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots, OpenExperiment,
+                 HoverPiece, FramePiece, ShowPiece, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

@@ -228,6 +228,8 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
     drawHint(model, layout.view);
     drawWork(model.work, layout.view, actions);
     drawHelp(model, layout.view, actions);
+    fileDialog_.draw(model.files, actions);
+    questionBox_.draw(model.question, actions);
     drawToast(model, layout.view);
     ImGui::Render();
     return actions;
@@ -251,7 +253,7 @@ bool Interface::isDragging() const {
 
 bool Interface::ownsKeyboard() const {
     context_.makeCurrent();
-    return ImGui::GetIO().WantTextInput;
+    return ImGui::GetIO().WantTextInput || fileDialog_.isOpen() || questionBox_.isOpen();
 }
 
 }  // namespace kerf::ui

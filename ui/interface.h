@@ -5,10 +5,12 @@
 
 #include "gpu/framebuffer.h"
 #include "ui/action.h"
+#include "ui/file_dialog.h"
 #include "ui/input.h"
 #include "ui/item_places.h"
 #include "ui/panel_context.h"
 #include "ui/panel_model.h"
+#include "ui/question_box.h"
 
 namespace kerf::ui {
 
@@ -40,6 +42,8 @@ class Interface {
 
   private:
     PanelContext context_;
+    FileDialog fileDialog_;
+    QuestionBox questionBox_;
     ItemPlaces places_;
 };
 

@@ -4,7 +4,9 @@
 
 #include <string>
 
+#include "ui/item_places.h"
 #include "ui/shortcuts.h"
+#include "ui/widgets.h"
 
 namespace kerf::ui {
 namespace {
@@ -29,6 +31,22 @@ void drawItem(const PanelModel& model, const Shortcut& row, std::vector<Action>&
     }
 }
 
+void drawRecentFiles(const PanelModel& model, std::vector<Action>& actions) {
+    if (!ImGui::BeginMenu("Open again", !model.recentFiles.empty())) {
+        return;
+    }
+    for (const std::filesystem::path& file : model.recentFiles) {
+        ImGui::PushID(file.c_str());
+        if (ImGui::MenuItem(file.filename().c_str())) {
+            actions.emplace_back(FileAction(OpenFile{file}));
+        }
+        itemTooltip(file.string());
+        noteItem("recent." + file.filename().string());
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+}
+
 void drawMenu(const PanelModel& model, std::string_view group, std::vector<Action>& actions) {
     if (!ImGui::BeginMenu(std::string(group).c_str())) {
         return;
@@ -36,6 +54,9 @@ void drawMenu(const PanelModel& model, std::string_view group, std::vector<Actio
     for (const Shortcut& row : shortcutTable()) {
         if (row.group == group && &row == &shortcutOf(row.id)) {
             drawItem(model, row, actions);
+        }
+        if (row.group == group && row.id == ActionId::openFile) {
+            drawRecentFiles(model, actions);
         }
     }
     ImGui::EndMenu();
@@ -59,6 +80,7 @@ void drawMenuBar(const PanelModel& model, std::vector<Action>& actions) {
 
 bool isAvailable(const PanelModel& model, ActionId id) {
     switch (id) {
+        case ActionId::openFile:
         case ActionId::screenshot:
         case ActionId::togglePanels:
         case ActionId::help:

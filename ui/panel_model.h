@@ -8,6 +8,7 @@
 #include "sim/cut/subdivision_pattern.h"
 #include "sim/params.h"
 #include "ui/axes_widget.h"
+#include "ui/file_dialog_state.h"
 #include "ui/history.h"
 #include "ui/overlay.h"
 #include "ui/settings.h"
@@ -78,6 +79,13 @@ struct WorkState {
     double seconds = 0;
 };
 
+/// A choice that a person has to make before anything else; none where the text is empty.
+struct Question {
+    std::string title;
+    std::string text;
+    std::vector<std::string> choices;  ///< Enter takes the first, Esc the last
+};
+
 /// All that the panels show: filled by the editor every frame, read only here.
 struct PanelModel {
     std::string name;    ///< of what is open; empty while nothing is
@@ -105,6 +113,9 @@ struct PanelModel {
     std::string device;  ///< what draws: "llvmpipe"
     std::string hint;    ///< what to do first or next; empty for none
     WorkState work;
+    FileDialogState files;
+    std::vector<std::filesystem::path> recentFiles;
+    Question question;
     std::string toast;  ///< what just happened; empty for none
     bool toastIsError = false;
     float toastOpacity = 1;            ///< 0 to 1, while it fades

@@ -13,8 +13,12 @@ constexpr Modifiers kControl{.control = true};
 constexpr Modifiers kControlShift{.shift = true, .control = true};
 
 constexpr std::array kShortcuts{
+    Shortcut{ActionId::openFile, Key::o, kControl, "Ctrl+O", "Open a model or a session...",
+             "File"},
+    Shortcut{ActionId::saveSession, Key::s, kControl, "Ctrl+S", "Save all since the start...",
+             "File"},
+    Shortcut{ActionId::exportBody, Key::e, kControl, "Ctrl+E", "Export the body...", "File"},
     Shortcut{ActionId::screenshot, Key::f12, kPlain, "F12", "Save a screenshot here", "File"},
-    Shortcut{ActionId::saveSession, Key::s, kControl, "Ctrl+S", "Save all since the start", "File"},
     Shortcut{ActionId::quit, Key::q, kControl, "Ctrl+Q", "Leave", "File"},
     Shortcut{ActionId::undo, Key::z, kControl, "Ctrl+Z", "Undo", "Edit"},
     Shortcut{ActionId::redo, Key::z, kControlShift, "Ctrl+Shift+Z", "Redo", "Edit"},

@@ -333,6 +333,7 @@ TriangleSoup weldExactly(const TriangleSoup& soup) {
         const int second = weld(b);
         welded.triangles.push_back({first, second, weld(c)});
     }
+    welded.uvs = soup.uvs;
     return welded;
 }
 
@@ -368,6 +369,9 @@ int turnOutward(TriangleSoup& soup) {
     for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
         if (insideOut[pieces.ofTriangle[i]]) {
             std::swap(soup.triangles[i][1], soup.triangles[i][2]);
+            if (!soup.uvs.empty()) {
+                std::swap(soup.uvs[i][1], soup.uvs[i][2]);
+            }
         }
     }
     return static_cast<int>(std::ranges::count(insideOut, true));

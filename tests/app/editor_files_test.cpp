@@ -1,6 +1,9 @@
 // Files on their way into the editor and out of it.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
+#include "app/session.h"
 #include "tests/app/editor_fixture.h"
 #include "tests/support/slow_reader.h"
 
@@ -81,6 +84,174 @@ TEST_F(EditorFilesTest, LeavingWhileAModelIsReadEndsTheReader) {
     openSlowModel();
     editor.reset();
     EXPECT_TRUE(reader.hasEnded());
+}
+
+TEST_F(EditorFilesTest, AModelIsFoundByTypingAndOpenedByEnter) {
+    std::filesystem::create_directory(folder / "models");
+    test::writeText(folder / "models" / "box.obj", test::objText(test::boxSoup()));
+    test::writeText(folder / "models" / "notes.txt", "no model");
+    tap(Key::o, {.control = true});
+    frames(2);
+    ASSERT_EQ(panels().files.purpose, ui::FilePurpose::open);
+    type("mod");
+    tap(Key::enter);
+    frames(2);
+    ASSERT_EQ(panels().files.folder, folder / "models");
+    EXPECT_EQ(panels().files.rows.size(), 1U) << "only what can be opened";
+    type("bo");
+    EXPECT_EQ(panels().files.selected, 0);
+    for (int i = 0; i < 2000 && panels().files.preview.empty(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        frames(1);
+    }
+    EXPECT_THAT(panels().files.preview, ::testing::Contains(HasSubstr("12 triangles")));
+    tap(Key::enter);
+    waitForWork();
+    EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
+    EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
+    EXPECT_EQ(panels().recentFiles.size(), 1U);
+}
+
+TEST_F(EditorFilesTest, KeysMeanNothingElseWhileADialogIsOpen) {
+    tap(Key::o, {.control = true});
+    frames(2);
+    type("w v");
+    tap(Key::w);
+    tap(Key::v);
+    tap(Key::space);
+    EXPECT_FALSE(panels().wireframe);
+    EXPECT_EQ(panels().params.gravity, Vec3(Vec3::Zero()));
+    EXPECT_FALSE(panels().playing);
+    EXPECT_EQ(panels().files.name, "w v");
+    drag(kTop, kBottom, 5);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    tap(Key::escape);
+    frames(2);
+    EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
+    drag(kTop, kBottom, 5);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces") << "and afterwards all is as before";
+}
+
+TEST_F(EditorFilesTest, ArrowsChooseAndBackspaceGoesUp) {
+    std::filesystem::create_directory(folder / "a");
+    test::writeText(folder / "b2.obj", "");
+    test::writeText(folder / "b10.obj", "");
+    tap(Key::o, {.control = true});
+    frames(2);
+    tap(Key::down);
+    tap(Key::down);
+    frames(1);
+    EXPECT_EQ(panels().files.name, "b2.obj");
+    tap(Key::down);
+    frames(1);
+    EXPECT_EQ(panels().files.name, "b10.obj") << "numbers count by their value";
+    tap(Key::up);
+    tap(Key::up);
+    tap(Key::enter);
+    frames(2);
+    EXPECT_EQ(panels().files.folder, folder / "a");
+    tap(Key::backspace);
+    frames(2);
+    EXPECT_EQ(panels().files.folder, folder.path());
+}
+
+TEST_F(EditorFilesTest, ASessionIsSavedUnderTheNameThatIsTypedAndNothingIsReplacedUnasked) {
+    drag(kTop, kBottom, 10);
+    settle();
+    tap(Key::s, {.control = true});
+    frames(2);
+    type("mine");
+    tap(Key::enter);
+    waitForWork();
+    const std::filesystem::path file = folder / "mine.kerf.json";
+    EXPECT_FALSE(readSession(file).events.empty());
+    test::writeText(file, "precious");
+    for (const bool replace : {false, true}) {
+        tap(Key::s, {.control = true});
+        frames(2);
+        type("mine");
+        tap(Key::enter);
+        frames(2);
+        ASSERT_TRUE(panels().files.asksToOverwrite);
+        click(replace ? "file.accept" : "file.cancel");
+        if (!replace) {
+            EXPECT_FALSE(panels().files.asksToOverwrite);
+            tap(Key::escape);
+        }
+        waitForWork();
+        EXPECT_EQ(test::readBytes(file) == "precious", !replace);
+    }
+}
+
+TEST_F(EditorFilesTest, PiecesAreExportedEachIntoAFile) {
+    drag(kTop, kBottom, 10);
+    settle();
+    tap(Key::e, {.control = true});
+    frames(2);
+    EXPECT_EQ(panels().files.name, "ball.obj");
+    type("half.glb");
+    click("file.per_piece");
+    EXPECT_TRUE(panels().files.filePerPiece);
+    tap(Key::enter);
+    waitForWork();
+    EXPECT_THAT(panels().toast, HasSubstr("2 files"));
+    MeshReport report;
+    loadModel(folder / "half-1.glb", &report);
+    EXPECT_EQ(report.pieces, 1);
+    EXPECT_TRUE(std::filesystem::exists(folder / "half-2.glb"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "half.glb"));
+}
+
+/// A box without its lid.
+std::string openBox() {
+    TriangleSoup soup = test::boxSoup(Vec3::Ones(), 3);
+    std::erase_if(soup.triangles, [&](const Triangle& t) {
+        return soup.positions[t[0]].y() > 0.4 && soup.positions[t[1]].y() > 0.4 &&
+               soup.positions[t[2]].y() > 0.4;
+    });
+    return test::objText(soup);
+}
+
+TEST_F(EditorFilesTest, AHoleIsFilledWhereThePersonWantsItAndASessionKeepsIt) {
+    test::writeText(folder / "open.obj", openBox());
+    editor->open(folder / "open.obj");
+    waitForWork();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    EXPECT_THAT(panels().question.text, HasSubstr("12 open edges"));
+    ASSERT_EQ(panels().question.choices.size(), 2U);
+    EXPECT_EQ(panels().question.choices[0], "Fill 1 hole");
+    frames(3);
+    click("question.1");
+    EXPECT_EQ(panels().question.text, "");
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+
+    editor->open(folder / "open.obj");
+    waitForWork();
+    tap(Key::enter);
+    waitForWork();
+    EXPECT_EQ(editor->title(), "Kerf - open - 1 piece");
+    EXPECT_THAT(panels().toast, HasSubstr("filled 1 hole"));
+    tap(Key::s, {.control = true});
+    frames(2);
+    type("filled");
+    tap(Key::enter);
+    waitForWork();
+    const Session session = readSession(folder / "filled.kerf.json");
+    EXPECT_NEAR(meshVolume(loadSessionModel(session).mesh), std::pow(session.placement.scale, 3),
+                1e-5);
+}
+
+TEST_F(EditorFilesTest, FillingIsNotOfferedWhereItIsNoHelp) {
+    // A side stands twice.
+    test::writeText(folder / "odd.obj",
+                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                    "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 2 3 4\n");
+    editor->open(folder / "odd.obj");
+    waitForWork();
+    EXPECT_EQ(panels().question.text, "");
+    EXPECT_TRUE(panels().toastIsError);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ inline Document sphereDocument() {
                       .mesh = test::cubeSphere(8, 0.5),
                       .restBounds = {},
                       .camera = {},
+                      .uvs = {},
                       .note = {}};
     document.session.model.builtin = "sphere768";
     document.session.params.gravity = Vec3::Zero();
@@ -84,8 +85,15 @@ class EditorTest : public test::GlTest {
     }
     void tap(Key key, const ui::Modifiers& modifiers = {}) {
         editor->post(ui::KeyChange{key, true, modifiers});
-        editor->post(ui::KeyChange{key, false, modifiers});
+        editor->post(ui::KeyChange{key, false, {}});
         frames(1);
+    }
+    /// Saves a session under the name that is proposed.
+    void saveByKeys() {
+        tap(Key::s, {.control = true});
+        frames(2);
+        tap(Key::enter);
+        waitForWork();
     }
     void type(const std::string& text) {
         for (const char letter : text) {

@@ -218,6 +218,7 @@ TEST_F(EditorTest, WhatWasDoneIsSavedAsASessionThatReplaysToTheSameBits) {
     const int steps = panels().step;
     control(Key::r);
     settle();
+    waitForWork();
     EXPECT_FALSE(panels().recording);
     const Session session = readSession(onlyFile(folder.path()));
     EXPECT_EQ(session.steps, steps);

@@ -33,8 +33,7 @@ class EditorToolsTest : public EditorTest {
         frames(pictures);
     }
     Session savedSession() {
-        editor->post(ui::KeyChange{Key::s, true, {.control = true}});
-        settle();
+        saveByKeys();
         return readSession(onlyFile(folder.path()));
     }
 };

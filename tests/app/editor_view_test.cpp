@@ -71,8 +71,7 @@ TEST_F(EditorViewTest, AClickOnAnEndOfTheAxesLooksFromThere) {
 TEST_F(EditorViewTest, AViewFromAboveIsSavedAndReadAgain) {
     tap(Key::digit7);
     tap(Key::digit5);
-    editor->post(ui::KeyChange{Key::s, true, {.control = true}});
-    settle();
+    saveByKeys();
     const Session session = readSession(onlyFile(folder.path()));
     EXPECT_TRUE(session.view->orthographic);
     EXPECT_NEAR(session.view->towardsEye(Vec3::Zero()).y(), 1, 1e-3);

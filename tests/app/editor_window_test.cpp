@@ -6,8 +6,10 @@
 #include <map>
 #include <string>
 
+#include "app/model_source.h"
 #include "render/image.h"
 #include "tests/support/run_kerf.h"
+#include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
@@ -62,6 +64,29 @@ TEST(EditorWindow, ADragThroughTheMiddleCutsTheDropInInTwo) {
     const render::Image picture = render::readPng(folder / values["screenshot"]);
     EXPECT_EQ(picture.width, 1280);
     EXPECT_EQ(picture.height, 720);
+}
+
+TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {
+    if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
+        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
+    }
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(2)));
+    test::writeText(folder / "slow.obj", test::objText(test::icosphereSoup(1)));
+    const std::string seen =
+        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                 "/tests/app/editor_window_files.sh " KERF_BINARY_DIR "/kerf " +
+                 folder.path().string() + " 2>&1");
+    SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
+    std::map<std::string, std::string> values = valuesIn(seen);
+    EXPECT_EQ(values["opened"], "Kerf - ball - 1 piece");
+    EXPECT_EQ(values["exported"], "whole.obj");
+    EXPECT_EQ(values["loading"], "Kerf - ball - 1 piece") << "what is open stays";
+    EXPECT_EQ(values["cancelled"], "Kerf - ball - 1 piece");
+    EXPECT_EQ(values["exit"], "0");
+    MeshReport report;
+    loadModel(folder / "whole.obj", &report);
+    EXPECT_EQ(report.triangles, 320);
 }
 
 TEST(EditorWindow, WithoutADisplayItSaysSoAndExits4) {

@@ -28,7 +28,7 @@ TEST(ShippedSessions, DropInIsASphereInTheMiddleOfTheDefaultView) {
     const Session session = readSession(sessionFile("drop-in"));
     EXPECT_EQ(session.params.gravity, Vec3::Zero());
     EXPECT_FALSE(session.view.has_value());
-    const Bounds bounds = meshBounds(loadSessionModel(session));
+    const Bounds bounds = meshBounds(loadSessionModel(session).mesh);
     const render::Camera camera = sessionCamera(session, bounds);
     EXPECT_LT((camera.target - bounds.center()).norm(), 1e-9);
 }
@@ -62,7 +62,7 @@ double largestDeformation(Simulation& simulation) {
 class SessionRun {
   public:
     explicit SessionRun(const Session& session)
-        : player_(session), simulation_(loadSessionModel(session), session.params) {}
+        : player_(session), simulation_(loadSessionModel(session).mesh, session.params) {}
 
     const StepReport& step(int number) {
         for (const SessionAction& action : player_.actionsAt(number)) {

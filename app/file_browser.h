@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/file_dialog_state.h"
+
+namespace kerf::app {
+
+/// What a file dialog knows and does, without drawing: the folder it looks at, what is offered
+/// there, the name, and whether it may be taken. What it shows is a ui::FileDialogState.
+class FileBrowser {
+  public:
+    /// Looks into `folder`, or the next one around it that can be read. `name`: proposed.
+    FileBrowser(ui::FilePurpose purpose, std::filesystem::path folder, std::string name,
+                std::vector<ui::FilePlace> places);
+
+    const ui::FileDialogState& state() const { return state_; }
+    /// What is selected, a file that can be opened; empty for none.
+    std::filesystem::path selectedFile() const;
+    void setPreview(std::vector<std::string> lines) { state_.preview = std::move(lines); }
+
+    /// Returns the file once one is taken. Other actions change the state.
+    std::optional<std::filesystem::path> take(const ui::FileAction& action);
+
+  private:
+    void goTo(const std::filesystem::path& folder, const std::string& select);
+    void listRows();
+    void select(int row);
+    void rename(std::string name);
+    void chooseKind(int kind);
+    std::optional<std::filesystem::path> accept(bool overwrite);
+    std::optional<std::filesystem::path> acceptToOpen(const std::filesystem::path& path);
+    std::optional<std::filesystem::path> acceptToWrite(std::filesystem::path path, bool overwrite);
+    std::filesystem::path named() const;
+    bool isOffered(const std::filesystem::path& file) const;
+
+    ui::FileDialogState state_;
+};
+
+}  // namespace kerf::app

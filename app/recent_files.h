@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace kerf::app {
+
+/// Files that were opened or saved, the last one first, kept in a text file, a path a line.
+class RecentFiles {
+  public:
+    static constexpr std::size_t kMost = 12;
+
+    /// Reads `store`; empty keeps nothing beyond this run. What can't be read counts as empty.
+    explicit RecentFiles(std::filesystem::path store);
+
+    /// Puts a file first and writes the store. A store that can't be written is let go silently:
+    /// the list is a convenience.
+    void add(const std::filesystem::path& file);
+
+    /// Those that are still there.
+    std::vector<std::filesystem::path> files() const;
+    /// The folders of files(), each once.
+    std::vector<std::filesystem::path> folders() const;
+
+  private:
+    void write() const;
+
+    std::filesystem::path store_;
+    std::vector<std::filesystem::path> files_;
+};
+
+/// $XDG_STATE_HOME/kerf/recent-files, by default below ~/.local/state; empty without a home.
+std::filesystem::path recentFilesStore();
+
+}  // namespace kerf::app

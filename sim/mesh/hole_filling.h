@@ -1,0 +1,21 @@
+#pragma once
+
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf {
+
+/// What fillHoles() did.
+struct HoleFilling {
+    int holes = 0;
+    int triangles = 0;  ///< that were added
+};
+
+/// A border with more edges is left open: the search takes their third power.
+inline constexpr int kMostHoleEdges = 500;
+
+/// Closes each hole of a welded soup, a loop of edges that have one triangle, by the triangulation
+/// of least area (Barequet and Sharir 1995) that repeats no edge and has no triangle without area.
+/// Holes that touch in a vertex, are too large or cannot be triangulated so stay open.
+HoleFilling fillHoles(TriangleSoup& welded);
+
+}  // namespace kerf

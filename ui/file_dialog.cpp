@@ -1,0 +1,356 @@
+#include "ui/file_dialog.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "ui/item_places.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr char kWindow[] = "###files";
+constexpr std::size_t kMaxName = 4000;  // longer than any path of Linux that can be opened
+
+/// What the name field edits, and what it is to show instead where that changed elsewhere.
+struct NameEdit {
+    const std::string* replacement = nullptr;
+};
+
+int replaceText(ImGuiInputTextCallbackData* data) {
+    const auto* edit = static_cast<const NameEdit*>(data->UserData);
+    if (edit->replacement != nullptr) {
+        data->DeleteChars(0, data->BufTextLen);
+        data->InsertChars(0, edit->replacement->c_str());
+    }
+    return 0;
+}
+
+bool pressed(ImGuiKey key) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+}
+
+void drawDim(const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+float buttonWidth(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+void drawPreview(const FileDialogState& state) {
+    for (std::size_t i = 0; i < state.preview.size(); ++i) {
+        ImGui::PushTextWrapPos(0);
+        if (i == 0) {
+            ImGui::TextUnformatted(state.preview[i].c_str());
+        } else {
+            ImGui::TextDisabled("%s", state.preview[i].c_str());
+        }
+        ImGui::PopTextWrapPos();
+    }
+}
+
+}  // namespace
+
+std::string_view titleOf(FilePurpose purpose) {
+    switch (purpose) {
+        case FilePurpose::open:
+            return "Open a model or a session";
+        case FilePurpose::saveSession:
+            return "Save all since the start as a session";
+        case FilePurpose::exportMesh:
+            return "Export the body as it is";
+        default:
+            return "";
+    }
+}
+
+std::string_view verbOf(FilePurpose purpose) {
+    switch (purpose) {
+        case FilePurpose::open:
+            return "Open";
+        case FilePurpose::saveSession:
+            return "Save";
+        case FilePurpose::exportMesh:
+            return "Export";
+        default:
+            return "";
+    }
+}
+
+std::string sizeText(std::uintmax_t bytes) {
+    constexpr double kKilo = 1000;
+    char text[32];
+    const auto size = static_cast<double>(bytes);
+    if (size < kKilo) {
+        std::snprintf(text, sizeof text, "%d bytes", static_cast<int>(bytes));
+    } else if (size < kKilo * kKilo) {
+        std::snprintf(text, sizeof text, "%.1f kB", size / kKilo);
+    } else {
+        std::snprintf(text, sizeof text, "%.1f MB", size / (kKilo * kKilo));
+    }
+    return text;
+}
+
+void FileDialog::draw(const FileDialogState& state, std::vector<Action>& actions) {
+    const bool wanted = state.purpose != FilePurpose::none;
+    justOpened_ = wanted && !open_;
+    const bool wasOpen = std::exchange(open_, wanted);
+    if (!wanted && !wasOpen) {
+        return;
+    }
+    if (justOpened_) {
+        ImGui::OpenPopup(kWindow);
+        scrolledTo_ = -1;
+        lastName_.clear();
+        text_.clear();
+    }
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float line = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize(
+        {std::min(60 * line, 0.94F * display.x), std::min(36 * line, 0.92F * display.y)});
+    const std::string title = std::string(titleOf(state.purpose)) + kWindow;
+    if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
+                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoSavedSettings)) {
+        return;
+    }
+    if (!wanted) {
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+        return;
+    }
+    takeKeys(state, actions);
+    drawCrumbs(state, actions);
+    drawPlaces(state, actions);
+    ImGui::SameLine();
+    drawRows(state, actions);
+    drawName(state, actions);
+    drawOptions(state, actions);
+    drawButtons(state, actions);
+    ImGui::EndPopup();
+}
+
+void FileDialog::takeKeys(const FileDialogState& state, std::vector<Action>& actions) {
+    if (justOpened_) {
+        return;  // The key that opened it is still down.
+    }
+    if (pressed(ImGuiKey_Escape)) {
+        if (state.asksToOverwrite) {
+            actions.emplace_back(FileAction(KeepFile{}));
+        } else {
+            actions.emplace_back(FileAction(CloseFileDialog{}));
+        }
+    } else if (pressed(ImGuiKey_Enter)) {
+        actions.emplace_back(FileAction(AcceptFile{state.asksToOverwrite}));
+    } else if (pressed(ImGuiKey_DownArrow)) {
+        actions.emplace_back(FileAction(MoveFileSelection{1}));
+    } else if (pressed(ImGuiKey_UpArrow)) {
+        actions.emplace_back(FileAction(MoveFileSelection{-1}));
+    } else if (pressed(ImGuiKey_PageDown)) {
+        actions.emplace_back(FileAction(MoveFileSelection{10}));
+    } else if (pressed(ImGuiKey_PageUp)) {
+        actions.emplace_back(FileAction(MoveFileSelection{-10}));
+    } else if (pressed(ImGuiKey_Backspace) && text_.empty()) {
+        actions.emplace_back(FileAction(GoToParentFolder{}));
+    }
+}
+
+void FileDialog::drawCrumbs(const FileDialogState& state, std::vector<Action>& actions) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    // The innermost folders are the ones that matter, so outer ones give way.
+    std::size_t first = 0;
+    const auto lengthFrom = [&](std::size_t from) {
+        float length = 0;
+        for (std::size_t i = from; i < state.crumbs.size(); ++i) {
+            length += buttonWidth(state.crumbs[i].label.c_str()) + ImGui::GetFontSize();
+        }
+        return length;
+    };
+    while (first + 1 < state.crumbs.size() && lengthFrom(first) > width) {
+        ++first;
+    }
+    for (std::size_t i = first; i < state.crumbs.size(); ++i) {
+        if (i > first) {
+            ImGui::SameLine(0, 2);
+            drawDim("/");
+            ImGui::SameLine(0, 2);
+        }
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::SmallButton(state.crumbs[i].label.c_str())) {
+            actions.emplace_back(FileAction(GoToFolder{state.crumbs[i].folder}));
+        }
+        ImGui::PopID();
+    }
+}
+
+void FileDialog::drawPlaces(const FileDialogState& state, std::vector<Action>& actions) {
+    const float line = ImGui::GetFontSize();
+    const float below = 3.2F * ImGui::GetFrameHeightWithSpacing() +
+                        (state.asksToOverwrite ? ImGui::GetFrameHeightWithSpacing() : 0);
+    ImGui::BeginChild("places", {13 * line, -below}, true);
+    for (const FilePlace& place : state.places) {
+        ImGui::PushID(place.folder.c_str());
+        if (ImGui::Selectable(place.label.c_str(), place.folder == state.folder)) {
+            actions.emplace_back(FileAction(GoToFolder{place.folder}));
+        }
+        noteItem("file.place." + place.label);
+        itemTooltip(place.folder.string());
+        ImGui::PopID();
+    }
+    if (!state.preview.empty()) {
+        ImGui::Spacing();
+        ImGui::TextDisabled("Selected");
+        ImGui::Separator();
+        drawPreview(state);
+    }
+    ImGui::EndChild();
+}
+
+void FileDialog::drawRows(const FileDialogState& state, std::vector<Action>& actions) {
+    const float line = ImGui::GetFontSize();
+    const float below = 3.2F * ImGui::GetFrameHeightWithSpacing() +
+                        (state.asksToOverwrite ? ImGui::GetFrameHeightWithSpacing() : 0);
+    const ImVec2 size{0, ImGui::GetContentRegionAvail().y - below};
+    if (!ImGui::BeginTable(
+            "rows", 3,
+            ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter, size)) {
+        return;
+    }
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, 5 * line);
+    ImGui::TableSetupColumn("Changed", ImGuiTableColumnFlags_WidthFixed, 9 * line);
+    ImGui::TableHeadersRow();
+    for (int i = 0; i < static_cast<int>(state.rows.size()); ++i) {
+        const FileRow& row = state.rows[i];
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushID(i);
+        const std::string label = row.isFolder ? row.name + "/" : row.name;
+        if (row.isFolder) {
+            ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::blue));
+        }
+        const bool hit = ImGui::Selectable(
+            label.c_str(), i == state.selected,
+            ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick);
+        if (row.isFolder) {
+            ImGui::PopStyleColor();
+        }
+        noteItem("file.row." + row.name);
+        if (hit) {
+            actions.emplace_back(FileAction(SelectFile{i}));
+            if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+                actions.emplace_back(FileAction(AcceptFile{}));
+            }
+        }
+        if (i == state.selected && scrolledTo_ != i) {
+            scrolledTo_ = i;
+            ImGui::SetScrollHereY();
+        }
+        ImGui::PopID();
+        ImGui::TableNextColumn();
+        drawDim(row.isFolder ? "" : sizeText(row.bytes));
+        ImGui::TableNextColumn();
+        drawDim(row.modified);
+    }
+    ImGui::EndTable();
+}
+
+void FileDialog::drawName(const FileDialogState& state, std::vector<Action>& actions) {
+    NameEdit edit;
+    if (state.name != lastName_ && state.name != text_) {
+        edit.replacement = &state.name;
+        text_ = state.name;
+    }
+    lastName_ = state.name;
+    char buffer[kMaxName];
+    const std::size_t length = text_.copy(buffer, sizeof buffer - 1);
+    buffer[length] = 0;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Name");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 14);
+    const bool comboOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+    if (justOpened_ || (!ImGui::IsAnyItemActive() && !comboOpen && !ImGui::IsMouseDown(0))) {
+        ImGui::SetKeyboardFocusHere();
+    }
+    // Whenever it gets the keys, what is typed takes the place of what stood there.
+    ImGui::InputText("##name", buffer, sizeof buffer,
+                     ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_AutoSelectAll,
+                     replaceText, &edit);
+    noteItem("file.name");
+    if (edit.replacement == nullptr && text_ != buffer) {
+        text_ = buffer;
+        actions.emplace_back(FileAction(NameFile{text_}));
+    }
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##kind", state.kinds.empty() ? "" : state.kinds[state.kind].c_str())) {
+        for (int i = 0; i < static_cast<int>(state.kinds.size()); ++i) {
+            if (ImGui::Selectable(state.kinds[i].c_str(), i == state.kind)) {
+                actions.emplace_back(FileAction(ChooseFileKind{i}));
+            }
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("file.kind");
+}
+
+void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& actions) {
+    if (state.asksToOverwrite) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::orange));
+        ImGui::TextUnformatted("There is a file of this name already. Replace it?");
+        ImGui::PopStyleColor();
+        return;
+    }
+    if (!state.problem.empty()) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::vermillion));
+        ImGui::TextUnformatted(state.problem.c_str());
+        ImGui::PopStyleColor();
+        return;
+    }
+    if (state.purpose == FilePurpose::exportMesh) {
+        bool perPiece = state.filePerPiece;
+        if (ImGui::Checkbox("A file per piece", &perPiece)) {
+            actions.emplace_back(FileAction(SetFilePerPiece{perPiece}));
+        }
+        noteItem("file.per_piece");
+        return;
+    }
+    ImGui::AlignTextToFramePadding();
+    drawDim(state.purpose == FilePurpose::open ? "Type to find, Enter opens, Backspace goes up."
+                                               : "");
+}
+
+void FileDialog::drawButtons(const FileDialogState& state, std::vector<Action>& actions) {
+    const std::string verb(state.asksToOverwrite ? "Replace" : verbOf(state.purpose));
+    const char* const leave = state.asksToOverwrite ? "Keep it" : "Cancel";
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth(verb.c_str()) -
+                    buttonWidth(leave) - spacing);
+    if (ImGui::Button(leave)) {
+        actions.emplace_back(state.asksToOverwrite ? FileAction(KeepFile{})
+                                                   : FileAction(CloseFileDialog{}));
+    }
+    noteItem("file.cancel");
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (ImGui::Button(verb.c_str())) {
+        actions.emplace_back(FileAction(AcceptFile{state.asksToOverwrite}));
+    }
+    noteItem("file.accept");
+    ImGui::PopStyleColor();
+}
+
+}  // namespace kerf::ui

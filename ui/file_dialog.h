@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/action.h"
+#include "ui/panel_model.h"
+
+namespace kerf::ui {
+
+/// The file dialog: bookmarks, folders and files, a preview, a name, what it is of. All by keyboard
+/// too: typing names, arrows choose, Enter takes, Backspace in an empty name goes up, Esc closes.
+class FileDialog {
+  public:
+    void draw(const FileDialogState& state, std::vector<Action>& actions);
+    /// Whether it was there in the last pass: then no key means anything else.
+    bool isOpen() const { return open_; }
+
+  private:
+    void drawCrumbs(const FileDialogState& state, std::vector<Action>& actions);
+    void drawPlaces(const FileDialogState& state, std::vector<Action>& actions);
+    void drawRows(const FileDialogState& state, std::vector<Action>& actions);
+    void drawName(const FileDialogState& state, std::vector<Action>& actions);
+    void drawOptions(const FileDialogState& state, std::vector<Action>& actions);
+    void drawButtons(const FileDialogState& state, std::vector<Action>& actions);
+    void takeKeys(const FileDialogState& state, std::vector<Action>& actions);
+
+    bool open_ = false;
+    bool justOpened_ = false;
+    int scrolledTo_ = -1;   ///< the row that was last brought into sight
+    std::string text_;      ///< of the name field
+    std::string lastName_;  ///< of the state, as last seen
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,79 @@
+#include "ui/question_box.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/item_places.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr char kWindow[] = "###question";
+
+bool pressed(ImGuiKey key) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
+
+void drawChoices(const Question& question, std::vector<Action>& actions) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = -style.ItemSpacing.x;
+    for (const std::string& choice : question.choices) {
+        width +=
+            ImGui::CalcTextSize(choice.c_str()).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+    }
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+    for (std::size_t i = question.choices.size(); i-- > 0;) {
+        if (ImGui::Button(question.choices[i].c_str())) {
+            actions.emplace_back(AnswerQuestion{static_cast<int>(i)});
+        }
+        noteItem("question." + std::to_string(i));
+        if (i > 0) {
+            ImGui::SameLine();
+        }
+    }
+}
+
+}  // namespace
+
+void QuestionBox::draw(const Question& question, std::vector<Action>& actions) {
+    const bool wanted = !question.text.empty();
+    const bool justOpened = wanted && !open_;
+    const bool wasOpen = std::exchange(open_, wanted);
+    if (!wanted && !wasOpen) {
+        return;
+    }
+    if (justOpened) {
+        ImGui::OpenPopup(kWindow);
+    }
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float width = std::min(34 * ImGui::GetFontSize(), 0.9F * display.x);
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({width, 0});
+    const std::string title = question.title + kWindow;
+    if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
+                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoSavedSettings)) {
+        return;
+    }
+    if (!wanted) {
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+        return;
+    }
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(question.text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+    drawChoices(question, actions);
+    if (!justOpened && pressed(ImGuiKey_Enter)) {
+        actions.emplace_back(AnswerQuestion{0});
+    } else if (!justOpened && pressed(ImGuiKey_Escape)) {
+        actions.emplace_back(AnswerQuestion{static_cast<int>(question.choices.size()) - 1});
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace kerf::ui
