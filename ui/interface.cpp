@@ -157,7 +157,9 @@ void drawTabs(const PanelModel& model, std::vector<Action>& actions) {
         return open;
     };
     if (tab("Times")) {
+        ImGui::BeginChild("times");
         drawStages(model);
+        ImGui::EndChild();
         ImGui::EndTabItem();
     }
     if (tab("History")) {
@@ -165,7 +167,9 @@ void drawTabs(const PanelModel& model, std::vector<Action>& actions) {
         ImGui::EndTabItem();
     }
     if (tab("Boxes")) {
+        ImGui::BeginChild("boxes");
         drawBoxes(model, actions);
+        ImGui::EndChild();
         ImGui::EndTabItem();
     }
     if (tab("Log")) {

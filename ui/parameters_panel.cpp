@@ -251,7 +251,8 @@ std::string sliderFormat(const ParamInfo& info) {
 }
 
 void drawParameters(const PanelModel& model, std::vector<Action>& actions) {
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemSpacing.x, 0.2F * ImGui::GetFontSize()});
     for (const std::string_view name : kProminent) {
         drawRow(*findParam(name), model, actions);
     }

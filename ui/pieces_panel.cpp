@@ -162,7 +162,8 @@ void drawPieces(const PanelModel& model, std::vector<Action>& actions) {
     constexpr ImGuiTableFlags kFlags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
     int hovered = -1;
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.25F * ImGui::GetFontSize(), 3});
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                        {0.25F * ImGui::GetFontSize(), 0.2F * ImGui::GetFontSize()});
     if (ImGui::BeginTable("pieces", 5, kFlags)) {
         drawHeader();
         hovered = drawRows(model, actions);

@@ -98,7 +98,8 @@ void drawHeader() {
 }  // namespace
 
 void drawStages(const PanelModel& model) {
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.25F * ImGui::GetFontSize(), 3});
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                        {0.25F * ImGui::GetFontSize(), 0.2F * ImGui::GetFontSize()});
     if (ImGui::BeginTable("stages", 6, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
                                 ImGui::CalcTextSize("Collide").x);

@@ -131,7 +131,6 @@ void applySizes(ImGuiStyle& style) {
     style.ScrollbarSize = 10;
     style.WindowBorderSize = 1;
     style.PopupBorderSize = 1;
-    style.FrameBorderSize = 0;
     style.WindowPadding = {12, 10};
     style.FramePadding = {8, 4};
     style.ItemSpacing = {8, 6};
@@ -161,6 +160,8 @@ void applyTheme(Theme theme, float scale) {
     style = ImGuiStyle{};
     applyColors(theme, style);
     applySizes(style);
+    // Empty boxes are too pale to be seen on a light ground without a line around them.
+    style.FrameBorderSize = theme == Theme::light ? 1 : 0;
     style.ScaleAllSizes(scale);
 }
 

@@ -16,7 +16,8 @@ void beginPanel(const char* name, const Rect& rect, bool withMenu) {
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
+                     ImGuiWindowFlags_NoScrollWithMouse |
                      (withMenu ? ImGuiWindowFlags_MenuBar : ImGuiWindowFlags_None));
 }
 

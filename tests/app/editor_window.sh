@@ -7,6 +7,8 @@ kerf=$1
 folder=$2
 shift 2
 cd "$folder" || exit 1
+# The settings of whoever runs the tests stay out of it.
+export XDG_CONFIG_HOME="$folder/config"
 # GLFW unloads the display's drivers at the end, and what they had kept then looks lost.
 export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0"
 
