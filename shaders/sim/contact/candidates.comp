@@ -97,8 +97,6 @@ float thicknessAt(float separation) {
 }
 
 void consider(uint v, vec3 p, uint index) {
-    vec3 outside = max(max(boxes[index].low.xyz - p, p - boxes[index].high.xyz), vec3(0.0));
-    if (dot(outside, outside) > uniforms.margin * uniforms.margin) return;
     uvec4 t = triangles[index];
     if (t.x == v || t.y == v || t.z == v) return;
     if (pieces[t.w >> 8].constrained == 0u) return;  // a chip
@@ -118,31 +116,58 @@ void consider(uint v, vec3 p, uint index) {
     keep(index, away / range, thicknessAt(rest.separation));
 }
 
-void searchCell(uint v, vec3 p, ivec3 cell, uint level) {
+// Triangles that pass a first look wait for a second one. Where a branch costs as much as both of its
+// sides, a loop that ends early is what saves work: most vertices have none that wait.
+const uint kMostPending = 32u;
+uint pending[kMostPending];
+uint passed;  // so far in this round, those of earlier rounds included
+uint firstOfRound;
+
+void look(vec3 p, uint index) {
+    vec3 outside = max(max(boxes[index].low.xyz - p, p - boxes[index].high.xyz), vec3(0.0));
+    bool passes = dot(outside, outside) <= uniforms.margin * uniforms.margin;
+    if (passes && passed >= firstOfRound && passed < firstOfRound + kMostPending) {
+        pending[passed - firstOfRound] = index;
+    }
+    passed += passes ? 1u : 0u;
+}
+
+void searchCell(vec3 p, ivec3 cell, uint level) {
     uint bucket = bucketOf(cell, level);
     uint next = bucket + 1u;
+    uint first = blocks[bucket / kGroupSize] + starts[bucket];
     uint end = next == uniforms.bucket_count ? uniforms.triangle_count
                                              : blocks[next / kGroupSize] + starts[next];
-    for (uint k = blocks[bucket / kGroupSize] + starts[bucket]; k < end; ++k) {
-        consider(v, p, entries[k]);
+    for (uint k = first; k < end; ++k) {
+        look(p, entries[k]);
+    }
+}
+
+void searchLevel(vec3 p, uint level) {
+    float size = cellSize(level);
+    float range = 0.5 * size + uniforms.margin;
+    ivec3 low = ivec3(floor((p - range) / size));
+    // Cells are at least two margins wide; a number that is not finite may say anything.
+    ivec3 count = clamp(ivec3(floor((p + range) / size)) - low, 0, 2) + 1;
+    int cells = count.x * count.y * count.z;
+    for (int i = 0; i < cells; ++i) {
+        searchCell(p, low + ivec3(i % count.x, (i / count.x) % count.y, i / (count.x * count.y)), level);
     }
 }
 
 void search(uint v, vec3 p) {
-    for (uint level = 0u; level < kGridLevels; ++level) {
-        if ((state.levels & (1u << level)) == 0u) continue;
-        float size = cellSize(level);
-        float range = 0.5 * size + uniforms.margin;
-        ivec3 low = ivec3(floor((p - range) / size));
-        // Cells are at least two margins wide; a number that is not finite may say anything.
-        ivec3 count = clamp(ivec3(floor((p + range) / size)) - low, 0, 2);
-        for (int z = 0; z <= count.z; ++z) {
-            for (int y = 0; y <= count.y; ++y) {
-                for (int x = 0; x <= count.x; ++x) {
-                    searchCell(v, p, low + ivec3(x, y, z), level);
-                }
-            }
+    firstOfRound = 0u;
+    passed = 1u;
+    while (passed > firstOfRound) {
+        passed = 0u;
+        for (uint levels = state.levels; levels != 0u; levels &= levels - 1u) {
+            searchLevel(p, uint(findLSB(levels)));
         }
+        uint waiting = min(passed, firstOfRound + kMostPending);
+        for (uint i = firstOfRound; i < waiting; ++i) {
+            consider(v, p, pending[i - firstOfRound]);
+        }
+        firstOfRound += kMostPending;
     }
 }
 
