@@ -9,6 +9,8 @@ NormalsPass::NormalsPass() : program_(gpu::Program::compute("render/normals.comp
 void NormalsPass::run(const BodyView& body) {
     normals_.resize(std::size_t(2) * body.vertexCount * sizeof(shared::vec4));
     body.positions->bindStorage(shared::kBindPositions);
+    body.restPositions->bindStorage(shared::kBindRestPositions);
+    body.cutSkinNormals->bindStorage(shared::kBindCutSkinNormals);
     body.triangles->bindStorage(shared::kBindTriangles);
     body.incidenceRanges->bindStorage(shared::kBindIncidenceRanges);
     body.incidence->bindStorage(shared::kBindIncidence);

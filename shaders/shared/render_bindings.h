@@ -9,7 +9,8 @@ SHARED_CONST int kBindRestPositions = 1;
 SHARED_CONST int kBindTriangles = 2;
 SHARED_CONST int kBindIncidenceRanges = 3;
 SHARED_CONST int kBindIncidence = 4;
-SHARED_CONST int kBindNormals = 5;   // vec4 per vertex and kind: 2 * vertex + kind
+SHARED_CONST int kBindNormals = 5;  // vec4 per vertex and kind: 2 * vertex + kind
+SHARED_CONST int kBindCutSkinNormals = 6;
 SHARED_CONST int kBindSegments = 6;  // vec4 pairs: ends of lines, or blade poses A, B
 SHARED_CONST int kBindLooks = 7;     // vec4 per piece: tint, strength; strength < 0 hides it
 

@@ -42,6 +42,9 @@ struct BodyModel {
     std::vector<Vec3f> restPositions;  ///< [m], shape [vertexCount]
     /// A third of the rest area around each vertex [m^2]; its mass follows from it (see unitMass).
     std::vector<double> vertexAreas;
+    /// At rest, of vertices that a cut made or divided (see SkinNormals::ofCut), shape
+    /// [vertexCount].
+    std::vector<Vec3f> cutSkinNormals;
     /// Living triangles: three vertices, then kind | piece << 8 (see BodyView).
     std::vector<std::array<std::uint32_t, 4>> triangles;
     std::vector<int> meshTriangle;   ///< mesh slot of each entry of `triangles`

@@ -49,6 +49,8 @@ void BodyUpdater::buildShell() {
     for (int v = 0; v < mesh_.vertexCount(); ++v) {
         model_.restPositions.push_back(mesh_.restPosition(v).cast<float>());
     }
+    skinNormals_ = SkinNormals(mesh_);
+    model_.cutSkinNormals.assign(model_.restPositions.size(), Vec3f::Zero());
     model_.vertexAreas = restVertexAreas(mesh_);
     areas_.resize(labels_.pieces().size());
     for (std::size_t v = 0; v < model_.vertexAreas.size(); ++v) {
@@ -122,6 +124,7 @@ BodyChange BodyUpdater::update(const CutDelta& delta) {
     growVertices();
     updateAreas(delta, changed, change);
     updateMasses();
+    updateSkinNormals(delta, changed, change.vertices);
     updateTriangles(changed, change);
     updateNeighbours(change.triangleLists);
     updateShell(changed, change);
@@ -139,6 +142,7 @@ void BodyUpdater::growVertices() {
     for (std::size_t v = model_.restPositions.size(); v < n; ++v) {
         model_.restPositions.push_back(mesh_.restPosition(static_cast<int>(v)).cast<float>());
     }
+    model_.cutSkinNormals.resize(n, Vec3f::Zero());
     model_.vertexAreas.resize(n, 0.0);
     model_.pieceOfVertex.resize(n, -1);
     triangleRooms_.resize(model_.triangleIncidence, n);
@@ -153,8 +157,8 @@ double BodyUpdater::vertexArea(int vertex) const {
     return sum;
 }
 
-/// Areas, pieces and rest positions of the vertices, all new ones among them; what they are leaves
-/// the sums of their old piece, what they become enters those of the new one.
+/// Areas, pieces and rest positions of the vertices, all new ones among them; what
+/// they are leaves the sums of their old piece, what they become enters those of the new one.
 void BodyUpdater::updateAreas(const CutDelta& delta, std::span<const int> changed,
                               BodyChange& change) {
     for (int v = delta.firstNewVertex; v < mesh_.vertexCount(); ++v) {
@@ -184,6 +188,23 @@ void BodyUpdater::updateAreas(const CutDelta& delta, std::span<const int> change
         if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
             areas_[piece].add(model_.vertexAreas[v]);
         }
+    }
+}
+
+/// Before the triangles follow: what the skin was tells what its new vertices have.
+void BodyUpdater::updateSkinNormals(const CutDelta& delta, std::span<const int> changed,
+                                    std::span<const std::uint32_t> vertices) {
+    std::vector<Triangle> old;
+    for (const int t : changed) {
+        const int slot = t < static_cast<int>(slotOfTriangle_.size()) ? slotOfTriangle_[t] : -1;
+        if (slot >= 0 && (model_.triangles[slot][3] & 1u) == 0) {
+            const auto& [a, b, c, tag] = model_.triangles[slot];
+            old.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+        }
+    }
+    skinNormals_.follow(mesh_, delta.firstNewVertex, old);
+    for (const std::uint32_t v : vertices) {
+        model_.cutSkinNormals[v] = skinNormals_.ofCut(mesh_, static_cast<int>(v)).cast<float>();
     }
 }
 

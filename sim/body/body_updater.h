@@ -10,6 +10,7 @@
 #include "sim/body/ispc_set.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/record_editor.h"
+#include "sim/body/skin_normals.h"
 #include "sim/cut/cutter.h"
 #include "sim/mesh/piece_labels.h"
 
@@ -20,7 +21,8 @@ namespace kerf {
 struct BodyChange {
     /// Vertices that are new, died or belong to another piece, and where the pieces come from.
     LabelChange pieces;
-    /// Vertices of which the area, the piece or the number of constraints changed.
+    /// Vertices of which the area, the skin normal, the piece or the number of constraints
+    /// changed.
     std::vector<std::uint32_t> vertices;
     /// Slots that were written.
     std::vector<std::uint32_t> triangles;
@@ -64,6 +66,8 @@ class BodyUpdater {
     void buildEdgesAndBends();
     void growVertices();
     void updateAreas(const CutDelta& delta, std::span<const int> changed, BodyChange& change);
+    void updateSkinNormals(const CutDelta& delta, std::span<const int> changed,
+                           std::span<const std::uint32_t> vertices);
     void updateMasses();
     void updateTriangles(std::span<const int> changed, BodyChange& change);
     void updateShell(std::span<const int> changed, BodyChange& change);
@@ -76,6 +80,7 @@ class BodyUpdater {
     const SurfaceMesh& mesh_;
     BodyModel model_;
     PieceLabels labels_;
+    SkinNormals skinNormals_;
     std::vector<VertexAreas> areas_;      ///< by piece
     std::vector<int> slotOfTriangle_;     ///< in model_.triangles, by mesh slot; -1 for dead ones
     std::vector<EdgeSlots> slotsOfEdge_;  ///< by half-edge

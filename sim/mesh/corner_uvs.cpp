@@ -1,18 +1,16 @@
 #include "sim/mesh/corner_uvs.h"
 
 #include <cassert>
-#include <limits>
 
-#include "sim/mesh/box_tree.h"
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
 namespace {
 
-constexpr int kMaxWalk = 16;          // triangles from the middle of a new one to its corner
-constexpr double kOutside = -1e-6;    // a weight below this is outside
-constexpr double kFirstReach = 1e-6;  // of the diagonal
+constexpr int kMaxWalk = 16;        // triangles from the middle of a new one to its corner
+constexpr double kOutside = -1e-6;  // a weight below this is outside
 
 CornerUvs noUvs() {
     return {Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
@@ -24,61 +22,20 @@ class UvLookup {
     UvLookup(const SurfaceMesh& uncut, const std::vector<CornerUvs>& uvs)
         : mesh_(uncut),
           uvs_(uvs),
-          tree_(livingTriangles(uncut), [this](int t) { return boundsOf(t); }) {
-        for (const Vec3& p : uncut.restPositions()) {
-            bounds_.add(p);
-        }
-    }
+          triangles_(livingTriangles(uncut), [this](int t) { return placesOf(t); }) {}
 
     CornerUvs uvsOf(const Triangle& corners, const SurfaceMesh& cut) {
         const Vec3& a = cut.restPosition(corners[0]);
         const Vec3& b = cut.restPosition(corners[1]);
         const Vec3& c = cut.restPosition(corners[2]);
-        const int middle = nearest((a + b + c) / 3);
+        const int middle = triangles_.find((a + b + c) / 3);
         return {at(middle, a), at(middle, b), at(middle, c)};
     }
 
   private:
-    Bounds boundsOf(int t) const {
-        Bounds bounds;
-        for (const int v : mesh_.triangle(t)) {
-            bounds.add(mesh_.restPosition(v));
-        }
-        return bounds;
-    }
-
     std::array<Vec3, 3> placesOf(int t) const {
         const auto [a, b, c] = mesh_.triangle(t);
         return {mesh_.restPosition(a), mesh_.restPosition(b), mesh_.restPosition(c)};
-    }
-
-    int nearest(const Vec3& p) {
-        int found = -1;
-        for (double reach = kFirstReach * bounds_.diagonal(); found < 0; reach *= 8) {
-            found = nearestWithin(p, reach);
-        }
-        return found;
-    }
-
-    /// The lowest of equally near ones; -1 where none is within reach.
-    int nearestWithin(const Vec3& p, double reach) {
-        Bounds around;
-        around.add(p);
-        around.widen(reach);
-        double least = reach;
-        int found = -1;
-        tree_.find([this](int t) { return boundsOf(t); },
-                   [&](const Bounds& box) { return box.overlaps(around); },
-                   [&](int t) {
-                       const auto [a, b, c] = placesOf(t);
-                       const Vec3 w = closestWeights(p, a, b, c);
-                       const double distance = (w[0] * a + w[1] * b + w[2] * c - p).norm();
-                       if (distance < least || (distance == least && t < found)) {
-                           least = distance;
-                           found = t;
-                       }
-                   });
-        return found;
     }
 
     /// From triangle t over edges that are no seams to where p lies.
@@ -128,8 +85,7 @@ class UvLookup {
 
     const SurfaceMesh& mesh_;
     const std::vector<CornerUvs>& uvs_;
-    Bounds bounds_;
-    BoxTree tree_;
+    NearestTriangle triangles_;
 };
 
 /// No cut has touched it: its corners may be copies, at the same places.

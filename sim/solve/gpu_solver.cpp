@@ -233,6 +233,7 @@ void GpuSolver::takeModel(const BodyModel& model, VertexPages& pages) {
 void GpuSolver::uploadRestShape(const BodyModel& model) {
     displacement_.clear();
     restPositions_.assign(packed(model.restPositions));
+    cutSkinNormals_.assign(packed(model.cutSkinNormals));
     links_.assign(vertexLinks(model));
     areaBuffer_.assign(areas_);
 }
@@ -336,6 +337,8 @@ void GpuSolver::updateVertices(const BodyModel& model, const BodyChange& change)
                                         [&](uint v) { return linksOf(model, v); });
     scatter_.write<shared::vec4>(restPositions_, n, change.vertices, fill,
                                  [&](uint v) { return packed(model.restPositions[v], 0.0f); });
+    scatter_.write<shared::vec4>(cutSkinNormals_, n, change.vertices, fill,
+                                 [&](uint v) { return packed(model.cutSkinNormals[v], 0.0f); });
     scatter_.write<float>(areaBuffer_, areas_, change.vertices);
 }
 
@@ -717,6 +720,7 @@ void GpuSolver::restorePiecesAtRest(std::span<const int> pieces) {
 BodyView GpuSolver::view() const {
     return {&positions_,
             &restPositions_,
+            &cutSkinNormals_,
             &triangles_,
             &triangleIncidence_.ranges,
             &triangleIncidence_.entries,

@@ -189,7 +189,7 @@ class GpuSolver {
     std::vector<shared::BlockRecord> blocks_;
 
     gpu::Buffer uniformBuffer_;
-    gpu::Buffer positions_, velocities_, displacement_, previous_, restPositions_;
+    gpu::Buffer positions_, velocities_, displacement_, previous_, restPositions_, cutSkinNormals_;
     gpu::Buffer savedPositions_;
     gpu::Buffer links_, areaBuffer_, triangles_, placeBuffer_, pageBuffer_, neighbours_;
     gpu::Buffer pulls_, marks_;

@@ -8,10 +8,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "gpu/context.h"
 #include "render/passes/normals_pass.h"
 #include "shaders/shared/shared_types.h"
+#include "sim/body/body_updater.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/invariants.h"
 #include "tests/support/body_upload.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
@@ -24,7 +28,8 @@ constexpr int kHeight = 180;
 
 /// A body with all that a picture of it needs.
 struct Stage {
-    explicit Stage(const SurfaceMesh& mesh) : body(mesh) {
+    explicit Stage(const SurfaceMesh& mesh, std::vector<Vec3> cutSkinNormals = {})
+        : body(mesh, std::move(cutSkinNormals)) {
         scene.body = body.view();
         scene.restBounds = body.restBounds;
         scene.focus = body.bounds;
@@ -143,6 +148,55 @@ TEST_F(RendererTest, WallsLookUnlikeSkin) {
         pale += pixel[1] > 120 && pixel[1] > pixel[2] + 20 ? 1 : 0;
     }
     EXPECT_GT(pale, 200);
+}
+
+/// A mesh cut in two by a blade that comes down, a little askew, and what BodyModel knows of it.
+struct CutBody {
+    explicit CutBody(const SurfaceMesh& whole) : mesh(whole) {
+        BodyUpdater updater(mesh);
+        CutSettings settings;
+        settings.wallEdgeLength = 0.1;
+        Cutter cutter(mesh, settings);
+        const auto bladeAt = [](double y) { return Blade{{0.03, y, -1}, {0.12, y - 0.05, 1}}; };
+        cutter.begin(bladeAt(1));
+        for (int step = 1; step <= 20; ++step) {
+            cutter.boundMotion(0);
+            const CutResult result = cutter.advance(bladeAt(1 - 0.1 * step));
+            if (!result.delta.empty()) {
+                updater.update(result.delta);
+            }
+        }
+        cutter.boundMotion(0);
+        if (const CutDelta delta = cutter.finish().delta; !delta.empty()) {
+            updater.update(delta);
+        }
+        for (const Vec3f& n : updater.model().cutSkinNormals) {
+            normals.push_back(n.cast<double>());
+        }
+    }
+    SurfaceMesh mesh;
+    std::vector<Vec3> normals;
+};
+
+int largestDifference(const Image& a, const Image& b) {
+    int largest = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        largest = std::max(largest, std::abs(int(a.pixels[i]) - int(b.pixels[i])));
+    }
+    return largest;
+}
+
+TEST_F(RendererTest, ACutThatIsClosedDoesNotShowOnTheSkin) {
+    const SurfaceMesh whole = test::cubeSphere(8);
+    const CutBody cut(whole);
+    ASSERT_EQ(findPieces(cut.mesh).pieces.size(), 2u);
+    const Stage before(whole);
+    Stage after(cut.mesh, cut.normals);
+    Stage bare(cut.mesh);
+    after.camera = bare.camera = before.camera;
+    const Image picture = pictureOf(before);
+    EXPECT_LT(largestDifference(pictureOf(after), picture), 16) << "of 255";
+    EXPECT_GT(largestDifference(pictureOf(bare), picture), 24) << "what the normals are for";
 }
 
 TEST_F(RendererTest, BodyDarkensTheFloorBelow) {

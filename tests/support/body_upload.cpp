@@ -119,7 +119,9 @@ class HalfBuilder {
 
 }  // namespace
 
-UploadedBody::UploadedBody(const SurfaceMesh& mesh) {
+UploadedBody::UploadedBody(const SurfaceMesh& mesh, std::vector<Vec3> normals) {
+    normals.resize(mesh.vertexCount(), Vec3::Zero());
+    cutSkinNormals.assign(packed(normals));
     const std::vector<shared::uvec4> living = taggedTriangles(mesh);
     positions.assign(packed(mesh.positions()));
     restPositions.assign(packed(mesh.restPositions()));
@@ -145,6 +147,7 @@ BodyView UploadedBody::view() const {
     BodyView body;
     body.positions = &positions;
     body.restPositions = &restPositions;
+    body.cutSkinNormals = &cutSkinNormals;
     body.triangles = &triangles;
     body.incidenceRanges = &incidenceRanges;
     body.incidence = &incidence;

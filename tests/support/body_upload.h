@@ -9,11 +9,13 @@ namespace kerf::test {
 /// The buffers behind a BodyView, uploaded from a mesh: what the solver does, for tests of the
 /// renderer alone. Mass is 1 everywhere, the piece 0.
 struct UploadedBody {
-    explicit UploadedBody(const SurfaceMesh& mesh);
+    /// `cutSkinNormals`: see BodyModel; none where empty.
+    explicit UploadedBody(const SurfaceMesh& mesh, std::vector<Vec3> cutSkinNormals = {});
     BodyView view() const;
 
     gpu::Buffer positions;
     gpu::Buffer restPositions;
+    gpu::Buffer cutSkinNormals;
     gpu::Buffer triangles;
     gpu::Buffer incidenceRanges;
     gpu::Buffer incidence;

@@ -1,0 +1,61 @@
+#include "sim/mesh/nearest_triangle.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <utility>
+
+#include "sim/boxes.h"
+#include "sim/mesh/closest_point.h"
+
+namespace kerf {
+
+namespace {
+constexpr double kFirstReach = 1e-6;  // of the diagonal
+constexpr double kGrowth = 8;
+}  // namespace
+
+NearestTriangle::NearestTriangle(const std::vector<int>& ids, CornersOf cornersOf)
+    : cornersOf_(std::move(cornersOf)), tree_(ids, [this](int id) { return boundsOf(id); }) {
+    assert(!ids.empty());
+    for (const int id : ids) {
+        bounds_.add(boundsOf(id));
+    }
+}
+
+Bounds NearestTriangle::boundsOf(int id) const {
+    return boxOf(cornersOf_(id));
+}
+
+int NearestTriangle::find(const Vec3& p) {
+    const double least = std::numeric_limits<double>::min();
+    int found = -1;
+    for (double reach = std::max(kFirstReach * bounds_.diagonal(), least); found < 0;
+         reach *= kGrowth) {
+        found = findWithin(p, reach);
+    }
+    return found;
+}
+
+/// -1 where none is within reach.
+int NearestTriangle::findWithin(const Vec3& p, double reach) {
+    Bounds around;
+    around.add(p);
+    around.widen(reach);
+    double least = reach;
+    int found = -1;
+    tree_.find([this](int id) { return boundsOf(id); },
+               [&](const Bounds& box) { return box.overlaps(around); },
+               [&](int id) {
+                   const auto [a, b, c] = cornersOf_(id);
+                   const Vec3 w = closestWeights(p, a, b, c);
+                   const double distance = (w[0] * a + w[1] * b + w[2] * c - p).norm();
+                   if (distance < least || (distance == least && id < found)) {
+                       least = distance;
+                       found = id;
+                   }
+               });
+    return found;
+}
+
+}  // namespace kerf

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/mesh/box_tree.h"
+
+namespace kerf {
+
+/// The nearest of many numbered triangles that do not move.
+class NearestTriangle {
+  public:
+    /// The corners of a triangle; must give the same as long as this lives.
+    using CornersOf = std::function<std::array<Vec3, 3>(int id)>;
+
+    /// `ids` must not be empty.
+    NearestTriangle(const std::vector<int>& ids, CornersOf cornersOf);
+
+    /// The lowest of equally near ones.
+    int find(const Vec3& p);
+
+  private:
+    Bounds boundsOf(int id) const;
+    int findWithin(const Vec3& p, double reach);
+
+    CornersOf cornersOf_;
+    BoxTree tree_;
+    Bounds bounds_;
+};
+
+}  // namespace kerf
