@@ -31,6 +31,8 @@ void Editor::State::apply(const ui::Action& action) {
         answer(answered->choice);
     } else if (const auto* file = std::get_if<ui::FileAction>(&action)) {
         applyToFiles(*file);
+    } else if (const auto* shown = std::get_if<ui::SetDisplay>(&action)) {
+        setDisplay(shown->settings);
     } else if (const auto* set = std::get_if<SetParam>(&action)) {
         execute(*set);
     } else {

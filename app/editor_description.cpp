@@ -56,7 +56,7 @@ void Editor::State::describe() {
     const ui::PanelModel blank;  // GCC 12 takes parts of a temporary for uninitialized
     model = blank;
     model.helpOpen = helpOpen;
-    model.wireframe = wireframe;
+    model.display = display;
     model.history = &noHistory;
     if (scene != nullptr) {
         scene->describe(model);
@@ -72,6 +72,8 @@ void Editor::State::describe() {
     model.axes = axesOf(camera);
     model.orthographic = camera.orthographic;
     if (scene != nullptr) {
+        model.ownSkin = render::toDisplay(ownMaterial().skin);
+        model.ownFlesh = render::toDisplay(ownMaterial().inner);
         const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
         model.overlay = hand.overlay(viewFrame(), inView, *scene);
         bodyHand.addTo(model.overlay, viewFrame(), inView, hand.settings(), *scene);

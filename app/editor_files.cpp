@@ -13,7 +13,8 @@ constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over s
 
 void Editor::State::saveSession(const std::filesystem::path& file) {
     if (startsSaving()) {
-        saving = startSaving(file, scene->recordedSession(camera));
+        saving = startSaving(
+            file, scene->recordedSession(cameraFlight.destination(camera), display.colors));
     }
 }
 
@@ -141,6 +142,7 @@ void Editor::State::show(UploadedDocument uploaded) {
     scene = std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     landCamera();
     camera = scene->document().camera;
+    display.colors = scene->document().session.colors;
     hand.fitTo(scene->bounds());
     bodyHand = {};
     cameraControl.releaseAll();

@@ -1,6 +1,7 @@
 #include <glad/gl.h>
 
 #include <array>
+#include <cmath>
 
 #include "app/editor_state.h"
 
@@ -8,6 +9,8 @@ namespace kerf::app {
 namespace {
 
 constexpr std::array<float, 3> kEmptyColor{0.06F, 0.065F, 0.08F};  // while nothing is open
+
+constexpr float kPanelRounding = 8;  // [px] at scale 1, at least that of the theme
 
 }  // namespace
 
@@ -18,12 +21,41 @@ void Editor::State::ensurePicture() {
     }
 }
 
+render::Material Editor::State::ownMaterial() const {
+    return render::materialFor(scene->document().session.model.name());
+}
+
+/// Their rounded corners are left out.
+std::vector<render::PixelRect> Editor::State::coveredPixels() const {
+    const int inset = static_cast<int>(std::ceil(kPanelRounding * scale()));
+    std::vector<render::PixelRect> hidden;
+    for (const ui::Rect& rect : interface.covered()) {
+        const int x = static_cast<int>(std::ceil(rect.x)) + inset;
+        const int y = static_cast<int>(std::ceil(rect.y)) + inset;
+        hidden.push_back({x, y, static_cast<int>(rect.x + rect.width) - inset - x,
+                          static_cast<int>(rect.y + rect.height) - inset - y});
+    }
+    return hidden;
+}
+
 void Editor::State::drawScene() {
+    const std::vector<render::PixelRect> hidden = coveredPixels();
+    sceneChanged = sceneChanged || hidden != covered;
     if (scene == nullptr || !sceneChanged) {
         return;
     }
+    covered = hidden;
     render::SceneView view = scene->view();
-    view.wireframe = wireframe;
+    view.covered = covered;
+    view.wireframe = display.wireframe;
+    view.material = render::colored(ownMaterial(), display.colors);
+    view.overlays = display.overlays;
+    view.constraints = scene->simulation().constraintView();
+    if (scene->simulation().hands().empty()) {
+        view.constraints.pullCount = 0;  // those of a step before it let go
+    }
+    view.pieceBoxes = scene->simulation().pieceBounds();
+    view.pinned = scene->simulation().pinnedVertices();
     view.pieces = pieceDisplay.looks(scene->simulation().pieceBounds().size());
     sceneTimer.begin();
     renderer.draw(view, camera, options.width, options.height);

@@ -308,7 +308,8 @@ void EditorScene::checkNowAndThen() {
     }
 }
 
-Session EditorScene::recordedSession(const render::Camera& camera) {
+Session EditorScene::recordedSession(const render::Camera& camera,
+                                     const render::ChosenColors& colors) {
     Session session = document_.session;
     session.warnings.clear();
     session.events = journal_.events();
@@ -318,6 +319,7 @@ Session EditorScene::recordedSession(const render::Camera& camera) {
             {session.steps, CheckEvent{simulation_.stateHash(), pieceCount()}});
     }
     session.view = camera;
+    session.colors = colors;
     return session;
 }
 

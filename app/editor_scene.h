@@ -66,7 +66,7 @@ class EditorScene {
     void stopRecording() { recording_ = false; }
     bool recording() const { return recording_; }
     /// All that was done since the start, as a session that ends here with a check of the state.
-    Session recordedSession(const render::Camera& camera);
+    Session recordedSession(const render::Camera& camera, const render::ChosenColors& colors);
 
     /// Notes a picture while time runs: how long after the one before it came [s], and how long it
     /// took to draw [ms].

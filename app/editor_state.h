@@ -40,7 +40,9 @@ struct Editor::State {
           settingsFile(wanted.settingsFile),
           interface(settingsFile.now.theme, scale()),
           renderer(wanted.quality),
-          recent(wanted.recentFiles) {}
+          recent(wanted.recentFiles) {
+        display.quality = wanted.quality;
+    }
 
     EditorOptions options;
     StepClock clock;
@@ -54,6 +56,7 @@ struct Editor::State {
     CameraControl cameraControl;
     Vec2 pointer = Vec2::Zero();  ///< [px]
     gpu::Framebuffer picture;
+    std::vector<render::PixelRect> covered;  ///< of the picture, when its scene was drawn
     ui::PanelModel model;
     ui::History noHistory;
     EditorToast toast;
@@ -83,7 +86,7 @@ struct Editor::State {
     bool sceneChanged = true;
     bool closing = false;
     bool helpOpen = false;
-    bool wireframe = false;
+    ui::DisplaySettings display;
     bool screenshotWanted = false;
     bool strokedOnce = false;
     int settlePasses = kSettlePasses;
@@ -121,6 +124,7 @@ struct Editor::State {
     void performOnView(ui::ActionId id);
     void moveCamera(ui::ActionId id);
     void landCamera();
+    void setDisplay(const ui::DisplaySettings& settings);
 
     // Answers of the panels about the panels: editor_panels.cpp.
     void applyToPanels(const ui::Action& action);
@@ -181,6 +185,8 @@ struct Editor::State {
     // Pictures: editor_picture.cpp.
     void draw();
     void drawScene();
+    render::Material ownMaterial() const;
+    std::vector<render::PixelRect> coveredPixels() const;
     void ensurePicture();
 
     ViewFrame viewFrame() const { return {camera, options.width, options.height}; }

@@ -22,13 +22,59 @@ std::optional<AxisView> axisViewOf(ui::ActionId id) {
     }
 }
 
-}  // namespace
-
-void Editor::State::performOnView(ui::ActionId id) {
+/// False where the action is none of these.
+bool toggleOverlay(ui::DisplaySettings& display, ui::ActionId id) {
+    bool* shown = nullptr;
     switch (id) {
         case ui::ActionId::wireframe:
-            wireframe = !wireframe;
+            shown = &display.wireframe;
+            break;
+        case ui::ActionId::showEdges:
+            shown = &display.overlays.edges;
+            break;
+        case ui::ActionId::showBends:
+            shown = &display.overlays.bends;
+            break;
+        case ui::ActionId::showIspcs:
+            shown = &display.overlays.ispcs;
+            break;
+        case ui::ActionId::showErrors:
+            shown = &display.overlays.errors;
+            break;
+        case ui::ActionId::showContacts:
+            shown = &display.overlays.contacts;
+            break;
+        case ui::ActionId::showBoxes:
+            shown = &display.overlays.boxes;
+            break;
+        default:
+            return false;
+    }
+    *shown = !*shown;
+    return true;
+}
+
+}  // namespace
+
+void Editor::State::setDisplay(const ui::DisplaySettings& settings) {
+    renderer.setQuality(settings.quality);
+    display = settings;
+    sceneChanged = true;
+    settlePasses = kSettlePasses;
+}
+
+void Editor::State::performOnView(ui::ActionId id) {
+    if (toggleOverlay(display, id)) {
+        return;
+    }
+    switch (id) {
+        case ui::ActionId::fineQuality: {
+            const bool fine = display.quality == render::Quality::full;
+            ui::DisplaySettings wanted = display;
+            wanted.quality = fine ? render::Quality::light : render::Quality::full;
+            setDisplay(wanted);
             return;
+        }
         case ui::ActionId::orthographic:
             landCamera();
             camera.orthographic = !camera.orthographic;

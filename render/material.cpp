@@ -12,6 +12,7 @@ constexpr float kRindOfFlesh = 0.15F;
 
 Material ball(float facets) {
     Material material;
+    material.pattern = MaterialPattern::pulp;
     material.facets = facets;
     return material;
 }
@@ -21,7 +22,7 @@ Material banana() {
     material.skin = {0.70f, 0.42f, 0.02f};
     material.inner = {0.60f, 0.50f, 0.27f};
     material.rind = {0.58f, 0.42f, 0.10f};
-    material.pattern = MaterialPattern::pulp;
+    material.pattern = MaterialPattern::rings;
     material.mottle = 0.3f;
     material.spots = 0.7f;
     return material;

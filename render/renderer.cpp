@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
 
 #include "gpu/context.h"
 #include "gpu/program.h"
@@ -12,6 +13,7 @@
 #include "render/passes/floor_pass.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
+#include "render/passes/overlay_pass.h"
 #include "render/passes/smooth_pass.h"
 #include "render/passes/surface_pass.h"
 #include "shaders/shared/shared_types.h"
@@ -20,6 +22,7 @@ namespace kerf::render {
 namespace {
 
 constexpr int kSamples = 4;
+constexpr std::array<float, 3> kCoveredColor{0.2F, 0.21F, 0.24F};  // about that of the floor
 
 gpu::Defines definesFor(Quality quality) {
     return quality == Quality::full ? gpu::Defines{{"SOFT_SHADOWS", "1"}} : gpu::Defines{};
@@ -48,11 +51,28 @@ void resetState() {
     }
 }
 
+/// Brings the near plane there, so that all that is drawn later is hidden; panels let a little of
+/// this ground shine through.
+void closeOff(const std::vector<PixelRect>& covered, int pictureHeight) {
+    const auto [red, green, blue] = kCoveredColor;
+    glEnable(GL_SCISSOR_TEST);
+    glClearColor(red, green, blue, 1);
+    glClearDepth(0);
+    for (const PixelRect& rect : covered) {
+        glScissor(rect.x, pictureHeight - rect.y - rect.height, std::max(rect.width, 0),
+                  std::max(rect.height, 0));
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
+    glClearDepth(1);
+    glDisable(GL_SCISSOR_TEST);
+}
+
 }  // namespace
 
 struct Renderer::State {
-    explicit State(Quality quality)
-        : samples(quality == Quality::full ? std::min(kSamples, gpu::queryDevice().maxSamples) : 1),
+    explicit State(Quality wanted)
+        : quality(wanted),
+          samples(quality == Quality::full ? std::min(kSamples, gpu::queryDevice().maxSamples) : 1),
           shadow(shadowSize(quality)),
           floorShade(floorShadeSize(quality)),
           surface(definesFor(quality)),
@@ -67,8 +87,10 @@ struct Renderer::State {
     void makeTargets(int width, int height);
     void uploadLooks(const SceneView& scene, Frame& frame);
     void drawShadows(const SceneView& scene, const Frame& frame);
+    void drawOverlays(const SceneView& scene, const Frame& frame);
     void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
 
+    const Quality quality;
     int samples;
     std::uint32_t vertexArray = 0;
     gpu::Buffer looks;
@@ -82,6 +104,7 @@ struct Renderer::State {
     FloorPass floor;
     BladePass blade;
     SmoothPass smoothing;
+    std::optional<OverlayPass> overlays;  ///< from the first picture that shows some
 };
 
 void Renderer::State::makeTargets(int width, int height) {
@@ -112,6 +135,18 @@ void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
     }
 }
 
+void Renderer::State::drawOverlays(const SceneView& scene, const Frame& frame) {
+    const bool wanted =
+        scene.overlays.any() || !scene.pinned.empty() || scene.constraints.pullCount > 0;
+    if (!frame.hasBody || !wanted) {
+        return;
+    }
+    if (!overlays) {
+        overlays.emplace();
+    }
+    overlays->draw(scene, frame);
+}
+
 void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, const Frame& frame) {
     drawn.bind();
     glEnable(GL_DEPTH_TEST);
@@ -119,6 +154,7 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glClear(GL_DEPTH_BUFFER_BIT);
+    closeOff(scene.covered, frame.height);
     shadow.bind();
     floorShade.bind();
     if (frame.hasBody) {
@@ -130,6 +166,7 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     if (scene.floor) {
         floor.drawFloor(*scene.floor, frame, camera);
     }
+    drawOverlays(scene, frame);
     blade.drawSweep(scene, frame);
     blade.drawEdges(scene, frame);
     if (samples > 1) {
@@ -142,6 +179,18 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
 Renderer::Renderer(Quality quality) : state_(std::make_unique<State>(quality)) {}
 
 Renderer::~Renderer() = default;
+
+Quality Renderer::quality() const {
+    return state_->quality;
+}
+
+void Renderer::setQuality(Quality quality) {
+    if (quality != state_->quality) {
+        auto next = std::make_unique<State>(quality);
+        next->surface.takeRestShape(state_->surface);
+        state_ = std::move(next);
+    }
+}
 
 void Renderer::setRestShape(const SurfaceMesh& uncut) {
     setRestDepth(measureSkinDepth(uncut));

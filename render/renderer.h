@@ -10,10 +10,12 @@
 #include "render/depth_field.h"
 #include "render/image.h"
 #include "render/material.h"
+#include "render/overlays.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/blade.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/solve/body_view.h"
+#include "sim/solve/constraint_view.h"
 
 namespace kerf::render {
 
@@ -27,6 +29,15 @@ struct PieceLook {
     bool hidden = false;                             ///< neither drawn nor casting a shadow
 };
 
+/// A rectangle of pixels, from the top left corner of the picture.
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    bool operator==(const PixelRect&) const = default;
+};
+
 /// All that a picture shows.
 struct SceneView {
     BodyView body;
@@ -38,7 +49,12 @@ struct SceneView {
     std::vector<Blade> sweep;     ///< poses of the running stroke: translucent quads
     Bounds focus;                 ///< what the shadow map must cover (body, current)
     bool wireframe = false;
-    std::vector<PieceLook> pieces;  ///< by BodyView's pieces; those behind its end look as always
+    std::vector<PieceLook> pieces;   ///< by BodyView's pieces; those behind its end look as always
+    std::vector<PixelRect> covered;  ///< by panels: nothing is drawn there, which saves time
+    Overlays overlays;
+    ConstraintView constraints;         ///< what the overlays show
+    std::vector<Bounds> pieceBoxes;     ///< around the pieces [m]
+    std::vector<std::uint32_t> pinned;  ///< vertices that are marked as pinned
 };
 
 /// Draws a scene into an off-screen target: shadow pass, floor, surface, boxes, blade, overlays.
@@ -48,6 +64,10 @@ class Renderer {
     /// Throws gpu::ShaderError.
     explicit Renderer(Quality quality);
     ~Renderer();
+
+    Quality quality() const;
+    /// Another tier from the next picture on. Throws gpu::ShaderError.
+    void setQuality(Quality quality);
 
     /// Measures how deep each point of the uncut rest shape lies below its skin, so that the rind
     /// and the rings on the cut faces follow that shape. Call it when a model was loaded; cuts

@@ -801,6 +801,10 @@ BodyView Simulation::bodyView() const {
     return state_->solver.view();
 }
 
+ConstraintView Simulation::constraintView() const {
+    return state_->solver.constraintView();
+}
+
 const Bounds& Simulation::bounds() const {
     return state_->measure.bounds;
 }

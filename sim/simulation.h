@@ -13,6 +13,7 @@
 #include "sim/moment.h"
 #include "sim/params.h"
 #include "sim/solve/body_view.h"
+#include "sim/solve/constraint_view.h"
 #include "sim/undo_history.h"
 
 namespace kerf {
@@ -94,6 +95,8 @@ class Simulation {
 
     /// What the renderer draws from; valid until the next step or reset.
     BodyView bodyView() const;
+    /// What overlays draw from; valid as bodyView().
+    ConstraintView constraintView() const;
     /// Box around the body and what each piece holds, as of the last step, without reading anything
     /// back. Pieces stand in the order in which they came off.
     const Bounds& bounds() const;

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "sim/command.h"
+#include "ui/display_settings.h"
 #include "ui/file_dialog_state.h"
 #include "ui/plot_math.h"
 #include "ui/settings.h"
@@ -46,6 +47,13 @@ enum class ActionId : std::uint8_t {
     viewBottom,
     orthographic,
     wireframe,
+    showEdges,
+    showBends,
+    showIspcs,
+    showErrors,
+    showContacts,
+    showBoxes,
+    fineQuality,
     togglePanels,
     holdPlots,
     fitPlots,
@@ -76,6 +84,10 @@ struct SetTools {
 struct PlaceBox {};
 /// Gives up what takes long.
 struct CancelWork {};
+/// Shows the body another way.
+struct SetDisplay {
+    DisplaySettings settings;
+};
 /// One of the choices of the question that is asked.
 struct AnswerQuestion {
     int choice = 0;
@@ -113,8 +125,8 @@ struct ShowPiece {
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
 using Action =
-    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools, PlaceBox, ChangeBox,
-                 RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots, OpenExperiment,
-                 HoverPiece, FramePiece, ShowPiece, AnswerQuestion, FileAction>;
+    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools, SetDisplay, PlaceBox,
+                 ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
+                 OpenExperiment, HoverPiece, FramePiece, ShowPiece, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

@@ -9,6 +9,7 @@
 #include "ui/axes_widget.h"
 #include "ui/boxes_panel.h"
 #include "ui/changes_panel.h"
+#include "ui/display_panel.h"
 #include "ui/experiments_panel.h"
 #include "ui/help_overlay.h"
 #include "ui/hint.h"
@@ -108,6 +109,9 @@ void drawSections(const PanelModel& model, float height, std::vector<Action>& ac
     }
     if (beginSection("simulation", "Simulation", model, actions)) {
         drawParameters(model, actions);
+    }
+    if (beginSection("display", "Display", model, actions)) {
+        drawDisplay(model, actions);
     }
     if (beginSection("window", "Window", model, actions)) {
         drawWindowRows(model, actions);
@@ -217,6 +221,7 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
     const ItemNotes notes(places_);
     const float scale = context_.scale();
     const Layout layout = layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings);
+    noteCovered(model.settings, layout);
     drawOverlay(model.overlay, scale);
     if (model.settings.showControls) {
         drawControls(model, layout.controls, actions);
@@ -226,6 +231,7 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
     }
     drawEdges(model, layout, scale, actions);
     if (!model.name.empty()) {
+        drawLegend(model.display, layout.view, scale);
         drawAxes(model.axes, layout.view, scale, actions);
     }
     drawStatusBar(model, layout.status);
@@ -237,6 +243,16 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
     drawToast(model, layout.view);
     ImGui::Render();
     return actions;
+}
+
+void Interface::noteCovered(const Settings& settings, const Layout& layout) {
+    covered_ = {layout.status};
+    if (settings.showControls) {
+        covered_.push_back(layout.controls);
+    }
+    if (settings.showReadings) {
+        covered_.push_back(layout.plots);
+    }
 }
 
 void Interface::draw(const gpu::Framebuffer& picture) {

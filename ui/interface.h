@@ -37,14 +37,20 @@ class Interface {
     /// Whether a panel's item is held with the pointer.
     bool isDragging() const;
 
+    /// What the panels hid of the view in the last pass.
+    const std::vector<Rect>& covered() const { return covered_; }
+
     /// Where the named items of the last pass are.
     const ItemPlaces& places() const { return places_; }
 
   private:
+    void noteCovered(const Settings& settings, const Layout& layout);
+
     PanelContext context_;
     FileDialog fileDialog_;
     QuestionBox questionBox_;
     ItemPlaces places_;
+    std::vector<Rect> covered_;
 };
 
 }  // namespace kerf::ui

@@ -102,13 +102,28 @@ bool isAvailable(const PanelModel& model, ActionId id) {
 }
 
 bool isOn(const PanelModel& model, ActionId id) {
+    const render::Overlays& overlays = model.display.overlays;
     switch (id) {
         case ActionId::playPause:
             return model.playing;
         case ActionId::toggleGravity:
             return model.params.gravity.norm() > 0;
         case ActionId::wireframe:
-            return model.wireframe;
+            return model.display.wireframe;
+        case ActionId::showEdges:
+            return overlays.edges;
+        case ActionId::showBends:
+            return overlays.bends;
+        case ActionId::showIspcs:
+            return overlays.ispcs;
+        case ActionId::showErrors:
+            return overlays.errors;
+        case ActionId::showContacts:
+            return overlays.contacts;
+        case ActionId::showBoxes:
+            return overlays.boxes;
+        case ActionId::fineQuality:
+            return model.display.quality == render::Quality::full;
         case ActionId::toolStroke:
             return model.tools.tool == Tool::stroke;
         case ActionId::toolScalpel:

@@ -8,6 +8,7 @@
 #include "sim/cut/subdivision_pattern.h"
 #include "sim/params.h"
 #include "ui/axes_widget.h"
+#include "ui/display_settings.h"
 #include "ui/file_dialog_state.h"
 #include "ui/history.h"
 #include "ui/overlay.h"
@@ -105,7 +106,9 @@ struct PanelModel {
     bool recording = false;
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
     bool helpOpen = false;
-    bool wireframe = false;
+    DisplaySettings display;
+    Vec3 ownSkin = Vec3::Zero();  ///< colours of the model itself (see DisplaySettings::colors)
+    Vec3 ownFlesh = Vec3::Zero();
     int step = 0;
     double time = 0;  ///< simulated [s]
     int vertices = 0;

@@ -22,7 +22,8 @@ struct Settings {
     double piecesShare = 0.24;                           ///< of the left panel's height
     double plotsShare = 0.62;                            ///< of the right panel's height
     std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of plotKinds()
-    std::vector<std::string> folded{"experiments"};      ///< sections of the left panel
+    /// Sections of the left panel.
+    std::vector<std::string> folded{"experiments", "display"};
 
     bool operator==(const Settings&) const = default;
 };

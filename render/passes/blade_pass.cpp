@@ -160,13 +160,15 @@ void BladePass::drawBlade(const SceneView& scene, const Frame& frame) {
         return;
     }
     const double height = kBladeHeight * frame.bodySize;
-    const auto knife = KnifeBuilder(*scene.blade, spineDirection(scene), height).build();
+    const Vec3 spine = spineDirection(scene);
+    const auto knife = KnifeBuilder(*scene.blade, spine, height).build();
     vertices_.assign(knife);
     vertices_.bindStorage(shared::kBindSegments);
     steel_.use();
     steel_.set("keyDirection", frame.keyDirection);
     steel_.set("viewProjection", frame.viewProjection);
     steel_.set("eye", frame.eye);
+    steel_.set("spine", Vec3f(spine.cast<float>()));
     glDepthFunc(GL_LESS);
     glDrawArrays(GL_TRIANGLES, 0, GLsizei(knife.size()));
 }

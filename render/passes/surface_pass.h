@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "gpu/program.h"
 #include "render/depth_field.h"
@@ -14,6 +15,8 @@ class SurfacePass {
     /// `defines` of the quality tier go into every program.
     explicit SurfacePass(const gpu::Defines& defines);
     void setDepth(const DepthField& depth);
+    /// What another one was told of the rest shape.
+    void takeRestShape(SurfacePass& other) { depth_ = std::move(other.depth_); }
     /// Into the bound target, with the shadow map bound.
     void draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) const;
 

@@ -27,20 +27,51 @@ float band(float x, float count) {
 }
 
 #if PATTERN == 0
+// The axes of an icosahedron, turned so that no plane along the world's axes lies between two.
+const vec3 kSegmentAxes[6] = vec3[](vec3(0.0819, 0.3767, 0.9227),
+                                   vec3(-0.5897, 0.4981, -0.6358),
+                                   vec3(0.0001, 0.9970, 0.0777),
+                                   vec3(0.8217, -0.4186, -0.3867),
+                                   vec3(0.8725, 0.4305, 0.2315),
+                                   vec3(-0.4574, -0.5055, 0.7316));
+
+// How far from the skin between two segments, 0 on it.
+float segmentDepth(vec3 outwards) {
+    float first = 0.0;
+    float second = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        float along = abs(dot(outwards, kSegmentAxes[i]));
+        second = max(second, min(first, along));
+        first = max(first, along);
+    }
+    return first - second;
+}
+
+// Juice sacks that point outwards, in segments with pale skins between them and a pale core.
+vec3 fleshAlbedo(vec3 rest, float depth) {
+    vec3 away = inUnits(rest);
+    float radius = length(away);
+    vec3 outwards = away / max(radius, 1e-6);
+    float sacks = valueNoise(outwards * 19.0 + 1.1 * depth) - 0.5;
+    float broad = valueNoise(outwards * 7.0 - 1.6 * depth) - 0.5;
+    vec3 flesh = innerColor * (1.0 + 0.42 * sacks + 0.26 * broad);
+    flesh = mix(flesh, flesh * vec3(1.10, 1.0, 0.76), smoothstep(0.1, 0.8, depth));
+    float skins = 1.0 - smoothstep(0.012, 0.028, segmentDepth(outwards) * radius);
+    float core = 1.0 - smoothstep(0.07, 0.12, radius);
+    vec3 pale = min(innerColor * 1.3 + 0.16, vec3(0.9));
+    return mix(flesh, pale, max(0.8 * skins, 0.9 * core));
+}
+#elif PATTERN == 1
+// Rings as deep below the skin everywhere, a darker core with seeds, fine fibres.
 vec3 fleshAlbedo(vec3 rest, float depth) {
     vec3 u = inUnits(rest);
+    float wobble = 0.04 * (valueNoise(u * 6.0) - 0.5);
     float fibre = valueNoise(u * 34.0) - 0.5;
-    vec3 flesh = innerColor * (1.0 + 0.10 * fibre + 0.045 * band(depth, 4.0));
+    vec3 flesh = innerColor * (1.0 + 0.10 * fibre + 0.11 * band(depth + wobble, 6.0));
     float core = smoothstep(0.62, 0.82, depth);
     flesh = mix(flesh, innerColor * vec3(0.80, 0.66, 0.48), 0.75 * core);
     float seed = smoothstep(0.70, 0.80, valueNoise(u * 42.0)) * smoothstep(0.62, 0.72, depth);
     return mix(flesh, vec3(0.10, 0.055, 0.025), 0.7 * seed);
-}
-#elif PATTERN == 1
-vec3 fleshAlbedo(vec3 rest, float depth) {
-    float wobble = 0.05 * (valueNoise(inUnits(rest) * 3.0) - 0.5);
-    vec3 flesh = innerColor * (1.0 + 0.15 * band(depth + wobble, 7.0));
-    return mix(flesh, flesh * vec3(1.22, 1.16, 1.05), smoothstep(0.35, 1.0, depth));
 }
 #else
 vec3 fleshAlbedo(vec3 rest, float depth) {

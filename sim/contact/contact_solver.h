@@ -85,6 +85,9 @@ class ContactSolver {
     std::vector<std::vector<shared::ContactCandidate>> readCandidates() const;
     /// Counts of the last search and the last substep.
     const gpu::Buffer& state() const { return state_; }
+    /// What each point touched in the last substep, shape [state().points]; empty before the first
+    /// step with contact.
+    const gpu::Buffer& records() const { return records_; }
     shared::ContactState readState() const;
 
   private:

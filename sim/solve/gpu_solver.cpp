@@ -728,4 +728,20 @@ BodyView GpuSolver::view() const {
             uniforms_.triangle_count};
 }
 
+ConstraintView GpuSolver::constraintView() const {
+    ConstraintView view;
+    view.bends = &bends_;
+    view.ispcs = &ispcs_;
+    view.pulls = &pulls_;
+    view.bendCount = uniforms_.bend_count;
+    view.ispcCount = uniforms_.ispc_count;
+    view.pullCount = uniforms_.pull_count;
+    if (contacts_.enabled()) {
+        view.contacts = &contacts_.records();
+        view.contactState = &contacts_.state();
+        view.mostContacts = uniforms_.vertex_count;
+    }
+    return view;
+}
+
 }  // namespace kerf

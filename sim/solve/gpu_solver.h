@@ -14,6 +14,7 @@
 #include "sim/contact/box_contact.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/solve/body_view.h"
+#include "sim/solve/constraint_view.h"
 #include "sim/solve/scatter.h"
 #include "sim/solve/vertex_pages.h"
 
@@ -128,6 +129,7 @@ class GpuSolver {
 
     /// The buffers themselves; valid while the solver lives and until setModel() or update().
     BodyView view() const;
+    ConstraintView constraintView() const;
     /// GPU time of the steps since the last call [ms].
     double takeDeformMilliseconds() { return deformTimer_.takeMilliseconds(); }
     double takeCollideMilliseconds() { return collideTimer_.takeMilliseconds(); }

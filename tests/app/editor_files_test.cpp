@@ -119,7 +119,7 @@ TEST_F(EditorFilesTest, KeysMeanNothingElseWhileADialogIsOpen) {
     tap(Key::w);
     tap(Key::v);
     tap(Key::space);
-    EXPECT_FALSE(panels().wireframe);
+    EXPECT_FALSE(panels().display.wireframe);
     EXPECT_EQ(panels().params.gravity, Vec3(Vec3::Zero()));
     EXPECT_FALSE(panels().playing);
     EXPECT_EQ(panels().files.name, "w v");

@@ -135,10 +135,10 @@ class EditorTest : public test::GlTest {
 
 /// What the panels leave free: they show measured times.
 inline std::vector<std::uint8_t> viewPixels(const render::Image& image) {
-    const ui::Rect view = ui::layoutPanels(kWidth, kHeight, 1).view;
+    const ui::Rect view = ui::layoutPanels(float(image.width), float(image.height), 1).view;
     std::vector<std::uint8_t> pixels;
     for (int y = 0; y < static_cast<int>(view.height); ++y) {
-        const auto row = image.pixels.begin() + 4 * (y * kWidth + static_cast<int>(view.x));
+        const auto row = image.pixels.begin() + 4 * ((y + int(view.y)) * image.width + int(view.x));
         pixels.insert(pixels.end(), row, row + 4 * static_cast<int>(view.width));
     }
     return pixels;

@@ -38,6 +38,53 @@ class EditorToolsTest : public EditorTest {
     }
 };
 
+/// Pixels of the picture that are as bright and teal as the blade's edge and the outline of its
+/// way.
+int tealPixels(const render::Image& picture) {
+    int count = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+        const int red = picture.pixels[i];
+        const int green = picture.pixels[i + 1];
+        count += green > 100 && green > red + 40 ? 1 : 0;
+    }
+    return count;
+}
+
+TEST_F(EditorToolsTest, ADragShowsItsBladeWithinTwoPictures) {
+    moveTo(kTop.x(), kTop.y());
+    settle();
+    const int before = tealPixels(editor->readPicture());
+    press(true);
+    moveTo(kTop.x() + 40, kTop.y() + 120);
+    frames(2);
+    EXPECT_GT(tealPixels(editor->readPicture()), before + 40);
+}
+
+TEST_F(EditorToolsTest, AStrokeIsTheSameHoweverSlowThePicturesAre) {
+    const auto run = [&](int eventsPerPicture) {
+        tap(Key::r);
+        moveTo(kTop.x(), kTop.y());
+        press(true);
+        for (int i = 1; i <= 40; ++i) {
+            // A curved way, so that a pose that is lost changes the cut.
+            const double t = i / 40.0;
+            moveTo(kTop.x() + 60 * std::sin(3 * t), kTop.y() + t * (kBottom.y() - kTop.y()));
+            if (i % eventsPerPicture == 0) {
+                editor->frame(1.0 / 3);
+            }
+        }
+        press(false);
+        settle();
+        moveTo(kWidth / 2.0, 5);
+        settle();
+        return std::pair(panels().triangles, viewPixels(editor->readPicture()));
+    };
+    const auto fast = run(1);
+    EXPECT_EQ(panels().pieces.size(), 2U);
+    EXPECT_EQ(run(7), fast);
+    EXPECT_EQ(run(41), fast);
+}
+
 TEST_F(EditorToolsTest, AHandPullsTheBodyWhileItHoldsIt) {
     tap(Key::d);
     frames(1);

@@ -1,4 +1,6 @@
 // The camera, the axes in the corner, what is shown and how.
+#include <cstdlib>
+
 #include "app/session.h"
 #include "tests/app/editor_fixture.h"
 
@@ -7,13 +9,6 @@ namespace {
 
 class EditorViewTest : public EditorTest {
   protected:
-    /// A click in the middle of a named item.
-    void click(const std::string& item) {
-        const ui::Rect place = editor->places().at(item);
-        const Vec2 at(place.x + place.width / 2, place.y + place.height / 2);
-        drag(at, at, 1);
-        settle();
-    }
     Vec3 axis(int i) const { return panels().axes.axes[i]; }
 };
 
@@ -64,6 +59,7 @@ TEST_F(EditorViewTest, TheKeysOfTheAxesLookAlongThem) {
 TEST_F(EditorViewTest, AClickOnAnEndOfTheAxesLooksFromThere) {
     settle();
     click("axes.-X");
+    settle();
     EXPECT_NEAR(axis(0).z(), -1, 1e-3);
     EXPECT_EQ(panels().step, 0) << "and cuts nothing";
 }
@@ -85,6 +81,127 @@ TEST_F(EditorViewTest, AStrokeThatBeginsWhileTheViewFliesIsMadeInTheViewAtItsEnd
     press(true);
     frames(2);
     EXPECT_NEAR(axis(0).z(), 1, 1e-3);
+}
+
+/// Pixels of the view that are nearly of this colour.
+int pixelsOf(const render::DisplayColor& color, const std::vector<std::uint8_t>& pixels) {
+    int count = 0;
+    for (std::size_t i = 0; i < pixels.size(); i += 4) {
+        bool near = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            near = near && std::abs(int(pixels[i + k]) - int(color[k])) < 12;
+        }
+        count += near ? 1 : 0;
+    }
+    return count;
+}
+
+TEST_F(EditorViewTest, EachOverlayIsDrawnInItsColourWithALegend) {
+    struct Row {
+        Key key;
+        render::DisplayColor color;
+        int least;
+    };
+    const std::vector<std::uint8_t> plain = [&] {
+        moveTo(5, 5);
+        settle();
+        return viewPixels(editor->readPicture());
+    }();
+    for (const Row& row :
+         {Row{Key::e, render::kEdgeColor, 1500}, Row{Key::b, render::kBendColor, 1500},
+          Row{Key::i, render::kIspcColor, 50}, Row{Key::o, render::kBoxColor, 400}}) {
+        tap(row.key);
+        settle();
+        const auto shown = viewPixels(editor->readPicture());
+        EXPECT_GT(pixelsOf(row.color, shown), pixelsOf(row.color, plain) + row.least)
+            << int(row.color[0]);
+        tap(row.key);
+    }
+    settle();
+    EXPECT_EQ(viewPixels(editor->readPicture()), plain);
+}
+
+TEST_F(EditorViewTest, ErrorsAreGreyAtRestAndColouredWhereTheBodyIsPulled) {
+    tap(Key::x);
+    settle();
+    const int long0 = pixelsOf(render::kLongColor, viewPixels(editor->readPicture()));
+    tap(Key::d);
+    moveTo(kWidth / 2.0, kHeight / 2.0);
+    press(true);
+    frames(1);
+    moveTo(kWidth / 2.0 + 150, kHeight / 2.0);
+    frames(15);
+    EXPECT_GT(pixelsOf(render::kLongColor, viewPixels(editor->readPicture())), long0 + 50);
+}
+
+TEST_F(EditorViewTest, PinnedVerticesAreMarked) {
+    tap(Key::p);
+    const Vec2 middle(kWidth / 2.0, kHeight / 2.0);
+    drag(middle, middle, 1);
+    moveTo(5, 5);
+    settle();
+    ASSERT_GT(panels().pinned, 0U);
+    EXPECT_GT(pixelsOf(render::kPinColor, viewPixels(editor->readPicture())),
+              8 * static_cast<int>(panels().pinned));
+}
+
+TEST_F(EditorViewTest, ContactsAreMarkedWhereHalvesTouch) {
+    tap(Key::k);
+    test::writeText(folder / "touch.kerf.json", R"({
+        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+        "params": {"gravity": [0, -9.81, 0], "floor": -0.7, "iterations": 4, "contact": 1},
+        "steps": 60,
+        "events": [{"step": 1, "type": "blade", "a": [-2, 0.1, -1.5], "b": [2, 0.1, -1.5]},
+                   {"step": 40, "type": "blade", "a": [-2, 0.1, 1.5], "b": [2, 0.1, 1.5]},
+                   {"step": 41, "type": "lift"}]})");
+    editor->open(folder / "touch.kerf.json");
+    waitForWork();
+    tap(Key::space);
+    int most = 0;
+    for (int i = 0; i < 70; ++i) {
+        frames(1);
+        most = std::max(most, pixelsOf(render::kContactColor, viewPixels(editor->readPicture())));
+    }
+    EXPECT_EQ(editor->title(), "Kerf - touch - 2 pieces");
+    EXPECT_GT(most, 40);
+}
+
+TEST_F(EditorViewTest, TheFinePictureIsSmootherAndTheChoiceIsKept) {
+    moveTo(5, 5);
+    settle();
+    const auto light = viewPixels(editor->readPicture());
+    EXPECT_EQ(panels().display.quality, render::Quality::light);
+    tap(Key::q);
+    settle();
+    EXPECT_EQ(panels().display.quality, render::Quality::full);
+    EXPECT_NE(viewPixels(editor->readPicture()), light);
+    tap(Key::q);
+    settle();
+    EXPECT_EQ(viewPixels(editor->readPicture()), light);
+}
+
+TEST_F(EditorViewTest, ColoursAreKeptInTheSessionAndShownAgain) {
+    const Session before = [&] {
+        Session session;
+        session.model.builtin = "sphere80";
+        session.steps = 1;
+        session.params.floor = -0.7;
+        session.view = render::Camera{.eye = {0, 0.4, 3}};
+        session.colors.skin = Vec3(0.1, 0.2, 0.9);
+        return session;
+    }();
+    test::writeText(folder / "blue.kerf.json", formatSession(before, folder.path()));
+    editor->open(folder / "blue.kerf.json");
+    waitForWork();
+    moveTo(5, 5);
+    settle();
+    EXPECT_EQ(panels().display.colors.skin, Vec3(0.1, 0.2, 0.9));
+    const render::Image picture = editor->readPicture();
+    const std::size_t middle = 4 * (std::size_t(kHeight / 2) * kWidth + kWidth / 2);
+    EXPECT_GT(picture.pixels[middle + 2], 2 * picture.pixels[middle]) << "blue, not red";
+    std::filesystem::remove(folder / "blue.kerf.json");
+    saveByKeys();
+    EXPECT_EQ(readSession(onlyFile(folder.path())).colors.skin, before.colors.skin);
 }
 
 }  // namespace

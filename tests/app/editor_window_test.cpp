@@ -1,13 +1,17 @@
-// The editor in a real window under a virtual display, driven by synthetic mouse and keys.
+// The editor in a real window under a virtual display, driven by synthetic mouse and keys, beside
+// the same editor without one.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <string>
 
 #include "app/model_source.h"
+#include "app/replay.h"
 #include "render/image.h"
+#include "tests/app/editor_fixture.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -47,23 +51,165 @@ std::map<std::string, std::string> valuesIn(const std::string& text) {
     return values;
 }
 
-TEST(EditorWindow, ADragThroughTheMiddleCutsTheDropInInTwo) {
+/// What a person does, for xdotool as for the input queue.
+class Acts {
+  public:
+    void moveTo(const Vec2& at) {
+        shell_ += "xdotool mousemove " + std::to_string(int(at.x())) + " " +
+                  std::to_string(int(at.y())) + "\n";
+        events_.emplace_back(ui::PointerMove{std::floor(at.x()), std::floor(at.y()), {}});
+    }
+    void press(bool down) {
+        shell_ += std::string("xdotool ") + (down ? "mousedown" : "mouseup") + " 1\n";
+        events_.emplace_back(ui::ButtonChange{ui::Button::left, down, {}});
+    }
+    void drag(const Vec2& from, const Vec2& to, int points) {
+        moveTo(from);
+        press(true);
+        for (int i = 1; i <= points; ++i) {
+            moveTo(from + (to - from) * i / points);
+        }
+        press(false);
+    }
+    void tap(const std::string& name, ui::Key key, const ui::Modifiers& modifiers = {}) {
+        shell_ += "xdotool key " + name + "\n";
+        events_.emplace_back(ui::KeyChange{key, true, modifiers});
+        events_.emplace_back(ui::KeyChange{key, false, modifiers});
+    }
+    /// Until the window says so; the editor without one is done at once.
+    void see(const std::string& name, const std::string& titleEnd) {
+        shell_ += "see " + name + " '" + titleEnd + "'\n";
+    }
+    void seeFile(const std::string& name, const std::string& pattern) {
+        shell_ += "seeFile " + name + " '" + pattern + "'\n";
+    }
+    /// Until all that moves has come to rest.
+    void rest() { shell_ += "rest\n"; }
+
+    const std::string& shell() const { return shell_; }
+    /// Does it without a window.
+    void feed(Editor& editor) const {
+        for (const ui::InputEvent& event : events_) {
+            editor.post(event);
+            settle(editor);
+        }
+    }
+    static void settle(Editor& editor) {
+        for (int i = 0; i < 2000 && (editor.idleSeconds() == 0 || editor.working()); ++i) {
+            editor.frame(1.0 / 60);
+            if (editor.working()) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+        }
+    }
+
+  private:
+    std::string shell_;
+    std::vector<ui::InputEvent> events_;
+};
+
+/// Cuts from top to bottom through the middle, changes a parameter, takes both back and brings them
+/// back again, takes a picture and saves a session.
+Acts actsFor(const ui::ItemPlaces& places, int width, int height) {
+    Acts acts;
+    acts.drag(Vec2(width / 2.0, 40), Vec2(width / 2.0, height - 60.0), 16);
+    acts.see("cut", "- 2 pieces");
+    acts.rest();
+    const ui::Rect slider = places.at("param.iterations");
+    const double y = slider.y + slider.height / 2;
+    acts.drag(Vec2(slider.x + 0.4 * slider.width, y), Vec2(slider.x + 0.7 * slider.width, y), 5);
+    acts.tap("ctrl+z", ui::Key::z, {.control = true});
+    acts.tap("ctrl+z", ui::Key::z, {.control = true});
+    acts.see("undone", "- 1 piece");
+    acts.tap("ctrl+shift+z", ui::Key::z, {.shift = true, .control = true});
+    acts.see("redone", "- 2 pieces");
+    acts.tap("ctrl+y", ui::Key::y, {.control = true});
+    acts.moveTo(Vec2(width / 2.0, 60));
+    acts.rest();
+    acts.tap("F12", ui::Key::f12);
+    acts.seeFile("picture", "kerf-*.png");
+    acts.tap("ctrl+s", ui::Key::s, {.control = true});
+    acts.rest();
+    acts.tap("Return", ui::Key::enter);
+    acts.seeFile("session", "*.kerf.json");
+    return acts;
+}
+
+/// The one file with this ending.
+std::filesystem::path fileEnding(const std::filesystem::path& folder, const std::string& ending) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().string().ends_with(ending)) {
+            return entry.path();
+        }
+    }
+    ADD_FAILURE() << "no file *" << ending << " in " << folder;
+    return {};
+}
+
+CheckEvent lastCheck(const Session& session) {
+    return std::get<CheckEvent>(session.events.back().action);
+}
+
+class EditorWindowTest : public test::GlTest {
+  protected:
+    static constexpr int kPictureWidth = 1280;
+    static constexpr int kPictureHeight = 720;
+
+    EditorOptions options() const {
+        EditorOptions options;
+        options.width = kPictureWidth;
+        options.height = kPictureHeight;
+        options.quality = render::Quality::light;
+        options.byTheClock = false;
+        options.screenshotFolder = headless.path();
+        return options;
+    }
+    /// What the window and its driver say.
+    std::map<std::string, std::string> drive(const Acts& acts) {
+        test::writeText(window / "acts.sh", acts.shell());
+        seen = outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                        "/tests/app/editor_window.sh " KERF_BINARY_DIR "/kerf " +
+                        window.path().string() + " " + (window / "acts.sh").string() + " 2>&1");
+        return valuesIn(seen);
+    }
+
+    test::TemporaryFolder window;
+    test::TemporaryFolder headless;
+    std::string seen;
+};
+
+TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow) {
     if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
         GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
     }
-    const test::TemporaryFolder folder;
-    const std::string seen = outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                                      "/tests/app/editor_window.sh " KERF_BINARY_DIR "/kerf " +
-                                      folder.path().string() + " 2>&1");
-    SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
-    std::map<std::string, std::string> values = valuesIn(seen);
+    Editor editor(options(), openDefaultDocument());
+    Acts::settle(editor);
+    const Acts acts = actsFor(editor.places(), kPictureWidth, kPictureHeight);
+
+    std::map<std::string, std::string> values = drive(acts);
+    SCOPED_TRACE(seen + test::readBytes(window / "errors.txt"));
     EXPECT_EQ(values["opened"], "Kerf - drop-in - 1 piece");
     EXPECT_EQ(values["cut"], "Kerf - drop-in - 2 pieces");
+    EXPECT_EQ(values["undone"], "Kerf - drop-in - 1 piece");
+    EXPECT_EQ(values["redone"], "Kerf - drop-in - 2 pieces");
+    EXPECT_THAT(values["picture"], ::testing::MatchesRegex("kerf-[0-9]{8}-[0-9]{6}\\.png"));
     EXPECT_EQ(values["exit"], "0");
-    ASSERT_THAT(values["screenshot"], ::testing::MatchesRegex("kerf-[0-9]{8}-[0-9]{6}\\.png"));
-    const render::Image picture = render::readPng(folder / values["screenshot"]);
-    EXPECT_EQ(picture.width, 1280);
-    EXPECT_EQ(picture.height, 720);
+
+    acts.feed(editor);
+    EXPECT_EQ(editor.title(), "Kerf - drop-in - 2 pieces");
+    const render::Image shown = render::readPng(fileEnding(window.path(), ".png"));
+    EXPECT_EQ(shown.width, kPictureWidth);
+    EXPECT_EQ(shown.height, kPictureHeight);
+    const render::Image drawn = render::readPng(fileEnding(headless.path(), ".png"));
+    EXPECT_TRUE(viewPixels(shown) == viewPixels(drawn)) << "but for the panels, which show times";
+
+    const Session session = readSession(fileEnding(window.path(), ".kerf.json"));
+    const Session same = readSession(fileEnding(headless.path(), ".kerf.json"));
+    EXPECT_EQ(lastCheck(session).hash, lastCheck(same).hash);
+    test::TemporaryFolder out;
+    const ReplayResult result = replaySession(session, loadSessionModel(session), out.path(), {});
+    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
+    EXPECT_EQ(result.summary.stateHash, lastCheck(session).hash);
 }
 
 TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {

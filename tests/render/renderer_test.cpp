@@ -240,6 +240,31 @@ TEST_F(RendererTest, BoxesAreDrawnAndShadowed) {
     EXPECT_GT(darker, 300);
 }
 
+TEST_F(RendererTest, WhatPanelsCoverIsLeftOutAndTheRestIsTheSame) {
+    Stage stage(test::cubeSphere(8));
+    const Image all = pictureOf(stage);
+    stage.scene.covered = {{10, 20, kWidth / 2, kHeight / 2}};
+    const Image open = pictureOf(stage);
+    const auto isCovered = [](int x, int y, int margin) {
+        return x >= 10 - margin && x < 10 + kWidth / 2 + margin && y >= 20 - margin &&
+               y < 20 + kHeight / 2 + margin;
+    };
+    constexpr int kSmoothed = 6;  // edges are smoothed over so many pixels
+    int reddish = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            if (isCovered(x, y, -kSmoothed)) {
+                reddish += isReddish(pixelAt(open, x, y)) ? 1 : 0;
+            } else if (!isCovered(x, y, kSmoothed)) {
+                ASSERT_TRUE(
+                    std::equal(pixelAt(all, x, y), pixelAt(all, x, y) + 4, pixelAt(open, x, y)))
+                    << x << ", " << y;
+            }
+        }
+    }
+    EXPECT_EQ(reddish, 0);
+}
+
 TEST_F(RendererTest, DegenerateBladeAndCameraAreHarmless) {
     Stage stage(test::cubeSphere(4));
     stage.scene.blade = Blade{Vec3(0, 1, 0), Vec3(0, 1, 0)};

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace kerf::render {
+
+/// What of the solver is drawn over the body.
+struct Overlays {
+    bool edges = false;
+    bool bends = false;
+    bool ispcs = false;
+    bool contacts = false;
+    bool boxes = false;  ///< around each piece
+    /// Colours edges, bends and ISPCs by how far they are from rest instead of by type; edges are
+    /// shown where none of the three is chosen.
+    bool errors = false;
+
+    bool showsEdges() const { return edges || (errors && !bends && !ispcs); }
+    bool any() const { return edges || bends || ispcs || contacts || boxes || errors; }
+    bool operator==(const Overlays&) const = default;
+};
+
+/// Red, green, blue as displays take them, 0 to 255: Okabe and Ito's, which most people with colour
+/// blindness tell apart.
+using DisplayColor = std::array<std::uint8_t, 3>;
+inline constexpr DisplayColor kEdgeColor{86, 180, 233};
+inline constexpr DisplayColor kBendColor{230, 159, 0};
+inline constexpr DisplayColor kIspcColor{204, 121, 167};
+inline constexpr DisplayColor kContactColor{213, 94, 0};
+inline constexpr DisplayColor kBoxColor{0, 158, 115};
+inline constexpr DisplayColor kPinColor{240, 228, 66};
+// Of errors: shorter or flatter than at rest, at rest, longer or more bent.
+inline constexpr DisplayColor kShortColor{0, 114, 178};
+inline constexpr DisplayColor kRestColor{235, 235, 235};
+inline constexpr DisplayColor kLongColor{213, 94, 0};
+/// Errors from here on have the full colour: share of the rest length, or bend [rad].
+inline constexpr float kFullError = 0.2F;
+
+}  // namespace kerf::render

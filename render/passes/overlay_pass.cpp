@@ -1,0 +1,185 @@
+#include "render/passes/overlay_pass.h"
+
+#include <glad/gl.h>
+
+#include <vector>
+
+#include "shaders/shared/render_bindings.h"
+
+namespace kerf::render {
+namespace {
+
+constexpr float kLineWidth = 1.3F;  // [px]
+constexpr float kPullWidth = 1.6F;
+constexpr float kBoxWidth = 1.6F;
+constexpr float kContactRadius = 3.5F;
+constexpr float kPinRadius = 4;
+constexpr float kHiddenInside = 0.5F;  // of what lies inside by nature
+constexpr float kHidden = 0.14F;       // of what lies behind
+
+Eigen::Vector3f tone(const DisplayColor& c) {
+    return Eigen::Vector3f(c[0], c[1], c[2]) / 255;
+}
+
+gpu::Program constraintProgram(const char* kind) {
+    return gpu::Program::graphics("render/constraint.vert", "render/constraint.frag",
+                                  {{"KIND", kind}});
+}
+
+gpu::Program dotProgram(const char* kind) {
+    return gpu::Program::graphics("render/dot.vert", "render/dot.frag", {{"KIND", kind}});
+}
+
+/// Twice: fainter what is hidden, then what is seen. `set` takes the strength.
+template <class Set>
+void drawBothSides(GLsizei vertices, float hidden, Set&& set) {
+    glDepthFunc(GL_GREATER);
+    set(hidden);
+    glDrawArrays(GL_TRIANGLES, 0, vertices);
+    glDepthFunc(GL_LEQUAL);
+    set(1.0F);
+    glDrawArrays(GL_TRIANGLES, 0, vertices);
+}
+
+void setView(const gpu::Program& program, const Frame& frame) {
+    program.set("viewProjection", frame.viewProjection);
+    program.set("viewport", Eigen::Vector2f(float(frame.width), float(frame.height)));
+}
+
+void setTones(const gpu::Program& program, const DisplayColor& type, bool errors) {
+    program.set("showError", errors ? 1.0F : 0.0F);
+    program.set("fullError", kFullError);
+    program.set("typeColor", tone(type));
+    program.set("shortColor", tone(kShortColor));
+    program.set("restColor", tone(kRestColor));
+    program.set("longColor", tone(kLongColor));
+}
+
+std::vector<shared::vec4> edgesOf(const Bounds& box) {
+    const auto packed = [&](int corner) {
+        const Vec3 p = box.corner(corner);
+        return shared::vec4{float(p.x()), float(p.y()), float(p.z()), 1};
+    };
+    std::vector<shared::vec4> ends;
+    for (int corner = 0; corner < 8; ++corner) {
+        for (const int bit : {1, 2, 4}) {
+            if ((corner & bit) == 0) {
+                ends.push_back(packed(corner));
+                ends.push_back(packed(corner | bit));
+            }
+        }
+    }
+    return ends;
+}
+
+}  // namespace
+
+OverlayPass::OverlayPass()
+    : constraints_{constraintProgram("0"), constraintProgram("1"), constraintProgram("2"),
+                   constraintProgram("3")},
+      chosen_(dotProgram("0")),
+      contacts_(dotProgram("1")),
+      lines_(gpu::Program::graphics("render/line.vert", "render/line.frag")) {}
+
+void OverlayPass::draw(const SceneView& scene, const Frame& frame) {
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    scene.body.positions->bindStorage(shared::kBindPositions);
+    scene.body.restPositions->bindStorage(shared::kBindRestPositions);
+    if (scene.overlays.ispcs) {
+        drawConstraints(ispcs, scene, frame);
+    }
+    if (scene.overlays.showsEdges()) {
+        drawConstraints(edges, scene, frame);
+    }
+    if (scene.overlays.bends) {
+        drawConstraints(bends, scene, frame);
+    }
+    drawConstraints(pulls, scene, frame);
+    drawBoxes(scene, frame);
+    drawContacts(scene, frame);
+    drawPins(scene, frame);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+}
+
+void OverlayPass::drawConstraints(Kind kind, const SceneView& scene, const Frame& frame) {
+    const ConstraintView& view = scene.constraints;
+    struct Source {
+        const gpu::Buffer* records;
+        std::uint32_t quads;
+        DisplayColor color;
+        float width;
+        float hidden;
+    };
+    const std::array<Source, 4> sources{
+        {{scene.body.triangles, 3 * scene.body.triangleCount, kEdgeColor, kLineWidth, 0},
+         {view.bends, 2 * view.bendCount, kBendColor, kLineWidth, 0},
+         {view.ispcs, view.ispcCount, kIspcColor, kLineWidth, kHiddenInside},
+         {view.pulls, view.pullCount, kPinColor, kPullWidth, kHiddenInside}}};
+    const Source& source = sources[kind];
+    if (source.records == nullptr || source.quads == 0) {
+        return;
+    }
+    source.records->bindStorage(kind == edges ? shared::kBindTriangles : shared::kBindConstraints);
+    const gpu::Program& program = constraints_[kind];
+    program.use();
+    setView(program, frame);
+    program.set("width", source.width);
+    setTones(program, source.color, scene.overlays.errors && kind != pulls);
+    drawBothSides(GLsizei(6 * source.quads), source.hidden,
+                  [&](float strength) { program.set("strength", strength); });
+}
+
+void OverlayPass::drawContacts(const SceneView& scene, const Frame& frame) {
+    const ConstraintView& view = scene.constraints;
+    if (!scene.overlays.contacts || view.contacts == nullptr || view.mostContacts == 0) {
+        return;
+    }
+    view.contacts->bindStorage(shared::kBindConstraints);
+    view.contactState->bindStorage(shared::kBindContactState);
+    contacts_.use();
+    setView(contacts_, frame);
+    contacts_.set("radius", kContactRadius);
+    contacts_.set("tone", tone(kContactColor));
+    drawBothSides(GLsizei(6 * view.mostContacts), kHiddenInside,
+                  [&](float strength) { contacts_.set("strength", strength); });
+}
+
+void OverlayPass::drawPins(const SceneView& scene, const Frame& frame) {
+    if (scene.pinned.empty()) {
+        return;
+    }
+    pinned_.assign(scene.pinned);
+    pinned_.bindStorage(shared::kBindConstraints);
+    chosen_.use();
+    setView(chosen_, frame);
+    chosen_.set("radius", kPinRadius);
+    chosen_.set("tone", tone(kPinColor));
+    drawBothSides(GLsizei(6 * scene.pinned.size()), kHidden,
+                  [&](float strength) { chosen_.set("strength", strength); });
+}
+
+void OverlayPass::drawBoxes(const SceneView& scene, const Frame& frame) {
+    std::vector<shared::vec4> ends;
+    for (const Bounds& box : scene.pieceBoxes) {
+        if (scene.overlays.boxes && !box.empty()) {
+            const auto lines = edgesOf(box);
+            ends.insert(ends.end(), lines.begin(), lines.end());
+        }
+    }
+    if (ends.empty()) {
+        return;
+    }
+    boxes_.assign(ends);
+    boxes_.bindStorage(shared::kBindSegments);
+    lines_.use();
+    setView(lines_, frame);
+    lines_.set("width", kBoxWidth);
+    const Eigen::Vector3f color = tone(kBoxColor);
+    drawBothSides(GLsizei(3 * ends.size()), kHidden, [&](float strength) {
+        lines_.set("tint", Eigen::Vector4f(color.x(), color.y(), color.z(), strength));
+    });
+}
+
+}  // namespace kerf::render
