@@ -12,7 +12,7 @@ namespace kerf {
 struct TriangleSoup {
     std::vector<Vec3> positions;  ///< [m]
     std::vector<Triangle> triangles;
-    std::vector<CornerUvs> uvs;  ///< one per triangle, or none at all
+    std::vector<CornerUvs> uvs{};  ///< one per triangle, or none at all
 };
 
 /// Joins vertices with bit-equal coordinates (-0 equals 0) and drops unused ones. The order of
