@@ -1,7 +1,7 @@
 // What contact must hold: halves that rest on each other, an octopus dropped on
 // its arms, bodies dropped and thrown at random.
-//   kerf_contact_bench [halves|blocks|octopus|collision|drops] [--runs N] [--first I] [--seed S]
-//   [--NAME VALUE ...]
+//   kerf_contact_bench [halves|blocks|octopus|speed|collision|drops] [--runs N] [--first I]
+//   [--seed S] [--NAME VALUE ...]
 // where NAME is a parameter of the simulation.
 
 #include <cmath>
@@ -78,6 +78,12 @@ void play(const Options& options) {
     if (asked("octopus")) {
         std::printf("octopus: %s\n", text(dropOctopus(options.params)).c_str());
         std::fflush(stdout);
+    }
+    if (asked("speed")) {
+        for (const char* model : {"sphere768", "banana", "octopus"}) {
+            std::printf("%s: %s\n", model, text(timeDrop(model, options.params)).c_str());
+            std::fflush(stdout);
+        }
     }
     if (asked("collision")) {
         std::printf("collision: %s\n", text(collideSpheres(options.params)).c_str());

@@ -672,9 +672,9 @@ void Simulation::State::putBladeAway() {
 SnapshotPointer Simulation::State::capture() {
     syncMesh();
     if (!current) {
-        current = std::make_shared<const Snapshot>(Snapshot{mesh, *body, *cutter, solver.pages(),
-                                                            volumeTargets, hands, pins, measure,
-                                                            closed, subdivisions});
+        current = std::make_shared<const Snapshot>(
+            Snapshot{mesh, *body, *cutter, solver.pages(), volumeTargets, hands, pins, measure,
+                     solver.contactMemory(), closed, subdivisions});
     }
     return current;
 }
@@ -690,6 +690,7 @@ void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
     closed = snapshot->closed;
     subdivisions = snapshot->subdivisions;
     solver.restoreModel(model(), stateOf(mesh), snapshot->pages);
+    solver.rememberContacts(snapshot->contact);
     solver.setVolumeTargets(volumeTargets.targets());
     solver.setPinned(pins.vertices());
     solver.saveState();

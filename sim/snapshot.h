@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "sim/body/body_updater.h"
+#include "sim/contact/contact_solver.h"
 #include "sim/cut/cutter.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/solve/hands.h"
@@ -24,6 +25,7 @@ struct Snapshot {
     Hands hands;
     Pins pins;
     BodyMeasure measure;
+    ContactMemory contact;
     bool closed = true;
     SubdivisionCounts subdivisions;
 };

@@ -20,8 +20,8 @@ uint vertexOf(int index) {
 #if KIND == 0
     return chosen[index];
 #else
-    bool touches = uint(index) < state.points && records[index].v0 != kNoVertex;
-    return touches ? records[index].point : kNoVertex;
+    bool touches = uint(index) < state.points && records[index].v1 != kNoVertex;
+    return touches ? records[index].v0 : kNoVertex;
 #endif
 }
 

@@ -30,6 +30,7 @@ SHARED_CONST uint kMarksBinding = 6u;         // uint per piece: not 0 where it 
 SHARED_CONST uint kPatchesBinding = 0u;       // WordPatch, for a kernel of its own
 SHARED_CONST uint kPatchedBinding = 1u;       // what it writes to
 SHARED_CONST uint kContactCountsOfStepBinding = 5u;  // ContactState
+SHARED_CONST uint kSearchedBinding = 8u;             // vec4: X at the last search for contacts [m]
 
 SHARED_END
 #endif

@@ -1,6 +1,7 @@
 // Records and bindings of the kernels for contact with static boxes, std430.
 #ifndef KERF_BOX_RECORDS_H
 #define KERF_BOX_RECORDS_H
+#include "contact_records.h"
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -12,9 +13,6 @@ SHARED_CONST uint kBoxBoxesBinding = 4u;         // BoxRecord: those near the bo
 SHARED_CONST uint kBoxRecordsBinding = 5u;       // BoxTouch per triangle
 SHARED_CONST uint kBoxSharesBinding = 6u;        // uint per vertex: touches that it is part of
 SHARED_CONST uint kBoxSumsBinding = 7u;          // 6 int per vertex: fixed-point d, then X
-
-// Share of a missing thickness that a substep makes up for.
-SHARED_CONST float kBoxThicknessRate = 0.1f;
 
 struct BoxUniforms {
     float thickness;        // distance kept from a box [m]

@@ -14,8 +14,10 @@ SHARED_CONST uint kContactTrianglesBinding = 5u;     // uvec4, see BodyView
 SHARED_CONST uint kContactNormalsBinding = 6u;       // vec4 per vertex, see normals.comp
 SHARED_CONST uint kContactRestNormalsBinding = 7u;   // the same of the rest shape
 SHARED_CONST uint kContactBoxesBinding = 8u;         // ContactBox per triangle
-SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per active point
-SHARED_CONST uint kContactStartsBinding = 9u;        // uint per bucket: first entry in its block
+SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per listed point, then as many
+                                                     // for the edges at them
+SHARED_CONST uint kContactEdgePairsBinding = 2u;     // EdgePair, kEdgePairsPerPoint a point
+SHARED_CONST uint kContactStartsBinding = 9u;        // ContactBucket
 SHARED_CONST uint kContactSharesBinding = 9u;        // uint per vertex: contacts that it is part of
 SHARED_CONST uint kContactBlocksBinding = 10u;       // uint per block of buckets: its first entry
 SHARED_CONST uint kContactSumsBinding = 10u;         // 6 int per vertex: fixed-point d, then X
@@ -28,6 +30,7 @@ SHARED_CONST uint kContactCandidatesBinding = 13u;  // ContactCandidate, kCandid
 SHARED_CONST uint kContactPointsBinding = 14u;      // uint: points with candidates
 SHARED_CONST uint kContactBucketsBinding = 14u;     // uint per triangle: its bucket
 SHARED_CONST uint kContactStateBinding = 15u;       // ContactState
+SHARED_CONST uint kContactRingsBinding = 10u;       // as kContactIncidenceBinding
 
 SHARED_END
 #endif

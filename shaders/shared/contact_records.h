@@ -22,8 +22,18 @@ SHARED_CONST float kSlabDepth = 0.05f;
 // Up to this distance in the rest shape, times h, opposed pairs with the vertex behind the triangle
 // are taken for the two sides of an arm.
 SHARED_CONST float kArmWidth = 8.0f;
+// A later candidate takes the place of an earlier one where its squared distance is below this
+// share: neighbours that meet in the nearest point do not change places by rounding.
+SHARED_CONST float kNearerBy = 0.9999f;
 // Share of a missing thickness that a substep makes up for.
 SHARED_CONST float kThicknessRate = 0.1f;
+// Pairs of edges at each point, the nearest ones.
+SHARED_CONST uint kEdgePairsPerPoint = 4u;
+// Edges meet where the line across both leans no farther from the normals of their surfaces:
+// cosine.
+SHARED_CONST float kAcross = 0.3f;
+// Edges that lie this deep in each other, times h, are left to the vertices.
+SHARED_CONST float kEdgeDepth = 0.25f;
 
 // Bits of the w of a vertex normal: what its triangles are.
 SHARED_CONST uint kTouchesSkin = 1u;
@@ -48,8 +58,18 @@ struct ContactUniforms {
 
 // The box around a triangle.
 struct ContactBox {
-    vec4 low;   // w unused
+    vec4 low;   // w: as uint, kFirstBin + the bin of its normal, see directions.glsl
     vec4 high;  // w unused
+};
+
+// Added to a bin: a word with these bits is an ordinary number as a float.
+SHARED_CONST uint kFirstBin = 0x3f800000u;
+SHARED_CONST uint kNoBin = 24u;  // of a triangle without an area
+
+// A bucket of the grid.
+struct ContactBucket {
+    uint start;       // first entry in its block
+    uint directions;  // bins of the normals of its triangles
 };
 
 // A triangle that a point may touch.
@@ -58,15 +78,22 @@ struct ContactCandidate {
     float thickness;  // [m]
 };
 
-// What a point touches in a substep.
+// An edge at a point that may touch an edge of a triangle.
+struct EdgePair {
+    uint other;       // end of the edge from the point; kNoVertex: none, and none after it
+    uint edge;        // 4 * triangle + the corner at which its edge begins
+    float thickness;  // [m]
+};
+
+// What a point or an edge at it touches in a substep.
 struct ContactRecord {
-    vec4 normal;   // of the triangle; w: how far X is to be pushed apart along it [m]
-    vec4 impulse;  // xyz: how the point's d is to change against the triangle's [m]; w unused
-    vec4 weights;  // xyz: of the point of the triangle's plane that answers; w unused
-    uint v0;       // corners of the triangle; kNoVertex: nothing is touched
-    uint v1;
+    vec4 normal;   // towards the point; w: how far X is to be pushed apart along it [m]
+    vec4 impulse;  // xyz: how the difference of the d is to change [m]; w unused
+    vec4 gains;    // of the vertices in that difference
+    uint v0;       // the point
+    uint v1;       // kNoVertex: nothing is touched
     uint v2;
-    uint point;
+    uint v3;
 };
 
 // Counts, and the work groups of the kernels that run over what was counted.

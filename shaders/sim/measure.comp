@@ -1,6 +1,6 @@
-// What the CPU wants to know after a step: volume, boxes of positions and velocities, energy and
-// whether a vertex is lost (not finite, or faster than anything real), per block; behind the blocks,
-// how many contacts there were. Reads X, velocities, neighbours, places, pages, pieces, blocks, the
+// What the CPU wants to know after a step: volume, boxes of positions, velocities and ways since the
+// last search for contacts, energy and whether a vertex is lost (not finite, or faster than anything
+// real), per block; behind the blocks, how many contacts there were. Reads X, velocities, neighbours, places, pages, pieces, blocks, the
 // state of contact. Writes block measures. One group per block; sums in a fixed order (see
 // volume_gradient). The CPU reads the result.
 #include "bindings.h"
@@ -21,12 +21,15 @@ layout(std430, binding = kPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
 layout(std430, binding = kContactCountsOfStepBinding) readonly buffer Contacts { ContactState contacts; };
+layout(std430, binding = kSearchedBinding) readonly buffer Searched { vec4 searched[]; };
 layout(std430, binding = kBlockSumsBinding) writeonly buffer Measures { BlockMeasure measures[]; };
 
 shared vec4 lows[kGroupSize];
 shared vec4 highs[kGroupSize];
 shared vec4 slowest[kGroupSize];
 shared vec4 fastest[kGroupSize];
+shared vec3 leastWay[kGroupSize];
+shared vec3 mostWay[kGroupSize];
 
 vec3 span(uint from, uint to) {
     return fetch(positions, to).xyz - fetch(positions, from).xyz;
@@ -62,6 +65,8 @@ void main() {
     vec4 high = vec4(vec3(-1e30), 0.0);
     vec4 slow = vec4(vec3(1e30), 0.0);
     vec4 fast = vec4(vec3(-1e30), 0.0);
+    vec3 least = vec3(1e30);
+    vec3 most = vec3(-1e30);
     for (uint i = 0u; i < block.page_count; ++i) {
         uint v = fetch(places, kPageSize * pages[block.first_page + i] + self).x;
         if (v == kNoVertex) continue;
@@ -73,11 +78,16 @@ void main() {
         vec2 energy = energyOf(x, u);
         slow = vec4(min(slow.xyz, u), slow.w + energy.x);
         fast = vec4(max(fast.xyz, u), fast.w + energy.y);
+        vec3 way = p - searched[v].xyz;
+        least = min(least, way);
+        most = max(most, way);
     }
     lows[self] = low;
     highs[self] = high;
     slowest[self] = slow;
     fastest[self] = fast;
+    leastWay[self] = least;
+    mostWay[self] = most;
     for (uint reach = kGroupSize / 2u; reach > 0u; reach /= 2u) {
         barrier();
         if (self < reach) {
@@ -88,13 +98,17 @@ void main() {
             vec4 fasterOne = fastest[self + reach];
             slowest[self] = vec4(min(slowest[self].xyz, slowerOne.xyz), slowest[self].w + slowerOne.w);
             fastest[self] = vec4(max(fastest[self].xyz, fasterOne.xyz), fastest[self].w + fasterOne.w);
+            leastWay[self] = min(leastWay[self], leastWay[self + reach]);
+            mostWay[self] = max(mostWay[self], mostWay[self + reach]);
         }
     }
     if (self == 0u && gl_WorkGroupID.x == 0u) {
         measures[gl_NumWorkGroups.x] = BlockMeasure(vec4(contacts.last_contacts), vec4(0.0),
-                                                    vec4(0.0), vec4(0.0));
+                                                    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     }
     if (self == 0u) {
-        measures[gl_WorkGroupID.x] = BlockMeasure(lows[0], highs[0], slowest[0], fastest[0]);
+        measures[gl_WorkGroupID.x] =
+            BlockMeasure(lows[0], highs[0], slowest[0], fastest[0], vec4(leastWay[0], 0.0),
+                         vec4(mostWay[0], 0.0));
     }
 }

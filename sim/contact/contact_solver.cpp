@@ -20,11 +20,14 @@ using shared::uint;
 
 static_assert(sizeof(shared::ContactUniforms) == 56);
 static_assert(sizeof(shared::ContactBox) == 32);
+static_assert(sizeof(shared::ContactBucket) == 8);
 static_assert(sizeof(shared::ContactCandidate) == 8);
 static_assert(sizeof(shared::ContactRecord) == 64);
+static_assert(sizeof(shared::EdgePair) == 12);
 static_assert(sizeof(shared::ContactState) == 40);
 
 constexpr double kReach = 0.5;     // h
+constexpr double kKept = 0.25;     // h: candidates are kept up to this motion
 constexpr double kFarthest = 2;    // h: no candidate beyond
 constexpr double kTopSpeed = 400;  // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
@@ -65,7 +68,7 @@ double contactEdgeLength(const BodyModel& model) {
 
 int contactSearches(const ContactSettings& settings, double edgeLength, double relativeSpeed) {
     const double way = relativeSpeed * settings.substep * settings.substeps;
-    const double wanted = std::ceil(way / ((kFarthest - kReach) * edgeLength));
+    const double wanted = std::ceil(way / ((kFarthest - kReach - kKept) * edgeLength));
     return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(settings.substeps)));
 }
 
@@ -75,7 +78,7 @@ shared::ContactUniforms contactUniforms(const ContactSettings& settings, double 
     const int between = (settings.substeps + searches - 1) / searches;
     const double interval = between * settings.substep;
     const double thickness = settings.thickness * edgeLength;
-    const double reach = kReach * edgeLength + thickness;
+    const double reach = (kReach + kKept) * edgeLength + thickness;
     const double margin = std::min(reach + relativeSpeed * interval, kFarthest * edgeLength);
     shared::ContactUniforms u{};
     u.h = static_cast<float>(edgeLength);
@@ -99,16 +102,20 @@ ContactSolver::ContactSolver() {
     kernels_.scanBlocks = gpu::Program::compute("sim/contact/scan_blocks.comp");
     kernels_.fill = gpu::Program::compute("sim/contact/fill.comp");
     kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
+    kernels_.edgePairs = gpu::Program::compute("sim/contact/edge_pairs.comp");
+    kernels_.detectEdges = gpu::Program::compute("sim/contact/detect_edges.comp");
     kernels_.detect = gpu::Program::compute("sim/contact/detect.comp");
     kernels_.respond = gpu::Program::compute("sim/contact/respond.comp");
     kernels_.apply = gpu::Program::compute("sim/contact/apply.comp");
     state_.resize(sizeof(shared::ContactState));
+    searchedPositions_.resize(sizeof(shared::vec4));
 }
 
 void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
     body_ = body;
     edgeLength_ = edgeLength;
     bodyIsNew_ = true;
+    hasCandidates_ = false;
 }
 
 // Not before contact is on: the buffers are larger than the body's own.
@@ -122,11 +129,12 @@ void ContactSolver::takeBody() {
     buckets_.resize(triangles * sizeof(uint));
     entries_.resize(triangles * sizeof(uint));
     counts_.resize(buckets * sizeof(uint));
-    starts_.resize(buckets * sizeof(uint));
+    starts_.resize(buckets * sizeof(shared::ContactBucket));
     blocks_.resize(buckets / shared::kGroupSize * sizeof(uint));
     candidates_.resize(n * kCandidatesPerPoint * sizeof(shared::ContactCandidate));
     points_.resize(n * sizeof(uint));
-    records_.resize(n * sizeof(shared::ContactRecord));
+    edgePairs_.resize(n * shared::kEdgePairsPerPoint * sizeof(shared::EdgePair));
+    records_.resize(2 * n * sizeof(shared::ContactRecord));
     shares_.resize(n * sizeof(uint));
     sums_.resize(n * 6 * sizeof(int));
     runNormals(*body_.restPositions, restNormals_);
@@ -139,29 +147,69 @@ void ContactSolver::uploadUniforms() {
     uniformBuffer_.assign(std::span<const shared::ContactUniforms>(&uniforms_, 1));
 }
 
-void ContactSolver::beginStep(double relativeSpeed) {
+void ContactSolver::beginStep(const RelativeMotion& motion) {
+    motion_ = motion;
     if (!enabled()) {
         return;
     }
-    uniforms_ = contactUniforms(settings_, edgeLength_, relativeSpeed);
+    const double way = motion.speed * settings_.substep * settings_.substeps;
+    keepsCandidates_ = hasCandidates_ && candidateSettings_ == settings_ && !motion.touching &&
+                       motion.drift + way <= kKept * edgeLength_;
+    if (keepsCandidates_) {
+        return;
+    }
+    uniforms_ = contactUniforms(settings_, edgeLength_, motion.speed);
     uploadUniforms();
     if (std::exchange(bodyIsNew_, false)) {
         takeBody();
     }
-    const int searches = contactSearches(settings_, edgeLength_, relativeSpeed);
+    const int searches = contactSearches(settings_, edgeLength_, motion.speed);
     substepsBetweenSearches_ = (settings_.substeps + searches - 1) / searches;
 }
 
 void ContactSolver::beforeSubstep(int substep) {
-    if (enabled() && substep % substepsBetweenSearches_ == 0) {
+    if (enabled() && !keepsCandidates_ && substep % substepsBetweenSearches_ == 0) {
         search();
     }
 }
 
 void ContactSolver::search() {
-    runNormals(*body_.positions, normals_);
+    searchedPositions_.copyFrom(*body_.positions);
+    searchedVelocities_.copyFrom(*body_.velocities);
+    candidateSettings_ = settings_;
+    findFromSearched();
+}
+
+void ContactSolver::findFromSearched() {
+    runNormals(searchedPositions_, normals_);
     fillGrid();
     findCandidates();
+    ++searches_;
+    hasCandidates_ = true;
+}
+
+ContactMemory ContactSolver::memory() const {
+    if (!hasCandidates_) {
+        return {{}, {}, {}, {}, motion_};
+    }
+    return {searchedPositions_.read<shared::vec4>(0, body_.vertexCount),
+            searchedVelocities_.read<shared::vec4>(0, body_.vertexCount), candidateSettings_,
+            uniforms_, motion_};
+}
+
+void ContactSolver::remember(const ContactMemory& memory) {
+    motion_ = memory.motion;
+    if (memory.positions.empty()) {
+        return;
+    }
+    candidateSettings_ = memory.settings;
+    uniforms_ = memory.uniforms;
+    uploadUniforms();
+    takeBody();
+    bodyIsNew_ = false;
+    searchedPositions_.assign(memory.positions);
+    searchedVelocities_.assign(memory.velocities);
+    findFromSearched();
 }
 
 void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals) {
@@ -176,7 +224,8 @@ void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& 
 }
 
 void ContactSolver::fillGrid() {
-    body_.positions->bindStorage(shared::kContactPositionsBinding);
+    starts_.clear();
+    searchedPositions_.bindStorage(shared::kContactPositionsBinding);
     boxes_.bindStorage(shared::kContactBoxesBinding);
     buckets_.bindStorage(shared::kContactBucketsBinding);
     counts_.bindStorage(shared::kContactCountsBinding);
@@ -190,7 +239,7 @@ void ContactSolver::fillGrid() {
 }
 
 void ContactSolver::findCandidates() {
-    body_.velocities->bindStorage(shared::kContactVelocitiesBinding);
+    searchedVelocities_.bindStorage(shared::kContactVelocitiesBinding);
     body_.restPositions->bindStorage(shared::kContactRestBinding);
     body_.links->bindStorage(shared::kContactLinksBinding);
     body_.pieces->bindStorage(shared::kContactPiecesBinding);
@@ -200,6 +249,12 @@ void ContactSolver::findCandidates() {
     points_.bindStorage(shared::kContactPointsBinding);
     run(kernels_.candidates, body_.vertexCount);
     gpu::commandBarrier();
+    body_.incidenceRanges->bindStorage(shared::kContactRangesBinding);
+    body_.incidence->bindStorage(shared::kContactRingsBinding);
+    edgePairs_.bindStorage(shared::kContactEdgePairsBinding);
+    if (settings_.edges) {
+        runIndirect(kernels_.edgePairs, offsetof(shared::ContactState, point_groups));
+    }
 }
 
 void ContactSolver::respond() {
@@ -216,7 +271,12 @@ void ContactSolver::respond() {
     candidates_.bindStorage(shared::kContactCandidatesBinding);
     points_.bindStorage(shared::kContactPointsBinding);
     state_.bindStorage(shared::kContactStateBinding);
+    normals_.bindStorage(shared::kContactNormalsBinding);
+    edgePairs_.bindStorage(shared::kContactEdgePairsBinding);
     runIndirect(kernels_.detect, offsetof(shared::ContactState, point_groups));
+    if (settings_.edges) {
+        runIndirect(kernels_.detectEdges, offsetof(shared::ContactState, point_groups));
+    }
     runIndirect(kernels_.respond, offsetof(shared::ContactState, point_groups));
     runIndirect(kernels_.apply, offsetof(shared::ContactState, vertex_groups));
 }

@@ -36,6 +36,9 @@ struct ContactSettings {
     double substep = 0;         ///< [s]
     int substeps = 1;           ///< of a time step
     double inverseDensity = 0;  ///< [m^3/kg]
+    bool edges = true;          ///< whether edges answer to edges, and not vertices alone
+
+    bool operator==(const ContactSettings&) const = default;
 };
 
 ContactSettings contactSettings(const Params& params);
@@ -52,14 +55,33 @@ double contactEdgeLength(const BodyModel& model);
 shared::ContactUniforms contactUniforms(const ContactSettings& settings, double edgeLength,
                                         double relativeSpeed);
 
+/// How the parts of a body move against one another.
+struct RelativeMotion {
+    double speed = 0;  ///< no two vertices differ by more in velocity [m/s]
+    /// Nor have moved by more against each other since candidates were found [m].
+    double drift = 0;
+    bool touching =
+        false;  ///< there are contacts: the nearest triangles must be known, not just some
+};
+
+/// From what the candidates in force were found; what a snapshot keeps of contact.
+struct ContactMemory {
+    std::vector<shared::vec4> positions;  ///< X; empty: none were found
+    std::vector<shared::vec4> velocities;
+    ContactSettings settings;
+    shared::ContactUniforms uniforms{};
+    RelativeMotion motion;
+};
+
 /// How many times in a time step candidates are looked for, so that in between nothing moves much
 /// farther than an edge.
 int contactSearches(const ContactSettings& settings, double edgeLength, double relativeSpeed);
 
 /// Contact of a body with itself, on the GPU: pieces, both walls of a slit, arms. Vertices against
-/// triangles, with the same bits for any number of threads. Candidates are found in a hash grid
-/// once or a few times a time step; in each substep a vertex answers to the nearest of its own.
-/// Where there are none, a substep dispatches no work.
+/// triangles and edges against edges, with the same bits for any number of threads. Candidates are
+/// found in a hash grid and kept while little moves, else looked for once or a few times a time
+/// step; in each substep a vertex answers to the nearest of its own. Where there are none, a
+/// substep dispatches no work.
 class ContactSolver {
   public:
     /// Compiles the kernels. Throws gpu::ShaderError.
@@ -71,9 +93,11 @@ class ContactSolver {
     void setSettings(const ContactSettings& settings) { settings_ = settings; }
     bool enabled() const { return settings_.enabled; }
 
-    /// Before the first substep of a time step, with an upper bound of how fast two parts of the
-    /// body approach each other [m/s].
-    void beginStep(double relativeSpeed);
+    /// The body has been put elsewhere.
+    void forgetCandidates() { hasCandidates_ = false; }
+
+    /// Before the first substep of a time step.
+    void beginStep(const RelativeMotion& motion);
     /// Looks for candidates where this substep needs it. Positions are those between substeps.
     void beforeSubstep(int substep);
     /// Stops d where it leads into another surface, and moves X out of where it is inside one.
@@ -81,6 +105,12 @@ class ContactSolver {
 
     /// Looks for candidates now.
     void search();
+    /// X when candidates were looked for last; of some size where they never were.
+    const gpu::Buffer& searchedPositions() const { return searchedPositions_; }
+    /// For a snapshot, and back: what follows is equal bit for bit. remember() comes after
+    /// setBody().
+    ContactMemory memory() const;
+    void remember(const ContactMemory& memory);
     /// The candidates found last, nearest first, shape [vertexCount][]; waits for the GPU.
     std::vector<std::vector<shared::ContactCandidate>> readCandidates() const;
     /// Counts of the last search and the last substep.
@@ -89,13 +119,17 @@ class ContactSolver {
     /// step with contact.
     const gpu::Buffer& records() const { return records_; }
     shared::ContactState readState() const;
+    /// How often candidates have been looked for.
+    long searches() const { return searches_; }
 
   private:
     struct Kernels {
-        gpu::Program normals, boxes, scan, scanBlocks, fill, candidates, detect, respond, apply;
+        gpu::Program normals, boxes, scan, scanBlocks, fill, candidates, edgePairs, detect,
+            detectEdges, respond, apply;
     };
     void takeBody();
     void uploadUniforms();
+    void findFromSearched();
     void runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
     void fillGrid();
     void findCandidates();
@@ -108,12 +142,18 @@ class ContactSolver {
     double edgeLength_ = 0;
     shared::ContactUniforms uniforms_{};
     int substepsBetweenSearches_ = 1;
-    bool bodyIsNew_ = false;  ///< since the last step with contact on
+    bool keepsCandidates_ = false;       ///< in this step
+    bool bodyIsNew_ = false;             ///< since the last step with contact on
+    bool hasCandidates_ = false;         ///< of this body
+    ContactSettings candidateSettings_;  ///< with which they were found
+    long searches_ = 0;
+    RelativeMotion motion_;  ///< at the beginning of the last step
 
     gpu::Buffer uniformBuffer_, state_;
+    gpu::Buffer searchedPositions_, searchedVelocities_;
     gpu::Buffer normals_, restNormals_;
     gpu::Buffer boxes_, buckets_, counts_, starts_, blocks_, entries_;
-    gpu::Buffer candidates_, points_, records_, shares_, sums_;
+    gpu::Buffer candidates_, points_, edgePairs_, records_, shares_, sums_;
 };
 
 }  // namespace kerf

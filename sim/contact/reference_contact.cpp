@@ -164,7 +164,7 @@ bool ReferenceContact::detect(std::uint32_t vertex,
         const Corners corners{at(t[0]), at(t[1]), at(t[2])};
         const Vec3 weights = closestWeights(at(vertex), corners[0], corners[1], corners[2]);
         const Vec3 away = at(vertex) - weighted(weights, corners);
-        if (away.squaredNorm() < least) {
+        if (away.squaredNorm() < shared::kNearerBy * least) {
             least = away.squaredNorm();
             lateral = away.cross(areaNormal(corners).normalized()).norm();
             thickness = candidate.thickness;
@@ -194,7 +194,9 @@ bool ReferenceContact::detect(std::uint32_t vertex,
     contact.impulse = approach * contact.normal -
                       (along.norm() > 0 ? Vec3(held / along.norm() * along) : Vec3::Zero());
     if (approach > 0) {
-        contact.setWeights(planeWeights(touched, own - before / approach * contact.impulse));
+        const double lever = std::clamp<double>(before, -uniforms_.thickness, uniforms_.thickness);
+        const Vec3 aside = -lever / approach * (contact.impulse - approach * contact.normal);
+        contact.setWeights(planeWeights(touched, own - before * contact.normal + aside));
     }
     return (approach > 0 || contact.push > 0) && lateral <= shared::kLateralSlack * uniforms_.h &&
            gap >= -uniforms_.margin;

@@ -28,7 +28,7 @@ static_assert(sizeof(shared::WordPatch) == 8);
 static_assert(sizeof(shared::VolumeSum) == 8);
 static_assert(sizeof(shared::VolumeImpulse) == 8);
 static_assert(sizeof(shared::Spoke) == 16);
-static_assert(sizeof(shared::BlockMeasure) == 64);
+static_assert(sizeof(shared::BlockMeasure) == 96);
 
 // Every vertex adds up the blocks of its piece, so there are few of them however large it is.
 constexpr uint kMaxBlocksPerPiece = 32;
@@ -390,6 +390,7 @@ void GpuSolver::setState(const BodyState& state) {
     positions_.assign(packed(state.positions));
     velocities_.assign(packed(state.velocities));
     setReach(boundsOf(state.positions), boundsOf(state.velocities));
+    contacts_.forgetCandidates();
     setMasses();
 }
 
@@ -490,7 +491,7 @@ void GpuSolver::setInverseUnitMass(int vertex, float value) {
 }
 
 void GpuSolver::step() {
-    contacts_.beginStep(relativeSpeed_);
+    contacts_.beginStep(motion_);
     boxes_.beginStep(reach_);
     for (uint i = 0; i < uniforms_.substeps; ++i) {
         searchContactsBefore(i);
@@ -594,7 +595,7 @@ void GpuSolver::searchContactsBefore(uint substep) {
 }
 
 void GpuSolver::searchContacts() {
-    contacts_.beginStep(relativeSpeed_);
+    contacts_.beginStep(motion_);
     contacts_.search();
 }
 
@@ -644,10 +645,15 @@ BodyMeasure GpuSolver::measure() {
     bindBody();
     blockMeasures_.bindStorage(shared::kBlockSumsBinding);
     contacts_.state().bindStorage(shared::kContactCountsOfStepBinding);
+    // Of another body it has another size; candidates are then looked for anyway.
+    const gpu::Buffer& searched = contacts_.searchedPositions();
+    (searched.size() == positions_.size() ? searched : positions_)
+        .bindStorage(shared::kSearchedBinding);
     runOverBlocks(kernels_.measure);
     const auto measures = blockMeasures_.read<shared::BlockMeasure>(0, blocks_.size() + 1);
     BodyMeasure out;
     Bounds speeds;
+    Bounds ways;
     out.pieceVolumes.assign(pieces_.size(), 0.0);
     std::vector<Bounds>& boxes = out.pieceBounds;
     boxes.resize(pieces_.size());
@@ -669,6 +675,8 @@ BodyMeasure GpuSolver::measure() {
         boxes[piece].add({high.x, high.y, high.z});
         speeds.add({slow.x, slow.y, slow.z});
         speeds.add({fast.x, fast.y, fast.z});
+        ways.add({measures[b].low_drift.x, measures[b].low_drift.y, measures[b].low_drift.z});
+        ways.add({measures[b].high_drift.x, measures[b].high_drift.y, measures[b].high_drift.z});
     }
     for (std::size_t p = 0; p < boxes.size(); ++p) {
         out.bounds.add(boxes[p]);
@@ -679,7 +687,8 @@ BodyMeasure GpuSolver::measure() {
     out.contacts =
         contacts_.enabled() ? static_cast<int>(measures[blocks_.size()].low_volume.x) : 0;
     setReach(out.bounds, out.lostPieces.empty() ? speeds : Bounds{});
-    out.relativeSpeed = relativeSpeed_;
+    motion_.drift = ways.diagonal();
+    motion_.touching = out.contacts > 0;
     return out;
 }
 
@@ -687,8 +696,19 @@ BodyMeasure GpuSolver::measure() {
 void GpuSolver::setReach(const Bounds& positions, const Bounds& velocities) {
     constexpr double kMargin = 0.5;  // of the diagonal
     const Vec3 fastest = velocities.low.cwiseAbs().cwiseMax(velocities.high.cwiseAbs());
-    relativeSpeed_ = velocities.diagonal();
+    motion_ = {velocities.diagonal(), 0, false};
     reach_ = {positions, velocities.empty() ? 0.0 : fastest.norm(), kMargin * diagonal_};
+}
+
+ContactMemory GpuSolver::contactMemory() const {
+    ContactMemory memory = contacts_.memory();
+    memory.motion = motion_;
+    return memory;
+}
+
+void GpuSolver::rememberContacts(const ContactMemory& memory) {
+    contacts_.remember(memory);
+    motion_ = memory.motion;
 }
 
 BodyState GpuSolver::readState() const {

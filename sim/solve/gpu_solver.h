@@ -36,9 +36,8 @@ struct BodyMeasure {
     std::vector<int> lostPieces;
     int contacts = 0;          ///< of the body with itself in the last substep
     double kineticEnergy = 0;  ///< of the vertices that are free to move [J]
-    double potentialEnergy =
-        0;                     ///< of them, in the field of gravity above the floor, or above 0 [J]
-    double relativeSpeed = 0;  ///< no two vertices differ by more in velocity [m/s]
+    /// Of them, in the field of gravity above the floor, or above 0 [J].
+    double potentialEnergy = 0;
 };
 
 /// A piece whose box is longer than this many diagonals of the uncut body has run away.
@@ -117,6 +116,9 @@ class GpuSolver {
     /// Looks for what may touch now, as the beginning of a step does.
     void searchContacts();
     const ContactSolver& contacts() const { return contacts_; }
+    /// What a snapshot keeps of contact, and back after restoreModel() and setContact().
+    ContactMemory contactMemory() const;
+    void rememberContacts(const ContactMemory& memory);
     /// All positions and velocities; waits for the GPU.
     BodyState readState() const;
     /// d of the running substep, shape [vertexCount] [m].
@@ -202,7 +204,7 @@ class GpuSolver {
     Scatter scatter_;
     ContactSolver contacts_;
     double contactEdgeLength_ = 0;
-    double relativeSpeed_ = 0;  ///< upper bound [m/s]
+    RelativeMotion motion_;  ///< upper bounds
     BodyReach reach_;
     BoxContact boxes_;
     gpu::Timer deformTimer_;

@@ -124,10 +124,11 @@ TEST_F(Layout, VolumeSum) {
 }
 
 TEST_F(Layout, BlockMeasure) {
-    expectSame("Measures", "measures", sizeof(shared::BlockMeasure),
-               {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_lost),
-                MEMBER(BlockMeasure, low_velocity_kinetic),
-                MEMBER(BlockMeasure, high_velocity_potential)});
+    expectSame(
+        "Measures", "measures", sizeof(shared::BlockMeasure),
+        {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_lost),
+         MEMBER(BlockMeasure, low_velocity_kinetic), MEMBER(BlockMeasure, high_velocity_potential),
+         MEMBER(BlockMeasure, low_drift), MEMBER(BlockMeasure, high_drift)});
 }
 
 TEST_F(Layout, SolverUniforms) {

@@ -303,10 +303,15 @@ TEST_F(SimulationTest, RecoversFromNumbersThatAreNotFinite) {
     EXPECT_EQ(checkFinite(simulation.mesh()), "");
 }
 
+/// Of halves that fall on each other, on a box and on the floor.
 std::string hashOfACut() {
-    Simulation simulation(test::cubeSphere(6), dropped(0.05));
+    Params params = dropped(0.05);
+    params.contact = 1;
+    Simulation simulation(test::cubeSphere(6), params,
+                          {{{0.1, -0.6, 0.3}, {0.3, 0.2, 0.3}, {0, 20, 10}}});
     cutDown(simulation, 0.7, -0.7, 25);
     run(simulation, 20);
+    EXPECT_GT(simulation.report().contacts, 0);
     return simulation.stateHash();
 }
 

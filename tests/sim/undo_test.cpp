@@ -135,6 +135,25 @@ TEST_F(UndoTest, GoingToAMomentAndOnGivesTheSameBits) {
     EXPECT_EQ(simulation->stepCount(), steps);
 }
 
+// What may touch is kept over several steps.
+TEST_F(UndoTest, GoingToAMomentKeepsContacts) {
+    simulation->execute(SetParam{"contact", 1.0});
+    cutAt(0.03);
+    const auto expectTheSameAgain = [&] {
+        const Moment moment = simulation->moment();
+        run(4);
+        const std::string end = simulation->stateHash();
+        simulation->goTo(moment);
+        run(4);
+        EXPECT_EQ(simulation->stateHash(), end) << simulation->stepCount();
+    };
+    for (int i = 0; i < 5; ++i) {
+        expectTheSameAgain();
+        run(5);
+    }
+    EXPECT_GT(simulation->report().contacts, 0);
+}
+
 TEST_F(UndoTest, SnapshotBytesAreAboutWhatTheHeapGives) {
     simulation.emplace(test::cubeSphere(40, 0.5), falling());
     simulation->setUndoBudget(kRoom);

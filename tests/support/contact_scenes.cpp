@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "sim/body/body_model.h"
@@ -13,6 +14,7 @@
 #include "sim/cut/jitter.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/simulation.h"
+#include "sim/stopwatch.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
 
@@ -84,7 +86,7 @@ std::vector<Solid> solids(const SurfaceMesh& mesh, const PieceMap& pieces,
 
 /// How deep p lies inside a piece: its distance from the surface where the winding number is over a
 /// half, 0 elsewhere. [m]
-double depthInside(const SurfaceMesh& mesh, const std::vector<int>& piece, const Vec3& p) {
+double depthInsidePiece(const SurfaceMesh& mesh, const std::vector<int>& piece, const Vec3& p) {
     double angle = 0;
     double nearest = 1e300;
     for (const int t : piece) {
@@ -106,7 +108,7 @@ double depthInside(const SurfaceMesh& mesh, const std::vector<int>& piece, const
 }  // namespace
 
 double depthInside(const SurfaceMesh& mesh, const Vec3& p) {
-    return depthInside(mesh, livingTriangles(mesh), p);
+    return depthInsidePiece(mesh, livingTriangles(mesh), p);
 }
 
 namespace {
@@ -128,7 +130,7 @@ double deepestPenetration(const SurfaceMesh& mesh, const PieceMap& pieces) {
         point.add(mesh.position(v));
         for (std::size_t p = 0; pieces.ofVertex[v] >= 0 && p < triangles.size(); ++p) {
             if (pieces.ofVertex[v] != static_cast<int>(p) && boxes[p].overlaps(point)) {
-                deepest = std::max(deepest, depthInside(mesh, triangles[p], mesh.position(v)));
+                deepest = std::max(deepest, depthInsidePiece(mesh, triangles[p], mesh.position(v)));
             }
         }
     }
@@ -236,6 +238,50 @@ std::string text(const OctopusFigures& f) {
     return line;
 }
 
+namespace {
+
+/// Milliseconds of each step.
+std::vector<double> stepTimes(const SurfaceMesh& mesh, const Params& params, int steps) {
+    Simulation simulation(mesh, params);
+    std::vector<double> times;
+    for (int i = 0; i < steps; ++i) {
+        const Stopwatch watch;
+        simulation.step();
+        times.push_back(watch.milliseconds());
+    }
+    return times;
+}
+
+double median(std::vector<double> values) {
+    std::ranges::nth_element(values, values.begin() + values.size() / 2);
+    return values[values.size() / 2];
+}
+
+}  // namespace
+
+SpeedFigures timeDrop(const std::string& model, const Params& given, double seconds) {
+    SurfaceMesh mesh = builtin(model);
+    mesh = placed(std::move(mesh), Eigen::Matrix3d::Identity(),
+                  {0, 0.2 - meshBounds(mesh).low.y(), 0});
+    Params params = given;
+    params.contact = 0;
+    const std::vector<double> plain = stepTimes(mesh, params, stepsOf(seconds, params));
+    params.contact = 1;
+    const std::vector<double> touching = stepTimes(mesh, params, stepsOf(seconds, params));
+    return {median(plain), median(touching), std::accumulate(plain.begin(), plain.end(), 0.0),
+            std::accumulate(touching.begin(), touching.end(), 0.0),
+            static_cast<long>(plain.size())};
+}
+
+std::string text(const SpeedFigures& f) {
+    char line[256];
+    std::snprintf(line, sizeof line,
+                  "%ld steps, without contact %.2f ms, with %.2f ms (medians), ratio %.2f, of all "
+                  "steps together %.2f",
+                  f.steps, f.plain, f.touching, f.touching / f.plain, f.touchingSum / f.plainSum);
+    return line;
+}
+
 CollisionFigures collideSpheres(const Params& given) {
     Params params = given;
     params.gravity.setZero();
@@ -307,6 +353,27 @@ TriangleSoup turned(TriangleSoup soup, const Eigen::Matrix3d& turn) {
     return soup;
 }
 
+/// Somewhere around the place where bodies land, above the floor or half in it.
+StaticBox drawnBox(cut::Jitter& draw) {
+    StaticBox box;
+    box.center = {draw.uniform(-0.6, 0.6), draw.uniform(0, 0.15), draw.uniform(-0.6, 0.6)};
+    box.size = {draw.uniform(0.02, 0.5), draw.uniform(0.02, 0.3), draw.uniform(0.02, 0.5)};
+    box.rotate = {draw.uniform(0, 90), draw.uniform(0, 90), draw.uniform(0, 90)};
+    return box;
+}
+
+double deepestInBox(const StaticBox& box, const SurfaceMesh& mesh) {
+    double deepest = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 at = box.axes().transpose() * (mesh.position(v) - box.center);
+        deepest = std::max(deepest, (0.5 * box.size - at.cwiseAbs()).minCoeff());
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+        deepest = std::max(deepest, depthInside(mesh, box.corner(corner)));
+    }
+    return deepest;
+}
+
 }  // namespace
 
 DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
@@ -327,7 +394,9 @@ DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
         mesh.setVelocity(v, v < first ? lower : upper);
     }
     const double size = meshBounds(mesh).diagonal();
-    Simulation simulation(std::move(mesh), params);
+    std::vector<StaticBox> boxes(static_cast<std::size_t>(draw.uniform(0, 4)));
+    std::ranges::generate(boxes, [&] { return drawnBox(draw); });
+    Simulation simulation(std::move(mesh), params, boxes);
     DropFigures figures;
     figures.runs = 1;
     for (int i = 0; i < stepsOf(1.5, params); ++i) {
@@ -339,7 +408,11 @@ DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
     const SurfaceMesh& now = simulation.mesh();
     const Bounds box = meshBounds(now);
     figures.escaped = box.low.y() < -0.02 || box.diagonal() > 10 * size;
-    figures.tunnels = deepestPenetration(now, simulation.pieces()) > 0.03;
+    double deepest = deepestPenetration(now, simulation.pieces());
+    for (const StaticBox& stands : boxes) {
+        deepest = std::max(deepest, deepestInBox(stands, now));
+    }
+    figures.tunnels = deepest > 0.03;
     figures.intersections = static_cast<int>(selfIntersections(now).size());
     return figures;
 }

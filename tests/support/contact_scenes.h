@@ -37,6 +37,19 @@ struct OctopusFigures {
 OctopusFigures dropOctopus(const Params& params);
 std::string text(const OctopusFigures& figures);
 
+/// Times of a step while a model falls from 0.2 m, lands and comes to rest, with contact and
+/// without.
+struct SpeedFigures {
+    double plain = 0;     ///< median without [ms]
+    double touching = 0;  ///< median with [ms]
+    double plainSum = 0;  ///< of all steps [ms]
+    double touchingSum = 0;
+    long steps = 0;
+};
+/// `model`: see builtin().
+SpeedFigures timeDrop(const std::string& model, const Params& params, double seconds = 1);
+std::string text(const SpeedFigures& figures);
+
 /// Two spheres without gravity that fly into each other off their middles, spin, and part.
 struct CollisionFigures {
     int stepsInContact = 0;
@@ -52,12 +65,13 @@ struct DropRun {
     int index = 0;
 };
 
-/// A body, often two, thrown at the floor.
+/// A body, often two, thrown at the floor and at up to three boxes that stand there.
 struct DropFigures {
     int runs = 0;
     int nonFinite = 0;      ///< steps in which a body left the range of numbers
     int escaped = 0;        ///< runs that ended with a vertex below the floor or far away
-    int tunnels = 0;        ///< runs that ended with a vertex deep inside another piece
+    int tunnels = 0;        ///< runs that ended with a vertex deep inside another piece or a box,
+                            ///< or a corner of a box deep inside a body
     int intersections = 0;  ///< pairs of triangles of two pieces at the end
     void add(const DropFigures& other);
 };

@@ -6,7 +6,7 @@
 //   edge    against an edge of the triangle (which each edge is for one of its two triangles), along
 //           the line across both, where that lies between the two faces of the box
 //
-// How a gap becomes a change of d and a push of X is said in contact/detect.comp.
+// How a gap becomes a change of d and a push of X is said in contact_answer.glsl.
 // Reads X, d, triangles, boxes. Writes touches, how many of them each vertex is part of. One thread
 // per triangle. A storage barrier follows, then respond.
 #include "body_records.h"
@@ -22,6 +22,8 @@ layout(std430, binding = kBoxRecordsBinding) writeonly buffer Records { BoxTouch
 layout(std430, binding = kBoxSharesBinding) buffer Shares { uint shares[]; };
 
 #include "boxes.glsl"
+#include "sim/contact_answer.glsl"
+#include "sim/lines.glsl"
 
 // Positions and displacements of the corners of a triangle, in the coordinates of a box.
 struct Corners {
@@ -85,17 +87,6 @@ Touch cornerTouch(Touch best, Corners c, vec3 normal, vec3 corner) {
     return moreUrgent(best, touchAt(c, normal, before, weights));
 }
 
-// How far along two lines, from p along u and from q along v, they come nearest to each other.
-vec2 nearestOnLines(vec3 p, vec3 u, vec3 q, vec3 v) {
-    vec3 r = p - q;
-    float uu = dot(u, u);
-    float vv = dot(v, v);
-    float uv = dot(u, v);
-    float scale = uu * vv - uv * uv;
-    float s = (uv * dot(v, r) - vv * dot(u, r)) / scale;
-    return vec2(s, (dot(v, r) + s * uv) / vv);
-}
-
 // Between corner i of the triangle and the next, and the edge of the box along `axis` that starts
 // at the corner `start`, which has this axis negative.
 Touch edgeTouch(Touch best, Corners c, vec3 normal, int i, int axis, vec3 start) {
@@ -142,15 +133,10 @@ Touch touchOf(BoxRecord box, Corners c, uvec3 t) {
 }
 
 BoxTouch recordOf(BoxRecord box, Touch touch) {
-    float least = min(touch.before, uniforms.thickness);
-    float reached = max(touch.gap, least);
-    float approach = max(least - touch.gap, 0.0);
-    float push = min(max(-reached, kBoxThicknessRate * (uniforms.thickness - reached)), uniforms.push);
-    vec3 along = touch.slip - dot(touch.normal, touch.slip) * touch.normal;
-    float kept = slipLeft(length(along), approach, uniforms.friction);
-    vec3 impulse = approach * touch.normal - (1.0 - kept) * along;
-    return BoxTouch(vec4(fromBox(box, touch.normal), max(push, 0.0)),
-                    vec4(fromBox(box, impulse), 1.0), vec4(touch.weights, 0.0));
+    ContactAnswer answer = answerTo(touch.normal, touch.before, touch.slip, uniforms.thickness,
+                                    uniforms.friction, uniforms.push);
+    return BoxTouch(vec4(fromBox(box, touch.normal), answer.push),
+                    vec4(fromBox(box, answer.impulse), 1.0), vec4(touch.weights, 0.0));
 }
 
 void main() {

@@ -1,5 +1,5 @@
 // The box of each triangle and its bucket in the grid, and how many triangles a bucket gets.
-// Reads X, triangles. Writes boxes, buckets, counts, the levels in use. One thread per triangle. A
+// Reads X, triangles. Writes boxes, buckets, counts, directions, the levels in use. One thread per triangle. A
 // storage barrier follows, then scan.
 #include "body_records.h"
 #include "contact_bindings.h"
@@ -12,8 +12,10 @@ layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { u
 layout(std430, binding = kContactBoxesBinding) writeonly buffer Boxes { ContactBox boxes[]; };
 layout(std430, binding = kContactBucketsBinding) writeonly buffer Buckets { uint buckets[]; };
 layout(std430, binding = kContactCountsBinding) buffer Counts { uint counts[]; };
+layout(std430, binding = kContactStartsBinding) buffer Starts { ContactBucket starts[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
+#include "directions.glsl"
 #include "grid.glsl"
 
 void main() {
@@ -27,7 +29,10 @@ void main() {
     vec3 extent = high - low;
     uint level = levelOf(max(extent.x, max(extent.y, extent.z)));
     uint bucket = bucketOf(ivec3(floor(0.5 * (low + high) / cellSize(level))), level);
-    boxes[t] = ContactBox(vec4(low, 0.0), vec4(high, 0.0));
+    vec3 normal = cross(b - a, c - a);
+    uint bin = dot(normal, normal) > 0.0 ? binOf(normal) : kNoBin;
+    boxes[t] = ContactBox(vec4(low, uintBitsToFloat(kFirstBin + bin)), vec4(high, 0.0));
+    atomicOr(starts[bucket].directions, 1u << bin);
     buckets[t] = bucket;
     atomicAdd(counts[bucket], 1u);
     atomicOr(state.levels, 1u << level);

@@ -21,7 +21,7 @@ layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { u
 layout(std430, binding = kContactNormalsBinding) readonly buffer Normals { vec4 normals[]; };
 layout(std430, binding = kContactRestNormalsBinding) readonly buffer RestNormals { vec4 restNormals[]; };
 layout(std430, binding = kContactBoxesBinding) readonly buffer Boxes { ContactBox boxes[]; };
-layout(std430, binding = kContactStartsBinding) readonly buffer Starts { uint starts[]; };
+layout(std430, binding = kContactStartsBinding) readonly buffer Starts { ContactBucket starts[]; };
 layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };
 layout(std430, binding = kContactPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kContactEntriesBinding) readonly buffer Entries { uint entries[]; };
@@ -30,6 +30,7 @@ layout(std430, binding = kContactPointsBinding) writeonly buffer Points { uint p
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
 #include "closest_point.glsl"
+#include "directions.glsl"
 #include "grid.glsl"
 
 // The best so far, best first.
@@ -37,6 +38,8 @@ uint bestTriangle[kCandidatesPerPoint];
 float bestThickness[kCandidatesPerPoint];
 float bestKey[kCandidatesPerPoint];
 uint found = 0u;
+// Where the normals of triangles that the vertex may touch can point to.
+uint opposed = 0u;
 
 bool comesBefore(float key, uint t, uint place) {
     return key < bestKey[place] || (key == bestKey[place] && t < bestTriangle[place]);
@@ -124,8 +127,10 @@ uint passed;  // so far in this round, those of earlier rounds included
 uint firstOfRound;
 
 void look(vec3 p, uint index) {
-    vec3 outside = max(max(boxes[index].low.xyz - p, p - boxes[index].high.xyz), vec3(0.0));
-    bool passes = dot(outside, outside) <= uniforms.margin * uniforms.margin;
+    vec4 low = boxes[index].low;
+    vec3 outside = max(max(low.xyz - p, p - boxes[index].high.xyz), vec3(0.0));
+    bool mayOppose = (opposed >> (floatBitsToUint(low.w) - kFirstBin) & 1u) != 0u;
+    bool passes = mayOppose && dot(outside, outside) <= uniforms.margin * uniforms.margin;
     if (passes && passed >= firstOfRound && passed < firstOfRound + kMostPending) {
         pending[passed - firstOfRound] = index;
     }
@@ -135,9 +140,10 @@ void look(vec3 p, uint index) {
 void searchCell(vec3 p, ivec3 cell, uint level) {
     uint bucket = bucketOf(cell, level);
     uint next = bucket + 1u;
-    uint first = blocks[bucket / kGroupSize] + starts[bucket];
+    uint first = blocks[bucket / kGroupSize] + starts[bucket].start;
     uint end = next == uniforms.bucket_count ? uniforms.triangle_count
-                                             : blocks[next / kGroupSize] + starts[next];
+                                             : blocks[next / kGroupSize] + starts[next].start;
+    if ((starts[bucket].directions & opposed) == 0u) end = first;
     for (uint k = first; k < end; ++k) {
         look(p, entries[k]);
     }
@@ -176,6 +182,7 @@ void main() {
     if (v >= uniforms.vertex_count) return;
     uint piece = links[v].piece;
     if (piece != kNoPiece && pieces[piece].constrained != 0u) {
+        opposed = opposedBins(normals[v].xyz);
         search(v, positions[v].xyz);
     }
     uint first = kCandidatesPerPoint * v;

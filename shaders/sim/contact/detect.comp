@@ -1,13 +1,8 @@
 // What each point with candidates touches in this substep: the nearest of its triangles, where it
 // comes nearer than it may. Which one is decided at X + d, and the gap is measured at X, before, and
-// by the same weights and normal at X + d, after:
-//
-//   approach  what d lacks so that the gap does not shrink below its thickness, or not at all where
-//             it is below already: this is taken from the velocity
-//   push      what X lacks of the thickness then, at most lift_speed * h: this is not
-//
-// Coulomb friction holds the tangential displacement by at most friction * approach. The triangle
-// answers where the line of the whole impulse meets its plane at X, so that no torque is left over.
+// by the same weights and normal at X + d, after; see contact_answer.glsl. The triangle answers where
+// the line of the whole impulse meets its plane at X, so that no torque is left over, as far as the
+// vertex is no deeper than the thickness.
 //
 // Reads X, d, candidates. Writes records, how many contacts each vertex is part of, and their number.
 // One thread per listed point. A storage barrier follows, then respond.
@@ -27,6 +22,7 @@ layout(std430, binding = kContactSharesBinding) buffer Shares { uint shares[]; }
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
 #include "closest_point.glsl"
+#include "sim/contact_answer.glsl"
 
 struct Nearest {
     uvec4 triangle;
@@ -61,7 +57,7 @@ Nearest nearest(uint v) {
         vec3 weights = closestWeights(a, b, c);
         vec3 offset = -(weights.x * a + weights.y * b + weights.z * c);
         float away = dot(offset, offset);
-        if (away < least) {
+        if (away < kNearerBy * least) {
             least = away;
             best = Nearest(t, offset, cross(b - a, c - a), candidate.thickness);
         }
@@ -100,28 +96,24 @@ void main() {
          weights.y * displacement[near.triangle.y].xyz +
          weights.z * displacement[near.triangle.z].xyz);
     float gap = before + dot(normal, slip);
-    float least = min(before, near.thickness);
-    float approach = max(least - gap, 0.0);
-    float missing = near.thickness - max(gap, least);
-    float inside = -max(gap, least);
-    float push = min(max(inside, kThicknessRate * missing), uniforms.lift_speed * uniforms.substep);
-    bool touches = (approach > 0.0 || push > 0.0) &&
+    ContactAnswer answer = answerTo(normal, before, slip, near.thickness, uniforms.friction,
+                                    uniforms.lift_speed * uniforms.substep);
+    float approach = dot(answer.impulse, normal);
+    bool touches = (approach > 0.0 || answer.push > 0.0) &&
         lateralDistance(near) <= kLateralSlack * uniforms.h && gap >= -uniforms.margin;
-    vec3 along = slip - dot(normal, slip) * normal;
-    float way = length(along);
-    float held = min(way, uniforms.friction * approach);
-    vec3 impulse = approach * normal - (way > 0.0 ? held / way : 0.0) * along;
     if (approach > 0.0) {
-        weights = planeWeights(t, areaNormal, (-before / approach) * impulse);
+        float lever = clamp(before, -uniforms.thickness, uniforms.thickness);
+        vec3 aside = (-lever / approach) * (answer.impulse - approach * normal);
+        weights = planeWeights(t, areaNormal, aside - before * normal);
     }
     ContactRecord record;
-    record.normal = vec4(normal, max(push, 0.0));
-    record.impulse = vec4(impulse, 0.0);
-    record.weights = vec4(weights, 0.0);
-    record.v0 = touches ? near.triangle.x : kNoVertex;
-    record.v1 = near.triangle.y;
-    record.v2 = near.triangle.z;
-    record.point = v;
+    record.normal = vec4(normal, answer.push);
+    record.impulse = vec4(answer.impulse, 0.0);
+    record.gains = vec4(1.0, -weights);
+    record.v0 = v;
+    record.v1 = touches ? near.triangle.x : kNoVertex;
+    record.v2 = near.triangle.y;
+    record.v3 = near.triangle.z;
     records[index] = record;
     if (!touches) return;
     atomicAdd(shares[v], 1u);

@@ -8,7 +8,7 @@ layout(local_size_x = kGroupSize) in;
 
 layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
 layout(std430, binding = kContactBucketsBinding) readonly buffer Buckets { uint buckets[]; };
-layout(std430, binding = kContactStartsBinding) readonly buffer Starts { uint starts[]; };
+layout(std430, binding = kContactStartsBinding) readonly buffer Starts { ContactBucket starts[]; };
 layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };
 layout(std430, binding = kContactCountsBinding) buffer Counts { uint counts[]; };
 layout(std430, binding = kContactEntriesBinding) writeonly buffer Entries { uint entries[]; };
@@ -18,5 +18,5 @@ void main() {
     if (t >= uniforms.triangle_count) return;
     uint bucket = buckets[t];
     uint place = atomicAdd(counts[bucket], 0xffffffffu) - 1u;
-    entries[blocks[bucket / kGroupSize] + starts[bucket] + place] = t;
+    entries[blocks[bucket / kGroupSize] + starts[bucket].start + place] = t;
 }

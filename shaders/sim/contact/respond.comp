@@ -1,4 +1,4 @@
-// Solves each contact once: mass-splitting Jacobi, each vertex giving the share mass / (number of its
+// Solves each contact, of points and of edges, once: mass-splitting Jacobi, each vertex giving the share mass / (number of its
 // contacts). Corrections are summed as integers, which do not mind the order in which threads come.
 // Reads X (inverse mass), records, shares. Adds to sums. One thread per listed point. A storage
 // barrier follows, then apply.
@@ -16,26 +16,25 @@ layout(std430, binding = kContactStateBinding) readonly buffer State { ContactSt
 
 #include "sim/fixed_sums.glsl"
 
-void answer(uint v, float gain, vec3 impulse, vec3 push) {
-    if (gain != 0.0) addToSums(v, gain * impulse, gain * push);
+void respond(ContactRecord record) {
+    if (record.v1 == kNoVertex) return;
+    uvec4 v = uvec4(record.v0, record.v1, record.v2, record.v3);
+    vec4 w = uniforms.inverse_density *
+        vec4(positions[v.x].w, positions[v.y].w, positions[v.z].w, positions[v.w].w);
+    vec4 counts = vec4(shares[v.x], shares[v.y], shares[v.z], shares[v.w]);
+    float weight = dot(counts * w, record.gains * record.gains);
+    if (!(weight > 0.0)) return;
+    vec3 impulse = record.impulse.xyz / weight;
+    vec3 push = (record.normal.w / weight) * record.normal.xyz;
+    for (int k = 0; k < 4; ++k) {
+        float gain = record.gains[k] * w[k];
+        if (gain != 0.0) addToSums(v[k], gain * impulse, gain * push);
+    }
 }
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= state.points) return;
-    ContactRecord record = records[index];
-    if (record.v0 == kNoVertex) return;
-    vec3 b = record.weights.xyz;
-    uvec4 v = uvec4(record.point, record.v0, record.v1, record.v2);
-    vec4 w = uniforms.inverse_density *
-        vec4(positions[v.x].w, positions[v.y].w, positions[v.z].w, positions[v.w].w);
-    vec4 counts = vec4(shares[v.x], shares[v.y], shares[v.z], shares[v.w]);
-    float weight = dot(counts * w, vec4(1.0, b * b));
-    if (!(weight > 0.0)) return;
-    vec3 impulse = record.impulse.xyz / weight;
-    vec3 push = (record.normal.w / weight) * record.normal.xyz;
-    answer(v.x, w.x, impulse, push);
-    answer(v.y, -b.x * w.y, impulse, push);
-    answer(v.z, -b.y * w.z, impulse, push);
-    answer(v.w, -b.z * w.w, impulse, push);
+    respond(records[index]);
+    respond(records[state.points + index]);
 }

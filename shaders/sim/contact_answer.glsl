@@ -1,0 +1,21 @@
+// How two surfaces answer to each other in a substep.
+struct ContactAnswer {
+    vec3 impulse;  // how d of the one is to change against d of the other [m]
+    float push;    // how far X is to be pushed apart along the normal [m]
+};
+
+// before: gap at X; slip: change of the distance vector by d. What d lacks so that the gap does not
+// shrink below its thickness, or not at all where it is below already, is taken from the velocity; what
+// X lacks of the thickness then is not, and at most `most` of it is made up for. Coulomb friction holds
+// the tangential way by at most friction * what was stopped.
+ContactAnswer answerTo(vec3 normal, float before, vec3 slip, float thickness, float friction, float most) {
+    // Not as a difference of gaps: below the thickness it is the slip alone, to its last digit.
+    float approach = max(min(thickness - before, 0.0) - dot(normal, slip), 0.0);
+    float reached = before + dot(normal, slip) + approach;
+    float push = min(max(-reached, kThicknessRate * (thickness - reached)), most);
+    vec3 along = slip - dot(normal, slip) * normal;
+    float way = length(along);
+    float held = min(way, friction * approach);
+    vec3 impulse = approach * normal - (way > 0.0 ? held / way : 0.0) * along;
+    return ContactAnswer(impulse, max(push, 0.0));
+}
