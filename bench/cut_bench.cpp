@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
 #include "sim/body/body_updater.h"
@@ -40,15 +41,6 @@ constexpr double kAdvance = 0.6;
 constexpr double kWaveHeight = 0.02 * kRadius;
 constexpr double kWaveNumber = 3 / kRadius;
 constexpr double kWaveSpeed = 0.1;
-
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return std::nan("");
-    }
-    const auto middle = values.begin() + values.size() / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 Vec3 deformed(const Vec3& p, int step) {
     const Vec3 phase =

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/editor.h"
+#include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "sim/stopwatch.h"
@@ -25,11 +26,6 @@ constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 constexpr int kFrames = 60;
 constexpr int kValues = 100'000;  // of each curve
-
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + values.size() / 2);
-    return values[values.size() / 2];
-}
 
 ui::Series longSeries() {
     ui::Series series;

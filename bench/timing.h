@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <vector>
 
 namespace kerf {
 
-/// The upper of the middle two where their number is even. Must not be empty.
+/// The upper of the middle two where their number is even; NaN of nothing.
 inline double median(std::vector<double> values) {
+    if (values.empty()) {
+        return std::nan("");
+    }
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;

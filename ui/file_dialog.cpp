@@ -113,19 +113,9 @@ void FileDialog::draw(const FileDialogState& state, std::vector<Action>& actions
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize(
-        {std::min(60 * line, 0.94F * display.x), std::min(36 * line, 0.92F * display.y)});
-    const std::string title = std::string(titleOf(state.purpose)) + kWindow;
-    if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
-                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                    ImGuiWindowFlags_NoCollapse |
-                                    ImGuiWindowFlags_NoSavedSettings)) {
-        return;
-    }
-    if (!wanted) {
-        ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
+    if (!beginModal(std::string(titleOf(state.purpose)) + kWindow,
+                    std::min(60 * line, 0.94F * display.x), std::min(36 * line, 0.92F * display.y),
+                    wanted)) {
         return;
     }
     takeKeys(state, actions);

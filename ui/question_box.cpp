@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/item_places.h"
+#include "ui/widgets.h"
 
 namespace kerf::ui {
 namespace {
@@ -49,18 +50,7 @@ void QuestionBox::draw(const Question& question, std::vector<Action>& actions) {
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(34 * ImGui::GetFontSize(), 0.9F * display.x);
-    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({width, 0});
-    const std::string title = question.title + kWindow;
-    if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
-                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                    ImGuiWindowFlags_NoCollapse |
-                                    ImGuiWindowFlags_NoSavedSettings)) {
-        return;
-    }
-    if (!wanted) {
-        ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
+    if (!beginModal(question.title + kWindow, width, 0, wanted)) {
         return;
     }
     ImGui::PushTextWrapPos(0);

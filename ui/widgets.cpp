@@ -21,6 +21,23 @@ void beginPanel(const char* name, const Rect& rect, bool withMenu) {
                      (withMenu ? ImGuiWindowFlags_MenuBar : ImGuiWindowFlags_None));
 }
 
+bool beginModal(const std::string& title, float width, float height, bool wanted) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({width, height});
+    if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
+                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoSavedSettings)) {
+        return false;
+    }
+    if (!wanted) {
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    return wanted;
+}
+
 void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
                 const BannerStyle& style) {
     const float padding = ImGui::GetFontSize() * 0.8F;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "ui/layout.h"
@@ -8,6 +9,11 @@ namespace kerf::ui {
 
 /// Begins a fixed panel that fills `rect`; end with ImGui::End().
 void beginPanel(const char* name, const Rect& rect, bool withMenu = false);
+
+/// Begins a modal window of that size [px] (height 0: as its content needs) in the middle of the
+/// picture, once it was opened by its title's popup id; end with ImGui::EndPopup(). With `wanted`
+/// false it closes. False where nothing is to be drawn.
+bool beginModal(const std::string& title, float width, float height, bool wanted);
 
 /// How a banner looks.
 struct BannerStyle {

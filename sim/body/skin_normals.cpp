@@ -1,6 +1,7 @@
 #include "sim/body/skin_normals.h"
 
 #include <numeric>
+#include <utility>
 
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/closest_point.h"
@@ -26,15 +27,21 @@ Kinds kindsAround(const SurfaceMesh& mesh, int vertex) {
 
 }  // namespace
 
-SkinNormals::SkinNormals(const SurfaceMesh& uncut) : uncutVertices_(uncut.vertexCount()) {
-    normals_.reserve(uncutVertices_);
-    for (int v = 0; v < uncutVertices_; ++v) {
-        normals_.push_back(restNormal(uncut, v).direction);
+SkinNormals::SkinNormals(const SurfaceMesh& uncut) {
+    std::vector<Vec3> normals;
+    normals.reserve(uncut.vertexCount());
+    for (int v = 0; v < uncut.vertexCount(); ++v) {
+        normals.push_back(restNormal(uncut, v).direction);
     }
+    uncut_ = std::make_shared<const std::vector<Vec3>>(std::move(normals));
+}
+
+const Vec3& SkinNormals::normal(int vertex) const {
+    return vertex < uncutVertices() ? (*uncut_)[vertex] : later_[vertex - uncutVertices()];
 }
 
 void SkinNormals::follow(const SurfaceMesh& mesh, int firstNew, std::span<const Triangle> old) {
-    normals_.resize(mesh.vertexCount(), Vec3::Zero());
+    later_.resize(mesh.vertexCount() - uncutVertices(), Vec3::Zero());
     if (old.empty()) {
         return;
     }
@@ -53,16 +60,16 @@ void SkinNormals::follow(const SurfaceMesh& mesh, int firstNew, std::span<const 
         const int i = nearest.find(p);
         const auto [a, b, c] = cornersOf(i);
         const Vec3 w = closestWeights(p, a, b, c);
-        normals_[v] =
-            (w[0] * normals_[old[i][0]] + w[1] * normals_[old[i][1]] + w[2] * normals_[old[i][2]])
-                .normalized();
+        const Vec3 sum =
+            w[0] * normal(old[i][0]) + w[1] * normal(old[i][1]) + w[2] * normal(old[i][2]);
+        later_[v - uncutVertices()] = sum.normalized();
     }
 }
 
 Vec3 SkinNormals::ofCut(const SurfaceMesh& mesh, int vertex) const {
     const Kinds kinds = kindsAround(mesh, vertex);
-    const bool isNew = vertex >= uncutVertices_;
-    return kinds.skin && (isNew || kinds.wall) ? normals_[vertex] : Vec3::Zero();
+    const bool isNew = vertex >= uncutVertices();
+    return kinds.skin && (isNew || kinds.wall) ? normal(vertex) : Vec3::Zero();
 }
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -26,8 +27,11 @@ class SkinNormals {
     Vec3 ofCut(const SurfaceMesh& mesh, int vertex) const;
 
   private:
-    std::vector<Vec3> normals_;
-    int uncutVertices_ = 0;
+    int uncutVertices() const { return uncut_ ? static_cast<int>(uncut_->size()) : 0; }
+    const Vec3& normal(int vertex) const;
+
+    std::shared_ptr<const std::vector<Vec3>> uncut_;  ///< shared by all copies
+    std::vector<Vec3> later_;                         ///< of the vertices that cuts made
 };
 
 }  // namespace kerf

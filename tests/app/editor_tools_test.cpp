@@ -50,6 +50,15 @@ int tealPixels(const render::Image& picture) {
     return count;
 }
 
+/// Without the editor it ends in the bits that it was saved with.
+void expectReplayed(const Session& session) {
+    test::TemporaryFolder out;
+    const ReplayResult result = replaySession(session, sphereDocument().mesh, out.path(), {});
+    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
+    const auto& last = std::get<CheckEvent>(session.events.back().action);
+    EXPECT_EQ(result.summary.stateHash, last.hash);
+}
+
 TEST_F(EditorToolsTest, ADragShowsItsBladeWithinTwoPictures) {
     moveTo(kTop.x(), kTop.y());
     settle();
@@ -111,12 +120,7 @@ TEST_F(EditorToolsTest, APullIsRecordedAndReplaysToTheSameBits) {
     frames(3);
     press(false);
     settle();
-    const Session session = savedSession();
-    test::TemporaryFolder out;
-    const ReplayResult result = replaySession(session, sphereDocument().mesh, out.path(), {});
-    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
-    const auto& last = std::get<CheckEvent>(session.events.back().action);
-    EXPECT_EQ(result.summary.stateHash, last.hash);
+    expectReplayed(savedSession());
 }
 
 TEST_F(EditorToolsTest, UndoWhileItHoldsTakesThePullBackAndLetsGo) {
@@ -169,12 +173,7 @@ TEST_F(EditorToolsTest, PinsAreRecordedAndReplayToTheSameBits) {
     tap(Key::space);
     frames(10);
     tap(Key::space);
-    const Session session = savedSession();
-    test::TemporaryFolder out;
-    const ReplayResult result = replaySession(session, sphereDocument().mesh, out.path(), {});
-    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
-    const auto& last = std::get<CheckEvent>(session.events.back().action);
-    EXPECT_EQ(result.summary.stateHash, last.hash);
+    expectReplayed(savedSession());
 }
 
 TEST_F(EditorToolsTest, AStrokeWithShiftHeldIsStraight) {

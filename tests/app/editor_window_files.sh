@@ -5,10 +5,8 @@
 set -u
 kerf=$1
 folder=$2
-cd "$folder" || exit 1
-# GLFW unloads the display's drivers at the end, and what they had kept then looks lost.
-export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0"
-export XDG_STATE_HOME="$folder/state"
+source "$(dirname "${BASH_SOURCE[0]}")/window_driver.sh"
+
 # Reads every model as kerf does, but slow.obj never.
 cat >reader.sh <<EOF
 #!/bin/sh
@@ -17,24 +15,10 @@ exec "$kerf" "\$@"
 EOF
 chmod +x reader.sh
 
-KERF_EXECUTABLE="$folder/reader.sh" "$kerf" 2>errors.txt &
-editor=$!
-trap 'kill "$editor" 2>/dev/null' EXIT
-
-window=$(timeout 60 xdotool search --sync --onlyvisible --name '^Kerf - ' | head -n 1)
-title() { xdotool getwindowname "$window"; }
-# Waits for a command to succeed, up to two minutes: the machine may be slow.
-waitFor() {
-    for _ in $(seq 600); do
-        "$@" && return
-        sleep 0.2
-    done
-}
 hasBall() { title | grep -q -- '^Kerf - ball'; }
 hasExport() { [ -s whole.obj ]; }
 readerRuns() { [ -s reader.pid ]; }
 readerIsGone() { ! kill -0 "$(cat reader.pid)" 2>/dev/null; }
-hasLeft() { ! kill -0 "$editor" 2>/dev/null; }
 # The dialog is drawn a moment after its key, and takes what is typed from then on.
 typeName() {
     sleep 1
@@ -43,7 +27,8 @@ typeName() {
     xdotool key Return
 }
 
-xdotool windowfocus "$window"
+export KERF_EXECUTABLE="$folder/reader.sh"
+openEditor
 xdotool key ctrl+o
 typeName ball.obj
 waitFor hasBall
@@ -65,7 +50,4 @@ xdotool key Escape
 waitFor readerIsGone
 echo "cancelled: $(title)"
 
-xdotool key ctrl+q
-waitFor hasLeft
-wait "$editor"
-echo "exit: $?"
+leaveEditor

@@ -1,0 +1,33 @@
+# For scripts that drive the real window under a virtual display; to be sourced once `kerf` (the
+# executable) and `folder` (theirs alone) are set. Prints nothing.
+cd "$folder" || exit 1
+# The settings of whoever runs the tests stay out of it.
+export XDG_CONFIG_HOME="$folder/config"
+export XDG_STATE_HOME="$folder/state"
+# GLFW unloads the display's drivers at the end, and what they had kept then looks lost.
+export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0"
+
+# Starts the editor and gives its window the keyboard.
+openEditor() {
+    "$kerf" 2>errors.txt &
+    editor=$!
+    trap 'kill "$editor" 2>/dev/null' EXIT
+    window=$(timeout 60 xdotool search --sync --onlyvisible --name '^Kerf - ' | head -n 1)
+    xdotool windowfocus "$window"
+}
+title() { xdotool getwindowname "$window"; }
+# Waits for a command to succeed, up to two minutes: the machine may be slow.
+waitFor() {
+    for _ in $(seq 600); do
+        "$@" && return
+        sleep 0.2
+    done
+}
+hasLeft() { ! kill -0 "$editor" 2>/dev/null; }
+# Leaves by the keyboard and says how that went.
+leaveEditor() {
+    xdotool key ctrl+q
+    waitFor hasLeft
+    wait "$editor"
+    echo "exit: $?"
+}
