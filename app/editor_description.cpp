@@ -83,6 +83,7 @@ void Editor::State::describe() {
     model.recentFiles = recent.files();
     if (browser) {
         model.files = browser->state();
+        model.files.preview = preview.lines();
     }
     if (fault) {
         model.question = fault->question;

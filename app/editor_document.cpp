@@ -14,7 +14,7 @@ constexpr double kFloorGap = 0.02;  // of the diagonal
 constexpr std::string_view kSessionEnding = ".kerf.json";
 
 bool isSession(const std::filesystem::path& file) {
-    return file.extension() == ".json";
+    return lowerCase(file.extension().string()) == ".json";
 }
 
 std::string shortName(const std::filesystem::path& file) {

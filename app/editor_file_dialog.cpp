@@ -96,9 +96,6 @@ void Editor::State::followPreview() {
     }
     if (preview.advance()) {
         settlePasses = kSettlePasses;
-        if (browser) {
-            browser->setPreview(preview.lines());
-        }
     }
 }
 

@@ -92,9 +92,7 @@ void Editor::State::askAboutHoles(const ModelFault& found) {
 }
 
 void Editor::State::followSaving() {
-    if (cancelledSaving != nullptr && cancelledSaving->job.done()) {
-        cancelledSaving.reset();
-    }
+    std::erase_if(cancelledSavings, [](const auto& cancelled) { return cancelled->job.done(); });
     if (saving == nullptr || !saving->job.done()) {
         return;
     }
@@ -114,7 +112,7 @@ void Editor::State::cancelWork() {
         cancelLoading();
     } else if (saving != nullptr) {
         saving->job.cancel();
-        cancelledSaving = std::move(saving);
+        cancelledSavings.push_back(std::move(saving));
     }
 }
 

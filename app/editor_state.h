@@ -68,7 +68,7 @@ struct Editor::State {
     std::filesystem::path lastSource;
     std::filesystem::path lastTarget;
     std::unique_ptr<FileSaving> saving;
-    std::unique_ptr<FileSaving> cancelledSaving;  ///< until its thread ends
+    std::vector<std::unique_ptr<FileSaving>> cancelledSavings;  ///< until their threads end
     std::unique_ptr<DocumentLoading> loading;
     std::vector<std::unique_ptr<DocumentLoading>> cancelledLoadings;  ///< until their threads end
     ExperimentBoard experiments;

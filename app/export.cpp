@@ -10,6 +10,7 @@
 #include "app/export_gltf.h"
 #include "app/export_mesh.h"
 #include "app/file_io.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 
@@ -153,7 +154,7 @@ std::span<const MeshFormatInfo> meshFormats() {
 }
 
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file) {
-    const std::string extension = file.extension().string();
+    const std::string extension = lowerCase(file.extension().string());
     for (const MeshFormatInfo& info : meshFormats()) {
         if (info.extension == extension) {
             return info.format;

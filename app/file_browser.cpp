@@ -9,6 +9,7 @@
 
 #include "app/export.h"
 #include "app/model_source.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 namespace {
@@ -17,11 +18,6 @@ namespace fs = std::filesystem;
 using ui::FilePurpose;
 
 constexpr char kSessionEnding[] = ".kerf.json";
-
-std::string lowerCase(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
 
 /// The kinds that opening offers, by index.
 enum OpenKind { kEverything, kModels, kSessions, kAllFiles };
@@ -160,7 +156,6 @@ void FileBrowser::goTo(const fs::path& folder, const std::string& select) {
     state_.folder = folder;
     state_.crumbs = crumbsOf(folder);
     state_.selected = -1;
-    state_.preview.clear();
     listRows();
     if (state_.purpose == FilePurpose::open) {
         state_.name.clear();
@@ -180,7 +175,7 @@ bool FileBrowser::isOffered(const fs::path& file) const {
         case FilePurpose::saveSession:
             return session;
         default:
-            return meshFormatOf(lowerCase(file.string())).has_value();
+            return meshFormatOf(file).has_value();
     }
     switch (state_.kind) {
         case kEverything:
@@ -223,7 +218,6 @@ void FileBrowser::select(int row) {
         return;
     }
     state_.selected = row;
-    state_.preview.clear();
     state_.problem.clear();
     if (!state_.rows[row].isFolder) {
         state_.name = state_.rows[row].name;
@@ -236,7 +230,6 @@ void FileBrowser::select(int row) {
 void FileBrowser::rename(std::string name) {
     state_.name = std::move(name);
     state_.problem.clear();
-    state_.preview.clear();
     state_.selected = -1;
     const std::string wanted = lowerCase(state_.name);
     for (std::size_t i = 0; i < state_.rows.size() && !wanted.empty(); ++i) {

@@ -20,7 +20,6 @@ class FileBrowser {
     const ui::FileDialogState& state() const { return state_; }
     /// What is selected, a file that can be opened; empty for none.
     std::filesystem::path selectedFile() const;
-    void setPreview(std::vector<std::string> lines) { state_.preview = std::move(lines); }
 
     /// Returns the file once one is taken. Other actions change the state.
     std::optional<std::filesystem::path> take(const ui::FileAction& action);

@@ -53,10 +53,11 @@ std::optional<std::uint64_t> facesOfStl(const fs::path& file) {
 }
 
 std::optional<std::uint64_t> facesInHeader(const fs::path& file) {
-    if (file.extension() == ".ply") {
+    const std::string extension = lowerCase(file.extension().string());
+    if (extension == ".ply") {
         return facesOfPly(file);
     }
-    return file.extension() == ".stl" ? facesOfStl(file) : std::nullopt;
+    return extension == ".stl" ? facesOfStl(file) : std::nullopt;
 }
 
 void describeSession(const fs::path& file, std::vector<std::string>& lines) {
@@ -96,7 +97,7 @@ std::vector<std::string> describeFile(const fs::path& file, WorkProgress& progre
     std::vector<std::string> lines{file.filename().string()};
     try {
         lines.push_back(formatName(file) + ", " + ui::sizeText(fs::file_size(file)));
-        if (file.extension() == ".json") {
+        if (lowerCase(file.extension().string()) == ".json") {
             describeSession(file, lines);
         } else {
             describeModel(file, progress, lines);

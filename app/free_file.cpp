@@ -13,7 +13,8 @@ std::filesystem::path freeFile(const std::filesystem::path& folder, const std::s
     std::strftime(moment, sizeof moment, "-%Y%m%d-%H%M%S", &local);
     const std::string stem = name + moment;
     std::filesystem::path file = folder / (stem + ending);
-    for (int n = 2; std::filesystem::exists(file); ++n) {
+    std::error_code unknown;  // a folder that can't be looked into: writing will say so
+    for (int n = 2; std::filesystem::exists(file, unknown); ++n) {
         file = folder / (stem + "-" + std::to_string(n) + ending);
     }
     return std::filesystem::absolute(file).lexically_normal();

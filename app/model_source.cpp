@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cctype>
 #include <csignal>
 
 #include "app/import_process.h"
@@ -40,11 +39,6 @@ std::string joinedNames(const std::string& lastSeparator) {
         text += i == 0 ? "" : i + 1 == formats().size() ? lastSeparator : ", ";
         text += formats()[i].name;
     }
-    return text;
-}
-
-std::string lowerCase(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
     return text;
 }
 

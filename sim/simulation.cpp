@@ -540,8 +540,10 @@ std::string Simulation::State::execute(const SetParam& set) {
     touch();
     paramsChanged = true;
     std::string name = nameOfChange(*findParam(set.name), after);
-    if (set.continues && history.continuesLast(set.name)) {
-        history.extendLast(std::move(name), after);
+    auto* last = history.continued<UndoEntry::ParamChange>();
+    if (set.continues && last != nullptr && last->param == set.name) {
+        last->after = after;
+        history.renameLast(std::move(name));
     } else {
         history.add({std::move(name), time, UndoEntry::ParamChange{set.name, before, after}});
     }
@@ -578,8 +580,9 @@ std::string Simulation::State::execute(const Pin& pin) {
                           : "No pinned vertex lies in that region; nothing was freed.";
     }
     solver.setPinned(pins.vertices());
-    if (pin.continues && history.continuesLastPins()) {
-        history.extendLast(pins);
+    auto* last = history.continued<UndoEntry::PinChange>();
+    if (pin.continues && last != nullptr) {
+        last->after = pins;
     } else {
         history.add({pin.pinned ? "Pin" : "Free pins", time, UndoEntry::PinChange{before, pins}});
     }
@@ -590,8 +593,9 @@ std::string Simulation::State::apply(BoxEdit edit) {
     if (!edit.error.empty() || edit.after == boxes) {
         return edit.error;
     }
-    if (edit.continues && history.continuesLastBox(edit.changed)) {
-        history.extendLastBox(edit.after);
+    auto* last = history.continued<UndoEntry::BoxesChange>();
+    if (edit.continues && last != nullptr && last->changed == edit.changed) {
+        last->after = edit.after;
     } else {
         history.add(
             {std::move(edit.name), time, UndoEntry::BoxesChange{boxes, edit.after, edit.changed}});
@@ -713,7 +717,6 @@ Moment Simulation::State::moment() {
 void Simulation::State::goTo(const Moment::Content& then) {
     restoreBody(then.body);
     params = then.params;
-    paramsChanged = true;
     setBoxes(then.boxes);
     blade = then.blade;
     history = then.history;

@@ -21,4 +21,12 @@ std::string joined(const Words& words, std::string_view separator) {
     return text;
 }
 
+/// ASCII letters in lower case.
+inline std::string lowerCase(std::string text) {
+    for (char& c : text) {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return text;
+}
+
 }  // namespace kerf

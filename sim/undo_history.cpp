@@ -73,41 +73,6 @@ void UndoHistory::add(UndoEntry entry) {
     keepToBudget();
 }
 
-bool UndoHistory::continuesLast(const std::string& param) const {
-    if (!canUndo() || canRedo()) {
-        return false;
-    }
-    const auto* last = std::get_if<UndoEntry::ParamChange>(&lastDone().change);
-    return last != nullptr && last->param == param;
-}
-
-void UndoHistory::extendLast(std::string name, const ParamValue& after) {
-    UndoEntry& last = entries_[done_ - 1];
-    last.name = std::move(name);
-    std::get<UndoEntry::ParamChange>(last.change).after = after;
-}
-
-bool UndoHistory::continuesLastPins() const {
-    return canUndo() && !canRedo() &&
-           std::holds_alternative<UndoEntry::PinChange>(lastDone().change);
-}
-
-void UndoHistory::extendLast(const Pins& after) {
-    std::get<UndoEntry::PinChange>(entries_[done_ - 1].change).after = after;
-}
-
-bool UndoHistory::continuesLastBox(int changed) const {
-    if (!canUndo() || canRedo()) {
-        return false;
-    }
-    const auto* last = std::get_if<UndoEntry::BoxesChange>(&lastDone().change);
-    return last != nullptr && last->changed == changed;
-}
-
-void UndoHistory::extendLastBox(std::vector<StaticBox> after) {
-    std::get<UndoEntry::BoxesChange>(entries_[done_ - 1].change).after = std::move(after);
-}
-
 void UndoHistory::clear() {
     entries_.clear();
     done_ = 0;

@@ -60,17 +60,13 @@ class UndoHistory {
 
     /// A change was made; those that were undone are lost.
     void add(UndoEntry entry);
-    /// The last change in force is one of `param` and nothing is undone: more of the same gesture
-    /// belongs to it.
-    bool continuesLast(const std::string& param) const;
-    /// Gives that change a new end.
-    void extendLast(std::string name, const ParamValue& after);
-    /// The same for pins.
-    bool continuesLastPins() const;
-    void extendLast(const Pins& after);
-    /// The same of a change of box number `changed`.
-    bool continuesLastBox(int changed) const;
-    void extendLastBox(std::vector<StaticBox> after);
+    /// The last change where it is of this kind and nothing is undone: more of the same gesture may
+    /// give it a new end. Else null.
+    template <class Change>
+    Change* continued() {
+        return canUndo() && !canRedo() ? std::get_if<Change>(&entries_[done_ - 1].change) : nullptr;
+    }
+    void renameLast(std::string name) { entries_[done_ - 1].name = std::move(name); }
     void clear();
 
     /// The change to take back next; markUndone() once that is done.

@@ -30,8 +30,10 @@ int replaceText(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-bool pressed(ImGuiKey key) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+/// Keys that decide something don't repeat: a held Enter must not answer the question that it
+/// raised.
+bool pressed(ImGuiKey key, bool repeats = false) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeats);
 }
 
 void drawDim(const std::string& text) {
@@ -141,13 +143,13 @@ void FileDialog::takeKeys(const FileDialogState& state, std::vector<Action>& act
         }
     } else if (pressed(ImGuiKey_Enter)) {
         actions.emplace_back(FileAction(AcceptFile{state.asksToOverwrite}));
-    } else if (pressed(ImGuiKey_DownArrow)) {
+    } else if (pressed(ImGuiKey_DownArrow, true)) {
         actions.emplace_back(FileAction(MoveFileSelection{1}));
-    } else if (pressed(ImGuiKey_UpArrow)) {
+    } else if (pressed(ImGuiKey_UpArrow, true)) {
         actions.emplace_back(FileAction(MoveFileSelection{-1}));
-    } else if (pressed(ImGuiKey_PageDown)) {
+    } else if (pressed(ImGuiKey_PageDown, true)) {
         actions.emplace_back(FileAction(MoveFileSelection{10}));
-    } else if (pressed(ImGuiKey_PageUp)) {
+    } else if (pressed(ImGuiKey_PageUp, true)) {
         actions.emplace_back(FileAction(MoveFileSelection{-10}));
     } else if (pressed(ImGuiKey_Backspace) && text_.empty()) {
         actions.emplace_back(FileAction(GoToParentFolder{}));

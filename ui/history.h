@@ -26,8 +26,6 @@ struct History {
     Series totalEnergy;                  ///< the sum of both [J]
     Series touchedTriangles;
     std::vector<PlotMark> marks;  ///< cuts, impacts, what was undone, by time
-
-    void clear() { *this = History{}; }
 };
 
 }  // namespace kerf::ui

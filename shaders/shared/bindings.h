@@ -11,7 +11,7 @@ SHARED_CONST uint kPositionsBinding = 1u;     // vec4: base position X [m], w in
 SHARED_CONST uint kVelocitiesBinding = 2u;    // vec4: [m/s]
 SHARED_CONST uint kDisplacementBinding = 3u;  // vec4: d = P - X of this substep [m]
 SHARED_CONST uint kLinksBinding = 4u;         // VertexLinks
-SHARED_CONST uint kConstraintsBinding = 5u;   // EdgeConstraint, BendConstraint or IspcConstraint
+SHARED_CONST uint kConstraintsBinding = 5u;   // texels of BendConstraint or IspcConstraint
 SHARED_CONST uint kRangesBinding = 6u;        // IncidenceRange per vertex: of
 SHARED_CONST uint kEntriesBinding = 7u;       // 4 * element + slot, or neighbours, or Spoke
 SHARED_CONST uint kCorrectionsBinding = 8u;   // vec4: two per bend, or one per ISPC (bend.comp)

@@ -1,5 +1,6 @@
 #include "sim/contact/box_contact.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 

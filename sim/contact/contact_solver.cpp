@@ -148,7 +148,6 @@ void ContactSolver::uploadUniforms() {
 }
 
 void ContactSolver::beginStep(const RelativeMotion& motion) {
-    motion_ = motion;
     if (!enabled()) {
         return;
     }
@@ -190,15 +189,16 @@ void ContactSolver::findFromSearched() {
 
 ContactMemory ContactSolver::memory() const {
     if (!hasCandidates_) {
-        return {{}, {}, {}, {}, motion_};
+        return {};
     }
     return {searchedPositions_.read<shared::vec4>(0, body_.vertexCount),
-            searchedVelocities_.read<shared::vec4>(0, body_.vertexCount), candidateSettings_,
-            uniforms_, motion_};
+            searchedVelocities_.read<shared::vec4>(0, body_.vertexCount),
+            candidateSettings_,
+            uniforms_,
+            {}};
 }
 
 void ContactSolver::remember(const ContactMemory& memory) {
-    motion_ = memory.motion;
     if (memory.positions.empty()) {
         return;
     }

@@ -147,7 +147,6 @@ class ContactSolver {
     bool hasCandidates_ = false;         ///< of this body
     ContactSettings candidateSettings_;  ///< with which they were found
     long searches_ = 0;
-    RelativeMotion motion_;  ///< at the beginning of the last step
 
     gpu::Buffer uniformBuffer_, state_;
     gpu::Buffer searchedPositions_, searchedVelocities_;

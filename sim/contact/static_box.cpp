@@ -30,11 +30,8 @@ Vec3 StaticBox::corner(int index) const {
 }
 
 Bounds StaticBox::bounds() const {
-    Bounds out;
-    for (int i = 0; i < 8; ++i) {
-        out.add(corner(i));
-    }
-    return out;
+    const Vec3 reach = 0.5 * (axes().cwiseAbs() * size);
+    return {center - reach, center + reach};
 }
 
 std::string checkBox(const StaticBox& box) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "sim/math.h"
 

@@ -16,7 +16,6 @@
 #include "sim/cut/piece_groups.h"
 #include "sim/cut/plan.h"
 #include "sim/cut/resume.h"
-#include "sim/cut/skin_map.h"
 #include "sim/cut/strip.h"
 #include "sim/cut/sweep.h"
 #include "sim/cut/wall_edge.h"
@@ -597,7 +596,7 @@ void Cutter::State::cleanUpAtEnd(CutResult& result) {
     const CleanupStatistics before = result.statistics.cleanup;
     CleanupStatistics& sum = result.statistics.cleanup = cleanup->atEnd(result.delta);
     if (settings.wallCoarsening > 1) {
-        sum.coarsenings = cleanup->coarsen(settings.wallCoarsening, result.delta);
+        cleanup->coarsen(settings.wallCoarsening, result.delta);
     }
     followCleanUp(changedBefore, result.delta);
     sum.collapses += before.collapses;

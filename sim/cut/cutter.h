@@ -51,7 +51,6 @@ struct CleanupStatistics {
     /// Upper bound of what the clean-up of the stroke has changed so far of the body's volume and
     /// rest volume, both together, as a share.
     double volumeSpent = 0;
-    int coarsenings = 0;  ///< collapses inside finished walls (CutSettings::wallCoarsening)
 };
 
 /// Counts of one step.

@@ -124,10 +124,6 @@ int exactOrient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
     return determinant.sign();
 }
 
-}  // namespace
-
-namespace {
-
 /// A determinant in doubles and the sum of the sizes of its terms.
 struct Estimate {
     double determinant;

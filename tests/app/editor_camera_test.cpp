@@ -69,7 +69,8 @@ TEST(LookAlong, KeepsTargetAndDistance) {
           std::pair{AxisView::left, Vec3(-1, 0, 0)}, std::pair{AxisView::bottom, Vec3(0, -1, 0)}}) {
         render::Camera moved{.eye = {3, 4, 0}, .target = {0, 0, 0}};
         lookAlong(moved, view);
-        EXPECT_NEAR((moved.eye - 5 * direction).norm(), 0, 1e-3);
+        const bool alongUp = std::abs(direction.y()) > 0.5;  // leans a little, to know what is up
+        EXPECT_NEAR((moved.eye - 5 * direction).norm(), 0, alongUp ? 1e-3 : 1e-9);
         EXPECT_NEAR((moved.eye - moved.target).norm(), 5, 1e-9);
         EXPECT_TRUE(moved.view().allFinite());
     }

@@ -126,7 +126,7 @@ TEST_F(TestBench, TheBarsModulusIsOfTheParametersSize) {
     const double solid = deflectionOverTheory(hangingSolid(3, 0.45));
     const double deviation = result.effectiveModulus / setting.modulus * solid;
     RecordProperty("deviation", std::to_string(deviation));
-    EXPECT_GT(deviation, 0.9) << "docs/physics.md states 1.6";
+    EXPECT_GT(deviation, 0.9) << "docs/physics.md states 1.46";
     EXPECT_LT(deviation, 1.8);
 }
 
