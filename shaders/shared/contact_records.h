@@ -32,6 +32,9 @@ SHARED_CONST uint kEdgePairsPerPoint = 4u;
 // Edges meet where the line across both leans no farther from the normals of their surfaces:
 // cosine.
 SHARED_CONST float kAcross = 0.3f;
+// Share of the thickness that edges keep: where surfaces lie flat on each other, vertices carry,
+// which have friction.
+SHARED_CONST float kEdgeThickness = 0.8f;
 // Edges that lie this deep in each other, times h, are left to the vertices.
 SHARED_CONST float kEdgeDepth = 0.25f;
 
@@ -88,7 +91,7 @@ struct EdgePair {
 // What a point or an edge at it touches in a substep.
 struct ContactRecord {
     vec4 normal;   // towards the point; w: how far X is to be pushed apart along it [m]
-    vec4 impulse;  // xyz: how the difference of the d is to change [m]; w unused
+    vec4 impulse;  // xyz: how the difference of the d is to change [m]; w: ContactAnswer.least
     vec4 gains;    // of the vertices in that difference
     uint v0;       // the point
     uint v1;       // kNoVertex: nothing is touched

@@ -1,6 +1,7 @@
 // How two surfaces answer to each other in a substep.
 struct ContactAnswer {
     vec3 impulse;  // how d of the one is to change against d of the other [m]
+    float least;   // what the gap may change by d at least: not below 0 but by what is left [m]
     float push;    // how far X is to be pushed apart along the normal [m]
 };
 
@@ -10,12 +11,24 @@ struct ContactAnswer {
 // the tangential way by at most friction * what was stopped.
 ContactAnswer answerTo(vec3 normal, float before, vec3 slip, float thickness, float friction, float most) {
     // Not as a difference of gaps: below the thickness it is the slip alone, to its last digit.
-    float approach = max(min(thickness - before, 0.0) - dot(normal, slip), 0.0);
+    float least = min(thickness - before, 0.0);
+    float approach = max(least - dot(normal, slip), 0.0);
     float reached = before + dot(normal, slip) + approach;
     float push = min(max(-reached, kThicknessRate * (thickness - reached)), most);
     vec3 along = slip - dot(normal, slip) * normal;
     float way = length(along);
     float held = min(way, friction * approach);
     vec3 impulse = approach * normal - (way > 0.0 ? held / way : 0.0) * along;
-    return ContactAnswer(impulse, max(push, 0.0));
+    return ContactAnswer(impulse, least, max(push, 0.0));
+}
+
+// The impulse so far and what slip still asks for: never a pull, and no more friction than the sum
+// along the normal allows.
+vec3 goOn(vec3 soFar, vec3 normal, vec3 slip, float least, float friction) {
+    float pressed = max(dot(normal, soFar - slip) + least, 0.0);
+    vec3 along = soFar - slip;
+    along -= dot(normal, along) * normal;
+    float way = length(along);
+    float held = min(way, friction * pressed);
+    return pressed * normal + (way > 0.0 ? held / way : 0.0) * along;
 }

@@ -29,6 +29,7 @@ static_assert(sizeof(shared::ContactState) == 40);
 constexpr double kReach = 0.5;     // h
 constexpr double kKept = 0.25;     // h: candidates are kept up to this motion
 constexpr double kFarthest = 2;    // h: no candidate beyond
+constexpr int kSweeps = 2;         // over the contacts of a substep, as in ReferenceContact
 constexpr double kTopSpeed = 400;  // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
@@ -107,6 +108,9 @@ ContactSolver::ContactSolver() {
     kernels_.detect = gpu::Program::compute("sim/contact/detect.comp");
     kernels_.respond = gpu::Program::compute("sim/contact/respond.comp");
     kernels_.apply = gpu::Program::compute("sim/contact/apply.comp");
+    kernels_.respondAgain =
+        gpu::Program::compute("sim/contact/respond.comp", {{"SWEEP_AGAIN", "1"}});
+    kernels_.applyLast = gpu::Program::compute("sim/contact/apply.comp", {{"LAST_SWEEP", "1"}});
     state_.resize(sizeof(shared::ContactState));
     searchedPositions_.resize(sizeof(shared::vec4));
 }
@@ -278,7 +282,11 @@ void ContactSolver::respond() {
         runIndirect(kernels_.detectEdges, offsetof(shared::ContactState, point_groups));
     }
     runIndirect(kernels_.respond, offsetof(shared::ContactState, point_groups));
-    runIndirect(kernels_.apply, offsetof(shared::ContactState, vertex_groups));
+    for (int sweep = 1; sweep < kSweeps; ++sweep) {
+        runIndirect(kernels_.apply, offsetof(shared::ContactState, vertex_groups));
+        runIndirect(kernels_.respondAgain, offsetof(shared::ContactState, point_groups));
+    }
+    runIndirect(kernels_.applyLast, offsetof(shared::ContactState, vertex_groups));
 }
 
 void ContactSolver::run(const gpu::Program& kernel, uint threads) {

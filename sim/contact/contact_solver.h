@@ -125,7 +125,7 @@ class ContactSolver {
   private:
     struct Kernels {
         gpu::Program normals, boxes, scan, scanBlocks, fill, candidates, edgePairs, detect,
-            detectEdges, respond, apply;
+            detectEdges, respond, apply, respondAgain, applyLast;
     };
     void takeBody();
     void uploadUniforms();

@@ -63,8 +63,9 @@ struct ReferenceContact::Contact {
     std::array<std::uint32_t, 4> vertices;  ///< the vertex, then the corners
     std::array<double, 4> gains;            ///< 1, then minus the weights of the touched point
     Vec3 normal;
-    Vec3 impulse;     ///< [m]
-    double push = 0;  ///< [m]
+    Vec3 impulse;      ///< so far [m]
+    double least = 0;  ///< change of the gap by displacements [m]
+    double push = 0;   ///< [m]
 
     void setWeights(const Vec3& weights) { gains = {1, -weights[0], -weights[1], -weights[2]}; }
 };
@@ -184,6 +185,7 @@ bool ReferenceContact::detect(std::uint32_t vertex,
     }
     const double gap = before + contact.normal.dot(slip);
     const double lowest = std::min(before, thickness);
+    contact.least = lowest - before;
     const double reached = std::max(gap, lowest);
     const double approach = std::max(lowest - gap, 0.0);
     contact.push =
@@ -205,33 +207,60 @@ bool ReferenceContact::detect(std::uint32_t vertex,
 int ReferenceContact::respond(const std::vector<std::vector<ReferenceCandidate>>& candidates,
                               ReferenceState& state) const {
     std::vector<Contact> contacts;
-    std::vector<int> shares(state.positions.size(), 0);
+    std::vector<double> taken(state.positions.size(), 0.0);
     for (std::uint32_t v = 0; v < candidates.size(); ++v) {
         Contact contact;
         if (!candidates[v].empty() && detect(v, candidates[v], state, contact)) {
             contacts.push_back(contact);
-            for (const std::uint32_t u : contact.vertices) {
-                ++shares[u];
+            for (int k = 0; k < 4; ++k) {
+                taken[contact.vertices[k]] += std::fabs(contact.gains[k]);
             }
         }
     }
+    std::vector<Vec3> changes;
     for (const Contact& contact : contacts) {
-        double weight = 0;
-        for (int k = 0; k < 4; ++k) {
-            const std::uint32_t v = contact.vertices[k];
-            weight += shares[v] * inverseMass_[v] * contact.gains[k] * contact.gains[k];
-        }
-        if (weight <= 0) {
-            continue;
-        }
-        for (int k = 0; k < 4; ++k) {
-            const std::uint32_t v = contact.vertices[k];
-            const double gain = contact.gains[k] * inverseMass_[v] / weight;
-            state.displacements[v] += gain * contact.impulse;
-            state.positions[v] += gain * contact.push * contact.normal;
-        }
+        changes.push_back(contact.impulse);
+        apply(contact, taken, contact.push * contact.normal, state.positions);
     }
+    applyAll(contacts, taken, changes, state.displacements);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        changes[i] = goOn(contacts[i], state.displacements) - contacts[i].impulse;
+    }
+    applyAll(contacts, taken, changes, state.displacements);
     return static_cast<int>(contacts.size());
+}
+
+void ReferenceContact::applyAll(const std::vector<Contact>& contacts,
+                                const std::vector<double>& taken, const std::vector<Vec3>& changes,
+                                std::vector<Vec3>& vectors) const {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        apply(contacts[i], taken, changes[i], vectors);
+    }
+}
+
+void ReferenceContact::apply(const Contact& contact, const std::vector<double>& taken,
+                             const Vec3& change, std::vector<Vec3>& vectors) const {
+    double weight = 0;
+    for (int k = 0; k < 4; ++k) {
+        const std::uint32_t v = contact.vertices[k];
+        weight += taken[v] * inverseMass_[v] * std::fabs(contact.gains[k]);
+    }
+    for (int k = 0; k < 4 && weight > 0; ++k) {
+        const std::uint32_t v = contact.vertices[k];
+        vectors[v] += contact.gains[k] * inverseMass_[v] / weight * change;
+    }
+}
+
+Vec3 ReferenceContact::goOn(const Contact& contact, const std::vector<Vec3>& displacements) const {
+    Vec3 wanted = contact.impulse;
+    for (int k = 0; k < 4; ++k) {
+        wanted -= contact.gains[k] * displacements[contact.vertices[k]];
+    }
+    const double pressed = std::max(contact.normal.dot(wanted) + contact.least, 0.0);
+    const Vec3 along = wanted - contact.normal.dot(wanted) * contact.normal;
+    const double held = std::min(along.norm(), uniforms_.friction * pressed);
+    return pressed * contact.normal +
+           (along.norm() > 0 ? Vec3(held / along.norm() * along) : Vec3::Zero());
 }
 
 }  // namespace kerf

@@ -26,8 +26,8 @@ class ReferenceContact {
 
     /// Nearest first, at most kCandidatesPerPoint, shape [vertexCount][].
     std::vector<std::vector<ReferenceCandidate>> findCandidates(const ReferenceState& state) const;
-    /// One sweep over the contacts: changes displacements and positions. Returns how many there
-    /// were.
+    /// The sweeps of a substep over the contacts: changes displacements and positions. Returns how
+    /// many there were.
     int respond(const std::vector<std::vector<ReferenceCandidate>>& candidates,
                 ReferenceState& state) const;
 
@@ -40,6 +40,15 @@ class ReferenceContact {
     bool mayTouch(std::uint32_t vertex, std::uint32_t triangle) const;
     bool detect(std::uint32_t vertex, const std::vector<ReferenceCandidate>& candidates,
                 const ReferenceState& state, Contact& contact) const;
+
+    /// Moves what a contact touches by a change of its relative vector; `taken`: by contacts, of
+    /// each vertex.
+    void apply(const Contact& contact, const std::vector<double>& taken, const Vec3& change,
+               std::vector<Vec3>& vectors) const;
+    void applyAll(const std::vector<Contact>& contacts, const std::vector<double>& taken,
+                  const std::vector<Vec3>& changes, std::vector<Vec3>& vectors) const;
+    /// The impulse after one more sweep.
+    Vec3 goOn(const Contact& contact, const std::vector<Vec3>& displacements) const;
 
     const BodyModel& model_;
     shared::ContactUniforms uniforms_;

@@ -305,10 +305,17 @@ CollisionFigures collideSpheres(const Params& given) {
         return sum;
     };
     const auto before = momentum();
+    const double diagonal = meshBounds(simulation.mesh()).diagonal();
+    const double energy = simulation.report().kineticEnergy;
     CollisionFigures figures;
     for (int i = 0; i < 120; ++i) {
         figures.stepsInContact += simulation.step().contacts > 0;
+        if (i % 5 == 0) {
+            const double depth = deepestPenetration(simulation.mesh(), simulation.pieces());
+            figures.penetration = std::max(figures.penetration, depth / diagonal);
+        }
     }
+    figures.energyLeft = simulation.report().kineticEnergy / energy;
     const auto after = momentum();
     figures.parted = simulation.report().contacts == 0;
     figures.linearDrift = (after.first - before.first).norm() / before.first.norm();
@@ -320,8 +327,9 @@ std::string text(const CollisionFigures& f) {
     char line[256];
     std::snprintf(
         line, sizeof line,
-        "%d steps in contact, parted %d  drift of momentum %.2e, of angular momentum %.2e",
-        f.stepsInContact, f.parted, f.linearDrift, f.angularDrift);
+        "%d steps in contact, parted %d  drift of momentum %.2e, of angular momentum %.2e  energy "
+        "left %.3f  deepest %.2e diag",
+        f.stepsInContact, f.parted, f.linearDrift, f.angularDrift, f.energyLeft, f.penetration);
     return line;
 }
 

@@ -56,6 +56,8 @@ struct CollisionFigures {
     bool parted = false;
     double linearDrift = 0;   ///< change of momentum as a share of it
     double angularDrift = 0;  ///< the same of angular momentum about their common centre
+    double energyLeft = 0;    ///< kinetic at the end, as a share of that at the start
+    double penetration = 0;   ///< of the deepest vertex at any step [diagonals of both]
 };
 CollisionFigures collideSpheres(const Params& params);
 std::string text(const CollisionFigures& figures);

@@ -1,4 +1,4 @@
-// Solves each touch of a box and a triangle once: mass-splitting Jacobi, see contact/respond.comp.
+// Solves each touch of a box and a triangle once: mass-splitting Jacobi, see mass_shares.glsl.
 // Reads X (inverse mass), touches, shares. Adds to sums. One thread per triangle. A storage barrier
 // follows, then apply.
 #include "body_records.h"
@@ -13,6 +13,7 @@ layout(std430, binding = kBoxSharesBinding) readonly buffer Shares { uint shares
 layout(std430, binding = kBoxSumsBinding) buffer Sums { int sums[]; };
 
 #include "sim/fixed_sums.glsl"
+#include "sim/mass_shares.glsl"
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
@@ -22,8 +23,10 @@ void main() {
     uvec3 t = triangles[index].xyz;
     vec3 b = record.weights.xyz;
     vec3 w = uniforms.inverse_density * vec3(positions[t.x].w, positions[t.y].w, positions[t.z].w);
-    vec3 counts = vec3(shares[t.x], shares[t.y], shares[t.z]);
-    float weight = dot(counts * w, b * b);
+    float weight = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        weight += w[k] * sharedWeight(b[k], shares[t[k]]);
+    }
     if (!(weight > 0.0)) return;
     for (int k = 0; k < 3; ++k) {
         float gain = b[k] * w[k] / weight;

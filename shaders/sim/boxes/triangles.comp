@@ -7,7 +7,7 @@
 //           the line across both, where that lies between the two faces of the box
 //
 // How a gap becomes a change of d and a push of X is said in contact_answer.glsl.
-// Reads X, d, triangles, boxes. Writes touches, how many of them each vertex is part of. One thread
+// Reads X, d, triangles, boxes. Writes touches, what they take of each vertex. One thread
 // per triangle. A storage barrier follows, then respond.
 #include "body_records.h"
 #include "box_records.h"
@@ -24,6 +24,7 @@ layout(std430, binding = kBoxSharesBinding) buffer Shares { uint shares[]; };
 #include "boxes.glsl"
 #include "sim/contact_answer.glsl"
 #include "sim/lines.glsl"
+#include "sim/mass_shares.glsl"
 
 // Positions and displacements of the corners of a triangle, in the coordinates of a box.
 struct Corners {
@@ -155,6 +156,6 @@ void main() {
     records[index] = record;
     if (record.impulse.w == 0.0) return;
     for (int k = 0; k < 3; ++k) {
-        if (record.weights[k] > 0.0) atomicAdd(shares[t[k]], 1u);
+        atomicAdd(shares[t[k]], shareOf(record.weights[k]));
     }
 }

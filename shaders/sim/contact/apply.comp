@@ -1,5 +1,6 @@
 // Adds to each vertex what its contacts sum up to: to d, which becomes velocity, and to X, which does
-// not. Clears the sums for the next substep. One thread per vertex. A storage barrier follows.
+// not. Clears the sums for the next sweep, and in the LAST_SWEEP of a substep the shares. One thread
+// per vertex. A storage barrier follows.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -16,12 +17,16 @@ layout(std430, binding = kContactStateBinding) buffer State { ContactState state
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
+#ifdef LAST_SWEEP
     if (v == 0u) {
         state.last_contacts = state.contacts;
         state.contacts = 0u;
     }
+#endif
     if (v >= uniforms.vertex_count || shares[v] == 0u) return;
+#ifdef LAST_SWEEP
     shares[v] = 0u;
+#endif
     displacement[v] = vec4(displacement[v].xyz + takeSum(6u * v), 0.0);
     positions[v] = vec4(positions[v].xyz + takeSum(6u * v + 3u), positions[v].w);
 }

@@ -4,7 +4,7 @@
 // the line of the whole impulse meets its plane at X, so that no torque is left over, as far as the
 // vertex is no deeper than the thickness.
 //
-// Reads X, d, candidates. Writes records, how many contacts each vertex is part of, and their number.
+// Reads X, d, candidates. Writes records, what contacts take of each vertex, and their number.
 // One thread per listed point. A storage barrier follows, then respond.
 #include "body_records.h"
 #include "contact_bindings.h"
@@ -23,6 +23,7 @@ layout(std430, binding = kContactStateBinding) buffer State { ContactState state
 
 #include "closest_point.glsl"
 #include "sim/contact_answer.glsl"
+#include "sim/mass_shares.glsl"
 
 struct Nearest {
     uvec4 triangle;
@@ -108,7 +109,7 @@ void main() {
     }
     ContactRecord record;
     record.normal = vec4(normal, answer.push);
-    record.impulse = vec4(answer.impulse, 0.0);
+    record.impulse = vec4(answer.impulse, answer.least);
     record.gains = vec4(1.0, -weights);
     record.v0 = v;
     record.v1 = touches ? near.triangle.x : kNoVertex;
@@ -116,9 +117,9 @@ void main() {
     record.v3 = near.triangle.z;
     records[index] = record;
     if (!touches) return;
-    atomicAdd(shares[v], 1u);
-    atomicAdd(shares[near.triangle.x], 1u);
-    atomicAdd(shares[near.triangle.y], 1u);
-    atomicAdd(shares[near.triangle.z], 1u);
+    atomicAdd(shares[v], shareOf(1.0));
+    atomicAdd(shares[near.triangle.x], shareOf(weights.x));
+    atomicAdd(shares[near.triangle.y], shareOf(weights.y));
+    atomicAdd(shares[near.triangle.z], shareOf(weights.z));
     atomicAdd(state.contacts, 1u);
 }

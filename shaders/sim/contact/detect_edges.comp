@@ -2,8 +2,8 @@
 // smallest. The gap is measured along the line across both edges at X, which points to the surface of
 // the point; both are met where they come nearest to each other at X, so that no torque is left over,
 // and must cross there at X + d too. Friction is left to vertices.
-// Reads X, d, triangles, normals, pairs. Writes the records behind those of the points, how many
-// contacts each vertex is part of, and their number. One thread per listed point. A storage barrier
+// Reads X, d, triangles, normals, pairs. Writes the records behind those of the points, what
+// contacts take of each vertex, and their number. One thread per listed point. A storage barrier
 // follows, then respond.
 #include "body_records.h"
 #include "contact_bindings.h"
@@ -23,6 +23,7 @@ layout(std430, binding = kContactStateBinding) buffer State { ContactState state
 
 #include "sim/contact_answer.glsl"
 #include "sim/lines.glsl"
+#include "sim/mass_shares.glsl"
 
 struct Crossing {
     uvec4 vertices;
@@ -88,11 +89,11 @@ void main() {
     }
     ContactAnswer answer = answerTo(best.normal, best.before, best.slip, best.thickness, 0.0,
                                     uniforms.lift_speed * uniforms.substep);
-    records[place] = ContactRecord(vec4(best.normal, answer.push), vec4(answer.impulse, 0.0),
+    records[place] = ContactRecord(vec4(best.normal, answer.push), vec4(answer.impulse, answer.least),
                                    best.gains, best.vertices.x, best.vertices.y, best.vertices.z,
                                    best.vertices.w);
     for (int k = 0; k < 4; ++k) {
-        atomicAdd(shares[best.vertices[k]], 1u);
+        atomicAdd(shares[best.vertices[k]], shareOf(best.gains[k]));
     }
     atomicAdd(state.contacts, 1u);
 }

@@ -67,7 +67,7 @@ float thicknessInRest(uint v, uint other, uint from, uint to) {
     vec3 p = restPositions[v].xyz;
     vec3 q = restPositions[from].xyz;
     float apart = distanceOf(p, restPositions[other].xyz - p, q, restPositions[to].xyz - q);
-    return uniforms.thickness * clamp(apart / uniforms.h - 0.5, 0.0, 1.0);
+    return kEdgeThickness * uniforms.thickness * clamp(apart / uniforms.h - 0.5, 0.0, 1.0);
 }
 
 void consider(uint v, uint other, ContactCandidate candidate) {

@@ -1,0 +1,122 @@
+// Pieces of one body that lie on each other: what rests has no speed, what is steep slides.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/simulation.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+Params weightless() {
+    Params params;
+    params.contact = 1;
+    params.gravity.setZero();
+    return params;
+}
+
+/// A block of 0.6 x 0.4 x 0.6 m about the origin, cut level in two.
+void cutLevel(Simulation& simulation) {
+    constexpr int kSteps = 20;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double z = 0.5 * (1 - 2.0 * i / kSteps);
+        simulation.execute(MoveBlade{{{-0.5, 0, z}, {0.5, 1e-3, z}}});
+        simulation.step();
+    }
+    simulation.execute(LiftBlade{});
+    simulation.step();
+}
+
+/// The mean velocity of the upper half.
+Vec3 upperVelocity(const SurfaceMesh& mesh, const PieceMap& pieces, int upper) {
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.outgoing(v) >= 0 && pieces.ofVertex[v] == upper) {
+            sum += mesh.velocity(v);
+            ++count;
+        }
+    }
+    return sum / count;
+}
+
+int pieceOfTop(const SurfaceMesh& mesh, const PieceMap& pieces) {
+    int top = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.outgoing(v) >= 0 && mesh.position(v).y() > mesh.position(top).y()) {
+            top = v;
+        }
+    }
+    return pieces.ofVertex[top];
+}
+
+class RestingPieces : public test::GlTest {};
+
+// A contact that stops a part of the approach alone lets bodies fall at a speed that they do not
+// move with: pushes take it back in each substep.
+TEST_F(RestingPieces, SpeedsAreThoseOfTheMotion) {
+    Params params = weightless();
+    params.floor = -0.2;
+    Simulation simulation(test::box({0.6, 0.4, 0.6}, 4), params);
+    cutLevel(simulation);
+    simulation.execute(SetParam{"gravity", Vec3(0, -9.81, 0)});
+    for (int i = 0; i < 200; ++i) {
+        simulation.step();
+    }
+    ASSERT_EQ(simulation.pieces().pieces.size(), 2U);
+    const SurfaceMesh before = simulation.mesh();
+    std::vector<Vec3> sums(before.vertexCount(), Vec3::Zero());
+    constexpr int kSteps = 40;
+    for (int i = 0; i < kSteps; ++i) {
+        simulation.step();
+        for (int v = 0; v < before.vertexCount(); ++v) {
+            sums[v] += simulation.mesh().velocity(v) / kSteps;
+        }
+    }
+    EXPECT_GT(simulation.report().contacts, 20);
+    double sum = 0;
+    for (int v = 0; v < before.vertexCount(); ++v) {
+        const Vec3 way = simulation.mesh().position(v) - before.position(v);
+        sum += (sums[v] - way / (kSteps * params.timeStep)).squaredNorm();
+    }
+    EXPECT_LT(std::sqrt(sum / before.vertexCount()), 2e-3) << "m/s";
+}
+
+/// How fast the upper half gains speed on the lower one, which is held, where gravity leans by 20
+/// degrees: from 0.05 s on, when it has settled, to 0.2 s [m/s^2].
+double accelerationOnTheLowerHalf(double friction) {
+    Params params = weightless();
+    params.floor.reset();
+    params.airDrag = 0;
+    params.youngsModulus = 1e6;
+    params.friction = friction;
+    Simulation simulation(test::box({0.6, 0.4, 0.6}, 4), params);
+    cutLevel(simulation);
+    const int upper = pieceOfTop(simulation.mesh(), simulation.pieces());
+    simulation.execute(Pin{Bounds{{-1, -1, -1}, {1, -0.05, 1}}});
+    const double tilt = 20 * EIGEN_PI / 180;
+    simulation.execute(SetParam{"gravity", Vec3(std::sin(tilt), -std::cos(tilt), 0) * 9.81});
+    const auto speedAfter = [&](int steps) {
+        for (int i = 0; i < steps; ++i) {
+            simulation.step();
+        }
+        return upperVelocity(simulation.mesh(), simulation.pieces(), upper).x();
+    };
+    const double early = speedAfter(10);
+    return (speedAfter(30) - early) / (30 * params.timeStep);
+}
+
+TEST_F(RestingPieces, FrictionHoldsOnASlopeOrSlowsDown) {
+    EXPECT_LT(accelerationOnTheLowerHalf(0.6), 0.1);
+    const double angle = 20 * EIGEN_PI / 180;
+    for (const double friction : {0.0, 0.15}) {
+        const double rate = 9.81 * (std::sin(angle) - friction * std::cos(angle));
+        EXPECT_NEAR(accelerationOnTheLowerHalf(friction), rate, 0.05 * rate) << friction;
+    }
+}
+
+}  // namespace
+}  // namespace kerf
