@@ -274,6 +274,9 @@ ui::Overlay BladeHand::overlay(const ViewFrame& view, const Vec2& pixel, EditorS
         }
     }
     if (settings_.tool == ui::Tool::guillotine) {
+        if (way.empty()) {
+            addSwept(view, {guillotine_.at(0), guillotine_.at(1)}, overlay);  // where it came down
+        }
         addHandles(view, pixel, overlay);
     }
     return overlay;

@@ -47,6 +47,21 @@ void addBox(const ViewFrame& view, const Bounds& box, ui::Overlay& overlay) {
     }
 }
 
+/// How far the tool reaches around the point of the surface that it is over, none where it does not
+/// go by the surface [m].
+std::optional<double> reachOf(const ui::ToolSettings& settings) {
+    switch (settings.tool) {
+        case ui::Tool::scalpel:
+            return settings.scalpelDepth;
+        case ui::Tool::grab:
+            return settings.grabRadius;
+        case ui::Tool::pin:
+            return settings.pinRadius;
+        default:
+            return std::nullopt;
+    }
+}
+
 }  // namespace
 
 Bounds boxBetween(const ViewFrame& view, const Vec2& from, const Vec2& to, const Bounds& body) {
@@ -149,11 +164,9 @@ void BodyHand::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pi
         addBox(view, boxBetween(view, box_->from, box_->to, scene.bounds()), overlay);
         return;
     }
-    if (settings.tool == ui::Tool::grab || settings.tool == ui::Tool::pin) {
-        const double radius =
-            settings.tool == ui::Tool::grab ? settings.grabRadius : settings.pinRadius;
+    if (const std::optional<double> radius = reachOf(settings)) {
         if (const auto point = pickSurface(scene.simulation().mesh(), view.rayThrough(pixel))) {
-            addRing(view, *point, radius, overlay);
+            addRing(view, *point, *radius, overlay);
         }
     }
 }

@@ -54,6 +54,7 @@ void Editor::frame(double elapsedSeconds) {
     s.takeInput(elapsedSeconds);
     s.sceneChanged |= s.cameraFlight.advance(s.camera, elapsedSeconds);
     s.followWork();
+    s.followFirstSteps();
     s.advance(elapsedSeconds);
     s.draw();
     if (s.screenshotWanted) {

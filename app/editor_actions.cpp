@@ -75,6 +75,7 @@ void Editor::State::seekTo(int step) {
 void Editor::State::setTools(const ui::ToolSettings& settings) {
     if (scene != nullptr) {
         if (settings.tool != hand.settings().tool) {
+            joinPieces();
             bodyHand.cancel(*scene);
         }
         hand.set(settings, *scene);
@@ -185,7 +186,9 @@ void Editor::State::performOnScene(ui::ActionId id) {
             return;
         case ui::ActionId::bringDown:
             hand.bringDown(*scene);
-            strokedOnce = true;
+            return;
+        case ui::ActionId::letFall:
+            letFall();
             return;
         case ui::ActionId::record:
             toggleRecording();
@@ -233,6 +236,13 @@ void Editor::State::freePins() {
     everywhere.add(Vec3::Constant(-kMaxSessionCoordinate));
     everywhere.add(Vec3::Constant(kMaxSessionCoordinate));
     execute(Pin{everywhere, false});
+}
+
+void Editor::State::letFall() {
+    if (scene->simulation().params().gravity.norm() == 0) {
+        toggleGravity();
+    }
+    scene->playing = true;
 }
 
 void Editor::State::toggleGravity() {

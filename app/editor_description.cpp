@@ -13,43 +13,40 @@ ui::ViewAxes axesOf(const render::Camera& camera) {
 
 }  // namespace
 
-std::string Editor::State::hint() const {
+Situation Editor::State::situation() const {
+    Situation now;
+    now.tool = hand.settings().tool;
     if (scene == nullptr) {
-        return "Drop a model (OBJ, PLY, STL) or a session here to open it, or choose an experiment "
-               "at the left.";
+        return now;
     }
-    if (scene->playing || bodyHand.holds()) {
-        return "";
-    }
-    const ui::Tool tool = hand.settings().tool;
-    if (tool == ui::Tool::grab) {
-        return "Drag the body to pull at it: time runs while you hold it.";
-    }
-    if (tool == ui::Tool::pin) {
-        return "Drag over the body to pin it there. Shift+drag pins a box, Ctrl+drag frees.";
-    }
-    return scene->pieceCount() > 1 ? hintForPieces() : hintForBlade(tool);
+    now.open = true;
+    now.playing = scene->playing;
+    now.weightless = scene->simulation().params().gravity.norm() == 0;
+    now.session = scene->playingBack();
+    now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
+    now.touching = bodyHand.holds();
+    now.pieces = scene->pieceCount();
+    now.outcome = cutWatch.outcome();
+    return now;
 }
 
-std::string Editor::State::hintForPieces() const {
-    const bool weightless = scene->simulation().params().gravity.norm() == 0;
-    return weightless ? "Press V for gravity, then Space to let the pieces fall."
-                      : "Press Space to let the pieces fall.";
+void Editor::State::followFirstSteps() {
+    if (scene == nullptr) {
+        return;
+    }
+    const CutOutcome before = cutWatch.outcome();
+    const Situation now = situation();
+    cutWatch.follow(now.cutting, now.pieces, scene->simulation().report().triangles);
+    firstSteps.follow(situation());
+    if (cutWatch.outcome() != before) {
+        settlePasses = kSettlePasses;
+    }
 }
 
-std::string Editor::State::hintForBlade(ui::Tool tool) const {
-    if (strokedOnce) {
-        return "";
-    }
-    if (tool == ui::Tool::scalpel) {
-        return "Drag over the surface to cut into it.";
-    }
-    if (tool == ui::Tool::guillotine) {
-        return "Drag the four handles to pose the blade, then press Enter to bring it down.";
-    }
-    return scene->playingBack()
-               ? "Press Space to play the session, or drag across the model to cut it."
-               : "Drag across the model to cut it.";
+void Editor::State::describeTool() {
+    const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
+    model.overlay = hand.overlay(viewFrame(), inView, *scene);
+    bodyHand.addTo(model.overlay, viewFrame(), inView, hand.settings(), *scene);
 }
 
 void Editor::State::describe() {
@@ -67,16 +64,16 @@ void Editor::State::describe() {
     model.plotView = plotView;
     model.speed = clock.speed();
     model.device = options.device;
-    model.hint = hint();
+    model.hint = firstSteps.hint(situation());
     model.tools = hand.settings();
     model.axes = axesOf(camera);
     model.orthographic = camera.orthographic;
     if (scene != nullptr) {
         model.ownSkin = render::toDisplay(ownMaterial().skin);
         model.ownFlesh = render::toDisplay(ownMaterial().inner);
-        const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
-        model.overlay = hand.overlay(viewFrame(), inView, *scene);
-        bodyHand.addTo(model.overlay, viewFrame(), inView, hand.settings(), *scene);
+        if (display.apart == 0) {
+            describeTool();
+        }
         model.pinned = scene->simulation().pinnedVertices().size();
     }
     model.work = workState();

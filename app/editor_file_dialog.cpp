@@ -22,6 +22,12 @@ std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder
     }
 }
 
+/// Whether a newcomer would find nothing there: it is empty, or where Kerf itself lies.
+bool offersNothing(const std::filesystem::path& folder, const ui::FileDialogState& state) {
+    std::error_code error;
+    return state.rows.empty() || std::filesystem::equivalent(folder, gpu::dataPath("."), error);
+}
+
 }  // namespace
 
 void Editor::State::browse(ui::FilePurpose purpose) {
@@ -29,6 +35,11 @@ void Editor::State::browse(ui::FilePurpose purpose) {
     const std::filesystem::path& folder = last.empty() ? options.screenshotFolder : last;
     const std::string document = scene == nullptr ? "" : scene->document().name;
     browser.emplace(purpose, folder, nameFor(purpose, folder, document), filePlaces(purpose));
+    if (purpose == ui::FilePurpose::open && last.empty() &&
+        offersNothing(folder, browser->state())) {
+        // The bookmarks lead back.
+        browser.emplace(purpose, gpu::dataPath("assets/models"), "", filePlaces(purpose));
+    }
     preview.select({});
     settlePasses = kSettlePasses;
 }

@@ -144,7 +144,8 @@ void Editor::State::show(UploadedDocument uploaded) {
     hand.fitTo(scene->bounds());
     bodyHand = {};
     cameraControl.releaseAll();
-    strokedOnce = false;
+    cutWatch = {};
+    display.apart = 0;
     pieceDisplay.clear();
     plotView = {};
     sceneChanged = true;

@@ -85,8 +85,11 @@ void Editor::State::onButton(const ui::ButtonChange& change) {
 }
 
 void Editor::State::pressInScene(const ui::Modifiers& modifiers) {
-    hand.press(viewFrame(), pointer, *scene);
     const ui::ToolSettings& settings = hand.settings();
+    if (joinPieces() && settings.tool != ui::Tool::stroke) {
+        return;  // What was aimed at is elsewhere.
+    }
+    hand.press(viewFrame(), pointer, *scene);
     if (settings.tool == ui::Tool::grab || settings.tool == ui::Tool::pin) {
         say(bodyHand.press(viewFrame(), pointer, settings, modifiers, *scene));
     }
@@ -95,7 +98,6 @@ void Editor::State::pressInScene(const ui::Modifiers& modifiers) {
 void Editor::State::endStroke() {
     if (scene != nullptr && hand.holds()) {
         hand.release(*scene);
-        strokedOnce = strokedOnce || scene->stroke().pending() > 0;
     }
     if (scene != nullptr && bodyHand.holds()) {
         say(bodyHand.release(viewFrame(), *scene));

@@ -38,6 +38,36 @@ std::vector<render::PixelRect> Editor::State::coveredPixels() const {
     return hidden;
 }
 
+void Editor::State::addOverlays(render::SceneView& view) const {
+    view.overlays = display.overlays;
+    view.constraints = scene->simulation().constraintView();
+    if (scene->simulation().hands().empty()) {
+        view.constraints.pullCount = 0;  // those of a step before it let go
+    }
+    view.pieceBoxes = scene->simulation().pieceBounds();
+    view.pinned = scene->simulation().pinnedVertices();
+}
+
+Bounds Editor::State::shownBounds(const std::vector<render::PieceLook>& looks) const {
+    Bounds shown;
+    for (std::size_t p = 0; p < looks.size(); ++p) {
+        if (const Bounds& piece = scene->simulation().pieceBounds()[p]; !piece.empty()) {
+            shown.add(Vec3(piece.low + looks[p].shift));
+            shown.add(Vec3(piece.high + looks[p].shift));
+        }
+    }
+    return shown;
+}
+
+/// What is shown apart is not where it is: whoever touches it has it together first. Whether it was
+/// apart.
+bool Editor::State::joinPieces() {
+    const bool wasApart = display.apart > 0;
+    display.apart = 0;
+    sceneChanged |= wasApart;
+    return wasApart;
+}
+
 void Editor::State::drawScene() {
     const std::vector<render::PixelRect> hidden = coveredPixels();
     sceneChanged = sceneChanged || hidden != covered;
@@ -48,15 +78,14 @@ void Editor::State::drawScene() {
     render::SceneView view = scene->view();
     view.covered = covered;
     view.wireframe = display.wireframe;
+    view.cutLines = display.cutLines;
     view.material = render::colored(ownMaterial(), display.colors);
-    view.overlays = display.overlays;
-    view.constraints = scene->simulation().constraintView();
-    if (scene->simulation().hands().empty()) {
-        view.constraints.pullCount = 0;  // those of a step before it let go
+    view.pieces = pieceDisplay.looks(scene->simulation().pieceBounds(), display.apart);
+    if (display.apart > 0) {
+        view.focus = shownBounds(view.pieces);
+    } else {
+        addOverlays(view);
     }
-    view.pieceBoxes = scene->simulation().pieceBounds();
-    view.pinned = scene->simulation().pinnedVertices();
-    view.pieces = pieceDisplay.looks(scene->simulation().pieceBounds().size());
     sceneTimer.begin();
     renderer.draw(view, camera, options.width, options.height);
     sceneTimer.end();

@@ -18,6 +18,7 @@
 #include "app/file_browser.h"
 #include "app/file_preview.h"
 #include "app/file_saving.h"
+#include "app/first_steps.h"
 #include "app/input_queue.h"
 #include "app/piece_display.h"
 #include "app/recent_files.h"
@@ -88,7 +89,8 @@ struct Editor::State {
     bool helpOpen = false;
     ui::DisplaySettings display;
     bool screenshotWanted = false;
-    bool strokedOnce = false;
+    CutWatch cutWatch;
+    FirstSteps firstSteps;
     int settlePasses = kSettlePasses;
 
     // Input: editor_input.cpp.
@@ -119,6 +121,7 @@ struct Editor::State {
     void toggleRecording();
     void cancel();
     void toggleGravity();
+    void letFall();
 
     // The view: editor_view.cpp.
     void performOnView(ui::ActionId id);
@@ -178,13 +181,17 @@ struct Editor::State {
 
     // What the panels are told: editor_description.cpp.
     void describe();
-    std::string hint() const;
-    std::string hintForPieces() const;
-    std::string hintForBlade(ui::Tool tool) const;
+    Situation situation() const;
+    void followFirstSteps();
+    void describeTool();
 
     // Pictures: editor_picture.cpp.
     void draw();
     void drawScene();
+    void addOverlays(render::SceneView& view) const;
+    /// Around the pieces as they are drawn.
+    Bounds shownBounds(const std::vector<render::PieceLook>& looks) const;
+    bool joinPieces();
     render::Material ownMaterial() const;
     std::vector<render::PixelRect> coveredPixels() const;
     void ensurePicture();

@@ -38,6 +38,7 @@ void Editor::State::runSteps(int needed, int due) {
 void Editor::State::advance(double elapsedSeconds) {
     const bool ran = running();
     if (ran) {
+        joinPieces();
         const bool playing = scene->playing || scene->pulling();
         const double timeStep = scene->simulation().params().timeStep;
         const int due = playing ? clock.takeDue(elapsedSeconds, timeStep) : 0;

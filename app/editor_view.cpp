@@ -3,6 +3,8 @@
 namespace kerf::app {
 namespace {
 
+constexpr double kApart = 0.5;  // of DisplaySettings::apart, by its key
+
 std::optional<AxisView> axisViewOf(ui::ActionId id) {
     switch (id) {
         case ui::ActionId::viewFront:
@@ -28,6 +30,9 @@ bool toggleOverlay(ui::DisplaySettings& display, ui::ActionId id) {
     switch (id) {
         case ui::ActionId::wireframe:
             shown = &display.wireframe;
+            break;
+        case ui::ActionId::showCutLines:
+            shown = &display.cutLines;
             break;
         case ui::ActionId::showEdges:
             shown = &display.overlays.edges;
@@ -75,6 +80,9 @@ void Editor::State::performOnView(ui::ActionId id) {
             setDisplay(wanted);
             return;
         }
+        case ui::ActionId::showApart:
+            display.apart = display.apart > 0 || scene->pieceCount() < 2 ? 0 : kApart;
+            return;
         case ui::ActionId::orthographic:
             landCamera();
             camera.orthographic = !camera.orthographic;

@@ -19,6 +19,25 @@ Eigen::Vector3f linearOf(unsigned color) {
     return {channel(0), channel(8), channel(16)};
 }
 
+/// Away from the middle of all. None goes down: there may be a floor.
+void shiftApart(const std::vector<Bounds>& bounds, double apart,
+                std::vector<render::PieceLook>& looks) {
+    Bounds all;
+    for (const Bounds& piece : bounds) {
+        all.add(piece);
+    }
+    double lowest = 0;
+    for (std::size_t p = 0; p < looks.size(); ++p) {
+        if (!bounds[p].empty()) {
+            looks[p].shift = apart * (bounds[p].center() - all.center());
+            lowest = std::min(lowest, looks[p].shift.y());
+        }
+    }
+    for (render::PieceLook& look : looks) {
+        look.shift.y() -= lowest;
+    }
+}
+
 }  // namespace
 
 bool PieceDisplay::hover(int piece) {
@@ -30,9 +49,14 @@ void PieceDisplay::show(int piece, bool visible) {
     hidden_[static_cast<std::size_t>(piece)] = !visible;
 }
 
-std::vector<render::PieceLook> PieceDisplay::looks(std::size_t pieces) const {
-    const bool plain = hovered_ < 0 && std::ranges::find(hidden_, true) == hidden_.end();
-    std::vector<render::PieceLook> looks(plain ? 0 : pieces);
+std::vector<render::PieceLook> PieceDisplay::looks(const std::vector<Bounds>& bounds,
+                                                   double apart) const {
+    const bool plain =
+        hovered_ < 0 && apart == 0 && std::ranges::find(hidden_, true) == hidden_.end();
+    std::vector<render::PieceLook> looks(plain ? 0 : bounds.size());
+    if (apart > 0) {
+        shiftApart(bounds, apart, looks);
+    }
     for (std::size_t p = 0; p < looks.size(); ++p) {
         looks[p].hidden = isHidden(p);
         if (static_cast<int>(p) == hovered_) {

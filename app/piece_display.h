@@ -17,8 +17,9 @@ class PieceDisplay {
     bool hover(int piece);
     void show(int piece, bool visible);
 
-    /// What the renderer needs; empty where all pieces look as always.
-    std::vector<render::PieceLook> looks(std::size_t pieces) const;
+    /// What the renderer needs; empty where all pieces look as always. `bounds`: of the pieces [m];
+    /// `apart`: see ui::DisplaySettings.
+    std::vector<render::PieceLook> looks(const std::vector<Bounds>& bounds, double apart) const;
     /// Sets the rows' `hidden`, and which one is hovered.
     void describe(ui::PanelModel& model) const;
 

@@ -116,11 +116,12 @@ void Renderer::State::makeTargets(int width, int height) {
 }
 
 void Renderer::State::uploadLooks(const SceneView& scene, Frame& frame) {
-    std::vector<shared::vec4> words(std::max<std::size_t>(1, scene.pieces.size()));
+    std::vector<shared::vec4> words(2 * std::max<std::size_t>(1, scene.pieces.size()));
     for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
         const PieceLook& look = scene.pieces[p];
-        words[p] = {look.tint.x(), look.tint.y(), look.tint.z(),
-                    look.hidden ? -1.0f : look.strength};
+        words[2 * p] = {look.tint.x(), look.tint.y(), look.tint.z(),
+                        look.hidden ? -1.0f : look.strength};
+        words[2 * p + 1] = {float(look.shift.x()), float(look.shift.y()), float(look.shift.z()), 0};
     }
     looks.assign(words);
     frame.looks = &looks;

@@ -27,6 +27,7 @@ struct PieceLook {
     Eigen::Vector3f tint = Eigen::Vector3f::Zero();  ///< linear albedo
     float strength = 0;                              ///< of the tint, 0 to 1
     bool hidden = false;                             ///< neither drawn nor casting a shadow
+    Vec3 shift = Vec3::Zero();                       ///< from where it is to where it is drawn [m]
 };
 
 /// A rectangle of pixels, from the top left corner of the picture.
@@ -49,6 +50,7 @@ struct SceneView {
     std::vector<Blade> sweep;     ///< poses of the running stroke: translucent quads
     Bounds focus;                 ///< what the shadow map must cover (body, current)
     bool wireframe = false;
+    bool cutLines = false;           ///< a dark line on the skin along the rim of each cut
     std::vector<PieceLook> pieces;   ///< by BodyView's pieces; those behind its end look as always
     std::vector<PixelRect> covered;  ///< by panels: nothing is drawn there, which saves time
     Overlays overlays;

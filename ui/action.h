@@ -17,6 +17,7 @@ namespace kerf::ui {
 /// What a shortcut or a button asks for: the rows of the shortcut table.
 enum class ActionId : std::uint8_t {
     playPause,
+    letFall,
     stepOnce,
     reset,
     slower,
@@ -47,6 +48,8 @@ enum class ActionId : std::uint8_t {
     viewBottom,
     orthographic,
     wireframe,
+    showCutLines,
+    showApart,
     showEdges,
     showBends,
     showIspcs,

@@ -19,10 +19,11 @@ struct Switch {
     const char* label;
 };
 constexpr std::array kSwitches{
-    Switch{ActionId::wireframe, "Triangles"}, Switch{ActionId::showEdges, "Edges"},
-    Switch{ActionId::showBends, "Bends"},     Switch{ActionId::showIspcs, "ISPCs"},
-    Switch{ActionId::showErrors, "Errors"},   Switch{ActionId::showContacts, "Contacts"},
-    Switch{ActionId::showBoxes, "Boxes"},     Switch{ActionId::fineQuality, "Fine picture"},
+    Switch{ActionId::wireframe, "Triangles"},      Switch{ActionId::showEdges, "Edges"},
+    Switch{ActionId::showBends, "Bends"},          Switch{ActionId::showIspcs, "ISPCs"},
+    Switch{ActionId::showErrors, "Errors"},        Switch{ActionId::showContacts, "Contacts"},
+    Switch{ActionId::showBoxes, "Boxes"},          Switch{ActionId::showCutLines, "Lines of cuts"},
+    Switch{ActionId::fineQuality, "Fine picture"},
 };
 
 void drawSwitches(const PanelModel& model, std::vector<Action>& actions) {

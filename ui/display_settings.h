@@ -10,6 +10,9 @@ namespace kerf::ui {
 struct DisplaySettings {
     render::Quality quality = render::Quality::full;
     bool wireframe = false;
+    bool cutLines = true;  ///< a dark line along the rim of each cut: a closed one shows by it
+    /// How far the pieces are drawn from each other; 1 doubles the distance of their middles.
+    double apart = 0;
     render::Overlays overlays;
     render::ChosenColors colors;  ///< instead of the model's own
     bool operator==(const DisplaySettings&) const = default;

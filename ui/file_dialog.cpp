@@ -42,10 +42,6 @@ void drawDim(const std::string& text) {
     ImGui::PopStyleColor();
 }
 
-float buttonWidth(const char* label) {
-    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
-
 void drawPreview(const FileDialogState& state) {
     for (std::size_t i = 0; i < state.preview.size(); ++i) {
         ImGui::PushTextWrapPos(0);
@@ -163,7 +159,7 @@ void FileDialog::drawCrumbs(const FileDialogState& state, std::vector<Action>& a
     const auto lengthFrom = [&](std::size_t from) {
         float length = 0;
         for (std::size_t i = from; i < state.crumbs.size(); ++i) {
-            length += buttonWidth(state.crumbs[i].label.c_str()) + ImGui::GetFontSize();
+            length += buttonWidth(state.crumbs[i].label) + ImGui::GetFontSize();
         }
         return length;
     };
@@ -329,8 +325,8 @@ void FileDialog::drawButtons(const FileDialogState& state, std::vector<Action>& 
     const std::string verb(state.asksToOverwrite ? "Replace" : verbOf(state.purpose));
     const char* const leave = state.asksToOverwrite ? "Keep it" : "Cancel";
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth(verb.c_str()) -
-                    buttonWidth(leave) - spacing);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth(verb) - buttonWidth(leave) -
+                    spacing);
     if (ImGui::Button(leave)) {
         actions.emplace_back(state.asksToOverwrite ? FileAction(KeepFile{})
                                                    : FileAction(CloseFileDialog{}));

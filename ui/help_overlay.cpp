@@ -5,77 +5,119 @@
 #include <algorithm>
 #include <string>
 
+#include "ui/item_places.h"
 #include "ui/shortcuts.h"
 #include "ui/theme.h"
 
 namespace kerf::ui {
 namespace {
 
-void drawEntry(std::string_view keys, std::string_view label) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::blue));
-    ImGui::TextUnformatted(keys.data(), keys.data() + keys.size());
-    ImGui::PopStyleColor();
-    ImGui::TableNextColumn();
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(label.data(), label.data() + label.size());
-    ImGui::PopTextWrapPos();
-}
+constexpr int kMostColumns = 3;
+constexpr float kColumnWidth = 27;  // in letters' heights
+constexpr float kKeysWidth = 11;
 
-void drawGroupTitle(std::string_view title) {
-    ImGui::TableNextRow(0, 1.6F * ImGui::GetFontSize());
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", std::string(title).c_str());
-}
+/// What stands under one heading.
+struct Group {
+    std::string title;
+    std::vector<PointerHint> rows;
+};
 
-void drawKeys() {
-    std::string_view group;
-    for (const Shortcut& row : shortcutTable()) {
-        if (&row != &shortcutOf(row.id)) {
-            continue;  // A second key of the action stands with its first.
-        }
-        if (row.group != group) {
-            group = row.group;
-            drawGroupTitle(group);
-        }
-        drawEntry(keysOf(row.id), row.label);
+void addRow(std::vector<Group>& groups, std::string_view title, const PointerHint& row) {
+    if (groups.empty() || groups.back().title != title) {
+        groups.push_back({std::string(title), {}});
     }
+    groups.back().rows.push_back(row);
 }
 
-void drawTables() {
-    if (!ImGui::BeginTable("help", 2, ImGuiTableFlags_SizingFixedFit)) {
+/// `keys` holds the texts that the rows point into.
+std::vector<Group> allGroups(std::vector<std::string>& keys) {
+    std::vector<Group> groups;
+    for (const PointerHint& row : pointerTable()) {
+        addRow(groups, "Pointer", row);
+    }
+    keys.reserve(shortcutTable().size());
+    for (const Shortcut& row : shortcutTable()) {
+        if (&row == &shortcutOf(row.id)) {  // A second key of the action stands with its first.
+            keys.push_back(keysOf(row.id));
+            addRow(groups, row.group, {keys.back(), row.label});
+        }
+    }
+    return groups;
+}
+
+void drawGroup(const Group& group) {
+    ImGui::TextDisabled("%s", group.title.c_str());
+    if (!ImGui::BeginTable(group.title.c_str(), 2, ImGuiTableFlags_SizingFixedFit)) {
         return;
     }
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 13);
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed,
+                            kKeysWidth * ImGui::GetFontSize());
     ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
-    drawGroupTitle("Pointer");
-    for (const PointerHint& row : pointerTable()) {
-        drawEntry(row.gesture, row.label);
+    for (const PointerHint& row : group.rows) {
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::blue));
+        ImGui::TextWrapped("%s", std::string(row.gesture).c_str());
+        ImGui::PopStyleColor();
+        ImGui::TableNextColumn();
+        ImGui::TextWrapped("%s", std::string(row.label).c_str());
     }
-    drawKeys();
+    ImGui::EndTable();
+    ImGui::Spacing();
+}
+
+/// The groups in their order, in columns of about the same length.
+void drawGroups(const std::vector<Group>& groups, int columns) {
+    std::size_t all = 0;
+    for (const Group& group : groups) {
+        all += group.rows.size() + 1;
+    }
+    if (!ImGui::BeginTable("help", columns, ImGuiTableFlags_SizingStretchSame)) {
+        return;
+    }
+    ImGui::TableNextColumn();
+    std::size_t length = 0;
+    int column = 1;
+    for (const Group& group : groups) {
+        const std::size_t rows = group.rows.size() + 1;
+        if (column < columns && columns * (length + rows / 2) > all) {
+            ImGui::TableNextColumn();
+            ++column;
+            length = 0;
+        }
+        drawGroup(group);
+        length += rows;
+    }
     ImGui::EndTable();
 }
 
 }  // namespace
 
-void drawHelp(const PanelModel& model, const Rect& view, std::vector<Action>& actions) {
+void drawHelp(const PanelModel& model, std::vector<Action>& actions) {
     if (!model.helpOpen) {
         return;
     }
-    const float width = std::min(view.width, ImGui::GetFontSize() * 38);
-    ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + view.height / 2}, ImGuiCond_Always,
-                            {0.5F, 0.5F});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, view.height});
-    ImGui::Begin("Shortcuts", nullptr,
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float column = kColumnWidth * ImGui::GetFontSize();
+    const float most = 0.96F * display.x;
+    const int columns = std::clamp(static_cast<int>(most / column), 1, kMostColumns);
+    const float width = std::min(most, static_cast<float>(columns) * column);
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, 0.96F * display.y});
+    ImGui::SetNextWindowBgAlpha(0.985F);  // What lies below must not shine through the letters.
+    ImGui::Begin("All keys", nullptr,
                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4, 2});
-    drawTables();
+    std::vector<std::string> keys;
+    drawGroups(allGroups(keys), columns);
     ImGui::PopStyleVar();
     if (ImGui::Button("Close")) {
         actions.emplace_back(ActionId::help);
     }
+    noteItem("help.close");
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("or Esc");
     ImGui::End();
 }
 

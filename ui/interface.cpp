@@ -235,9 +235,9 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
         drawAxes(model.axes, layout.view, scale, actions);
     }
     drawStatusBar(model, layout.status);
-    drawHint(model, layout.view);
+    drawHint(model, layout.view, actions);
     drawWork(model.work, layout.view, actions);
-    drawHelp(model, layout.view, actions);
+    drawHelp(model, actions);
     fileDialog_.draw(model.files, actions);
     questionBox_.draw(model.question, actions);
     drawToast(model, layout.view);

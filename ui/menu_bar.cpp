@@ -96,6 +96,8 @@ bool isAvailable(const PanelModel& model, ActionId id) {
             return model.pinned > 0;
         case ActionId::loop:
             return model.playback.steps > 0;
+        case ActionId::showApart:
+            return model.pieces.size() > 1;
         default:
             return !model.name.empty();
     }
@@ -110,6 +112,10 @@ bool isOn(const PanelModel& model, ActionId id) {
             return model.params.gravity.norm() > 0;
         case ActionId::wireframe:
             return model.display.wireframe;
+        case ActionId::showCutLines:
+            return model.display.cutLines;
+        case ActionId::showApart:
+            return model.display.apart > 0;
         case ActionId::showEdges:
             return overlays.edges;
         case ActionId::showBends:

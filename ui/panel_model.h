@@ -7,6 +7,7 @@
 #include "sim/contact/static_box.h"
 #include "sim/cut/subdivision_pattern.h"
 #include "sim/params.h"
+#include "ui/action.h"
 #include "ui/axes_widget.h"
 #include "ui/display_settings.h"
 #include "ui/file_dialog_state.h"
@@ -87,6 +88,17 @@ struct Question {
     std::vector<std::string> choices;  ///< Enter takes the first, Esc the last
 };
 
+/// One of the things that a hint offers.
+struct HintChoice {
+    ActionId id = ActionId::playPause;
+    std::string label;
+};
+/// What to do first or next.
+struct Hint {
+    std::string text;  ///< empty for no hint
+    std::vector<HintChoice> choices;
+};
+
 /// All that the panels show: filled by the editor every frame, read only here.
 struct PanelModel {
     std::string name;    ///< of what is open; empty while nothing is
@@ -114,7 +126,7 @@ struct PanelModel {
     int vertices = 0;
     int triangles = 0;
     std::string device;  ///< what draws: "llvmpipe"
-    std::string hint;    ///< what to do first or next; empty for none
+    Hint hint;
     WorkState work;
     FileDialogState files;
     std::vector<std::filesystem::path> recentFiles;

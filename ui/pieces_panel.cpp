@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "ui/item_places.h"
+#include "ui/shortcuts.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -122,17 +123,38 @@ int drawRows(const PanelModel& model, std::vector<Action>& actions) {
     return hovered;
 }
 
-/// The heading, and what brings hidden pieces back.
+/// Draws the pieces away from each other, without moving them.
+void slideApart(const PanelModel& model, std::vector<Action>& actions) {
+    constexpr double kLeast = 0;
+    constexpr double kMost = 1;
+    const float width = 9 * ImGui::GetFontSize();
+    DisplaySettings display = model.display;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
+    if (ImGui::SliderScalar("##apart", ImGuiDataType_Double, &display.apart, &kLeast, &kMost,
+                            "Apart %.2f", ImGuiSliderFlags_AlwaysClamp)) {
+        actions.emplace_back(SetDisplay{display});
+    }
+    ImGui::PopStyleVar();
+    noteItem("pieces.apart");
+    itemTooltip("Shows the pieces apart without moving them, until time runs or a blade comes. " +
+                describeShortcut(ActionId::showApart));
+}
+
+/// The heading, and what brings hidden pieces back or shows all apart.
 void drawTitle(const PanelModel& model, std::vector<Action>& actions) {
     const auto hidden = std::ranges::count_if(model.pieces, &PieceRow::hidden);
     ImGui::TextDisabled("Pieces: %zu", model.pieces.size());
     if (hidden == 0) {
+        if (model.pieces.size() > 1) {
+            slideApart(model, actions);
+        }
         return;
     }
     ImGui::SameLine();
     ImGui::TextDisabled("(%td hidden)", hidden);
-    const float width = ImGui::CalcTextSize("Show all").x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Show all"));
     if (ImGui::SmallButton("Show all")) {
         for (std::size_t i = 0; i < model.pieces.size(); ++i) {
             actions.emplace_back(ShowPiece{static_cast<int>(i), true});

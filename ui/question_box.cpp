@@ -21,8 +21,7 @@ void drawChoices(const Question& question, std::vector<Action>& actions) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = -style.ItemSpacing.x;
     for (const std::string& choice : question.choices) {
-        width +=
-            ImGui::CalcTextSize(choice.c_str()).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+        width += buttonWidth(choice) + style.ItemSpacing.x;
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     for (std::size_t i = question.choices.size(); i-- > 0;) {

@@ -23,7 +23,7 @@ struct Settings {
     double plotsShare = 0.62;                            ///< of the right panel's height
     std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of plotKinds()
     /// Sections of the left panel.
-    std::vector<std::string> folded{"experiments", "display"};
+    std::vector<std::string> folded{"experiments", "display", "window"};
 
     bool operator==(const Settings&) const = default;
 };

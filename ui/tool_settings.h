@@ -12,6 +12,7 @@ enum class Tool : std::uint8_t {
     grab,        ///< pulls at the body
     pin,         ///< holds parts of the body in place, or frees them
 };
+inline constexpr int kTools = 5;
 
 /// What the tools panel shows and answers with. Lengths in metres.
 struct ToolSettings {

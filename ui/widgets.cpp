@@ -38,20 +38,18 @@ bool beginModal(const std::string& title, float width, float height, bool wanted
     return wanted;
 }
 
-void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
-                const BannerStyle& style) {
-    const float padding = ImGui::GetFontSize() * 0.8F;
-    const char* begin = text.data();
-    const char* end = begin + text.size();
-    const ImVec2 size = ImGui::CalcTextSize(begin, end, false, maxWidth - 2 * padding);
-    const ImVec2 box{size.x + 2 * padding, size.y + 1.4F * padding};
-    ImGui::SetNextWindowPos({std::floor(x - box.x / 2), std::floor(y - box.y / 2)});
+void beginBanner(const char* name, const Rect& content, const BannerStyle& style) {
+    const float padding = bannerPadding();
+    const ImVec2 box{content.width + 2 * padding, content.height + 1.4F * padding};
+    ImGui::SetNextWindowPos(
+        {std::floor(content.x - padding), std::floor(content.y - 0.7F * padding)});
     ImGui::SetNextWindowSize(box);
     ImGui::SetNextWindowBgAlpha(0.9F * style.opacity);
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, style.opacity);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, 0.7F * padding});
     ImGui::Begin(name, nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     (style.takesInput ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoInputs) |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_NoNav);
     if (style.accent != 0) {
@@ -62,11 +60,27 @@ void drawBanner(const char* name, std::string_view text, float x, float y, float
                            ImGui::GetStyle().WindowRounding, ImDrawFlags_RoundCornersLeft);
         draw.PopClipRect();
     }
-    ImGui::PushTextWrapPos(box.x - padding + 1);
-    ImGui::TextUnformatted(begin, end);
-    ImGui::PopTextWrapPos();
+}
+
+void endBanner() {
     ImGui::End();
     ImGui::PopStyleVar(2);
+}
+
+float bannerPadding() {
+    return 0.8F * ImGui::GetFontSize();
+}
+
+void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
+                const BannerStyle& style) {
+    const char* begin = text.data();
+    const char* end = begin + text.size();
+    const ImVec2 size = ImGui::CalcTextSize(begin, end, false, maxWidth - 2 * bannerPadding());
+    beginBanner(name, {x - size.x / 2, y - size.y / 2, size.x, size.y}, style);
+    ImGui::PushTextWrapPos(bannerPadding() + size.x + 1);
+    ImGui::TextUnformatted(begin, end);
+    ImGui::PopTextWrapPos();
+    endBanner();
 }
 
 void itemTooltip(std::string_view text) {
@@ -78,6 +92,11 @@ void itemTooltip(std::string_view text) {
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+float buttonWidth(std::string_view label) {
+    const float text = ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;
+    return text + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
 void textRight(std::string_view text) {

@@ -19,7 +19,13 @@ bool beginModal(const std::string& title, float width, float height, bool wanted
 struct BannerStyle {
     unsigned accent = 0;  ///< colour of the bar at its left, 0 for none
     float opacity = 1;
+    bool takesInput = false;
 };
+/// Begins a dark rounded ground around `content` [px]; end with endBanner().
+void beginBanner(const char* name, const Rect& content, const BannerStyle& style);
+void endBanner();
+/// Between its content and its sides [px].
+float bannerPadding();
 /// A text without interaction on a dark rounded ground, centred at (x, y) [px], wrapped at
 /// `maxWidth`.
 void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
@@ -27,6 +33,9 @@ void drawBanner(const char* name, std::string_view text, float x, float y, float
 
 /// Shows `text` beside the last item while the pointer rests on it.
 void itemTooltip(std::string_view text);
+
+/// Of a button with this text [px].
+float buttonWidth(std::string_view label);
 
 /// A text at the right end of what is left of the line or of the table's cell.
 void textRight(std::string_view text);

@@ -7,6 +7,7 @@
 
 #include "ui/item_places.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace kerf::ui {
 namespace {
@@ -46,8 +47,7 @@ void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& acti
     drawRunner(work.seconds);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s, %.0f s", work.stage.c_str(), work.seconds);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize("Cancel").x -
-                    2 * ImGui::GetStyle().FramePadding.x);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Cancel"));
     if (ImGui::Button("Cancel")) {
         actions.emplace_back(CancelWork{});
     }

@@ -27,7 +27,7 @@ struct Frame {
     Eigen::Matrix4f shadeMatrixAlongKey = Eigen::Matrix4f::Identity();
     float shadeRange = 1;
     float shadeReach = 1;
-    const gpu::Buffer* looks = nullptr;  ///< vec4 per piece (see kBindLooks); never empty
+    const gpu::Buffer* looks = nullptr;  ///< two vec4 per piece (see kBindLooks); never empty
     std::uint32_t lookCount = 0;
 };
 

@@ -2,10 +2,16 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
+
 #include "shaders/shared/render_bindings.h"
 
 namespace kerf::render {
 namespace {
+
+// Of the line on the skin along a cut, on either side of it.
+constexpr float kCutLineStrength = 0.75F;
+constexpr float kCutLineShare = 1.0F / 800;  // of the picture's height, a pixel at least
 
 void bindBody(const BodyView& body, const gpu::Buffer& normals) {
     body.positions->bindStorage(shared::kBindPositions);
@@ -52,7 +58,11 @@ void SurfacePass::draw(const SceneView& scene, const Frame& frame,
                        const gpu::Buffer& normals) const {
     depth_.bind(shared::kUnitDepthField);
     bindBody(scene.body, normals);
-    drawKind(skins_[scene.material.spots > 0 ? 1 : 0], scene, frame);
+    const gpu::Program& skin = skins_[scene.material.spots > 0 ? 1 : 0];
+    skin.use();
+    skin.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
+    skin.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
+    drawKind(skin, scene, frame);
     drawKind(walls_[static_cast<std::size_t>(scene.material.pattern)], scene, frame);
 }
 

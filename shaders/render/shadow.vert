@@ -8,5 +8,6 @@ void main() {
     uint vertex = triangle[gl_VertexID % 3];
     bool drawn = lookOfPiece(triangle).w >= 0.0;
     // Depth is clamped in these pictures: what is not drawn falls outside by x and y.
-    gl_Position = drawn ? lightMatrix * vec4(positions[vertex].xyz, 1) : vec4(2, 2, 2, 1);
+    vec3 at = positions[vertex].xyz + shiftOfPiece(triangle);
+    gl_Position = drawn ? lightMatrix * vec4(at, 1) : vec4(2, 2, 2, 1);
 }

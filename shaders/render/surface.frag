@@ -15,6 +15,12 @@ in vec3 restPosition;
 in vec3 corners;
 flat in vec4 pieceTint;  // w: strength
 
+#ifndef WALLS
+flat in vec3 rims;
+uniform float cutLines;      // strength
+uniform float cutLineWidth;  // [px]
+#endif
+
 uniform vec3 eye;
 uniform float bodySize;     // diagonal at rest [m]
 uniform float floorHeight;
@@ -76,9 +82,15 @@ vec3 shade(Look look, vec3 n, vec3 v) {
     return light;
 }
 
-float edgeCover() {
-    vec3 d = corners / max(fwidth(corners), vec3(1e-6));
-    return 1.0 - smoothstep(0.3, 1.2, min(d.x, min(d.y, d.z)));
+// How far it is to the three edges [px].
+vec3 edgeDistances() {
+    vec3 slope = sqrt(dFdx(corners) * dFdx(corners) + dFdy(corners) * dFdy(corners));
+    return corners / max(slope, vec3(1e-6));
+}
+
+// Of a line along edges, from its middle to where it ends [px].
+float lineCover(vec3 d, float inner, float outer) {
+    return 1.0 - smoothstep(inner, outer, min(d.x, min(d.y, d.z)));
 }
 
 void main() {
@@ -89,7 +101,12 @@ void main() {
     look.albedo = mix(look.albedo, pieceTint.rgb, max(pieceTint.w, 0.0));
     vec3 light = shade(look, n, v);
     if (wireframe > 0.0) {
-        light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * edgeCover());
+        light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * lineCover(edgeDistances(), 0.3, 1.2));
     }
+#ifndef WALLS
+    // A closed cut would not show otherwise.
+    vec3 toRim = edgeDistances() + 1e3 * (1.0 - rims);
+    light *= 1.0 - cutLines * lineCover(toRim, 0.5 * cutLineWidth, 0.5 * cutLineWidth + 1.0);
+#endif
     color = vec4(display(light), 1);
 }

@@ -17,6 +17,9 @@ out vec3 worldNormal;
 out vec3 restPosition;
 out vec3 corners;
 flat out vec4 pieceTint;
+#ifndef WALLS
+flat out vec3 rims;  // by corner: 1 where the edge opposite to it lies on the rim of a cut
+#endif
 
 vec3 faceNormal(uvec4 triangle) {
     vec3 a = positions[triangle.x].xyz;
@@ -29,11 +32,12 @@ void main() {
     uvec4 triangle = triangles[gl_VertexID / 3];
     int corner = gl_VertexID % 3;
     uint vertex = triangle[corner];
-    worldPosition = positions[vertex].xyz;
+    worldPosition = positions[vertex].xyz + shiftOfPiece(triangle);
     restPosition = restPositions[vertex].xyz;
     worldNormal = normals[2u * vertex + kKind].xyz;
 #ifndef WALLS
     worldNormal = mix(worldNormal, faceNormal(triangle), facets);
+    rims = vec3((triangle.www >> uvec3(2u, 3u, 1u)) & 1u);
 #endif
     corners = vec3(corner == 0, corner == 1, corner == 2);
     pieceTint = lookOfPiece(triangle);

@@ -12,7 +12,7 @@ SHARED_CONST int kBindIncidence = 4;
 SHARED_CONST int kBindNormals = 5;  // vec4 per vertex and kind: 2 * vertex + kind
 SHARED_CONST int kBindCutSkinNormals = 6;
 SHARED_CONST int kBindSegments = 6;      // vec4 pairs: ends of lines, or blade poses A, B
-SHARED_CONST int kBindLooks = 7;         // vec4 per piece: tint, strength; strength < 0 hides it
+SHARED_CONST int kBindLooks = 7;         // two vec4 per piece, see piece_looks.glsl
 SHARED_CONST int kBindConstraints = 8;   // what an overlay draws: records of the solver, vertices
 SHARED_CONST int kBindContactState = 9;  // ContactState
 

@@ -45,7 +45,7 @@ struct BodyModel {
     /// At rest, of vertices that a cut made or divided (see SkinNormals::ofCut), shape
     /// [vertexCount].
     std::vector<Vec3f> cutSkinNormals;
-    /// Living triangles: three vertices, then kind | piece << 8 (see BodyView).
+    /// Living triangles: three vertices, then surfaceTag() | piece << 8.
     std::vector<std::array<std::uint32_t, 4>> triangles;
     std::vector<int> meshTriangle;   ///< mesh slot of each entry of `triangles`
     std::vector<int> pieceOfVertex;  ///< -1 for unused vertices

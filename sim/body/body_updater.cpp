@@ -6,6 +6,7 @@
 
 #include "sim/body/constraint_builder.h"
 #include "sim/body/rest_geometry.h"
+#include "sim/body/surface_tag.h"
 #include "sim/cut/cut_change.h"
 
 namespace kerf {
@@ -112,9 +113,8 @@ void BodyUpdater::buildEdgesAndBends() {
 
 std::array<std::uint32_t, 4> BodyUpdater::taggedTriangle(int triangle) const {
     const Triangle& corners = mesh_.triangle(triangle);
-    const auto kind = static_cast<std::uint32_t>(mesh_.kind(triangle));
     return {index32(corners[0]), index32(corners[1]), index32(corners[2]),
-            kind | index32(model_.pieceOfVertex[corners[0]]) << 8};
+            surfaceTag(mesh_, triangle) | index32(model_.pieceOfVertex[corners[0]]) << 8};
 }
 
 BodyChange BodyUpdater::update(const CutDelta& delta) {
@@ -247,6 +247,7 @@ void BodyUpdater::updateTriangles(std::span<const int> changed, BodyChange& chan
             }
         });
     }
+    updateRims(changed, triangles);
     triangles.close([&](int from, int to) {
         model_.meshTriangle[to] = model_.meshTriangle[from];
         slotOfTriangle_[model_.meshTriangle[to]] = to;
@@ -254,6 +255,20 @@ void BodyUpdater::updateTriangles(std::span<const int> changed, BodyChange& chan
     model_.meshTriangle.resize(model_.triangles.size());
     change.triangles = triangles.takeSlots();
     change.triangleLists = triangles.takeVertices();
+}
+
+/// A triangle that stays as it is may get a new neighbour, and with it another rim.
+void BodyUpdater::updateRims(std::span<const int> changed,
+                             RecordEditor<std::array<std::uint32_t, 4>>& triangles) {
+    for (const int t : changed) {
+        for (int h = 3 * t; h < 3 * t + 3 && mesh_.alive(t); ++h) {
+            const int neighbour = mesh_.twin(h) / 3;
+            const std::uint32_t tag = taggedTriangle(neighbour)[3];
+            if (const int slot = slotOfTriangle_[neighbour]; model_.triangles[slot][3] != tag) {
+                triangles.rewrite(slot)[3] = tag;
+            }
+        }
+    }
 }
 
 /// The order around a vertex is that of its umbrella.

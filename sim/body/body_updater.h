@@ -70,6 +70,8 @@ class BodyUpdater {
                            std::span<const std::uint32_t> vertices);
     void updateMasses();
     void updateTriangles(std::span<const int> changed, BodyChange& change);
+    void updateRims(std::span<const int> changed,
+                    RecordEditor<std::array<std::uint32_t, 4>>& triangles);
     void updateShell(std::span<const int> changed, BodyChange& change);
     void addEdge(int halfEdge, RecordEditor<shared::EdgeConstraint>& edges,
                  RecordEditor<shared::BendConstraint>& bends);

@@ -12,7 +12,7 @@ struct BodyView {
     const gpu::Buffer* positions = nullptr;       ///< vec4: xyz current [m], w inverse unit mass
     const gpu::Buffer* restPositions = nullptr;   ///< vec4 per vertex: xyz rest [m]
     const gpu::Buffer* cutSkinNormals = nullptr;  ///< vec4: see BodyModel::cutSkinNormals
-    /// uvec4 per triangle: three vertices; w = kind (bit 0: 1 for a wall) | piece << 8.
+    /// uvec4 per triangle: three vertices; w = surfaceTag() | piece << 8.
     const gpu::Buffer* triangles = nullptr;
     /// The triangles around each vertex: per vertex the first and the end place in `incidence`,
     /// whose entries are 4 * triangle + corner. Fixed order: normals are the same bits every time.

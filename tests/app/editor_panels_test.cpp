@@ -161,6 +161,7 @@ TEST_F(EditorPanelsTest, TheLogKeepsWhatWasSaid) {
 }
 
 TEST_F(EditorPanelsTest, SettingsAreKeptWhereAFileIsNamed) {
+    clickOn("section.window");
     clickOn("window.light");
     EXPECT_TRUE(files().empty()) << "without a file nothing is written";
     options.settingsFile = folder / "settings.json";
@@ -168,6 +169,7 @@ TEST_F(EditorPanelsTest, SettingsAreKeptWhereAFileIsNamed) {
     tap(Key::tab);
     EXPECT_FALSE(panels().settings.showControls);
     tap(Key::tab);
+    clickOn("section.window");
     clickOn("window.light");
     EXPECT_EQ(SettingsFile(options.settingsFile).now.theme, ui::Theme::light);
     start();

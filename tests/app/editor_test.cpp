@@ -12,7 +12,7 @@ TEST_F(EditorTest, OpensPausedAndSaysWhatToDoFirst) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_FALSE(panels().playing);
     EXPECT_EQ(panels().step, 0);
-    EXPECT_THAT(panels().hint, ::testing::HasSubstr("Drag"));
+    EXPECT_THAT(panels().hint.text, ::testing::HasSubstr("Drag"));
 }
 
 TEST_F(EditorTest, AStrokeFromTopToBottomCutsTheSphereInTwo) {
@@ -381,7 +381,7 @@ TEST_F(EditorTest, ADroppedSessionIsPlayed) {
     editor->post(ui::FileDrop{{folder / "slice.kerf.json"}});
     waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
-    EXPECT_THAT(panels().hint, ::testing::HasSubstr("play the session"));
+    EXPECT_THAT(panels().hint.text, ::testing::HasSubstr("play the session"));
     tap(Key::space);
     frames(3);
     EXPECT_EQ(panels().playback.steps, 60);
@@ -429,7 +429,7 @@ TEST_F(EditorTest, AnEmptyEditorInvitesAFile) {
     empty.post(ui::ButtonChange{Button::left, true, {}});
     empty.frame(kFrameSeconds);
     EXPECT_EQ(empty.title(), "Kerf");
-    EXPECT_THAT(empty.panels().hint, ::testing::HasSubstr("Drop a model"));
+    EXPECT_THAT(empty.panels().hint.text, ::testing::HasSubstr("Drop a model"));
 }
 
 TEST(FitPlacement, BringsAnySizeToTheFloorOfTheView) {

@@ -62,8 +62,9 @@ void expectReplayed(const Session& session) {
 TEST_F(EditorToolsTest, ADragShowsItsBladeWithinTwoPictures) {
     moveTo(kTop.x(), kTop.y());
     settle();
-    const int before = tealPixels(editor->readPicture());
     press(true);
+    settle();  // The hint goes, whose bar is teal too.
+    const int before = tealPixels(editor->readPicture());
     moveTo(kTop.x() + 40, kTop.y() + 120);
     frames(2);
     EXPECT_GT(tealPixels(editor->readPicture()), before + 40);

@@ -24,10 +24,16 @@ waitFor() {
     done
 }
 hasLeft() { ! kill -0 "$editor" 2>/dev/null; }
+# A key that comes before the window has the keyboard back from a dialog is lost.
+leaves() {
+    hasLeft || xdotool key ctrl+q
+    sleep 0.5
+    hasLeft
+}
 # Leaves by the keyboard and says how that went.
 leaveEditor() {
-    xdotool key ctrl+q
-    waitFor hasLeft
+    waitFor leaves
+    hasLeft || kill "$editor"
     wait "$editor"
     echo "exit: $?"
 }

@@ -32,7 +32,8 @@ struct Look {
 
 class Photographer {
   public:
-    Photographer(const Look& look, ui::Settings settings, std::filesystem::path folder)
+    Photographer(const Look& look, ui::Settings settings, std::filesystem::path folder,
+                 app::Document document)
         : look_(look), settings_(std::move(settings)), folder_(std::move(folder)) {
         settings_.theme = look.theme;
         const std::filesystem::path file = folder_ / "settings.json";
@@ -45,8 +46,7 @@ class Photographer {
         options.byTheClock = false;
         options.quality = look.scale == 1 ? render::Quality::full : render::Quality::light;
         options.settingsFile = file;
-        editor_ = std::make_unique<app::Editor>(
-            options, app::openDocument(gpu::dataPath("assets/sessions/sphere768.kerf.json")));
+        editor_ = std::make_unique<app::Editor>(options, std::move(document));
         std::filesystem::remove(file);
         frames(3);
     }
@@ -64,9 +64,36 @@ class Photographer {
         frames(kPictures);
         tap(ui::Key::space);
     }
-    void tap(ui::Key key) {
-        editor_->post(ui::KeyChange{key, true, {}});
-        editor_->post(ui::KeyChange{key, false, {}});
+    void tap(ui::Key key, const ui::Modifiers& modifiers = {}) {
+        editor_->post(ui::KeyChange{key, true, modifiers});
+        editor_->post(ui::KeyChange{key, false, modifiers});
+        frames(3);
+    }
+    void settle() {
+        for (int i = 0; i < 400 && editor_->idleSeconds() == 0; ++i) {
+            frames(1);
+        }
+    }
+    /// Across the view; places as shares of it.
+    void drag(const Vec2& from, const Vec2& to) {
+        const ui::Rect view = layout().view;
+        for (int i = 0; i <= 20; ++i) {
+            const Vec2 at = from + (to - from) * i / 20.0;
+            editor_->post(
+                ui::PointerMove{view.x + at.x() * view.width, view.y + at.y() * view.height, {}});
+            if (i == 0) {
+                editor_->post(ui::ButtonChange{ui::Button::left, true, {}});
+            }
+        }
+        editor_->post(ui::ButtonChange{ui::Button::left, false, {}});
+        settle();
+    }
+    /// A file that is waited for.
+    void open(const std::filesystem::path& file) {
+        editor_->open(file);
+        do {
+            frames(1);
+        } while (editor_->working());
         frames(3);
     }
     void moveOnto(const std::string& item, double shareX = 0.5, double shareY = 0.5) {
@@ -120,8 +147,12 @@ class Photographer {
     Stopwatch watch_;
 };
 
+app::Document experiment() {
+    return app::openDocument(gpu::dataPath("assets/sessions/sphere768.kerf.json"));
+}
+
 void takeAll(const Look& look, const std::filesystem::path& folder) {
-    Photographer window(look, {}, folder);
+    Photographer window(look, {}, folder, experiment());
     window.takeWindow("start");
     window.play();
     window.moveAway();
@@ -151,11 +182,59 @@ void takePlots(const Look& look, const std::filesystem::path& folder) {
     settings.plots = {"frames", "times", "volume", "pieces", "energy", "touched"};
     settings.readingsWidth = 420;
     settings.plotsShare = 1;
-    settings.folded = {"experiments", "tools", "window"};
-    Photographer window(look, settings, folder);
+    settings.folded = {"experiments", "tools", "display", "window"};
+    Photographer window(look, settings, folder, experiment());
     window.play();
     window.click("plots.choose");
     window.takeWindow("plots");
+}
+
+/// What a newcomer sees first.
+void takeFirstMinute(const Look& look, const std::filesystem::path& folder) {
+    Photographer window(look, {}, folder, app::openDefaultDocument());
+    window.takeWindow("first");
+    window.drag({0.5, 0.4}, {0.5, 0.6});
+    window.takeWindow("incision");
+    window.tap(ui::Key::z, {.control = true});
+    window.drag({0.05, 0.35}, {0.95, 0.6});
+    window.takeWindow("cut");
+    window.tap(ui::Key::a);
+    window.takeWindow("apart");
+    window.tap(ui::Key::space, {.shift = true});
+    window.frames(kPictures);
+    window.tap(ui::Key::space);
+    window.takeWindow("fallen");
+}
+
+/// What is seldom open: dialogs, and the rows of each tool.
+void takeDialogs(const Look& look, const std::filesystem::path& folder) {
+    ui::Settings settings;
+    settings.folded = {"experiments", "simulation"};
+    Photographer window(look, settings, folder, app::openDefaultDocument());
+    window.takeControls("display");
+    window.tap(ui::Key::g);
+    window.takeWindow("guillotine");
+    window.tap(ui::Key::p);
+    window.takeControls("pin");
+    window.click("tab.Boxes");
+    window.click("boxes.add");
+    window.click("box.0");
+    window.moveAway();
+    window.takeReadings("boxes");
+    window.tap(ui::Key::f1);
+    window.takeWindow("help");
+    window.tap(ui::Key::f1);
+    window.tap(ui::Key::o, {.control = true});
+    window.takeWindow("open");
+    window.tap(ui::Key::escape);
+    window.tap(ui::Key::e, {.control = true});
+    window.takeWindow("export");
+    window.tap(ui::Key::escape);
+    const std::filesystem::path file = folder / "open-box.obj";
+    app::writeOutputFile(file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+    window.open(file);
+    std::filesystem::remove(file);
+    window.takeWindow("question");
 }
 
 void run(const std::filesystem::path& folder) {
@@ -165,6 +244,8 @@ void run(const std::filesystem::path& folder) {
                              Look{ui::Theme::dark, 2}, Look{ui::Theme::light, 2}}) {
         takeAll(look, folder);
         takePlots(look, folder);
+        takeFirstMinute(look, folder);
+        takeDialogs(look, folder);
     }
 }
 

@@ -199,6 +199,43 @@ TEST_F(RendererTest, ACutThatIsClosedDoesNotShowOnTheSkin) {
     EXPECT_GT(largestDifference(pictureOf(bare), picture), 24) << "what the normals are for";
 }
 
+TEST_F(RendererTest, ALineShowsAClosedCutWhereThatIsWanted) {
+    const SurfaceMesh whole = test::cubeSphere(8);
+    const CutBody cut(whole);
+    Stage stage(cut.mesh, cut.normals);
+    stage.camera.eye = Vec3(0, 0, 4);  // onto the cut's rim, which runs from top to bottom
+    stage.camera.target = Vec3::Zero();
+    const Image plain = pictureOf(stage);
+    stage.scene.cutLines = true;
+    const Image lined = pictureOf(stage);
+    int rows = 0;
+    int most = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        int dark = 0;
+        for (int x = 0; x < kWidth; ++x) {
+            dark += pixelAt(lined, x, y)[0] < pixelAt(plain, x, y)[0] - 40 ? 1 : 0;
+        }
+        rows += dark > 0 ? 1 : 0;
+        most = std::max(most, dark);
+    }
+    EXPECT_GT(rows, kHeight / 4) << "all along the cut";
+    EXPECT_LE(most, 6) << "and thin";
+    Stage uncut(whole);
+    uncut.camera = stage.camera;
+    const Image before = pictureOf(uncut);
+    uncut.scene.cutLines = true;
+    EXPECT_EQ(largestDifference(pictureOf(uncut), before), 0) << "none without a cut";
+}
+
+TEST_F(RendererTest, APieceIsDrawnWhereItsShiftSays) {
+    Stage stage(test::cubeSphere(8));
+    stage.scene.floor.reset();
+    const Image before = pictureOf(stage);
+    stage.scene.pieces = {{.shift = Vec3(0, 100, 0)}};
+    EXPECT_GT(countReddish(before), 100);
+    EXPECT_EQ(countReddish(pictureOf(stage)), 0) << "out of the picture";
+}
+
 TEST_F(RendererTest, BodyDarkensTheFloorBelow) {
     Stage stage(test::cubeSphere(8));
     stage.camera.eye = Vec3(0, 1.2, 3);

@@ -5,6 +5,7 @@
 
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/shared_types.h"
+#include "sim/body/surface_tag.h"
 
 namespace kerf::test {
 namespace {
@@ -24,7 +25,7 @@ std::vector<shared::uvec4> taggedTriangles(const SurfaceMesh& mesh) {
         if (mesh.alive(t)) {
             const Triangle& c = mesh.triangle(t);
             out.push_back({std::uint32_t(c[0]), std::uint32_t(c[1]), std::uint32_t(c[2]),
-                           std::uint32_t(mesh.kind(t))});
+                           surfaceTag(mesh, t)});
         }
     }
     return out;

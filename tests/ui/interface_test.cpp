@@ -90,7 +90,7 @@ TEST_F(InterfaceTest, PanelsOwnThePointerOnlyOverThemselves) {
         moveTo(rect.x + rect.width / 2, rect.y + rect.height - 4);
         EXPECT_TRUE(interface->ownsPointer());
     }
-    model.hint = "Drag across the model to cut it.";
+    model.hint.text = "Drag across the model to cut it.";
     model.toast = "Saved.";
     for (const double y : {2.0, 60.0, 360.0, 660.0}) {
         moveTo(kWidth / 2.0, y);
@@ -278,6 +278,8 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
 }
 
 TEST_F(InterfaceTest, ThemeAndSizeAreChosen) {
+    clickOn("section.window");
+    pass({});
     clickOn("window.light");
     EXPECT_EQ(model.settings.theme, Theme::light);
     clickOn("window.dark");

@@ -11,6 +11,7 @@
 #include <memory>
 #include <random>
 
+#include "sim/body/surface_tag.h"
 #include "tests/sim/body/ispc_bits.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
@@ -120,8 +121,9 @@ void expectFollowed(const BodyModel& model, const SurfaceMesh& mesh) {
         for (int k = 0; k < 3; ++k) {
             EXPECT_EQ(model.triangles[i][k], static_cast<std::uint32_t>(corners[k]));
         }
-        EXPECT_EQ(model.triangles[i][3] >> 8,
-                  static_cast<std::uint32_t>(model.pieceOfVertex[corners[0]]));
+        EXPECT_EQ(model.triangles[i][3],
+                  surfaceTag(mesh, model.meshTriangle[i]) |
+                      static_cast<std::uint32_t>(model.pieceOfVertex[corners[0]]) << 8);
     }
     EXPECT_EQ(model.triangles.size(), fresh.triangles.size());
     expectIspcs(model, fresh, mesh);

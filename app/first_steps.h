@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+/// What came of a stroke.
+enum class CutOutcome : std::uint8_t {
+    none,     ///< there was none, or the body has changed otherwise since
+    missed,   ///< the blade met nothing
+    incised,  ///< it cut, and the pieces are as many as before
+    parted,   ///< there are more pieces
+};
+
+/// Tells what came of the last stroke by what the body was before it and after.
+class CutWatch {
+  public:
+    /// Once a picture, before its steps. `cutting`: a stroke is drawn or still to be cut.
+    void follow(bool cutting, int pieces, int triangles);
+    CutOutcome outcome() const { return outcome_; }
+
+  private:
+    struct Counts {
+        int pieces = 0;
+        int triangles = 0;
+        bool operator==(const Counts&) const = default;
+    };
+    std::optional<Counts> before_;  ///< of the stroke that is under way
+    Counts after_;                  ///< of the last one
+    CutOutcome outcome_ = CutOutcome::none;
+};
+
+/// What a hint goes by.
+struct Situation {
+    bool open = false;        ///< whether anything is
+    bool playing = false;     ///< time runs
+    bool weightless = false;  ///< there is no gravity
+    bool session = false;     ///< events of a session are still to come
+    bool cutting = false;     ///< a stroke is drawn or still to be cut
+    bool touching = false;    ///< the hand pulls or pins
+    ui::Tool tool = ui::Tool::stroke;
+    int pieces = 1;
+    CutOutcome outcome = CutOutcome::none;
+};
+
+/// Leads a newcomer from the first cut to the next things there are to do. Each hint goes for good
+/// once what it says was done.
+class FirstSteps {
+  public:
+    /// Once a picture.
+    void follow(const Situation& now);
+    /// What to do first or next; empty for none.
+    ui::Hint hint(const Situation& now) const;
+
+  private:
+    bool hasUsed(ui::Tool tool) const { return used_[static_cast<std::size_t>(tool)]; }
+    ui::Hint afterStroke(const Situation& now) const;
+    ui::Hint beforeStroke(const Situation& now) const;
+
+    std::array<bool, ui::kTools> used_{};
+    bool played_ = false;   ///< a session
+    bool parted_ = false;   ///< something was cut right through
+    bool weighed_ = false;  ///< time ran with gravity
+    bool fell_ = false;     ///< and did so with pieces
+    bool wentOn_ = false;   ///< a stroke was drawn after that
+};
+
+}  // namespace kerf::app

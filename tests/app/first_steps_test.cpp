@@ -1,0 +1,133 @@
+#include "app/first_steps.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/app/editor_fixture.h"
+
+namespace kerf::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ui::ActionId;
+
+std::vector<ActionId> choicesOf(const ui::Hint& hint) {
+    std::vector<ActionId> ids;
+    for (const ui::HintChoice& choice : hint.choices) {
+        ids.push_back(choice.id);
+    }
+    return ids;
+}
+
+TEST(CutWatch, TellsWhatCameOfAStroke) {
+    CutWatch watch;
+    const auto stroke = [&](int pieces, int triangles) {
+        watch.follow(true, 1, 100);
+        watch.follow(true, pieces, triangles);
+        watch.follow(false, pieces, triangles);
+        return watch.outcome();
+    };
+    watch.follow(false, 1, 100);
+    EXPECT_EQ(watch.outcome(), CutOutcome::none);
+    EXPECT_EQ(stroke(1, 100), CutOutcome::missed);
+    EXPECT_EQ(stroke(1, 120), CutOutcome::incised);
+    EXPECT_EQ(stroke(2, 180), CutOutcome::parted);
+    watch.follow(false, 2, 180);
+    EXPECT_EQ(watch.outcome(), CutOutcome::parted) << "until something else is done";
+    watch.follow(false, 1, 100);
+    EXPECT_EQ(watch.outcome(), CutOutcome::none) << "undone";
+}
+
+TEST(FirstSteps, LeadThroughTheFirstCut) {
+    FirstSteps steps;
+    Situation now;
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("Drop a model"));
+    now.open = now.weightless = true;
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("right across"));
+    now.outcome = CutOutcome::missed;
+    steps.follow(now);
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("met nothing"));
+    now.outcome = CutOutcome::incised;
+    steps.follow(now);
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("began or ended inside"));
+    now.outcome = CutOutcome::parted;
+    now.pieces = 2;
+    steps.follow(now);
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("2 pieces"));
+    EXPECT_THAT(choicesOf(steps.hint(now)),
+                ::testing::ElementsAre(ActionId::letFall, ActionId::showApart, ActionId::toolGrab));
+    now.playing = true;
+    now.weightless = false;
+    steps.follow(now);
+    EXPECT_EQ(steps.hint(now).text, "") << "what falls is watched";
+    now.playing = false;
+    EXPECT_THAT(choicesOf(steps.hint(now)),
+                ::testing::ElementsAre(ActionId::undo, ActionId::reset, ActionId::help));
+    now.cutting = true;
+    steps.follow(now);
+    now.cutting = false;
+    now.pieces = 3;
+    steps.follow(now);
+    EXPECT_EQ(steps.hint(now).text, "") << "who has seen it all is left alone";
+    now.outcome = CutOutcome::incised;
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("Pull it open"));
+    now.tool = ui::Tool::guillotine;
+    now.outcome = CutOutcome::none;
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("handles")) << "a tool that is new";
+}
+
+TEST(FirstSteps, SayWhyNothingMoves) {
+    FirstSteps steps;
+    Situation now{.open = true, .playing = true, .weightless = true};
+    steps.follow(now);
+    EXPECT_EQ(choicesOf(steps.hint(now)), std::vector{ActionId::toggleGravity});
+    now.weightless = false;
+    steps.follow(now);
+    now.weightless = true;
+    EXPECT_EQ(steps.hint(now).text, "") << "known by now";
+}
+
+TEST_F(EditorTest, AStrokeThatEndsInsideIsAnIncisionAndTheHintSaysSo) {
+    drag(kTop, Vec2(kWidth / 2.0, kHeight / 2.0), 20);
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    EXPECT_THAT(panels().hint.text, HasSubstr("incision"));
+    tap(Key::z, {.control = true});
+    settle();
+    EXPECT_THAT(panels().hint.text, ::testing::Not(HasSubstr("incision")));
+}
+
+TEST_F(EditorTest, TheHintAfterACutLetsThePiecesFall) {
+    drag(kTop, kBottom, 10);
+    settle();
+    frames(2);
+    click("hint.Shift+Space");
+    EXPECT_TRUE(panels().playing);
+    EXPECT_LT(panels().params.gravity.y(), 0);
+}
+
+TEST_F(EditorTest, PiecesAreShownApartUntilABladeComes) {
+    drag(kTop, kBottom, 10);
+    settle();
+    moveTo(kWidth / 2.0, 5);
+    settle();
+    const std::vector<std::uint8_t> together = viewPixels(editor->readPicture());
+    const int steps = panels().step;
+    tap(Key::a);
+    settle();
+    EXPECT_GT(panels().display.apart, 0);
+    EXPECT_NE(viewPixels(editor->readPicture()), together);
+    EXPECT_EQ(panels().step, steps) << "nothing moved";
+    moveTo(kTop.x() + 60, kTop.y());
+    press(true);
+    settle();
+    EXPECT_EQ(panels().display.apart, 0);
+    press(false);
+    tap(Key::a);
+    EXPECT_GT(panels().display.apart, 0);
+    tap(Key::space);
+    frames(2);
+    EXPECT_EQ(panels().display.apart, 0);
+}
+
+}  // namespace
+}  // namespace kerf::app
