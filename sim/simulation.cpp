@@ -12,6 +12,7 @@
 #include "sim/boxes.h"
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/oriented_box.h"
+#include "sim/mesh_sync.h"
 #include "sim/snapshot.h"
 #include "sim/solve/front_anchors.h"
 #include "sim/solve/gpu_solver.h"
@@ -46,45 +47,13 @@ Vec3 roundedToFloat(const Vec3& a) {
     return a.cast<float>().cast<double>();
 }
 
-/// Returns how far the vertex has moved [m].
-double roundVertex(SurfaceMesh& mesh, int v) {
-    const Vec3 before = mesh.position(v);
-    mesh.setPosition(v, roundedToFloat(before));
-    mesh.setVelocity(v, roundedToFloat(mesh.velocity(v)));
-    return (mesh.position(v) - before).norm();
-}
-
-/// Vertices become what the GPU will hold, so that both sides go on from the same numbers. Returns
-/// how far one has moved at most [m].
-double roundVertices(SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
-    double farthest = 0;
-    for (const std::uint32_t v : vertices) {
-        farthest = std::max(farthest, roundVertex(mesh, static_cast<int>(v)));
+/// Vertices become what the GPU will hold, so that both sides go on from the same numbers.
+void roundVertices(SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
+    for (const std::uint32_t vertex : vertices) {
+        const int v = static_cast<int>(vertex);
+        mesh.setPosition(v, roundedToFloat(mesh.position(v)));
+        mesh.setVelocity(v, roundedToFloat(mesh.velocity(v)));
     }
-    return farthest;
-}
-
-/// Returns how far a vertex has moved at most [m].
-double copyState(const BodyState& state, SurfaceMesh& mesh) {
-    double farthest = 0;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const Vec3 position = state.positions[v].cast<double>();
-        farthest = std::max(farthest, (position - mesh.position(v)).squaredNorm());
-        mesh.setPosition(v, position);
-        mesh.setVelocity(v, state.velocities[v].cast<double>());
-    }
-    return std::sqrt(farthest);
-}
-
-std::vector<Vec3> usedPositions(const SurfaceMesh& mesh) {
-    std::vector<Vec3> points;
-    points.reserve(mesh.vertexCount());
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (mesh.outgoing(v) >= 0) {
-            points.push_back(mesh.position(v));
-        }
-    }
-    return points;
 }
 
 bool standsInMaterial(const std::vector<RungNode>& rung) {
@@ -124,6 +93,7 @@ struct Simulation::State {
           closed(prepared.closed),
           cutter(std::move(*prepared.cutter)) {
         startRun();
+        lookUpTriangles();
         beginAtRest();
     }
 
@@ -166,6 +136,9 @@ struct Simulation::State {
     // The phases of a step.
     void applyParameters();
     void solve();
+    void foreseeCut();
+    std::vector<Blade> pathOfBlade() const;
+    void lookUpTriangles();
     void holdFront();
     void releaseFront();
     void pull();
@@ -182,7 +155,6 @@ struct Simulation::State {
     void adoptNewTopology(const CutDelta& delta);
 
     const BodyModel& model() const { return body->model(); }
-    void syncMesh();
     const PieceMap& syncPieces();
     template <class... Parts>
     void say(fmt::format_string<Parts...> format, Parts&&... parts) {
@@ -197,17 +169,18 @@ struct Simulation::State {
     const std::vector<StaticBox> initialBoxes;
 
     // The body: constant set-up, running state on the GPU, and the mesh, which is the truth about
-    // topology and lags behind in positions until syncMesh().
+    // topology and fetches positions where they are read.
     const std::unique_ptr<SurfaceMesh> meshOwner;
     SurfaceMesh& mesh = *meshOwner;
     std::unique_ptr<BodyUpdater> body;
     const std::unique_ptr<GpuSolver> solverOwner;
     GpuSolver& solver = *solverOwner;
+    MeshSync sync{mesh, solver};
+    bool readsAllBack = false;
     VolumeTargets volumeTargets;
     std::vector<Anchor> anchors;
     Hands hands;
     Pins pins;
-    bool meshLags = false;
     bool closed = true;
 
     // Input.
@@ -261,6 +234,7 @@ void Simulation::State::startBody() {
     solver.setModel(model(), stateOf(mesh));
     closed = checkClosedManifold(mesh).empty();
     cutter.emplace(mesh, CutSettings{});
+    lookUpTriangles();
     beginAtRest();
 }
 
@@ -269,7 +243,7 @@ void Simulation::State::beginAtRest() {
     touch();
     beforeStroke.reset();
     volumeTargets.reset(model());
-    meshLags = true;  // by the rounding to float
+    sync.outdate();  // by the rounding to float
     paramsChanged = true;
     bladeActions.clear();
     blade.reset();
@@ -280,6 +254,7 @@ void Simulation::State::beginAtRest() {
     pieces.reset();
     applyParameters();
     measure = solver.measure();
+    sync.setBounds(measure.bounds);
     solver.saveState();
     publish();
 }
@@ -310,16 +285,47 @@ void Simulation::State::solve() {
         solver.setVolumeTargets(volumeTargets.targets());
     }
     pull();
+    foreseeCut();
     holdFront();
     solver.step();
     releaseFront();
     measure = solver.measure();
     takeBackLostPieces();
     solver.saveState();
-    meshLags = true;
+    sync.outdate();
+    sync.setBounds(measure.bounds);
+    if (readsAllBack) {
+        mesh.bringAll();
+    }
     pieces.reset();
     report.deformMs = solver.takeDeformMilliseconds();
     report.collideMs = solver.takeCollideMilliseconds();
+}
+
+/// Where the blade goes in this step, from where it stands.
+std::vector<Blade> Simulation::State::pathOfBlade() const {
+    std::vector<Blade> path;
+    if (blade) {
+        path.push_back(*blade);
+    }
+    for (const BladeAction& action : bladeActions) {
+        if (const auto* move = std::get_if<MoveBlade>(&action)) {
+            path.push_back(move->blade);
+        }
+    }
+    return path;
+}
+
+void Simulation::State::foreseeCut() {
+    const bool looks = !bladeActions.empty() || cutter->inStroke();
+    const std::vector<Blade> path = pathOfBlade();
+    if (looks && !path.empty() && !readsAllBack) {
+        sync.foresee(cutter->reach(path, params.timeStep), cutter->followedVertices());
+    }
+}
+
+void Simulation::State::lookUpTriangles() {
+    cutter->useFinder(readsAllBack ? nullptr : &sync);
 }
 
 /// See findFrontAnchors.
@@ -327,7 +333,6 @@ void Simulation::State::holdFront() {
     if (!standsInMaterial(cutter->rung())) {
         return;
     }
-    syncMesh();
     anchors =
         findFrontAnchors(mesh, model(), cutter->rung(), cutter->strokeSurface(), params.timeStep);
     for (const Anchor& anchor : anchors) {
@@ -377,7 +382,6 @@ void Simulation::State::cut(const MoveBlade& move) {
         return;
     }
     if (blade && mayTouch(move.blade)) {
-        syncMesh();
         if (!cutter->inStroke()) {
             beginStroke();
         }
@@ -418,7 +422,6 @@ void Simulation::State::endStroke() {
         accept({});
         return;
     }
-    syncMesh();
     accept(cutter->finish());
 }
 
@@ -432,17 +435,25 @@ bool Simulation::State::mayTouch(const Blade& to) {
     return standsInMaterial(rung) || nearBody(sweep);
 }
 
-/// By boxes along the axes, which are at hand, then by oriented ones.
+/// By the box of the body, which is at hand, and that of the sweep, then by what lies in the
+/// latter.
 bool Simulation::State::nearBody(std::span<const Vec3> sweep) {
     Bounds swept = boxOf(sweep);
     swept.widen(model().edgeLength);
     if (!swept.overlaps(measure.bounds)) {
         return false;
     }
-    syncMesh();
     OrientedBox sweptBox = orientedBoxOf(sweep);
     sweptBox.widen(model().edgeLength);
-    return overlap(sweptBox, orientedBoxOf(usedPositions(mesh)));
+    const Bounds& whole = measure.bounds;
+    if (!overlap(sweptBox,
+                 {whole.center(), Eigen::Matrix3d::Identity(), 0.5 * (whole.high - whole.low)})) {
+        return false;
+    }
+    if (readsAllBack) {
+        sync.forget();  // the cutter does not tell it of changes then
+    }
+    return !sync.near(sweptBox).empty();
 }
 
 void Simulation::State::accept(const CutResult& result) {
@@ -462,7 +473,7 @@ void Simulation::State::accept(const CutResult& result) {
 
 void Simulation::State::adoptNewTopology(const CutDelta& delta) {
     const std::vector<std::uint32_t> written = rewrittenVertices(mesh, delta);
-    cutter->boundMotion(roundVertices(mesh, written));
+    roundVertices(mesh, written);
     const BodyChange change = body->update(delta);
     solver.update(model(), change, written, stateOf(mesh, written));
     if (change.pieces.piecesChanged) {
@@ -499,14 +510,7 @@ void Simulation::State::publish() {
     report.closed = closed;
 }
 
-void Simulation::State::syncMesh() {
-    if (std::exchange(meshLags, false)) {
-        cutter->boundMotion(copyState(solver.readState(), mesh));
-    }
-}
-
 const PieceMap& Simulation::State::syncPieces() {
-    syncMesh();
     if (!pieces) {
         pieces = findPieces(mesh);
     }
@@ -552,7 +556,6 @@ std::string Simulation::State::execute(const SetParam& set) {
 
 std::string Simulation::State::execute(const Grab& grab) {
     const SnapshotPointer before = history.keeps() ? capture() : nullptr;
-    syncMesh();
     touch();
     std::string error = hands.grab(grab, mesh);
     if (error.empty() && before) {
@@ -572,7 +575,6 @@ std::string Simulation::State::execute(const Release& release) {
 }
 
 std::string Simulation::State::execute(const Pin& pin) {
-    syncMesh();
     touch();
     const Pins before = pins;
     if (pins.change(pin.region, pin.pinned, mesh) == 0) {
@@ -674,7 +676,7 @@ void Simulation::State::putBladeAway() {
 }
 
 SnapshotPointer Simulation::State::capture() {
-    syncMesh();
+    mesh.bringAll();
     if (!current) {
         current = std::make_shared<const Snapshot>(
             Snapshot{mesh, *body, *cutter, solver.pages(), volumeTargets, hands, pins, measure,
@@ -685,12 +687,15 @@ SnapshotPointer Simulation::State::capture() {
 
 void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
     mesh = snapshot->mesh;
+    sync.forget();
     body = std::make_unique<BodyUpdater>(snapshot->body);
     cutter.emplace(snapshot->cutter);
+    lookUpTriangles();
     volumeTargets = snapshot->volumeTargets;
     hands = snapshot->hands;
     pins = snapshot->pins;
     measure = snapshot->measure;
+    sync.setBounds(measure.bounds);
     closed = snapshot->closed;
     subdivisions = snapshot->subdivisions;
     solver.restoreModel(model(), stateOf(mesh), snapshot->pages);
@@ -702,7 +707,6 @@ void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
     blade.reset();
     lastCut = {};
     pieces.reset();
-    meshLags = false;
     paramsChanged = true;  // the cutter follows some of them
     current = snapshot;
     publish();
@@ -743,6 +747,15 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 std::string Simulation::execute(const Command& command) {
     return std::visit([this](const auto& c) { return state_->execute(c); }, command);
+}
+
+void Simulation::readAllBack(bool all) {
+    state_->readsAllBack = all;
+    state_->lookUpTriangles();
+}
+
+int Simulation::wholeReads() const {
+    return state_->sync.wholeReads();
 }
 
 const StepReport& Simulation::step() {
@@ -829,7 +842,7 @@ const std::vector<Bounds>& Simulation::pieceBounds() const {
 }
 
 const SurfaceMesh& Simulation::mesh() {
-    state_->syncMesh();
+    state_->mesh.bringAll();
     return state_->mesh;
 }
 

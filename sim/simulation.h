@@ -54,6 +54,12 @@ class Simulation {
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
 
+    /// All of the body comes back from the GPU after each step, instead of what is read there; for
+    /// tests, since it changes no result.
+    void readAllBack(bool all);
+    /// How often all of the body came back.
+    int wholeReads() const;
+
     /// Applies a command before the coming step. Returns "" or one sentence; nothing changed then.
     std::string execute(const Command& command);
     /// One time step: solve -> cut -> publish.

@@ -31,6 +31,7 @@ SHARED_CONST uint kPatchesBinding = 0u;       // WordPatch, for a kernel of its 
 SHARED_CONST uint kPatchedBinding = 1u;       // what it writes to
 SHARED_CONST uint kContactCountsOfStepBinding = 5u;  // ContactState
 SHARED_CONST uint kSearchedBinding = 8u;             // vec4: X at the last search for contacts [m]
+SHARED_CONST uint kNearbyBinding = 15u;              // NearbyQuery and its NearbyVertex records
 
 SHARED_END
 #endif

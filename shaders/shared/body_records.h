@@ -92,5 +92,27 @@ struct BlockMeasure {
     vec4 high_drift;  // xyz: largest [m]; w unused
 };
 
+// What a step of the blade wants to know of the vertices once the body has moved. Records follow
+// it: first those of vertices asked for by number, then those near the box, in any order.
+struct NearbyQuery {
+    vec4 center;          // of the box [m]; w unused
+    vec4 first_axis;      // xyz: unit vector; w: half the size along it [m]
+    vec4 second_axis;     // the same
+    vec4 third_axis;      // the same
+    uint asks_for_box;    // 0: nothing but the vertices asked for by number
+    uint asked_vertices;  // how many those are
+    uint capacity;        // of records
+    uint count;           // of records; may come out larger than the capacity
+    uint unused_a, unused_b, unused_c, unused_d;
+};
+
+// The state of a vertex.
+struct NearbyVertex {
+    uint vertex;
+    float x, y, z;     // [m]
+    float vx, vy, vz;  // [m/s]
+    uint unused;
+};
+
 SHARED_END
 #endif

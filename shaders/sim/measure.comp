@@ -1,7 +1,8 @@
 // What the CPU wants to know after a step: volume, boxes of positions, velocities and ways since the
 // last search for contacts, energy and whether a vertex is lost (not finite, or faster than anything
-// real), per block; behind the blocks, how many contacts there were. Reads X, velocities, neighbours, places, pages, pieces, blocks, the
-// state of contact. Writes block measures. One group per block; sums in a fixed order (see
+// real), per block; behind the blocks, how many contacts there were; and which vertices have a
+// triangle near the blade. Reads X, velocities, neighbours, places, pages, pieces, blocks, the
+// state of contact, the query. Writes block measures and records of nearby vertices. One group per block; sums in a fixed order (see
 // volume_gradient). The CPU reads the result.
 #include "bindings.h"
 #include "body_records.h"
@@ -23,6 +24,8 @@ layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord bl
 layout(std430, binding = kContactCountsOfStepBinding) readonly buffer Contacts { ContactState contacts; };
 layout(std430, binding = kSearchedBinding) readonly buffer Searched { vec4 searched[]; };
 layout(std430, binding = kBlockSumsBinding) writeonly buffer Measures { BlockMeasure measures[]; };
+
+layout(std430, binding = kNearbyBinding) buffer Nearby { NearbyQuery query; NearbyVertex nearby[]; };
 
 shared vec4 lows[kGroupSize];
 shared vec4 highs[kGroupSize];
@@ -57,6 +60,36 @@ bool lost(vec3 position, vec3 velocity) {
     return !within(position, 1e10) || !within(velocity, uniforms.runaway_speed);
 }
 
+// The box of a vertex and its neighbours holds all triangles at it. Rounding is the asker's business.
+bool meetsQuery(vec3 low, vec3 high) {
+    vec3 way = 0.5 * (low + high) - query.center.xyz;
+    vec3 reach = 0.5 * (high - low);
+    vec3 along = abs(vec3(dot(query.first_axis.xyz, way), dot(query.second_axis.xyz, way),
+                          dot(query.third_axis.xyz, way)));
+    vec3 most = vec3(query.first_axis.w + dot(abs(query.first_axis.xyz), reach),
+                     query.second_axis.w + dot(abs(query.second_axis.xyz), reach),
+                     query.third_axis.w + dot(abs(query.third_axis.xyz), reach));
+    return all(lessThanEqual(along, most));
+}
+
+void lookForNearby(uint v, vec3 p, vec3 u) {
+    uvec2 range = fetch(ranges, v).xy;
+    uint end = query.asks_for_box != 0u ? range.y : range.x;
+    vec3 low = p;
+    vec3 high = p;
+    for (uint k = range.x; k < end; ++k) {
+        vec3 q = fetch(positions, fetch(neighbours, k).x).xyz;
+        low = min(low, q);
+        high = max(high, q);
+    }
+    if (end > range.x && meetsQuery(low, high)) {
+        uint record = atomicAdd(query.count, 1u);
+        if (record < query.capacity) {
+            nearby[record] = NearbyVertex(v, p.x, p.y, p.z, u.x, u.y, u.z, 0u);
+        }
+    }
+}
+
 void main() {
     BlockRecord block = blocks[gl_WorkGroupID.x];
     uint origin = pieces[block.piece].origin;
@@ -79,6 +112,7 @@ void main() {
         slow = vec4(min(slow.xyz, u), slow.w + energy.x);
         fast = vec4(max(fast.xyz, u), fast.w + energy.y);
         vec3 way = p - searched[v].xyz;
+        lookForNearby(v, p, u);
         least = min(least, way);
         most = max(most, way);
     }

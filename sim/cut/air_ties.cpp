@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
+#include "sim/cut/broad_phase.h"
 #include "sim/cut/step.h"
 #include "sim/mesh/closest_point.h"
 
@@ -56,18 +58,26 @@ bool segmentMeets(const Bounds& box, const Vec3& p, const Vec3& q) {
     return from <= to;
 }
 
+OrientedBox boxAround(const Vec3& p, const Vec3& q, double reach) {
+    const bool isPoint = p == q;
+    const Eigen::Matrix3d axes =
+        isPoint ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : sweepAxes({p, q}, {});
+    OrientedBox box = orientedBoxAlong(axes, std::array{p, q});
+    box.widen(reach);
+    return box;
+}
+
 /// The skin within reach of an edge of the rung.
 class NearbySkin {
   public:
-    NearbySkin(const SurfaceMesh& mesh, TriangleTree& tree, const std::function<bool(int)>& isSkin,
-               const Vec3& p, const Vec3& q, double reach)
+    NearbySkin(const SurfaceMesh& mesh, TriangleFinder& finder,
+               const std::function<bool(int)>& isSkin, const Vec3& p, const Vec3& q, double reach)
         : mesh_(mesh), reach_(reach) {
         const auto widened = [reach](Bounds box) {
             box.widen(reach);
             return box;
         };
-        for (const int t :
-             tree.find([&](const Bounds& box) { return segmentMeets(widened(box), p, q); })) {
+        for (const int t : finder.near(boxAround(p, q, reach))) {
             const Bounds box = widened(boxOf(mesh, t));
             if (isSkin(t) && segmentMeets(box, p, q)) {
                 entries_.push_back({t, box});
@@ -111,7 +121,7 @@ double shareAt(double distance, double h) {
 
 }  // namespace
 
-AirTies::AirTies(const SurfaceMesh& mesh, TriangleTree& tree,
+AirTies::AirTies(const SurfaceMesh& mesh, TriangleFinder& finder,
                  const std::function<bool(int)>& isSkin, double h,
                  const std::vector<RungNode>& rung) {
     for (int i = 0; i + 1 < sizeOf(rung); ++i) {
@@ -120,7 +130,7 @@ AirTies::AirTies(const SurfaceMesh& mesh, TriangleTree& tree,
         if (node.attached || (node.vertex >= 0 && next.vertex >= 0)) {
             continue;
         }
-        const NearbySkin skin(mesh, tree, isSkin, node.position, next.position, kReach * h);
+        const NearbySkin skin(mesh, finder, isSkin, node.position, next.position, kReach * h);
         const Vec3 way = next.position - node.position;
         const int parts = std::max(1, static_cast<int>(std::ceil(way.norm() / (kSpacing * h))));
         for (int k = 0; k <= parts; ++k) {
@@ -148,6 +158,12 @@ void AirTies::follow(const SurfaceMesh& mesh, std::vector<RungNode>& rung) const
         if (isNode && rung[tie.edge + static_cast<int>(tie.part)].vertex < 0) {
             rung[tie.edge + static_cast<int>(tie.part)].position = carried(mesh, tie).position;
         }
+    }
+}
+
+void AirTies::addVertices(std::vector<int>& vertices) const {
+    for (const Tie& tie : ties_) {
+        vertices.insert(vertices.end(), tie.corners.begin(), tie.corners.end());
     }
 }
 

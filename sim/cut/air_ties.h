@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/cut/cutter.h"
-#include "sim/mesh/triangle_tree.h"
+#include "sim/mesh/triangle_finder.h"
 
 namespace kerf::cut {
 
@@ -23,12 +23,14 @@ class AirTies {
     /// Remembers where points on the edges of `rung` in the air are as seen from the skin. Edges
     /// between two mesh vertices are left out: there the front crosses an older slit.
     /// `isSkin` tells which triangles count: those of the piece, without the walls of the stroke.
-    AirTies(const SurfaceMesh& mesh, TriangleTree& tree, const std::function<bool(int)>& isSkin,
+    AirTies(const SurfaceMesh& mesh, TriangleFinder& finder, const std::function<bool(int)>& isSkin,
             double h, const std::vector<RungNode>& rung);
 
     /// Moves the ends of the same rung that are in the air along with the skin. No triangle may
     /// have gone since.
     void follow(const SurfaceMesh& mesh, std::vector<RungNode>& rung) const;
+    /// Appends the vertices that it holds to.
+    void addVertices(std::vector<int>& vertices) const;
     /// Where the points between rung node `index` and the next are now.
     std::vector<CarriedPoint> between(const SurfaceMesh& mesh, int index) const;
 

@@ -10,7 +10,9 @@ namespace {
 constexpr int kMostBins = 4096;
 constexpr double kRotationRounding = 1e-6;  // of the bins: what turning into the frame may move
 
-Eigen::Matrix3d sweepFrame(const Blade& blade, const std::vector<Vec3>& points) {
+}  // namespace
+
+Eigen::Matrix3d sweepAxes(const Blade& blade, const std::vector<Vec3>& points) {
     const Vec3 along = (blade.b - blade.a).normalized();
     Vec3 sweep = Vec3::Zero();
     for (const Vec3& p : points) {
@@ -21,37 +23,30 @@ Eigen::Matrix3d sweepFrame(const Blade& blade, const std::vector<Vec3>& points) 
         }
     }
     sweep = sweep.squaredNorm() > 0 ? sweep.normalized() : along.unitOrthogonal();
-    Eigen::Matrix3d frame;
-    frame.row(0) = along;
-    frame.row(1) = sweep;
-    frame.row(2) = along.cross(sweep);
-    return frame;
+    Eigen::Matrix3d axes;
+    axes.col(0) = along;
+    axes.col(1) = sweep;
+    axes.col(2) = along.cross(sweep);
+    return axes;
 }
 
-}  // namespace
-
-BroadPhase::BroadPhase(const SurfaceMesh& mesh, TriangleTree& tree, const Blade& blade,
+BroadPhase::BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Blade& blade,
                        const std::vector<Vec3>& points, double margin, double binSize,
                        const std::function<bool(int)>& counts)
-    : frame_(sweepFrame(blade, points)) {
+    : frame_(sweepAxes(blade, points).transpose()) {
     for (const Vec3& p : points) {
         box_.add(toFrame(p));
     }
     box_.widen(margin);
     binSize_ = std::max(binSize, (box_.high.x() - box_.low.x()) / kMostBins);
     bins_.resize(binOf(box_.high.x()) + 1);
-    for (const int t : tree.find([this](const Bounds& box) { return mayMeet(box); })) {
+    OrientedBox reach = orientedBoxAlong(frame_.transpose(), points);
+    reach.widen(margin + kRotationRounding * binSize_);
+    for (const int t : finder.near(reach)) {
         if (counts(t)) {
             add(mesh, t);
         }
     }
-}
-
-bool BroadPhase::mayMeet(const Bounds& worldBox) const {
-    const Vec3 center = toFrame(worldBox.center());
-    const Vec3 half = 0.5 * (worldBox.high - worldBox.low);
-    const Vec3 reach = (frame_.cwiseAbs() * half).array() + kRotationRounding * binSize_;
-    return Bounds{center - reach, center + reach}.overlaps(box_);
 }
 
 void BroadPhase::add(const SurfaceMesh& mesh, int triangle) {

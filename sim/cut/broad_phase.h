@@ -5,17 +5,20 @@
 
 #include "sim/cut/blade.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/mesh/triangle_tree.h"
+#include "sim/mesh/triangle_finder.h"
 
 namespace kerf::cut {
+
+/// Along the blade (first column), along the farthest of the `points` aside of it, and across both.
+Eigen::Matrix3d sweepAxes(const Blade& blade, const std::vector<Vec3>& points);
 
 /// Finds the triangles near parts of one sweep. Made at the start of a step from the current
 /// positions: what meets the oriented box of the sweep, binned along the blade.
 class BroadPhase {
   public:
     /// `points` span the sweep; triangles within `margin` [m] of their box are found, of those that
-    /// `counts` lets pass. `tree` must know how far the mesh has moved.
-    BroadPhase(const SurfaceMesh& mesh, TriangleTree& tree, const Blade& blade,
+    /// `counts` lets pass.
+    BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Blade& blade,
                const std::vector<Vec3>& points, double margin, double binSize,
                const std::function<bool(int)>& counts);
 
@@ -29,7 +32,6 @@ class BroadPhase {
     };
     Vec3 toFrame(const Vec3& p) const { return frame_ * p; }
     int binOf(double x) const;
-    bool mayMeet(const Bounds& worldBox) const;
     void add(const SurfaceMesh& mesh, int triangle);
 
     Eigen::Matrix3d frame_;  ///< rows: along the blade, along the sweep, across both

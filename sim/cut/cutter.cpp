@@ -40,6 +40,8 @@ constexpr double kAxialSlide = 4;
 // vertices elsewhere, and the rung is led around skin that moved across it.
 constexpr double kBroadPhaseMargin = 3;
 constexpr double kBinSize = 1.0;
+// Boxes of a step's searches may be turned against the box that was foreseen, and lie aside of it.
+constexpr double kRoomForReach = 1.6;
 // Pieces whose copies lie farther apart (share of h) are swept apart.
 constexpr double kParted = 1e-3;
 // Of the body at rest: a step that would change its volume by more is not done. The bar is 1e-9 for
@@ -166,8 +168,9 @@ struct Cutter::State {
     std::vector<RungNode> rung{};  ///< those of all sweeps, one after the other
     bool madeWalls = false;        ///< in this stroke
     PieceLabels pieces{mesh};
-    TriangleTree tree{mesh};
-    std::optional<double> moved{};  ///< how far vertices moved at most since the last step [m]
+    TriangleFinder* finder = nullptr;    ///< null: the tree
+    std::optional<TriangleTree> tree{};  ///< made when it is first asked
+    std::optional<double> moved{};       ///< how far vertices moved at most since the last step [m]
     std::vector<int> groupOfPiece{};
     double restVolume = 0;  ///< of the body at the start of the stroke [m^3]
     cut::StrokeSurface surface{mesh};
@@ -179,6 +182,8 @@ struct Cutter::State {
     void start(const Blade& at);
     CutResult sweepAll(const Blade& to, double gate);
     void noteMotion();
+    TriangleFinder& findTriangles();
+    double margin() const;
     void follow(const std::vector<int>& changed, int groupOfNewPieces);
     void followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta);
     void divideSweeps();
@@ -245,17 +250,37 @@ std::vector<int> Cutter::State::lowestVertices(std::set<int> groups) const {
 }
 
 void Cutter::State::noteMotion() {
-    if (moved) {
-        tree.moved(*std::exchange(moved, std::nullopt));
-    } else {
-        tree.movedAnyhow();
+    const std::optional<double> most = std::exchange(moved, std::nullopt);
+    if (!tree) {
+        return;
     }
+    if (most) {
+        tree->moved(*most);
+    } else {
+        tree->movedAnyhow();
+    }
+}
+
+TriangleFinder& Cutter::State::findTriangles() {
+    if (finder != nullptr) {
+        return *finder;
+    }
+    if (!tree) {
+        tree.emplace(mesh);
+    }
+    return *tree;
+}
+
+double Cutter::State::margin() const {
+    return (kBroadPhaseMargin + cut::largestOffsetScale() * settings.offset) * h;
 }
 
 /// After each change of the mesh, before anything is looked up in it. `changed`: each once. Pieces
 /// that come off stay in the group until they part.
 void Cutter::State::follow(const std::vector<int>& changed, int groupOfNewPieces) {
-    tree.update(changed);
+    if (finder != nullptr || tree) {
+        findTriangles().update(changed);
+    }
     const std::vector<int> source = pieces.update(mesh, changed).source;
     const std::vector<int> before = std::exchange(groupOfPiece, {});
     for (const int piece : source) {
@@ -392,7 +417,7 @@ void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
 }
 
 void Cutter::State::tie(Sweep& sweep) {
-    sweep.airTies = cut::AirTies(mesh, tree, isOuter(sweep), h, sweep.rung);
+    sweep.airTies = cut::AirTies(mesh, findTriangles(), isOuter(sweep), h, sweep.rung);
 }
 
 std::function<bool(int)> Cutter::State::isOuter(const Sweep& sweep) const {
@@ -424,13 +449,12 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
     for (const RungNode& node : from) {
         points.push_back(node.position);
     }
-    const double widestOffset = cut::largestOffsetScale() * settings.offset;
     return {
         mesh,
-        tree,
+        findTriangles(),
         to,
         points,
-        (kBroadPhaseMargin + widestOffset) * h,
+        margin(),
         kBinSize * h,
         [this, group = sweep.group](int t) { return groupOfVertex(mesh.triangle(t)[0]) == group; }};
 }
@@ -507,7 +531,7 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
                             int level, Sweep& sweep, CutResult& result) {
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
-    Bounds bodyBox = tree.bounds();
+    Bounds bodyBox = findTriangles().bounds();
     bodyBox.widen(kBroadPhaseMargin * h);  // predicates may see vertices that far outside
     const cut::StepInput in{mesh,
                             candidates,
@@ -641,6 +665,11 @@ CutResult Cutter::finish() {
     return result;
 }
 
+void Cutter::useFinder(TriangleFinder* finder) {
+    state_->finder = finder;
+    state_->tree.reset();
+}
+
 void Cutter::boundMotion(double distance) {
     state_->moved = state_->moved.value_or(0) + distance;
 }
@@ -652,6 +681,43 @@ void Cutter::setWallCoarsening(double factor) {
 bool Cutter::inStroke() const {
     return state_->inStroke;
 }
+OrientedBox Cutter::reach(std::span<const Blade> path, double time) const {
+    std::vector<Vec3> points;
+    const SurfaceMesh& mesh = state_->mesh;
+    for (const Sweep& sweep : state_->sweeps) {
+        std::vector<RungNode> rung = sweep.rung;
+        cut::followMesh(mesh, rung);
+        sweep.airTies.follow(mesh, rung);
+        for (const RungNode& node : rung) {
+            const bool moves = node.vertex >= 0;
+            points.push_back(moves ? Vec3(node.position + time * mesh.velocity(node.vertex))
+                                   : node.position);
+        }
+    }
+    for (const Blade& blade : path) {
+        points.insert(points.end(), {blade.a, blade.b});
+    }
+    OrientedBox box = orientedBoxAlong(cut::sweepAxes(path.back(), points), points);
+    box.widen(kRoomForReach * state_->margin());
+    return box;
+}
+
+std::vector<int> Cutter::followedVertices() const {
+    std::vector<int> vertices;
+    for (const Sweep& sweep : state_->sweeps) {
+        sweep.airTies.addVertices(vertices);
+        for (const RungNode& node : sweep.rung) {
+            if (node.vertex >= 0) {
+                vertices.push_back(node.vertex);
+            }
+        }
+    }
+    state_->surface.addVertices(vertices);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
 const cut::StrokeSurface& Cutter::strokeSurface() const {
     return state_->surface;
 }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "sim/cut/blade.h"
 #include "sim/cut/subdivision_pattern.h"
 #include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle_finder.h"
 
 namespace kerf {
 
@@ -122,6 +124,9 @@ class Cutter {
     Cutter(const Cutter& other);
     Cutter& operator=(const Cutter&) = delete;
 
+    /// Looks triangles up by `finder`, which must outlive the cutter and its copies and know how
+    /// the mesh moves; null: by a tree of its own, as at the start.
+    void useFinder(TriangleFinder* finder);
     /// Promises that since the previous call of this, begin(), advance() or finish() no vertex has
     /// moved farther than `distance` [m]. A step that was promised nothing looks at the whole mesh.
     void boundMotion(double distance);
@@ -141,6 +146,11 @@ class Cutter {
     /// The old rungs of all pieces, each from A to B, one after the other: empty outside a stroke.
     /// Positions are those after the last step that moved them; vertices follow the mesh.
     const std::vector<RungNode>& rung() const;
+    /// Where a step to the poses of `path` (at least one) will look, if what the rung is tied to
+    /// goes on for `time` [s] as it moves now; with room for what goes otherwise.
+    OrientedBox reach(std::span<const Blade> path, double time) const;
+    /// What a step reads of the body's state besides.
+    std::vector<int> followedVertices() const;
     /// The body's surface as it was when the stroke began.
     const cut::StrokeSurface& strokeSurface() const;
 

@@ -96,7 +96,18 @@ std::vector<SurfaceSample> StrokeSurface::samplesAround(std::vector<Vec3> restPl
     std::ranges::copy_if(
         thinned_.samples, std::back_inserter(used),
         [this](const SurfaceSample& sample) { return mesh_.outgoing(sample.vertex) >= 0; });
+    std::vector<int> vertices;
+    addVertices(vertices);
+    mesh_.bring(vertices);
     return used;
+}
+
+void StrokeSurface::addVertices(std::vector<int>& vertices) const {
+    for (const SurfaceSample& sample : thinned_.samples) {
+        if (mesh_.outgoing(sample.vertex) >= 0) {
+            vertices.push_back(sample.vertex);
+        }
+    }
 }
 
 // A clean-up may have taken a corner away; what is left of it moves no more.

@@ -30,6 +30,10 @@ class StrokeSurface {
     /// edge length that matters there [m].
     std::vector<SurfaceSample> samplesAround(std::vector<Vec3> restPlaces, double edge) const;
 
+    /// Appends what the last samplesAround() found; a step reads positions and velocities of these
+    /// however far off they are.
+    void addVertices(std::vector<int>& vertices) const;
+
     /// Where vertex v, made since, would be now on the undivided surface: by the barycentric
     /// coordinates of its rest position. A vertex that the stroke puts on the surface is light; it
     /// slips aside and folds the slivers around it over. Nothing for older vertices, and for those

@@ -36,15 +36,33 @@ OrientedBox orientedBoxOf(std::span<const Vec3> points) {
     for (const Vec3& p : points) {
         mean += p / static_cast<double>(points.size());
     }
-    OrientedBox box;
-    box.axes = principalAxes(points, mean);
+    return orientedBoxAlong(principalAxes(points, mean), points);
+}
+
+OrientedBox orientedBoxAlong(const Eigen::Matrix3d& axes, std::span<const Vec3> points) {
+    const Vec3& origin = points.front();
     Bounds local;
     for (const Vec3& p : points) {
-        local.add(Vec3(box.axes.transpose() * (p - mean)));
+        local.add(Vec3(axes.transpose() * (p - origin)));
     }
-    box.center = mean + box.axes * local.center();
-    box.half = 0.5 * (local.high - local.low);
-    return box;
+    return {origin + axes * local.center(), axes, 0.5 * (local.high - local.low)};
+}
+
+bool contains(const OrientedBox& outer, const OrientedBox& inner) {
+    const Vec3 way = outer.axes.transpose() * (inner.center - outer.center);
+    const Vec3 reach = (outer.axes.transpose() * inner.axes).cwiseAbs() * inner.half;
+    return ((way.cwiseAbs() + reach).array() <= outer.half.array()).all();
+}
+
+bool mayMeet(const OrientedBox& a, const Bounds& b) {
+    const Vec3 half = 0.5 * (b.high - b.low);
+    const Vec3 way = b.center() - a.center;
+    const double rounding = kRounding * (way.norm() + half.norm() + a.half.norm());
+    const Eigen::Matrix3d along = a.axes.cwiseAbs();
+    const Vec3 ofA = a.half + along.transpose() * half;
+    const Vec3 ofB = half + along * a.half;
+    return ((a.axes.transpose() * way).cwiseAbs().array() <= ofA.array() + rounding).all() &&
+           (way.cwiseAbs().array() <= ofB.array() + rounding).all();
 }
 
 bool overlap(const OrientedBox& a, const OrientedBox& b) {

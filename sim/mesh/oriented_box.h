@@ -19,6 +19,16 @@ struct OrientedBox {
 /// The box of some points (at least one) along the principal axes of their spread.
 OrientedBox orientedBoxOf(std::span<const Vec3> points);
 
+/// The box about some points (at least one) along given axes (columns, orthonormal).
+OrientedBox orientedBoxAlong(const Eigen::Matrix3d& axes, std::span<const Vec3> points);
+
+/// No point of `inner` lies outside `outer`.
+bool contains(const OrientedBox& outer, const OrientedBox& inner);
+
+/// False where the axes of either box show that they have no point in common; cheaper than
+/// overlap().
+bool mayMeet(const OrientedBox& a, const Bounds& b);
+
 /// Whether two boxes have a point in common: none of the 15 axes that can separate boxes does
 /// (Gottschalk, Lin, Manocha 1996). Boxes that touch overlap, up to rounding.
 bool overlap(const OrientedBox& a, const OrientedBox& b);

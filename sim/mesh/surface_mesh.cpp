@@ -1,6 +1,7 @@
 #include "sim/mesh/surface_mesh.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -21,6 +22,7 @@ SurfaceMesh SurfaceMesh::fromTriangles(std::vector<Vec3> positions,
     mesh.positions_ = std::move(positions);
     mesh.restPositions_ = mesh.positions_;
     mesh.velocities_.assign(mesh.positions_.size(), Vec3::Zero());
+    mesh.old_.assign(mesh.positions_.size(), 0);
     mesh.outgoing_.assign(mesh.positions_.size(), -1);
     mesh.mateGroup_.assign(mesh.positions_.size(), -1);
     mesh.triangles_ = std::move(triangles);
@@ -70,6 +72,7 @@ int SurfaceMesh::addVertex(const Vec3& position, const Vec3& rest, const Vec3& v
     positions_.push_back(position);
     restPositions_.push_back(rest);
     velocities_.push_back(velocity);
+    old_.push_back(0);
     outgoing_.push_back(-1);
     mateGroup_.push_back(-1);
     return vertexCount() - 1;
@@ -89,7 +92,33 @@ void SurfaceMesh::removeTriangle(int t) {
     --aliveTriangles_;
 }
 
+void SurfaceMesh::leaveTo(VertexSource& source) {
+    source_ = &source;
+    std::ranges::fill(old_, 1);
+}
+
+void SurfaceMesh::setState(int v, const Vec3& position, const Vec3& velocity) {
+    positions_[v] = position;
+    velocities_[v] = velocity;
+    old_[v] = 0;
+}
+
+void SurfaceMesh::bring(std::span<const int> vertices) const {
+    if (std::ranges::any_of(vertices, [this](int v) { return isOld(v); })) {
+        source_->bring(vertices);
+    }
+}
+
+void SurfaceMesh::bringAll() const {
+    if (source_ != nullptr) {
+        source_->bringAll();
+        assert(std::ranges::none_of(old_, [](std::uint8_t old) { return old != 0; }));
+        source_ = nullptr;
+    }
+}
+
 void SurfaceMesh::removeVertex(int v) {
+    bring({&v, 1});
     leaveMates(v);
     outgoing_[v] = -1;
     velocities_[v] = Vec3::Zero();

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "sim/math.h"
+#include "sim/mesh/vertex_source.h"
 
 namespace kerf {
 
@@ -15,6 +17,9 @@ enum class SurfaceKind : std::uint8_t { skin = 0, wall = 1 };
 /// a twin. Triangles are never moved: a removed one stays as a dead slot, so that indices held by
 /// the solver stay valid. Vertices carry current position, rest position and velocity.
 /// All copies of one material point that a cut made belong to one mate group.
+///
+/// While a solver moves the body elsewhere, positions and velocities may be old: they are fetched
+/// where they are read. Only meshes of which nothing is old may be read by several threads.
 class SurfaceMesh {
   public:
     /// Builds adjacency. The triangles must form a closed, oriented 2-manifold (see
@@ -27,13 +32,28 @@ class SurfaceMesh {
     int aliveTriangles() const { return aliveTriangles_; }
 
     // Per vertex.
-    const Vec3& position(int v) const { return positions_[v]; }          ///< current [m]
+    /// Current [m].
+    const Vec3& position(int v) const {
+        if (old_[v]) [[unlikely]] {
+            bringAll();
+        }
+        return positions_[v];
+    }
     const Vec3& restPosition(int v) const { return restPositions_[v]; }  ///< [m]
-    const Vec3& velocity(int v) const { return velocities_[v]; }         ///< [m/s]
+    /// [m/s]
+    const Vec3& velocity(int v) const {
+        if (old_[v]) [[unlikely]] {
+            bringAll();
+        }
+        return velocities_[v];
+    }
     void setPosition(int v, const Vec3& p) { positions_[v] = p; }
     void setRestPosition(int v, const Vec3& p) { restPositions_[v] = p; }
     void setVelocity(int v, const Vec3& u) { velocities_[v] = u; }
-    const std::vector<Vec3>& positions() const { return positions_; }
+    const std::vector<Vec3>& positions() const {
+        bringAll();
+        return positions_;
+    }
     const std::vector<Vec3>& restPositions() const { return restPositions_; }
     /// One half-edge that starts at v, -1 for an unused vertex.
     int outgoing(int v) const { return outgoing_[v]; }
@@ -74,6 +94,17 @@ class SurfaceMesh {
     /// Number of triangles around v.
     int valence(int v) const;
 
+    // Numbers that are elsewhere.
+    /// From now on `source` has positions and velocities of all vertices. It must outlive the mesh
+    /// and its copies, or until nothing is old.
+    void leaveTo(VertexSource& source);
+    /// What the source brings for a vertex.
+    void setState(int v, const Vec3& position, const Vec3& velocity);
+    bool isOld(int v) const { return old_[v] != 0; }
+    /// Fetches what is old of these in one go; reading one that is old fetches all.
+    void bring(std::span<const int> vertices) const;
+    void bringAll() const;
+
     // Editing, for the cutter. Adjacency is the caller's business until the edit is complete.
     int addVertex(const Vec3& position, const Vec3& rest, const Vec3& velocity);
     int addTriangle(const Triangle& corners, SurfaceKind kind, int wallLabel);
@@ -106,6 +137,8 @@ class SurfaceMesh {
   private:
     int groupOf(int v);
 
+    mutable VertexSource* source_ = nullptr;  ///< null while nothing is old
+    std::vector<std::uint8_t> old_;  ///< of each vertex: the source has its position and velocity
     std::vector<Vec3> positions_;
     std::vector<Vec3> restPositions_;
     std::vector<Vec3> velocities_;

@@ -6,11 +6,12 @@
 
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle_finder.h"
 
 namespace kerf {
 
-/// Finds the living triangles of a mesh by their current place, while the body deforms and is cut.
-class TriangleTree {
+/// By a tree of boxes that follows the body while it deforms and is cut.
+class TriangleTree : public TriangleFinder {
   public:
     /// The mesh must outlive the tree. O(n log n).
     explicit TriangleTree(const SurfaceMesh& mesh);
@@ -19,9 +20,10 @@ class TriangleTree {
     void moved(double distance) { tree_.moved(distance); }
     /// They may have moved anyhow: the next search costs O(n).
     void movedAnyhow() { lost_ = true; }
-    /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
-    /// a corner changed; each once.
-    void update(std::span<const int> triangles);
+    void update(std::span<const int> triangles) override;
+    std::vector<int> near(const OrientedBox& box) override {
+        return find([&](const Bounds& bounds) { return mayMeet(box, bounds); });
+    }
 
     /// Triangles that may lie in boxes that meets(box) holds of; none that does is missing.
     /// Ascending.
@@ -35,8 +37,7 @@ class TriangleTree {
         return found;
     }
 
-    /// No triangle reaches out of this box; it may be larger than needed.
-    Bounds bounds() {
+    Bounds bounds() override {
         catchUp();
         return tree_.bounds();
     }

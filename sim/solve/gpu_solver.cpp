@@ -168,6 +168,7 @@ GpuSolver::GpuSolver() {
     kernels_.floor = gpu::Program::compute("sim/floor.comp");
     kernels_.finish = gpu::Program::compute("sim/finish.comp");
     kernels_.measure = gpu::Program::compute("sim/measure.comp");
+    kernels_.collect = gpu::Program::compute("sim/collect.comp");
     kernels_.masses = gpu::Program::compute("sim/masses.comp");
     kernels_.pull = gpu::Program::compute("sim/pull.comp");
     kernels_.restore = gpu::Program::compute("sim/restore.comp");
@@ -649,7 +650,12 @@ BodyMeasure GpuSolver::measure() {
     const gpu::Buffer& searched = contacts_.searchedPositions();
     (searched.size() == positions_.size() ? searched : positions_)
         .bindStorage(shared::kSearchedBinding);
+    if (nearby_.asks()) {
+        nearby_.renew();
+    }
+    nearby_.bind();
     runOverBlocks(kernels_.measure);
+    collectAsked(nearby_);
     const auto measures = blockMeasures_.read<shared::BlockMeasure>(0, blocks_.size() + 1);
     BodyMeasure out;
     Bounds speeds;
@@ -690,6 +696,20 @@ BodyMeasure GpuSolver::measure() {
     motion_.drift = ways.diagonal();
     motion_.touching = out.contacts > 0;
     return out;
+}
+
+VertexStates GpuSolver::statesOf(std::span<const int> vertices) {
+    collected_.ask(std::nullopt, vertices);
+    bindBody();
+    collectAsked(collected_);
+    return collected_.take();
+}
+
+void GpuSolver::collectAsked(const NearbyVertices& query) {
+    if (query.asked() > 0) {
+        query.bind();
+        run(kernels_.collect, query.asked());
+    }
 }
 
 /// An empty box of velocities: all at rest.

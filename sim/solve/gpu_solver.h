@@ -15,6 +15,7 @@
 #include "sim/contact/contact_solver.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/constraint_view.h"
+#include "sim/solve/nearby_vertices.h"
 #include "sim/solve/scatter.h"
 #include "sim/solve/vertex_pages.h"
 
@@ -113,6 +114,14 @@ class GpuSolver {
     /// Of the positions between steps; waits for the GPU. The next step counts on its box and
     /// speeds.
     BodyMeasure measure();
+    /// What the coming measure() is to find out besides, for takeWatched(); see NearbyVertices.
+    void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
+        nearby_.ask(box, vertices);
+    }
+    /// As of the last measure(). Once for each watch().
+    VertexStates takeWatched() { return nearby_.take(); }
+    /// Positions and velocities of these vertices; waits for the GPU.
+    VertexStates statesOf(std::span<const int> vertices);
     /// Looks for what may touch now, as the beginning of a step does.
     void searchContacts();
     const ContactSolver& contacts() const { return contacts_; }
@@ -147,7 +156,7 @@ class GpuSolver {
     };
     struct Kernels {
         gpu::Program stretch, stretchAgain, bend, ispc, gatherBends, gatherIspcs, volumeGradient,
-            volumeCorrect, floor, finish, measure, masses, pull, restore;
+            volumeCorrect, floor, finish, measure, collect, masses, pull, restore;
     };
 
     void searchContactsBefore(std::uint32_t substep);
@@ -176,6 +185,7 @@ class GpuSolver {
     void run(const gpu::Program& kernel, std::uint32_t threads);
     void runOverConstraints(const gpu::Program& kernel, std::uint32_t count);
     void runOverBlocks(const gpu::Program& kernel);
+    void collectAsked(const NearbyVertices& query);
     bool isPinned(int vertex) const {
         return std::ranges::binary_search(pinned_, static_cast<std::uint32_t>(vertex));
     }
@@ -201,6 +211,8 @@ class GpuSolver {
     IncidenceBuffers bendIncidence_, ispcIncidence_, triangleIncidence_;
     gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, impulses_, blockMeasures_;
 
+    NearbyVertices nearby_;     ///< of the coming measure()
+    NearbyVertices collected_;  ///< of statesOf()
     Scatter scatter_;
     ContactSolver contacts_;
     double contactEdgeLength_ = 0;

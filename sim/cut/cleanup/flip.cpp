@@ -140,12 +140,17 @@ class Flip {
         });
     }
 
-    QuadShape shapeOf(const Quad& q, const std::vector<Vec3>& positions) const {
-        return {positions[q.a], positions[q.b], positions[q.c], positions[q.d]};
+    QuadShape shapeOf(const Quad& q) const {
+        return {mesh_.position(q.a), mesh_.position(q.b), mesh_.position(q.c), mesh_.position(q.d)};
+    }
+
+    QuadShape restShapeOf(const Quad& q) const {
+        return {mesh_.restPosition(q.a), mesh_.restPosition(q.b), mesh_.restPosition(q.c),
+                mesh_.restPosition(q.d)};
     }
 
     bool isConvex(const Quad& quad) const {
-        const QuadShape q = shapeOf(quad, mesh_.positions());
+        const QuadShape q = shapeOf(quad);
         const Vec3 first = (q.a - q.c).cross(q.d - q.c);
         const Vec3 second = (q.b - q.d).cross(q.c - q.d);
         const Vec3 old = (q.b - q.a).cross(q.c - q.a) + (q.a - q.b).cross(q.d - q.b);
@@ -159,7 +164,7 @@ class Flip {
 
     void addScores(const Quad& quad, Scores& before, Scores& after) const {
         const double h = workspace_.h;
-        const QuadShape q = shapeOf(quad, mesh_.positions());
+        const QuadShape q = shapeOf(quad);
         before.add(triangleScore(mesh_, quad.halfEdge / 3, h));
         before.add(triangleScore(mesh_, mesh_.twin(quad.halfEdge) / 3, h));
         after.add(triangleScore({q.c, q.a, q.d}, h));
@@ -167,8 +172,8 @@ class Flip {
     }
 
     void measure(const Quad& quad) {
-        const QuadShape current = shapeOf(quad, mesh_.positions());
-        const double rest = shapeOf(quad, mesh_.restPositions()).volume();
+        const QuadShape current = shapeOf(quad);
+        const double rest = restShapeOf(quad).volume();
         net_.current += current.volume();
         net_.rest += rest;
         defect_.current =

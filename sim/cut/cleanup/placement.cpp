@@ -32,7 +32,7 @@ double tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 /// Of moving the patch's vertex from `place`, with all else where `positions` has it.
-VolumeEquation equationAt(const SurfaceMesh& mesh, const std::vector<Vec3>& positions,
+VolumeEquation equationAt(const SurfaceMesh& mesh, const VertexPlaces& positions,
                           const Patch& patch, const Vec3& place) {
     VolumeEquation equation;
     for (const int t : patch.before) {
@@ -125,14 +125,14 @@ Displacement displaceTogether(const std::vector<VolumeEquation>& equations, doub
     return result;
 }
 
-bool haveOnePlace(const std::vector<Vec3>& positions, const std::vector<int>& vertices, double h) {
+bool haveOnePlace(const VertexPlaces& positions, const std::vector<int>& vertices, double h) {
     return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
         return (positions[v] - positions[vertices[0]]).norm() <= kCoincident * h;
     });
 }
 
 /// Whether all copies that stay, and all that go, lie at one place each.
-bool isClosed(const std::vector<Vec3>& positions, const std::vector<Patch>& patches, double h) {
+bool isClosed(const VertexPlaces& positions, const std::vector<Patch>& patches, double h) {
     std::vector<int> staying;
     std::vector<int> going;
     for (const Patch& patch : patches) {
@@ -144,7 +144,7 @@ bool isClosed(const std::vector<Vec3>& positions, const std::vector<Patch>& patc
 
 /// The current or the rest shape.
 struct Shape {
-    const std::vector<Vec3>& positions;
+    VertexPlaces positions;
     Vec3 Patch::*place;
     double longestWay;  ///< [m]
     double tolerable;   ///< [m^3]
@@ -181,8 +181,8 @@ VolumeDefect placeByVolume(const Workspace& workspace, std::vector<Patch>& patch
     const VolumeDefect tolerable = workspace.mostPerOperation();
     const double longest = kMostDeviation * workspace.h;
     const double stretch = std::min(kMostStretch, restStretch(mesh, patches.front().vertex));
-    const Shape current{mesh.positions(), &Patch::position, longest, tolerable.current};
-    const Shape rest{mesh.restPositions(), &Patch::rest, longest * stretch, tolerable.rest};
+    const Shape current{VertexPlaces::current(mesh), &Patch::position, longest, tolerable.current};
+    const Shape rest{VertexPlaces::atRest(mesh), &Patch::rest, longest * stretch, tolerable.rest};
     return {placeIn(workspace, current, patches), placeIn(workspace, rest, patches)};
 }
 
@@ -190,13 +190,14 @@ VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<Patch>& pat
     VolumeDefect defect;
     for (const Patch& patch : patches) {
         defect.current +=
-            std::fabs(equationAt(mesh, mesh.positions(), patch, patch.position).change);
-        defect.rest += std::fabs(equationAt(mesh, mesh.restPositions(), patch, patch.rest).change);
+            std::fabs(equationAt(mesh, VertexPlaces::current(mesh), patch, patch.position).change);
+        defect.rest +=
+            std::fabs(equationAt(mesh, VertexPlaces::atRest(mesh), patch, patch.rest).change);
     }
     return defect;
 }
 
-Vec3 volumeGradient(const SurfaceMesh& mesh, const std::vector<Vec3>& positions, int vertex) {
+Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPlaces& positions, int vertex) {
     Vec3 gradient = Vec3::Zero();
     const Vec3& place = positions[vertex];
     mesh.forEachOutgoing(vertex, [&](int h) {

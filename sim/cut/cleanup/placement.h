@@ -17,8 +17,24 @@ VolumeDefect placeByVolume(const Workspace& workspace, std::vector<Patch>& patch
 /// The change of volume if every patch's vertex goes exactly where it is planned.
 VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<Patch>& patches);
 
-/// Gradient of the volume by the position of a vertex, over `positions` [m^2].
-Vec3 volumeGradient(const SurfaceMesh& mesh, const std::vector<Vec3>& positions, int vertex);
+/// The current or the rest positions of a mesh, by vertex.
+class VertexPlaces {
+  public:
+    static VertexPlaces current(const SurfaceMesh& mesh) { return {mesh, false}; }
+    static VertexPlaces atRest(const SurfaceMesh& mesh) { return {mesh, true}; }
+    const Vec3& operator[](int v) const {
+        return atRest_ ? mesh_->restPosition(v) : mesh_->position(v);
+    }
+
+  private:
+    VertexPlaces(const SurfaceMesh& mesh, bool atRest) : mesh_(&mesh), atRest_(atRest) {}
+
+    const SurfaceMesh* mesh_;
+    bool atRest_;
+};
+
+/// Gradient of the volume by the position of a vertex, over `places` [m^2].
+Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPlaces& places, int vertex);
 
 /// The part of `direction` along which no gradient changes.
 Vec3 projectOnConstantVolume(const std::vector<Vec3>& gradients, const Vec3& direction);

@@ -30,8 +30,8 @@ class Slide {
     Slide(Workspace& workspace, int vertex)
         : workspace_(workspace), mesh_(workspace.mesh), star_(starOf(mesh_, vertex)) {
         for (const int v : star_.copies) {
-            gradients_.push_back(volumeGradient(mesh_, mesh_.positions(), v));
-            restGradients_.push_back(volumeGradient(mesh_, mesh_.restPositions(), v));
+            gradients_.push_back(volumeGradient(mesh_, VertexPlaces::current(mesh_), v));
+            restGradients_.push_back(volumeGradient(mesh_, VertexPlaces::atRest(mesh_), v));
         }
     }
 

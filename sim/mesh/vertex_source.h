@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+namespace kerf {
+
+/// Has the present positions and velocities of a mesh whose own numbers have grown old, and brings
+/// them by SurfaceMesh::setState().
+class VertexSource {
+  public:
+    VertexSource() = default;
+    virtual ~VertexSource() = default;
+    VertexSource(const VertexSource&) = delete;
+    VertexSource& operator=(const VertexSource&) = delete;
+
+    /// At least these, in one go.
+    virtual void bring(std::span<const int> vertices) = 0;
+    /// All that are old.
+    virtual void bringAll() = 0;
+};
+
+}  // namespace kerf

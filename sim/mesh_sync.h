@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle_finder.h"
+#include "sim/mesh/vertex_source.h"
+#include "sim/solve/gpu_solver.h"
+
+namespace kerf {
+
+/// Keeps a mesh up to date with the GPU where it is read. What a step of the blade will need comes
+/// back with the measure of the body: the vertices near the sweep, found by the kernel, and a list
+/// of others. Whatever else is read is fetched then, so results never depend on what was foreseen.
+class MeshSync final : public VertexSource, public TriangleFinder {
+  public:
+    /// Both must outlive it.
+    MeshSync(SurfaceMesh& mesh, GpuSolver& solver) : mesh_(mesh), solver_(solver) {}
+
+    /// Before the measure of a step: the box that the blade will look into, and vertices that will
+    /// be read wherever they are.
+    void foresee(const OrientedBox& box, std::span<const int> vertices);
+    /// The solver has moved the body.
+    void outdate();
+    /// The mesh has become another one, of which nothing is old.
+    void forget();
+    /// How often all of the body came back.
+    int wholeReads() const { return wholeReads_; }
+
+    void bring(std::span<const int> vertices) override;
+    void bringAll() override;
+
+    std::vector<int> near(const OrientedBox& box) override;
+    /// As the last measure saw the body.
+    Bounds bounds() override { return bounds_; }
+    void setBounds(const Bounds& bounds) { bounds_ = bounds; }
+    void update(std::span<const int> triangles) override;
+
+  private:
+    void adopt(const std::vector<shared::NearbyVertex>& states);
+    void lookAround(const OrientedBox& box);
+
+    SurfaceMesh& mesh_;
+    GpuSolver& solver_;
+    std::optional<OrientedBox> foreseen_;
+    /// Where near() knows all triangles, by the vertices around which they lie and by those that
+    /// changed since.
+    std::optional<OrientedBox> known_;
+    std::vector<int> triangles_;  ///< ascending; some may be dead, or far away
+    Bounds bounds_;
+    int wholeReads_ = 0;
+};
+
+}  // namespace kerf
