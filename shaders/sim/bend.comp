@@ -16,6 +16,7 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
+#include "sim/pull_direction.glsl"
 
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
@@ -31,6 +32,25 @@ float wrapped(float angle) {
     return angle > 0.5 * kTwoPi ? angle - kTwoPi : (angle < -0.5 * kTwoPi ? angle + kTwoPi : angle);
 }
 
+struct Wings {
+    vec3 edge, left, right;  // from v0
+    vec3 nA, nB;
+};
+
+Wings wingsOf(vec3 edge, vec3 left, vec3 right) {
+    return Wings(edge, left, right, cross(edge, left), cross(right, edge));
+}
+
+bool degenerate(Wings w) {
+    float e2 = dot(w.edge, w.edge);
+    float least = 1e-8 * e2 * e2;
+    return dot(w.nA, w.nA) <= least || dot(w.nB, w.nB) <= least || !(e2 > 0.0);
+}
+
+float angleOf(Wings w) {
+    return inverseTangent(dot(cross(w.nA, w.nB), w.edge) / length(w.edge), dot(w.nA, w.nB));
+}
+
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= uniforms.bend_count) return;
@@ -43,27 +63,28 @@ void main() {
     vec3 d1 = fetch(displacement, bend.v1).xyz;
     vec3 d2 = fetch(displacement, bend.v2).xyz;
     vec3 d3 = fetch(displacement, bend.v3).xyz;
-    vec3 e = (x1.xyz - x0.xyz) + (d1 - d0);
-    vec3 left = (x2.xyz - x0.xyz) + (d2 - d0);
-    vec3 right = (x3.xyz - x0.xyz) + (d3 - d0);
-    vec3 nA = cross(e, left);
-    vec3 nB = cross(right, e);
-    float lengthA2 = dot(nA, nA);
-    float lengthB2 = dot(nB, nB);
-    float e2 = dot(e, e);
-    if (lengthA2 <= 1e-8 * e2 * e2 || lengthB2 <= 1e-8 * e2 * e2 || !(e2 > 0.0)) {
+    Wings before = wingsOf(x1.xyz - x0.xyz, x2.xyz - x0.xyz, x3.xyz - x0.xyz);
+    Wings now = wingsOf((x1.xyz - x0.xyz) + (d1 - d0), (x2.xyz - x0.xyz) + (d2 - d0),
+                        (x3.xyz - x0.xyz) + (d3 - d0));
+    if (degenerate(now)) {
         corrections[2u * index] = vec4(0.0);
         corrections[2u * index + 1u] = vec4(0.0);
         return;
     }
-    float reach = sqrt(e2);
-    float theta = inverseTangent(dot(cross(nA, nB), e) / reach, dot(nA, nB));
-    float error = clamp(wrapped(theta - bend.rest_angle), -kMaxBendError, kMaxBendError);
+    float error = clamp(wrapped(angleOf(now) - bend.rest_angle), -kMaxBendError, kMaxBendError);
 
-    vec3 a = nA * (reach / lengthA2);
-    vec3 b = nB * (reach / lengthB2);
-    float sA = dot(left, e) / e2;
-    float sB = dot(right, e) / e2;
+    bool little = turnedLittle(before.edge, now.edge) && turnedLittle(before.nA, now.nA) &&
+                  turnedLittle(before.nB, now.nB);
+    Wings pulled = now;
+    if (little && !degenerate(before)) {
+        pulled = before;
+    }
+    float e2 = dot(pulled.edge, pulled.edge);
+    float reach = sqrt(e2);
+    vec3 a = pulled.nA * (reach / dot(pulled.nA, pulled.nA));
+    vec3 b = pulled.nB * (reach / dot(pulled.nB, pulled.nB));
+    float sA = dot(pulled.left, pulled.edge) / e2;
+    float sB = dot(pulled.right, pulled.edge) / e2;
     vec3 g0 = (1.0 - sA) * a + (1.0 - sB) * b;
     vec3 g1 = sA * a + sB * b;
     vec3 g2 = -a;

@@ -10,6 +10,7 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
+#include "sim/pull_direction.glsl"
 
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
@@ -42,7 +43,7 @@ void main() {
     float weight = dot(counts * w, vec4(1.0, b * b));
     float gamma = uniforms.damping_ratio;
     float denominator = (1.0 + gamma) * weight + ispc.geometry * uniforms.ispc_compliance;
-    vec3 direction = reach > 1e-12 ? r / reach : vec3(0.0);
+    vec3 direction = reach > 1e-12 ? pullDirection(base, r) : vec3(0.0);
     float impulse = weight > 0.0
         ? uniforms.ispc_share * -((reach - ispc.rest_length) + gamma * dot(direction, step)) /
             denominator

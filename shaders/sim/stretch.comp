@@ -11,6 +11,7 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
+#include "sim/pull_direction.glsl"
 
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
@@ -39,7 +40,8 @@ vec3 startOf(uint v, float inverseMass) {
 vec3 correction(Spoke spoke, vec4 own, float count, vec3 ownStart) {
     vec4 far = fetch(positions, spoke.other);
     vec3 step = ownStart - startOf(spoke.other, far.w);
-    vec3 span = (own.xyz - far.xyz) + step;
+    vec3 before = own.xyz - far.xyz;
+    vec3 span = before + step;
     float reach = length(span);
     if (reach < 1e-12) {
         return vec3(0.0);
@@ -52,7 +54,7 @@ vec3 correction(Spoke spoke, vec4 own, float count, vec3 ownStart) {
     if (!(denominator > 0.0)) {
         return vec3(0.0);
     }
-    vec3 direction = span / reach;
+    vec3 direction = pullDirection(before, span);
     float impulse = -((reach - spoke.rest_length) + gamma * dot(direction, step)) / denominator;
     return direction * (uniforms.stretch_share * uniforms.inverse_density * own.w * impulse);
 }

@@ -1,6 +1,7 @@
-// dV/dp of each vertex, and what the volume constraint sums of it over a block: the volume, a third
-// of (p - origin) . dV/dp since V is homogeneous of degree 3, and w |dV/dp|^2. First each thread
-// over its own vertices, in order, then a tree over the group: both orders are fixed.
+// dV/dp of each vertex at X (pull_direction.glsl says why), and what the volume constraint sums over a
+// block: the volume at X + d, a third of (p - origin) . dV/dp there since V is homogeneous of degree
+// 3, and w |dV/dp|^2 at X. First each thread over its own vertices, in order, then a tree over the
+// group: both orders are fixed.
 // The block of a piece that finishes last adds the sums of all of them up, in their order, to the
 // impulse that brings the piece back to its target volume, as a rigid constraint (alpha = 0).
 // Reads X, d, neighbours, places, pages, pieces, blocks. Writes gradients, block sums, impulses.
@@ -27,12 +28,37 @@ layout(std430, binding = kImpulsesBinding) coherent buffer Impulses { VolumeImpu
 
 shared vec2 partial[kGroupSize];
 
-vec3 span(uint from, uint to) {
-    return (fetch(positions, to).xyz - fetch(positions, from).xyz) +
-        (fetch(displacement, to).xyz - fetch(displacement, from).xyz);
+vec3 spanBefore(uint from, uint to) {
+    return fetch(positions, to).xyz - fetch(positions, from).xyz;
 }
 
-#include "sim/volume_gradient.glsl"
+vec3 motion(uint from, uint to) {
+    return fetch(displacement, to).xyz - fetch(displacement, from).xyz;
+}
+
+struct GradientPair {
+    vec3 before;  // at X
+    vec3 now;     // at X + d
+};
+
+// Six times the gradient at either, see volume_gradient.glsl.
+GradientPair sixfoldGradients(uint v) {
+    GradientPair sum = GradientPair(vec3(0.0), vec3(0.0));
+    uvec2 range = fetch(ranges, v).xy;
+    uint corner = fetch(neighbours, range.y - 1u).x;
+    vec3 lastBefore = spanBefore(v, corner);
+    vec3 last = lastBefore + motion(v, corner);
+    for (uint k = range.x; k < range.y; ++k) {
+        corner = fetch(neighbours, k).x;
+        vec3 nextBefore = spanBefore(v, corner);
+        vec3 next = nextBefore + motion(v, corner);
+        sum.before += cross(lastBefore, nextBefore);
+        sum.now += cross(last, next);
+        lastBefore = nextBefore;
+        last = next;
+    }
+    return sum;
+}
 
 float impulseOf(PieceRecord piece) {
     float volume = 0.0;
@@ -53,9 +79,11 @@ void main() {
     for (uint i = 0u; i < block.page_count; ++i) {
         uint v = fetch(places, kPageSize * pages[block.first_page + i] + self).x;
         if (v == kNoVertex) continue;
-        vec3 g = volumeGradient(v);
+        GradientPair sixfold = sixfoldGradients(v);
+        vec3 g = sixfold.before / 6.0;
         gradients[v] = vec4(g, 0.0);
-        sum += vec2(dot(span(origin, v), g) / 3.0,
+        vec3 arm = spanBefore(origin, v) + motion(origin, v);
+        sum += vec2(dot(arm, sixfold.now) / 18.0,
                     uniforms.inverse_density * fetch(positions, v).w * dot(g, g));
     }
     partial[self] = sum;

@@ -66,7 +66,7 @@ std::vector<Vec3> pieceCenters(const BodyModel& model, const ReferenceState& s) 
     return centers;
 }
 
-/// Volume per piece and its gradient by each vertex.
+/// Volume per piece at X + d, and its gradient by each vertex at X.
 struct VolumeTerms {
     std::vector<double> volumes;
     std::vector<Vec3> gradient;
@@ -82,9 +82,12 @@ VolumeTerms volumeTerms(const BodyModel& model, const ReferenceState& s) {
         const Vec3 b = at(s, triangle[1]) - centers[piece];
         const Vec3 c = at(s, triangle[2]) - centers[piece];
         terms.volumes[piece] += a.dot(b.cross(c)) / 6;
-        terms.gradient[triangle[0]] += b.cross(c) / 6;
-        terms.gradient[triangle[1]] += c.cross(a) / 6;
-        terms.gradient[triangle[2]] += a.cross(b) / 6;
+        const Vec3 u = s.positions[triangle[0]] - centers[piece];
+        const Vec3 v = s.positions[triangle[1]] - centers[piece];
+        const Vec3 w = s.positions[triangle[2]] - centers[piece];
+        terms.gradient[triangle[0]] += v.cross(w) / 6;
+        terms.gradient[triangle[1]] += w.cross(u) / 6;
+        terms.gradient[triangle[2]] += u.cross(v) / 6;
     }
     return terms;
 }

@@ -347,7 +347,22 @@ TEST_F(GpuSolverTest, PinnedVerticesStayAndAreFreedAgain) {
     EXPECT_EQ(freed.positions[7], held.positions[7]);
 }
 
-TEST_F(GpuSolverTest, KeepsLinearMomentumInFreeFlight) {
+struct FlightMomentum {
+    Vec3 linear = Vec3::Zero();
+    Vec3 angular = Vec3::Zero();
+};
+
+FlightMomentum momentumOf(const BodyModel& model, const BodyState& state) {
+    FlightMomentum sum;
+    for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+        const Vec3 part = unitMass(model, v) * state.velocities[v].cast<double>();
+        sum.linear += part;
+        sum.angular += state.positions[v].cast<double>().cross(part);
+    }
+    return sum;
+}
+
+TEST_F(GpuSolverTest, KeepsMomentumInFreeFlight) {
     // 5 s without gravity, floor and drag; the displacement form drifts by about 1e-6.
     Params params;
     params.gravity = Vec3::Zero();
@@ -355,23 +370,18 @@ TEST_F(GpuSolverTest, KeepsLinearMomentumInFreeFlight) {
     params.airDrag = 0;
     params.iterations = 10;
     Pair pair(test::icosphere(1), params, solverUniforms(params).active_parts, 5);
-    const auto momentum = [&](const BodyState& state) {
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t v = 0; v < state.velocities.size(); ++v) {
-            sum += unitMass(pair.model, v) * state.velocities[v].cast<double>();
-        }
-        return sum;
-    };
-    for (Vec3f& u : pair.start.velocities) {
-        u = 0.3f * u + Vec3f(1, 0.5f, -0.2f);
+    for (std::size_t v = 0; v < pair.start.velocities.size(); ++v) {
+        pair.start.velocities[v] = 0.3f * pair.start.velocities[v] + Vec3f(1, 0.5f, -0.2f) +
+                                   Vec3f(0.4f, 2, -1).cross(pair.start.positions[v]);
     }
     pair.gpu.setState(pair.start);
-    const Vec3 before = momentum(pair.start);
+    const FlightMomentum before = momentumOf(pair.model, pair.start);
     for (int step = 0; step < 1000; ++step) {
         pair.gpu.step();
     }
-    const Vec3 after = momentum(pair.gpu.readState());
-    EXPECT_LT((after - before).norm(), 1e-5 * before.norm());
+    const FlightMomentum after = momentumOf(pair.model, pair.gpu.readState());
+    EXPECT_LT((after.linear - before.linear).norm(), 1e-5 * before.linear.norm());
+    EXPECT_LT((after.angular - before.angular).norm(), 1e-4 * before.angular.norm());
 }
 
 TEST_F(GpuSolverTest, RunsTwiceToTheSameBits) {
