@@ -25,22 +25,30 @@ struct Options {
     Params params;
 };
 
+/// A number, or the name of a choice.
+ParamValue valueOf(const char* given) {
+    char* end = nullptr;
+    const double number = std::strtod(given, &end);
+    return *end == '\0' ? ParamValue(number) : ParamValue(std::string(given));
+}
+
 Options readOptions(int count, char** words) {
     Options options;
-    options.params.contact = 1;
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
         if (!word.starts_with("--")) {
             options.scene = word;
         } else if (i + 1 < count) {
-            const double value = std::atof(words[++i]);
+            const char* given = words[++i];
+            const double value = std::atof(given);
             if (word == "--runs") {
                 options.runs = static_cast<int>(value);
             } else if (word == "--first") {
                 options.first = static_cast<int>(value);
             } else if (word == "--seed") {
                 options.seed = static_cast<std::uint64_t>(value);
-            } else if (const std::string error = setParam(options.params, word.substr(2), value);
+            } else if (const std::string error =
+                           setParam(options.params, word.substr(2), valueOf(given));
                        !error.empty()) {
                 throw std::invalid_argument(error);
             }

@@ -3,7 +3,7 @@
 // measures no times.
 //
 //   kerf_drop_bench [--only TEXT] [--solver pbd] [--ispc S] [--modulus E] [--seconds T]
-//       [--iterations N] [--bending B]
+//       [--iterations N] [--bending B] [--contact 0]
 
 #include <cstdio>
 #include <cstdlib>
@@ -72,6 +72,7 @@ void play(const DropModel& model, bool cut, const Options& options) {
     params.youngsModulus = number(options, "--modulus", model.modulus);
     params.ispcStiffness = number(options, "--ispc", params.ispcStiffness);
     params.bendingStiffness = number(options, "--bending", params.bendingStiffness);
+    params.contact = number(options, "--contact", 1) != 0 ? 1 : 0;
     const bool pbd = options.count("--solver") > 0 && options.at("--solver") == "pbd";
     params.solver = pbd ? SolverMode::pbd : SolverMode::smallSteps;
     std::fputs(dropTableRow(name, playDrop(model.mesh, scene)).c_str(), stdout);

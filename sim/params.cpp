@@ -76,6 +76,11 @@ const std::array kRows = {
          "1: pieces, both sides of a slit and arms meet one another; 0: they pass through.",
          ParamType::integer, 0, 1, false},
         &Params::contact},
+    Row{{"paper_contact", "Paper's contact", "",
+         "1: instead of contact, pieces meet as in the paper, for comparison: once a time step, on "
+         "the CPU, triangles that meet lose their relative speed.",
+         ParamType::integer, 0, 1, false},
+        &Params::paperContact},
     Row{{"contact_thickness", "Contact thickness", "",
          "Distance kept between surfaces that were never one, as a share of the edge length of "
          "walls.",

@@ -32,7 +32,8 @@ struct Params {
     double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
     double wallCoarsening = 1;          ///< edge length inside finished walls over that at the rim
     double friction = 0.5;              ///< Coulomb coefficient of all contacts
-    int contact = 0;                    ///< 1: pieces, slits and arms meet one another; 0: not
+    int contact = 1;                    ///< 1: pieces, slits and arms meet one another; 0: not
+    int paperContact = 0;               ///< 1: the paper's response of pieces instead
     double contactThickness = 0.05;     ///< distance kept, as a share of the edge length of walls
     double depenetrationSpeed = 1;      ///< at which penetrations are taken back [m/s]
 };

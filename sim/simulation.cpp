@@ -10,6 +10,7 @@
 #include "sim/body/body_updater.h"
 #include "sim/box_edit.h"
 #include "sim/boxes.h"
+#include "sim/contact/paper_contact.h"
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/oriented_box.h"
 #include "sim/mesh_sync.h"
@@ -142,6 +143,7 @@ struct Simulation::State {
     void holdFront();
     void releaseFront();
     void pull();
+    void collideAsThePaper();
     void takeBackLostPieces();
     void cutAll();
     void publish();
@@ -208,6 +210,8 @@ struct Simulation::State {
     int stepsDone = 0;
     double time = 0;
     int lastLossStep = -2;  ///< the last step that lost a piece
+    int paperContacts = 0;  ///< pairs of triangles, with paper_contact
+    double paperContactMs = 0;
 };
 
 void Simulation::State::start() {
@@ -251,6 +255,7 @@ void Simulation::State::beginAtRest() {
     pins = {};
     lastCut = {};
     subdivisions = {};
+    paperContacts = 0;
     pieces.reset();
     applyParameters();
     measure = solver.measure();
@@ -289,6 +294,7 @@ void Simulation::State::solve() {
     holdFront();
     solver.step();
     releaseFront();
+    collideAsThePaper();
     measure = solver.measure();
     takeBackLostPieces();
     solver.saveState();
@@ -299,7 +305,7 @@ void Simulation::State::solve() {
     }
     pieces.reset();
     report.deformMs = solver.takeDeformMilliseconds();
-    report.collideMs = solver.takeCollideMilliseconds();
+    report.collideMs = solver.takeCollideMilliseconds() + paperContactMs;
 }
 
 /// Where the blade goes in this step, from where it stands.
@@ -344,6 +350,20 @@ void Simulation::State::releaseFront() {
     for (const Anchor& anchor : std::exchange(anchors, {})) {
         solver.release(anchor.vertex);
     }
+}
+
+/// The state comes back from the GPU and goes up again.
+void Simulation::State::collideAsThePaper() {
+    paperContacts = 0;
+    const Stopwatch watch;
+    if (params.paperContact != 0 && model().pieces.size() > 1) {
+        BodyState state = solver.readState();
+        paperContacts = respondAsThePaper(model(), params.timeStep, state);
+        if (paperContacts > 0) {
+            solver.setState(state);
+        }
+    }
+    paperContactMs = watch.milliseconds();
 }
 
 void Simulation::State::pull() {
@@ -503,7 +523,7 @@ void Simulation::State::publish() {
     report.volumeRatio = report.volume / model().uncutRestVolume;
     report.pieces = static_cast<int>(model().pieces.size());
     report.triangles = mesh.aliveTriangles();
-    report.contacts = measure.contacts;
+    report.contacts = measure.contacts + paperContacts;
     report.kineticEnergy = measure.kineticEnergy;
     report.potentialEnergy = measure.potentialEnergy;
     report.ispcs = static_cast<int>(model().ispcs.size());

@@ -26,11 +26,12 @@ static_assert(sizeof(shared::ContactRecord) == 64);
 static_assert(sizeof(shared::EdgePair) == 12);
 static_assert(sizeof(shared::ContactState) == 40);
 
-constexpr double kReach = 0.5;     // h
-constexpr double kKept = 0.25;     // h: candidates are kept up to this motion
-constexpr double kFarthest = 2;    // h: no candidate beyond
-constexpr int kSweeps = 2;         // over the contacts of a substep, as in ReferenceContact
-constexpr double kTopSpeed = 400;  // that fixed-point displacements can hold [m/s]
+constexpr double kReach = 0.5;           // h
+constexpr double kKept = 0.25;           // h: candidates are kept up to this motion
+constexpr double kKeptInContact = 0.05;  // h: then the nearest one must be among them
+constexpr double kFarthest = 2;          // h: no candidate beyond
+constexpr int kSweeps = 2;               // over the contacts of a substep, as in ReferenceContact
+constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
 uint bucketsFor(uint triangles) {
@@ -42,7 +43,7 @@ uint bucketsFor(uint triangles) {
 ContactSettings contactSettings(const Params& params) {
     ContactSettings settings;
     const shared::SolverUniforms solver = solverUniforms(params);
-    settings.enabled = params.contact != 0;
+    settings.enabled = params.contact != 0 && params.paperContact == 0;
     settings.thickness = params.contactThickness;
     settings.sweeps = static_cast<int>(solver.sweeps);
     settings.liftSpeed = params.depenetrationSpeed / settings.sweeps;
@@ -156,8 +157,9 @@ void ContactSolver::beginStep(const RelativeMotion& motion) {
         return;
     }
     const double way = motion.speed * settings_.substep * settings_.substeps;
-    keepsCandidates_ = hasCandidates_ && candidateSettings_ == settings_ && !motion.touching &&
-                       motion.drift + way <= kKept * edgeLength_;
+    const double kept = motion.touching ? kKeptInContact : kKept;
+    keepsCandidates_ = hasCandidates_ && candidateSettings_ == settings_ &&
+                       motion.drift + way <= kept * edgeLength_;
     if (keepsCandidates_) {
         return;
     }

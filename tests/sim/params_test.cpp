@@ -42,8 +42,10 @@ ParamValue anotherValue(const ParamInfo& info) {
             return Vec3(info.low, info.high, 0.5 * info.low);
         case ParamType::choice:
             return std::string(info.choices.back());
-        default:
-            return info.high;
+        default: {
+            const bool isHigh = getParam(Params{}, info.name) == ParamValue(info.high);
+            return isHigh ? info.low : info.high;
+        }
     }
 }
 

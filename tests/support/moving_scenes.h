@@ -13,7 +13,7 @@ struct SceneRun {
     int index = 0;               ///< decides offset and tilt of the strokes, together with `seed`
     std::uint64_t seed = 1;
     bool verbose = false;  ///< prints every step of the blade
-    bool contact = false;  ///< of the body with itself
+    bool contact = true;   ///< of the body with itself
 };
 
 /// What came of one run, or of several: counts add up, of speeds and rows the largest counts.

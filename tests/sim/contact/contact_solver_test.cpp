@@ -272,8 +272,10 @@ TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
 
 TEST_F(ContactSolverTest, NothingPassesThroughWhatItIsThrownAt) {
     test::DropFigures sum;
-    for (int i = 0; i < 2; ++i) {
-        sum.add(test::dropAtRandom({1, i}, withContact()));
+    const std::uint64_t seed = 1;
+    for (int i = 0; i < 6; ++i) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " drop " + std::to_string(i));
+        sum.add(test::dropAtRandom({seed, i}, withContact()));
     }
     EXPECT_EQ(sum.nonFinite, 0) << text(sum);
     EXPECT_EQ(sum.escaped, 0) << text(sum);
