@@ -150,7 +150,7 @@ void BladeHand::move(const ViewFrame& view, const Vec2& pixel, bool straight, Ed
 }
 
 void BladeHand::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point = pickSurface(scene.simulation().mesh(), view.rayThrough(pixel));
+    const auto point = scene.pick(view.rayThrough(pixel));
     if (!point) {
         scalpel_.reset();
         scene.stroke().end();
@@ -251,7 +251,7 @@ std::vector<Blade> BladeHand::wayAhead(const ViewFrame& view, const Vec2& pixel,
         return {guillotine_.at(settings_.lowered), guillotine_.at(1)};
     }
     if (settings_.tool == ui::Tool::scalpel) {
-        const auto point = pickSurface(scene.simulation().mesh(), view.rayThrough(pixel));
+        const auto point = scene.pick(view.rayThrough(pixel));
         if (point) {
             return {Scalpel(settings_.scalpelDepth).at(*point)};
         }
@@ -266,9 +266,8 @@ ui::Overlay BladeHand::overlay(const ViewFrame& view, const Vec2& pixel, EditorS
         addSwept(view, way, overlay);
     }
     if (way.size() > 1 && scene.simulation().report().triangles <= kMostPreviewTriangles) {
-        const SurfaceMesh& mesh = scene.simulation().mesh();
-        const CutPreview preview = previewCut(mesh, way);
-        addTouched(view, mesh, preview.touched, overlay);
+        const CutPreview& preview = scene.preview(way);
+        addTouched(view, scene.simulation().mesh(), preview.touched, overlay);
         for (const auto& line : preview.wound) {
             addLine(view, line[0], line[1], overlay.wound);
         }

@@ -10,9 +10,10 @@
 namespace kerf::app {
 namespace {
 
-constexpr double kBrushSpacing = 8;  // between two dabs of a fast drag [px]
-constexpr double kLeastBox = 4;      // a smaller one was a click [px]
-constexpr double kBoxMargin = 0.01;  // beyond the body, of its diagonal
+constexpr double kBrushSpacing = 8;     // between two dabs of a fast drag [px]
+constexpr double kLeastBox = 4;         // a smaller one was a click [px]
+constexpr double kBoxMargin = 0.01;     // beyond the body, of its diagonal
+constexpr double kFarthestCorner = 20;  // of a box to be pinned, of the distance to the body
 constexpr int kRingPoints = 40;
 
 void addLine(const ViewFrame& view, const Vec3& from, const Vec3& to, ui::Overlay& overlay) {
@@ -69,8 +70,13 @@ Bounds boxBetween(const ViewFrame& view, const Vec2& from, const Vec2& to, const
     view.camera.forward().cwiseAbs().maxCoeff(&axis);
     const auto onPlane = [&](const Vec2& pixel) {
         const render::Ray ray = view.rayThrough(pixel);
-        const double way = (body.center()[axis] - ray.origin[axis]) / ray.direction[axis];
-        return Vec3(ray.origin + way * ray.direction);
+        double way = (body.center()[axis] - ray.origin[axis]) / ray.direction[axis];
+        // A pointer far outside of the window may look past the plane.
+        const double most = kFarthestCorner * (body.center() - ray.origin).norm();
+        if (!view.camera.orthographic && !(way >= 0)) {
+            way = most;
+        }
+        return Vec3(ray.origin + std::clamp(way, -most, most) * ray.direction);
     };
     Bounds box;
     box.add(onPlane(from));
@@ -93,7 +99,7 @@ std::string BodyHand::press(const ViewFrame& view, const Vec2& pixel,
         paint(view, pixel, scene);
         return "";
     }
-    const auto point = pickSurface(scene.simulation().mesh(), view.rayThrough(pixel));
+    const auto point = scene.pick(view.rayThrough(pixel));
     if (!point) {
         return "";
     }
@@ -127,7 +133,7 @@ void BodyHand::paintUpTo(const ViewFrame& view, const Vec2& pixel, EditorScene& 
 
 /// Where all is pinned already nothing changes; that is no problem.
 void BodyHand::paint(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point = pickSurface(scene.simulation().mesh(), view.rayThrough(pixel));
+    const auto point = scene.pick(view.rayThrough(pixel));
     if (point &&
         scene.execute(Pin{Ball{point->position, brush_->radius}, brush_->pins, brush_->begun})
             .empty()) {
@@ -165,7 +171,7 @@ void BodyHand::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pi
         return;
     }
     if (const std::optional<double> radius = reachOf(settings)) {
-        if (const auto point = pickSurface(scene.simulation().mesh(), view.rayThrough(pixel))) {
+        if (const auto point = scene.pick(view.rayThrough(pixel))) {
             addRing(view, *point, *radius, overlay);
         }
     }

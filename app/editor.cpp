@@ -19,13 +19,14 @@ Editor::Editor(const EditorOptions& options, std::optional<Document> document)
     if (const std::string& problem = state_->settingsFile.problem(); !problem.empty()) {
         state_->toast.show(problem, true);
     }
-    state_->describe();
+    state_->describe(true);
 }
 
 Editor::~Editor() {
     if (state_->saving != nullptr) {
         state_->saving->job.wait();  // What was to be saved is saved.
     }
+    state_->savings.finish();
 }
 
 void Editor::post(ui::InputEvent event) {
@@ -69,18 +70,18 @@ double Editor::idleSeconds() const {
         s.cameraFlight.flying()) {
         return 0;
     }
-    if (s.isWorking() || s.preview.working()) {
+    if (s.isWorking() || s.savings.busy() || s.preview.working()) {
         return s.loading != nullptr && !s.loading->preparing() ? 0 : kWorkPause;
     }
     return s.toast.visible() ? s.toast.steadySeconds() : kForever;
 }
 
 bool Editor::working() const {
-    return state_->isWorking();
+    return state_->isWorking() || state_->savings.busy();
 }
 
 bool Editor::closing() const {
-    return state_->closing && state_->saving == nullptr;
+    return state_->closing && state_->saving == nullptr && !state_->savings.busy();
 }
 
 const gpu::Framebuffer& Editor::picture() const {
@@ -106,6 +107,10 @@ const ui::PanelModel& Editor::panels() const {
 
 const ui::ItemPlaces& Editor::places() const {
     return state_->interface.places();
+}
+
+EditorScene* Editor::scene() {
+    return state_->scene.get();
 }
 
 void Editor::open(const std::filesystem::path& file) {

@@ -15,6 +15,8 @@
 
 namespace kerf::app {
 
+class EditorScene;
+
 /// What surrounds the editor: its window or its test.
 struct EditorOptions {
     int width = 1280;  ///< of the picture [px]
@@ -68,6 +70,8 @@ class Editor {
 
     /// Where the named items of the panels are.
     const ui::ItemPlaces& places() const;
+    /// What is open, for tests that look into it; null while nothing is.
+    EditorScene* scene();
 
     /// Begins to open a model or a session, which takes some frames. What cannot be opened is said
     /// in the view and changes nothing.

@@ -46,12 +46,18 @@ void Editor::State::placeBox() {
     }
 }
 
+/// Before the body goes elsewhere: neither a stroke nor a pull goes on there.
+void Editor::State::releaseHands() {
+    hand.cancel(*scene);
+    bodyHand.cancel(*scene);
+}
+
 void Editor::State::execute(const Command& command) {
     if (scene == nullptr) {
         return;
     }
     if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
-        bodyHand.cancel(*scene);
+        releaseHands();
     }
     say(scene->execute(command));
 }
@@ -91,6 +97,7 @@ void Editor::State::setTool(ui::Tool tool) {
 
 void Editor::State::toggleRecording() {
     if (!scene->recording()) {
+        releaseHands();
         scene->startRecording();
         toast.show("Recording. Ctrl+R stops it and saves a session.", false);
         return;
@@ -157,7 +164,7 @@ void Editor::State::performOnScene(ui::ActionId id) {
             runSteps(1, 0);
             return;
         case ui::ActionId::reset:
-            bodyHand.cancel(*scene);
+            releaseHands();
             scene->reset();
             return;
         case ui::ActionId::undo:
@@ -196,6 +203,9 @@ void Editor::State::performOnScene(ui::ActionId id) {
         case ui::ActionId::saveSession:
             browse(ui::FilePurpose::saveSession);
             return;
+        case ui::ActionId::sceneScreenshot:
+            saveSceneScreenshot();
+            return;
         case ui::ActionId::exportBody:
             browse(ui::FilePurpose::exportMesh);
             return;
@@ -222,8 +232,7 @@ void Editor::State::cancel() {
     } else if (isWorking() && !handIsBusy()) {
         cancelWork();
     } else if (scene != nullptr) {
-        hand.cancel(*scene);
-        bodyHand.cancel(*scene);
+        releaseHands();
         sceneChanged = true;
     }
 }

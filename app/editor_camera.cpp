@@ -1,5 +1,6 @@
 #include "app/editor_camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kerf::app {
@@ -7,6 +8,9 @@ namespace {
 
 constexpr double kRadiansPerHeight = 3.5;  // a drag over the whole height turns by 200 degrees
 constexpr double kZoomPerNotch = 0.88;
+constexpr double kMostNotches = 20;      // of one event: eye and target must stay apart
+constexpr double kNearestTarget = 1e-3;  // of the body's diagonal
+constexpr double kFarthest = 100;  // of the body's diagonal: eye from target, target from body
 constexpr double kOffPole = 1e-4;  // from above: "up" still says which way the view is turned [rad]
 
 /// From the target to the eye, unit.
@@ -67,7 +71,22 @@ bool CameraControl::move(render::Camera& camera, double dx, double dy, double he
 }
 
 void CameraControl::zoom(render::Camera& camera, double notches, const Vec2& ndc, double aspect) {
+    notches = std::clamp(notches, -kMostNotches, kMostNotches);
     camera.zoom(std::pow(kZoomPerNotch, notches), ndc, aspect);
+}
+
+void keepNear(render::Camera& camera, const Bounds& body) {
+    const double size = body.diagonal();
+    if (size <= 0) {
+        return;
+    }
+    const Vec3 arm = camera.eye - camera.target;
+    const double distance = std::clamp(arm.norm(), kNearestTarget * size, kFarthest * size);
+    const Vec3 aside = camera.target - body.center();
+    if (aside.norm() > kFarthest * size) {
+        camera.target = body.center() + kFarthest * size * aside.normalized();
+    }
+    camera.eye = camera.target + distance * arm.normalized();
 }
 
 void lookAlong(render::Camera& camera, AxisView view) {

@@ -27,6 +27,10 @@ class CameraControl {
     ui::Button button_ = ui::Button::right;
 };
 
+/// Brings a camera back that went too far from a body or too near to its target: beyond, numbers
+/// lose their digits and pictures are empty.
+void keepNear(render::Camera& camera, const Bounds& body);
+
 /// Views along the axes, as numbered in modelling programs.
 enum class AxisView { front, back, right, left, top, bottom };
 /// Looks at the camera's target along an axis, from where it stands away.

@@ -43,13 +43,15 @@ void Editor::State::followFirstSteps() {
     }
 }
 
-void Editor::State::describeTool() {
+ui::Overlay Editor::State::overlayNow() {
     const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
-    model.overlay = hand.overlay(viewFrame(), inView, *scene);
-    bodyHand.addTo(model.overlay, viewFrame(), inView, hand.settings(), *scene);
+    ui::Overlay overlay = hand.overlay(viewFrame(), inView, *scene);
+    bodyHand.addTo(overlay, viewFrame(), inView, hand.settings(), *scene);
+    return overlay;
 }
 
-void Editor::State::describe() {
+void Editor::State::describe(bool withOverlay) {
+    ui::Overlay before = std::move(model.overlay);
     const ui::PanelModel blank;  // GCC 12 takes parts of a temporary for uninitialized
     model = blank;
     model.helpOpen = helpOpen;
@@ -72,7 +74,7 @@ void Editor::State::describe() {
         model.ownSkin = render::toDisplay(ownMaterial().skin);
         model.ownFlesh = render::toDisplay(ownMaterial().inner);
         if (display.apart == 0) {
-            describeTool();
+            model.overlay = withOverlay ? overlayNow() : std::move(before);
         }
         model.pinned = scene->simulation().pinnedVertices().size();
     }

@@ -31,6 +31,7 @@ bool offersNothing(const std::filesystem::path& folder, const ui::FileDialogStat
 }  // namespace
 
 void Editor::State::browse(ui::FilePurpose purpose) {
+    recent.look();
     const std::filesystem::path& last = lastFolder(purpose);
     const std::filesystem::path& folder = last.empty() ? options.screenshotFolder : last;
     const std::string document = scene == nullptr ? "" : scene->document().name;

@@ -1,6 +1,7 @@
 #include <spdlog/spdlog.h>
 
 #include "app/editor_state.h"
+#include "app/file_io.h"
 #include "app/free_file.h"
 #include "sim/text.h"
 
@@ -45,6 +46,7 @@ void Editor::State::open(const std::filesystem::path& file, bool fillHoles) {
 void Editor::State::followWork() {
     followLoading();
     followSaving();
+    followSavings();
     followPreview();
 }
 
@@ -136,8 +138,11 @@ ui::WorkState Editor::State::workState() const {
 
 void Editor::State::show(UploadedDocument uploaded) {
     const std::string note = uploaded.document.note;
+    // Either may fail for want of memory; what is open stays then.
+    auto next =
+        std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     renderer.setRestDepth(uploaded.depth);
-    scene = std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
+    scene = std::move(next);
     landCamera();
     camera = scene->document().camera;
     display.colors = scene->document().session.colors;
@@ -156,16 +161,38 @@ void Editor::State::show(UploadedDocument uploaded) {
     }
 }
 
+void Editor::State::followSavings() {
+    for (const SavingQueue::Outcome& outcome : savings.takeOutcomes()) {
+        settlePasses = kSettlePasses;
+        if (outcome.failed) {
+            spdlog::error("{}", outcome.sentence);
+        } else {
+            spdlog::info("{}", outcome.sentence);
+        }
+        toast.show(outcome.sentence, outcome.failed);
+    }
+}
+
 void Editor::State::saveScreenshot() {
     screenshotWanted = false;
-    try {
-        const std::filesystem::path file = freeFile(options.screenshotFolder, "kerf", ".png");
-        render::writePng({options.width, options.height, picture.readColor()}, file);
-        spdlog::info("screenshot saved to {}", file.string());
-        toast.show("Saved " + file.string(), false);
-    } catch (const std::exception& error) {
-        toast.show(error.what(), true);
-    }
+    savePicture({options.width, options.height, picture.readColor()}, "kerf");
+}
+
+void Editor::State::saveSceneScreenshot() {
+    render::SceneView view = sceneToDraw();
+    view.transparent = true;
+    renderer.draw(view, camera, options.width, options.height);
+    render::Image image = renderer.readPicture();
+    render::divideByAlpha(image);
+    savePicture(std::move(image), "kerf-scene");
+}
+
+void Editor::State::savePicture(render::Image image, const std::string& name) {
+    savings.add([image = std::move(image), name, folder = options.screenshotFolder] {
+        const std::filesystem::path file = freeFile(folder, name, ".png");
+        writePicture(image, file);
+        return "Saved " + file.string();
+    });
 }
 
 }  // namespace kerf::app

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/editor_state.h"
+#include "sim/text.h"
 #include "ui/shortcuts.h"
 
 namespace kerf::app {
@@ -12,14 +13,16 @@ constexpr int kMaxBatchesPerPicture = 16;
 
 void Editor::State::takeInput(double elapsedSeconds) {
     // At least one pass, so that the panels live; later batches of one picture take no time.
-    pass(queue.takeBatch(), elapsedSeconds);
-    for (int n = 1; n < kMaxBatchesPerPicture && !queue.empty(); ++n) {
-        pass(queue.takeBatch(), 0);
+    for (int n = 1; n <= kMaxBatchesPerPicture && (n == 1 || !queue.empty()); ++n) {
+        const std::vector<ui::InputEvent> batch = queue.takeBatch();
+        const bool last = n == kMaxBatchesPerPicture || queue.empty();
+        pass(batch, n == 1 ? elapsedSeconds : 0, last);
     }
 }
 
-void Editor::State::pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds) {
-    describe();
+void Editor::State::pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds,
+                         bool last) {
+    describe(last);
     settlePasses = batch.empty() ? std::max(0, settlePasses - 1) : kSettlePasses;
     interface.restyle(settingsFile.now.theme, scale());
     const std::vector<ui::Action> actions =
@@ -45,10 +48,17 @@ void Editor::State::dispatch(const ui::InputEvent& event) {
                typed && typed->code == '?') {
         onKey(ui::Key::questionMark, {});
     } else if (const auto* drop = std::get_if<ui::FileDrop>(&event); drop && !drop->files.empty()) {
-        open(drop->files.front());
+        takeDrop(drop->files);
     } else if (std::holds_alternative<ui::FocusLost>(event)) {
         onFocusLost();
     }
+}
+
+void Editor::State::takeDrop(const std::vector<std::filesystem::path>& files) {
+    if (files.size() > 1) {
+        toast.show("Of " + counted(files.size(), "file", "files") + " the first is opened.", false);
+    }
+    open(files.front());
 }
 
 void Editor::State::onMove(const ui::PointerMove& move) {
@@ -56,7 +66,7 @@ void Editor::State::onMove(const ui::PointerMove& move) {
     const Vec2 by = to - pointer;
     pointer = to;
     if (cameraControl.move(camera, by.x(), by.y(), options.height)) {
-        sceneChanged = true;
+        keepCameraNear();
     }
     if (scene != nullptr) {
         hand.move(viewFrame(), pointer, move.modifiers.shift, *scene);
@@ -104,12 +114,19 @@ void Editor::State::endStroke() {
     }
 }
 
+void Editor::State::keepCameraNear() {
+    sceneChanged = true;
+    if (scene != nullptr) {
+        keepNear(camera, scene->bounds());
+    }
+}
+
 void Editor::State::onWheel(const ui::Wheel& wheel) {
     if (!interface.ownsPointer()) {
         landCamera();
         const ViewFrame view = viewFrame();
         CameraControl::zoom(camera, wheel.y, view.toNdc(pointer), view.aspect());
-        sceneChanged = true;
+        keepCameraNear();
     }
 }
 

@@ -66,27 +66,29 @@ void Editor::State::holdPlots() {
     }
 }
 
+/// Drawn here, since that needs OpenGL; encoded and written behind.
 void Editor::State::exportPlots(bool asPicture) {
     const std::vector<ui::PlotSpec> plots = ui::chosenPlots(model);
     if (plots.empty()) {
         toast.show("No plot is chosen that could be saved.", true);
         return;
     }
-    try {
-        const std::filesystem::path file =
-            freeFile(options.screenshotFolder, "kerf-plots", asPicture ? ".png" : ".csv");
-        if (asPicture) {
-            const int height = kPlotPictureHeight * static_cast<int>(plots.size());
-            writePicture(ui::PlotPainter(settingsFile.now.theme)
-                             .draw(plots, plotView, kPlotPictureWidth, height),
-                         file);
-        } else {
-            writeOutputFile(file, formatPlots(plots));
-        }
-        spdlog::info("plots saved to {}", file.string());
-        toast.show("Saved " + file.string(), false);
-    } catch (const std::exception& error) {
-        toast.show(error.what(), true);
+    const auto save = [this](const char* ending, auto write) {
+        savings.add([folder = options.screenshotFolder, ending, write = std::move(write)] {
+            const std::filesystem::path file = freeFile(folder, "kerf-plots", ending);
+            write(file);
+            return "Saved " + file.string();
+        });
+    };
+    if (asPicture) {
+        const int height = kPlotPictureHeight * static_cast<int>(plots.size());
+        save(".png", [picture = ui::PlotPainter(settingsFile.now.theme)
+                                    .draw(plots, plotView, kPlotPictureWidth, height)](
+                         const std::filesystem::path& file) { writePicture(picture, file); });
+    } else {
+        save(".csv", [text = formatPlots(plots)](const std::filesystem::path& file) {
+            writeOutputFile(file, text);
+        });
     }
 }
 

@@ -75,8 +75,17 @@ void Editor::State::drawScene() {
         return;
     }
     covered = hidden;
-    render::SceneView view = scene->view();
+    render::SceneView view = sceneToDraw();
     view.covered = covered;
+    sceneTimer.begin();
+    renderer.draw(view, camera, options.width, options.height);
+    sceneTimer.end();
+    sceneChanged = false;
+}
+
+/// With all that the person chose to see.
+render::SceneView Editor::State::sceneToDraw() {
+    render::SceneView view = scene->view();
     view.wireframe = display.wireframe;
     view.cutLines = display.cutLines;
     view.material = render::colored(ownMaterial(), display.colors);
@@ -86,10 +95,7 @@ void Editor::State::drawScene() {
     } else {
         addOverlays(view);
     }
-    sceneTimer.begin();
-    renderer.draw(view, camera, options.width, options.height);
-    sceneTimer.end();
-    sceneChanged = false;
+    return view;
 }
 
 void Editor::State::draw() {

@@ -9,6 +9,7 @@
 #include "app/editor_stroke.h"
 #include "app/session_journal.h"
 #include "app/session_playback.h"
+#include "app/surface_look.h"
 #include "render/renderer.h"
 #include "sim/simulation.h"
 #include "ui/panel_model.h"
@@ -76,6 +77,16 @@ class EditorScene {
     const Document& document() const { return document_; }
     Simulation& simulation() { return simulation_; }
     const Simulation& simulation() const { return simulation_; }
+    /// What a ray meets of the body as it is.
+    std::optional<SurfacePoint> pick(const render::Ray& ray) {
+        return look_.pick(simulation_, ray);
+    }
+    /// What a blade would meet of it.
+    const CutPreview& preview(const std::vector<Blade>& way) {
+        return look_.preview(simulation_, way);
+    }
+    /// How often these two had to search the triangles, for tests.
+    int surfaceSearches() const { return look_.searches(); }
     /// As a number of the last report: 1 for an uncut body.
     int pieceCount() const { return simulation_.report().pieces; }
     /// Bounds of the body as it is.
@@ -122,6 +133,7 @@ class EditorScene {
         int step = 0;
         double time = 0;  ///< [s]
     } start_;
+    SurfaceLook look_;
     EditorReadings readings_;
     std::vector<std::string> messages_;
     std::vector<ui::PieceRow> pieces_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -22,11 +23,13 @@
 #include "app/input_queue.h"
 #include "app/piece_display.h"
 #include "app/recent_files.h"
+#include "app/saving_queue.h"
 #include "app/settings_file.h"
 #include "app/step_clock.h"
 #include "app/view_frame.h"
 #include "gpu/timer.h"
 #include "ui/interface.h"
+#include "ui/layout.h"
 
 namespace kerf::app {
 
@@ -70,6 +73,7 @@ struct Editor::State {
     std::filesystem::path lastTarget;
     std::unique_ptr<FileSaving> saving;
     std::vector<std::unique_ptr<FileSaving>> cancelledSavings;  ///< until their threads end
+    SavingQueue savings;                                        ///< pictures and plots
     std::unique_ptr<DocumentLoading> loading;
     std::vector<std::unique_ptr<DocumentLoading>> cancelledLoadings;  ///< until their threads end
     ExperimentBoard experiments;
@@ -95,13 +99,16 @@ struct Editor::State {
 
     // Input: editor_input.cpp.
     void takeInput(double elapsedSeconds);
-    void pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds);
+    /// `last`: of this picture, so that what it shows is the panels' last word.
+    void pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds, bool last);
     void dispatch(const ui::InputEvent& event);
     void onMove(const ui::PointerMove& move);
     void onButton(const ui::ButtonChange& change);
     void onWheel(const ui::Wheel& wheel);
+    void keepCameraNear();
     void onKey(ui::Key key, const ui::Modifiers& modifiers);
     void onFocusLost();
+    void takeDrop(const std::vector<std::filesystem::path>& files);
     void pressInScene(const ui::Modifiers& modifiers);
     void endStroke();
 
@@ -109,6 +116,7 @@ struct Editor::State {
     void apply(const ui::Action& action);
     void perform(ui::ActionId id);
     void performOnScene(ui::ActionId id);
+    void releaseHands();
     void execute(const Command& command);
     /// What came of something that was done to the body: "" or one sentence.
     void say(const std::string& problem);
@@ -140,14 +148,18 @@ struct Editor::State {
     void framePiece(int piece);
     void showPiece(int piece, bool visible);
     void hoverPiece(int piece);
-    /// Of the panels: the display's times the person's choice.
-    float scale() const { return options.scale * static_cast<float>(settingsFile.now.uiScale); }
+    /// Of the panels: the display's times the person's choice, as far as they have room then.
+    float scale() const {
+        return std::min(options.scale * static_cast<float>(settingsFile.now.uiScale),
+                        ui::largestScale(options.width, options.height));
+    }
 
     // Files: editor_files.cpp.
     void open(const std::filesystem::path& file, bool fillHoles = false);
     void followWork();
     void followLoading();
     void followSaving();
+    void followSavings();
     bool isWorking() const { return loading != nullptr || saving != nullptr; }
     /// A stroke or a pull is under way.
     bool handIsBusy() const { return hand.holds() || bodyHand.holds(); }
@@ -172,6 +184,8 @@ struct Editor::State {
     }
     std::vector<ui::FilePlace> filePlaces(ui::FilePurpose purpose) const;
     void saveScreenshot();
+    void saveSceneScreenshot();
+    void savePicture(render::Image image, const std::string& name);
 
     // Time: editor_time.cpp.
     void advance(double elapsedSeconds);
@@ -180,14 +194,16 @@ struct Editor::State {
     bool running() const;
 
     // What the panels are told: editor_description.cpp.
-    void describe();
+    /// Without `withOverlay` the lines of the coming cut stay as they were.
+    void describe(bool withOverlay);
+    ui::Overlay overlayNow();
     Situation situation() const;
     void followFirstSteps();
-    void describeTool();
 
     // Pictures: editor_picture.cpp.
     void draw();
     void drawScene();
+    render::SceneView sceneToDraw();
     void addOverlays(render::SceneView& view) const;
     /// Around the pieces as they are drawn.
     Bounds shownBounds(const std::vector<render::PieceLook>& looks) const;

@@ -39,6 +39,16 @@ void requireReadableSize(const std::filesystem::path& file, std::uintmax_t limit
     }
 }
 
+/// A device or a pipe must not be replaced by a file.
+void requireReplaceable(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        throw OutputError(file.string() +
+                          ": there is something else than a file; choose another name.");
+    }
+}
+
 template <class T>
 std::string shortestText(T value) {
     std::array<char, 32> text{};
@@ -60,6 +70,7 @@ std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limi
 
 AtomicFile::AtomicFile(std::filesystem::path file)
     : file_(std::move(file)), hidden_(hiddenNameBeside(file_)) {
+    requireReplaceable(file_);
     descriptor_ = ::open(hidden_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
         fail();

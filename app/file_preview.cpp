@@ -95,6 +95,11 @@ std::string formatName(const fs::path& file) {
 
 std::vector<std::string> describeFile(const fs::path& file, WorkProgress& progress) {
     std::vector<std::string> lines{file.filename().string()};
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+        lines.emplace_back("This is no file that could be read");
+        return lines;
+    }
     try {
         lines.push_back(formatName(file) + ", " + ui::sizeText(fs::file_size(file)));
         if (lowerCase(file.extension().string()) == ".json") {
@@ -102,8 +107,8 @@ std::vector<std::string> describeFile(const fs::path& file, WorkProgress& progre
         } else {
             describeModel(file, progress, lines);
         }
-    } catch (const std::exception& error) {
-        lines.emplace_back(error.what());
+    } catch (const std::exception& problem) {
+        lines.emplace_back(problem.what());
     }
     return lines;
 }

@@ -26,6 +26,7 @@ RecentFiles::RecentFiles(fs::path store) : store_(std::move(store)) {
             files_.emplace_back(line);
         }
     }
+    look();
 }
 
 void RecentFiles::add(const fs::path& file) {
@@ -37,6 +38,7 @@ void RecentFiles::add(const fs::path& file) {
     std::erase(files_, whole);
     files_.insert(files_.begin(), whole);
     files_.resize(std::min(files_.size(), kMost));
+    look();
     write();
 }
 
@@ -52,10 +54,9 @@ void RecentFiles::write() const {
     }
 }
 
-std::vector<fs::path> RecentFiles::files() const {
-    std::vector<fs::path> there;
-    std::ranges::copy_if(files_, std::back_inserter(there), isThere);
-    return there;
+void RecentFiles::look() {
+    there_.clear();
+    std::ranges::copy_if(files_, std::back_inserter(there_), isThere);
 }
 
 std::vector<fs::path> RecentFiles::folders() const {

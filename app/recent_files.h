@@ -17,8 +17,9 @@ class RecentFiles {
     /// the list is a convenience.
     void add(const std::filesystem::path& file);
 
-    /// Those that are still there.
-    std::vector<std::filesystem::path> files() const;
+    /// Those that were there at the last look: when one was added, or by look().
+    const std::vector<std::filesystem::path>& files() const { return there_; }
+    void look();
     /// The folders of files(), each once.
     std::vector<std::filesystem::path> folders() const;
 
@@ -27,6 +28,7 @@ class RecentFiles {
 
     std::filesystem::path store_;
     std::vector<std::filesystem::path> files_;
+    std::vector<std::filesystem::path> there_;
 };
 
 /// $XDG_STATE_HOME/kerf/recent-files, by default below ~/.local/state; empty without a home.

@@ -17,6 +17,9 @@ namespace {
 
 constexpr int kPreferredWidth = 1600;
 constexpr int kPreferredHeight = 900;
+// Below that the panels have no room.
+constexpr int kLeastWidth = 480;
+constexpr int kLeastHeight = 270;
 
 std::string lastGlfwError() {
     const char* text = nullptr;
@@ -152,6 +155,8 @@ void Window::State::onKey(GLFWwindow* window, int key, int scancode, int action,
     const ui::Key known = toKey(key, scancode);
     if (action != GLFW_REPEAT) {
         state.send(ui::KeyChange{known, action == GLFW_PRESS, state.modifiers});
+    } else {
+        state.damaged = true;  // a text field repeats by itself, but only from picture to picture
     }
 }
 
@@ -202,6 +207,8 @@ void Window::State::open(const std::string& name) {
     if (window == nullptr) {
         failToOpen(lastGlfwError());
     }
+    glfwSetWindowSizeLimits(window, std::min(width, kLeastWidth), std::min(height, kLeastHeight),
+                            GLFW_DONT_CARE, GLFW_DONT_CARE);
     title = name;
 }
 

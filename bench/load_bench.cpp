@@ -1,5 +1,6 @@
 // How the editor answers while a large model is opened behind what is open, headless: frames of the
-// view being turned, before and meanwhile. An argument is the number of triangles, else a million.
+// view being turned, before and meanwhile, and one that goes back to the start. An argument is the
+// number of triangles, else a million.
 
 #include <glad/gl.h>
 
@@ -109,6 +110,11 @@ void benchLoading(int triangles) {
     print("load/longest frame meanwhile", frames.back(), ordinary, peer);
     print("load/first frame of the new model", first, after, "a later frame of it, median");
     print("load/all", total, ordinary, peer);
+
+    editor.post(ui::KeyChange{ui::Key::r, true, {}});
+    editor.post(ui::KeyChange{ui::Key::r, false, {}});
+    print("load/frame that goes back to the start", turningAgain.frame(), first,
+          "the first frame of the new model");
 }
 
 }  // namespace

@@ -119,6 +119,16 @@ void paintDifference(std::uint8_t* out, const std::uint8_t* pixel, int differenc
 
 }  // namespace
 
+void divideByAlpha(Image& image) {
+    for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
+        const int alpha = image.pixels[i + 3];
+        for (std::size_t k = i; k < i + 3 && alpha > 0; ++k) {
+            const int color = (255 * image.pixels[k] + alpha / 2) / alpha;
+            image.pixels[k] = static_cast<std::uint8_t>(std::min(color, 255));
+        }
+    }
+}
+
 void writePng(const Image& image, const fs::path& file) {
     const std::vector<std::uint8_t> bytes = encode(image, file);
     const fs::path temporary = file.string() + ".part" + std::to_string(::getpid());

@@ -14,6 +14,9 @@ struct Image {
     std::vector<std::uint8_t> pixels;
 };
 
+/// Of a picture that was blended onto nothing: divides its colours by their alpha, as PNG wants it.
+void divideByAlpha(Image& image);
+
 /// Writes to a temporary file in the same folder, then renames. Throws std::runtime_error with one
 /// sentence.
 void writePng(const Image& image, const std::filesystem::path& file);

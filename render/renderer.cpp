@@ -88,6 +88,7 @@ struct Renderer::State {
     void uploadLooks(const SceneView& scene, Frame& frame);
     void drawShadows(const SceneView& scene, const Frame& frame);
     void drawOverlays(const SceneView& scene, const Frame& frame);
+    void drawGround(const SceneView& scene, const Camera& camera, const Frame& frame);
     void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
 
     const Quality quality;
@@ -148,13 +149,21 @@ void Renderer::State::drawOverlays(const SceneView& scene, const Frame& frame) {
     overlays->draw(scene, frame);
 }
 
+void Renderer::State::drawGround(const SceneView& scene, const Camera& camera, const Frame& frame) {
+    floor.drawBackdrop(scene.floor.has_value(), frame);
+    if (scene.floor) {
+        floor.drawFloor(*scene.floor, frame, camera);
+    }
+}
+
 void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, const Frame& frame) {
     drawn.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    glClear(GL_DEPTH_BUFFER_BIT);
+    glClearColor(0, 0, 0, 0);
+    glClear(scene.transparent ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
     closeOff(scene.covered, frame.height);
     shadow.bind();
     floorShade.bind();
@@ -163,14 +172,13 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     }
     boxes.draw(frame);
     blade.drawBlade(scene, frame);
-    floor.drawBackdrop(scene.floor.has_value(), frame);
-    if (scene.floor) {
-        floor.drawFloor(*scene.floor, frame, camera);
+    if (!scene.transparent) {
+        drawGround(scene, camera, frame);
     }
     drawOverlays(scene, frame);
     blade.drawSweep(scene, frame);
     blade.drawEdges(scene, frame);
-    if (samples > 1) {
+    if (samples > 1 || scene.transparent) {  // smoothing knows no alpha
         drawn.blitColorTo(resolved);
     } else {
         smoothing.draw(scene, frame, drawn, resolved);

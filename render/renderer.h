@@ -50,7 +50,9 @@ struct SceneView {
     std::vector<Blade> sweep;     ///< poses of the running stroke: translucent quads
     Bounds focus;                 ///< what the shadow map must cover (body, current)
     bool wireframe = false;
-    bool cutLines = false;           ///< a dark line on the skin along the rim of each cut
+    bool cutLines = false;  ///< a dark line on the skin along the rim of each cut
+    /// Body, boxes and blade alone, on nothing: colours come out multiplied by their alpha.
+    bool transparent = false;
     std::vector<PieceLook> pieces;   ///< by BodyView's pieces; those behind its end look as always
     std::vector<PixelRect> covered;  ///< by panels: nothing is drawn there, which saves time
     Overlays overlays;

@@ -4,8 +4,8 @@
 
 namespace kerf {
 
-PreparedBody::PreparedBody(SurfaceMesh uncut, const StageListener& enter)
-    : mesh(std::make_unique<SurfaceMesh>(std::move(uncut))) {
+PreparedBody::PreparedBody(SurfaceMesh atRest, const StageListener& enter)
+    : mesh(std::make_unique<SurfaceMesh>(std::move(atRest))) {
     const auto begin = [&](const char* stage) {
         if (enter) {
             enter(stage);
@@ -16,7 +16,8 @@ PreparedBody::PreparedBody(SurfaceMesh uncut, const StageListener& enter)
     begin("Preparing the blade");
     cutter = std::make_unique<Cutter>(*mesh, CutSettings{});
     pages.assign(body->model().pieceOfVertex, body->model().pieces.size());
-    closed = checkClosedManifold(*mesh).empty();
+    uncut = std::make_shared<const UncutBody>(
+        UncutBody{*mesh, *body, *cutter, checkClosedManifold(*mesh).empty()});
 }
 
 }  // namespace kerf

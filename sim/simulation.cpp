@@ -85,13 +85,13 @@ struct Moment::Content {
 struct Simulation::State {
     State(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver, const Params& firstParams,
           std::vector<StaticBox> firstBoxes)
-        : uncut(*prepared.mesh),
+        : uncut(std::move(prepared.uncut)),
           initialParams(firstParams),
           initialBoxes(std::move(firstBoxes)),
           meshOwner(std::move(prepared.mesh)),
           body(std::move(prepared.body)),
           solverOwner(std::move(loadedSolver)),
-          closed(prepared.closed),
+          closed(uncut->closed),
           cutter(std::move(*prepared.cutter)) {
         startRun();
         lookUpTriangles();
@@ -121,6 +121,8 @@ struct Simulation::State {
 
     // Undo.
     SnapshotPointer capture();
+    SnapshotPointer captureForUndo();
+    void noteBodyChange(std::string name, SnapshotPointer before);
     void restoreBody(const SnapshotPointer& snapshot);
     Moment moment();
     void goTo(const Moment::Content& then);
@@ -166,7 +168,7 @@ struct Simulation::State {
     void touch() { current.reset(); }
 
     // What the simulation was made with.
-    const SurfaceMesh uncut;
+    const std::shared_ptr<const UncutBody> uncut;
     const Params initialParams;
     const std::vector<StaticBox> initialBoxes;
 
@@ -208,6 +210,7 @@ struct Simulation::State {
     std::vector<std::string> messages;
     std::optional<PieceMap> pieces;
     int stepsDone = 0;
+    int bodyRevision = 0;
     double time = 0;
     int lastLossStep = -2;  ///< the last step that lost a piece
     int paperContacts = 0;  ///< pairs of triangles, with paper_contact
@@ -228,16 +231,17 @@ void Simulation::State::startRun() {
     stepsDone = 0;
     time = 0;
     cutsSoFar = 0;
+    lastLossStep = -2;
     report = {};
 }
 
 /// The uncut body at rest, with the parameters and at the time that are.
 void Simulation::State::startBody() {
-    mesh = uncut;
-    body = std::make_unique<BodyUpdater>(mesh);
+    mesh = uncut->mesh;
+    body = std::make_unique<BodyUpdater>(uncut->body);
     solver.setModel(model(), stateOf(mesh));
-    closed = checkClosedManifold(mesh).empty();
-    cutter.emplace(mesh, CutSettings{});
+    closed = uncut->closed;
+    cutter.emplace(uncut->cutter);
     lookUpTriangles();
     beginAtRest();
 }
@@ -246,6 +250,7 @@ void Simulation::State::startBody() {
 void Simulation::State::beginAtRest() {
     touch();
     beforeStroke.reset();
+    strokeNoted = false;
     volumeTargets.reset(model());
     sync.outdate();  // by the rounding to float
     paramsChanged = true;
@@ -421,19 +426,18 @@ void Simulation::State::cut(const LiftBlade&) {
 }
 
 void Simulation::State::beginStroke() {
-    if (history.keeps() && !strokeNoted && !beforeStroke) {
-        beforeStroke = capture();
+    if (!strokeNoted && !beforeStroke) {
+        beforeStroke = captureForUndo();
     }
     cutter->begin(*blade);
 }
 
 /// A stroke counts from its first change of the body, back to where the blade came near it.
 void Simulation::State::noteCut() {
-    if (SnapshotPointer before = std::exchange(beforeStroke, nullptr)) {
+    if (history.keeps() && !strokeNoted) {
         strokeNoted = true;
         ++cutsSoFar;
-        history.add({fmt::format("Cut {}", cutsSoFar), time,
-                     UndoEntry::BodyChange{std::move(before), nullptr}});
+        noteBodyChange(fmt::format("Cut {}", cutsSoFar), std::exchange(beforeStroke, nullptr));
     }
 }
 
@@ -513,6 +517,7 @@ void Simulation::State::adoptNewTopology(const CutDelta& delta) {
 }
 
 void Simulation::State::publish() {
+    ++bodyRevision;
     report.time = time;
     report.volume = 0;
     report.vertices = 0;
@@ -575,11 +580,11 @@ std::string Simulation::State::execute(const SetParam& set) {
 }
 
 std::string Simulation::State::execute(const Grab& grab) {
-    const SnapshotPointer before = history.keeps() ? capture() : nullptr;
+    const SnapshotPointer before = captureForUndo();
     touch();
     std::string error = hands.grab(grab, mesh);
-    if (error.empty() && before) {
-        history.add({"Pull", time, UndoEntry::BodyChange{before, nullptr}});
+    if (error.empty()) {
+        noteBodyChange("Pull", before);
     }
     return error;
 }
@@ -637,9 +642,7 @@ void Simulation::State::setBoxes(std::vector<StaticBox> now) {
 
 std::string Simulation::State::execute(const Restart&) {
     putBladeAway();
-    if (history.keeps()) {
-        history.add({"Restart", time, UndoEntry::BodyChange{capture(), nullptr}});
-    }
+    noteBodyChange("Restart", captureForUndo());
     startBody();
     return "";
 }
@@ -692,6 +695,21 @@ void Simulation::State::putBladeAway() {
         touch();
         cut(LiftBlade{});
         publish();
+    }
+}
+
+/// Null where nothing is kept, or where a snapshot would not fit: a large body is not copied for
+/// nothing.
+SnapshotPointer Simulation::State::captureForUndo() {
+    const bool fits = history.keeps() && snapshotBytes(mesh) <= history.budget();
+    return fits ? capture() : nullptr;
+}
+
+void Simulation::State::noteBodyChange(std::string name, SnapshotPointer before) {
+    if (before) {
+        history.add({std::move(name), time, UndoEntry::BodyChange{std::move(before), nullptr}});
+    } else if (history.keeps()) {
+        history.forgetAll();
     }
 }
 
@@ -795,6 +813,9 @@ Moment Simulation::moment() {
 }
 void Simulation::goTo(const Moment& moment) {
     state_->goTo(moment.content());
+}
+int Simulation::bodyRevision() const {
+    return state_->bodyRevision;
 }
 int Simulation::stepCount() const {
     return state_->stepsDone;

@@ -78,6 +78,8 @@ class Simulation {
     void goTo(const Moment& moment);
 
     int stepCount() const;  ///< steps done
+    /// Grows whenever the body may have moved or got another topology.
+    int bodyRevision() const;
     const Params& params() const;
     const StepReport& report() const;
     /// Where the blade is now; none while lifted.

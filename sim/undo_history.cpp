@@ -13,6 +13,21 @@ namespace {
 constexpr std::size_t kBytesPerVertex = 760;
 constexpr std::size_t kBytesPerTriangle = 260;
 
+// A number, and a node of a tree of places.
+constexpr std::size_t kBytesPerPin = 84;
+
+/// Of what a change holds apart from snapshots, which several may share.
+struct OwnBytes {
+    std::size_t operator()(const UndoEntry::ParamChange&) const { return 0; }
+    std::size_t operator()(const UndoEntry::BodyChange&) const { return 0; }
+    std::size_t operator()(const UndoEntry::PinChange& pins) const {
+        return kBytesPerPin * (pins.before.vertices().size() + pins.after.vertices().size());
+    }
+    std::size_t operator()(const UndoEntry::BoxesChange& boxes) const {
+        return sizeof(StaticBox) * (boxes.before.size() + boxes.after.size());
+    }
+};
+
 void collect(const SnapshotPointer& snapshot, std::vector<const Snapshot*>& all) {
     if (snapshot && std::ranges::find(all, snapshot.get()) == all.end()) {
         all.push_back(snapshot.get());
@@ -50,13 +65,14 @@ void UndoHistory::setBudget(std::size_t bytes) {
 
 std::size_t UndoHistory::bytesFrom(std::size_t oldest) const {
     std::vector<const Snapshot*> all;
+    std::size_t sum = 0;
     for (std::size_t i = oldest; i < entries_.size(); ++i) {
+        sum += std::visit(OwnBytes{}, entries_[i].change);
         if (const auto* body = std::get_if<UndoEntry::BodyChange>(&entries_[i].change)) {
             collect(body->before, all);
             collect(body->after, all);
         }
     }
-    std::size_t sum = 0;
     for (const Snapshot* snapshot : all) {
         sum += snapshotBytes(snapshot->mesh);
     }
@@ -71,6 +87,12 @@ void UndoHistory::add(UndoEntry entry) {
     entries_.push_back(std::move(entry));
     ++done_;
     keepToBudget();
+}
+
+void UndoHistory::forgetAll() {
+    forgotten_ += static_cast<int>(done_) + 1;
+    entries_.clear();
+    done_ = 0;
 }
 
 void UndoHistory::clear() {

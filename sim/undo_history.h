@@ -41,14 +41,14 @@ struct UndoEntry {
 };
 
 /// The changes of a simulation in their order. The first done() of them are in force, the others
-/// undone. Where the snapshots need more than the budget the oldest changes are forgotten.
+/// undone. Where they need more than the budget the oldest changes are forgotten.
 class UndoHistory {
   public:
     /// 0, as at the start, keeps nothing at all.
     void setBudget(std::size_t bytes);
     bool keeps() const { return budget_ > 0; }
     std::size_t budget() const { return budget_; }
-    /// Of all snapshots, shared ones once [bytes].
+    /// Of all snapshots (shared ones once), pins and boxes [bytes].
     std::size_t bytes() const { return bytesFrom(0); }
     /// Changes that were forgotten to keep to the budget.
     int forgotten() const { return forgotten_; }
@@ -67,6 +67,8 @@ class UndoHistory {
         return canUndo() && !canRedo() ? std::get_if<Change>(&entries_[done_ - 1].change) : nullptr;
     }
     void renameLast(std::string name) { entries_[done_ - 1].name = std::move(name); }
+    /// Something was done that is not kept: it can't be taken back, nor what was before it.
+    void forgetAll();
     void clear();
 
     /// The change to take back next; markUndone() once that is done.

@@ -61,6 +61,7 @@ enum class ActionId : std::uint8_t {
     holdPlots,
     fitPlots,
     screenshot,
+    sceneScreenshot,
     help,
     quit,
 };

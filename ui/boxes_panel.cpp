@@ -41,9 +41,20 @@ Drag dragVector(const char* label, Vec3& value, const Range& range, const std::s
     return drag;
 }
 
+/// There may be thousands of boxes.
+bool isClosedAndOutOfView(const char* node) {
+    return !ImGui::GetStateStorage()->GetBool(ImGui::GetID(node)) &&
+           !ImGui::IsRectVisible({1, ImGui::GetTextLineHeight()});
+}
+
 void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
     const std::string place = "box." + std::to_string(index);
     ImGui::PushID(index);
+    if (isClosedAndOutOfView("##box")) {
+        ImGui::Dummy({1, ImGui::GetTextLineHeight()});
+        ImGui::PopID();
+        return;
+    }
     const bool open = ImGui::TreeNodeEx("##box", ImGuiTreeNodeFlags_None, "Box %d", index);
     noteItem(place);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 4.2F * ImGui::GetFontSize());

@@ -35,6 +35,24 @@ void drawState(const PanelModel& model, const std::string& name, std::size_t don
     ImGui::PopID();
 }
 
+/// There may be thousands: only those in view are drawn, and the one to scroll to.
+void drawRows(const PanelModel& model, std::vector<Action>& actions) {
+    const ChangeList& changes = model.changes;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(changes.rows.size()));
+    if (ImGui::IsWindowAppearing() && changes.done > 0) {
+        const int shown = static_cast<int>(changes.done) - 1;
+        clipper.ForceDisplayRangeByIndices(shown, shown + 1);
+    }
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            char text[32];
+            std::snprintf(text, sizeof text, "%8.3f s  ", changes.rows[i].time);
+            drawState(model, text + changes.rows[i].name, static_cast<std::size_t>(i) + 1, actions);
+        }
+    }
+}
+
 void drawButton(const PanelModel& model, const char* label, ActionId id, float width,
                 std::vector<Action>& actions) {
     ImGui::BeginDisabled(!isAvailable(model, id));
@@ -75,11 +93,7 @@ void drawChanges(const PanelModel& model, std::vector<Action>& actions) {
                   ? counted(changes.forgotten, "older change", "older changes") + " forgotten"
                   : "Start",
               0, actions);
-    for (std::size_t i = 0; i < changes.rows.size(); ++i) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%8.3f s  ", changes.rows[i].time);
-        drawState(model, text + changes.rows[i].name, i + 1, actions);
-    }
+    drawRows(model, actions);
     ImGui::EndChild();
 }
 

@@ -203,6 +203,42 @@ void FileDialog::drawPlaces(const FileDialogState& state, std::vector<Action>& a
     ImGui::EndChild();
 }
 
+void FileDialog::drawRow(const FileDialogState& state, int i, std::vector<Action>& actions) {
+    const FileRow& row = state.rows[i];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(i);
+    const float start = ImGui::GetCursorPosX();
+    // The name is no label: "##" may stand in it.
+    const bool hit = ImGui::Selectable(
+        "##row", i == state.selected,
+        ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick);
+    noteItem("file.row." + row.name);
+    if (hit) {
+        actions.emplace_back(FileAction(SelectFile{i}));
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+            actions.emplace_back(FileAction(AcceptFile{}));
+        }
+    }
+    if (i == state.selected && scrolledTo_ != i) {
+        scrolledTo_ = i;
+        ImGui::SetScrollHereY();
+    }
+    ImGui::SameLine(start);
+    if (row.isFolder) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::blue));
+    }
+    ImGui::TextUnformatted((row.isFolder ? row.name + "/" : row.name).c_str());
+    if (row.isFolder) {
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopID();
+    ImGui::TableNextColumn();
+    drawDim(row.isFolder ? "" : sizeText(row.bytes));
+    ImGui::TableNextColumn();
+    drawDim(row.modified);
+}
+
 void FileDialog::drawRows(const FileDialogState& state, std::vector<Action>& actions) {
     const float line = ImGui::GetFontSize();
     const float below = 3.2F * ImGui::GetFrameHeightWithSpacing() +
@@ -218,37 +254,16 @@ void FileDialog::drawRows(const FileDialogState& state, std::vector<Action>& act
     ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, 5 * line);
     ImGui::TableSetupColumn("Changed", ImGuiTableColumnFlags_WidthFixed, 9 * line);
     ImGui::TableHeadersRow();
-    for (int i = 0; i < static_cast<int>(state.rows.size()); ++i) {
-        const FileRow& row = state.rows[i];
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::PushID(i);
-        const std::string label = row.isFolder ? row.name + "/" : row.name;
-        if (row.isFolder) {
-            ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::blue));
+    // Of a folder with thousands of files only those in view are drawn, and the one to scroll to.
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(state.rows.size()));
+    if (state.selected >= 0 && state.selected != scrolledTo_) {
+        clipper.ForceDisplayRangeByIndices(state.selected, state.selected + 1);
+    }
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            drawRow(state, i, actions);
         }
-        const bool hit = ImGui::Selectable(
-            label.c_str(), i == state.selected,
-            ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick);
-        if (row.isFolder) {
-            ImGui::PopStyleColor();
-        }
-        noteItem("file.row." + row.name);
-        if (hit) {
-            actions.emplace_back(FileAction(SelectFile{i}));
-            if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-                actions.emplace_back(FileAction(AcceptFile{}));
-            }
-        }
-        if (i == state.selected && scrolledTo_ != i) {
-            scrolledTo_ = i;
-            ImGui::SetScrollHereY();
-        }
-        ImGui::PopID();
-        ImGui::TableNextColumn();
-        drawDim(row.isFolder ? "" : sizeText(row.bytes));
-        ImGui::TableNextColumn();
-        drawDim(row.modified);
     }
     ImGui::EndTable();
 }

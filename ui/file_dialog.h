@@ -19,6 +19,7 @@ class FileDialog {
   private:
     void drawCrumbs(const FileDialogState& state, std::vector<Action>& actions);
     void drawPlaces(const FileDialogState& state, std::vector<Action>& actions);
+    void drawRow(const FileDialogState& state, int i, std::vector<Action>& actions);
     void drawRows(const FileDialogState& state, std::vector<Action>& actions);
     void drawName(const FileDialogState& state, std::vector<Action>& actions);
     void drawOptions(const FileDialogState& state, std::vector<Action>& actions);

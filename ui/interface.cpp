@@ -209,7 +209,8 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
                                     int width, int height, double elapsedSeconds) {
     context_.makeCurrent();
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.DisplaySize = {std::max(static_cast<float>(width), kLeastScale * kLeastWidth),
+                      std::max(static_cast<float>(height), kLeastScale * kLeastHeight)};
     io.DeltaTime = std::max(1e-4F, static_cast<float>(elapsedSeconds));
     for (const InputEvent& event : events) {
         std::visit(Feed{io}, event);

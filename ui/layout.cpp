@@ -1,6 +1,7 @@
 #include "ui/layout.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kerf::ui {
 
@@ -26,6 +27,13 @@ Layout layoutPanels(float width, float height, float scale, const Settings& sett
     layout.plotsEdge = {rightStart - margin, margin, margin, panelHeight};
     layout.view = {leftEnd + margin, margin, rightStart - leftEnd - 2 * margin, panelHeight};
     return layout;
+}
+
+float largestScale(int width, int height) {
+    constexpr float kStep = 0.25F;
+    const float room = std::min(static_cast<float>(width) / kLeastWidth,
+                                static_cast<float>(height) / kLeastHeight);
+    return std::max(kLeastScale, std::floor(room / kStep) * kStep);
 }
 
 }  // namespace kerf::ui

@@ -26,4 +26,12 @@ struct Layout {
 /// that at least a third of the width stays free.
 Layout layoutPanels(float width, float height, float scale, const Settings& settings = {});
 
+/// The least picture that the panels are laid out for, at scale 1 [px]. In a smaller one they are
+/// cut off.
+inline constexpr float kLeastWidth = 640;
+inline constexpr float kLeastHeight = 360;
+inline constexpr float kLeastScale = 0.5F;
+/// The largest scale, in quarters, at which they have that room in a picture; kLeastScale at least.
+float largestScale(int width, int height);
+
 }  // namespace kerf::ui

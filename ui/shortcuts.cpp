@@ -19,6 +19,8 @@ constexpr std::array kShortcuts{
              "File"},
     Shortcut{ActionId::exportBody, Key::e, kControl, "Ctrl+E", "Export the body...", "File"},
     Shortcut{ActionId::screenshot, Key::f12, kPlain, "F12", "Save a screenshot here", "File"},
+    Shortcut{ActionId::sceneScreenshot, Key::f12, kControl, "Ctrl+F12",
+             "Save the scene alone, on no ground", "File"},
     Shortcut{ActionId::quit, Key::q, kControl, "Ctrl+Q", "Leave", "File"},
     Shortcut{ActionId::undo, Key::z, kControl, "Ctrl+Z", "Undo", "Edit"},
     Shortcut{ActionId::redo, Key::z, kControlShift, "Ctrl+Shift+Z", "Redo", "Edit"},

@@ -9,6 +9,33 @@
 #include "ui/theme.h"
 
 namespace kerf::ui {
+namespace {
+
+float widthOf(const std::string& text) {
+    return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+/// Without its last character, of UTF-8.
+std::string_view withoutLast(std::string_view text) {
+    const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) >> 6) == 2; };
+    while (text.size() > 1 && continues(text.back())) {
+        text.remove_suffix(1);
+    }
+    text.remove_suffix(1);
+    return text;
+}
+
+/// With dots where something is left out; nothing at all where not even that has room.
+std::string shortenedTo(float width, std::string_view text) {
+    std::string shown(text);
+    while (!text.empty() && widthOf(shown) > width) {
+        text = withoutLast(text);
+        shown = text.empty() ? "" : std::string(text) + "\u2026";
+    }
+    return shown;
+}
+
+}  // namespace
 
 void beginPanel(const char* name, const Rect& rect, bool withMenu) {
     ImGui::SetNextWindowPos({rect.x, rect.y});
@@ -110,11 +137,7 @@ void rowLabel(std::string_view text) {
     constexpr float kShare = 0.43F;  // of the row
     const float width = kShare * ImGui::GetContentRegionAvail().x;
     const float start = ImGui::GetCursorPosX();
-    std::string shown(text);
-    while (!shown.empty() && ImGui::CalcTextSize(shown.c_str()).x > width) {
-        const std::size_t keep = shown.ends_with("\u2026") ? shown.size() - 4 : shown.size() - 1;
-        shown = shown.substr(0, keep) + "\u2026";
-    }
+    const std::string shown = shortenedTo(width, text);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(shown.c_str());
     ImGui::SameLine(start + width + ImGui::GetStyle().ItemInnerSpacing.x);

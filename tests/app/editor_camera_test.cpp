@@ -31,6 +31,26 @@ TEST(CameraControl, RightOrAltLeftOrbits) {
     }
 }
 
+TEST(CameraControl, NoZoomOrPanLosesTheBody) {
+    Bounds body;
+    body.add(Vec3(-1, -1, -1));
+    body.add(Vec3(1, 1, 1));
+    for (const double notches : {400.0, -400.0}) {
+        render::Camera moved = camera();
+        const Vec3 before = moved.forward();
+        CameraControl::zoom(moved, notches, Vec2(0.3, 0.2), 1.5);
+        moved.pan(1e9, 1e9);
+        keepNear(moved, body);
+        EXPECT_TRUE(moved.eye.allFinite());
+        EXPECT_LT((moved.eye - moved.forward()).norm(), 1000);
+        EXPECT_GT((moved.eye - moved.target).norm(), 1e-3);
+        EXPECT_NEAR(moved.forward().dot(before), 1, 1e-6);
+        const render::Camera kept = moved;
+        keepNear(moved, body);
+        EXPECT_NEAR((moved.eye - kept.eye).norm(), 0, 1e-9) << "what is near enough stays";
+    }
+}
+
 TEST(CameraControl, MiddleOrShiftRightPans) {
     for (const ui::ButtonChange press : {ui::ButtonChange{Button::middle, true, {}},
                                          ui::ButtonChange{Button::right, true, {.shift = true}}}) {

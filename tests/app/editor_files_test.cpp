@@ -1,8 +1,10 @@
 // Files on their way into the editor and out of it.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <cmath>
 
+#include "app/file_io.h"
 #include "app/session.h"
 #include "tests/app/editor_fixture.h"
 #include "tests/support/slow_reader.h"
@@ -110,6 +112,32 @@ TEST_F(EditorFilesTest, AModelIsFoundByTypingAndOpenedByEnter) {
     EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
     EXPECT_EQ(panels().recentFiles.size(), 1U);
+}
+
+TEST_F(EditorFilesTest, OfManyFilesOnlyThoseInViewAreDrawn) {
+    std::filesystem::create_directory(folder / "many");
+    for (int i = 0; i < 2000; ++i) {
+        test::writeText(folder / ("many/m" + std::to_string(i) + ".obj"), "");
+    }
+    test::writeText(folder / "many/zz##last.obj", "");
+    tap(Key::o, {.control = true});
+    frames(2);
+    type("many");
+    tap(Key::enter);
+    frames(2);
+    ASSERT_EQ(panels().files.rows.size(), 2001U);
+    type("zz");
+    frames(2);
+    EXPECT_EQ(panels().files.selected, 2000);
+    EXPECT_TRUE(editor->places().contains("file.row.zz##last.obj")) << "it is scrolled to";
+    EXPECT_LT(editor->places().size(), 500U);
+}
+
+TEST_F(EditorFilesTest, APipeIsNeverReplacedByAFile) {
+    const std::filesystem::path pipe = folder / "pipe.obj";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(writeOutputFile(pipe, "text"), OutputError);
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
 TEST_F(EditorFilesTest, KeysMeanNothingElseWhileADialogIsOpen) {

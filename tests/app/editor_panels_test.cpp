@@ -109,6 +109,7 @@ TEST_F(EditorPanelsTest, PlotsAreSavedAsTheyAreShown) {
     frames(10);
     tap(Key::space);
     clickOn("plots.csv");
+    waitForWork();
     ASSERT_EQ(files().size(), 1U);
     EXPECT_THAT(panels().toast, ::testing::HasSubstr(files()[0].string()));
     const std::string text = test::readBytes(files()[0]);
@@ -116,6 +117,7 @@ TEST_F(EditorPanelsTest, PlotsAreSavedAsTheyAreShown) {
     EXPECT_THAT(text, ::testing::HasSubstr("\nvolume,volume,"));
     std::filesystem::remove(files()[0]);
     clickOn("plots.png");
+    waitForWork();
     ASSERT_EQ(files().size(), 1U);
     const render::Image picture = render::readPng(files()[0]);
     EXPECT_EQ(picture.width, 1200);

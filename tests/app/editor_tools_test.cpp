@@ -3,9 +3,10 @@
 #include <numbers>
 
 #include "app/body_hand.h"
-#include "app/replay.h"
+#include "app/editor_scene.h"
 #include "app/ruler.h"
 #include "tests/app/editor_fixture.h"
+#include "tests/app/replayed_session.h"
 
 namespace kerf::app {
 namespace {
@@ -48,15 +49,6 @@ int tealPixels(const render::Image& picture) {
         count += green > 100 && green > red + 40 ? 1 : 0;
     }
     return count;
-}
-
-/// Without the editor it ends in the bits that it was saved with.
-void expectReplayed(const Session& session) {
-    test::TemporaryFolder out;
-    const ReplayResult result = replaySession(session, sphereDocument().mesh, out.path(), {});
-    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
-    const auto& last = std::get<CheckEvent>(session.events.back().action);
-    EXPECT_EQ(result.summary.stateHash, last.hash);
 }
 
 TEST_F(EditorToolsTest, ADragShowsItsBladeWithinTwoPictures) {
@@ -121,7 +113,7 @@ TEST_F(EditorToolsTest, APullIsRecordedAndReplaysToTheSameBits) {
     frames(3);
     press(false);
     settle();
-    expectReplayed(savedSession());
+    expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
 TEST_F(EditorToolsTest, UndoWhileItHoldsTakesThePullBackAndLetsGo) {
@@ -133,10 +125,31 @@ TEST_F(EditorToolsTest, UndoWhileItHoldsTakesThePullBackAndLetsGo) {
     EXPECT_TRUE(panels().overlay.handles.empty()) << "it holds nothing any more";
     press(false);
     settle();
-    const Session session = savedSession();
-    test::TemporaryFolder out;
-    const ReplayResult result = replaySession(session, sphereDocument().mesh, out.path(), {});
-    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
+    expectReplayed(savedSession(), sphereDocument().mesh);
+}
+
+TEST_F(EditorToolsTest, TheSurfaceIsSearchedOnceForEachQuestion) {
+    tap(Key::s);
+    moveTo(kMiddle.x(), kMiddle.y());
+    settle();
+    const auto searches = [this] { return editor->scene()->surfaceSearches(); };
+    const int before = searches();
+    EXPECT_GT(before, 0);
+    frames(5);
+    EXPECT_EQ(searches(), before) << "nothing has changed";
+    for (int i = 1; i <= 10; ++i) {
+        moveTo(kMiddle.x() + i, kMiddle.y());
+    }
+    frames(1);
+    EXPECT_LE(searches(), before + 1) << "one picture, however many moves";
+    settle();
+    EXPECT_EQ(searches(), before + 1);
+    tap(Key::period);
+    settle();
+    EXPECT_EQ(searches(), before + 2) << "a step moves the body";
+    moveTo(kWidth / 2.0, 3);
+    settle();
+    EXPECT_EQ(searches(), before + 2) << "the pointer is beside the body";
 }
 
 TEST_F(EditorToolsTest, TheBrushPinsInOneChangeAndTheControlKeyFrees) {
@@ -174,7 +187,7 @@ TEST_F(EditorToolsTest, PinsAreRecordedAndReplayToTheSameBits) {
     tap(Key::space);
     frames(10);
     tap(Key::space);
-    expectReplayed(savedSession());
+    expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
 TEST_F(EditorToolsTest, AStrokeWithShiftHeldIsStraight) {

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "app/model_source.h"
-#include "app/replay.h"
 #include "render/image.h"
 #include "tests/app/editor_fixture.h"
+#include "tests/app/replayed_session.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -146,10 +146,6 @@ std::filesystem::path fileEnding(const std::filesystem::path& folder, const std:
     return {};
 }
 
-CheckEvent lastCheck(const Session& session) {
-    return std::get<CheckEvent>(session.events.back().action);
-}
-
 class EditorWindowTest : public test::GlTest {
   protected:
     static constexpr int kPictureWidth = 1280;
@@ -206,10 +202,7 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     const Session session = readSession(fileEnding(window.path(), ".kerf.json"));
     const Session same = readSession(fileEnding(headless.path(), ".kerf.json"));
     EXPECT_EQ(lastCheck(session).hash, lastCheck(same).hash);
-    test::TemporaryFolder out;
-    const ReplayResult result = replaySession(session, loadSessionModel(session), out.path(), {});
-    EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
-    EXPECT_EQ(result.summary.stateHash, lastCheck(session).hash);
+    expectReplayed(session, loadSessionModel(session));
 }
 
 TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {

@@ -16,13 +16,16 @@ openEditor() {
     xdotool windowfocus "$window"
 }
 title() { xdotool getwindowname "$window"; }
-# Waits for a command to succeed, up to two minutes: the machine may be slow.
-waitFor() {
-    for _ in $(seq 600); do
-        "$@" && return
+# Waits so many seconds for a command to succeed, and fails where it does not.
+within() {
+    for _ in $(seq $(($1 * 5))); do
+        "${@:2}" && return
         sleep 0.2
     done
+    return 1
 }
+# Two minutes: the machine may be slow.
+waitFor() { within 120 "$@"; }
 hasLeft() { ! kill -0 "$editor" 2>/dev/null; }
 # A key that comes before the window has the keyboard back from a dialog is lost.
 leaves() {

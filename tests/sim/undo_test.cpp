@@ -225,6 +225,46 @@ TEST_F(UndoTest, ARestartCanBeTakenBackAndTimeGoesOn) {
     EXPECT_EQ(simulation->stateHash(), cut);
 }
 
+TEST_F(UndoTest, ARestartedBodyIsCutAsANewOne) {
+    cutAt(-0.2);
+    const std::string cut = simulation->stateHash();
+    simulation.emplace(test::cubeSphere(6, 0.5), falling());
+    simulation->setUndoBudget(kRoom);
+    cutAt(0.03);
+    simulation->execute(Restart{});
+    cutAt(-0.2);
+    EXPECT_EQ(simulation->stateHash(), cut);
+}
+
+TEST_F(UndoTest, ABodyTooLargeForTheBudgetEndsWhatCanBeUndone) {
+    simulation->setUndoBudget(1000);
+    simulation->execute(SetParam{"iterations", 7.0});
+    EXPECT_TRUE(simulation->history().canUndo());
+    cutAt(0.03);
+    EXPECT_EQ(pieces(), 2);
+    EXPECT_FALSE(simulation->history().canUndo()) << "that would leave the cut in";
+    EXPECT_EQ(simulation->history().forgotten(), 2);
+    simulation->execute(Restart{});
+    EXPECT_EQ(simulation->history().forgotten(), 3);
+    simulation->execute(SetParam{"iterations", 8.0});
+    undo();
+    EXPECT_EQ(simulation->params().iterations, 7);
+}
+
+TEST_F(UndoTest, BoxesAndPinsCountForTheBudget) {
+    const StaticBox box{Vec3(0, -3, 0), Vec3::Ones(), Vec3::Zero()};
+    simulation->setUndoBudget(20 * sizeof(StaticBox));
+    for (int i = 0; i < 40; ++i) {
+        EXPECT_EQ(simulation->execute(AddBox{box}), "");
+    }
+    EXPECT_LE(simulation->history().bytes(), 20 * sizeof(StaticBox));
+    EXPECT_EQ(simulation->boxes().size(), 40U);
+    simulation->setUndoBudget(kRoom);
+    const std::size_t before = simulation->history().bytes();
+    EXPECT_EQ(simulation->execute(Pin{simulation->bounds()}), "");
+    EXPECT_GT(simulation->history().bytes(), before);
+}
+
 TEST_F(UndoTest, TheBudgetForgetsTheOldestFirst) {
     cutAt(0.2);
     cutAt(-0.2);

@@ -49,6 +49,13 @@ TEST_P(LayoutTest, WidthsFollowTheSettings) {
     EXPECT_GE(l.view.width, width() / 4);
 }
 
+TEST(LargestScale, LeavesThePanelsTheirRoom) {
+    EXPECT_EQ(largestScale(1280, 720), 2);
+    EXPECT_EQ(largestScale(1500, 720), 2);
+    EXPECT_EQ(largestScale(1000, 2000), 1.5F);
+    EXPECT_EQ(largestScale(1, 1), kLeastScale);
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest,
                          ::testing::Values(std::array{1280.0F, 720.0F, 1.0F},
                                            std::array{2560.0F, 1440.0F, 2.0F},

@@ -60,6 +60,7 @@ TEST(ShortcutTable, TheKeysThatPeopleKnow) {
     EXPECT_EQ(findAction(Key::r, {}), ActionId::reset);
     EXPECT_EQ(findAction(Key::f1, {}), ActionId::help);
     EXPECT_EQ(findAction(Key::f12, {}), ActionId::screenshot);
+    EXPECT_EQ(findAction(Key::f12, {.control = true}), ActionId::sceneScreenshot);
     EXPECT_EQ(describeShortcut(ActionId::playPause), "Play or pause (Space)");
 }
 

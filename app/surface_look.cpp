@@ -1,0 +1,63 @@
+#include "app/surface_look.h"
+
+#include <algorithm>
+
+namespace kerf::app {
+namespace {
+
+constexpr double kMargin = 1e-5;  // of the diagonal: no ray slips by a flat box
+
+bool sameRay(const render::Ray& a, const render::Ray& b) {
+    return a.origin == b.origin && a.direction == b.direction;
+}
+
+bool samePoses(const std::vector<Blade>& a, const std::vector<Blade>& b) {
+    return std::ranges::equal(
+        a, b, [](const Blade& p, const Blade& q) { return p.a == q.a && p.b == q.b; });
+}
+
+/// Whether a ray comes through a box, by the shares of it between the planes of each axis.
+bool passes(const render::Ray& ray, Bounds box) {
+    box.widen(kMargin * box.diagonal());
+    double from = 0;
+    double to = 1e300;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double along = ray.direction[axis];
+        const double low = box.low[axis] - ray.origin[axis];
+        const double high = box.high[axis] - ray.origin[axis];
+        if (along == 0) {
+            if (low > 0 || high < 0) {
+                return false;
+            }
+            continue;
+        }
+        from = std::max(from, std::min(low / along, high / along));
+        to = std::min(to, std::max(low / along, high / along));
+    }
+    return from <= to;
+}
+
+}  // namespace
+
+std::optional<SurfacePoint> SurfaceLook::pick(Simulation& simulation, const render::Ray& ray) {
+    if (!passes(ray, simulation.bounds())) {
+        return std::nullopt;
+    }
+    const int revision = simulation.bodyRevision();
+    if (pick_.bodyRevision != revision || !sameRay(pick_.ray, ray)) {
+        ++searches_;
+        pick_ = {revision, ray, pickSurface(simulation.mesh(), ray)};
+    }
+    return pick_.point;
+}
+
+const CutPreview& SurfaceLook::preview(Simulation& simulation, const std::vector<Blade>& way) {
+    const int revision = simulation.bodyRevision();
+    if (preview_.bodyRevision != revision || !samePoses(preview_.way, way)) {
+        ++searches_;
+        preview_ = {revision, way, previewCut(simulation.mesh(), way)};
+    }
+    return preview_.cut;
+}
+
+}  // namespace kerf::app
