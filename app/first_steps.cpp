@@ -12,6 +12,7 @@ void CutWatch::follow(bool cutting, int pieces, int triangles) {
     const Counts now{pieces, triangles};
     if (cutting) {
         before_ = before_.value_or(now);
+        outcome_ = CutOutcome::none;
     } else if (before_) {
         outcome_ = now.pieces > before_->pieces ? CutOutcome::parted
                    : now == *before_            ? CutOutcome::missed
@@ -24,8 +25,13 @@ void CutWatch::follow(bool cutting, int pieces, int triangles) {
 }
 
 void FirstSteps::follow(const Situation& now) {
-    const bool cut = now.outcome == CutOutcome::incised || now.outcome == CutOutcome::parted;
-    used_[static_cast<std::size_t>(now.tool)] |= now.touching || cut;
+    if (now.cutting) {
+        cutTool_ = now.tool;
+    }
+    if (now.outcome == CutOutcome::incised || now.outcome == CutOutcome::parted) {
+        used_[static_cast<std::size_t>(cutTool_)] = true;
+    }
+    used_[static_cast<std::size_t>(now.tool)] |= now.touching;
     parted_ |= now.outcome == CutOutcome::parted;
     played_ |= now.playing && now.session;
     const bool falls = now.playing && !now.weightless;
@@ -50,7 +56,8 @@ Hint FirstSteps::hint(const Situation& now) const {
                             {{ActionId::toggleGravity, "Give it weight"}}}
                      : Hint{};
     }
-    Hint after = afterStroke(now);
+    const bool chosenSince = now.tool != cutTool_ && !hasUsed(now.tool);
+    Hint after = chosenSince ? Hint{} : afterStroke(now);
     return after.text.empty() ? beforeStroke(now) : after;
 }
 

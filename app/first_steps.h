@@ -61,11 +61,12 @@ class FirstSteps {
     ui::Hint beforeStroke(const Situation& now) const;
 
     std::array<bool, ui::kTools> used_{};
-    bool played_ = false;   ///< a session
-    bool parted_ = false;   ///< something was cut right through
-    bool weighed_ = false;  ///< time ran with gravity
-    bool fell_ = false;     ///< and did so with pieces
-    bool wentOn_ = false;   ///< a stroke was drawn after that
+    ui::Tool cutTool_ = ui::Tool::stroke;  ///< of the last stroke
+    bool played_ = false;                  ///< a session
+    bool parted_ = false;                  ///< something was cut right through
+    bool weighed_ = false;                 ///< time ran with gravity
+    bool fell_ = false;                    ///< and did so with pieces
+    bool wentOn_ = false;                  ///< a stroke was drawn after that
 };
 
 }  // namespace kerf::app

@@ -19,7 +19,7 @@ struct Settings {
     bool showReadings = true;
     double controlsWidth = 300;                          ///< of the left panel [px]
     double readingsWidth = 300;                          ///< of the right panel [px]
-    double piecesShare = 0.24;                           ///< of the left panel's height
+    double piecesShare = 0.2;                            ///< of the left panel's height
     double plotsShare = 0.62;                            ///< of the right panel's height
     std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of plotKinds()
     /// Sections of the left panel.

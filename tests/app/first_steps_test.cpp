@@ -55,6 +55,14 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     EXPECT_THAT(steps.hint(now).text, HasSubstr("2 pieces"));
     EXPECT_THAT(choicesOf(steps.hint(now)),
                 ::testing::ElementsAre(ActionId::letFall, ActionId::showApart, ActionId::toolGrab));
+    now.tool = ui::Tool::grab;
+    steps.follow(now);
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("pull at it")) << "a tool that is new";
+    now.touching = true;
+    steps.follow(now);
+    now.touching = false;
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("What next")) << "known by now";
+    now.tool = ui::Tool::stroke;
     now.playing = true;
     now.weightless = false;
     steps.follow(now);
@@ -68,11 +76,18 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     now.pieces = 3;
     steps.follow(now);
     EXPECT_EQ(steps.hint(now).text, "") << "who has seen it all is left alone";
-    now.outcome = CutOutcome::incised;
-    EXPECT_THAT(steps.hint(now).text, HasSubstr("Pull it open"));
     now.tool = ui::Tool::guillotine;
-    now.outcome = CutOutcome::none;
-    EXPECT_THAT(steps.hint(now).text, HasSubstr("handles")) << "a tool that is new";
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("handles")) << "but for what is new";
+}
+
+TEST(FirstSteps, AnIncisionOfTheScalpelLeadsToTheHand) {
+    FirstSteps steps;
+    Situation now{.open = true, .cutting = true, .tool = ui::Tool::scalpel};
+    steps.follow(now);
+    now.cutting = false;
+    now.outcome = CutOutcome::incised;
+    steps.follow(now);
+    EXPECT_EQ(choicesOf(steps.hint(now)), std::vector{ActionId::toolGrab});
 }
 
 TEST(FirstSteps, SayWhyNothingMoves) {

@@ -231,7 +231,9 @@ void takeDialogs(const Look& look, const std::filesystem::path& folder) {
     window.takeWindow("export");
     window.tap(ui::Key::escape);
     const std::filesystem::path file = folder / "open-box.obj";
-    app::writeOutputFile(file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+    app::writeOutputFile(file,
+                         "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 1 0\n"
+                         "f 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n");
     window.open(file);
     std::filesystem::remove(file);
     window.takeWindow("question");
