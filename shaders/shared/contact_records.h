@@ -107,10 +107,11 @@ struct ContactState {
     uint vertex_groups;  // over all vertices: none where there are no candidates
     uint vertex_groups_y;
     uint vertex_groups_z;
-    uint points;         // with candidates
-    uint levels;         // bits of the grid's sizes in use
-    uint contacts;       // so far in this substep
-    uint last_contacts;  // in the last substep
+    uint points;                // with candidates
+    uint levels;                // bits of the grid's sizes in use
+    uint contacts;              // so far in this substep
+    uint last_contacts;         // in the last substep
+    uint largest[kGridLevels];  // as bits of a float: longest side of the boxes of a size [m]
 };
 
 SHARED_END

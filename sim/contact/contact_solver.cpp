@@ -24,7 +24,7 @@ static_assert(sizeof(shared::ContactBucket) == 8);
 static_assert(sizeof(shared::ContactCandidate) == 8);
 static_assert(sizeof(shared::ContactRecord) == 64);
 static_assert(sizeof(shared::EdgePair) == 12);
-static_assert(sizeof(shared::ContactState) == 40);
+static_assert(sizeof(shared::ContactState) == 104);
 
 constexpr double kReach = 0.5;           // h
 constexpr double kKept = 0.25;           // h: candidates are kept up to this motion

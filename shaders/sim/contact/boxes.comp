@@ -1,6 +1,6 @@
 // The box of each triangle and its bucket in the grid, and how many triangles a bucket gets.
-// Reads X, triangles. Writes boxes, buckets, counts, directions, the levels in use. One thread per triangle. A
-// storage barrier follows, then scan.
+// Reads X, triangles. Writes boxes, buckets, counts, directions, the levels in use and how large
+// their boxes are. One thread per triangle. A storage barrier follows, then scan.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -27,7 +27,8 @@ void main() {
     vec3 low = min(a, min(b, c));
     vec3 high = max(a, max(b, c));
     vec3 extent = high - low;
-    uint level = levelOf(max(extent.x, max(extent.y, extent.z)));
+    float longest = max(extent.x, max(extent.y, extent.z));
+    uint level = levelOf(longest);
     uint bucket = bucketOf(ivec3(floor(0.5 * (low + high) / cellSize(level))), level);
     vec3 normal = cross(b - a, c - a);
     uint bin = dot(normal, normal) > 0.0 ? binOf(normal) : kNoBin;
@@ -36,4 +37,7 @@ void main() {
     buckets[t] = bucket;
     atomicAdd(counts[bucket], 1u);
     atomicOr(state.levels, 1u << level);
+    if (longest <= cellSize(level)) {  // all that are finite
+        atomicMax(state.largest[level], floatBitsToUint(longest));
+    }
 }

@@ -151,7 +151,7 @@ void searchCell(vec3 p, ivec3 cell, uint level) {
 
 void searchLevel(vec3 p, uint level) {
     float size = cellSize(level);
-    float range = 0.5 * size + uniforms.margin;
+    float range = 0.5 * min(size, uintBitsToFloat(state.largest[level])) + uniforms.margin;
     ivec3 low = ivec3(floor((p - range) / size));
     // Cells are at least two margins wide; a number that is not finite may say anything.
     ivec3 count = clamp(ivec3(floor((p + range) / size)) - low, 0, 2) + 1;

@@ -16,10 +16,26 @@ layout(std430, binding = kContactIncidenceBinding) readonly buffer Incidence { u
 layout(std430, binding = kContactNormalsBinding) writeonly buffer Normals { vec4 normals[]; };
 layout(std430, binding = kContactStateBinding) writeonly buffer State { ContactState state; };
 
+void startAnew() {
+    state.point_groups = 0u;
+    state.point_groups_y = 1u;
+    state.point_groups_z = 1u;
+    state.vertex_groups = 0u;
+    state.vertex_groups_y = 1u;
+    state.vertex_groups_z = 1u;
+    state.points = 0u;
+    state.levels = 0u;
+    state.contacts = 0u;
+    state.last_contacts = 0u;
+    for (uint level = 0u; level < kGridLevels; ++level) {
+        state.largest[level] = 0u;
+    }
+}
+
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v == 0u) {
-        state = ContactState(0u, 1u, 1u, 0u, 1u, 1u, 0u, 0u, 0u, 0u);
+        startAnew();
     }
     if (v >= uniforms.vertex_count) return;
     vec3 sum = vec3(0.0);
