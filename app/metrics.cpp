@@ -50,7 +50,8 @@ std::string metricsHeader() {
     return "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
            "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts,one_to_four,one_to_"
            "three_a,"
-           "one_to_two,one_to_three_b,other_patterns,seeds,kinetic_energy,potential_energy\n";
+           "one_to_two,one_to_three_b,other_patterns,seeds,kinetic_energy,potential_energy,"
+           "debris_pieces,debris_volume\n";
 }
 
 std::string formatMetrics(const MetricsRow& row) {
@@ -76,6 +77,7 @@ std::string formatMetrics(const MetricsRow& row) {
     for (const double value : {r.kineticEnergy, r.potentialEnergy}) {
         line += "," + formatNumber(value);
     }
+    line += "," + std::to_string(r.debris.pieces) + "," + formatNumber(r.debris.volume);
     return line + "\n";
 }
 
@@ -91,6 +93,8 @@ void RunStatistics::add(const MetricsRow& row) {
     addTo(subdivisions, row.report.subdivisions);
     closedEveryStep = closedEveryStep && row.report.closed;
     lostPieces += row.report.lostPieces;
+    debris.pieces += row.report.debris.pieces;
+    debris.volume += row.report.debris.volume;
 }
 
 nlohmann::ordered_json toJson(const RunSummary& summary) {
@@ -113,6 +117,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     json["subdivisions"] = toJson(run.subdivisions);
     json["closed_every_step"] = run.closedEveryStep;
     json["lost_pieces"] = run.lostPieces;
+    json["debris"] = {{"pieces", run.debris.pieces}, {"volume", run.debris.volume}};
     json["failures"] = summary.failures;
     return json;
 }

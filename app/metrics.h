@@ -55,6 +55,7 @@ struct RunStatistics {
     SubdivisionCounts subdivisions{};
     bool closedEveryStep = true;
     int lostPieces = 0;  ///< taken back, over all steps
+    Debris debris;       ///< removed, over all steps
 
     void add(const MetricsRow& row);
     /// Steps over the whole time [1/s].

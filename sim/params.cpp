@@ -94,6 +94,12 @@ const std::array kRows = {
          "How much coarser the inside of a cut gets when its stroke ends; 1 keeps it as it is.",
          ParamType::real, 1, 10, false},
         &Params::wallCoarsening},
+    Row{{"debris_volume", "Debris volume", "",
+         "When a stroke ends, pieces that it left with less than this share of the body's volume "
+         "are "
+         "removed; 0 keeps all.",
+         ParamType::real, 0, 0.001, false},
+        &Params::debrisVolume},
     Row{{"solver", "Solver", "",
          "small_steps: substeps and a material in pascals; pbd: the paper's sweeps and stiffness "
          "factors, which lose volume.",

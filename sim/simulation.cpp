@@ -157,6 +157,7 @@ struct Simulation::State {
     bool nearBody(std::span<const Vec3> sweep);
     void accept(const CutResult& result);
     void adoptNewTopology(const CutDelta& delta);
+    void countDebris(const Debris& debris);
 
     const BodyModel& model() const { return body->model(); }
     const PieceMap& syncPieces();
@@ -286,6 +287,7 @@ void Simulation::State::applyParameters() {
     if (std::exchange(paramsChanged, false)) {
         solver.setUniforms(solverUniforms(params));
         cutter->setWallCoarsening(params.wallCoarsening);
+        cutter->setDebrisVolume(params.debrisVolume);
         solver.setContact(contactSettings(params));
     }
 }
@@ -489,9 +491,19 @@ void Simulation::State::accept(const CutResult& result) {
     if (result.outcome == CutOutcome::refused) {
         say("step {}: the cut was refused ({}); the blade goes on", stepsDone, result.reason);
     }
+    countDebris(result.statistics.debris);
     if (!result.delta.empty()) {
         noteCut();
         adoptNewTopology(result.delta);
+    }
+}
+
+void Simulation::State::countDebris(const Debris& debris) {
+    if (debris.pieces > 0) {
+        report.debris.pieces += debris.pieces;
+        report.debris.volume += debris.volume;
+        say("step {}: removed {} that the cut left, {:.3g} m^3 in all", stepsDone,
+            counted(debris.pieces, "chip", "chips"), debris.volume);
     }
 }
 

@@ -31,6 +31,7 @@ struct StepReport {
     int touchedTriangles = 0;
     SubdivisionCounts subdivisions{};  ///< of the touched triangles, in this step
     int seeds = 0;                     ///< groups of neighbours among the touched triangles
+    Debris debris;                     ///< removed in this step
     int contacts = 0;                  ///< of the body with itself in the last substep
     bool closed = true;
     double kineticEnergy = 0;    ///< see BodyMeasure [J]

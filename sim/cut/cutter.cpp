@@ -12,6 +12,7 @@
 #include "sim/cut/air_ties.h"
 #include "sim/cut/cleanup/cleanup.h"
 #include "sim/cut/cut_change.h"
+#include "sim/cut/debris.h"
 #include "sim/cut/ladder.h"
 #include "sim/cut/piece_groups.h"
 #include "sim/cut/plan.h"
@@ -172,6 +173,7 @@ struct Cutter::State {
     std::optional<TriangleTree> tree{};  ///< made when it is first asked
     std::optional<double> moved{};       ///< how far vertices moved at most since the last step [m]
     std::vector<int> groupOfPiece{};
+    int firstTriangle = 0;  ///< slot from which on the stroke made triangles
     double restVolume = 0;  ///< of the body at the start of the stroke [m^3]
     cut::StrokeSurface surface{mesh};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
@@ -192,6 +194,7 @@ struct Cutter::State {
     void joinRungs();
     void cleanUpBehindFront(CutResult& result);
     void cleanUpAtEnd(CutResult& result);
+    void removeDebris(CutResult& result);
     void holdLivingVertices();
     void tieRungs();
 
@@ -224,6 +227,7 @@ void Cutter::State::start(const Blade& at) {
     inStroke = true;
     stroke += madeWalls;  // a stroke that only met air leaves its number to the next
     madeWalls = false;
+    firstTriangle = mesh.triangleSlots();
     surface.beginStroke();
     cleanup.reset();
     sweeps.clear();
@@ -613,9 +617,6 @@ void Cutter::State::cleanUpAtEnd(CutResult& result) {
     if (!cleanup) {
         return;
     }
-    if (result.outcome != CutOutcome::cut) {
-        result.delta.firstNewVertex = mesh.vertexCount();
-    }
     const std::vector<int> changedBefore = changedTriangles(result.delta);
     const CleanupStatistics before = result.statistics.cleanup;
     CleanupStatistics& sum = result.statistics.cleanup = cleanup->atEnd(result.delta);
@@ -627,6 +628,22 @@ void Cutter::State::cleanUpAtEnd(CutResult& result) {
     sum.flips += before.flips;
     sum.slides += before.slides;
     cleanup.reset();
+}
+
+void Cutter::State::removeDebris(CutResult& result) {
+    const std::vector<int> debris =
+        cut::findDebris(mesh, pieces, firstTriangle, settings.debrisVolume * restVolume);
+    if (debris.empty()) {
+        return;
+    }
+    for (const int piece : debris) {
+        ++result.statistics.debris.pieces;
+        result.statistics.debris.volume += pieces.pieces()[piece].restVolume;
+    }
+    const std::vector<int> removed =
+        cut::removePieces(mesh, pieces, debris, firstTriangle, result.delta);
+    surface.follow(removed, 0);
+    follow(removed, -1);
 }
 
 Cutter::Cutter(SurfaceMesh& mesh, const CutSettings& settings)
@@ -661,7 +678,11 @@ CutResult Cutter::finish() {
     state.inStroke = false;
     state.sweeps.clear();
     state.rung.clear();
+    if (result.outcome != CutOutcome::cut) {
+        result.delta.firstNewVertex = state.mesh.vertexCount();
+    }
     state.cleanUpAtEnd(result);
+    state.removeDebris(result);
     return result;
 }
 
@@ -676,6 +697,10 @@ void Cutter::boundMotion(double distance) {
 
 void Cutter::setWallCoarsening(double factor) {
     state_->settings.wallCoarsening = factor;
+}
+
+void Cutter::setDebrisVolume(double share) {
+    state_->settings.debrisVolume = share;
 }
 
 bool Cutter::inStroke() const {

@@ -55,6 +55,12 @@ struct CleanupStatistics {
     double volumeSpent = 0;
 };
 
+/// Pieces that were removed when a stroke ended (CutSettings::debrisVolume).
+struct Debris {
+    int pieces = 0;
+    double volume = 0;  ///< at rest [m^3]
+};
+
 /// Counts of one step.
 struct CutStatistics {
     int cutPieces = 0;             ///< pieces of the body that were cut
@@ -68,6 +74,7 @@ struct CutStatistics {
     int seeds = 0;                 ///< groups of neighbours among the touched triangles
     double volumeChange = 0;       ///< signed, of the step, before clean-up and rounding [m^3]
     CleanupStatistics cleanup;
+    Debris debris;
 };
 
 /// What came of one movement of the blade.
@@ -106,6 +113,9 @@ struct CutSettings {
     /// When a stroke has ended, and is cleaned up, edges inside its walls grow to this many times
     /// wallEdgeLength; 1 leaves them. The outline of the wound stays as it is.
     double wallCoarsening = 1;
+    /// When a stroke has ended, pieces that it cut and that hold less than this share of the body's
+    /// volume at rest are removed, but for the largest piece; 0 keeps all.
+    double debrisVolume = 0;
 };
 
 /// Cuts a mesh by strokes of a blade. Each step is one transaction: a closed mesh and the strip
@@ -132,13 +142,16 @@ class Cutter {
     void boundMotion(double distance);
     /// CutSettings::wallCoarsening from now on, >= 1.
     void setWallCoarsening(double factor);
+    /// CutSettings::debrisVolume from now on, >= 0.
+    void setDebrisVolume(double share);
 
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);
     /// Sweeps from where the last successful step ended to `blade`. After three refusals in a row
     /// the front in that piece is let go, stays as a slit, and the sweep starts anew at the blade.
     CutResult advance(const Blade& blade);
-    /// Ends the stroke: sweeps what the gate held back, lets go of the front, cleans up.
+    /// Ends the stroke: sweeps what the gate held back, lets go of the front, cleans up, removes
+    /// debris.
     CutResult finish();
 
     /// Between begin() and finish().

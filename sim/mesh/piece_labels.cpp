@@ -223,7 +223,9 @@ LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> tr
     const std::vector<int> touched = touchedVertices(mesh, triangles, change.moves);
     Splitter splitter(mesh, ofVertex_, visitor_);
     splitter.run(touched, triangles);
-    if (splitter.joined() || hasEmptyPiece()) {
+    const int vanished = firstEmptyPiece();
+    const bool youngestVanished = onlyEmptyFrom(vanished) && splitter.cameOff().empty();
+    if (splitter.joined() || (vanished >= 0 && !youngestVanished)) {
         return labelAnew(mesh, labelsBefore(change, oldVertices));
     }
     for (const Splitter::Part& part : splitter.cameOff()) {
@@ -238,13 +240,23 @@ LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> tr
             count(mesh, t);
         }
     }
-    change.piecesChanged = !splitter.cameOff().empty();
+    if (vanished >= 0) {
+        pieces_.resize(vanished);
+        change.source.resize(vanished);
+    }
+    change.piecesChanged = vanished >= 0 || !splitter.cameOff().empty();
     return change;
 }
 
-bool PieceLabels::hasEmptyPiece() const {
-    return std::any_of(pieces_.begin(), pieces_.end(),
-                       [](const PieceContent& p) { return p.vertices == 0; });
+/// -1 for none.
+int PieceLabels::firstEmptyPiece() const {
+    const auto empty = std::ranges::find(pieces_, 0, &PieceContent::vertices);
+    return empty == pieces_.end() ? -1 : static_cast<int>(empty - pieces_.begin());
+}
+
+bool PieceLabels::onlyEmptyFrom(int label) const {
+    return label >= 0 && std::all_of(pieces_.begin() + label, pieces_.end(),
+                                     [](const PieceContent& p) { return p.vertices == 0; });
 }
 
 std::vector<int> PieceLabels::labelsBefore(const LabelChange& change, std::size_t vertices) const {
@@ -265,11 +277,33 @@ LabelChange PieceLabels::labelAnew(const SurfaceMesh& mesh, const std::vector<in
         if (const int label = ofVertex_[v]; label >= 0 && change.source[label] < 0) {
             change.source[label] = before[v];
         }
+    }
+    keepOrder(change);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (before[v] != ofVertex_[v]) {
             change.moves.push_back({v, before[v], ofVertex_[v]});
         }
     }
     return change;
+}
+
+/// Pieces follow each other as their sources do; those that are all new come last.
+void PieceLabels::keepOrder(LabelChange& change) {
+    std::vector<int> order(pieces_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(
+        order, {}, [&](int label) { return static_cast<std::uint32_t>(change.source[label]); });
+    std::vector<int> labelAfter(order.size());
+    const std::vector<PieceContent> pieces = pieces_;
+    const std::vector<int> source = change.source;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        labelAfter[order[i]] = static_cast<int>(i);
+        pieces_[i] = pieces[order[i]];
+        change.source[i] = source[order[i]];
+    }
+    for (int& label : ofVertex_) {
+        label = label < 0 ? -1 : labelAfter[label];
+    }
 }
 
 /// The corners of the living triangles, each once. Vertices that died lose their label.

@@ -42,8 +42,8 @@ class PieceLabels {
     explicit PieceLabels(const SurfaceMesh& mesh);
 
     /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
-    /// a corner or its rest position changed; each once. Where pieces were joined or vanished, all
-    /// are labelled anew, O(n).
+    /// a corner or its rest position changed; each once. Where pieces were joined, or one
+    /// vanished that is not the youngest, all are labelled anew, in the order that they had, O(n).
     LabelChange update(const SurfaceMesh& mesh, std::span<const int> triangles);
 
     const std::vector<int>& ofVertex() const { return ofVertex_; }  ///< -1 for unused vertices
@@ -60,7 +60,9 @@ class PieceLabels {
     class Splitter;
 
     void labelAll(const SurfaceMesh& mesh);
-    bool hasEmptyPiece() const;
+    int firstEmptyPiece() const;
+    bool onlyEmptyFrom(int label) const;
+    void keepOrder(LabelChange& change);
     std::vector<int> labelsBefore(const LabelChange& change, std::size_t vertices) const;
     LabelChange labelAnew(const SurfaceMesh& mesh, const std::vector<int>& before);
     std::vector<int> touchedVertices(const SurfaceMesh& mesh, std::span<const int> triangles,
