@@ -1,10 +1,29 @@
 #pragma once
 
+#include <map>
+#include <set>
 #include <vector>
 
+#include "sim/cut/air_ties.h"
 #include "sim/cut/cutter.h"
 
 namespace kerf::cut {
+
+/// The blade's way through one group of pieces (groupPieces). Each waits and refuses for itself.
+struct Sweep {
+    int vertex = -1;  ///< some vertex of the group
+    int group = -1;
+    int pass = 0;  ///< goes up each time the blade starts from the air
+    int firstVertexOfPass = 0;
+    std::set<int> onSeams;      ///< vertices of the pass on walls of older ones
+    bool opensSlits = true;     ///< sees older slits along its way open
+    std::map<int, Vec3> sides;  ///< in which slits of earlier strokes open (SweepStep)
+    int refusedInARow = 0;
+    std::vector<RungNode> rung;
+    AirTies airTies;
+    Blade blade;                      ///< at the rung
+    Vec3 lastAdvance = Vec3::Zero();  ///< of the blade's middle in the last step that cut [m]
+};
 
 /// How the blade moved since the old rung.
 struct SweepMotion {

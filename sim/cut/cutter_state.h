@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "sim/cut/broad_phase.h"
+#include "sim/cut/cleanup/cleanup.h"
+#include "sim/cut/cutter.h"
+#include "sim/cut/plan.h"
+#include "sim/cut/slit_opening.h"
+#include "sim/cut/stroke_surface.h"
+#include "sim/cut/sweep.h"
+#include "sim/mesh/piece_labels.h"
+#include "sim/mesh/triangle_tree.h"
+
+namespace kerf {
+
+// What `finish` sweeps although it is below the gate (share of h), and how many times the blade's
+// offset it is at least.
+inline constexpr double kLeastFlush = 0.01;
+inline constexpr double kLeastFlushOffsets = 4;
+// Below this share of h the blade stands still.
+inline constexpr double kStandingStill = 1e-9;
+// Largest distance (share of h) from the sweep at which a triangle can matter: predicates see
+// vertices elsewhere, and the rung is led around skin that moved across it.
+inline constexpr double kBroadPhaseMargin = 3;
+// Pieces whose copies lie farther apart (share of h) are swept apart.
+inline constexpr double kParted = 1e-3;
+
+/// All that a cutter remembers. Its functions stand by idea in cutter.cpp (a stroke as a whole),
+/// sweep_step.cpp, sweep_groups.cpp and stroke_end.cpp.
+struct Cutter::State {
+    SurfaceMesh& mesh;
+    CutSettings settings;
+    double h = 0;
+    int stroke = 0;
+    int pass = 0;  ///< the last one of any sweep
+    bool inStroke = false;
+    Blade blade{};  ///< the last one given
+    std::vector<cut::Sweep> sweeps{};
+    std::vector<RungNode> rung{};  ///< those of all sweeps, one after the other
+    bool madeWalls = false;        ///< in this stroke
+    PieceLabels pieces{mesh};
+    TriangleFinder* finder = nullptr;    ///< null: the tree
+    std::optional<TriangleTree> tree{};  ///< made when it is first asked
+    std::optional<double> moved{};       ///< how far vertices moved at most since the last step [m]
+    std::vector<int> groupOfPiece{};
+    int firstTriangle = 0;  ///< slot from which on the stroke made triangles
+    double restVolume = 0;  ///< of the body at the start of the stroke [m^3]
+    cut::StrokeSurface surface{mesh};
+    std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
+
+    double leastFlush() const {
+        return std::max(kLeastFlush, kLeastFlushOffsets * settings.offset) * h;
+    }
+    void start(const Blade& at);
+    CutResult sweepAll(const Blade& to, double gate);
+    void noteMotion();
+    TriangleFinder& findTriangles();
+    double margin() const;
+    void follow(const std::vector<int>& changed, int groupOfNewPieces);
+    void followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta);
+    void divideSweeps();
+    std::vector<int> lowestVertices(std::set<int> groups) const;
+    int groupOfVertex(int v) const;
+    void joinRungs();
+    void cleanUpBehindFront(CutResult& result);
+    void cleanUpAtEnd(CutResult& result);
+    void removeDebris(CutResult& result);
+    void holdLivingVertices();
+    void tieRungs();
+
+    // Of one group.
+    void startPass(cut::Sweep& sweep);
+    void placeRung(const Blade& at, cut::Sweep& sweep);
+    void setRung(std::vector<RungNode> next, cut::Sweep& sweep);
+    void tie(cut::Sweep& sweep);
+    CutResult advance(const Blade& to, double gate, cut::Sweep& sweep);
+    CutResult cut(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep);
+    bool climb(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
+               CutResult& result);
+    bool resume(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
+                CutResult& result);
+    bool attempt(const Blade& to, const std::vector<RungNode>& from,
+                 const cut::BroadPhase& candidates, const cut::SlitOpening& opening, int level,
+                 cut::Sweep& sweep, CutResult& result);
+    void requireVolume(const cut::StepPlan& plan) const;
+    CutResult accept(const cut::PlannedStep& step, cut::Sweep& sweep);
+    void keepOwnNodes(std::vector<RungNode> nodes, cut::Sweep& sweep);
+    static void moveOn(const Blade& to, const CutResult& result, cut::Sweep& sweep);
+    void countRefusal(const Blade& to, cut::Sweep& sweep);
+    cut::BroadPhase findCandidates(const Blade& to, const cut::Sweep& sweep,
+                                   const std::vector<RungNode>& from);
+    /// Tells the triangles of the group that were there before the stroke, or divide such.
+    std::function<bool(int)> isOuter(const cut::Sweep& sweep) const;
+};
+
+}  // namespace kerf

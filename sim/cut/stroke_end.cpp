@@ -1,0 +1,63 @@
+// What follows the cutting: clean-up behind the front and at the end of a stroke, and debris.
+
+#include <algorithm>
+#include <iterator>
+
+#include "sim/cut/cut_change.h"
+#include "sim/cut/cutter_state.h"
+#include "sim/cut/debris.h"
+
+namespace kerf {
+
+void Cutter::State::cleanUpBehindFront(CutResult& result) {
+    if (!cleanup) {
+        return;
+    }
+    const std::vector<int> before = changedTriangles(result.delta);
+    result.statistics.cleanup = cleanup->behindFront(rung, result.delta);
+    followCleanUp(before, result.delta);
+    holdLivingVertices();
+}
+
+/// The clean-up takes triangles that the step had added out of its delta.
+void Cutter::State::followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta) {
+    std::vector<int> changed;
+    std::ranges::set_union(changedBefore, changedTriangles(delta), std::back_inserter(changed));
+    surface.follow(changed, cleanup->takeRestMotion());
+    follow(changed, -1);
+}
+
+void Cutter::State::cleanUpAtEnd(CutResult& result) {
+    if (!cleanup) {
+        return;
+    }
+    const std::vector<int> changedBefore = changedTriangles(result.delta);
+    const CleanupStatistics before = result.statistics.cleanup;
+    CleanupStatistics& sum = result.statistics.cleanup = cleanup->atEnd(result.delta);
+    if (settings.wallCoarsening > 1) {
+        cleanup->coarsen(settings.wallCoarsening, result.delta);
+    }
+    followCleanUp(changedBefore, result.delta);
+    sum.collapses += before.collapses;
+    sum.flips += before.flips;
+    sum.slides += before.slides;
+    cleanup.reset();
+}
+
+void Cutter::State::removeDebris(CutResult& result) {
+    const std::vector<int> debris =
+        cut::findDebris(mesh, pieces, firstTriangle, settings.debrisVolume * restVolume);
+    if (debris.empty()) {
+        return;
+    }
+    for (const int piece : debris) {
+        ++result.statistics.debris.pieces;
+        result.statistics.debris.volume += pieces.pieces()[piece].restVolume;
+    }
+    const std::vector<int> removed =
+        cut::removePieces(mesh, pieces, debris, firstTriangle, result.delta);
+    surface.follow(removed, 0);
+    follow(removed, -1);
+}
+
+}  // namespace kerf
