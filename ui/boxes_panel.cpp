@@ -57,7 +57,7 @@ void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
     }
     const bool open = ImGui::TreeNodeEx("##box", ImGuiTreeNodeFlags_None, "Box %d", index);
     noteItem(place);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - 4.2F * ImGui::GetFontSize());
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Remove"));
     if (ImGui::SmallButton("Remove")) {
         actions.emplace_back(RemoveBox{index});
     }

@@ -109,9 +109,8 @@ class Acts {
 };
 
 /// Cuts from top to bottom through the middle, changes a parameter, takes both back and brings them
-/// back again, takes a picture and saves a session.
-Acts actsFor(const ui::ItemPlaces& places, int width, int height) {
-    Acts acts;
+/// back again.
+void addStroke(Acts& acts, const ui::ItemPlaces& places, int width, int height) {
     acts.drag(Vec2(width / 2.0, 40), Vec2(width / 2.0, height - 60.0), 16);
     acts.see("cut", "- 2 pieces");
     acts.rest();
@@ -124,6 +123,60 @@ Acts actsFor(const ui::ItemPlaces& places, int width, int height) {
     acts.tap("ctrl+shift+z", ui::Key::z, {.shift = true, .control = true});
     acts.see("redone", "- 2 pieces");
     acts.tap("ctrl+y", ui::Key::y, {.control = true});
+}
+
+/// Cuts into the surface, left of the middle. In one move: what lies under the pointer on its way
+/// depends on how far the blade has come by then.
+void addScalpel(Acts& acts, int width, int height) {
+    const Vec2 middle(width / 2.0, height / 2.0);
+    acts.tap("s", ui::Key::s);
+    acts.drag(middle + Vec2(-110, 0), middle + Vec2(-30, 30), 1);
+    acts.rest();
+}
+
+/// Where the guillotine is got hold of.
+struct GuillotinePlaces {
+    std::vector<Vec2> handles;  ///< middle, ends, bottom [px]
+    ui::Rect slider;
+
+    static GuillotinePlaces in(Editor& editor) {
+        tap(editor, ui::Key::g);
+        GuillotinePlaces places{{}, editor.places().at("blade.lowered")};
+        for (const ui::Overlay::Handle& handle : editor.panels().overlay.handles) {
+            places.handles.emplace_back(handle.at.x, handle.at.y);
+        }
+        tap(editor, ui::Key::c);
+        return places;
+    }
+
+  private:
+    static void tap(Editor& editor, ui::Key key) {
+        editor.post(ui::KeyChange{key, true, {}});
+        editor.post(ui::KeyChange{key, false, {}});
+        Acts::settle(editor);
+    }
+};
+
+/// Turns the guillotine by one of its ends and brings it down by its key; moves it aside by its
+/// middle and brings it down by its slider, in one move: a slider sees where the pointer is at a
+/// picture, not how it came there.
+void addGuillotine(Acts& acts, const GuillotinePlaces& places) {
+    acts.tap("g", ui::Key::g);
+    acts.drag(places.handles[1], places.handles[1] + Vec2(20, 30), 3);
+    acts.tap("Return", ui::Key::enter);
+    acts.see("dropped", "- 4 pieces");
+    acts.rest();
+    acts.drag(places.handles[0], places.handles[0] + Vec2(60, 0), 3);
+    const ui::Rect& slider = places.slider;
+    const double y = slider.y + slider.height / 2;
+    acts.drag(Vec2(slider.x + 0.05 * slider.width, y), Vec2(slider.x + 0.99 * slider.width, y), 1);
+    acts.see("lowered", "- 5 pieces");
+    acts.rest();
+    acts.tap("c", ui::Key::c);
+}
+
+/// Takes a picture and saves a session.
+void addSaving(Acts& acts, int width) {
     acts.moveTo(Vec2(width / 2.0, 60));
     acts.rest();
     acts.tap("F12", ui::Key::f12);
@@ -132,7 +185,6 @@ Acts actsFor(const ui::ItemPlaces& places, int width, int height) {
     acts.rest();
     acts.tap("Return", ui::Key::enter);
     acts.seeFile("session", "*.kerf.json");
-    return acts;
 }
 
 /// The one file with this ending.
@@ -144,6 +196,10 @@ std::filesystem::path fileEnding(const std::filesystem::path& folder, const std:
     }
     ADD_FAILURE() << "no file *" << ending << " in " << folder;
     return {};
+}
+
+bool isLift(const SessionEvent& event) {
+    return std::holds_alternative<LiftBlade>(event.action);
 }
 
 class EditorWindowTest : public test::GlTest {
@@ -180,7 +236,11 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     }
     Editor editor(options(), openDefaultDocument());
     Acts::settle(editor);
-    const Acts acts = actsFor(editor.places(), kPictureWidth, kPictureHeight);
+    Acts acts;
+    addStroke(acts, editor.places(), kPictureWidth, kPictureHeight);
+    addScalpel(acts, kPictureWidth, kPictureHeight);
+    addGuillotine(acts, GuillotinePlaces::in(editor));
+    addSaving(acts, kPictureWidth);
 
     std::map<std::string, std::string> values = drive(acts);
     SCOPED_TRACE(seen + test::readBytes(window / "errors.txt"));
@@ -188,11 +248,13 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     EXPECT_EQ(values["cut"], "Kerf - drop-in - 2 pieces");
     EXPECT_EQ(values["undone"], "Kerf - drop-in - 1 piece");
     EXPECT_EQ(values["redone"], "Kerf - drop-in - 2 pieces");
+    EXPECT_EQ(values["dropped"], "Kerf - drop-in - 4 pieces");
+    EXPECT_EQ(values["lowered"], "Kerf - drop-in - 5 pieces");
     EXPECT_THAT(values["picture"], ::testing::MatchesRegex("kerf-[0-9]{8}-[0-9]{6}\\.png"));
     EXPECT_EQ(values["exit"], "0");
 
     acts.feed(editor);
-    EXPECT_EQ(editor.title(), "Kerf - drop-in - 2 pieces");
+    EXPECT_EQ(editor.title(), "Kerf - drop-in - 5 pieces");
     const render::Image shown = render::readPng(fileEnding(window.path(), ".png"));
     EXPECT_EQ(shown.width, kPictureWidth);
     EXPECT_EQ(shown.height, kPictureHeight);
@@ -202,6 +264,8 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     const Session session = readSession(fileEnding(window.path(), ".kerf.json"));
     const Session same = readSession(fileEnding(headless.path(), ".kerf.json"));
     EXPECT_EQ(lastCheck(session).hash, lastCheck(same).hash);
+    EXPECT_EQ(std::ranges::count_if(session.events, isLift), 4)
+        << "of the stroke, the scalpel and both ways of the guillotine";
     expectReplayed(session, loadSessionModel(session));
 }
 
