@@ -46,7 +46,8 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
         "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts,one_to_four,one_to_three_a,"
         "one_to_two,one_to_three_b,other_patterns,seeds,kinetic_energy,potential_energy,"
         "debris_pieces,debris_volume\n");
-    EXPECT_EQ(formatMetrics(row), "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25\n");
+    EXPECT_EQ(formatMetrics(row),
+              "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0\n");
 }
 
 TEST(Metrics, RangeOfASeries) {
