@@ -9,6 +9,13 @@ namespace {
 
 constexpr int kMaxBatchesPerPicture = 16;
 
+bool pressesKey(const std::vector<ui::InputEvent>& batch) {
+    return std::ranges::any_of(batch, [](const ui::InputEvent& event) {
+        const auto* key = std::get_if<ui::KeyChange>(&event);
+        return key != nullptr && key->down;
+    });
+}
+
 }  // namespace
 
 void Editor::State::takeInput(double elapsedSeconds) {
@@ -16,6 +23,9 @@ void Editor::State::takeInput(double elapsedSeconds) {
     for (int n = 1; n <= kMaxBatchesPerPicture && (n == 1 || !queue.empty()); ++n) {
         const std::vector<ui::InputEvent> batch = queue.takeBatch();
         const bool last = n == kMaxBatchesPerPicture || queue.empty();
+        if (interface.ownsKeyboard() && pressesKey(batch)) {
+            pass({}, 0, false);  // What the last key closed has the keyboard no longer.
+        }
         pass(batch, n == 1 ? elapsedSeconds : 0, last);
     }
 }

@@ -26,7 +26,11 @@ bool mayShare(const ui::InputEvent& first, const ui::InputEvent& second) {
     }
     const auto* key = std::get_if<ui::KeyChange>(&first);
     const auto* otherKey = std::get_if<ui::KeyChange>(&second);
-    return key == nullptr || otherKey == nullptr || key->key != otherKey->key;
+    if (key == nullptr || otherKey == nullptr) {
+        return true;
+    }
+    // The first may close the field or the dialog that the keyboard belongs to.
+    return key->key != otherKey->key && !(key->down && otherKey->down);
 }
 
 }  // namespace

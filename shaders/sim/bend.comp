@@ -16,7 +16,6 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
-#include "sim/pull_direction.glsl"
 
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
@@ -26,6 +25,7 @@ layout(binding = kConstraintsBinding) uniform usamplerBuffer bends;
 layout(std430, binding = kCorrectionsBinding) writeonly buffer Corrections { vec4 corrections[]; };
 
 #include "sim/inverse_tangent.glsl"
+#include "sim/pull_direction.glsl"
 
 float wrapped(float angle) {
     const float kTwoPi = 6.28318530717959;
@@ -73,7 +73,7 @@ void main() {
     }
     float error = clamp(wrapped(angleOf(now) - bend.rest_angle), -kMaxBendError, kMaxBendError);
 
-    bool little = turnedLittle(before.edge, now.edge) && turnedLittle(before.nA, now.nA) &&
+    bool little = pullsAsBefore() && turnedLittle(before.edge, now.edge) && turnedLittle(before.nA, now.nA) &&
                   turnedLittle(before.nB, now.nB);
     Wings pulled = now;
     if (little && !degenerate(before)) {

@@ -10,7 +10,6 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
-#include "sim/pull_direction.glsl"
 
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
@@ -18,6 +17,8 @@ layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
 layout(binding = kLinksBinding) uniform usamplerBuffer links;
 layout(binding = kConstraintsBinding) uniform usamplerBuffer ispcs;
 layout(std430, binding = kCorrectionsBinding) writeonly buffer Corrections { vec4 corrections[]; };
+
+#include "sim/pull_direction.glsl"
 
 void main() {
     uint index = gl_GlobalInvocationID.x;

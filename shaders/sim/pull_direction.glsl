@@ -1,12 +1,17 @@
 // Constraints pull along their gradient at X, the beginning of the substep, as SHAKE does: then no
 // sweep changes the angular momentum sum X x m d, which the velocities d / h carry on. Where the
-// gradient has turned too far meanwhile, as at slivers, the one at X + d is taken.
+// gradient has turned too far meanwhile, as at slivers, the one at X + d is taken, and always in plain
+// PBD, which sweeps many times over a long step. The includer declares `uniforms`.
 
 // In the substep it turned by no more than 60 degrees and kept half of its size.
 bool turnedLittle(vec3 before, vec3 now) {
     return dot(before, now) > 0.5 * max(dot(before, before), dot(now, now));
 }
 
+bool pullsAsBefore() {
+    return (uniforms.active_parts & kPullAsBeforePart) != 0u;
+}
+
 vec3 pullDirection(vec3 before, vec3 now) {
-    return normalize(turnedLittle(before, now) ? before : now);
+    return normalize(pullsAsBefore() && turnedLittle(before, now) ? before : now);
 }

@@ -11,7 +11,6 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
-#include "sim/pull_direction.glsl"
 
 layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
@@ -19,6 +18,8 @@ layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
 layout(binding = kEntriesBinding) uniform usamplerBuffer spokes;
+
+#include "sim/pull_direction.glsl"
 
 #ifdef SWEEP_AGAIN
 layout(binding = kPreviousBinding) uniform samplerBuffer previous;

@@ -27,8 +27,9 @@ bool turnedLittle(const Vec3& before, const Vec3& now) {
 }
 
 /// Direction to pull in: as at the beginning of the substep where that still fits.
-Vec3 pullDirection(const Vec3& before, const Vec3& now) {
-    return turnedLittle(before, now) ? before.normalized() : now.normalized();
+Vec3 pullDirection(Pull pull, const Vec3& before, const Vec3& now) {
+    return pull == Pull::asBefore && turnedLittle(before, now) ? before.normalized()
+                                                               : now.normalized();
 }
 
 /// From x0 to the others.
@@ -45,13 +46,13 @@ struct Wings {
 
 }  // namespace
 
-Linearized<2> linearize(const shared::EdgeConstraint& c, const ReferenceState& s,
-                        double compliance) {
+Linearized<2> linearize(const shared::EdgeConstraint& c, const ReferenceState& s, double compliance,
+                        Pull pull) {
     Linearized<2> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
     const Vec3 r = difference(s, c.a, c.b);
     const double length = r.norm();
     if (length > kShortestLength) {
-        const Vec3 n = pullDirection(differenceBefore(s, c.a, c.b), r);
+        const Vec3 n = pullDirection(pull, differenceBefore(s, c.a, c.b), r);
         result.valid = true;
         result.value = length - c.rest_length;
         result.gradient = {n, -n};
@@ -59,8 +60,8 @@ Linearized<2> linearize(const shared::EdgeConstraint& c, const ReferenceState& s
     return result;
 }
 
-Linearized<4> linearize(const shared::BendConstraint& c, const ReferenceState& s,
-                        double compliance) {
+Linearized<4> linearize(const shared::BendConstraint& c, const ReferenceState& s, double compliance,
+                        Pull pull) {
     Linearized<4> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
     const Wings before{differenceBefore(s, c.v1, c.v0), differenceBefore(s, c.v2, c.v0),
                        differenceBefore(s, c.v3, c.v0)};
@@ -72,14 +73,15 @@ Linearized<4> linearize(const shared::BendConstraint& c, const ReferenceState& s
         const double limit = shared::kMaxBendError;
         result.valid = true;
         result.value = std::clamp(wrapAngle(angle.angle - c.rest_angle), -limit, limit);
-        result.gradient =
-            angleBefore.valid && before.turnedLittleTo(now) ? angleBefore.gradient : angle.gradient;
+        const bool asBefore =
+            pull == Pull::asBefore && angleBefore.valid && before.turnedLittleTo(now);
+        result.gradient = asBefore ? angleBefore.gradient : angle.gradient;
     }
     return result;
 }
 
-Linearized<4> linearize(const shared::IspcConstraint& c, const ReferenceState& s,
-                        double compliance) {
+Linearized<4> linearize(const shared::IspcConstraint& c, const ReferenceState& s, double compliance,
+                        Pull pull) {
     Linearized<4> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
     const double b1 = c.b1;
     const double b2 = c.b2;
@@ -91,7 +93,7 @@ Linearized<4> linearize(const shared::IspcConstraint& c, const ReferenceState& s
     const Vec3 r = span(difference);
     const double length = r.norm();
     if (length > kShortestLength) {
-        const Vec3 n = pullDirection(span(differenceBefore), r);
+        const Vec3 n = pullDirection(pull, span(differenceBefore), r);
         result.valid = true;
         result.value = length - c.rest_length;
         result.gradient = {n, -b0 * n, -b1 * n, -b2 * n};

@@ -27,14 +27,18 @@ double multiplier(const Linearized<N>& c, const ReferenceState& s, const std::ve
     return denominator > 0 ? -(c.value + gamma * rate) / denominator : 0.0;
 }
 
+Pull pullOf(const shared::SolverUniforms& uniforms) {
+    return (uniforms.active_parts & shared::kPullAsBeforePart) != 0 ? Pull::asBefore : Pull::asNow;
+}
+
 /// One Jacobi sweep over constraints of one type: all read the same state, corrections are summed.
 template <class Constraint>
 void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
            const Incidence& incidence, const std::vector<double>& w, double compliance,
-           double gamma, double share) {
+           double gamma, double share, Pull pull) {
     std::vector<Vec3> correction(state.positions.size(), Vec3::Zero());
     for (const Constraint& constraint : constraints) {
-        const auto c = linearize(constraint, state, compliance);
+        const auto c = linearize(constraint, state, compliance, pull);
         if (!c.valid) {
             continue;
         }
@@ -145,21 +149,21 @@ void ReferenceSolver::predict(ReferenceState& state) const {
 void ReferenceSolver::solveEdges(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kStretchPart) {
         sweep(state, model_.edges, model_.edgeIncidence, inverseMass_, uniforms_.stretch_compliance,
-              uniforms_.damping_ratio, uniforms_.stretch_share);
+              uniforms_.damping_ratio, uniforms_.stretch_share, pullOf(uniforms_));
     }
 }
 
 void ReferenceSolver::solveBends(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kBendPart) {
         sweep(state, model_.bends, model_.bendIncidence, inverseMass_, uniforms_.bend_compliance,
-              uniforms_.damping_ratio, uniforms_.bend_share);
+              uniforms_.damping_ratio, uniforms_.bend_share, pullOf(uniforms_));
     }
 }
 
 void ReferenceSolver::solveIspcs(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kIspcPart) {
         sweep(state, model_.ispcs, model_.ispcIncidence, inverseMass_, uniforms_.ispc_compliance,
-              uniforms_.damping_ratio, uniforms_.ispc_share);
+              uniforms_.damping_ratio, uniforms_.ispc_share, pullOf(uniforms_));
     }
 }
 

@@ -27,6 +27,8 @@ uint activeParts(const Params& params) {
     parts |= params.ispcStiffness > 0 ? shared::kIspcPart : 0u;
     parts |= holdsVolume(params) ? shared::kVolumePart : 0u;
     parts |= params.floor.has_value() ? shared::kFloorPart : 0u;
+    // Plain PBD sweeps many times over a long step, towards where the gradients have turned.
+    parts |= params.solver == SolverMode::smallSteps ? shared::kPullAsBeforePart : 0u;
     return parts;
 }
 

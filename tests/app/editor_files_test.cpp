@@ -185,6 +185,17 @@ TEST_F(EditorFilesTest, ArrowsChooseAndBackspaceGoesUp) {
     EXPECT_EQ(panels().files.folder, folder.path());
 }
 
+TEST_F(EditorFilesTest, AKeyRightAfterTheOneThatClosesTheDialogIsHeard) {
+    tap(Key::s, {.control = true});
+    frames(2);
+    for (const Key key : {Key::enter, Key::space}) {
+        editor->post(ui::KeyChange{key, true, {}});
+        editor->post(ui::KeyChange{key, false, {}});
+    }
+    waitForWork();
+    EXPECT_TRUE(panels().playing);
+}
+
 TEST_F(EditorFilesTest, ASessionIsSavedUnderTheNameThatIsTypedAndNothingIsReplacedUnasked) {
     drag(kTop, kBottom, 10);
     settle();

@@ -57,7 +57,8 @@ TEST_F(DebrisTest, AChipIsRemovedAndAccountedFor) {
     EXPECT_EQ(report.pieces, 1);
     EXPECT_TRUE(report.closed);
     EXPECT_EQ(report.debris.pieces, 1);
-    EXPECT_NEAR(report.debris.volume, chipVolume(), 1e-3 * chipVolume());
+    // The clean-up may move the border between both by a millionth of the body.
+    EXPECT_NEAR(report.debris.volume, chipVolume(), 2e-7);
     const PieceMap pieces = findPieces(block.mesh());
     EXPECT_NEAR(pieces.pieces.front().restVolume + report.debris.volume, 1, 1e-9);
     EXPECT_EQ(checkClosedManifold(block.mesh()), "");

@@ -107,19 +107,21 @@ TEST_F(GpuSolverTest, PredictsLikeTheReference) {
 
 TEST_F(GpuSolverTest, SolvesEdgesLikeTheReference) {
     expectSamePhase(
-        shared::kStretchPart, kDisplacementTolerance, [](GpuSolver&) {},
+        shared::kStretchPart | shared::kPullAsBeforePart, kDisplacementTolerance, [](GpuSolver&) {},
         [](const ReferenceSolver& s, ReferenceState& state) { s.solveEdges(state); });
 }
 
 TEST_F(GpuSolverTest, SolvesBendsLikeTheReference) {
     expectSamePhase(
-        shared::kBendPart, kDisplacementTolerance, [](GpuSolver& s) { s.solveBends(); },
+        shared::kBendPart | shared::kPullAsBeforePart, kDisplacementTolerance,
+        [](GpuSolver& s) { s.solveBends(); },
         [](const ReferenceSolver& s, ReferenceState& state) { s.solveBends(state); });
 }
 
 TEST_F(GpuSolverTest, SolvesIspcsLikeTheReference) {
     expectSamePhase(
-        shared::kIspcPart, kDisplacementTolerance, [](GpuSolver& s) { s.solveIspcs(); },
+        shared::kIspcPart | shared::kPullAsBeforePart, kDisplacementTolerance,
+        [](GpuSolver& s) { s.solveIspcs(); },
         [](const ReferenceSolver& s, ReferenceState& state) { s.solveIspcs(state); });
 }
 

@@ -21,11 +21,13 @@ TEST(SolverUniforms, IspcStiffnessRunsFromNoneOverTheMaterialToRigid) {
 
 TEST(SolverUniforms, PartsWithoutStiffnessAreOff) {
     Params params;
-    EXPECT_EQ(solverUniforms(params).active_parts, shared::kStretchPart | shared::kBendPart |
-                                                       shared::kIspcPart | shared::kVolumePart |
-                                                       shared::kFloorPart);
+    EXPECT_EQ(solverUniforms(params).active_parts,
+              shared::kStretchPart | shared::kBendPart | shared::kIspcPart | shared::kVolumePart |
+                  shared::kFloorPart | shared::kPullAsBeforePart);
     params.stretchStiffness = params.bendingStiffness = params.ispcStiffness = 0;
     params.floor.reset();
+    EXPECT_EQ(solverUniforms(params).active_parts, shared::kPullAsBeforePart);
+    params.solver = SolverMode::pbd;
     EXPECT_EQ(solverUniforms(params).active_parts, 0u);
 }
 
