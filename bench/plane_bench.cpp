@@ -1,11 +1,14 @@
 // Milliseconds (CPU, one thread) of a whole planar cut of spheres into two closed halves whose
 // walls are meshed at the edge length of the skin: all steps of the blade together, beside CGAL in
 // the same run. CGAL does not remove slivers, so the compared run leaves the clean-up off; the
-// figure with it stands beside.
+// figure with it stands beside. Each row has another number of steps: a slow stroke, a quick one,
+// one swipe. Two numbers, SUBDIVISIONS and STEPS, repeat that stroke alone, for a profiler.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -23,10 +26,10 @@ namespace kerf {
 namespace {
 
 constexpr double kRadius = 0.5;
-constexpr double kReach = 1.3;        // how far the blade goes beyond the sphere, in radii
-constexpr int kSteps = 60;            // a stroke of a second
-constexpr double kSameVolume = 1e-9;  // relative
-constexpr double kComparable = 1.5;   // largest ratio of the numbers of wall triangles
+constexpr double kReach = 1.3;  // how far the blade goes beyond the sphere, in radii
+constexpr std::array<int, 3> kSteps{60, 15, 1};  // a stroke of a second, of a quarter, a swipe
+constexpr double kSameVolume = 1e-9;             // relative
+constexpr double kComparable = 1.5;              // largest ratio of the numbers of wall triangles
 // Far less than kSameVolume of the sphere lies between the plane and the blade.
 constexpr double kOffset = 1e-8;
 
@@ -51,6 +54,8 @@ struct Outcome {
     double milliseconds = 0;
     std::vector<double> volumes;  ///< of the parts, ascending [m^3]
     int wallTriangles = 0;
+    double construction = 0;    ///< of the cutter [ms]
+    std::vector<double> calls;  ///< begin, each step, finish [ms]
 };
 
 double meanEdge(const SurfaceMesh& mesh) {
@@ -66,8 +71,9 @@ Blade bladeAt(double distance) {
     return {middle - kReach * kRadius * kAlong, middle + kReach * kRadius * kAlong};
 }
 
-Outcome ourCut(const SurfaceMesh& whole, double edge, bool cleanUp) {
+Outcome ourCut(const SurfaceMesh& whole, double edge, int steps, bool cleanUp) {
     SurfaceMesh mesh = whole;
+    Outcome out;
     CutSettings settings;
     settings.wallEdgeLength = edge;
     settings.offset = kOffset;
@@ -75,18 +81,28 @@ Outcome ourCut(const SurfaceMesh& whole, double edge, bool cleanUp) {
     settings.cleanUp = cleanUp;
     const CpuTime time;
     Cutter cutter(mesh, settings);
-    cutter.begin(bladeAt(-kReach * kRadius));
-    for (int i = 1; i <= kSteps; ++i) {
-        cutter.boundMotion(0);
-        const double share = static_cast<double>(i) / kSteps;
-        if (cutter.advance(bladeAt((2 * share - 1) * kReach * kRadius)).statistics.refusedPieces >
-            0) {
-            throw std::runtime_error("a step of the cut was refused");
-        }
+    out.construction = time.milliseconds();
+    const auto timed = [&out](const auto& call) {
+        const CpuTime ofCall;
+        call();
+        out.calls.push_back(ofCall.milliseconds());
+    };
+    timed([&] { cutter.begin(bladeAt(-kReach * kRadius)); });
+    for (int i = 1; i <= steps; ++i) {
+        timed([&] {
+            cutter.boundMotion(0);
+            const double share = static_cast<double>(i) / steps;
+            if (cutter.advance(bladeAt((2 * share - 1) * kReach * kRadius))
+                    .statistics.refusedPieces > 0) {
+                throw std::runtime_error("a step of the cut was refused");
+            }
+        });
     }
-    cutter.boundMotion(0);
-    cutter.finish();
-    Outcome out{time.milliseconds(), {}, 0};
+    timed([&] {
+        cutter.boundMotion(0);
+        cutter.finish();
+    });
+    out.milliseconds = time.milliseconds();
     for (const Piece& piece : findPieces(mesh).pieces) {
         out.volumes.push_back(piece.volume);
     }
@@ -101,7 +117,7 @@ Outcome theirCut(const SurfaceMesh& whole) {
     CgalPlaneCut cut(whole);
     const CpuTime time;
     cut.run(kPoint, kNormal);
-    return {time.milliseconds(), cut.partVolumes(), cut.wallTriangles()};
+    return {time.milliseconds(), cut.partVolumes(), cut.wallTriangles(), 0, {}};
 }
 
 void requireSameVolumes(const Outcome& ours, const Outcome& theirs) {
@@ -127,39 +143,84 @@ void requireComparableWalls(const Outcome& ours, const Outcome& theirs) {
     }
 }
 
+/// Of all repeats of a stroke.
+struct Ours {
+    std::vector<double> milliseconds, construction, medianCall, longestCall, cleaned;
+
+    void add(const Outcome& cut) {
+        milliseconds.push_back(cut.milliseconds);
+        construction.push_back(cut.construction);
+        medianCall.push_back(median(cut.calls));
+        longestCall.push_back(std::ranges::max(cut.calls));
+    }
+};
+
+void print(int triangles, int steps, const Ours& ours, const std::vector<double>& theirs) {
+    const nlohmann::ordered_json line = {
+        {"name", "cut/plane/" + std::to_string(triangles) + "/steps/" + std::to_string(steps)},
+        {"ours", median(ours.milliseconds)},
+        {"theirs", median(theirs)},
+        {"peer", "CGAL split, triangulate_and_refine_hole"},
+        {"ratio", median(theirs) / median(ours.milliseconds)},
+        {"unit", "ms"},
+        {"construction", median(ours.construction)},
+        {"median_step", median(ours.medianCall)},
+        {"longest_step", median(ours.longestCall)},
+        {"ours_with_cleanup", median(ours.cleaned)}};
+    std::puts(line.dump().c_str());
+    std::fflush(stdout);
+}
+
 void bench(int subdivisions, int repeats) {
     const SurfaceMesh whole = test::icosphere(subdivisions, kRadius);
     const double edge = meanEdge(whole);
-    std::vector<double> ours, cleaned, theirs;
+    std::vector<double> theirs;
+    std::array<Ours, kSteps.size()> ours;
     for (int i = 0; i < repeats; ++i) {
-        const Outcome our = ourCut(whole, edge, false);
         const Outcome their = theirCut(whole);
-        if (i == 0) {
-            std::fprintf(stderr, "cut/plane/%d\n", whole.triangleSlots());
-            requireSameVolumes(our, their);
-            requireComparableWalls(our, their);
-        }
-        ours.push_back(our.milliseconds);
         theirs.push_back(their.milliseconds);
-        cleaned.push_back(ourCut(whole, edge, true).milliseconds);
+        for (std::size_t k = 0; k < kSteps.size(); ++k) {
+            const Outcome our = ourCut(whole, edge, kSteps[k], false);
+            if (i == 0) {
+                std::fprintf(stderr, "%d triangles, %d steps\n", whole.triangleSlots(), kSteps[k]);
+                requireSameVolumes(our, their);
+                requireComparableWalls(our, their);
+            }
+            ours[k].add(our);
+            ours[k].cleaned.push_back(ourCut(whole, edge, kSteps[k], true).milliseconds);
+        }
     }
-    const nlohmann::ordered_json line = {
-        {"name", "cut/plane/" + std::to_string(whole.triangleSlots())},
-        {"ours", median(ours)},
-        {"theirs", median(theirs)},
-        {"peer", "CGAL split, triangulate_and_refine_hole"},
-        {"ratio", median(theirs) / median(ours)},
-        {"unit", "ms"},
-        {"ours_with_cleanup", median(cleaned)}};
-    std::puts(line.dump().c_str());
-    std::fflush(stdout);
+    for (std::size_t k = 0; k < kSteps.size(); ++k) {
+        print(whole.triangleSlots(), kSteps[k], ours[k], theirs);
+    }
+}
+
+void repeatAlone(int subdivisions, int steps) {
+    constexpr int kLeast = 3;
+    constexpr double kMilliseconds = 3000;
+    const SurfaceMesh whole = test::icosphere(subdivisions, kRadius);
+    const double edge = meanEdge(whole);
+    Ours ours;
+    const CpuTime time;
+    for (int i = 0; i < kLeast || time.milliseconds() < kMilliseconds; ++i) {
+        ours.add(ourCut(whole, edge, steps, false));
+    }
+    std::printf(
+        "%d triangles, %d steps: %.2f ms, of that %.2f to construct; median step %.3f, "
+        "longest %.2f\n",
+        whole.triangleSlots(), steps, median(ours.milliseconds), median(ours.construction),
+        median(ours.medianCall), median(ours.longestCall));
 }
 
 }  // namespace
 }  // namespace kerf
 
-int main() {
+int main(int count, char** arguments) {
     try {
+        if (count == 3) {
+            kerf::repeatAlone(std::atoi(arguments[1]), std::atoi(arguments[2]));
+            return 0;
+        }
         kerf::bench(5, 5);
         kerf::bench(7, 5);
     } catch (const std::exception& error) {

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "sim/sort_unique.h"
+
 namespace kerf {
 
 namespace {
@@ -18,11 +20,6 @@ Bounds boundsOf(const SurfaceMesh& mesh, int t) {
         bounds.add(mesh.position(v));
     }
     return bounds;
-}
-
-void sortUnique(std::vector<int>& list) {
-    std::ranges::sort(list);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ PreparedBody::PreparedBody(SurfaceMesh atRest, const StageListener& enter)
     body = std::make_unique<BodyUpdater>(*mesh);
     begin("Preparing the blade");
     cutter = std::make_unique<Cutter>(*mesh, CutSettings{});
+    cutter->prepare();
     pages.assign(body->model().pieceOfVertex, body->model().pieces.size());
     uncut = std::make_shared<const UncutBody>(
         UncutBody{*mesh, *body, *cutter, checkClosedManifold(*mesh).empty()});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/sort_unique.h"
+
 namespace kerf {
 
 namespace {
@@ -22,11 +24,6 @@ std::vector<int> newWalls(const SurfaceMesh& mesh, std::span<const int> changed)
         }
     }
     return walls;
-}
-
-void makeUnique(std::vector<int>& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 }  // namespace
@@ -136,11 +133,11 @@ std::vector<int> IspcSet::spoiled(const BodyModel& model, std::span<const int> c
         }
     }
     addSeparated(model, labels, vertices);
-    makeUnique(vertices);
+    sortUnique(vertices);
     const std::size_t known = vertices.size();
     addCrossed(model, changed, vertices);
     if (vertices.size() > known) {
-        makeUnique(vertices);
+        sortUnique(vertices);
     }
     return vertices;
 }
@@ -177,7 +174,7 @@ void IspcSet::addCrossed(const BodyModel& model, std::span<const int> changed,
         }
         grid_.find(box, passing);
     }
-    makeUnique(passing);
+    sortUnique(passing);
     const RayTree wallTree(mesh_, walls);
     const auto known = static_cast<std::ptrdiff_t>(vertices.size());
     for (const int v : passing) {

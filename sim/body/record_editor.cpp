@@ -4,11 +4,6 @@
 
 namespace kerf {
 
-void sortUnique(std::vector<std::uint32_t>& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 IncidenceRooms::IncidenceRooms(const Incidence& incidence) {
     room_.reserve(incidence.ranges.size());
     for (const IncidenceRange& range : incidence.ranges) {

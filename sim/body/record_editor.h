@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/body/incidence.h"
+#include "sim/sort_unique.h"
 
 namespace kerf {
 
@@ -30,9 +31,6 @@ class IncidenceRooms {
     std::vector<std::uint32_t> room_;               ///< by vertex
     std::vector<std::vector<std::uint32_t>> idle_;  ///< first entries of blocks, by room / 4
 };
-
-/// Ascending, each once.
-void sortUnique(std::vector<std::uint32_t>& values);
 
 /// One edit of an array of records without gaps, and of the lists of what touches each vertex.
 /// Remove first, then add, then close: new records fill the holes, and the last ones move into

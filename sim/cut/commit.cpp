@@ -6,6 +6,7 @@
 #include <set>
 
 #include "sim/cut/edge_repair.h"
+#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 
@@ -213,10 +214,7 @@ class Commit {
         for (int t = firstTriangle_; t < mesh_.triangleSlots(); ++t) {
             delta.addedTriangles.push_back(t);
         }
-        std::sort(delta.changedTriangles.begin(), delta.changedTriangles.end());
-        delta.changedTriangles.erase(
-            std::unique(delta.changedTriangles.begin(), delta.changedTriangles.end()),
-            delta.changedTriangles.end());
+        sortUnique(delta.changedTriangles);
     }
 
     SurfaceMesh& mesh_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/sort_unique.h"
+
 namespace kerf {
 
 std::vector<int> changedTriangles(const CutDelta& delta) {
@@ -10,8 +12,7 @@ std::vector<int> changedTriangles(const CutDelta& delta) {
          {&delta.removedTriangles, &delta.addedTriangles, &delta.changedTriangles}) {
         all.insert(all.end(), list->begin(), list->end());
     }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sortUnique(all);
     return all;
 }
 
@@ -23,8 +24,7 @@ std::vector<std::uint32_t> rewrittenVertices(const SurfaceMesh& mesh, const CutD
     for (int v = delta.firstNewVertex; v < mesh.vertexCount(); ++v) {
         all.push_back(static_cast<std::uint32_t>(v));
     }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sortUnique(all);
     return all;
 }
 

@@ -11,6 +11,7 @@
 #include "sim/cut/piece_groups.h"
 #include "sim/cut/step_result.h"
 #include "sim/cut/wall_edge.h"
+#include "sim/sort_unique.h"
 
 namespace kerf {
 
@@ -179,6 +180,10 @@ CutResult Cutter::finish() {
     return result;
 }
 
+void Cutter::prepare() {
+    state_->surface.prepare();
+}
+
 void Cutter::useFinder(TriangleFinder* finder) {
     state_->finder = finder;
     state_->tree.reset();
@@ -231,8 +236,7 @@ std::vector<int> Cutter::followedVertices() const {
         }
     }
     state_->surface.addVertices(vertices);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sortUnique(vertices);
     return vertices;
 }
 

@@ -134,6 +134,9 @@ class Cutter {
     Cutter(const Cutter& other);
     Cutter& operator=(const Cutter&) = delete;
 
+    /// Does ahead what the first steps would otherwise do on the way, so that none of them takes
+    /// long. O(n log n).
+    void prepare();
     /// Looks triangles up by `finder`, which must outlive the cutter and its copies and know how
     /// the mesh moves; null: by a tree of its own, as at the start.
     void useFinder(TriangleFinder* finder);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/mesh/closest_point.h"
+#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 
@@ -26,26 +27,41 @@ bool isNear(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, double r
 
 StrokeSurface::StrokeSurface(const SurfaceMesh& mesh)
     : mesh_(mesh), vertexCount_(mesh.vertexCount()), parts_(mesh.triangleSlots()) {
-    const std::vector<int> living = livingTriangles(mesh);
-    for (const int t : living) {
-        parts_[t] = {mesh.triangle(t), mesh.wallLabel(t)};
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            parts_[t] = {mesh.triangle(t), mesh.wallLabel(t)};
+        }
     }
-    tree_ = BoxTree(living, [this](int part) { return restBounds(part); });
+}
+
+LazyBoxTree& StrokeSurface::tree() const {
+    if (!tree_) {
+        std::vector<int> living;
+        for (int part = 0; part < static_cast<int>(parts_.size()); ++part) {
+            if (parts_[part].corners[0] >= 0) {
+                living.push_back(part);
+            }
+        }
+        tree_.emplace(living, [this](int part) { return restBounds(part); });
+    }
+    return *tree_;
+}
+
+void StrokeSurface::prepare() {
+    tree().divideAll();
 }
 
 void StrokeSurface::beginStroke() {
     std::vector<int> changed = std::exchange(changed_, {});
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    sortUnique(changed);
     parts_.resize(mesh_.triangleSlots());
     for (const int t : changed) {
-        tree_.erase(t);
-        parts_[t] = {mesh_.triangle(t), mesh_.wallLabel(t)};
+        parts_[t] = mesh_.alive(t) ? Part{mesh_.triangle(t), mesh_.wallLabel(t)} : Part{};
     }
-    for (const int t : changed) {
-        if (mesh_.alive(t)) {
-            tree_.insert(t, [this](int part) { return restBounds(part); });
-        }
+    if (tree_) {
+        tree_->erase(changed);
+        std::erase_if(changed, [this](int t) { return !mesh_.alive(t); });
+        tree_->insert(changed, [this](int part) { return restBounds(part); });
     }
     vertexCount_ = mesh_.vertexCount();
     thinned_ = {};
@@ -53,7 +69,9 @@ void StrokeSurface::beginStroke() {
 
 void StrokeSurface::follow(std::span<const int> triangles, double restMotion) {
     changed_.insert(changed_.end(), triangles.begin(), triangles.end());
-    tree_.moved(restMotion);
+    if (tree_) {
+        tree_->moved(restMotion);
+    }
 }
 
 Bounds StrokeSurface::restBounds(int part) const {
@@ -70,9 +88,9 @@ std::vector<int> StrokeSurface::partsNear(const Vec3& rest, double reach) const 
     around.add(rest);
     around.widen(reach);
     std::vector<int> found;
-    tree_.find([this](int part) { return restBounds(part); },
-               [&](const Bounds& box) { return box.overlaps(around); },
-               [&](int part) { found.push_back(part); });
+    tree().find([this](int part) { return restBounds(part); },
+                [&](const Bounds& box) { return box.overlaps(around); },
+                [&](int part) { found.push_back(part); });
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -88,9 +106,10 @@ std::vector<SurfaceSample> StrokeSurface::samplesAround(std::vector<Vec3> restPl
     if (edge != thinned_.edge || !thinned_.covers(restPlaces)) {
         thinned_.edge = edge;
         thinned_.boxes = boxesAround(std::move(restPlaces), edge);
+        slots_.resize(mesh_.vertexCount(), -1);
         thinned_.samples = thinByDistance(
-            tree_, [this](int part) -> const Triangle& { return parts_[part].corners; },
-            thinned_.boxes, edge);
+            tree(), [this](int part) -> const Triangle& { return parts_[part].corners; },
+            thinned_.boxes, edge, slots_);
     }
     std::vector<SurfaceSample> used;
     std::ranges::copy_if(

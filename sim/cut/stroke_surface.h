@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/cut/surface_samples.h"
-#include "sim/mesh/box_tree.h"
+#include "sim/mesh/lazy_box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
@@ -14,8 +14,11 @@ namespace kerf::cut {
 /// skin and the walls of earlier strokes, found by where they rest.
 class StrokeSurface {
   public:
-    /// The surface as it is; the mesh must outlive it. O(n log n).
+    /// The surface as it is; the mesh must outlive it. O(n). What is looked up divides a tree over
+    /// it further.
     explicit StrokeSurface(const SurfaceMesh& mesh);
+    /// Does at once what looking up would do on the way. O(n log n).
+    void prepare();
 
     /// The surface of the mesh as it is now, at the cost of what follow() told of.
     void beginStroke();
@@ -57,6 +60,7 @@ class StrokeSurface {
         std::vector<SurfaceSample> samples;
         bool covers(const std::vector<Vec3>& places) const;
     };
+    LazyBoxTree& tree() const;
     Bounds restBounds(int part) const;
     std::vector<int> partsNear(const Vec3& rest, double reach) const;
     bool isWhole(const Triangle& corners) const;
@@ -67,7 +71,9 @@ class StrokeSurface {
     std::vector<Part> parts_;  ///< by triangle slot of the mesh then
     std::vector<int> changed_;
     mutable Thinned thinned_;
-    mutable BoxTree tree_;  ///< of the parts that were alive; finding refits it
+    /// Of the parts that were alive; made when it is first asked, divided and refit by finding.
+    mutable std::optional<LazyBoxTree> tree_;
+    mutable std::vector<int> slots_;  ///< room for thinByDistance
 };
 
 }  // namespace kerf::cut

@@ -49,28 +49,31 @@ double distance(const Bounds& a, const Bounds& b) {
 
 class Thinning {
   public:
-    Thinning(const BoxTree& tree, const std::function<const Triangle&(int)>& cornersOf,
-             const std::vector<Bounds>& boxes, double h)
-        : tree_(tree), cornersOf_(cornersOf), boxes_(boxes), h_(h) {}
+    Thinning(LazyBoxTree& tree, const std::function<const Triangle&(int)>& cornersOf,
+             const std::vector<Bounds>& boxes, double h, std::vector<int>& slots)
+        : tree_(tree), cornersOf_(cornersOf), boxes_(boxes), h_(h), slots_(slots) {}
 
     std::vector<SurfaceSample> run() {
-        std::vector<int> stack{0};
+        std::vector<int> stack = tree_.roots();
         while (!stack.empty()) {
-            const BoxTree::Node& node = tree_.nodes()[stack.back()];
+            const int index = stack.back();
             stack.pop_back();
+            const LazyBoxTree::Node& node = tree_.node(index);
             if (node.count == 0) {
                 continue;
             }
             if (node.bounds.diagonal() <= mostSizeOfSample(node.bounds)) {
                 addOne(node);
-            } else if (node.child >= 0) {
-                stack.push_back(node.child + 1);
-                stack.push_back(node.child);
+            } else if (const int child = tree_.childrenOf(index); child >= 0) {
+                stack.insert(stack.end(), {child + 1, child});
             } else {
-                addAll(node);
+                addAll(tree_.node(index));
             }
         }
-        return merged();
+        for (const SurfaceSample& sample : samples_) {
+            slots_[sample.vertex] = -1;
+        }
+        return std::move(samples_);
     }
 
   private:
@@ -83,41 +86,32 @@ class Thinning {
         return std::max(size, kFinest * h_);
     }
 
-    void addOne(const BoxTree::Node& node) {
-        const BoxTree::Node* below = &node;
-        while (below->child >= 0) {
-            const BoxTree::Node& left = tree_.nodes()[below->child];
-            below = left.count > 0 ? &left : &left + 1;
-        }
-        const int vertex = cornersOf_(tree_.idsOf(*below).front())[0];
-        samples_.push_back({vertex, static_cast<double>(node.count)});
+    void addOne(const LazyBoxTree::Node& node) {
+        add(cornersOf_(tree_.firstOf(node))[0], static_cast<double>(node.count));
     }
 
-    void addAll(const BoxTree::Node& leaf) {
-        for (const int id : tree_.idsOf(leaf)) {
+    void addAll(const LazyBoxTree::Node& node) {
+        tree_.forEach(node, [this](int id) {
             for (const int v : cornersOf_(id)) {
-                samples_.push_back({v, 1.0 / 3});
+                add(v, 1.0 / 3);
             }
-        }
+        });
     }
 
-    std::vector<SurfaceSample> merged() {
-        std::ranges::stable_sort(samples_, {}, &SurfaceSample::vertex);
-        std::vector<SurfaceSample> out;
-        for (const SurfaceSample& sample : samples_) {
-            if (!out.empty() && out.back().vertex == sample.vertex) {
-                out.back().weight += sample.weight;
-            } else {
-                out.push_back(sample);
-            }
+    void add(int vertex, double weight) {
+        int& slot = slots_[vertex];
+        if (slot < 0) {
+            slot = static_cast<int>(samples_.size());
+            samples_.push_back({vertex, 0});
         }
-        return out;
+        samples_[slot].weight += weight;
     }
 
-    const BoxTree& tree_;
+    LazyBoxTree& tree_;
     const std::function<const Triangle&(int)>& cornersOf_;
     const std::vector<Bounds>& boxes_;
     double h_;
+    std::vector<int>& slots_;  ///< of each vertex: its sample, -1 for none
     std::vector<SurfaceSample> samples_;
 };
 
@@ -141,10 +135,11 @@ std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h) {
     return boxes;
 }
 
-std::vector<SurfaceSample> thinByDistance(const BoxTree& tree,
+std::vector<SurfaceSample> thinByDistance(LazyBoxTree& tree,
                                           const std::function<const Triangle&(int id)>& cornersOf,
-                                          const std::vector<Bounds>& boxes, double h) {
-    return Thinning(tree, cornersOf, boxes, h).run();
+                                          const std::vector<Bounds>& boxes, double h,
+                                          std::vector<int>& slots) {
+    return Thinning(tree, cornersOf, boxes, h, slots).run();
 }
 
 }  // namespace kerf::cut

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/mesh/box_tree.h"
+#include "sim/mesh/lazy_box_tree.h"
 
 namespace kerf::cut {
 
@@ -19,10 +19,11 @@ std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h);
 
 /// Vertices around `boxes` (rest space): all where the tree's triangles are small against `h`, else
 /// fewer the farther off, so that their number grows with the logarithm of the body. `tree` holds
-/// triangles by their box at rest, `cornersOf(id)` tells theirs. Ascending, each once. (Thinned by
-/// distance as in Barnes and Hut 1986.)
-std::vector<SurfaceSample> thinByDistance(const BoxTree& tree,
+/// triangles by their box at rest, `cornersOf(id)` tells theirs. Each once. `slots`: as many -1 as
+/// there are vertices, and so again afterwards. (Thinned by distance as in Barnes and Hut 1986.)
+std::vector<SurfaceSample> thinByDistance(LazyBoxTree& tree,
                                           const std::function<const Triangle&(int id)>& cornersOf,
-                                          const std::vector<Bounds>& boxes, double h);
+                                          const std::vector<Bounds>& boxes, double h,
+                                          std::vector<int>& slots);
 
 }  // namespace kerf::cut

@@ -1,11 +1,12 @@
 #include "sim/mesh/triangle_tree.h"
 
+#include <iterator>
 #include <utility>
 
 namespace kerf {
 
 TriangleTree::TriangleTree(const SurfaceMesh& mesh) : mesh_(mesh) {
-    tree_ = BoxTree(livingTriangles(mesh), [this](int t) { return boundsOf(t); });
+    tree_ = LazyBoxTree(livingTriangles(mesh), [this](int t) { return boundsOf(t); });
 }
 
 Bounds TriangleTree::boundsOf(int triangle) const {
@@ -23,14 +24,11 @@ void TriangleTree::catchUp() {
 }
 
 void TriangleTree::update(std::span<const int> triangles) {
-    for (const int t : triangles) {
-        tree_.erase(t);
-    }
-    for (const int t : triangles) {
-        if (mesh_.alive(t)) {
-            tree_.insert(t, [this](int id) { return boundsOf(id); });
-        }
-    }
+    tree_.erase(triangles);
+    std::vector<int> living;
+    std::ranges::copy_if(triangles, std::back_inserter(living),
+                         [this](int t) { return mesh_.alive(t); });
+    tree_.insert(living, [this](int t) { return boundsOf(t); });
 }
 
 }  // namespace kerf

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/mesh/box_tree.h"
+#include "sim/mesh/lazy_box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_finder.h"
 
@@ -13,7 +13,7 @@ namespace kerf {
 /// By a tree of boxes that follows the body while it deforms and is cut.
 class TriangleTree : public TriangleFinder {
   public:
-    /// The mesh must outlive the tree. O(n log n).
+    /// The mesh must outlive the tree. O(n); searches divide the tree further.
     explicit TriangleTree(const SurfaceMesh& mesh);
 
     /// No vertex has moved farther than `distance` [m] since the last call of either.
@@ -47,7 +47,7 @@ class TriangleTree : public TriangleFinder {
     void catchUp();
 
     const SurfaceMesh& mesh_;
-    BoxTree tree_;
+    LazyBoxTree tree_;
     bool lost_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include "shaders/shared/bindings.h"
 #include "sim/body/incidence.h"
 #include "sim/solve/solver_uniforms.h"
+#include "sim/sort_unique.h"
 
 namespace kerf {
 
@@ -117,8 +118,7 @@ std::vector<uint> verticesWithNewSpokes(const BodyModel& model, const BodyChange
             vertices.push_back(spokeAt(model, place).other);
         }
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sortUnique(vertices);
     return vertices;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/sort_unique.h"
+
 namespace kerf {
 
 using shared::kNoVertex;
@@ -108,8 +110,7 @@ std::uint32_t VertexPages::anyVertexOf(std::size_t piece) const {
 }
 
 std::vector<std::uint32_t> VertexPages::takeChangedPlaces() {
-    std::sort(changed_.begin(), changed_.end());
-    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+    sortUnique(changed_);
     return std::exchange(changed_, {});
 }
 

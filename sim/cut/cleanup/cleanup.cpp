@@ -11,6 +11,7 @@
 #include "sim/cut/cleanup/flip.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/slide.h"
+#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 
@@ -56,8 +57,7 @@ class SliverRemoval {
 
     /// The worst first.
     std::vector<Sliver> findSlivers(std::vector<int> triangles) const {
-        std::sort(triangles.begin(), triangles.end());
-        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        sortUnique(triangles);
         std::vector<Sliver> slivers;
         for (const int t : triangles) {
             if (mesh_.alive(t) && !isGood(t)) {

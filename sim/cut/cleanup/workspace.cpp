@@ -9,6 +9,7 @@
 #include "sim/cut/cleanup/material.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"
+#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 
@@ -16,11 +17,6 @@ namespace {
 
 // Nothing within this share of h of the rung is changed.
 constexpr double kRungReach = 0.1;
-
-void sortUnique(std::vector<int>& list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 /// Both lists sorted.
 std::vector<int> without(const std::vector<int>& list, const std::vector<int>& others) {

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 
 #include "sim/cut/cut_change.h"
 #include "sim/cut/cutter.h"
+#include "sim/mesh/box_tree.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
 
@@ -136,6 +140,135 @@ TEST_F(TriangleTreeTest, StaysShallowWhenThingsAreAddedInARow) {
         deepest = std::max(deepest, depth);
     }
     EXPECT_LE(deepest, BoxTree::kMaxDepth);
+}
+
+/// Random boxes of which some come and go: what is found is what a look at all of them finds.
+class LazyBoxTreeTest : public testing::Test {
+  protected:
+    static constexpr unsigned kSeed = 5;
+    std::mt19937 random{kSeed};
+    std::uniform_real_distribution<double> uniform{-1, 1};
+    std::vector<Bounds> boxes;
+    std::vector<bool> inTree;
+    LazyBoxTree tree;
+    LazyBoxTree::BoundsOf boundsOfId = [this](int id) { return boxes[id]; };
+
+    // Sizes from a thousandth up to a half, many in one place.
+    Bounds box() {
+        const Vec3 center = uniform(random) > 0.8
+                                ? Vec3(Vec3::Constant(0.3))
+                                : Vec3(uniform(random), uniform(random), uniform(random));
+        return cube(center, std::pow(10, -1.65 + 1.35 * uniform(random)));
+    }
+
+    void add(int count) {
+        std::vector<int> ids;
+        for (int i = 0; i < count; ++i) {
+            ids.push_back(static_cast<int>(boxes.size()));
+            boxes.push_back(box());
+            inTree.push_back(true);
+        }
+        tree.insert(ids, boundsOfId);
+    }
+
+    void eraseSome(double share) {
+        std::vector<int> ids;
+        for (int id = 0; id < static_cast<int>(boxes.size()); ++id) {
+            if (std::fabs(uniform(random)) < share) {
+                ids.push_back(id);
+                inTree[id] = false;
+            }
+        }
+        tree.erase(ids);
+    }
+
+    void expectFindsAll() {
+        SCOPED_TRACE("seed " + std::to_string(kSeed));
+        const Bounds searched = cube(Vec3(uniform(random), uniform(random), uniform(random)), 0.3);
+        std::vector<int> found;
+        tree.find(
+            boundsOfId, [&](const Bounds& b) { return b.overlaps(searched); },
+            [&](int id) { found.push_back(id); });
+        std::ranges::sort(found);
+        EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
+        int count = 0;
+        for (int id = 0; id < static_cast<int>(boxes.size()); ++id) {
+            EXPECT_EQ(tree.contains(id), inTree[id]);
+            count += inTree[id];
+            if (inTree[id] && boxes[id].overlaps(searched)) {
+                EXPECT_TRUE(std::ranges::binary_search(found, id)) << id;
+            }
+        }
+        EXPECT_TRUE(std::ranges::all_of(found, [this](int id) { return inTree[id]; }));
+        int counted = 0;
+        for (const int root : tree.roots()) {
+            counted += tree.node(root).count;
+        }
+        EXPECT_EQ(counted, count);
+    }
+};
+
+TEST_F(LazyBoxTreeTest, FindsAllWhileThingsComeAndGo) {
+    add(3000);
+    for (int round = 0; round < 60; ++round) {
+        expectFindsAll();
+        add(1 + static_cast<int>(random() % 300));
+        expectFindsAll();
+        eraseSome(round % 7 == 0 ? 0.6 : 0.02);
+        EXPECT_LE(tree.roots().size(), 20u);
+    }
+    eraseSome(2);
+    expectFindsAll();
+    EXPECT_TRUE(tree.bounds().empty());
+    add(10);
+    expectFindsAll();
+}
+
+TEST_F(LazyBoxTreeTest, FindsAllWhileThingsMove) {
+    add(2000);
+    for (int round = 0; round < 60; ++round) {
+        const double most = 0.01;
+        for (Bounds& moving : boxes) {
+            const Vec3 way = Vec3(uniform(random), uniform(random), uniform(random)).normalized();
+            moving.low += most * way;
+            moving.high += most * way;
+        }
+        tree.moved(most);
+        expectFindsAll();
+        add(20);
+        eraseSome(0.01);
+    }
+}
+
+TEST_F(LazyBoxTreeTest, FindsTheSameHoweverMuchIsDivided) {
+    add(2000);
+    LazyBoxTree divided = tree;
+    divided.divideAll();
+    int leaves = 0;
+    std::vector<int> stack = divided.roots();
+    while (!stack.empty()) {
+        const LazyBoxTree::Node& node = divided.node(stack.back());
+        stack.pop_back();
+        EXPECT_LE(node.depth, LazyBoxTree::kMaxDepth);
+        if (node.child >= 0) {
+            stack.insert(stack.end(), {node.child, node.child + 1});
+        } else {
+            ++leaves;
+            EXPECT_LE(node.count, 4);
+        }
+    }
+    EXPECT_GE(leaves, 500);
+    for (int i = 0; i < 20; ++i) {
+        const Bounds searched = cube(Vec3(uniform(random), uniform(random), uniform(random)), 0.3);
+        std::array<std::vector<int>, 2> found;
+        for (int k = 0; k < 2; ++k) {
+            (k == 0 ? tree : divided)
+                .find(
+                    boundsOfId, [&](const Bounds& b) { return b.overlaps(searched); },
+                    [&](int id) { found[k].push_back(id); });
+        }
+        EXPECT_EQ(found[0], found[1]);
+    }
 }
 
 }  // namespace

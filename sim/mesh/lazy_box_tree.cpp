@@ -1,0 +1,314 @@
+#include "sim/mesh/lazy_box_tree.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace kerf {
+
+namespace {
+
+// Deeper nodes are halved by count, which bounds the depth.
+constexpr int kMiddleDepth = 56;
+// Cubes are larger by these shares of their reach and of their distance from the origin, which
+// covers the roundings of floats.
+constexpr double kRoundingOfReach = 1e-6;
+constexpr double kRoundingOfCenter = 3e-7;
+
+}  // namespace
+
+LazyBoxTree::Item LazyBoxTree::itemOf(int id, const BoundsOf& boundsOf) {
+    const Bounds bounds = boundsOf(id);
+    Item item;
+    double reach = 0;
+    double farthest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        item.center[axis] = static_cast<float>(0.5 * (bounds.low[axis] + bounds.high[axis]));
+        const double center = item.center[axis];
+        reach = std::max({reach, bounds.high[axis] - center, center - bounds.low[axis]});
+        farthest = std::max(farthest, std::fabs(center));
+    }
+    item.reach =
+        static_cast<float>(reach * (1 + kRoundingOfReach) + (farthest + reach) * kRoundingOfCenter);
+    item.id = id;
+    return item;
+}
+
+Bounds LazyBoxTree::boundsOfPlaces(int first, int end) const {
+    std::array<float, 3> low{1e30F, 1e30F, 1e30F};
+    std::array<float, 3> high{-1e30F, -1e30F, -1e30F};
+    bool any = false;
+    for (int place = first; place < end; ++place) {
+        const Item& item = items_[place];
+        if (item.id < 0) {
+            continue;
+        }
+        any = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], item.center[axis] - item.reach);
+            high[axis] = std::max(high[axis], item.center[axis] + item.reach);
+        }
+    }
+    return any ? Bounds{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}} : Bounds{};
+}
+
+void LazyBoxTree::insert(std::span<const int> ids, const BoundsOf& boundsOf) {
+    if (ids.empty()) {
+        return;
+    }
+    const int first = static_cast<int>(items_.size());
+    if (first == 0) {
+        items_.reserve(ids.size());
+    }
+    placeOf_.resize(std::max(placeOf_.size(), std::size_t(*std::ranges::max_element(ids)) + 1), -1);
+    for (const int id : ids) {
+        assert(!contains(id));
+        placeOf_[id] = static_cast<int>(items_.size());
+        items_.push_back(itemOf(id, boundsOf));
+    }
+    Node root;
+    root.first = first;
+    root.end = static_cast<int>(items_.size());
+    root.count = root.end - first;
+    root.bounds = boundsOfPlaces(first, root.end);
+    root.stamp = motion_;
+    roots_.push_back(newPair());
+    nodes_[roots_.back()] = root;
+    while (roots_.size() > 1 &&
+           nodes_[roots_[roots_.size() - 2]].count <= 2 * nodes_[roots_.back()].count) {
+        joinLastTwo();
+    }
+}
+
+/// They become one undivided tree, without their empty places.
+void LazyBoxTree::joinLastTwo() {
+    const int last = roots_.back();
+    roots_.pop_back();
+    Node joined = nodes_[roots_.back()];
+    joined.bounds.add(nodes_[last].bounds);
+    joined.stamp = std::min(joined.stamp, nodes_[last].stamp);
+    joined.count += nodes_[last].count;
+    joined.child = -1;
+    joined.end = closeRanks(joined.first, nodes_[last].end);
+    items_.resize(joined.end);
+    forget(last);
+    forget(std::exchange(roots_.back(), -1));
+    roots_.back() = newPair();
+    nodes_[roots_.back()] = joined;
+}
+
+void LazyBoxTree::erase(std::span<const int> ids) {
+    for (const int id : ids) {
+        if (!contains(id)) {
+            continue;
+        }
+        const int place = std::exchange(placeOf_[id], -1);
+        items_[place].id = -1;
+        const auto behind = std::ranges::upper_bound(
+            roots_, place, {}, [this](int root) { return nodes_[root].first; });
+        int index = *(behind - 1);
+        while (true) {
+            --nodes_[index].count;
+            const int child = nodes_[index].child;
+            if (child < 0) {
+                break;
+            }
+            index = place < nodes_[child + 1].first ? child : child + 1;
+        }
+    }
+}
+
+Bounds LazyBoxTree::widened(const Node& node) const {
+    Bounds bounds = node.bounds;
+    bounds.widen(motion_ - node.stamp);
+    return bounds;
+}
+
+Bounds LazyBoxTree::bounds() const {
+    Bounds all;
+    for (const int root : roots_) {
+        if (nodes_[root].count > 0) {
+            all.add(widened(nodes_[root]));
+        }
+    }
+    return all;
+}
+
+int LazyBoxTree::newPair() {
+    if (!freePairs_.empty()) {
+        const int left = freePairs_.back();
+        freePairs_.pop_back();
+        return left;
+    }
+    const int left = static_cast<int>(nodes_.size());
+    nodes_.resize(nodes_.size() + 2);
+    return left;
+}
+
+/// Frees a root and all below.
+void LazyBoxTree::forget(int index) {
+    freePairs_.push_back(index);
+    std::vector<int> stack{nodes_[index].child};
+    while (!stack.empty()) {
+        const int left = stack.back();
+        stack.pop_back();
+        if (left >= 0) {
+            stack.insert(stack.end(), {nodes_[left].child, nodes_[left + 1].child});
+            freePairs_.push_back(left);
+        }
+    }
+}
+
+void LazyBoxTree::setPlace(int place, const Item& item) {
+    items_[place] = item;
+    placeOf_[item.id] = place;
+}
+
+/// Moves what is there to the front; returns where the empty places begin.
+int LazyBoxTree::closeRanks(int first, int end) {
+    int to = first;
+    for (int place = first; place < end; ++place) {
+        if (items_[place].id < 0) {
+            continue;
+        }
+        if (place != to) {
+            setPlace(to, items_[place]);
+            items_[place].id = -1;
+        }
+        ++to;
+    }
+    return to;
+}
+
+int LazyBoxTree::divide(int index) {
+    Node node = nodes_[index];
+    if (node.end - node.first > node.count) {
+        node.end = nodes_[index].end = closeRanks(node.first, node.end);
+    }
+    if (node.count <= kLeafSize) {
+        return -1;
+    }
+    const int middle = partition(node);
+    const int left = newPair();
+    nodes_[index].child = left;
+    const std::array<int, 3> cuts{node.first, middle, node.end};
+    for (int i = 0; i < 2; ++i) {
+        Node& child = nodes_[left + i];
+        child.first = cuts[i];
+        child.end = cuts[i + 1];
+        child.count = child.end - child.first;
+        child.bounds = boundsOfPlaces(child.first, child.end);
+        child.stamp = node.stamp;
+        child.child = -1;
+        child.depth = node.depth + 1;
+    }
+    return left;
+}
+
+/// Reorders the items of a node without empty places; returns where the right half begins.
+int LazyBoxTree::partition(const Node& node) {
+    const auto longest = [](const Bounds& box) {
+        int axis = 0;
+        (box.high - box.low).maxCoeff(&axis);
+        return axis;
+    };
+    const int axis = longest(node.bounds);
+    if (node.depth >= kMiddleDepth) {
+        return halve(node, axis);
+    }
+    const auto dividesAt = [&node](int place) { return place > node.first && place < node.end; };
+    if (const int at = partitionAt(node, axis, node.bounds.center()[axis]); dividesAt(at)) {
+        return at;
+    }
+    Bounds centers;
+    for (int place = node.first; place < node.end; ++place) {
+        const auto& c = items_[place].center;
+        centers.add(Vec3(c[0], c[1], c[2]));
+    }
+    const int across = longest(centers);
+    const int at = partitionAt(node, across, centers.center()[across]);
+    return dividesAt(at) ? at : halve(node, across);
+}
+
+/// Those below the plane come first; returns where the others begin.
+int LazyBoxTree::partitionAt(const Node& node, int axis, double plane) {
+    int low = node.first;
+    int high = node.end;
+    while (true) {
+        while (low < high && items_[low].center[axis] < plane) {
+            ++low;
+        }
+        while (low < high && items_[high - 1].center[axis] >= plane) {
+            --high;
+        }
+        if (low == high) {
+            return low;
+        }
+        const Item right = items_[low];
+        setPlace(low++, items_[high - 1]);
+        setPlace(--high, right);
+    }
+}
+
+int LazyBoxTree::halve(const Node& node, int axis) {
+    const auto begin = items_.begin() + node.first;
+    std::sort(begin, items_.begin() + node.end, [axis](const Item& a, const Item& b) {
+        return a.center[axis] != b.center[axis] ? a.center[axis] < b.center[axis] : a.id < b.id;
+    });
+    for (int place = node.first; place < node.end; ++place) {
+        placeOf_[items_[place].id] = place;
+    }
+    return node.first + node.count / 2;
+}
+
+void LazyBoxTree::divideAll() {
+    std::vector<int> stack = roots_;
+    while (!stack.empty()) {
+        const int index = stack.back();
+        stack.pop_back();
+        if (const int child = childrenOf(index); child >= 0) {
+            stack.insert(stack.end(), {child, child + 1});
+        }
+    }
+}
+
+void LazyBoxTree::refit(const BoundsOf& boundsOf) {
+    motion_ += 1;  // every stamp is too old
+    for (const int root : roots_) {
+        refitWithin(root, 0, boundsOf);
+    }
+}
+
+/// Leaves every box below at most `tolerance` too wide.
+void LazyBoxTree::refitWithin(int index, double tolerance, const BoundsOf& boundsOf) {
+    if (motion_ - nodes_[index].stamp <= tolerance) {
+        return;
+    }
+    const int child = nodes_[index].child;
+    if (child < 0) {
+        makeAnew(nodes_[index], boundsOf);
+        return;
+    }
+    Bounds bounds;
+    for (const int c : {child, child + 1}) {
+        refitWithin(c, tolerance, boundsOf);
+        if (nodes_[c].count > 0) {
+            bounds.add(widened(nodes_[c]));
+        }
+    }
+    nodes_[index].bounds = bounds;
+    nodes_[index].stamp = motion_;
+}
+
+void LazyBoxTree::makeAnew(Node& node, const BoundsOf& boundsOf) {
+    for (int place = node.first; place < node.end; ++place) {
+        if (const int id = items_[place].id; id >= 0) {
+            items_[place] = itemOf(id, boundsOf);
+        }
+    }
+    node.bounds = boundsOfPlaces(node.first, node.end);
+    node.stamp = motion_;
+}
+
+}  // namespace kerf

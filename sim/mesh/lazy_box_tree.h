@@ -1,0 +1,157 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sim/math.h"
+
+namespace kerf {
+
+/// A forest of bounding-volume trees over numbered things with boxes, for few searches among many
+/// things that change in batches. Nodes are divided where something is first looked for, at the
+/// middle of their longest side, so what nobody looks at costs one pass. A batch is a tree of its
+/// own; trees of like size merge (Bentley and Saxe 1980). What it finds does not depend on its
+/// shape.
+///
+/// Boxes of nodes may be larger than needed, never smaller. Each remembers how far things had moved
+/// when it was made, so that after moved(d) it counts as wider by d.
+class LazyBoxTree {
+  public:
+    /// The box of a thing now.
+    using BoundsOf = std::function<Bounds(int id)>;
+
+    struct Node {
+        Bounds bounds;
+        double stamp = 0;  ///< motion of the things when the bounds were made
+        int first = 0;     ///< of its places
+        int end = 0;       ///< behind them
+        int child = -1;    ///< the left one, the right one follows it; -1 while it is not divided
+        int depth = 0;
+        int count = 0;  ///< things below; places may be empty
+    };
+
+    LazyBoxTree() = default;
+    /// O(n).
+    LazyBoxTree(std::span<const int> ids, const BoundsOf& boundsOf) { insert(ids, boundsOf); }
+
+    /// None of them may be in the tree.
+    void insert(std::span<const int> ids, const BoundsOf& boundsOf);
+    /// Those that are in the tree.
+    void erase(std::span<const int> ids);
+    bool contains(int id) const {
+        return id < static_cast<int>(placeOf_.size()) && placeOf_[id] >= 0;
+    }
+
+    /// Nothing has moved farther than `distance` [m] since the last call.
+    void moved(double distance) { motion_ += distance; }
+    /// Makes every box anew. O(n).
+    void refit(const BoundsOf& boundsOf);
+
+    /// Calls visit(id) for everything in undivided nodes whose box meets(box); may find more than
+    /// needed. Boxes that have become much too wide are made anew on the way.
+    template <class Meets, class Visit>
+    void find(const BoundsOf& boundsOf, Meets&& meets, Visit&& visit);
+
+    /// Holds all things; larger than needed by as much as they may have moved. Empty where there is
+    /// nothing.
+    Bounds bounds() const;
+
+    // For other ways through the trees.
+    /// Each stands for a tree.
+    const std::vector<int>& roots() const { return roots_; }
+    const Node& node(int index) const { return nodes_[index]; }
+    /// The left child, the right one follows it; -1 for a node with few things. Divides the node
+    /// where nobody has.
+    int childrenOf(int index) {
+        return nodes_[index].child >= 0 ? nodes_[index].child : divide(index);
+    }
+    template <class Visit>
+    void forEach(const Node& node, Visit&& visit) const {
+        for (int place = node.first; place < node.end; ++place) {
+            if (items_[place].id >= 0) {
+                visit(items_[place].id);
+            }
+        }
+    }
+    /// Of a node that holds something.
+    int firstOf(const Node& node) const {
+        int place = node.first;
+        while (items_[place].id < 0) {
+            ++place;
+        }
+        return items_[place].id;
+    }
+    /// Divides all nodes, so that no search has to. O(n log n).
+    void divideAll();
+
+    /// No node lies deeper.
+    static constexpr int kMaxDepth = 90;
+
+  private:
+    // A box may be wider than needed by this share of its diagonal.
+    static constexpr double kSlack = 0.1;
+    static constexpr int kLeafSize = 4;
+    // Roots halve in size at least from one to the next.
+    static constexpr int kMostRoots = 33;
+
+    /// A thing by a cube that holds its box.
+    struct Item {
+        std::array<float, 3> center{};
+        float reach = 0;
+        int id = -1;  ///< -1: the place is empty
+    };
+
+    static Item itemOf(int id, const BoundsOf& boundsOf);
+    Bounds widened(const Node& node) const;
+    Bounds boundsOfPlaces(int first, int end) const;
+    int divide(int index);
+    int partition(const Node& node);
+    int partitionAt(const Node& node, int axis, double plane);
+    int halve(const Node& node, int axis);
+    void setPlace(int place, const Item& item);
+    int closeRanks(int first, int end);
+    void joinLastTwo();
+    int newPair();
+    void forget(int index);
+    void refitWithin(int index, double tolerance, const BoundsOf& boundsOf);
+    void makeAnew(Node& node, const BoundsOf& boundsOf);
+
+    std::vector<Node> nodes_;
+    std::vector<Item> items_;   ///< those of a node lie in a row
+    std::vector<int> placeOf_;  ///< of each id, -1 for none
+    std::vector<int> roots_;    ///< in the order of their places
+    std::vector<int> freePairs_;
+    double motion_ = 0;
+};
+
+template <class Meets, class Visit>
+void LazyBoxTree::find(const BoundsOf& boundsOf, Meets&& meets, Visit&& visit) {
+    std::array<int, kMaxDepth + kMostRoots + 2> stack;
+    int size = 0;
+    for (const int root : roots_) {
+        stack[size++] = root;
+    }
+    while (size > 0) {
+        const int index = stack[--size];
+        if (nodes_[index].count == 0 || !meets(widened(nodes_[index]))) {
+            continue;
+        }
+        const double slack = motion_ - nodes_[index].stamp;
+        if (const double most = kSlack * nodes_[index].bounds.diagonal(); slack > most) {
+            refitWithin(index, most, boundsOf);
+            if (!meets(nodes_[index].bounds)) {
+                continue;
+            }
+        }
+        if (const int child = childrenOf(index); child >= 0) {
+            stack[size++] = child + 1;
+            stack[size++] = child;
+        } else {
+            forEach(nodes_[index], visit);
+        }
+    }
+}
+
+}  // namespace kerf
