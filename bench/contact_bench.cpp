@@ -61,7 +61,9 @@ void playDrops(const Options& options) {
     DropFigures sum;
     for (int i = options.first; i < options.first + options.runs; ++i) {
         const DropFigures figures = dropAtRandom({options.seed, i}, options.params);
-        if (figures.nonFinite + figures.escaped + figures.tunnels + figures.intersections > 0) {
+        if (figures.nonFinite + figures.escaped + figures.tunnels + figures.intersections +
+                figures.crumpled >
+            0) {
             std::printf("  drop %d: %s\n", i, text(figures).c_str());
             std::fflush(stdout);
         }

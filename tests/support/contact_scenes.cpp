@@ -206,6 +206,11 @@ Vec3 restCenter(const SurfaceMesh& mesh, int t) {
            3;
 }
 
+bool closeInRest(const SurfaceMesh& mesh, int a, int b) {
+    constexpr double kClose = 3;  // mean edge lengths
+    return (restCenter(mesh, a) - restCenter(mesh, b)).norm() < kClose * meanRestEdgeLength(mesh);
+}
+
 }  // namespace
 
 OctopusFigures dropOctopus(const Params& params) {
@@ -220,10 +225,9 @@ OctopusFigures dropOctopus(const Params& params) {
     }
     figures.jitter = jitter(simulation, stepsOf(0.5, params), box.diagonal());
     const SurfaceMesh& now = simulation.mesh();
-    const double near = 3 * meanRestEdgeLength(now);
     for (const auto& [a, b] : selfIntersections(now)) {
         ++figures.intersections;
-        figures.folds += (restCenter(now, a) - restCenter(now, b)).norm() < near;
+        figures.folds += closeInRest(now, a, b);
     }
     return figures;
 }
@@ -421,7 +425,12 @@ DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
         deepest = std::max(deepest, deepestInBox(stands, now));
     }
     figures.tunnels = deepest > 0.03;
-    figures.intersections = static_cast<int>(selfIntersections(now).size());
+    const PieceMap& pieces = simulation.pieces();
+    for (const auto& [a, b] : selfIntersections(now)) {
+        const bool onePiece =
+            pieces.ofVertex[now.triangle(a)[0]] == pieces.ofVertex[now.triangle(b)[0]];
+        ++(onePiece && closeInRest(now, a, b) ? figures.crumpled : figures.intersections);
+    }
     return figures;
 }
 
@@ -431,13 +440,15 @@ void DropFigures::add(const DropFigures& other) {
     escaped += other.escaped;
     tunnels += other.tunnels;
     intersections += other.intersections;
+    crumpled += other.crumpled;
 }
 
 std::string text(const DropFigures& f) {
     char line[256];
     std::snprintf(line, sizeof line,
-                  "%d runs, not finite %d, escaped %d, tunnels %d, intersecting pairs %d", f.runs,
-                  f.nonFinite, f.escaped, f.tunnels, f.intersections);
+                  "%d runs, not finite %d, escaped %d, tunnels %d, intersecting pairs %d, of close "
+                  "neighbours %d more",
+                  f.runs, f.nonFinite, f.escaped, f.tunnels, f.intersections, f.crumpled);
     return line;
 }
 

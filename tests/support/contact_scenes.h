@@ -74,7 +74,8 @@ struct DropFigures {
     int escaped = 0;        ///< runs that ended with a vertex below the floor or far away
     int tunnels = 0;        ///< runs that ended with a vertex deep inside another piece or a box,
                             ///< or a corner of a box deep inside a body
-    int intersections = 0;  ///< pairs of triangles of two pieces at the end
+    int intersections = 0;  ///< pairs of triangles at the end, of two pieces or of two parts of one
+    int crumpled = 0;       ///< the same of close neighbours: skin folded onto itself
     void add(const DropFigures& other);
 };
 DropFigures dropAtRandom(const DropRun& run, const Params& params);
