@@ -48,7 +48,11 @@ void EditorReadings::addState(double time, const Simulation& simulation) {
     history_.volumePercent.add(time, 100 * report.volumeRatio);
     history_.kineticEnergy.add(time, report.kineticEnergy);
     history_.potentialEnergy.add(time, report.potentialEnergy);
-    history_.totalEnergy.add(time, report.kineticEnergy + report.potentialEnergy);
+    if (report.strainEnergy) {
+        history_.strainEnergy.add(time, *report.strainEnergy);
+    }
+    history_.totalEnergy.add(
+        time, report.kineticEnergy + report.potentialEnergy + report.strainEnergy.value_or(0.0));
     const std::vector<Piece> pieces = simulation.measuredPieces();
     const std::size_t shown = std::min<std::size_t>(pieces.size(), ui::kPlottedPieces);
     std::vector<ui::Series>& series = history_.piecePercent;
@@ -69,7 +73,8 @@ void EditorReadings::addPicture(double time, double elapsedSeconds, double rende
 void EditorReadings::forgetAfter(double time) {
     for (ui::Series* series :
          {&history_.framesPerSecond, &history_.volumePercent, &history_.kineticEnergy,
-          &history_.potentialEnergy, &history_.totalEnergy, &history_.touchedTriangles}) {
+          &history_.potentialEnergy, &history_.strainEnergy, &history_.totalEnergy,
+          &history_.touchedTriangles}) {
         series->forgetAfter(time);
     }
     for (ui::Series& series : history_.stages) {

@@ -15,6 +15,7 @@ render::SceneView sceneOf(const Simulation& simulation, const render::Material& 
     scene.boxes = simulation.boxes();
     scene.floor = simulation.params().floor;
     scene.blade = simulation.blade();
+    scene.bladeBody = simulation.bladeBody();
     scene.sweep = sweep;
     scene.focus = simulation.bounds();
     return scene;

@@ -11,6 +11,7 @@
 #include "render/image.h"
 #include "render/material.h"
 #include "render/overlays.h"
+#include "sim/contact/blade_body.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/blade.h"
 #include "sim/mesh/surface_mesh.h"
@@ -45,10 +46,11 @@ struct SceneView {
     Material material;
     Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
     std::vector<StaticBox> boxes;
-    std::optional<double> floor;  ///< height of the grid floor [m]
-    std::optional<Blade> blade;   ///< steel with a bright edge
-    std::vector<Blade> sweep;     ///< poses of the running stroke: translucent quads
-    Bounds focus;                 ///< what the shadow map must cover (body, current)
+    std::optional<double> floor;           ///< height of the grid floor [m]
+    std::optional<Blade> blade;            ///< steel with a bright edge
+    std::optional<BladeMotion> bladeBody;  ///< its true shape where it pushes; drawn as it ends
+    std::vector<Blade> sweep;              ///< poses of the running stroke: translucent quads
+    Bounds focus;                          ///< what the shadow map must cover (body, current)
     bool wireframe = false;
     bool cutLines = false;  ///< a dark line on the skin along the rim of each cut
     /// Body, boxes and blade alone, on nothing: colours come out multiplied by their alpha.

@@ -90,6 +90,22 @@ const std::array kRows = {
          "How fast surfaces that have got into one another come apart.", ParamType::real, 0.01, 10,
          true},
         &Params::depenetrationSpeed},
+    Row{{"blade_push", "Blade pushes", "",
+         "1: what lies behind the blade's edge is a plate that pushes: it holds a slit open, and "
+         "its "
+         "back and its sides move what they meet; 0: the blade only cuts.",
+         ParamType::integer, 0, 1, false},
+        &Params::bladePush},
+    Row{{"blade_width", "Blade width", "",
+         "How far the pushing blade reaches back from its edge, as a share of the model's "
+         "diagonal.",
+         ParamType::real, 0.02, 1, false},
+        &Params::bladeWidth},
+    Row{{"blade_thickness", "Blade thickness", "",
+         "How thick the pushing blade is, as a share of the model's diagonal: so wide it holds a "
+         "slit.",
+         ParamType::real, 0.001, 0.1, false},
+        &Params::bladeThickness},
     Row{{"wall_coarsening", "Wall coarsening", "",
          "How much coarser the inside of a cut gets when its stroke ends; 1 keeps it as it is.",
          ParamType::real, 1, 10, false},

@@ -37,6 +37,9 @@ struct Params {
     int paperContact = 0;               ///< 1: the paper's response of pieces instead
     double contactThickness = 0.05;     ///< distance kept, as a share of the edge length of walls
     double depenetrationSpeed = 1;      ///< at which penetrations are taken back [m/s]
+    int bladePush = 0;                  ///< 1: the blunt body of the blade pushes; 0: it only cuts
+    double bladeWidth = 0.15;           ///< of that body, as a share of the uncut body's diagonal
+    double bladeThickness = 0.01;       ///< the same of its thickness
 };
 
 /// A number, a vector, nothing (for parameters that may be absent, as the floor), or a choice.

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -57,6 +58,14 @@ void roundVertices(SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices
     }
 }
 
+// While the blade stands in material its body begins this far behind the front (of the edge length
+// of walls): by so much the front lags behind the edge until it moves on.
+constexpr double kBehindFront = 0.5;
+
+double restDiagonal(const SurfaceMesh& mesh) {
+    return boxOf(mesh.restPositions()).diagonal();
+}
+
 bool standsInMaterial(const std::vector<RungNode>& rung) {
     for (const RungNode& node : rung) {
         if (node.vertex >= 0) {
@@ -73,6 +82,7 @@ struct Moment::Content {
     Params params;
     std::vector<StaticBox> boxes;
     std::optional<Blade> blade;
+    BladeCourse course;
     UndoHistory history;
     SnapshotPointer beforeStroke;
     bool strokeNoted = false;
@@ -88,6 +98,8 @@ struct Simulation::State {
         : uncut(std::move(prepared.uncut)),
           initialParams(firstParams),
           initialBoxes(std::move(firstBoxes)),
+          diagonal(restDiagonal(uncut->mesh)),
+          wallEdge(contactEdgeLength(uncut->body.model())),
           meshOwner(std::move(prepared.mesh)),
           body(std::move(prepared.body)),
           solverOwner(std::move(loadedSolver)),
@@ -141,6 +153,11 @@ struct Simulation::State {
     void solve();
     void foreseeCut();
     std::vector<Blade> pathOfBlade() const;
+    BladeCourse courseTo(const Blade& to) const;
+    BladeSize bladeSize() const;
+    double bladeFront(const BladeCourse& end) const;
+    std::optional<BladeMotion> bladeMotion() const;
+    std::optional<BladeMotion> bladeBody() const;
     void lookUpTriangles();
     void holdFront();
     void releaseFront();
@@ -172,6 +189,8 @@ struct Simulation::State {
     const std::shared_ptr<const UncutBody> uncut;
     const Params initialParams;
     const std::vector<StaticBox> initialBoxes;
+    const double diagonal;  ///< of the uncut body at rest [m]
+    const double wallEdge;  ///< edge length of walls [m]
 
     // The body: constant set-up, running state on the GPU, and the mesh, which is the truth about
     // topology and fetches positions where they are read.
@@ -194,6 +213,7 @@ struct Simulation::State {
     std::vector<StaticBox> boxes;
     std::vector<BladeAction> bladeActions;
     std::optional<Blade> blade;
+    BladeCourse course;  ///< of the blade, while there is one
     std::optional<Cutter> cutter;
 
     // Undo.
@@ -299,6 +319,7 @@ void Simulation::State::solve() {
     pull();
     foreseeCut();
     holdFront();
+    solver.setBlade(bladeMotion());
     solver.step();
     releaseFront();
     collideAsThePaper();
@@ -327,6 +348,55 @@ std::vector<Blade> Simulation::State::pathOfBlade() const {
         }
     }
     return path;
+}
+
+BladeSize Simulation::State::bladeSize() const {
+    return {params.bladeWidth * diagonal, params.bladeThickness * diagonal};
+}
+
+BladeCourse Simulation::State::courseTo(const Blade& to) const {
+    return blade ? ledTo(course, to, bladeSize().width) : BladeCourse{to};
+}
+
+/// How far behind the edge at the end of a step its body begins: not before where the edge has cut.
+double Simulation::State::bladeFront(const BladeCourse& end) const {
+    const std::vector<RungNode>& rung = cutter->rung();
+    double front = 0;
+    const auto keepBehind = [&](const Vec3& p, double s) {
+        const Vec3 edge = end.edge.a + s * (end.edge.b - end.edge.a);
+        front = std::max(front, end.back.dot(p - edge));
+    };
+    keepBehind(blade->a, 0);
+    keepBehind(blade->b, 1);
+    for (const RungNode& node : rung) {
+        keepBehind(node.vertex >= 0 ? mesh.position(node.vertex) : node.position, node.s);
+    }
+    return standsInMaterial(rung) ? front + kBehindFront * wallEdge : front;
+}
+
+std::optional<BladeMotion> Simulation::State::bladeBody() const {
+    if (params.bladePush == 0 || !blade || course.farthest <= 0) {
+        return std::nullopt;
+    }
+    return motionOf(std::array{course}, bladeSize(), 0, wallEdge, 1);
+}
+
+/// In the coming step, up to where the blade is lifted.
+std::optional<BladeMotion> Simulation::State::bladeMotion() const {
+    if (params.bladePush == 0 || !blade) {
+        return std::nullopt;
+    }
+    std::vector<BladeCourse> courses{course};
+    for (const BladeAction& action : bladeActions) {
+        const auto* move = std::get_if<MoveBlade>(&action);
+        if (move == nullptr) {
+            break;
+        }
+        courses.push_back(ledTo(courses.back(), move->blade, bladeSize().width));
+    }
+    BladeMotion motion = motionOf(courses, bladeSize(), bladeFront(courses.back()), wallEdge,
+                                  contactSettings(params).substeps);
+    return motion.back > motion.front ? std::optional(std::move(motion)) : std::nullopt;
 }
 
 void Simulation::State::foreseeCut() {
@@ -416,6 +486,7 @@ void Simulation::State::cut(const MoveBlade& move) {
     } else {
         endStroke();
     }
+    course = courseTo(move.blade);
     blade = move.blade;
 }
 
@@ -543,6 +614,9 @@ void Simulation::State::publish() {
     report.contacts = measure.contacts + paperContacts;
     report.kineticEnergy = measure.kineticEnergy;
     report.potentialEnergy = measure.potentialEnergy;
+    report.strainEnergy = params.solver == SolverMode::smallSteps
+                              ? std::optional(measure.strainEnergy)
+                              : std::nullopt;
     report.ispcs = static_cast<int>(model().ispcs.size());
     report.closed = closed;
 }
@@ -764,7 +838,7 @@ void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
 
 Moment Simulation::State::moment() {
     return Moment(std::make_shared<const Moment::Content>(
-        Moment::Content{capture(), params, boxes, blade, history, beforeStroke, strokeNoted,
+        Moment::Content{capture(), params, boxes, blade, course, history, beforeStroke, strokeNoted,
                         cutsSoFar, stepsDone, time, report}));
 }
 
@@ -773,6 +847,7 @@ void Simulation::State::goTo(const Moment::Content& then) {
     params = then.params;
     setBoxes(then.boxes);
     blade = then.blade;
+    course = then.course;
     history = then.history;
     beforeStroke = then.beforeStroke;
     strokeNoted = then.strokeNoted;
@@ -840,6 +915,9 @@ const StepReport& Simulation::report() const {
 }
 std::optional<Blade> Simulation::blade() const {
     return state_->blade;
+}
+std::optional<BladeMotion> Simulation::bladeBody() const {
+    return state_->bladeBody();
 }
 const std::vector<RungNode>& Simulation::rung() const {
     return state_->cutter->rung();

@@ -7,6 +7,7 @@
 
 #include "sim/body_upload.h"
 #include "sim/command.h"
+#include "sim/contact/blade_body.h"
 #include "sim/cut/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
@@ -34,8 +35,9 @@ struct StepReport {
     Debris debris;                     ///< removed in this step
     int contacts = 0;                  ///< of the body with itself in the last substep
     bool closed = true;
-    double kineticEnergy = 0;    ///< see BodyMeasure [J]
-    double potentialEnergy = 0;  ///< [J]
+    double kineticEnergy = 0;            ///< see BodyMeasure [J]
+    double potentialEnergy = 0;          ///< [J]
+    std::optional<double> strainEnergy;  ///< of the material; none with plain PBD [J]
     int lostPieces = 0;  ///< pieces that ran away and were taken back to where the step began
     double deformMs = 0;
     double collideMs = 0;
@@ -85,6 +87,9 @@ class Simulation {
     const StepReport& report() const;
     /// Where the blade is now; none while lifted.
     std::optional<Blade> blade() const;
+    /// The blade's body where it pushes; none while it only cuts, or has not moved since it was
+    /// placed.
+    std::optional<BladeMotion> bladeBody() const;
     /// Where the blade last cut: see Cutter::rung().
     const std::vector<RungNode>& rung() const;
     /// How the surface was divided since the body was whole.

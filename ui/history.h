@@ -23,7 +23,8 @@ struct History {
     std::vector<Series> piecePercent;    ///< of the rest volume of each, at most kPlottedPieces
     Series kineticEnergy;                ///< [J]
     Series potentialEnergy;              ///< [J]
-    Series totalEnergy;                  ///< the sum of both [J]
+    Series strainEnergy;                 ///< [J]; nothing with plain PBD
+    Series totalEnergy;                  ///< the sum of those there are [J]
     Series touchedTriangles;
     std::vector<PlotMark> marks;  ///< cuts, impacts, what was undone, by time
 };

@@ -22,6 +22,11 @@ bool isProminent(const ParamInfo& info) {
     return std::ranges::find(kProminent, info.name) != kProminent.end();
 }
 
+/// 0 or 1.
+bool isSwitch(const ParamInfo& info) {
+    return info.type == ParamType::integer && info.low == 0 && info.high == 1;
+}
+
 int decimalsFor(const ParamInfo& info) {
     if (info.type == ParamType::vector || info.type == ParamType::optionalReal) {
         return 2;
@@ -82,7 +87,7 @@ std::string rangeText(const ParamInfo& info) {
 
 std::string tooltipOf(const ParamInfo& info) {
     std::string text(info.meaning);
-    if (info.type != ParamType::choice) {
+    if (info.type != ParamType::choice && !isSwitch(info)) {
         text += "\n" + rangeText(info) + ". Ctrl+click to type a value.";
     }
     if (const std::string_view paper = paperValue(info.name); !paper.empty()) {
@@ -101,6 +106,13 @@ bool slideReal(const ParamInfo& info, const char* id, double& value) {
     const std::string format = sliderFormat(info);
     return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &info.low, &info.high,
                                format.c_str(), sliderFlags(info));
+}
+
+bool flipSwitch(double& value) {
+    bool on = value != 0;
+    const bool changed = ImGui::Checkbox("##value", &on);
+    value = on ? 1 : 0;
+    return changed;
 }
 
 bool slideInteger(const ParamInfo& info, double& value) {
@@ -166,7 +178,8 @@ bool slideValue(const ParamInfo& info, ParamValue& value) {
         case ParamType::real:
             return slideReal(info, "##value", std::get<double>(value));
         case ParamType::integer:
-            return slideInteger(info, std::get<double>(value));
+            return isSwitch(info) ? flipSwitch(std::get<double>(value))
+                                  : slideInteger(info, std::get<double>(value));
         case ParamType::vector:
             return slideVector(info, std::get<Vec3>(value));
         case ParamType::optionalReal:

@@ -15,9 +15,9 @@ namespace kerf::ui {
 namespace {
 
 constexpr std::array kKinds{
-    PlotKind{"frames", "Frames per second"},   PlotKind{"times", "Times, ms"},
-    PlotKind{"volume", "Volume, % of rest"},   PlotKind{"pieces", "Volume by piece, % of rest"},
-    PlotKind{"energy", "Energy of motion, J"}, PlotKind{"touched", "Triangles that a cut divides"},
+    PlotKind{"frames", "Frames per second"}, PlotKind{"times", "Times, ms"},
+    PlotKind{"volume", "Volume, % of rest"}, PlotKind{"pieces", "Volume by piece, % of rest"},
+    PlotKind{"energy", "Energy, J"},         PlotKind{"touched", "Triangles that a cut divides"},
 };
 
 bool isChosen(const Settings& settings, const char* id) {
@@ -82,6 +82,7 @@ void fillEnergy(PlotSpec& spec, const PanelModel& model) {
                     .hue = Hue::blue,
                     .style = CurveStyle::dashed,
                     .series = &history.potentialEnergy},
+                   {.label = "strain", .hue = Hue::green, .series = &history.strainEnergy},
                    {.label = "kinetic", .hue = Hue::orange, .series = &history.kineticEnergy}};
 }
 

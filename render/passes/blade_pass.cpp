@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <array>
 
 #include "shaders/shared/render_bindings.h"
@@ -17,8 +18,8 @@ struct BladeVertex {
 };
 static_assert(sizeof(BladeVertex) == 32);
 
-constexpr double kThickness = 0.05;   // half, of the height
-constexpr double kBevelHeight = 0.3;  // where the ground bevel ends, of the height
+constexpr double kHeight = 0.11;     // of the body's size, where the blade only cuts
+constexpr double kThickness = 0.05;  // half, of the height
 // The back is a pixel thin in most pictures: dark, it doesn't sparkle.
 constexpr double kBackShine = -0.45;
 const Eigen::Vector4f kSheetTint = {0.10f, 0.62f, 0.52f, 0.30f};
@@ -51,6 +52,24 @@ Vec3 spineDirection(const SceneView& scene) {
     return Vec3::UnitZ();
 }
 
+struct KnifeShape {
+    Vec3 spine;  ///< from the edge to the back, unit
+    double height;
+    double halfThickness;
+    double bevel;  ///< where the ground bevel ends, of the height
+};
+
+/// What pushes is drawn as it is.
+KnifeShape shapeOf(const SceneView& scene, double bodySize) {
+    const double height = bladeHeight(scene, bodySize);
+    if (!scene.bladeBody) {
+        return {spineDirection(scene), height, kThickness * height, kBladeBevel};
+    }
+    const BladeMotion& body = *scene.bladeBody;
+    return {body.frames.back().axes.col(1), height, body.halfAt(height),
+            std::min(body.bevel / height, 1.0)};
+}
+
 /// A prism along AB over this cross-section (seen from B, the cutting edge below):
 ///     3---2
 ///     |   |
@@ -59,10 +78,11 @@ Vec3 spineDirection(const SceneView& scene) {
 ///       0
 class KnifeBuilder {
   public:
-    KnifeBuilder(const Blade& blade, const Vec3& spine, double height)
-        : blade_(blade), spine_(spine), height_(height) {
-        side_ = (blade.b - blade.a).normalized().cross(spine);
-    }
+    KnifeBuilder(const Blade& blade, const KnifeShape& shape)
+        : blade_(blade),
+          shape_(shape),
+          side_((blade.b - blade.a).normalized().cross(shape.spine)),
+          section_{{{0, 0}, {1, shape.bevel}, {1, 1}, {-1, 1}, {-1, shape.bevel}}} {}
 
     std::vector<BladeVertex> build() {
         for (int i = 0; i < 5; ++i) {
@@ -74,19 +94,13 @@ class KnifeBuilder {
     }
 
   private:
-    static constexpr std::array<std::array<double, 2>, 5> kSection = {
-        {{0, 0},
-         {kThickness, kBevelHeight},
-         {kThickness, 1},
-         {-kThickness, 1},
-         {-kThickness, kBevelHeight}}};
-
     Vec3 at(const Vec3& end, int i) const {
-        return end + height_ * (kSection[i][0] * side_ + kSection[i][1] * spine_);
+        return end + shape_.halfThickness * section_[i][0] * side_ +
+               shape_.height * section_[i][1] * shape_.spine;
     }
 
     void add(const Vec3& end, int i, const Vec3& normal, double shine) {
-        vertices_.push_back({packed(at(end, i), kSection[i][1]), packed(normal, shine)});
+        vertices_.push_back({packed(at(end, i), section_[i][1]), packed(normal, shine)});
     }
 
     void addFace(int i, int j) {
@@ -113,9 +127,9 @@ class KnifeBuilder {
     }
 
     Blade blade_;
-    Vec3 spine_;
+    KnifeShape shape_;
     Vec3 side_;
-    double height_;
+    std::array<std::array<double, 2>, 5> section_;  ///< half thicknesses aside, heights up
     std::vector<BladeVertex> vertices_;
 };
 
@@ -150,6 +164,10 @@ std::vector<vec4> outline(const SceneView& scene) {
 
 }  // namespace
 
+double bladeHeight(const SceneView& scene, double bodySize) {
+    return scene.bladeBody ? scene.bladeBody->back : kHeight * bodySize;
+}
+
 BladePass::BladePass()
     : steel_(gpu::Program::graphics("render/blade.vert", "render/blade.frag")),
       sheet_(gpu::Program::graphics("render/sweep.vert", "render/flat.frag")),
@@ -159,16 +177,15 @@ void BladePass::drawBlade(const SceneView& scene, const Frame& frame) {
     if (!scene.blade || (scene.blade->b - scene.blade->a).norm() < 1e-9) {
         return;
     }
-    const double height = kBladeHeight * frame.bodySize;
-    const Vec3 spine = spineDirection(scene);
-    const auto knife = KnifeBuilder(*scene.blade, spine, height).build();
+    const KnifeShape shape = shapeOf(scene, frame.bodySize);
+    const auto knife = KnifeBuilder(*scene.blade, shape).build();
     vertices_.assign(knife);
     vertices_.bindStorage(shared::kBindSegments);
     steel_.use();
     steel_.set("keyDirection", frame.keyDirection);
     steel_.set("viewProjection", frame.viewProjection);
     steel_.set("eye", frame.eye);
-    steel_.set("spine", Vec3f(spine.cast<float>()));
+    steel_.set("spine", Vec3f(shape.spine.cast<float>()));
     glDepthFunc(GL_LESS);
     glDrawArrays(GL_TRIANGLES, 0, GLsizei(knife.size()));
 }

@@ -5,8 +5,8 @@
 
 namespace kerf::render {
 
-/// Height of the drawn blade, of the body's size.
-inline constexpr double kBladeHeight = 0.11;
+/// From the edge of the drawn blade to its back [m]: where it only cuts it is a picture of one.
+double bladeHeight(const SceneView& scene, double bodySize);
 
 /// What all passes of one picture share, worked out from the scene and the camera.
 struct Frame {

@@ -74,7 +74,7 @@ PictureRectangle covered(const SceneView& scene, const Frame& frame) {
         rectangle.add(frame.focus);
     }
     if (scene.blade) {
-        rectangle.add(*scene.blade, kBladeHeight * frame.bodySize);
+        rectangle.add(*scene.blade, bladeHeight(scene, frame.bodySize));
     }
     for (const Blade& pose : scene.sweep) {
         rectangle.add(pose, 0);

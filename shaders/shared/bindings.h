@@ -32,6 +32,11 @@ SHARED_CONST uint kPatchedBinding = 1u;       // what it writes to
 SHARED_CONST uint kContactCountsOfStepBinding = 5u;  // ContactState
 SHARED_CONST uint kSearchedBinding = 8u;             // vec4: X at the last search for contacts [m]
 SHARED_CONST uint kNearbyBinding = 15u;              // NearbyQuery and its NearbyVertex records
+// Texture units of a kernel that reads all constraints besides the triangles around each vertex.
+SHARED_CONST uint kBendsBinding = 5u;        // texels of BendConstraint
+SHARED_CONST uint kIspcsBinding = 8u;        // texels of IspcConstraint
+SHARED_CONST uint kEdgeRangesBinding = 12u;  // IncidenceRange per vertex: of
+SHARED_CONST uint kSpokesBinding = 13u;      // Spoke
 
 SHARED_END
 #endif

@@ -88,7 +88,9 @@ struct BlockMeasure {
     vec4 low_velocity_kinetic;
     // xyz: largest components [m/s]; w: energy in the field of gravity [J]
     vec4 high_velocity_potential;
-    vec4 low_drift;   // xyz: smallest ways since the last search for contacts [m]; w unused
+    // xyz: smallest ways since the last search for contacts [m]; w: energy of the strained material
+    // of some constraints, not those of the block [J]
+    vec4 low_drift_strain;
     vec4 high_drift;  // xyz: largest [m]; w unused
 };
 

@@ -2,10 +2,11 @@
 // last search for contacts, energy and whether a vertex is lost (not finite, or faster than anything
 // real), per block; behind the blocks, how many contacts there were; and which vertices have a
 // triangle near the blade. Reads X, velocities, neighbours, places, pages, pieces, blocks, the
-// state of contact, the query. Writes block measures and records of nearby vertices. One group per block; sums in a fixed order (see
+// state of contact, the query, constraints. Writes block measures and records of nearby vertices. One group per block; sums in a fixed order (see
 // volume_gradient). The CPU reads the result.
 #include "bindings.h"
 #include "body_records.h"
+#include "constraints.h"
 #include "contact_records.h"
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
@@ -31,13 +32,14 @@ shared vec4 lows[kGroupSize];
 shared vec4 highs[kGroupSize];
 shared vec4 slowest[kGroupSize];
 shared vec4 fastest[kGroupSize];
-shared vec3 leastWay[kGroupSize];
+shared vec4 leastWay[kGroupSize];  // w: energy of strained material
 shared vec3 mostWay[kGroupSize];
 
 vec3 span(uint from, uint to) {
     return fetch(positions, to).xyz - fetch(positions, from).xyz;
 }
 
+#include "sim/strain_energy.glsl"
 #include "sim/volume_gradient.glsl"
 
 // By bits, since compilers are free to turn a comparison round where NaN would answer differently.
@@ -120,7 +122,8 @@ void main() {
     highs[self] = high;
     slowest[self] = slow;
     fastest[self] = fast;
-    leastWay[self] = least;
+    leastWay[self] = vec4(least, strainEnergy(kGroupSize * gl_WorkGroupID.x + self,
+                                              kGroupSize * gl_NumWorkGroups.x));
     mostWay[self] = most;
     for (uint reach = kGroupSize / 2u; reach > 0u; reach /= 2u) {
         barrier();
@@ -132,7 +135,8 @@ void main() {
             vec4 fasterOne = fastest[self + reach];
             slowest[self] = vec4(min(slowest[self].xyz, slowerOne.xyz), slowest[self].w + slowerOne.w);
             fastest[self] = vec4(max(fastest[self].xyz, fasterOne.xyz), fastest[self].w + fasterOne.w);
-            leastWay[self] = min(leastWay[self], leastWay[self + reach]);
+            vec4 shorterOne = leastWay[self + reach];
+            leastWay[self] = vec4(min(leastWay[self].xyz, shorterOne.xyz), leastWay[self].w + shorterOne.w);
             mostWay[self] = max(mostWay[self], mostWay[self + reach]);
         }
     }
@@ -142,7 +146,7 @@ void main() {
     }
     if (self == 0u) {
         measures[gl_WorkGroupID.x] =
-            BlockMeasure(lows[0], highs[0], slowest[0], fastest[0], vec4(leastWay[0], 0.0),
+            BlockMeasure(lows[0], highs[0], slowest[0], fastest[0], leastWay[0],
                          vec4(mostWay[0], 0.0));
     }
 }

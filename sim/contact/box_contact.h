@@ -5,19 +5,10 @@
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
-#include "shaders/shared/box_records.h"
-#include "sim/contact/contact_solver.h"
+#include "sim/contact/box_touches.h"
 #include "sim/contact/static_box.h"
-#include "sim/math.h"
 
 namespace kerf {
-
-/// Where a body is and how fast it moves at most: what decides which boxes it can reach.
-struct BodyReach {
-    Bounds bounds;      ///< [m]
-    double speed = 0;   ///< no vertex is faster [m/s]
-    double margin = 0;  ///< what it may move besides in a time step [m]
-};
 
 /// Contact of a body with static boxes, on the GPU, with the same bits for any number of threads:
 /// corners and edges of boxes against triangles first, then vertices against boxes, which have the
@@ -38,10 +29,9 @@ class BoxContact {
 
   private:
     struct Kernels {
-        gpu::Program triangles, respond, apply, vertices;
+        BoxTouches touches;
+        gpu::Program vertices;
     };
-    void uploadUniforms(std::size_t boxCount);
-    void run(const gpu::Program& kernel, std::uint32_t threads);
 
     std::vector<StaticBox> boxes_;
     std::optional<Kernels> kernels_;
@@ -49,7 +39,7 @@ class BoxContact {
     ContactSettings settings_;
     double edgeLength_ = 0;
     bool reached_ = false;  ///< a box in this step
-    gpu::Buffer uniformBuffer_, boxBuffer_, records_, shares_, sums_;
+    gpu::Buffer boxBuffer_;
 };
 
 }  // namespace kerf

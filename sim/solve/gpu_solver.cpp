@@ -318,11 +318,13 @@ void GpuSolver::setContactBody() {
                            uniforms_.triangle_count};
     contacts_.setBody(body, contactEdgeLength_);
     boxes_.setBody(body, contactEdgeLength_);
+    blade_.setBody(body);
 }
 
 void GpuSolver::setContact(const ContactSettings& settings) {
     contacts_.setSettings(settings);
     boxes_.setSettings(settings);
+    blade_.setSettings(settings);
 }
 
 void GpuSolver::updateVertices(const BodyModel& model, const BodyChange& change) {
@@ -494,6 +496,7 @@ void GpuSolver::setInverseUnitMass(int vertex, float value) {
 void GpuSolver::step() {
     contacts_.beginStep(motion_);
     boxes_.beginStep(reach_);
+    blade_.beginStep(reach_);
     for (uint i = 0; i < uniforms_.substeps; ++i) {
         searchContactsBefore(i);
         for (uint sweep = 0; sweep < uniforms_.sweeps; ++sweep) {
@@ -506,6 +509,7 @@ void GpuSolver::step() {
             collideTimer_.begin();
             pull();
             collideBody();
+            collideBlade(i);
             collideBoxes();
             collideFloor();
             collideTimer_.end();
@@ -534,6 +538,14 @@ void GpuSolver::stretchAgain() {
 void GpuSolver::bindSpokes() const {
     edgeRanges_.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
     spokes_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x4);
+}
+
+/// For measure(), which reads the triangles around each vertex besides.
+void GpuSolver::bindConstraints() const {
+    edgeRanges_.bindTexels(shared::kEdgeRangesBinding, TexelFormat::uint32x2);
+    spokes_.bindTexels(shared::kSpokesBinding, TexelFormat::uint32x4);
+    bends_.bindTexels(shared::kBendsBinding, TexelFormat::uint32x2);
+    ispcs_.bindTexels(shared::kIspcsBinding, TexelFormat::uint32x4);
 }
 
 void GpuSolver::solveBends() {
@@ -604,6 +616,10 @@ void GpuSolver::collideBody() {
     contacts_.respond();
 }
 
+void GpuSolver::collideBlade(uint substep) {
+    blade_.respond(static_cast<int>(substep));
+}
+
 void GpuSolver::collideBoxes() {
     boxes_.respond();
 }
@@ -654,6 +670,7 @@ BodyMeasure GpuSolver::measure() {
         nearby_.renew();
     }
     nearby_.bind();
+    bindConstraints();
     runOverBlocks(kernels_.measure);
     collectAsked(nearby_);
     const auto measures = blockMeasures_.read<shared::BlockMeasure>(0, blocks_.size() + 1);
@@ -670,9 +687,11 @@ BodyMeasure GpuSolver::measure() {
         const uint piece = blocks_[b].piece;
         const shared::vec4& slow = measures[b].low_velocity_kinetic;
         const shared::vec4& fast = measures[b].high_velocity_potential;
+        const shared::vec4& leastWay = measures[b].low_drift_strain;
         out.pieceVolumes[piece] += low.w;
         out.kineticEnergy += slow.w;
         out.potentialEnergy += fast.w;
+        out.strainEnergy += leastWay.w;
         lost[piece] = lost[piece] || high.w != 0.0f;
         if (low.x > high.x) {
             continue;  // all vertices of the block's pages have gone to other pieces
@@ -681,7 +700,7 @@ BodyMeasure GpuSolver::measure() {
         boxes[piece].add({high.x, high.y, high.z});
         speeds.add({slow.x, slow.y, slow.z});
         speeds.add({fast.x, fast.y, fast.z});
-        ways.add({measures[b].low_drift.x, measures[b].low_drift.y, measures[b].low_drift.z});
+        ways.add({leastWay.x, leastWay.y, leastWay.z});
         ways.add({measures[b].high_drift.x, measures[b].high_drift.y, measures[b].high_drift.z});
     }
     for (std::size_t p = 0; p < boxes.size(); ++p) {

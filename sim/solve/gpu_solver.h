@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/body/body_updater.h"
+#include "sim/contact/blade_contact.h"
 #include "sim/contact/box_contact.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/solve/body_view.h"
@@ -39,6 +41,9 @@ struct BodyMeasure {
     double kineticEnergy = 0;  ///< of the vertices that are free to move [J]
     /// Of them, in the field of gravity above the floor, or above 0 [J].
     double potentialEnergy = 0;
+    /// Of the strained material: the sum of C^2 / (2 alpha) over edges, bends and ISPCs that are on
+    /// and not rigid; means nothing with plain PBD [J].
+    double strainEnergy = 0;
 };
 
 /// A piece whose box is longer than this many diagonals of the uncut body has run away.
@@ -83,6 +88,9 @@ class GpuSolver {
     void setContact(const ContactSettings& settings);
     /// What the body collides with. Throws gpu::ShaderError.
     void setBoxes(std::vector<StaticBox> boxes) { boxes_.setBoxes(std::move(boxes)); }
+    /// How the blade's body moves in the coming step; none: it does not push. Throws
+    /// gpu::ShaderError.
+    void setBlade(std::optional<BladeMotion> motion) { blade_.setMotion(std::move(motion)); }
     /// One per piece.
     void setVolumeTargets(std::span<const VolumeTarget> targets);
 
@@ -107,6 +115,7 @@ class GpuSolver {
     void solveVolume();
     void pull();
     void collideBody();
+    void collideBlade(std::uint32_t substep);
     void collideBoxes();
     void collideFloor();
     void finishSubstep();
@@ -172,6 +181,7 @@ class GpuSolver {
     void updateRecords(const BodyModel& model, const BodyChange& change);
     void updateSpokes(const BodyModel& model, const BodyChange& change);
     void bindSpokes() const;
+    void bindConstraints() const;
     void updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
                      const std::vector<std::uint32_t>& vertices);
     void refreshMasses();
@@ -219,6 +229,7 @@ class GpuSolver {
     RelativeMotion motion_;  ///< upper bounds
     BodyReach reach_;
     BoxContact boxes_;
+    BladeContact blade_;
     gpu::Timer deformTimer_;
     gpu::Timer collideTimer_;
     long dispatches_ = 0;

@@ -35,6 +35,12 @@ TEST_F(MovingScenes, ASphereOnTheFloorComesApart) {
     }
 }
 
+TEST_F(MovingScenes, ASphereComesApartAroundABladeThatPushes) {
+    test::SceneRun run{"i sphere768", 1e5, 6};
+    run.push = true;
+    expectParted(play(run));
+}
+
 TEST_F(MovingScenes, ABodyAtRestStaysThere) {
     const test::SceneFigures figures = play({"v at rest", 1e5, 0});
     expectParted(figures);

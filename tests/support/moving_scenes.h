@@ -14,6 +14,7 @@ struct SceneRun {
     std::uint64_t seed = 1;
     bool verbose = false;  ///< prints every step of the blade
     bool contact = true;   ///< of the body with itself
+    bool push = false;     ///< the body of the blade
 };
 
 /// What came of one run, or of several: counts add up, of speeds and rows the largest counts.

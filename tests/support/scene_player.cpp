@@ -24,6 +24,7 @@ Params parametersOf(const SceneRun& run, bool weightless) {
     Params params;
     params.youngsModulus = run.youngsModulus;
     params.contact = run.contact ? 1 : 0;
+    params.bladePush = run.push ? 1 : 0;
     if (weightless) {
         params.gravity = Vec3::Zero();
         params.floor.reset();

@@ -7,8 +7,11 @@
 //           the line across both, where that lies between the two faces of the box
 //
 // How a gap becomes a change of d and a push of X is said in contact_answer.glsl.
+// With BLADE it is the body of the blade, whose own way in the substep counts, and which leaves the
+// walls along its flat sides to blade.comp: they end where the edge cuts, and give no way there.
 // Reads X, d, triangles, boxes. Writes touches, what they take of each vertex. One thread
 // per triangle. A storage barrier follows, then respond.
+#include "blade_records.h"
 #include "body_records.h"
 #include "box_records.h"
 layout(local_size_x = kGroupSize) in;
@@ -17,11 +20,31 @@ layout(std430, binding = kBoxUniformsBinding) readonly buffer Uniforms { BoxUnif
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
+#ifdef BLADE
+layout(std430, binding = kBoxBoxesBinding) readonly buffer Blades { BladeRecord blades[]; };
+#else
 layout(std430, binding = kBoxBoxesBinding) readonly buffer Boxes { BoxRecord boxes[]; };
+#endif
 layout(std430, binding = kBoxRecordsBinding) writeonly buffer Records { BoxTouch records[]; };
 layout(std430, binding = kBoxSharesBinding) buffer Shares { uint shares[]; };
 
 #include "boxes.glsl"
+#ifdef BLADE
+#include "blade.glsl"
+
+BoxRecord boxAt(uint b) { return blades[substep].box; }
+
+vec3 wayOf(uint v) { return displacement[v].xyz - wayOfBlade(blades[substep], positions[v].xyz); }
+
+// Across the flat sides by more than 45 degrees.
+bool isLeftOut(uvec4 t, vec3 normal) { return (t.w & 1u) != 0u && abs(normal.z) > 0.7; }
+#else
+BoxRecord boxAt(uint b) { return boxes[b]; }
+
+vec3 wayOf(uint v) { return displacement[v].xyz; }
+
+bool isLeftOut(uvec4 t, vec3 normal) { return false; }
+#endif
 #include "sim/contact_answer.glsl"
 #include "sim/lines.glsl"
 #include "sim/mass_shares.glsl"
@@ -44,7 +67,7 @@ Corners cornersIn(BoxRecord box, uvec3 t) {
     Corners c;
     for (int k = 0; k < 3; ++k) {
         c.at[k] = toBox(box, positions[t[k]].xyz - box.center.xyz);
-        c.way[k] = toBox(box, displacement[t[k]].xyz);
+        c.way[k] = toBox(box, wayOf(t[k]));
     }
     return c;
 }
@@ -114,12 +137,13 @@ Touch edgeTouch(Touch best, Corners c, vec3 normal, int i, int axis, vec3 start)
     return moreUrgent(best, touchAt(c, across, before, weights));
 }
 
-Touch touchOf(BoxRecord box, Corners c, uvec3 t) {
+Touch touchOf(BoxRecord box, Corners c, uvec4 t) {
     Touch best = Touch(vec3(0.0), 0.0, vec3(0.0), uniforms.thickness, vec3(0.0));
     vec3 reach = halfOf(box);
     if (!nearBox(c, reach + uniforms.thickness)) return best;
     vec3 normal = -cross(c.at[1] - c.at[0], c.at[2] - c.at[0]);
     normal /= max(length(normal), 1e-30);
+    if (isLeftOut(t, normal)) return best;
     for (int corner = 0; corner < 8; ++corner) {
         vec3 p = reach * (2.0 * vec3(corner & 1, (corner >> 1) & 1, corner >> 2) - 1.0);
         best = cornerTouch(best, c, normal, p);
@@ -143,14 +167,15 @@ BoxTouch recordOf(BoxRecord box, Touch touch) {
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= uniforms.triangle_count) return;
-    uvec3 t = triangles[index].xyz;
+    uvec4 t = triangles[index];
     BoxTouch record = BoxTouch(vec4(0.0), vec4(0.0), vec4(0.0));
     float least = uniforms.thickness;
     for (uint b = 0u; b < uniforms.box_count; ++b) {
-        Touch touch = touchOf(boxes[b], cornersIn(boxes[b], t), t);
+        BoxRecord box = boxAt(b);
+        Touch touch = touchOf(box, cornersIn(box, t.xyz), t);
         if (touch.gap < least) {
             least = touch.gap;
-            record = recordOf(boxes[b], touch);
+            record = recordOf(box, touch);
         }
     }
     records[index] = record;

@@ -7,6 +7,7 @@
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
+#include "sim/solve/reference_energy.h"
 #include "sim/solve/reference_solver.h"
 #include "sim/solve/solver_uniforms.h"
 #include "tests/support/gl_fixture.h"
@@ -253,6 +254,38 @@ TEST_F(GpuSolverTest, MeasuresTheEnergyOfAFallingBody) {
     const BodyMeasure again = pair.gpu.measure();
     EXPECT_EQ(again.kineticEnergy, measure.kineticEnergy);
     EXPECT_EQ(again.potentialEnergy, measure.potentialEnergy);
+}
+
+TEST_F(GpuSolverTest, MeasuresTheEnergyOfStrainedMaterialLikeTheReference) {
+    for (const SurfaceMesh& mesh : bodies()) {
+        SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
+        for (const uint part : {shared::kStretchPart, shared::kBendPart, shared::kIspcPart,
+                                solverUniforms(Params{}).active_parts}) {
+            Pair pair(mesh, Params{}, part, 7);
+            const double expected = strainEnergy(pair.model, pair.uniforms, pair.reference);
+            EXPECT_GT(expected, 0);
+            const double ours = pair.gpu.measure().strainEnergy;
+            EXPECT_NEAR(ours, expected, 1e-4 * expected) << part;
+            EXPECT_EQ(pair.gpu.measure().strainEnergy, ours);
+        }
+    }
+}
+
+// Edges and ISPCs are springs of their own length, and angles stay.
+TEST_F(GpuSolverTest, StrainEnergyGrowsWithTheSquareOfAStretch) {
+    Pair pair(test::cubeSphere(6), Params{}, solverUniforms(Params{}).active_parts, 3);
+    const auto energyAt = [&](float strain) {
+        BodyState state = pair.start;
+        for (std::size_t v = 0; v < state.positions.size(); ++v) {
+            state.positions[v] = (1 + strain) * pair.model.restPositions[v];
+        }
+        pair.gpu.setState(state);
+        return pair.gpu.measure().strainEnergy;
+    };
+    const double energy = energyAt(0.05f);
+    EXPECT_NEAR(energyAt(0.1f), 4 * energy, 1e-3 * energy);
+    EXPECT_NEAR(energyAt(-0.05f), energy, 1e-3 * energy);
+    EXPECT_LT(energyAt(0), 1e-6 * energy);
 }
 
 TEST_F(GpuSolverTest, FlagsWhatIsNotFiniteOrRunsAway) {

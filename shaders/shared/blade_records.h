@@ -1,0 +1,22 @@
+// Records and bindings of the kernels for contact with the body of the blade, std430. They go with
+// those of boxes.
+#ifndef KERF_BLADE_RECORDS_H
+#define KERF_BLADE_RECORDS_H
+#include "box_records.h"
+SHARED_BEGIN
+
+SHARED_CONST uint kBladeRangesBinding = 8u;     // IncidenceRange per vertex: of
+SHARED_CONST uint kBladeIncidenceBinding = 9u;  // 4 * triangle + corner
+
+// The body of the blade in a substep. Its box has the axes along AB, to the back and across the
+// flat sides, holds what lies between the end of the bevel and the back, and is as it lies at X.
+struct BladeRecord {
+    BoxRecord box;
+    vec4 shift;  // xyz: way of the box's centre in the substep [m]; w: y at which the bevel begins
+    vec4 turn;   // xyz: the way that it turns, axis times angle [rad]; w: half thickness, where no
+                 // bevel takes it away [m]
+    vec4 bevel;  // x: length along y over which the thickness grows [m]; yzw unused
+};
+
+SHARED_END
+#endif

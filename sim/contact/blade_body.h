@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "sim/cut/blade.h"
+#include "sim/math.h"
+
+namespace kerf {
+
+/// How large the blunt body of a blade is [m].
+struct BladeSize {
+    double width = 0;      ///< how far it reaches back from the edge AB
+    double thickness = 0;  ///< of the plate, once the ground bevel behind the edge has ended
+};
+
+/// How a blade was led since it was placed, which decides where its body lies. The body trails the
+/// edge as a towed point does, as long as the edge is led ahead within 45 degrees; drawn back or
+/// aside, the blade keeps its direction. The body comes out of the place where the blade was put
+/// down: it is never wider than the way ahead so far, so that it lies in what the edge has swept.
+struct BladeCourse {
+    Blade edge;
+    Vec3 back = Vec3::Zero();  ///< from the edge to the back, unit, square to AB; zero at first
+    double way = 0;            ///< ahead since it was placed, less what was drawn back [m]
+    double farthest = 0;       ///< the largest way so far [m]
+
+    /// The width that has come out.
+    double widthOf(const BladeSize& size) const { return std::min(size.width, farthest); }
+};
+
+/// The course after the edge has moved to `to`. `width`: of the whole body, at which it trails [m].
+BladeCourse ledTo(const BladeCourse& course, const Blade& to, double width);
+
+/// Axes of a blade: the middle of its edge, and unit columns along AB, to the back, and across the
+/// flat sides.
+struct BladeFrame {
+    Vec3 origin = Vec3::Zero();
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    double halfLength = 0;  ///< of the edge [m]
+};
+
+/// The body of a blade during a time step. In the coordinates of its frames (along AB, to the back,
+/// across) it is the points with |x| <= half length, front <= y <= back,
+/// |z| <= half thickness * min(1, (y - front) / bevel).
+struct BladeMotion {
+    std::vector<BladeFrame> frames;  ///< between substeps, the first and the last included
+    double front = 0;
+    double back = 0;
+    double bevel = 0;  ///< [m], > 0
+    double halfThickness = 0;
+
+    /// Half of the thickness at y [m].
+    double halfAt(double y) const;
+    /// Around all frames [m].
+    Bounds bounds() const;
+};
+
+/// The body of a blade that goes through `courses` (at least one) in a time step of so many
+/// substeps, evenly. It begins `front` behind the edge, and where the bevel ends in any case
+/// `leastBevel` farther on [m].
+BladeMotion motionOf(std::span<const BladeCourse> courses, const BladeSize& size, double front,
+                     double leastBevel, int substeps);
+
+/// Share of the width that is ground.
+inline constexpr double kBladeBevel = 0.3;
+
+}  // namespace kerf

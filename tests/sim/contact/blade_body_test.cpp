@@ -1,0 +1,81 @@
+#include "sim/contact/blade_body.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace kerf {
+namespace {
+
+const Vec3 kHalf(0, 0, 0.5);
+
+Blade bladeAt(const Vec3& middle) {
+    return {middle - kHalf, middle + kHalf};
+}
+
+BladeCourse led(const std::vector<Vec3>& places, double width = 0.2) {
+    BladeCourse course{bladeAt(places.front())};
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        course = ledTo(course, bladeAt(places[i]), width);
+    }
+    return course;
+}
+
+TEST(BladeCourse, TheBodyTrailsTheEdgeAndComesOutOfWhereItWasPlaced) {
+    EXPECT_TRUE(led({{0, 0, 0}}).back.isZero());
+    const BladeCourse course = led({{0, 0, 0}, {0.05, 0, 0}, {0.1, 0, 0.3}});
+    EXPECT_LT((course.back - Vec3(-1, 0, 0)).norm(), 1e-12) << "not along the edge";
+    EXPECT_NEAR(course.widthOf({0.2, 0.01}), 0.1, 1e-12);
+    EXPECT_NEAR(led({{0, 0, 0}, {0.5, 0, 0}}).widthOf({0.2, 0.01}), 0.2, 1e-12);
+}
+
+TEST(BladeCourse, DrawnBackOrAsideItKeepsItsDirection) {
+    for (const Vec3& to : {Vec3(0.1, 0, 0), Vec3(0.4, 0.3, 0), Vec3(0.4, -0.3, 0)}) {
+        const BladeCourse course = led({{0, 0, 0}, {0.4, 0, 0}, to});
+        EXPECT_LT((course.back - Vec3(-1, 0, 0)).norm(), 1e-12);
+        EXPECT_NEAR(course.farthest, 0.4, 1e-12);
+        EXPECT_NEAR(course.way, to.x(), 1e-12);
+    }
+}
+
+TEST(BladeCourse, ItFollowsACurve) {
+    std::vector<Vec3> places;
+    for (int i = 0; i <= 100; ++i) {
+        const double angle = 0.01 * i * EIGEN_PI / 2;
+        places.emplace_back(std::sin(angle), std::cos(angle), 0);
+    }
+    const BladeCourse course = led(places);
+    // A point towed at 0.2 on a circle of radius 1 lies on one of radius sqrt(0.96).
+    EXPECT_NEAR((places.back() + 0.2 * course.back).norm(), std::sqrt(0.96), 0.01);
+    EXPECT_GT(course.back.y(), 0.9);
+}
+
+TEST(BladeCourse, JitterOfTheHandDoesNotSwingIt) {
+    std::vector<Vec3> places{{0, 0, 0}};
+    for (int i = 1; i < 60; ++i) {
+        places.emplace_back(0.01 * i, i % 2 == 0 ? 0.002 : -0.002, 0);
+    }
+    EXPECT_LT((led(places).back - Vec3(-1, 0, 0)).norm(), 0.05);
+}
+
+TEST(BladeMotion, GoesEvenlyThroughAllPosesOfAStep) {
+    std::vector<BladeCourse> courses{led({{-0.5, 0, 0}, {0, 0, 0}})};
+    courses.push_back(ledTo(courses.back(), bladeAt({0.1, 0, 0}), 0.2));
+    courses.push_back(ledTo(courses.back(), bladeAt({0.4, 0, 0}), 0.2));
+    const BladeMotion motion = motionOf(courses, {0.2, 0.01}, 0.03, 0.05, 4);
+    ASSERT_EQ(motion.frames.size(), 5U);
+    const std::array expected{0.0, 0.05, 0.1, 0.25, 0.4};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_NEAR(motion.frames[i].origin.x(), expected[i], 1e-12);
+        EXPECT_NEAR(motion.frames[i].axes.determinant(), 1, 1e-12);
+    }
+    EXPECT_EQ(motion.halfAt(0.02), 0);
+    EXPECT_NEAR(motion.halfAt(0.06), 0.0025, 1e-12);
+    EXPECT_NEAR(motion.halfAt(0.15), 0.005, 1e-12);
+    const Bounds box = motion.bounds();
+    EXPECT_LT((box.low - Vec3(-0.2, -0.005, -0.5)).norm(), 1e-12);
+    EXPECT_LT((box.high - Vec3(0.37, 0.005, 0.5)).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,259 @@
+// What the blunt body of the blade does to a soft body (blade_push).
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "sim/simulation.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+Params pushing() {
+    Params params;
+    params.bladePush = 1;
+    return params;
+}
+
+Params weightless() {
+    Params params = pushing();
+    params.gravity.setZero();
+    params.floor.reset();
+    return params;
+}
+
+SurfaceMesh lifted(SurfaceMesh mesh, double by) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, mesh.position(v) + Vec3(0, by, 0));
+        mesh.setRestPosition(v, mesh.position(v));
+    }
+    return mesh;
+}
+
+Blade acrossZ(double x, double y) {
+    return {{x, y, -0.8}, {x, y, 0.8}};
+}
+
+Blade upright(double x, double z) {
+    return {{x, -0.8, z}, {x, 0.8, z}};
+}
+
+/// From where the blade is, or placed there.
+void lead(Simulation& simulation, const Blade& from, const Blade& to, int steps) {
+    for (int i = simulation.blade() ? 1 : 0; i <= steps; ++i) {
+        ASSERT_EQ(simulation.execute(MoveBlade{interpolate(from, to, i / double(steps))}), "");
+        simulation.step();
+    }
+}
+
+void wait(Simulation& simulation, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        simulation.step();
+    }
+}
+
+Vec3 middle(const SurfaceMesh& mesh) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : mesh.positions()) {
+        sum += p;
+    }
+    return sum / mesh.vertexCount();
+}
+
+/// Coordinates along AB, to the back and across.
+Vec3 inBlade(const BladeMotion& blade, const Vec3& p) {
+    return blade.frames.back().axes.transpose() * (p - blade.frames.back().origin);
+}
+
+/// Where the plate has its whole thickness although it begins behind the front of the cut, which
+/// lags behind the edge by up to an edge of the walls; these are as long as the bevel here, or
+/// shorter.
+double wholeBehind(const BladeMotion& blade) {
+    return 2 * blade.bevel;
+}
+
+/// Of all living vertices farther than `front` behind the edge [m].
+double deepestIn(const BladeMotion& blade, const SurfaceMesh& mesh, double front = 0) {
+    double deepest = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.outgoing(v) < 0) {
+            continue;
+        }
+        const Vec3 at = inBlade(blade, mesh.position(v));
+        if (at.y() > front) {
+            deepest = std::max(
+                deepest, std::min({blade.frames.back().halfLength - std::fabs(at.x()),
+                                   blade.back - at.y(), blade.halfAt(at.y()) - std::fabs(at.z())}));
+        }
+    }
+    return deepest;
+}
+
+double topSpeed(const SurfaceMesh& mesh) {
+    double top = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        top = std::max(top, mesh.outgoing(v) < 0 ? 0.0 : mesh.velocity(v).norm());
+    }
+    return top;
+}
+
+class BladePushTest : public test::GlTest {};
+
+TEST_F(BladePushTest, TheBackPushesASphereOverTheFloor) {
+    Params params = pushing();
+    params.youngsModulus = 1e6;
+    params.friction = 0.2;
+    Simulation simulation(lifted(test::cubeSphere(4), 0.5), params);
+    wait(simulation, 20);
+    const Vec3 start = middle(simulation.mesh());
+    lead(simulation, acrossZ(-0.6, 0.45), acrossZ(-0.95, 0.45), 10);
+    lead(simulation, acrossZ(-0.95, 0.45), acrossZ(-0.55, 0.45), 160);
+    const std::optional<BladeMotion> blade = simulation.bladeBody();
+    ASSERT_TRUE(blade.has_value());
+    const double backAt = -0.55 + blade->back;
+    const Vec3 now = middle(simulation.mesh());
+    const double touching = -0.5;  // where the back met the sphere
+    EXPECT_NEAR(now.x() - start.x(), backAt - touching, 2 * blade->halfThickness);
+    EXPECT_NEAR(now.z(), 0, 0.01);
+    EXPECT_LT(deepestIn(*blade, simulation.mesh()), 1e-5);
+    EXPECT_EQ(simulation.report().pieces, 1);
+    EXPECT_EQ(simulation.subdivisions(), SubdivisionCounts{}) << "the back does not cut";
+    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+}
+
+TEST_F(BladePushTest, ASlitIsHeldOpenByTheThickness) {
+    Params params = weightless();
+    params.bladeWidth = 0.3;
+    params.bladeThickness = 0.02;
+    Simulation simulation(test::cubeSphere(6), params);
+    double fastest = 0;
+    const Blade top = acrossZ(0.02, 0.65);
+    const Blade inside = acrossZ(0.03, -0.1);
+    for (int i = 0; i <= 75; ++i) {
+        simulation.execute(MoveBlade{interpolate(top, inside, i / 75.0)});
+        simulation.step();
+        EXPECT_NE(simulation.lastCut().outcome, CutOutcome::refused);
+        fastest = std::max(fastest, topSpeed(simulation.mesh()));
+    }
+    wait(simulation, 20);
+    EXPECT_LT(fastest, 2) << "nothing is shot off";
+    const BladeMotion blade = *simulation.bladeBody();
+    const SurfaceMesh& mesh = simulation.mesh();
+    EXPECT_LT(deepestIn(blade, mesh, wholeBehind(blade)), 1e-4);
+    int walls = 0;
+    double halfWidths = 0;
+    for (const int t : livingTriangles(mesh)) {
+        const Triangle& corners = mesh.triangle(t);
+        if (mesh.kind(t) != SurfaceKind::wall) {
+            continue;
+        }
+        Bounds box;
+        for (const int v : corners) {
+            box.add(inBlade(blade, mesh.position(v)));
+        }
+        const Vec3 normal = blade.frames.back().axes.transpose() *
+                            (mesh.position(corners[1]) - mesh.position(corners[0]))
+                                .cross(mesh.position(corners[2]) - mesh.position(corners[0]));
+        if (box.low.y() > wholeBehind(blade) && box.high.y() < blade.back) {
+            ++walls;
+            halfWidths += std::fabs(box.center().z());
+            EXPECT_LT(normal.z() * box.center().z(), 0) << "each wall is on its own side";
+        }
+    }
+    ASSERT_GT(walls, 10);
+    EXPECT_NEAR(halfWidths / walls, blade.halfThickness, 0.2 * blade.halfThickness);
+    EXPECT_EQ(checkClosedManifold(mesh), "");
+    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+}
+
+TEST_F(BladePushTest, ABodyThatIsCutThroughPartsAsWithoutIt) {
+    Simulation simulation(lifted(test::cubeSphere(6), 0.5), pushing());
+    for (int i = 0; i <= 60; ++i) {
+        const double y = 1.15 - 1.3 * i / 60;
+        simulation.execute(MoveBlade{{{-0.9, y, 0.02}, {0.9, y + 0.02, 0.05}}});
+        simulation.step();
+        EXPECT_NE(simulation.lastCut().outcome, CutOutcome::refused);
+    }
+    simulation.execute(LiftBlade{});
+    wait(simulation, 10);
+    EXPECT_EQ(simulation.report().pieces, 2);
+    EXPECT_GT(simulation.report().volumeRatio, 0.995);
+    EXPECT_EQ(checkClosedManifold(simulation.mesh()), "");
+    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+}
+
+// At 6 m/s a substep of small_steps is 1.5 mm, one of pbd 30 mm; the blade is 3 mm thick.
+TEST_F(BladePushTest, NothingTunnelsThroughItsFlatSide) {
+    for (const char* solver : {"small_steps", "pbd"}) {
+        SCOPED_TRACE(solver);
+        Params params = weightless();
+        params.bladeWidth = 0.6;
+        params.bladeThickness = 0.002;
+        setParam(params, "solver", solver);
+        Simulation simulation(test::cubeSphere(5), params);
+        lead(simulation, upright(-0.75, -0.5), upright(-0.75, 0.7), 20);
+        const Vec3 start = middle(simulation.mesh());
+        lead(simulation, upright(-0.75, 0.7), upright(0.15, 0.7), 30);
+        const BladeMotion blade = *simulation.bladeBody();
+        EXPECT_LT(deepestIn(blade, simulation.mesh()), 1e-4);
+        EXPECT_GT(middle(simulation.mesh()).x() - start.x(), 0.3);
+        int behind = 0;
+        for (const Vec3& p : simulation.mesh().positions()) {
+            const Vec3 at = inBlade(blade, p);
+            behind += p.x() < 0.15 && at.y() > 0.02 && at.y() < blade.back - 0.02;
+        }
+        EXPECT_EQ(behind, 0);
+        EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    }
+}
+
+TEST_F(BladePushTest, SwitchedOnInASlitItOpensItGently) {
+    Params params = weightless();
+    params.bladePush = 0;
+    params.bladeWidth = 0.4;
+    Simulation simulation(test::cubeSphere(5), params);
+    lead(simulation, acrossZ(0.02, 0.65), acrossZ(0.02, 0), 40);
+    simulation.execute(SetParam{"blade_push", 1.0});
+    double fastest = 0;
+    for (int i = 0; i < 30; ++i) {
+        simulation.step();
+        fastest = std::max(fastest, topSpeed(simulation.mesh()));
+    }
+    const BladeMotion blade = *simulation.bladeBody();
+    EXPECT_LT(deepestIn(blade, simulation.mesh(), wholeBehind(blade)), 1e-4);
+    EXPECT_LT(fastest, 1.5 * params.depenetrationSpeed);
+}
+
+std::string hashAfterAStroke(const Params& params, bool throughAMoment) {
+    Simulation simulation(lifted(test::cubeSphere(3), 0.45), params);
+    lead(simulation, acrossZ(0.02, 1.1), acrossZ(0.03, 0.5), 15);
+    const Moment moment = simulation.moment();
+    const auto goOn = [&] {
+        lead(simulation, acrossZ(0.03, 0.5), acrossZ(0.03, 0.8), 6);
+        lead(simulation, acrossZ(0.03, 0.8), acrossZ(0.2, 0.85), 6);
+        return simulation.stateHash();
+    };
+    const std::string hash = goOn();
+    if (!throughAMoment) {
+        return hash;
+    }
+    simulation.goTo(moment);
+    return goOn();
+}
+
+TEST_F(BladePushTest, ReplaysToTheSameBits) {
+    const std::string hash = hashAfterAStroke(pushing(), false);
+    EXPECT_EQ(hashAfterAStroke(pushing(), false), hash);
+    EXPECT_EQ(hashAfterAStroke(pushing(), true), hash);
+    Params off = pushing();
+    off.bladePush = 0;
+    const std::string cut = hashAfterAStroke(off, false);
+    EXPECT_NE(cut, hash);
+    off.bladeThickness = 0.1;
+    EXPECT_EQ(hashAfterAStroke(off, false), cut) << "what is off has no size";
+}
+
+}  // namespace
+}  // namespace kerf
