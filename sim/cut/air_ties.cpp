@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/step.h"
@@ -18,6 +17,8 @@ namespace {
 constexpr double kFullReach = 1.0;
 constexpr double kReach = 2.5;
 constexpr double kSpacing = 0.3;  // of nodes on an edge in the air
+// The sphere about the box of a triangle is taken so much larger that rounding does not matter.
+constexpr double kSphereRoom = 1 + 1e-6;
 
 struct SkinPoint {
     int triangle;
@@ -39,23 +40,29 @@ Bounds boxOf(const SurfaceMesh& mesh, int t) {
     return box;
 }
 
-bool segmentMeets(const Bounds& box, const Vec3& p, const Vec3& q) {
+/// Shares of the way from p to q.
+struct Stretch {
     double from = 0;
     double to = 1;
+    bool empty() const { return from > to; }
+};
+
+Stretch stretchIn(const Bounds& box, const Vec3& p, const Vec3& q) {
+    Stretch stretch;
     for (int k = 0; k < 3; ++k) {
         const double way = q[k] - p[k];
         if (std::fabs(way) < 1e-300) {
             if (p[k] < box.low[k] || p[k] > box.high[k]) {
-                return false;
+                return {1, 0};
             }
             continue;
         }
         const double a = (box.low[k] - p[k]) / way;
         const double b = (box.high[k] - p[k]) / way;
-        from = std::max(from, std::min(a, b));
-        to = std::min(to, std::max(a, b));
+        stretch.from = std::max(stretch.from, std::min(a, b));
+        stretch.to = std::min(stretch.to, std::max(a, b));
     }
-    return from <= to;
+    return stretch;
 }
 
 OrientedBox boxAround(const Vec3& p, const Vec3& q, double reach) {
@@ -67,52 +74,63 @@ OrientedBox boxAround(const Vec3& p, const Vec3& q, double reach) {
     return box;
 }
 
-/// The skin within reach of an edge of the rung.
-class NearbySkin {
+/// The skin nearest to points at equal distances on an edge of the rung, where it is within reach.
+class NearestSkin {
   public:
-    NearbySkin(const SurfaceMesh& mesh, TriangleFinder& finder,
-               const std::function<bool(int)>& isSkin, const Vec3& p, const Vec3& q, double reach)
-        : mesh_(mesh), reach_(reach) {
-        const auto widened = [reach](Bounds box) {
-            box.widen(reach);
-            return box;
-        };
-        for (const int t : finder.near(boxAround(p, q, reach))) {
-            const Bounds box = widened(boxOf(mesh, t));
-            if (isSkin(t) && segmentMeets(box, p, q)) {
-                entries_.push_back({t, box});
-            }
-        }
+    NearestSkin(const SurfaceMesh& mesh, const Vec3& p, const Vec3& q, int parts, double reach)
+        : mesh_(mesh),
+          from_(p),
+          way_(q - p),
+          parts_(parts),
+          reach_(reach),
+          nearest_(parts + 1, SkinPoint{-1, Vec3::Zero(), Vec3::Zero(), reach}) {}
+
+    Vec3 point(int k) const { return from_ + way_ * share(k); }
+    double share(int k) const { return k / static_cast<double>(parts_); }
+    /// Null where there is none.
+    const SkinPoint* nearest(int k) const {
+        return nearest_[k].triangle < 0 ? nullptr : &nearest_[k];
     }
 
-    std::optional<SkinPoint> nearest(const Vec3& p) const {
-        std::optional<SkinPoint> best;
-        for (const Entry& entry : entries_) {
-            if ((p.array() < entry.box.low.array()).any() ||
-                (p.array() > entry.box.high.array()).any()) {
-                continue;
-            }
-            const Triangle& c = mesh_.triangle(entry.triangle);
-            const Vec3 weights =
-                closestWeights(p, mesh_.position(c[0]), mesh_.position(c[1]), mesh_.position(c[2]));
-            const Vec3 at = pointOn(mesh_, c, weights);
-            const double distance = (at - p).norm();
-            if (distance <= reach_ && (!best || distance < best->distance)) {
-                best = SkinPoint{entry.triangle, weights, at, distance};
+    void look(int triangle) {
+        Bounds box = boxOf(mesh_, triangle);
+        box.widen(reach_);
+        const Stretch stretch = stretchIn(box, from_, from_ + way_);
+        if (stretch.empty()) {
+            return;
+        }
+        const Vec3 center = box.center();
+        const double radius = 0.5 * box.diagonal() - std::sqrt(3.0) * reach_;
+        const int first = std::max(0, static_cast<int>(stretch.from * parts_) - 1);
+        const int last = std::min(parts_, static_cast<int>(stretch.to * parts_) + 1);
+        for (int k = first; k <= last; ++k) {
+            const Vec3 p = point(k);
+            const double least = (p - center).norm() - kSphereRoom * radius;
+            if (least <= nearest_[k].distance && (p.array() >= box.low.array()).all() &&
+                (p.array() <= box.high.array()).all()) {
+                lookFrom(p, triangle, nearest_[k]);
             }
         }
-        return best;
     }
 
   private:
-    struct Entry {
-        int triangle;
-        Bounds box;  ///< widened by the reach
-    };
+    void lookFrom(const Vec3& p, int triangle, SkinPoint& best) const {
+        const Triangle& c = mesh_.triangle(triangle);
+        const Vec3 weights =
+            closestWeights(p, mesh_.position(c[0]), mesh_.position(c[1]), mesh_.position(c[2]));
+        const Vec3 at = pointOn(mesh_, c, weights);
+        const double distance = (at - p).norm();
+        if (distance < best.distance || (distance == best.distance && best.triangle < 0)) {
+            best = {triangle, weights, at, distance};
+        }
+    }
 
     const SurfaceMesh& mesh_;
+    Vec3 from_;
+    Vec3 way_;
+    int parts_;
     double reach_;
-    std::vector<Entry> entries_;
+    std::vector<SkinPoint> nearest_;
 };
 
 double shareAt(double distance, double h) {
@@ -130,15 +148,18 @@ AirTies::AirTies(const SurfaceMesh& mesh, TriangleFinder& finder,
         if (node.attached || (node.vertex >= 0 && next.vertex >= 0)) {
             continue;
         }
-        const NearbySkin skin(mesh, finder, isSkin, node.position, next.position, kReach * h);
-        const Vec3 way = next.position - node.position;
-        const int parts = std::max(1, static_cast<int>(std::ceil(way.norm() / (kSpacing * h))));
+        const double length = (next.position - node.position).norm();
+        const int parts = std::max(1, static_cast<int>(std::ceil(length / (kSpacing * h))));
+        NearestSkin skin(mesh, node.position, next.position, parts, kReach * h);
+        for (const int t : finder.near(boxAround(node.position, next.position, kReach * h))) {
+            if (isSkin(t)) {
+                skin.look(t);
+            }
+        }
         for (int k = 0; k <= parts; ++k) {
-            const double part = k / static_cast<double>(parts);
-            const Vec3 point = node.position + way * part;
-            if (const std::optional<SkinPoint> near = skin.nearest(point)) {
-                ties_.push_back({i, part, mesh.triangle(near->triangle), near->weights, point,
-                                 near->position, shareAt(near->distance, h)});
+            if (const SkinPoint* near = skin.nearest(k)) {
+                ties_.push_back({i, skin.share(k), mesh.triangle(near->triangle), near->weights,
+                                 skin.point(k), near->position, shareAt(near->distance, h)});
             }
         }
     }

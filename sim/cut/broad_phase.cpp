@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace kerf::cut {
 
@@ -9,6 +11,7 @@ namespace {
 
 constexpr int kMostBins = 4096;
 constexpr double kRotationRounding = 1e-6;  // of the bins: what turning into the frame may move
+constexpr double kFirstMargin = 0.25;       // of a bin: what is taken around the sweep at first
 
 }  // namespace
 
@@ -32,35 +35,63 @@ Eigen::Matrix3d sweepAxes(const Blade& blade, const std::vector<Vec3>& points) {
 
 BroadPhase::BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Blade& blade,
                        const std::vector<Vec3>& points, double margin, double binSize,
-                       const std::function<bool(int)>& counts)
-    : frame_(sweepAxes(blade, points).transpose()) {
-    for (const Vec3& p : points) {
+                       std::function<bool(int)> counts)
+    : mesh_(mesh),
+      finder_(finder),
+      counts_(std::move(counts)),
+      frame_(sweepAxes(blade, points).transpose()),
+      points_(points),
+      margin_(margin),
+      leastBinSize_(binSize) {
+    take(std::min(margin, kFirstMargin * binSize));
+}
+
+/// Everything within `margin` of the sweep, in place of what was taken before.
+void BroadPhase::take(double margin) const {
+    tookAll_ = margin >= margin_;
+    box_ = {};
+    for (const Vec3& p : points_) {
         box_.add(toFrame(p));
     }
     box_.widen(margin);
-    binSize_ = std::max(binSize, (box_.high.x() - box_.low.x()) / kMostBins);
-    bins_.resize(binOf(box_.high.x()) + 1);
-    OrientedBox reach = orientedBoxAlong(frame_.transpose(), points);
+    binSize_ = std::max(leastBinSize_, (box_.high.x() - box_.low.x()) / kMostBins);
+    OrientedBox reach = orientedBoxAlong(frame_.transpose(), points_);
     reach.widen(margin + kRotationRounding * binSize_);
-    for (const int t : finder.near(reach)) {
-        if (counts(t)) {
-            add(mesh, t);
+    entries_.clear();
+    for (const int t : finder_.near(reach)) {
+        if (counts_(t)) {
+            add(t);
         }
+    }
+    fillBins();
+}
+
+void BroadPhase::add(int triangle) const {
+    Bounds bounds;
+    for (const int v : mesh_.triangle(triangle)) {
+        bounds.add(toFrame(mesh_.position(v)));
+    }
+    if (bounds.overlaps(box_)) {
+        entries_.push_back({triangle, bounds, binOf(bounds.low.x())});
     }
 }
 
-void BroadPhase::add(const SurfaceMesh& mesh, int triangle) {
-    Bounds bounds;
-    for (const int v : mesh.triangle(triangle)) {
-        bounds.add(toFrame(mesh.position(v)));
+void BroadPhase::fillBins() const {
+    firstOfBin_.assign(binOf(box_.high.x()) + 2, 0);
+    const auto forEachBin = [this](const Entry& entry, auto&& visit) {
+        for (int bin = entry.firstBin; bin <= binOf(entry.bounds.high.x()); ++bin) {
+            visit(bin);
+        }
+    };
+    for (const Entry& entry : entries_) {
+        forEachBin(entry, [this](int bin) { ++firstOfBin_[bin + 1]; });
     }
-    if (!bounds.overlaps(box_)) {
-        return;
+    std::partial_sum(firstOfBin_.begin(), firstOfBin_.end(), firstOfBin_.begin());
+    inBins_.resize(firstOfBin_.back());
+    std::vector<int> next(firstOfBin_.begin(), firstOfBin_.end() - 1);
+    for (int i = 0; i < static_cast<int>(entries_.size()); ++i) {
+        forEachBin(entries_[i], [&](int bin) { inBins_[next[bin]++] = i; });
     }
-    for (int bin = binOf(bounds.low.x()); bin <= binOf(bounds.high.x()); ++bin) {
-        bins_[bin].push_back(static_cast<int>(entries_.size()));
-    }
-    entries_.push_back({triangle, bounds});
 }
 
 int BroadPhase::binOf(double x) const {
@@ -68,22 +99,52 @@ int BroadPhase::binOf(double x) const {
     return static_cast<int>((inside - box_.low.x()) / binSize_);
 }
 
-std::vector<int> BroadPhase::query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const {
+/// What meets `bounds` is among the entries then, as far as it is within the margin.
+void BroadPhase::require(const Bounds& bounds) const {
+    const bool inside = (bounds.low.array() >= box_.low.array()).all() &&
+                        (bounds.high.array() <= box_.high.array()).all();
+    if (!inside && !tookAll_) {
+        take(margin_);
+    }
+}
+
+void BroadPhase::cover(std::span<const Vec3> points, double pad) const {
+    Bounds bounds;
+    for (const Vec3& p : points) {
+        bounds.add(toFrame(p));
+    }
+    bounds.widen(pad + kRotationRounding * binSize_);
+    require(bounds);
+}
+
+void BroadPhase::findEntries(const Vec3& a, const Vec3& b, const Vec3& c, double pad,
+                             std::vector<int>& found) const {
     Bounds bounds;
     for (const Vec3& p : {a, b, c}) {
         bounds.add(toFrame(p));
     }
     bounds.widen(pad + kRotationRounding * binSize_);
-    std::vector<int> found;
-    for (int bin = binOf(bounds.low.x()); bin <= binOf(bounds.high.x()); ++bin) {
-        for (const int entry : bins_[bin]) {
-            if (entries_[entry].bounds.overlaps(bounds)) {
-                found.push_back(entries_[entry].triangle);
+    require(bounds);
+    found.clear();
+    const int first = binOf(bounds.low.x());
+    const int last = binOf(bounds.high.x());
+    for (int bin = first; bin <= last; ++bin) {
+        for (int i = firstOfBin_[bin]; i < firstOfBin_[bin + 1]; ++i) {
+            const Entry& entry = entries_[inBins_[i]];
+            if (bin == std::max(first, entry.firstBin) && entry.bounds.overlaps(bounds)) {
+                found.push_back(inBins_[i]);
             }
         }
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    std::ranges::sort(found);
+}
+
+std::vector<int> BroadPhase::query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const {
+    std::vector<int> found;
+    findEntries(a, b, c, pad, found);
+    for (int& place : found) {
+        place = entries_[place].triangle;
+    }
     return found;
 }
 

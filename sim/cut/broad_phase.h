@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "sim/cut/blade.h"
@@ -12,33 +13,54 @@ namespace kerf::cut {
 /// Along the blade (first column), along the farthest of the `points` aside of it, and across both.
 Eigen::Matrix3d sweepAxes(const Blade& blade, const std::vector<Vec3>& points);
 
-/// Finds the triangles near parts of one sweep. Made at the start of a step from the current
-/// positions: what meets the oriented box of the sweep, binned along the blade.
+/// Finds the triangles near parts of one sweep, from the current positions: what meets the oriented
+/// box of the sweep, binned along the blade. It begins with little around the sweep, which most
+/// steps do with, and takes all within the margin once somebody asks for more.
 class BroadPhase {
   public:
     /// `points` span the sweep; triangles within `margin` [m] of their box are found, of those that
-    /// `counts` lets pass.
+    /// `counts` lets pass. Mesh and finder must stay as they are while this is used.
     BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Blade& blade,
                const std::vector<Vec3>& points, double margin, double binSize,
-               const std::function<bool(int)>& counts);
+               std::function<bool(int)> counts);
 
     /// Triangles whose box meets the box of abc widened by `pad` <= margin; ascending.
     std::vector<int> query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const;
 
-  private:
+    /// Those that were taken so far; ascending.
     struct Entry {
         int triangle;
-        Bounds bounds;
+        Bounds bounds;  ///< along the axes of the sweep
+        int firstBin;
     };
+    const std::vector<Entry>& entries() const { return entries_; }
+    /// From now on queries between these points, up to `pad`, take no more entries.
+    void cover(std::span<const Vec3> points, double pad) const;
+    /// The same as query(), as places in entries().
+    void findEntries(const Vec3& a, const Vec3& b, const Vec3& c, double pad,
+                     std::vector<int>& found) const;
+
+  private:
     Vec3 toFrame(const Vec3& p) const { return frame_ * p; }
     int binOf(double x) const;
-    void add(const SurfaceMesh& mesh, int triangle);
+    void take(double margin) const;
+    void add(int triangle) const;
+    void fillBins() const;
+    void require(const Bounds& bounds) const;
 
+    const SurfaceMesh& mesh_;
+    TriangleFinder& finder_;
+    std::function<bool(int)> counts_;
     Eigen::Matrix3d frame_;  ///< rows: along the blade, along the sweep, across both
-    Bounds box_;
-    double binSize_ = 1;
-    std::vector<Entry> entries_;
-    std::vector<std::vector<int>> bins_;
+    std::vector<Vec3> points_;
+    double margin_;
+    double leastBinSize_;
+    mutable bool tookAll_ = false;
+    mutable Bounds box_;
+    mutable double binSize_ = 1;
+    mutable std::vector<Entry> entries_;
+    mutable std::vector<int> firstOfBin_;  ///< in inBins_, and behind the last
+    mutable std::vector<int> inBins_;      ///< places of entries, bin after bin
 };
 
 }  // namespace kerf::cut

@@ -87,7 +87,7 @@ class Commit {
     }
 
     int keepOrCopy(int v) {
-        if (kept_.insert(v).second) {
+        if (mesh_.outgoing(v) < 3 * firstTriangle_) {  // a new half-edge once it is kept
             return v;
         }
         const int copy = mesh_.addVertex(Vec3(mesh_.position(v)), Vec3(mesh_.restPosition(v)),
@@ -225,7 +225,6 @@ class Commit {
     int firstTriangle_ = 0;
     std::map<int, Triangle> replacedCorners_;
     std::vector<int> vertexOfNode_;
-    std::set<int> kept_;
     CommitResult result_;
 };
 

@@ -66,10 +66,15 @@ void Cutter::State::start(const Blade& at) {
     stroke += madeWalls;  // a stroke that only met air leaves its number to the next
     madeWalls = false;
     firstTriangle = mesh.triangleSlots();
+    atRest = true;
+    for (int v = 0; v < mesh.vertexCount() && atRest; ++v) {
+        atRest = liesAtRest(v);
+    }
     surface.beginStroke();
     cleanup.reset();
     sweeps.clear();
     groupOfPiece = cut::groupPieces(mesh, pieces, kParted * h, {});
+    groupsHold = true;
     restVolume = sumOfRestVolumes(pieces);
     for (const int v : lowestVertices({groupOfPiece.begin(), groupOfPiece.end()})) {
         Sweep& sweep = sweeps.emplace_back();
@@ -80,8 +85,16 @@ void Cutter::State::start(const Blade& at) {
     joinRungs();
 }
 
+bool Cutter::State::liesAtRest(int v) const {
+    return mesh.outgoing(v) < 0 || (!mesh.isOld(v) && mesh.position(v) == mesh.restPosition(v) &&
+                                    mesh.velocity(v).isZero(0));
+}
+
 void Cutter::State::noteMotion() {
     const std::optional<double> most = std::exchange(moved, std::nullopt);
+    const bool still = most == 0;
+    atRest = atRest && still;
+    groupsHold = groupsHold && still;
     if (!tree) {
         return;
     }
@@ -112,6 +125,7 @@ void Cutter::State::follow(const std::vector<int>& changed, int groupOfNewPieces
     if (finder != nullptr || tree) {
         findTriangles().update(changed);
     }
+    groupsHold = false;
     const std::vector<int> source = pieces.update(mesh, changed).source;
     const std::vector<int> before = std::exchange(groupOfPiece, {});
     for (const int piece : source) {

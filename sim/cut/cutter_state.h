@@ -47,9 +47,11 @@ struct Cutter::State {
     TriangleFinder* finder = nullptr;    ///< null: the tree
     std::optional<TriangleTree> tree{};  ///< made when it is first asked
     std::optional<double> moved{};       ///< how far vertices moved at most since the last step [m]
+    bool atRest = false;                 ///< all of the body is known to lie still where it rests
     std::vector<int> groupOfPiece{};
-    int firstTriangle = 0;  ///< slot from which on the stroke made triangles
-    double restVolume = 0;  ///< of the body at the start of the stroke [m^3]
+    bool groupsHold = false;  ///< since they were made nothing has moved or been cut
+    int firstTriangle = 0;    ///< slot from which on the stroke made triangles
+    double restVolume = 0;    ///< of the body at the start of the stroke [m^3]
     cut::StrokeSurface surface{mesh};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
@@ -58,6 +60,7 @@ struct Cutter::State {
     }
     void start(const Blade& at);
     CutResult sweepAll(const Blade& to, double gate);
+    bool liesAtRest(int v) const;
     void noteMotion();
     TriangleFinder& findTriangles();
     double margin() const;

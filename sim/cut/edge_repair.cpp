@@ -19,6 +19,9 @@ class DuplicateEdges {
 
     std::vector<int> run() {
         const int end = mesh_.triangleSlots();
+        if (!anyParallel(end)) {
+            return {};
+        }
         for (int t = first_; t < end; ++t) {
             for (int e = 0; e < 3; ++e) {
                 resolve(3 * t + e);
@@ -28,6 +31,27 @@ class DuplicateEdges {
     }
 
   private:
+    // Looks at each vertex of the new triangles once.
+    bool anyParallel(int end) const {
+        std::vector<int> targets;
+        for (int h = 3 * first_; h < 3 * end; ++h) {
+            if (mesh_.outgoing(mesh_.origin(h)) != h) {
+                continue;
+            }
+            targets.clear();
+            bool found = false;
+            mesh_.forEachOutgoing(mesh_.origin(h), [&](int spoke) {
+                const int target = mesh_.target(spoke);
+                found = found || std::find(targets.begin(), targets.end(), target) != targets.end();
+                targets.push_back(target);
+            });
+            if (found) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     std::vector<int> edgesBetween(int u, int v) const {
         std::vector<int> result;
         mesh_.forEachOutgoing(u, [&](int h) {

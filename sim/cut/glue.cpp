@@ -3,70 +3,84 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/cut/directed_edges.h"
+#include "sim/sort_unique.h"
+
 namespace kerf::cut {
 
 namespace {
 
-using Directed = std::pair<int, int>;
-
-Directed reversed(const Directed& edge) {
-    return {edge.second, edge.first};
-}
-
-/// Half-edges of one sheet by their end points.
-class HalfEdgeTable {
-  public:
-    void add(const Directed& ends, int h) { entries_.push_back({ends, h}); }
-
-    void finish() {
-        std::sort(entries_.begin(), entries_.end());
-        const auto same = [](const Entry& p, const Entry& q) { return p.first == q.first; };
-        if (std::adjacent_find(entries_.begin(), entries_.end(), same) != entries_.end()) {
-            throw StepFailure{"two new triangles share a directed edge"};
-        }
-    }
-
-    int find(const Directed& ends) const {
-        const auto at = std::lower_bound(entries_.begin(), entries_.end(), Entry{ends, -1});
-        return at != entries_.end() && at->first == ends ? at->second : -1;
-    }
-
-  private:
-    using Entry = std::pair<Directed, int>;
-    std::vector<Entry> entries_;
+/// A directed edge between corners of the new triangles.
+struct Directed {
+    int from;
+    int to;
+    Directed reversed() const { return {to, from}; }
 };
 
-class DirectedSet {
+/// Corners without gaps: the old vertices among them in their order, then the nodes.
+class CornerNumbers {
   public:
-    void add(const Directed& edge) { edges_.push_back(edge); }
-    void finish() { std::sort(edges_.begin(), edges_.end()); }
-    bool has(const Directed& edge) const {
-        return std::binary_search(edges_.begin(), edges_.end(), edge);
+    CornerNumbers(int vertexCount, std::size_t nodes, const Outline& outline,
+                  const CutCurves& curves, const std::vector<NewTriangle>& triangles)
+        : vertexCount_(vertexCount) {
+        const auto note = [this](int corner) {
+            if (corner < vertexCount_) {
+                old_.push_back(corner);
+            }
+        };
+        for (const NewTriangle& triangle : triangles) {
+            std::ranges::for_each(triangle.corners, note);
+        }
+        for (const OutlineEdge& edge : outline.edges) {
+            for (const int node : {edge.from, edge.to}) {
+                if (curves.nodes[node].kind == NodeKind::vertex) {
+                    note(curves.nodes[node].a);
+                }
+            }
+        }
+        sortUnique(old_);
+        count_ = old_.size() + nodes;
+    }
+
+    std::size_t count() const { return count_; }
+    bool isOld(int number) const { return number < sizeOf(old_); }
+    /// Of a number that isOld().
+    int vertex(int number) const { return old_[number]; }
+    int operator[](int corner) const {
+        return corner < vertexCount_
+                   ? static_cast<int>(std::ranges::lower_bound(old_, corner) - old_.begin())
+                   : sizeOf(old_) + corner - vertexCount_;
     }
 
   private:
-    std::vector<Directed> edges_;
+    int vertexCount_;
+    std::vector<int> old_;
+    std::size_t count_ = 0;
 };
 
 class Gluing {
   public:
     Gluing(const SurfaceMesh& mesh, const CutCurves& curves, const Outline& outline,
            const Subdivision& subdivision, const std::vector<NewTriangle>& triangles)
-        : mesh_(mesh), triangles_(triangles), replaced_(subdivision.replaced) {
+        : mesh_(mesh),
+          triangles_(triangles),
+          replaced_(subdivision.replaced),
+          numbers_(mesh.vertexCount(), curves.nodes.size(), outline, curves, triangles),
+          cut_(numbers_.count()),
+          free_(numbers_.count()),
+          front_(numbers_.count()),
+          tables_{DirectedEdges(numbers_.count()), DirectedEdges(numbers_.count()),
+                  DirectedEdges(numbers_.count())} {
         for (const OutlineEdge& edge : outline.edges) {
-            setOf(edge.kind).add(
-                {cornerId(mesh, curves, edge.from), cornerId(mesh, curves, edge.to)});
+            setOf(edge.kind).add(numbers_[cornerId(mesh, curves, edge.from)],
+                                 numbers_[cornerId(mesh, curves, edge.to)], 0);
         }
-        for (DirectedSet* set : {&cut_, &free_, &front_}) {
-            set->finish();
-        }
-        for (int i = 0; i < sizeOf(triangles); ++i) {
-            for (int e = 0; e < 3; ++e) {
-                table(triangles[i].sheet).add(ends(3 * i + e), 3 * i + e);
+        numberCorners();
+        for (int h = 0; h < 3 * sizeOf(triangles); ++h) {
+            const Directed edge = ends(h);
+            if (!table(triangles[h / 3].sheet).add(edge.from, edge.to, h)) {
+                throw StepFailure{"two new triangles share a directed edge"};
             }
-        }
-        for (HalfEdgeTable& sheet : tables_) {
-            sheet.finish();
         }
     }
 
@@ -85,34 +99,50 @@ class Gluing {
     }
 
   private:
-    DirectedSet& setOf(OutlineKind kind) {
+    void numberCorners() {
+        corners_.reserve(triangles_.size());
+        for (const NewTriangle& triangle : triangles_) {
+            const Triangle& c = triangle.corners;
+            corners_.push_back({numbers_[c[0]], numbers_[c[1]], numbers_[c[2]]});
+        }
+        for (DirectedEdges& sheet : tables_) {
+            sheet.reserve(3 * triangles_.size());
+        }
+    }
+
+    DirectedEdges& setOf(OutlineKind kind) {
         return kind == OutlineKind::cut ? cut_ : kind == OutlineKind::free ? free_ : front_;
     }
-    HalfEdgeTable& table(Sheet sheet) { return tables_[static_cast<int>(sheet)]; }
+    DirectedEdges& table(Sheet sheet) { return tables_[static_cast<int>(sheet)]; }
+
+    static bool has(const DirectedEdges& set, const Directed& edge) {
+        return set.has(edge.from, edge.to);
+    }
 
     Directed ends(int h) const {
-        const Triangle& corners = triangles_[h / 3].corners;
+        const Triangle& corners = corners_[h / 3];
         return {corners[h % 3], corners[(h % 3 + 1) % 3]};
     }
 
     GluePartner partnerOf(int h) const {
+        const Directed edge = ends(h);
         switch (triangles_[h / 3].sheet) {
             case Sheet::surface:
-                return ofSurface(ends(h));
+                return ofSurface(edge);
             case Sheet::minus:
-                return ofWall(ends(h), ends(h), Sheet::minus, Sheet::plus);
+                return ofWall(edge, edge, Sheet::minus, Sheet::plus);
             case Sheet::plus:
                 break;
         }
-        return ofWall(ends(h), reversed(ends(h)), Sheet::plus, Sheet::minus);
+        return ofWall(edge, edge.reversed(), Sheet::plus, Sheet::minus);
     }
 
     GluePartner ofSurface(const Directed& edge) const {
-        const Directed back = reversed(edge);
-        if (cut_.has(edge) || isOldFront(edge)) {
+        const Directed back = edge.reversed();
+        if (has(cut_, edge) || isOldFront(edge)) {
             return in(Sheet::plus, back);
         }
-        if (cut_.has(back) || isOldFront(back)) {
+        if (has(cut_, back) || isOldFront(back)) {
             return in(Sheet::minus, back);
         }
         return inSurfaceOrMesh(back);
@@ -120,28 +150,27 @@ class Gluing {
 
     // The two half-edges of an old front edge become twins of the new sheets: the slit grows.
     bool isOldFront(const Directed& edge) const {
-        return edge.first < mesh_.vertexCount() && edge.second < mesh_.vertexCount() &&
-               front_.has(edge);
+        return numbers_.isOld(edge.from) && numbers_.isOld(edge.to) && has(front_, edge);
     }
 
     // `outlineEdge`: the direction in which the outline would have it.
     GluePartner ofWall(const Directed& edge, const Directed& outlineEdge, Sheet own,
                        Sheet other) const {
-        const Directed back = reversed(edge);
-        if (cut_.has(outlineEdge)) {
+        const Directed back = edge.reversed();
+        if (has(cut_, outlineEdge)) {
             return in(Sheet::surface, back);
         }
-        if (free_.has(outlineEdge)) {
+        if (has(free_, outlineEdge)) {
             return in(other, back);
         }
-        if (front_.has(outlineEdge)) {
+        if (has(front_, outlineEdge)) {
             return inSurfaceOrMesh(back);
         }
         return in(own, back);
     }
 
     GluePartner in(Sheet sheet, const Directed& edge) const {
-        const int h = tables_[static_cast<int>(sheet)].find(edge);
+        const int h = tables_[static_cast<int>(sheet)].find(edge.from, edge.to);
         if (h < 0) {
             throw StepFailure{"a new half-edge has no partner"};
         }
@@ -149,12 +178,13 @@ class Gluing {
     }
 
     GluePartner inSurfaceOrMesh(const Directed& edge) const {
-        const int h = tables_[static_cast<int>(Sheet::surface)].find(edge);
+        const int h = tables_[static_cast<int>(Sheet::surface)].find(edge.from, edge.to);
         if (h >= 0) {
             return {h, -1};
         }
-        const bool old = edge.first < mesh_.vertexCount() && edge.second < mesh_.vertexCount();
-        const int kept = old ? mesh_.findHalfEdge(edge.first, edge.second) : -1;
+        const bool old = numbers_.isOld(edge.from) && numbers_.isOld(edge.to);
+        const int kept =
+            old ? mesh_.findHalfEdge(numbers_.vertex(edge.from), numbers_.vertex(edge.to)) : -1;
         if (kept < 0 || std::binary_search(replaced_.begin(), replaced_.end(), kept / 3)) {
             throw StepFailure{"a new half-edge has no partner in the mesh"};
         }
@@ -164,10 +194,12 @@ class Gluing {
     const SurfaceMesh& mesh_;
     const std::vector<NewTriangle>& triangles_;
     const std::vector<int>& replaced_;
-    DirectedSet cut_;
-    DirectedSet free_;
-    DirectedSet front_;
-    std::array<HalfEdgeTable, 3> tables_;
+    CornerNumbers numbers_;
+    DirectedEdges cut_;
+    DirectedEdges free_;
+    DirectedEdges front_;
+    std::array<DirectedEdges, 3> tables_;
+    std::vector<Triangle> corners_;  ///< of the new triangles, by CornerNumbers
 };
 
 }  // namespace

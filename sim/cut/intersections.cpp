@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "sim/cut/predicates.h"
+#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 
@@ -15,6 +17,8 @@ namespace {
 constexpr double kLeastParameter = 1e-9;
 // Stands for the sign of a vertex that both triangles share.
 constexpr int kShared = 9;
+// Far more than what rounding does to the distance from a plane, as a share of all lengths in it.
+constexpr double kApartError = 1e-13;
 
 /// A triangle of the mesh as the predicates see it.
 struct Corners {
@@ -22,6 +26,7 @@ struct Corners {
     /// Corner numbers in canonical order, and whether that order reverses the orientation.
     std::array<int, 3> order{0, 1, 2};
     int parity = 1;
+    Bounds bounds{};
 };
 
 /// Signs of the corners of one triangle against the plane of the other.
@@ -141,12 +146,14 @@ class Intersector {
         : in_(in), mesh_(in.mesh), strip_(strip), positions_(positions) {
         for (const RungNode& node : in.rung) {
             if (node.vertex >= 0) {
-                rungVertices_.insert(node.vertex);
+                rungVertices_.push_back(node.vertex);
             }
         }
+        sortUnique(rungVertices_);
     }
 
     CutCurves run() {
+        gatherEntries();
         for (int s = 0; s < sizeOf(strip_.triangles); ++s) {
             intersectStripTriangle(s);
         }
@@ -173,7 +180,7 @@ class Intersector {
     struct Pair {
         int m;
         int s;
-        Corners mesh;
+        const Corners& mesh;
         std::array<Vec3, 3> strip;
         Signs meshSigns;   ///< of the mesh corners against the strip triangle
         Signs stripSigns;  ///< of the strip corners against the mesh triangle in canonical order
@@ -183,6 +190,15 @@ class Intersector {
         int hits = 0;
     };
 
+    void gatherEntries() {
+        std::vector<Vec3> points;
+        for (const StripNode& node : strip_.nodes) {
+            points.push_back(node.position);
+        }
+        in_.broadPhase.cover(points, predicateDrift());
+        corners_.resize(in_.broadPhase.entries().size());
+    }
+
     void intersectStripTriangle(int s) {
         const Triangle& corners = strip_.triangles[s];
         Bounds bounds;
@@ -191,8 +207,9 @@ class Intersector {
             at[i] = strip_.nodes[corners[i]].position;
             bounds.add(at[i]);
         }
-        for (const int m : in_.broadPhase.query(at[0], at[1], at[2], predicateDrift())) {
-            intersectPair(m, s, at, bounds);
+        in_.broadPhase.findEntries(at[0], at[1], at[2], predicateDrift(), found_);
+        for (const int entry : found_) {
+            intersectPair(entry, s, at, bounds);
         }
     }
 
@@ -205,12 +222,16 @@ class Intersector {
         return shares * in_.h + in_.opening.reach();
     }
 
-    void intersectPair(int m, int s, const std::array<Vec3, 3>& stripAt,
+    void intersectPair(int entry, int s, const std::array<Vec3, 3>& stripAt,
                        const Bounds& stripBounds) {
-        Pair pair{m, s, seenCorners(m), stripAt, {}, {}, sharedVertex(m, s)};
-        if (apart(pair.mesh, stripBounds) || pair.shared.count >= 2 ||
-            (in_.attempt.ignoreFringe && isFringe(m)) || !signMeshCorners(pair) ||
-            !signStripCorners(pair)) {
+        const Corners& corners = cornersOfEntry(entry);
+        if (!corners.bounds.overlaps(stripBounds)) {
+            return;
+        }
+        const int m = in_.broadPhase.entries()[entry].triangle;
+        Pair pair{m, s, corners, stripAt, {}, {}, sharedVertex(m, s)};
+        if (pair.shared.count >= 2 || (in_.attempt.ignoreFringe && isFringe(m)) ||
+            !signMeshCorners(pair) || !signStripCorners(pair)) {
             return;
         }
         meshEdgesAgainstStrip(pair);
@@ -231,11 +252,20 @@ class Intersector {
         curves_.segments.push_back({m, s, pair.entry, pair.exit});
     }
 
+    const Corners& cornersOfEntry(int entry) {
+        std::optional<Corners>& known = corners_[entry];
+        if (!known) {
+            known = seenCorners(in_.broadPhase.entries()[entry].triangle);
+        }
+        return *known;
+    }
+
     Corners seenCorners(int m) const {
         Corners corners;
         const Triangle& ids = mesh_.triangle(m);
         for (int i = 0; i < 3; ++i) {
             corners.at[i] = positions_.at(ids[i]);
+            corners.bounds.add(corners.at[i]);
         }
         const auto sortPair = [&](int u, int v) {
             int& first = corners.order[u];
@@ -249,14 +279,6 @@ class Intersector {
         sortPair(1, 2);
         sortPair(0, 1);
         return corners;
-    }
-
-    static bool apart(const Corners& mesh, const Bounds& strip) {
-        Bounds bounds;
-        for (const Vec3& p : mesh.at) {
-            bounds.add(p);
-        }
-        return !bounds.overlaps(strip);
     }
 
     SharedVertex sharedVertex(int m, int s) const {
@@ -276,14 +298,14 @@ class Intersector {
         return shared;
     }
 
-    bool onRung(int v) const { return rungVertices_.count(v) > 0; }
+    bool onRung(int v) const { return std::ranges::binary_search(rungVertices_, v); }
 
     /// Vertices of walls near the rung. Few attempts ask.
     const std::set<int>& fringe() {
         if (!fringe_.empty()) {
             return fringe_;
         }
-        fringe_ = rungVertices_;
+        fringe_ = {rungVertices_.begin(), rungVertices_.end()};
         for (int ring = 1; ring < kFringeRings; ++ring) {
             std::set<int> wider = fringe_;
             for (const int v : fringe_) {
@@ -310,17 +332,59 @@ class Intersector {
                std::any_of(ids.begin(), ids.end(), [&](int v) { return fringe().count(v) > 0; });
     }
 
-    // False where the mesh triangle lies on one side of the strip triangle.
+    // False where the mesh triangle lies on one side of the strip triangle. The walls that the
+    // blade has just made lie in its plane, where signs cost the most; most of them are told apart
+    // before.
     bool signMeshCorners(Pair& pair) const {
+        std::array<double, 3> magnitudes{};
+        bool unsure = false;
         for (int i = 0; i < 3; ++i) {
             if (pair.shared.any() && i == pair.shared.meshCorner) {
                 pair.meshSigns.sign[i] = kShared;
                 continue;
             }
-            pair.meshSigns.sign[i] =
-                orientSign3d(pair.strip[0], pair.strip[1], pair.strip[2], pair.mesh.at[i]);
+            const Estimate3d estimate =
+                estimate3d(pair.strip[0], pair.strip[1], pair.strip[2], pair.mesh.at[i]);
+            pair.meshSigns.sign[i] = estimate.sign();
+            magnitudes[i] = estimate.magnitude;
+            unsure |= pair.meshSigns.sign[i] == 0;
+        }
+        if (unsure && areApart(pair)) {
+            return false;
+        }
+        for (int i = 0; i < 3; ++i) {
+            if (pair.meshSigns.sign[i] == 0) {
+                pair.meshSigns.sign[i] = preciseSign3d(pair.strip[0], pair.strip[1], pair.strip[2],
+                                                       pair.mesh.at[i], magnitudes[i]);
+            }
         }
         return !pair.meshSigns.separated();
+    }
+
+    // Whether some plane, found without much ado, lies between the two; but for a shared vertex.
+    static bool areApart(const Pair& pair) {
+        const SharedVertex& shared = pair.shared;
+        const Vec3 origin = shared.any() ? pair.strip[shared.stripCorner] : pair.strip[0];
+        if (shared.any() && pair.mesh.at[shared.meshCorner] != origin) {
+            return false;
+        }
+        Vec3 normal = Vec3::Zero();
+        for (int i = 0; i < 3; ++i) {
+            normal += pair.strip[i] - pair.mesh.at[i];
+        }
+        double above = 1e300;
+        double below = -1e300;
+        for (int i = 0; i < 3; ++i) {
+            if (!shared.any() || i != shared.stripCorner) {
+                above = std::min(above, normal.dot(pair.strip[i] - origin));
+            }
+            if (!shared.any() || i != shared.meshCorner) {
+                below = std::max(below, normal.dot(pair.mesh.at[i] - origin));
+            }
+        }
+        const double size = origin.cwiseAbs().maxCoeff() + normal.cwiseAbs().maxCoeff();
+        const double error = kApartError * normal.cwiseAbs().sum() * size;
+        return shared.any() ? above > error && below < -error : above - below > error;
     }
 
     bool signStripCorners(Pair& pair) const {
@@ -498,7 +562,9 @@ class Intersector {
     const SurfaceMesh& mesh_;
     const Strip& strip_;
     const PredicatePositions& positions_;
-    std::set<int> rungVertices_;
+    std::vector<int> rungVertices_;                ///< ascending
+    std::vector<std::optional<Corners>> corners_;  ///< by entry of the broad phase
+    std::vector<int> found_;
     std::set<int> fringe_;  ///< empty until fringe() is asked
     CutCurves curves_;
 };

@@ -1,8 +1,8 @@
 #include "sim/cut/loops.h"
 
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <utility>
 
 namespace kerf::cut {
 
@@ -44,13 +44,14 @@ class LoopNesting {
     // Every in-edge of a node is followed by one out-edge: the first clockwise that is still free.
     // A wrong choice at a crossing can then never leave a loop open.
     void pairEdges() {
-        std::map<int, std::vector<int>> leaving;
-        for (int i = 0; i < sizeOf(edges_); ++i) {
-            leaving[edges_[i].from].push_back(i);
+        std::vector<int> firstLeaving(nodes_.size(), -1);
+        nextLeaving_.assign(edges_.size(), -1);
+        for (int i = sizeOf(edges_) - 1; i >= 0; --i) {
+            nextLeaving_[i] = std::exchange(firstLeaving[edges_[i].from], i);
         }
         std::vector<bool> taken(edges_.size(), false);
         for (const OutlineEdge& edge : edges_) {
-            const int next = firstClockwise(edge, leaving[edge.to], taken);
+            const int next = firstClockwise(edge, firstLeaving[edge.to], taken);
             if (next < 0) {
                 throw StepFailure{"a loop of the wall is open"};
             }
@@ -59,13 +60,17 @@ class LoopNesting {
         }
     }
 
-    int firstClockwise(const OutlineEdge& edge, const std::vector<int>& candidates,
+    /// Of the edges that leave where `edge` ends: `candidate` and those after it.
+    int firstClockwise(const OutlineEdge& edge, int candidate,
                        const std::vector<bool>& taken) const {
+        if (candidate >= 0 && nextLeaving_[candidate] < 0) {
+            return taken[candidate] ? -1 : candidate;
+        }
         const double full = 2 * std::numbers::pi;
         const double back = angleTo(at(edge.to), at(edge.from));
         int best = -1;
         double bestTurn = 1e9;
-        for (const int candidate : candidates) {
+        for (; candidate >= 0; candidate = nextLeaving_[candidate]) {
             if (taken[candidate]) {
                 continue;
             }
@@ -179,6 +184,7 @@ class LoopNesting {
     const StepInput& in_;
     const std::vector<OutlineEdge>& edges_;
     const std::vector<Node>& nodes_;
+    std::vector<int> nextLeaving_;  ///< of each edge: the next one from the same node, or -1
     std::vector<int> nextEdge_;
     std::vector<Loop> loops_;
     std::vector<double> areas_;

@@ -485,6 +485,15 @@ std::set<int> piecesInStrip(const StepInput& in, const Strip& strip, const CutCu
     return pieces;
 }
 
+/// Nothing of the strip is of another piece.
+bool belongsTo(int piece, const Strip& strip, const std::vector<int>& pieceOfVertex) {
+    const auto isOwn = [&](int v) { return pieceOfVertex[v] == piece; };
+    return std::ranges::all_of(strip.nodes, [&](const StripNode& node) {
+        return std::ranges::all_of(node.vertices, isOwn) &&
+               std::ranges::all_of(node.touching, isOwn);
+    });
+}
+
 void join(Outline& sum, const Outline& part) {
     sum.edges.insert(sum.edges.end(), part.edges.begin(), part.edges.end());
     sum.front.insert(sum.front.end(), part.front.begin(), part.front.end());
@@ -532,7 +541,12 @@ Outline traceOutline(const StepInput& in, const Strip& strip, CutCurves& curves)
     const std::set<int> pieces = piecesInStrip(in, strip, curves);
     Outline outline;
     for (const int piece : pieces) {
-        join(outline, BorderWalk(in, strip.seenBy(piece, in.pieceOfVertex), piece, curves).run());
+        if (belongsTo(piece, strip, in.pieceOfVertex)) {
+            join(outline, BorderWalk(in, strip, piece, curves).run());
+        } else {
+            const Strip seen = strip.seenBy(piece, in.pieceOfVertex);
+            join(outline, BorderWalk(in, seen, piece, curves).run());
+        }
     }
     if (pieces.size() > 1) {
         sortRuns(outline.front);

@@ -7,9 +7,6 @@ namespace kerf::cut {
 
 namespace {
 
-// Error bounds of the filters, rounded up: (7 + 56 e) e and (3 + 16 e) e with e = 2^-53.
-constexpr double kFilter3d = 8e-16;
-constexpr double kFilter2d = 3.4e-16;
 // In doubled precision: some tens of roundings of 2^-104, with much room.
 constexpr double kFilterDoubled = 1e-29;
 
@@ -118,34 +115,6 @@ Orientation exactOrient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
     return {determinant.sign(), determinant.value()};
 }
 
-int exactOrient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
-    const auto determinant = difference(b.x(), a.x()) * difference(c.y(), a.y()) -
-                             difference(b.y(), a.y()) * difference(c.x(), a.x());
-    return determinant.sign();
-}
-
-/// A determinant in doubles and the sum of the sizes of its terms.
-struct Estimate {
-    double determinant;
-    double magnitude;
-    int sign() const {
-        const double error = kFilter3d * magnitude;
-        return determinant > error ? 1 : determinant < -error ? -1 : 0;
-    }
-};
-
-Estimate estimate3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-    const double ux = b.x() - a.x(), uy = b.y() - a.y(), uz = b.z() - a.z();
-    const double vx = c.x() - a.x(), vy = c.y() - a.y(), vz = c.z() - a.z();
-    const double wx = p.x() - a.x(), wy = p.y() - a.y(), wz = p.z() - a.z();
-    const double yz = uy * vz, zy = uz * vy, zx = uz * vx, xz = ux * vz, xy = ux * vy, yx = uy * vx;
-    const double determinant = (yz - zy) * wx + (zx - xz) * wy + (xy - yx) * wz;
-    const double magnitude = (std::fabs(yz) + std::fabs(zy)) * std::fabs(wx) +
-                             (std::fabs(zx) + std::fabs(xz)) * std::fabs(wy) +
-                             (std::fabs(xy) + std::fabs(yx)) * std::fabs(wz);
-    return {determinant, magnitude};
-}
-
 // Twice the precision of a double (Dekker 1971), for the sign of sums of products.
 
 TwoTerms normalized(double high, double low) {
@@ -191,31 +160,20 @@ int doubledSign3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, do
 }  // namespace
 
 Orientation orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-    const Estimate estimate = estimate3d(a, b, c, p);
+    const Estimate3d estimate = estimate3d(a, b, c, p);
     const int sign = estimate.sign();
     return sign != 0 ? Orientation{sign, estimate.determinant} : exactOrient3d(a, b, c, p);
 }
 
-int orientSign3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-    const Estimate estimate = estimate3d(a, b, c, p);
-    if (const int sign = estimate.sign(); sign != 0) {
-        return sign;
-    }
-    const int sign = doubledSign3d(a, b, c, p, estimate.magnitude);
+int preciseSign3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, double magnitude) {
+    const int sign = doubledSign3d(a, b, c, p, magnitude);
     return sign != 0 ? sign : exactOrient3d(a, b, c, p).sign;
 }
 
-int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
-    const double left = (b.x() - a.x()) * (c.y() - a.y());
-    const double right = (b.y() - a.y()) * (c.x() - a.x());
-    const double error = kFilter2d * (std::fabs(left) + std::fabs(right));
-    if (left - right > error) {
-        return 1;
-    }
-    if (left - right < -error) {
-        return -1;
-    }
-    return exactOrient2d(a, b, c);
+int exactOrient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
+    const auto determinant = difference(b.x(), a.x()) * difference(c.y(), a.y()) -
+                             difference(b.y(), a.y()) * difference(c.x(), a.x());
+    return determinant.sign();
 }
 
 bool comesBefore(const Vec3& p, int idP, const Vec3& q, int idQ) {

@@ -120,6 +120,14 @@ void keepNode(Node& node) {
 }  // namespace
 
 void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutCurves& curves) {
+    if (in.atRest) {
+        for (Node& node : curves.nodes) {
+            if (node.kind == NodeKind::wall) {
+                keepNode(node);
+            }
+        }
+        return;
+    }
     const std::vector<SurfaceSample> all = samplesAround(in, sheets, curves.nodes);
     std::vector<bool> mapped(curves.nodes.size(), false);
     for (const WallSheet& sheet : sheets) {

@@ -84,6 +84,9 @@ class Opening {
     }
 
     std::map<int, Vec3> run() {
+        if (step_.sides.empty() && !comesNearOldWall()) {
+            return {};
+        }
         std::map<int, Vec3> found;
         for (const int v : oldWallVertices()) {
             found[v] = intoMaterial(v);
@@ -121,6 +124,17 @@ class Opening {
     }
 
     bool mayMove(int v) const { return isOlderThanPass(v) && fixed_.count(v) == 0; }
+
+    bool comesNearOldWall() const {
+        std::vector<Vec3> points;
+        for (const SweepTriangle& s : swept_) {
+            points.insert(points.end(), s.at.begin(), s.at.end());
+        }
+        broadPhase_.cover(points, kRetraced * step_.h);
+        return std::ranges::any_of(broadPhase_.entries(), [this](const BroadPhase::Entry& entry) {
+            return isOldWall(entry.triangle);
+        });
+    }
 
     // Of walls that the sweep comes near.
     std::set<int> oldWallVertices() {

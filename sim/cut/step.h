@@ -56,6 +56,7 @@ struct StepInput {
     int firstVertexOfPass = 0;  ///< vertices from here on were made in the pass
     Attempt attempt;
     Bounds body{};  ///< what lies outside of this box is in the air; empty where nothing is known
+    bool atRest = false;  ///< every vertex lies still where it rests
 };
 
 /// Attempt::closing where older slits are to close, share of h.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim/cut/common_position.h"
+#include "sim/cut/directed_edges.h"
 #include "sim/cut/jitter.h"
 
 namespace kerf::cut {
@@ -274,19 +275,21 @@ void zipRungs(Strip& strip) {
 }
 
 void connectEdges(const StepInput& in, Strip& strip) {
-    std::map<Edge, int> known;
+    DirectedEdges known(strip.nodes.size());
     for (int t = 0; t < sizeOf(strip.triangles); ++t) {
         Triangle ids{};
         for (int e = 0; e < 3; ++e) {
             const int a = strip.triangles[t][e];
             const int b = strip.triangles[t][(e + 1) % 3];
-            const auto [at, isNew] = known.emplace(edgeOf(a, b), sizeOf(strip.edges));
-            if (isNew) {
+            const auto [low, high] = edgeOf(a, b);
+            ids[e] = known.find(low, high);
+            if (ids[e] < 0) {
+                ids[e] = sizeOf(strip.edges);
+                known.add(low, high, ids[e]);
                 strip.edges.push_back({a, b, t});
             } else {
-                strip.edges[at->second].second = t;
+                strip.edges[ids[e]].second = t;
             }
-            ids[e] = at->second;
         }
         strip.triangleEdges.push_back(ids);
     }
@@ -294,11 +297,11 @@ void connectEdges(const StepInput& in, Strip& strip) {
         if (!strip.nodes[i].attached) {
             continue;
         }
-        const auto at = known.find({i, i + 1});
-        if (at == known.end()) {
+        const int edge = known.find(i, i + 1);
+        if (edge < 0) {
             throw StepFailure{"a front edge is not in the strip"};
         }
-        strip.edges[at->second].frontOf = in.pieceOfVertex[strip.nodes[i].vertices.back()];
+        strip.edges[edge].frontOf = in.pieceOfVertex[strip.nodes[i].vertices.back()];
     }
 }
 

@@ -23,6 +23,8 @@ void Cutter::State::cleanUpBehindFront(CutResult& result) {
 void Cutter::State::followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta) {
     std::vector<int> changed;
     std::ranges::set_union(changedBefore, changedTriangles(delta), std::back_inserter(changed));
+    atRest =
+        atRest && std::ranges::all_of(delta.movedVertices, [this](int v) { return liesAtRest(v); });
     surface.follow(changed, cleanup->takeRestMotion());
     follow(changed, -1);
 }

@@ -31,6 +31,9 @@ int Cutter::State::groupOfVertex(int v) const {
 // Pieces that have parted since go on apart, each with its own part of the rung. A piece that has
 // gone (debris) takes its sweep along.
 void Cutter::State::divideSweeps() {
+    if (std::exchange(groupsHold, true)) {
+        return;
+    }
     const std::vector<int> before =
         std::exchange(groupOfPiece, cut::groupPieces(mesh, pieces, kParted * h, groupOfPiece));
     std::map<int, int> sweepOfGroupBefore;

@@ -194,7 +194,8 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
                             sweep.pass,
                             sweep.firstVertexOfPass,
                             cut::attemptAt(level, settings.tolerance, retrySeed),
-                            bodyBox};
+                            bodyBox,
+                            atRest};
     const int tries = result.statistics.tries + 1;
     const std::string reason = result.reason;
     result.statistics.tries = tries;

@@ -124,23 +124,24 @@ bool Triangulation::shouldFlip(int t, int e) const {
         return false;
     }
     const Triangle& corners = faces_[t].corners;
-    return inCircle(metric_ * points_[corners[0]], metric_ * points_[corners[1]],
-                    metric_ * points_[corners[2]], metric_ * points_[oppositeVertex(t, e)]) &&
+    return inCircle(measured(corners[0]), measured(corners[1]), measured(corners[2]),
+                    measured(oppositeVertex(t, e))) &&
            convex(t, e);
 }
 
-void Triangulation::legalize(std::vector<std::array<int, 2>> pending) {
-    for (int guard = 0; !pending.empty() && guard < kMostFlips; ++guard) {
-        const auto [t, v] = pending.back();
-        pending.pop_back();
+void Triangulation::legalize(std::initializer_list<std::array<int, 2>> pending) {
+    pending_ = pending;
+    for (int guard = 0; !pending_.empty() && guard < kMostFlips; ++guard) {
+        const auto [t, v] = pending_.back();
+        pending_.pop_back();
         const int corner = cornerOf(t, v);
         if (corner < 0 || !shouldFlip(t, nextCorner(corner))) {
             continue;
         }
         const int other = faces_[t].neighbors[nextCorner(corner)];
         flip(t, nextCorner(corner));
-        pending.push_back({t, v});
-        pending.push_back({other, v});
+        pending_.push_back({t, v});
+        pending_.push_back({other, v});
     }
 }
 
@@ -207,7 +208,10 @@ Triangulation::Location Triangulation::locate(const Vec2& p) {
 }
 
 Triangulation::Insertion Triangulation::insert(const Vec2& p) {
-    const Location location = locate(p);
+    return insert(p, locate(p));
+}
+
+Triangulation::Insertion Triangulation::insert(const Vec2& p, const Location& location) {
     if (location.where == Where::outside) {
         return {};
     }
@@ -304,36 +308,40 @@ void Triangulation::splitEdge(int t, int e, int v) {
     legalize({{t, v}, {t1, v}, {other, v}, {t2, v}});
 }
 
-std::vector<std::array<int, 2>> Triangulation::star(int v) const {
-    std::vector<std::array<int, 2>> result;
+template <class Visit>
+void Triangulation::visitStar(int v, Visit&& visit) const {
     const int first = faceOfVertex_[v];
     int t = first;
     do {  // counter-clockwise, up to the border or round
         const int corner = cornerOf(t, v);
-        result.push_back({t, corner});
+        if (visit(t, corner)) {
+            return;
+        }
         t = faces_[t].neighbors[previousCorner(corner)];
     } while (t >= 0 && t != first);
     if (t == first) {
-        return result;
+        return;
     }
     for (t = faces_[first].neighbors[cornerOf(first, v)]; t >= 0;) {  // the rest, clockwise
         const int corner = cornerOf(t, v);
-        result.push_back({t, corner});
+        if (visit(t, corner)) {
+            return;
+        }
         t = faces_[t].neighbors[corner];
     }
-    return result;
 }
 
 Triangulation::EdgeRef Triangulation::findEdge(int a, int b) const {
-    for (const auto& [t, corner] : star(a)) {
+    EdgeRef found;
+    visitStar(a, [&](int t, int corner) {
         if (faces_[t].corners[nextCorner(corner)] == b) {
-            return {t, corner};
+            found = {t, corner};
+        } else if (faces_[t].corners[previousCorner(corner)] == b) {
+            found = {t, previousCorner(corner)};
         }
-        if (faces_[t].corners[previousCorner(corner)] == b) {
-            return {t, previousCorner(corner)};
-        }
-    }
-    return {};
+        return found.found();
+    });
+    return found;
 }
 
 void Triangulation::markConstrained(const EdgeRef& edge) {
@@ -349,20 +357,22 @@ void Triangulation::markConstrained(const EdgeRef& edge) {
 Triangulation::EdgeRef Triangulation::firstCrossed(int a, int b) const {
     const Vec2& from = points_[a];
     const Vec2& to = points_[b];
-    for (const auto& [t, corner] : star(a)) {
+    EdgeRef crossed;
+    visitStar(a, [&](int t, int corner) {
         const int right = faces_[t].corners[nextCorner(corner)];
         const int left = faces_[t].corners[previousCorner(corner)];
         const int sideRight = orient2d(from, to, points_[right]);
         const int sideLeft = orient2d(from, to, points_[left]);
         if ((sideRight == 0 && (points_[right] - from).dot(to - from) > 0) ||
             (sideLeft == 0 && (points_[left] - from).dot(to - from) > 0)) {
-            return {};
+            return true;
         }
         if (sideRight < 0 && sideLeft > 0) {
-            return {t, nextCorner(corner)};
+            crossed = {t, nextCorner(corner)};
         }
-    }
-    return {};
+        return crossed.found();
+    });
+    return crossed;
 }
 
 bool Triangulation::collectCrossed(int a, int b, std::vector<std::array<int, 2>>& crossed) const {

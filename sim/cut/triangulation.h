@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <initializer_list>
 #include <vector>
 
 #include "sim/math.h"
@@ -17,7 +18,10 @@ class Triangulation {
     Triangulation(const Vec2& a, const Vec2& b, const Vec2& c);
 
     /// The Delaunay criterion is applied to metric * point.
-    void setMetric(const Eigen::Matrix2d& metric) { metric_ = metric; }
+    void setMetric(const Eigen::Matrix2d& metric) {
+        metric_ = metric;
+        hasMetric_ = true;
+    }
 
     /// What became of an inserted point.
     struct Insertion {
@@ -36,6 +40,8 @@ class Triangulation {
         int index = -1;  ///< edge or corner of the triangle
     };
     Location locate(const Vec2& p);
+    /// The same as insert(p) where `at` is where p was just located.
+    Insertion insert(const Vec2& p, const Location& at);
 
     int size() const { return static_cast<int>(faces_.size()); }
     const Vec2& point(int v) const { return points_[v]; }
@@ -77,10 +83,12 @@ class Triangulation {
     void linkNeighbor(int t, int from, int to, int neighbor);
     void remember(int t);
     bool shouldFlip(int t, int e) const;
-    void legalize(std::vector<std::array<int, 2>> pending);
+    Vec2 measured(int v) const { return hasMetric_ ? Vec2(metric_ * points_[v]) : points_[v]; }
+    void legalize(std::initializer_list<std::array<int, 2>> pending);
     int cornerOf(int t, int v) const;
-    /// Triangles around v as (triangle, corner of v).
-    std::vector<std::array<int, 2>> star(int v) const;
+    /// Calls visit(triangle, corner of v) around v until it answers true.
+    template <class Visit>
+    void visitStar(int v, Visit&& visit) const;
     EdgeRef findEdge(int a, int b) const;
     void markConstrained(const EdgeRef& edge);
     EdgeRef firstCrossed(int a, int b) const;
@@ -94,6 +102,8 @@ class Triangulation {
     std::vector<int> faceOfVertex_;
     int lastFace_ = 0;
     Eigen::Matrix2d metric_ = Eigen::Matrix2d::Identity();
+    bool hasMetric_ = false;
+    std::vector<std::array<int, 2>> pending_;  ///< room for legalize
 };
 
 }  // namespace kerf::cut

@@ -1,9 +1,11 @@
 #include "sim/cut/wall.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <map>
+#include <cstdint>
 
+#include "sim/cut/directed_edges.h"
 #include "sim/cut/ears.h"
 #include "sim/cut/loops.h"
 #include "sim/cut/triangulation.h"
@@ -19,6 +21,8 @@ constexpr double kSteinerToNode = 0.6;
 constexpr double kSteinerToEdge = 0.4;
 constexpr int kMostSteinerPoints = 200000;
 constexpr int kChordPasses = 4;
+// A point counts as inside a triangle of the strip a little beyond it (share of the blade).
+constexpr double kRoomInStrip = 1e-6;
 
 double cross2(const Vec2& u, const Vec2& v) {
     return u.x() * v.y() - u.y() * v.x();
@@ -70,6 +74,76 @@ bool shareFace(const SurfaceMesh& mesh, const Node& p, const Node& q) {
            (liesOnFace(mesh, second, h / 3) || liesOnFace(mesh, second, mesh.twin(h) / 3));
 }
 
+/// Finds points that lie within a tolerance of each other.
+class CoincidentPoints {
+  public:
+    CoincidentPoints(std::size_t most, double tolerance)
+        : tolerance_(tolerance), buckets_(std::bit_ceil(2 * most + 1), -1) {}
+
+    /// The number of a point there, -1 for none.
+    int find(const Vec2& p) const {
+        const Vec2 scaled = p / (kCells * tolerance_);
+        const Vec2 rest = scaled - Vec2(std::floor(scaled.x()), std::floor(scaled.y()));
+        const Cell cell = cellOf(p);
+        for (int dx = firstAside(rest.x()); dx <= lastAside(rest.x()); ++dx) {
+            for (int dy = firstAside(rest.y()); dy <= lastAside(rest.y()); ++dy) {
+                if (const int found = findIn({cell.x + dx, cell.y + dy}, p); found >= 0) {
+                    return found;
+                }
+            }
+        }
+        return -1;
+    }
+
+    void add(const Vec2& p, int number) {
+        int& first = buckets_[bucketOf(cellOf(p))];
+        points_.push_back({p, cellOf(p), number, first});
+        first = sizeOf(points_) - 1;
+    }
+
+  private:
+    static constexpr double kCells = 4;         // size of a cell, in tolerances
+    static constexpr double kNearBorder = 0.3;  // of a cell: the next one may hold a point too
+
+    struct Cell {
+        long long x, y;
+        bool operator==(const Cell&) const = default;
+    };
+    struct Point {
+        Vec2 at;
+        Cell cell;
+        int number;
+        int next;
+    };
+
+    Cell cellOf(const Vec2& p) const {
+        return {static_cast<long long>(std::floor(p.x() / (kCells * tolerance_))),
+                static_cast<long long>(std::floor(p.y() / (kCells * tolerance_)))};
+    }
+    std::size_t bucketOf(const Cell& cell) const {
+        const std::uint64_t mixed = static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15ull +
+                                    static_cast<std::uint64_t>(cell.y) * 0xC2B2AE3D27D4EB4Full;
+        return (mixed >> 32) & (buckets_.size() - 1);
+    }
+    static int firstAside(double rest) { return rest < kNearBorder ? -1 : 0; }
+    static int lastAside(double rest) { return rest > 1 - kNearBorder ? 1 : 0; }
+
+    /// The one that was added first.
+    int findIn(const Cell& cell, const Vec2& p) const {
+        int found = -1;
+        for (int i = buckets_[bucketOf(cell)]; i >= 0; i = points_[i].next) {
+            if (points_[i].cell == cell && (points_[i].at - p).cwiseAbs().maxCoeff() < tolerance_) {
+                found = points_[i].number;
+            }
+        }
+        return found;
+    }
+
+    double tolerance_;
+    std::vector<int> buckets_;  ///< a power of two of them: the last point in each, -1 for none
+    std::vector<Point> points_;
+};
+
 /// One sheet as a constrained Delaunay triangulation in the layout plane.
 class SheetTriangulation {
   public:
@@ -115,56 +189,38 @@ class SheetTriangulation {
     // Coincident border nodes share a vertex of the triangulation; each corner later takes the
     // node of the border edge that bounds its wedge.
     void insertBorder() {
-        std::map<std::pair<long long, long long>, std::vector<int>> cells;
-        const double tolerance = kCoincident * in_.h;
+        CoincidentPoints known(2 * edges_.size(), kCoincident * in_.h);
+        vertexOfNode_.assign(nodes_.size(), -1);
+        nodeOfVertex_.assign(3, -1);
         for (const OutlineEdge& edge : edges_) {
             for (const int node : {edge.from, edge.to}) {
-                if (vertexOfNode_.count(node) > 0) {
+                if (vertexOfNode_[node] >= 0) {
                     continue;
                 }
                 const Vec2& p = nodes_[node].layout;
-                const long long x = static_cast<long long>(std::floor(p.x() / (4 * tolerance)));
-                const long long y = static_cast<long long>(std::floor(p.y() / (4 * tolerance)));
-                int vertex = -1;
-                for (long long dx = -1; dx <= 1 && vertex < 0; ++dx) {
-                    for (long long dy = -1; dy <= 1 && vertex < 0; ++dy) {
-                        vertex = coincident(cells, {x + dx, y + dy}, p, tolerance);
-                    }
-                }
+                int vertex = known.find(p);
                 if (vertex < 0) {
                     vertex = plane_.insert(p).vertex;
                     if (vertex < 0) {
                         throw StepFailure{"a wall node lies outside the layout"};
                     }
-                    cells[{x, y}].push_back(vertex);
+                    known.add(p, vertex);
                 }
                 vertexOfNode_[node] = vertex;
-                nodeOfVertex_.emplace(vertex, node);
+                if (vertex == sizeOf(nodeOfVertex_)) {
+                    nodeOfVertex_.push_back(node);
+                }
             }
         }
-    }
-
-    int coincident(const std::map<std::pair<long long, long long>, std::vector<int>>& cells,
-                   const std::pair<long long, long long>& cell, const Vec2& p,
-                   double tolerance) const {
-        const auto found = cells.find(cell);
-        if (found == cells.end()) {
-            return -1;
-        }
-        for (const int vertex : found->second) {
-            if ((plane_.point(vertex) - p).cwiseAbs().maxCoeff() < tolerance) {
-                return vertex;
-            }
-        }
-        return -1;
+        borderVertices_ = sizeOf(nodeOfVertex_);
     }
 
     void constrainBorder() {
-        for (const OutlineEdge& edge : edges_) {
-            const int a = vertexOfNode_[edge.from];
-            const int b = vertexOfNode_[edge.to];
-            if (a == b || !border_.emplace(std::pair{a, b}, edge).second ||
-                !plane_.constrain(a, b)) {
+        border_ = DirectedEdges(borderVertices_);
+        for (int i = 0; i < sizeOf(edges_); ++i) {
+            const int a = vertexOfNode_[edges_[i].from];
+            const int b = vertexOfNode_[edges_[i].to];
+            if (a == b || !border_.add(a, b, i) || !plane_.constrain(a, b)) {
                 throw StepFailure{"the border of the wall crosses itself"};
             }
         }
@@ -172,7 +228,7 @@ class SheetTriangulation {
 
     bool isBorder(int t, int e) const {
         const Triangle& c = plane_.corners(t);
-        return border_.count({c[e], c[(e + 1) % 3]}) > 0;
+        return border_.has(c[e], c[(e + 1) % 3]);
     }
 
     void markInside() {
@@ -221,6 +277,7 @@ class SheetTriangulation {
         if (extent.y() <= kTallSheet * in_.h || rows * columns > kMostSteinerPoints) {
             return;
         }
+        measureReach();
         for (int j = 0; j <= static_cast<int>(rows); ++j) {
             for (int i = 0; i <= static_cast<int>(columns); ++i) {
                 const double shift = j % 2 == 1 ? 0.5 : 0.0;
@@ -240,7 +297,8 @@ class SheetTriangulation {
         node.layout = p;
         node.position = positionInStrip(p);
         nodes_.push_back(node);
-        nodeOfSteiner_[plane_.insert(p).vertex] = sizeOf(nodes_) - 1;
+        plane_.insert(p, at);
+        nodeOfVertex_.push_back(sizeOf(nodes_) - 1);
     }
 
     bool tooClose(int t, const Vec2& p) const {
@@ -258,8 +316,22 @@ class SheetTriangulation {
         return false;
     }
 
-    Vec3 positionInStrip(const Vec2& p) const {
+    // The strip's triangles follow each other along the blade: for each, how far they have come.
+    void measureReach() {
+        double reach = -1e300;
         for (const Triangle& t : strip_.triangles) {
+            for (const int node : t) {
+                reach = std::max(reach, strip_.nodes[node].layout.x());
+            }
+            reachOfTriangle_.push_back(reach);
+        }
+    }
+
+    Vec3 positionInStrip(const Vec2& p) const {
+        const double room = kRoomInStrip * (in_.blade.b - in_.blade.a).norm();
+        const auto first = std::ranges::lower_bound(reachOfTriangle_, p.x() - room);
+        for (std::size_t i = first - reachOfTriangle_.begin(); i < strip_.triangles.size(); ++i) {
+            const Triangle& t = strip_.triangles[i];
             const StripNode& a = strip_.nodes[t[0]];
             const StripNode& b = strip_.nodes[t[1]];
             const StripNode& c = strip_.nodes[t[2]];
@@ -280,8 +352,7 @@ class SheetTriangulation {
 
     // Null for an inner point.
     const Node* borderNode(int vertex) const {
-        const auto found = nodeOfVertex_.find(vertex);
-        return found == nodeOfVertex_.end() ? nullptr : &nodes_[found->second];
+        return vertex < 3 || vertex >= borderVertices_ ? nullptr : &nodes_[nodeOfVertex_[vertex]];
     }
 
     bool isChord(int a, int b) const {
@@ -331,9 +402,8 @@ class SheetTriangulation {
     // Turns clockwise about the corner to the border edge that starts there.
     int nodeOfCorner(int t, int corner) const {
         const int v = plane_.corners(t)[corner];
-        const auto steiner = nodeOfSteiner_.find(v);
-        if (steiner != nodeOfSteiner_.end()) {
-            return steiner->second;
+        if (v >= borderVertices_) {
+            return nodeOfVertex_[v];
         }
         int current = t;
         do {
@@ -341,12 +411,12 @@ class SheetTriangulation {
             while (plane_.corners(current)[k] != v) {
                 ++k;
             }
-            const auto edge = border_.find({v, plane_.corners(current)[(k + 1) % 3]});
             if (plane_.constrained(current, k)) {
-                if (edge == border_.end()) {
+                const int edge = border_.find(v, plane_.corners(current)[(k + 1) % 3]);
+                if (edge < 0) {
                     break;
                 }
-                return edge->second.from;
+                return edges_[edge].from;
             }
             current = plane_.neighbor(current, k);
         } while (current >= 0 && current != t);
@@ -359,10 +429,11 @@ class SheetTriangulation {
     std::vector<OutlineEdge> edges_;
     Box bounds_;
     Triangulation plane_;
-    std::map<int, int> vertexOfNode_;
-    std::map<int, int> nodeOfVertex_;
-    std::map<int, int> nodeOfSteiner_;
-    std::map<std::pair<int, int>, OutlineEdge> border_;
+    std::vector<int> vertexOfNode_;  ///< -1 for nodes of other sheets
+    std::vector<int> nodeOfVertex_;  ///< -1 for the three enclosing ones; the border's come next
+    int borderVertices_ = 0;         ///< vertices from here on are inner points
+    DirectedEdges border_{0};        ///< places in edges_ by vertices
+    std::vector<double> reachOfTriangle_;
 };
 
 std::vector<Triangle> triangulateSheet(const StepInput& in, const Strip& strip,
@@ -376,21 +447,20 @@ std::vector<Triangle> triangulateSheet(const StepInput& in, const Strip& strip,
     }
 }
 
-void requireBorderOnce(const Outline& outline, const std::vector<WallSheet>& sheets) {
-    std::vector<std::pair<int, int>> directed;
+void requireBorderOnce(const Outline& outline, const std::vector<WallSheet>& sheets,
+                       std::size_t nodes) {
+    DirectedEdges directed(nodes);
     for (const WallSheet& sheet : sheets) {
         for (const Triangle& t : sheet.triangles) {
             for (int e = 0; e < 3; ++e) {
-                directed.push_back({t[e], t[(e + 1) % 3]});
+                if (!directed.add(t[e], t[(e + 1) % 3], 0)) {
+                    throw StepFailure{"the wall uses an edge twice"};
+                }
             }
         }
     }
-    std::sort(directed.begin(), directed.end());
-    if (std::adjacent_find(directed.begin(), directed.end()) != directed.end()) {
-        throw StepFailure{"the wall uses an edge twice"};
-    }
     for (const OutlineEdge& edge : outline.edges) {
-        if (!std::binary_search(directed.begin(), directed.end(), std::pair{edge.from, edge.to})) {
+        if (!directed.has(edge.from, edge.to)) {
             throw StepFailure{"the wall misses a border edge"};
         }
     }
@@ -404,7 +474,7 @@ std::vector<WallSheet> triangulateWall(const StepInput& in, const Strip& strip,
     for (const Sheet2d& sheet : nestLoops(in, outline, curves.nodes)) {
         result.push_back({triangulateSheet(in, strip, sheet, curves), sheet.outer.front().piece});
     }
-    requireBorderOnce(outline, result);
+    requireBorderOnce(outline, result, curves.nodes.size());
     return result;
 }
 

@@ -24,33 +24,30 @@ LazyBoxTree::Item LazyBoxTree::itemOf(int id, const BoundsOf& boundsOf) {
     double reach = 0;
     double farthest = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        item.center[axis] = static_cast<float>(0.5 * (bounds.low[axis] + bounds.high[axis]));
-        const double center = item.center[axis];
+        item.cube[axis] = static_cast<float>(0.5 * (bounds.low[axis] + bounds.high[axis]));
+        const double center = item.cube[axis];
         reach = std::max({reach, bounds.high[axis] - center, center - bounds.low[axis]});
         farthest = std::max(farthest, std::fabs(center));
     }
-    item.reach =
+    item.cube[3] =
         static_cast<float>(reach * (1 + kRoundingOfReach) + (farthest + reach) * kRoundingOfCenter);
     item.id = id;
     return item;
 }
 
 Bounds LazyBoxTree::boundsOfPlaces(int first, int end) const {
-    std::array<float, 3> low{1e30F, 1e30F, 1e30F};
-    std::array<float, 3> high{-1e30F, -1e30F, -1e30F};
-    bool any = false;
+    using Four = Eigen::Array4f;
+    Four low = Four::Constant(1e30F);
+    Four high = Four::Constant(-1e30F);
     for (int place = first; place < end; ++place) {
-        const Item& item = items_[place];
-        if (item.id < 0) {
-            continue;
-        }
-        any = true;
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], item.center[axis] - item.reach);
-            high[axis] = std::max(high[axis], item.center[axis] + item.reach);
+        if (const Item& item = items_[place]; item.id >= 0) {
+            const Four cube = Eigen::Map<const Four>(item.cube.data());
+            low = low.min(cube - item.cube[3]);
+            high = high.max(cube + item.cube[3]);
         }
     }
-    return any ? Bounds{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}} : Bounds{};
+    return low[0] <= high[0] ? Bounds{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}
+                             : Bounds{};
 }
 
 void LazyBoxTree::insert(std::span<const int> ids, const BoundsOf& boundsOf) {
@@ -223,7 +220,7 @@ int LazyBoxTree::partition(const Node& node) {
     }
     Bounds centers;
     for (int place = node.first; place < node.end; ++place) {
-        const auto& c = items_[place].center;
+        const auto& c = items_[place].cube;
         centers.add(Vec3(c[0], c[1], c[2]));
     }
     const int across = longest(centers);
@@ -236,10 +233,10 @@ int LazyBoxTree::partitionAt(const Node& node, int axis, double plane) {
     int low = node.first;
     int high = node.end;
     while (true) {
-        while (low < high && items_[low].center[axis] < plane) {
+        while (low < high && items_[low].cube[axis] < plane) {
             ++low;
         }
-        while (low < high && items_[high - 1].center[axis] >= plane) {
+        while (low < high && items_[high - 1].cube[axis] >= plane) {
             --high;
         }
         if (low == high) {
@@ -254,7 +251,7 @@ int LazyBoxTree::partitionAt(const Node& node, int axis, double plane) {
 int LazyBoxTree::halve(const Node& node, int axis) {
     const auto begin = items_.begin() + node.first;
     std::sort(begin, items_.begin() + node.end, [axis](const Item& a, const Item& b) {
-        return a.center[axis] != b.center[axis] ? a.center[axis] < b.center[axis] : a.id < b.id;
+        return a.cube[axis] != b.cube[axis] ? a.cube[axis] < b.cube[axis] : a.id < b.id;
     });
     for (int place = node.first; place < node.end; ++place) {
         placeOf_[items_[place].id] = place;

@@ -98,9 +98,8 @@ class LazyBoxTree {
 
     /// A thing by a cube that holds its box.
     struct Item {
-        std::array<float, 3> center{};
-        float reach = 0;
-        int id = -1;  ///< -1: the place is empty
+        std::array<float, 4> cube{};  ///< its centre, then half its side
+        int id = -1;                  ///< -1: the place is empty
     };
 
     static Item itemOf(int id, const BoundsOf& boundsOf);

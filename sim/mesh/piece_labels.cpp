@@ -368,8 +368,8 @@ void PieceLabels::setLabel(int vertex, int label, std::vector<LabelMove>& moves)
 
 void PieceLabels::count(const SurfaceMesh& mesh, int triangle) {
     Share& share = shares_[triangle];
-    share = {mesh.triangle(triangle), tetrahedron(mesh, mesh.triangle(triangle)),
-             area(mesh, mesh.triangle(triangle)), true};
+    share = {mesh.triangle(triangle), true, tetrahedron(mesh, mesh.triangle(triangle)),
+             area(mesh, mesh.triangle(triangle))};
     addShare(share, ofVertex_[share.corners[0]], 1);
 }
 

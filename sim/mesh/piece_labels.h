@@ -53,9 +53,9 @@ class PieceLabels {
     /// What a triangle adds to its piece, and of which vertex that is.
     struct Share {
         Triangle corners{-1, -1, -1};
+        bool counted = false;
         double volume = 0;
         double area = 0;
-        bool counted = false;
     };
     class Splitter;
 

@@ -127,14 +127,20 @@ void SurfaceMesh::removeVertex(int v) {
 int SurfaceMesh::groupOf(int v) {
     if (mateGroup_[v] < 0) {
         mateGroup_[v] = static_cast<int>(mateMembers_.size());
-        mateMembers_.push_back({v});
+        mateMembers_.emplace_back().reserve(2);
+        mateMembers_.back().push_back(v);
     }
     return mateGroup_[v];
 }
 
 void SurfaceMesh::makeMates(int a, int b) {
     const int keep = groupOf(a);
-    const int join = groupOf(b);
+    if (a != b && mateGroup_[b] < 0) {
+        mateGroup_[b] = keep;
+        mateMembers_[keep].push_back(b);
+        return;
+    }
+    const int join = mateGroup_[b];
     if (keep == join) {
         return;
     }

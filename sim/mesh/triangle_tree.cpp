@@ -5,6 +5,12 @@
 
 namespace kerf {
 
+namespace {
+
+constexpr double kRoom = 1 + 1e-9;  // for rounding
+
+}  // namespace
+
 TriangleTree::TriangleTree(const SurfaceMesh& mesh) : mesh_(mesh) {
     tree_ = LazyBoxTree(livingTriangles(mesh), [this](int t) { return boundsOf(t); });
 }
@@ -15,6 +21,14 @@ Bounds TriangleTree::boundsOf(int triangle) const {
         bounds.add(mesh_.position(v));
     }
     return bounds;
+}
+
+std::vector<int> TriangleTree::near(const OrientedBox& box) {
+    // Tells most boxes apart at less cost.
+    const Vec3 half = box.axes.cwiseAbs() * box.half;
+    const Bounds around{box.center - kRoom * half, box.center + kRoom * half};
+    return find(
+        [&](const Bounds& bounds) { return bounds.overlaps(around) && mayMeet(box, bounds); });
 }
 
 void TriangleTree::catchUp() {

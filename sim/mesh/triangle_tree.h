@@ -21,9 +21,7 @@ class TriangleTree : public TriangleFinder {
     /// They may have moved anyhow: the next search costs O(n).
     void movedAnyhow() { lost_ = true; }
     void update(std::span<const int> triangles) override;
-    std::vector<int> near(const OrientedBox& box) override {
-        return find([&](const Bounds& bounds) { return mayMeet(box, bounds); });
-    }
+    std::vector<int> near(const OrientedBox& box) override;
 
     /// Triangles that may lie in boxes that meets(box) holds of; none that does is missing.
     /// Ascending.
