@@ -127,7 +127,7 @@ CutPreview previewCut(const SurfaceMesh& mesh, std::span<const Blade> way) {
     const Strip strip(way);
     CutPreview preview;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t)) {
+        if (!mesh.present(t)) {
             continue;
         }
         const Corners corners = cornersOf(mesh, t);
@@ -155,7 +155,7 @@ std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const render::R
     Vec3 shares = Vec3::Zero();
     double distance = 1e300;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t)) {
+        if (!mesh.present(t)) {
             continue;
         }
         if (const auto hit = meet(cornersOf(mesh, t), ray.origin, ray.direction, distance)) {

@@ -10,7 +10,7 @@ std::vector<int> numberUsedVertices(const SurfaceMesh& mesh) {
     std::vector<int> numbers(mesh.vertexCount(), -1);
     int next = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (mesh.outgoing(v) >= 0) {
+        if (mesh.outgoing(v) >= 0 && !mesh.hidden(v)) {
             numbers[v] = next++;
         }
     }
@@ -28,6 +28,9 @@ Vec3f vertexNormal(const SurfaceMesh& mesh, int v) {
     Vec3 sum = Vec3::Zero();
     Vec3 first = Vec3::Zero();
     mesh.forEachOutgoing(v, [&](int h) {
+        if (mesh.absent(h / 3)) {
+            return;
+        }
         const Vec3 area = areaVector(mesh, h / 3);
         sum += area;
         first = first.isZero(0) ? area : first;
@@ -69,7 +72,7 @@ ExportMesh gatherMesh(const SurfaceMesh& mesh, const PieceMap& pieces,
     }
     UvNumbers uvNumbers(out.uvs);
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t)) {
+        if (!mesh.present(t)) {
             continue;
         }
         const auto [a, b, c] = mesh.triangle(t);

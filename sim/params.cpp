@@ -116,6 +116,12 @@ const std::array kRows = {
          "removed; 0 keeps all.",
          ParamType::real, 0, 0.001, false},
         &Params::debrisVolume},
+    Row{{"open_cut", "Open cut", "",
+         "1: cut as the paper does, for comparison: the body is hollow while the blade is in it, "
+         "and "
+         "each wound is patched when the stroke ends. From the next stroke on.",
+         ParamType::integer, 0, 1, false},
+        &Params::openCut},
     Row{{"solver", "Solver", "",
          "small_steps: substeps and a material in pascals; pbd: the paper's sweeps and stiffness "
          "factors, which lose volume.",

@@ -32,6 +32,7 @@ struct Params {
     double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
     double wallCoarsening = 1;          ///< edge length inside finished walls over that at the rim
     double debrisVolume = 1e-5;         ///< share of the body below which what comes off goes
+    int openCut = 0;                    ///< 1: the paper's course, hollow until the stroke ends
     double friction = 0.5;              ///< Coulomb coefficient of all contacts
     int contact = 1;                    ///< 1: pieces, slits and arms meet one another; 0: not
     int paperContact = 0;               ///< 1: the paper's response of pieces instead

@@ -160,6 +160,8 @@ struct Simulation::State {
     std::optional<BladeMotion> bladeBody() const;
     void lookUpTriangles();
     void holdFront();
+    void carryHidden();
+    AnchorFrame anchorFrame() const;
     void releaseFront();
     void pull();
     void collideAsThePaper();
@@ -175,8 +177,10 @@ struct Simulation::State {
     void accept(const CutResult& result);
     void adoptNewTopology(const CutDelta& delta);
     void countDebris(const Debris& debris);
+    void tellOfClosing(const WoundClosing& closing);
 
     const BodyModel& model() const { return body->model(); }
+    bool isOpen() const { return std::ranges::any_of(model().pieces, &PieceModel::open); }
     const PieceMap& syncPieces();
     template <class... Parts>
     void say(fmt::format_string<Parts...> format, Parts&&... parts) {
@@ -308,6 +312,7 @@ void Simulation::State::applyParameters() {
         solver.setUniforms(solverUniforms(params));
         cutter->setWallCoarsening(params.wallCoarsening);
         cutter->setDebrisVolume(params.debrisVolume);
+        cutter->setOpenCut(params.openCut != 0);
         solver.setContact(contactSettings(params));
     }
 }
@@ -413,14 +418,37 @@ void Simulation::State::lookUpTriangles() {
 
 /// See findFrontAnchors.
 void Simulation::State::holdFront() {
+    if (mesh.openStroke() >= 0) {
+        carryHidden();
+        return;
+    }
     if (!standsInMaterial(cutter->rung())) {
         return;
     }
-    anchors =
-        findFrontAnchors(mesh, model(), cutter->rung(), cutter->strokeSurface(), params.timeStep);
+    anchors = findFrontAnchors(cutter->rung(), anchorFrame());
     for (const Anchor& anchor : anchors) {
         solver.anchor(anchor.vertex, anchor.velocity.cast<float>());
     }
+}
+
+/// What is not part of the body follows it.
+void Simulation::State::carryHidden() {
+    std::vector<Anchor> found = findHiddenAnchors(body->hiddenVertices(), anchorFrame());
+    std::ranges::sort(found, {}, &Anchor::vertex);
+    std::vector<std::uint32_t> vertices;
+    std::vector<Vec3f> velocities;
+    for (const Anchor& anchor : found) {
+        vertices.push_back(static_cast<std::uint32_t>(anchor.vertex));
+        velocities.push_back(anchor.velocity.cast<float>());
+    }
+    if (!vertices.empty()) {
+        solver.carry(vertices, velocities);
+    }
+}
+
+AnchorFrame Simulation::State::anchorFrame() const {
+    return {mesh, body->pieceOfMeshVertex(), model().edgeLength, cutter->strokeSurface(),
+            params.timeStep};
 }
 
 void Simulation::State::releaseFront() {
@@ -563,6 +591,7 @@ void Simulation::State::accept(const CutResult& result) {
         say("step {}: the cut was refused ({}); the blade goes on", stepsDone, result.reason);
     }
     countDebris(result.statistics.debris);
+    tellOfClosing(result.statistics.closing);
     if (!result.delta.empty()) {
         noteCut();
         adoptNewTopology(result.delta);
@@ -578,12 +607,26 @@ void Simulation::State::countDebris(const Debris& debris) {
     }
 }
 
+/// Of wounds without a patch.
+void Simulation::State::tellOfClosing(const WoundClosing& closing) {
+    if (closing.slits > 0) {
+        say("step {}: the stroke ended inside the body, where a wound has no loop to patch; {} "
+            "closed by the walls that the blade swept",
+            stepsDone, counted(closing.slits, "wound is", "wounds are"));
+    }
+    if (closing.unpatched > 0) {
+        say("step {}: {} closed by the walls that the blade swept instead of a patch ({})",
+            stepsDone, counted(closing.unpatched, "wound is", "wounds are"), closing.reason);
+    }
+}
+
 void Simulation::State::adoptNewTopology(const CutDelta& delta) {
+    const bool wasOpen = isOpen();
     const std::vector<std::uint32_t> written = rewrittenVertices(mesh, delta);
     roundVertices(mesh, written);
     const BodyChange change = body->update(delta);
     solver.update(model(), change, written, stateOf(mesh, written));
-    if (change.pieces.piecesChanged) {
+    if (change.pieces.piecesChanged || isOpen() != wasOpen) {
         measure = solver.measure();
     }
     volumeTargets.follow(change.pieces.source, model(), measure.pieceVolumes);
@@ -610,7 +653,7 @@ void Simulation::State::publish() {
     }
     report.volumeRatio = report.volume / model().uncutRestVolume;
     report.pieces = static_cast<int>(model().pieces.size());
-    report.triangles = mesh.aliveTriangles();
+    report.triangles = static_cast<int>(model().triangles.size());
     report.contacts = measure.contacts + paperContacts;
     report.kineticEnergy = measure.kineticEnergy;
     report.potentialEnergy = measure.potentialEnergy;
@@ -618,7 +661,8 @@ void Simulation::State::publish() {
                               ? std::optional(measure.strainEnergy)
                               : std::nullopt;
     report.ispcs = static_cast<int>(model().ispcs.size());
-    report.closed = closed;
+    report.open = isOpen();
+    report.closed = closed && !report.open;
 }
 
 const PieceMap& Simulation::State::syncPieces() {

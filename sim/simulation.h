@@ -35,6 +35,7 @@ struct StepReport {
     Debris debris;                     ///< removed in this step
     int contacts = 0;                  ///< of the body with itself in the last substep
     bool closed = true;
+    bool open = false;                   ///< walls of a stroke of the open course are absent
     double kineticEnergy = 0;            ///< see BodyMeasure [J]
     double potentialEnergy = 0;          ///< [J]
     std::optional<double> strainEnergy;  ///< of the material; none with plain PBD [J]

@@ -38,6 +38,9 @@ StateHash hashMesh(const SurfaceMesh& mesh) {
         hash.add(mesh.position(v));
         hash.add(mesh.velocity(v));
     }
+    if (mesh.openStroke() >= 0) {
+        hash.add(static_cast<std::uint32_t>(mesh.openStroke()));
+    }
     return hash;
 }
 

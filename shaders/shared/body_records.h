@@ -8,6 +8,8 @@ SHARED_CONST uint kGroupSize = 256u;       // threads of a work group, in every 
 SHARED_CONST uint kPageSize = kGroupSize;  // places on a page of the vertices of a piece
 SHARED_CONST uint kNoPiece = 0xffffffffu;
 SHARED_CONST uint kNoVertex = 0xffffffffu;  // a place without a vertex
+SHARED_CONST uint kAfterGap =
+    0x80000000u;  // of a neighbour: no triangle between it and the last one
 
 // How many constraints of each type touch a vertex: mass-splitting Jacobi gives each of them the
 // share mass / count, hence the inverse mass count * w.
@@ -15,15 +17,15 @@ struct VertexLinks {
     uint edges;
     uint bends;
     uint ispcs;
-    uint piece;  // kNoPiece for unused vertices
+    uint piece;  // kNoPiece for unused and hidden vertices
 };
 
-// A closed piece: its blocks lie together.
+// A piece: its blocks lie together.
 struct PieceRecord {
     uint origin;  // a vertex of it, about which its volume is measured
     uint first_block;
     uint block_count;
-    uint constrained;     // 0: chips, which get no volume constraint
+    uint constrained;     // 0: chips and open pieces, which get no volume constraint
     float target_volume;  // [m^3]
     // Unit mass of a vertex: mass_per_area * max(its rest area, least_area) [m^3].
     float mass_per_area;  // [m]

@@ -80,7 +80,7 @@ void lookForNearby(uint v, vec3 p, vec3 u) {
     vec3 low = p;
     vec3 high = p;
     for (uint k = range.x; k < end; ++k) {
-        vec3 q = fetch(positions, fetch(neighbours, k).x).xyz;
+        vec3 q = fetch(positions, fetch(neighbours, k).x & ~kAfterGap).xyz;
         low = min(low, q);
         high = max(high, q);
     }

@@ -45,11 +45,12 @@ struct GradientPair {
 GradientPair sixfoldGradients(uint v) {
     GradientPair sum = GradientPair(vec3(0.0), vec3(0.0));
     uvec2 range = fetch(ranges, v).xy;
-    uint corner = fetch(neighbours, range.y - 1u).x;
+    // Open pieces have no volume constraint, so gaps do not matter here.
+    uint corner = fetch(neighbours, range.y - 1u).x & ~kAfterGap;
     vec3 lastBefore = spanBefore(v, corner);
     vec3 last = lastBefore + motion(v, corner);
     for (uint k = range.x; k < range.y; ++k) {
-        corner = fetch(neighbours, k).x;
+        corner = fetch(neighbours, k).x & ~kAfterGap;
         vec3 nextBefore = spanBefore(v, corner);
         vec3 next = nextBefore + motion(v, corner);
         sum.before += cross(lastBefore, nextBefore);

@@ -22,7 +22,8 @@ struct Incidence {
     std::vector<std::uint32_t> entries;
 };
 
-/// A closed piece.
+/// A piece of the body. Counts, areas and masses are those of what is present; the volume is that
+/// inside the closed mesh.
 struct PieceModel {
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
@@ -31,8 +32,10 @@ struct PieceModel {
     double leastArea = 0;    ///< of a vertex, as far as its mass goes [m^2]
     double massPerArea = 0;  ///< at density 1 [m]
     /// False for debris (less than 1e-4 of the uncut body, or less than a tetrahedron): a volume
-    /// constraint would throw it about.
+    /// constraint would throw it about. False for an open piece, too.
     bool holdsVolume = true;
+    bool open = false;   ///< walls of it are absent (SurfaceMesh::absent)
+    int rimVertex = -1;  ///< of an open piece: on its border, its volume is measured about it
 };
 
 /// The constant set-up of a soft body: rest shape, constraints, masses. Built from a mesh in rest
@@ -45,10 +48,10 @@ struct BodyModel {
     /// At rest, of vertices that a cut made or divided (see SkinNormals::ofCut), shape
     /// [vertexCount].
     std::vector<Vec3f> cutSkinNormals;
-    /// Living triangles: three vertices, then surfaceTag() | piece << 8.
+    /// Triangles that are present: three vertices, then surfaceTag() | piece << 8.
     std::vector<std::array<std::uint32_t, 4>> triangles;
     std::vector<int> meshTriangle;   ///< mesh slot of each entry of `triangles`
-    std::vector<int> pieceOfVertex;  ///< -1 for unused vertices
+    std::vector<int> pieceOfVertex;  ///< -1 for unused and hidden vertices
     std::vector<PieceModel> pieces;
     std::vector<shared::EdgeConstraint> edges;
     std::vector<shared::BendConstraint> bends;
@@ -58,8 +61,9 @@ struct BodyModel {
     Incidence edgeIncidence;
     Incidence bendIncidence;
     Incidence ispcIncidence;
-    /// The vertices around each vertex, counter-clockwise; at the places of triangleIncidence.
-    std::vector<std::uint32_t> neighbours;
+    /// The vertices around each vertex, counter-clockwise, shared::kAfterGap added to those that
+    /// follow an absent triangle.
+    Incidence neighbours;
     // Fixed at load, carried along by cuts.
     double thickness = 0;        ///< shell thickness t = V0 / S of the uncut body [m]
     double edgeLength = 0;       ///< mean rest edge length of the uncut body [m]

@@ -46,8 +46,9 @@ BodyUpdater::BodyUpdater(const SurfaceMesh& mesh) : mesh_(mesh), labels_(mesh) {
 /// All but the ISPCs.
 void BodyUpdater::buildShell() {
     measureUncutBody();
-    model_.pieceOfVertex = labels_.ofVertex();
+    absent_ = absentTriangles(mesh_);
     for (int v = 0; v < mesh_.vertexCount(); ++v) {
+        model_.pieceOfVertex.push_back(presentPieceOf(v));
         model_.restPositions.push_back(mesh_.restPosition(v).cast<float>());
     }
     skinNormals_ = SkinNormals(mesh_);
@@ -78,7 +79,7 @@ void BodyUpdater::measureUncutBody() {
 void BodyUpdater::buildTriangles() {
     slotOfTriangle_.assign(mesh_.triangleSlots(), -1);
     for (int t = 0; t < mesh_.triangleSlots(); ++t) {
-        if (mesh_.alive(t)) {
+        if (mesh_.present(t)) {
             slotOfTriangle_[t] = static_cast<int>(model_.triangles.size());
             model_.triangles.push_back(taggedTriangle(t));
             model_.meshTriangle.push_back(t);
@@ -88,6 +89,7 @@ void BodyUpdater::buildTriangles() {
     triangleRooms_ = IncidenceRooms(model_.triangleIncidence);
     std::vector<std::uint32_t> all(model_.restPositions.size());
     std::iota(all.begin(), all.end(), 0u);
+    neighbourRooms_.resize(model_.neighbours, all.size());
     updateNeighbours(all);
 }
 
@@ -111,6 +113,22 @@ void BodyUpdater::buildEdgesAndBends() {
     bendRooms_ = IncidenceRooms(model_.bendIncidence);
 }
 
+/// -1 where no triangle around the vertex is present.
+int BodyUpdater::presentPieceOf(int vertex) const {
+    return mesh_.hidden(vertex) ? -1 : labels_.ofVertex()[vertex];
+}
+
+std::vector<int> BodyUpdater::hiddenVertices() const {
+    std::vector<int> vertices;
+    for (const int t : absent_) {
+        std::ranges::copy_if(mesh_.triangle(t), std::back_inserter(vertices),
+                             [this](int v) { return mesh_.hidden(v); });
+    }
+    std::ranges::sort(vertices);
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
 std::array<std::uint32_t, 4> BodyUpdater::taggedTriangle(int triangle) const {
     const Triangle& corners = mesh_.triangle(triangle);
     return {index32(corners[0]), index32(corners[1]), index32(corners[2]),
@@ -122,11 +140,13 @@ BodyChange BodyUpdater::update(const CutDelta& delta) {
     BodyChange change;
     change.pieces = labels_.update(mesh_, changed);
     growVertices();
+    followAbsent(changed);
     updateAreas(delta, changed, change);
+    change.neighbourLists = change.vertices;
     updateMasses();
     updateSkinNormals(delta, changed, change.vertices);
     updateTriangles(changed, change);
-    updateNeighbours(change.triangleLists);
+    updateNeighbours(change.neighbourLists);
     updateShell(changed, change);
     RecordEditor ispcs(model_.ispcs, model_.ispcIncidence, ispcRooms_);
     ispcs_->update(model_, changed, change.pieces, ispcs);
@@ -146,6 +166,7 @@ void BodyUpdater::growVertices() {
     model_.vertexAreas.resize(n, 0.0);
     model_.pieceOfVertex.resize(n, -1);
     triangleRooms_.resize(model_.triangleIncidence, n);
+    neighbourRooms_.resize(model_.neighbours, n);
     edgeRooms_.resize(model_.edgeIncidence, n);
     bendRooms_.resize(model_.bendIncidence, n);
     ispcRooms_.resize(model_.ispcIncidence, n);
@@ -153,7 +174,8 @@ void BodyUpdater::growVertices() {
 
 double BodyUpdater::vertexArea(int vertex) const {
     double sum = 0;
-    mesh_.forEachOutgoing(vertex, [&](int h) { sum += restArea(mesh_, h / 3) / 3; });
+    mesh_.forEachOutgoing(
+        vertex, [&](int h) { sum += mesh_.absent(h / 3) ? 0.0 : restArea(mesh_, h / 3) / 3; });
     return sum;
 }
 
@@ -184,7 +206,7 @@ void BodyUpdater::updateAreas(const CutDelta& delta, std::span<const int> change
     for (const std::uint32_t v : change.vertices) {
         model_.restPositions[v] = mesh_.restPosition(static_cast<int>(v)).cast<float>();
         model_.vertexAreas[v] = vertexArea(static_cast<int>(v));
-        model_.pieceOfVertex[v] = labels_.ofVertex()[v];
+        model_.pieceOfVertex[v] = presentPieceOf(static_cast<int>(v));
         if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
             areas_[piece].add(model_.vertexAreas[v]);
         }
@@ -208,16 +230,36 @@ void BodyUpdater::updateSkinNormals(const CutDelta& delta, std::span<const int> 
     }
 }
 
+/// Triangles that a step removed, or that are present now, leave the list.
+void BodyUpdater::followAbsent(std::span<const int> changed) {
+    std::erase_if(absent_, [this](int t) { return !mesh_.alive(t) || !mesh_.absent(t); });
+    for (const int t : changed) {
+        const auto place = std::ranges::lower_bound(absent_, t);
+        const bool known = place != absent_.end() && *place == t;
+        if (mesh_.alive(t) && mesh_.absent(t) && !known) {
+            absent_.insert(place, t);
+        }
+    }
+}
+
 void BodyUpdater::updateMasses() {
+    std::vector<std::uint32_t> absentOf(labels_.pieces().size(), 0);
+    for (const int t : absent_) {
+        ++absentOf[labels_.ofVertex()[mesh_.triangle(t)[0]]];
+    }
+    const std::vector<int> rimVertices = verticesOnBorder(mesh_, labels_.ofVertex(), absent_);
     model_.pieces.clear();
     for (std::size_t p = 0; p < labels_.pieces().size(); ++p) {
         const PieceContent& content = labels_.pieces()[p];
         PieceModel piece;
-        piece.triangleCount = index32(content.triangles);
-        piece.vertexCount = index32(content.vertices);
+        piece.triangleCount = index32(content.triangles) - absentOf[p];
+        piece.vertexCount = index32(areas_[p].count());
+        piece.open = absentOf[p] > 0;
+        piece.rimVertex = p < rimVertices.size() ? rimVertices[p] : -1;
         piece.restVolume = content.restVolume;
         piece.restArea = content.restArea;
-        piece.holdsVolume = content.restVolume >= kDebrisVolume * model_.uncutRestVolume &&
+        piece.holdsVolume = !piece.open &&
+                            content.restVolume >= kDebrisVolume * model_.uncutRestVolume &&
                             piece.vertexCount >= kLeastSolidVertices;
         areas_[p].setMasses(piece, model_.uncutRestVolume);
         model_.pieces.push_back(piece);
@@ -233,7 +275,7 @@ void BodyUpdater::updateTriangles(std::span<const int> changed, BodyChange& chan
         }
     }
     for (const int t : changed) {
-        if (mesh_.alive(t)) {
+        if (mesh_.present(t)) {
             const int slot = triangles.add(taggedTriangle(t));
             model_.meshTriangle.resize(model_.triangles.size(), -1);
             model_.meshTriangle[slot] = t;
@@ -242,7 +284,7 @@ void BodyUpdater::updateTriangles(std::span<const int> changed, BodyChange& chan
     }
     for (const LabelMove& move : change.pieces.moves) {
         mesh_.forEachOutgoing(move.vertex, [&](int h) {
-            if (h % 3 == 0) {
+            if (h % 3 == 0 && !mesh_.absent(h / 3)) {
                 triangles.rewrite(slotOfTriangle_[h / 3])[3] = taggedTriangle(h / 3)[3];
             }
         });
@@ -264,7 +306,8 @@ void BodyUpdater::updateRims(std::span<const int> changed,
         for (int h = 3 * t; h < 3 * t + 3 && mesh_.alive(t); ++h) {
             const int neighbour = mesh_.twin(h) / 3;
             const std::uint32_t tag = taggedTriangle(neighbour)[3];
-            if (const int slot = slotOfTriangle_[neighbour]; model_.triangles[slot][3] != tag) {
+            const int slot = slotOfTriangle_[neighbour];
+            if (slot >= 0 && model_.triangles[slot][3] != tag) {
                 triangles.rewrite(slot)[3] = tag;
             }
         }
@@ -273,13 +316,14 @@ void BodyUpdater::updateRims(std::span<const int> changed,
 
 /// The order around a vertex is that of its umbrella.
 void BodyUpdater::updateNeighbours(std::span<const std::uint32_t> vertices) {
-    model_.neighbours.resize(model_.triangleIncidence.entries.size());
+    std::vector<std::uint32_t> around;
     for (const std::uint32_t v : vertices) {
-        std::uint32_t place = model_.triangleIncidence.ranges[v].first;
+        around.clear();
         mesh_.forEachOutgoing(static_cast<int>(v), [&](int h) {
-            model_.neighbours[place++] = index32(mesh_.target(h));
+            const bool afterGap = mesh_.absent(mesh_.twin(h) / 3);
+            around.push_back(index32(mesh_.target(h)) | (afterGap ? shared::kAfterGap : 0u));
         });
-        assert(place == model_.triangleIncidence.ranges[v].end);
+        neighbourRooms_.assign(model_.neighbours, v, around);
     }
 }
 
@@ -308,7 +352,7 @@ void BodyUpdater::updateShell(std::span<const int> changed, BodyChange& change) 
     }
     for (const int t : changed) {
         for (int h = 3 * t; h < 3 * t + 3 && mesh_.alive(t); ++h) {
-            if (slotsOfEdge_[h].edge < 0) {
+            if (slotsOfEdge_[h].edge < 0 && isPresentEdge(mesh_, h)) {
                 addEdge(std::min(h, mesh_.twin(h)), edges, bends);
             }
         }

@@ -29,8 +29,9 @@ struct BodyChange {
     std::vector<std::uint32_t> edges;
     std::vector<std::uint32_t> bends;
     std::vector<std::uint32_t> ispcs;
-    /// Vertices whose list of what touches them changed; neighbours change with the triangles.
+    /// Vertices whose list of what touches them changed.
     std::vector<std::uint32_t> triangleLists;
+    std::vector<std::uint32_t> neighbourLists;
     std::vector<std::uint32_t> edgeLists;
     std::vector<std::uint32_t> bendLists;
     std::vector<std::uint32_t> ispcLists;
@@ -50,6 +51,10 @@ class BodyUpdater {
     BodyUpdater& operator=(const BodyUpdater&) = delete;
 
     const BodyModel& model() const { return model_; }
+    /// Of the closed mesh: hidden vertices belong to pieces too. -1 for unused ones.
+    const std::vector<int>& pieceOfMeshVertex() const { return labels_.ofVertex(); }
+    /// Vertices with absent triangles alone, ascending.
+    std::vector<int> hiddenVertices() const;
     /// After a step of the cutter.
     BodyChange update(const CutDelta& delta);
 
@@ -68,6 +73,7 @@ class BodyUpdater {
     void updateAreas(const CutDelta& delta, std::span<const int> changed, BodyChange& change);
     void updateSkinNormals(const CutDelta& delta, std::span<const int> changed,
                            std::span<const std::uint32_t> vertices);
+    void followAbsent(std::span<const int> changed);
     void updateMasses();
     void updateTriangles(std::span<const int> changed, BodyChange& change);
     void updateRims(std::span<const int> changed,
@@ -77,6 +83,7 @@ class BodyUpdater {
                  RecordEditor<shared::BendConstraint>& bends);
     void updateNeighbours(std::span<const std::uint32_t> vertices);
     std::array<std::uint32_t, 4> taggedTriangle(int triangle) const;
+    int presentPieceOf(int vertex) const;
     double vertexArea(int vertex) const;
 
     const SurfaceMesh& mesh_;
@@ -88,7 +95,8 @@ class BodyUpdater {
     std::vector<EdgeSlots> slotsOfEdge_;  ///< by half-edge
     std::vector<std::pair<int, int>> halfEdgesOfEdge_;  ///< by edge record
     std::vector<std::pair<int, int>> halfEdgesOfBend_;  ///< by bend record
-    IncidenceRooms triangleRooms_, edgeRooms_, bendRooms_, ispcRooms_;
+    std::vector<int> absent_;                           ///< mesh slots, ascending
+    IncidenceRooms triangleRooms_, neighbourRooms_, edgeRooms_, bendRooms_, ispcRooms_;
     std::optional<IspcSet> ispcs_;
 };
 

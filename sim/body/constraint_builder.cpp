@@ -20,6 +20,10 @@ double edgeGeometry(double length, double area, double thickness) {
     return counted > 0 ? square / (thickness * counted) : 1 / (kLeastAreaShare * thickness);
 }
 
+double presentArea(const SurfaceMesh& mesh, int triangle) {
+    return mesh.absent(triangle) ? 0.0 : restArea(mesh, triangle);
+}
+
 bool isSliver(const SurfaceMesh& mesh, int triangle) {
     const Triangle& t = mesh.triangle(triangle);
     double longest = 0;
@@ -45,7 +49,7 @@ shared::EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int h, double thi
     const int a = mesh.origin(h);
     const int b = mesh.target(h);
     const double length = (mesh.restPosition(b) - mesh.restPosition(a)).norm();
-    const double area = restArea(mesh, h / 3) + restArea(mesh, mesh.twin(h) / 3);
+    const double area = presentArea(mesh, h / 3) + presentArea(mesh, mesh.twin(h) / 3);
     return {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
             static_cast<float>(length), static_cast<float>(edgeGeometry(length, area, thickness))};
 }
@@ -53,6 +57,9 @@ shared::EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int h, double thi
 std::optional<shared::BendConstraint> bendConstraint(const SurfaceMesh& mesh, int h,
                                                      double thickness) {
     const int g = mesh.twin(h);
+    if (mesh.absent(h / 3) || mesh.absent(g / 3)) {
+        return std::nullopt;
+    }
     if (isSliver(mesh, h / 3) || isSliver(mesh, g / 3) || mesh.apex(h) == mesh.apex(g)) {
         return std::nullopt;
     }

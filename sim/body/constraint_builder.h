@@ -8,11 +8,16 @@
 
 namespace kerf {
 
-/// Calls f(h) for one half-edge of each edge: the lower one.
+/// At least one of the two triangles beside the edge is part of the body's surface.
+inline bool isPresentEdge(const SurfaceMesh& mesh, int h) {
+    return !mesh.absent(h / 3) || !mesh.absent(mesh.twin(h) / 3);
+}
+
+/// Calls f(h) for one half-edge of each present edge: the lower one.
 template <class F>
 void forEachEdge(const SurfaceMesh& mesh, F&& f) {
     for (int h = 0; h < 3 * mesh.triangleSlots(); ++h) {
-        if (mesh.alive(h / 3) && h < mesh.twin(h)) {
+        if (mesh.alive(h / 3) && h < mesh.twin(h) && isPresentEdge(mesh, h)) {
             f(h);
         }
     }
@@ -22,7 +27,7 @@ void forEachEdge(const SurfaceMesh& mesh, F&& f) {
 shared::EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int halfEdge, double thickness);
 
 /// Its bending constraint; none where a triangle beside the edge is a sliver (height below 5 % of
-/// its longest edge): its normal is noise.
+/// its longest edge), whose normal is noise, or is absent.
 std::optional<shared::BendConstraint> bendConstraint(const SurfaceMesh& mesh, int halfEdge,
                                                      double thickness);
 

@@ -35,7 +35,8 @@ std::optional<CastIspc> IspcCaster::cast(int vertex, double vertexArea) const {
     const RayHit hit = tree_.castToBackFace(
         mesh_.restPosition(vertex), -normal.direction, kLeastLength * edgeLength_, [&](int slot) {
             const Triangle& t = mesh_.triangle(slot);
-            return pieceOfVertex_[t[0]] == piece && !touches(t, vertex);
+            const bool inTheWay = pieceOfVertex_[t[0]] == piece || mesh_.absent(slot);
+            return inTheWay && !touches(t, vertex);
         });
     if (hit.triangle < 0) {
         return std::nullopt;

@@ -25,7 +25,8 @@ class IspcCaster {
                double edgeLength);
 
     /// Nothing where the vertex is unused, on a slit front (see VertexNormal::flatness), or where
-    /// the ray finds no opposite side. `vertexArea`: rest area of the vertex [m^2].
+    /// the ray finds no opposite side. May end on an absent triangle, which can hold no ISPC.
+    /// `vertexArea`: rest area of the vertex [m^2].
     std::optional<CastIspc> cast(int vertex, double vertexArea) const;
 
   private:

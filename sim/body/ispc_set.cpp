@@ -1,6 +1,7 @@
 #include "sim/body/ispc_set.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/sort_unique.h"
 
@@ -104,7 +105,10 @@ void IspcSet::update(BodyModel& model, std::span<const int> changed, const Label
     }
     const IspcCaster caster(mesh_, tree_, model.pieceOfVertex, model.edgeLength);
     for (const int v : vertices) {
-        if (const std::optional<CastIspc> ispc = caster.cast(v, model.vertexAreas[v])) {
+        const std::optional<CastIspc> ispc = caster.cast(v, model.vertexAreas[v]);
+        if (ispc && mesh_.absent(ispc->meshTriangle)) {
+            waiting_.push_back(v);
+        } else if (ispc) {
             const int slot = editor.add(ispc->constraint);
             model.ispcMeshTriangle.resize(model.ispcs.size(), -1);
             model.ispcMeshTriangle[slot] = ispc->meshTriangle;
@@ -124,8 +128,11 @@ void IspcSet::update(BodyModel& model, std::span<const int> changed, const Label
 
 /// Vertices whose ISPC must be cast, ascending.
 std::vector<int> IspcSet::spoiled(const BodyModel& model, std::span<const int> changed,
-                                  const LabelChange& labels) const {
+                                  const LabelChange& labels) {
     std::vector<int> vertices;
+    if (mesh_.openStroke() < 0) {
+        vertices = std::exchange(waiting_, {});
+    }
     for (const int t : changed) {
         forEachEndingOn(t, [&](int v) { vertices.push_back(v); });
         if (mesh_.alive(t)) {

@@ -27,7 +27,7 @@ class IspcSet {
     using Editor = RecordEditor<shared::IspcConstraint>;
 
     std::vector<int> spoiled(const BodyModel& model, std::span<const int> changed,
-                             const LabelChange& labels) const;
+                             const LabelChange& labels);
     void addCrossed(const BodyModel& model, std::span<const int> changed,
                     std::vector<int>& vertices) const;
     void addSeparated(const BodyModel& model, const LabelChange& labels,
@@ -44,6 +44,7 @@ class IspcSet {
     const SurfaceMesh& mesh_;
     RayTree tree_;
     SegmentGrid grid_;
+    std::vector<int> waiting_;   ///< vertices whose ray met an absent wall, until it is patched
     std::vector<int> ofVertex_;  ///< slot of each vertex's ISPC, -1 for none
     // Those that end on one triangle, as a linked list of their vertices.
     std::vector<int> firstOn_;  ///< by mesh slot

@@ -44,6 +44,14 @@ void VertexAreas::remove(double area) {
     bin.sum = bin.count == 0 ? 0.0 : bin.sum - area;
 }
 
+int VertexAreas::count() const {
+    int sum = 0;
+    for (const Bin& bin : bins_) {
+        sum += bin.count;
+    }
+    return sum;
+}
+
 // The least area is the next edge of a bin, so that whole bins lie above or below it.
 void VertexAreas::setMasses(PieceModel& piece, double uncutRestVolume) const {
     const double mean = piece.restArea / std::max(1u, piece.vertexCount);

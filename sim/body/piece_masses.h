@@ -13,6 +13,8 @@ class VertexAreas {
   public:
     void add(double area);
     void remove(double area);
+    /// How many vertices there are.
+    int count() const;
 
     /// Sets the mass of the piece: what unitMass() makes of it sums up to its rest volume, so
     /// cutting neither makes nor loses mass. A vertex weighs at least about 5 % of the mean of its

@@ -18,7 +18,7 @@ void IncidenceRooms::resize(Incidence& incidence, std::size_t vertexCount) {
 
 void IncidenceRooms::add(Incidence& incidence, std::uint32_t vertex, std::uint32_t entry) {
     if (valence(incidence, vertex) == room_[vertex]) {
-        grow(incidence, vertex);
+        grow(incidence, vertex, room_[vertex] + 1);
     }
     IncidenceRange& range = incidence.ranges[vertex];
     const auto begin = incidence.entries.begin() + range.first;
@@ -39,9 +39,20 @@ void IncidenceRooms::remove(Incidence& incidence, std::uint32_t vertex, std::uin
     --range.end;
 }
 
-void IncidenceRooms::grow(Incidence& incidence, std::uint32_t vertex) {
+void IncidenceRooms::assign(Incidence& incidence, std::uint32_t vertex,
+                            std::span<const std::uint32_t> entries) {
+    const auto size = static_cast<std::uint32_t>(entries.size());
+    if (size > room_[vertex]) {
+        grow(incidence, vertex, size);
+    }
+    IncidenceRange& range = incidence.ranges[vertex];
+    std::copy(entries.begin(), entries.end(), incidence.entries.begin() + range.first);
+    range.end = range.first + size;
+}
+
+void IncidenceRooms::grow(Incidence& incidence, std::uint32_t vertex, std::uint32_t least) {
     const std::uint32_t room = room_[vertex];
-    const std::uint32_t wider = incidenceRoom(room + room / 2 + 1);
+    const std::uint32_t wider = std::max(incidenceRoom(room + room / 2 + 1), incidenceRoom(least));
     const std::uint32_t first = takeBlock(incidence, wider);
     IncidenceRange& range = incidence.ranges[vertex];
     std::copy(incidence.entries.begin() + range.first, incidence.entries.begin() + range.end,

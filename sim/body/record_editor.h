@@ -20,11 +20,13 @@ class IncidenceRooms {
     /// Both keep the entries of a vertex ascending. A list that has no room left moves.
     void add(Incidence& incidence, std::uint32_t vertex, std::uint32_t entry);
     void remove(Incidence& incidence, std::uint32_t vertex, std::uint32_t entry);
+    /// Makes `entries` the list of a vertex, in their order.
+    void assign(Incidence& incidence, std::uint32_t vertex, std::span<const std::uint32_t> entries);
     /// Makes room for vertices that have come up to `vertexCount`.
     void resize(Incidence& incidence, std::size_t vertexCount);
 
   private:
-    void grow(Incidence& incidence, std::uint32_t vertex);
+    void grow(Incidence& incidence, std::uint32_t vertex, std::uint32_t least);
     std::uint32_t takeBlock(Incidence& incidence, std::uint32_t room);
     std::vector<std::uint32_t>& idleBlocks(std::uint32_t room);
 

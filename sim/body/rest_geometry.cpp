@@ -13,7 +13,7 @@ double restArea(const SurfaceMesh& mesh, int triangle) {
 std::vector<double> restVertexAreas(const SurfaceMesh& mesh) {
     std::vector<double> areas(mesh.vertexCount(), 0.0);
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
+        if (mesh.present(t)) {
             const double third = restArea(mesh, t) / 3;
             for (const int v : mesh.triangle(t)) {
                 areas[v] += third;
@@ -38,6 +38,9 @@ VertexNormal restNormal(const SurfaceMesh& mesh, int vertex) {
     double angles = 0;
     const Vec3& center = mesh.restPosition(vertex);
     mesh.forEachOutgoing(vertex, [&](int h) {
+        if (mesh.absent(h / 3)) {
+            return;
+        }
         const Vec3 u = mesh.restPosition(mesh.target(h)) - center;
         const Vec3 w = mesh.restPosition(mesh.apex(h)) - center;
         const Vec3 normal = u.cross(w);

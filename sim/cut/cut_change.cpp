@@ -1,6 +1,8 @@
 #include "sim/cut/cut_change.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "sim/sort_unique.h"
 
@@ -26,6 +28,21 @@ std::vector<std::uint32_t> rewrittenVertices(const SurfaceMesh& mesh, const CutD
     }
     sortUnique(all);
     return all;
+}
+
+void noteRemoved(const std::vector<int>& triangles, const std::vector<int>& vertices,
+                 CutDelta& delta) {
+    const std::set<int> added(delta.addedTriangles.begin(), delta.addedTriangles.end());
+    std::ranges::copy_if(triangles, std::back_inserter(delta.removedTriangles),
+                         [&](int t) { return !added.contains(t); });
+    std::ranges::copy_if(vertices, std::back_inserter(delta.deadVertices),
+                         [&](int v) { return v < delta.firstNewVertex; });
+    const auto isGone = [](const std::vector<int>& gone) {
+        return [&gone](int i) { return std::ranges::binary_search(gone, i); };
+    };
+    std::erase_if(delta.addedTriangles, isGone(triangles));
+    std::erase_if(delta.changedTriangles, isGone(triangles));
+    std::erase_if(delta.movedVertices, isGone(vertices));
 }
 
 }  // namespace kerf

@@ -76,6 +76,7 @@ void Cutter::State::start(const Blade& at) {
     groupOfPiece = cut::groupPieces(mesh, pieces, kParted * h, {});
     groupsHold = true;
     restVolume = sumOfRestVolumes(pieces);
+    mesh.setOpenStroke(settings.openCut ? stroke : -1);
     for (const int v : lowestVertices({groupOfPiece.begin(), groupOfPiece.end()})) {
         Sweep& sweep = sweeps.emplace_back();
         sweep.vertex = v;
@@ -190,6 +191,7 @@ CutResult Cutter::finish() {
         result.delta.firstNewVertex = state.mesh.vertexCount();
     }
     state.cleanUpAtEnd(result);
+    state.closeWounds(result);
     state.removeDebris(result);
     return result;
 }
@@ -213,6 +215,10 @@ void Cutter::setWallCoarsening(double factor) {
 
 void Cutter::setDebrisVolume(double share) {
     state_->settings.debrisVolume = share;
+}
+
+void Cutter::setOpenCut(bool open) {
+    state_->settings.openCut = open;
 }
 
 bool Cutter::inStroke() const {

@@ -61,6 +61,16 @@ struct Debris {
     double volume = 0;  ///< at rest [m^3]
 };
 
+/// How the wounds of a stroke of the open course were closed when it ended.
+struct WoundClosing {
+    int patches = 0;         ///< wounds with a patch on either side
+    int patchTriangles = 0;  ///< of both sides
+    int removedWalls = 0;    ///< absent triangles that the patches replace
+    int slits = 0;           ///< where the stroke ended in the body: the walls of the closed course
+    int unpatched = 0;       ///< other wounds that got these walls, for `reason`
+    std::string reason;      ///< of the last of them
+};
+
 /// Counts of one step.
 struct CutStatistics {
     int cutPieces = 0;             ///< pieces of the body that were cut
@@ -75,6 +85,7 @@ struct CutStatistics {
     double volumeChange = 0;       ///< signed, of the step, before clean-up and rounding [m^3]
     CleanupStatistics cleanup;
     Debris debris;
+    WoundClosing closing;
 };
 
 /// What came of one movement of the blade.
@@ -116,6 +127,9 @@ struct CutSettings {
     /// When a stroke has ended, pieces that it cut and that hold less than this share of the body's
     /// volume at rest are removed, but for the largest piece; 0 keeps all.
     double debrisVolume = 0;
+    /// The paper's course: the walls of a stroke are absent from the body (SurfaceMesh::absent)
+    /// while it lasts, and patches close the wounds when it has ended.
+    bool openCut = false;
 };
 
 /// Cuts a mesh by strokes of a blade. Each step is one transaction: a closed mesh and the strip
@@ -148,13 +162,16 @@ class Cutter {
     /// CutSettings::debrisVolume from now on, >= 0.
     void setDebrisVolume(double share);
 
+    /// CutSettings::openCut from the next stroke on.
+    void setOpenCut(bool open);
+
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);
     /// Sweeps from where the last successful step ended to `blade`. After three refusals in a row
     /// the front in that piece is let go, stays as a slit, and the sweep starts anew at the blade.
     CutResult advance(const Blade& blade);
-    /// Ends the stroke: sweeps what the gate held back, lets go of the front, cleans up, removes
-    /// debris.
+    /// Ends the stroke: sweeps what the gate held back, lets go of the front, cleans up, closes the
+    /// wounds of the open course, removes debris.
     CutResult finish();
 
     /// Between begin() and finish().

@@ -9,6 +9,7 @@
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/cleanup/cleanup.h"
 #include "sim/cut/cutter.h"
+#include "sim/cut/patch/wound.h"
 #include "sim/cut/plan.h"
 #include "sim/cut/slit_opening.h"
 #include "sim/cut/stroke_surface.h"
@@ -72,6 +73,8 @@ struct Cutter::State {
     void joinRungs();
     void cleanUpBehindFront(CutResult& result);
     void cleanUpAtEnd(CutResult& result);
+    void closeWounds(CutResult& result);
+    void patch(const cut::Wound& wound, CutResult& result);
     void removeDebris(CutResult& result);
     void holdLivingVertices();
     void tieRungs();

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <set>
 
+#include "sim/cut/cut_change.h"
+
 namespace kerf::cut {
 
 namespace {
@@ -47,22 +49,6 @@ std::vector<int> cornersOf(const SurfaceMesh& mesh, const std::vector<int>& tria
         corners.insert(mesh.triangle(t).begin(), mesh.triangle(t).end());
     }
     return {corners.begin(), corners.end()};
-}
-
-/// `triangles` and `vertices`, both ascending, are gone.
-void noteRemoved(const std::vector<int>& triangles, const std::vector<int>& vertices,
-                 CutDelta& delta) {
-    const std::set<int> added(delta.addedTriangles.begin(), delta.addedTriangles.end());
-    std::ranges::copy_if(triangles, std::back_inserter(delta.removedTriangles),
-                         [&](int t) { return !added.contains(t); });
-    std::ranges::copy_if(vertices, std::back_inserter(delta.deadVertices),
-                         [&](int v) { return v < delta.firstNewVertex; });
-    const auto isGone = [](const std::vector<int>& gone) {
-        return [&gone](int i) { return std::ranges::binary_search(gone, i); };
-    };
-    std::erase_if(delta.addedTriangles, isGone(triangles));
-    std::erase_if(delta.changedTriangles, isGone(triangles));
-    std::erase_if(delta.movedVertices, isGone(vertices));
 }
 
 }  // namespace

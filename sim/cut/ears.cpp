@@ -19,14 +19,15 @@ class EarCutter {
 
     std::vector<Triangle> run(const Sheet2d& sheet) {
         polygon_ = nodesOf(sheet.outer);
-        for (const Loop& hole : sheet.holes) {
-            bridge(nodesOf(hole));
-        }
+        bridgeAll(sheet.holes);
         if (polygon_.size() < 3) {
             throw StepFailure{"a loop of the wall has two edges"};
         }
         for (int i = 0; i < sizeOf(polygon_); ++i) {
             used_.insert({polygon_[i], around(i + 1)});
+        }
+        for (int i = 0; i < sizeOf(polygon_); ++i) {
+            ears_.push_back(earAt(i));
         }
         while (polygon_.size() > 3) {
             cut(bestEar());
@@ -52,26 +53,54 @@ class EarCutter {
         return polygon_[(i + n) % n];
     }
 
-    // polygon 0..i, hole j..j, polygon i..end
-    void bridge(const std::vector<int>& hole) {
-        double nearest = 1e300;
-        std::size_t bestI = 0;
-        std::size_t bestJ = 0;
+    struct Bridge {
+        double length = 1e300;
+        std::size_t i = 0;  ///< in the polygon
+        std::size_t j = 0;  ///< in the hole
+    };
+
+    // The nearest hole first, or a bridge could run across one that is not joined yet.
+    void bridgeAll(const std::vector<Loop>& loops) {
+        std::vector<std::vector<int>> holes;
+        for (const Loop& loop : loops) {
+            holes.push_back(nodesOf(loop));
+        }
+        while (!holes.empty()) {
+            std::size_t nearest = 0;
+            Bridge best;
+            for (std::size_t k = 0; k < holes.size(); ++k) {
+                const Bridge bridge = shortestBridge(holes[k]);
+                if (bridge.length < best.length) {
+                    best = bridge;
+                    nearest = k;
+                }
+            }
+            join(holes[nearest], best);
+            holes.erase(holes.begin() + static_cast<long>(nearest));
+        }
+    }
+
+    Bridge shortestBridge(const std::vector<int>& hole) const {
+        Bridge best;
         for (std::size_t i = 0; i < polygon_.size(); ++i) {
             for (std::size_t j = 0; j < hole.size(); ++j) {
-                const double distance = (at(polygon_[i]) - at(hole[j])).norm();
-                if (polygon_[i] != hole[j] && distance < nearest) {
-                    nearest = distance;
-                    bestI = i;
-                    bestJ = j;
+                const double length = (at(polygon_[i]) - at(hole[j])).norm();
+                if (polygon_[i] != hole[j] && length < best.length) {
+                    best = {length, i, j};
                 }
             }
         }
-        std::vector<int> joined(polygon_.begin(), polygon_.begin() + static_cast<long>(bestI) + 1);
+        return best;
+    }
+
+    // polygon 0..i, hole j..j, polygon i..end
+    void join(const std::vector<int>& hole, const Bridge& bridge) {
+        const auto i = polygon_.begin() + static_cast<long>(bridge.i);
+        std::vector<int> joined(polygon_.begin(), i + 1);
         for (std::size_t j = 0; j <= hole.size(); ++j) {
-            joined.push_back(hole[(bestJ + j) % hole.size()]);
+            joined.push_back(hole[(bridge.j + j) % hole.size()]);
         }
-        joined.insert(joined.end(), polygon_.begin() + static_cast<long>(bestI), polygon_.end());
+        joined.insert(joined.end(), i, polygon_.end());
         polygon_ = joined;
     }
 
@@ -83,15 +112,24 @@ class EarCutter {
         return u.x() * v.y() - u.y() * v.x();
     }
 
-    bool blocked(int a, int b, int c) const {
-        return std::any_of(polygon_.begin(), polygon_.end(), [&](int d) {
+    /// A node of the polygon in the triangle, -1 for none.
+    int blocker(int a, int b, int c) const {
+        const auto found = std::find_if(polygon_.begin(), polygon_.end(), [&](int d) {
             return d != a && d != b && d != c && doubleArea(a, b, d) >= 0 &&
                    doubleArea(b, c, d) >= 0 && doubleArea(c, a, d) >= 0 &&
                    (at(d) - at(a)).norm() > kTinyEar * h_ && (at(d) - at(c)).norm() > kTinyEar * h_;
         });
+        return found == polygon_.end() ? -1 : *found;
     }
 
-    std::optional<double> quality(int i) const {
+    /// What is known of the ear at a place of the polygon; it holds until a neighbour or the
+    /// blocker goes.
+    struct Ear {
+        std::optional<double> quality;  ///< none: no ear
+        int blocker = -1;
+    };
+
+    Ear earAt(int i) const {
         const int a = around(i - 1), b = around(i), c = around(i + 1);
         if (a == b || b == c || a == c || isUsed(a, c)) {
             return {};
@@ -99,29 +137,32 @@ class EarCutter {
         const double longest = std::max(
             {(at(a) - at(b)).norm(), (at(b) - at(c)).norm(), (at(a) - at(c)).norm(), 1e-300});
         if (longest < kTinyEar * h_) {
-            return kTinyEarQuality;
+            return {kTinyEarQuality, -1};
         }
         const double shape = doubleArea(a, b, c) / (longest * longest);
         if (shape <= 0) {
-            return 2 * shape - 2;
+            return {2 * shape - 2, -1};
         }
-        return blocked(a, b, c) ? shape - kBlockedEarPenalty : shape;
+        const int inside = blocker(a, b, c);
+        return {inside >= 0 ? shape - kBlockedEarPenalty : shape, inside};
     }
 
-    int bestEar() const {
-        int best = -1;
-        double bestQuality = -1e300;
-        for (int i = 0; i < sizeOf(polygon_); ++i) {
-            const std::optional<double> found = quality(i);
-            if (found && *found > bestQuality) {
-                bestQuality = *found;
-                best = i;
+    int bestEar() {
+        for (;;) {
+            int best = -1;
+            for (int i = 0; i < sizeOf(ears_); ++i) {
+                if (ears_[i].quality && (best < 0 || *ears_[i].quality > *ears_[best].quality)) {
+                    best = i;
+                }
             }
+            if (best < 0) {
+                throw StepFailure{"the wall has no ear"};
+            }
+            if (!isUsed(around(best - 1), around(best + 1))) {
+                return best;
+            }
+            ears_[best].quality.reset();  // an ear cut since has taken its edge
         }
-        if (best < 0) {
-            throw StepFailure{"the wall has no ear"};
-        }
-        return best;
     }
 
     void cut(int i) {
@@ -130,6 +171,13 @@ class EarCutter {
         used_.insert({a, c});
         used_.insert({c, a});
         polygon_.erase(polygon_.begin() + i);
+        ears_.erase(ears_.begin() + i);
+        const int n = sizeOf(polygon_);
+        for (int k = 0; k < n; ++k) {
+            if (k == (i + n - 1) % n || k == i % n || ears_[k].blocker == b) {
+                ears_[k] = earAt(k);
+            }
+        }
     }
 
     void requireTriangle() const {
@@ -142,6 +190,7 @@ class EarCutter {
     const std::vector<Node>& nodes_;
     double h_;
     std::vector<int> polygon_;
+    std::vector<Ear> ears_;  ///< by place in the polygon
     std::set<std::pair<int, int>> used_;
     std::vector<Triangle> triangles_;
 };

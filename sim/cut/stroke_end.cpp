@@ -6,6 +6,7 @@
 #include "sim/cut/cut_change.h"
 #include "sim/cut/cutter_state.h"
 #include "sim/cut/debris.h"
+#include "sim/cut/patch/patch_commit.h"
 
 namespace kerf {
 
@@ -44,6 +45,38 @@ void Cutter::State::cleanUpAtEnd(CutResult& result) {
     sum.flips += before.flips;
     sum.slides += before.slides;
     cleanup.reset();
+}
+
+/// Walls that no patch replaces are part of the body from now on.
+void Cutter::State::closeWounds(CutResult& result) {
+    for (const cut::Wound& wound : cut::findWounds(mesh)) {
+        patch(wound, result);
+    }
+    std::vector<int> added = result.delta.addedTriangles;
+    std::ranges::sort(added);
+    std::ranges::set_difference(absentTriangles(mesh), added,
+                                std::back_inserter(result.delta.changedTriangles));
+    mesh.setOpenStroke(-1);
+}
+
+void Cutter::State::patch(const cut::Wound& wound, CutResult& result) {
+    WoundClosing& closing = result.statistics.closing;
+    if (wound.endsInside) {
+        ++closing.slits;
+        return;
+    }
+    try {
+        const cut::PatchPlan plan = cut::planPatch(mesh, wound, h);
+        const std::vector<int> changed = cut::commitPatch(mesh, wound, plan, result.delta);
+        surface.follow(changed, 0);
+        follow(changed, -1);
+        ++closing.patches;
+        closing.patchTriangles += 2 * cut::sizeOf(plan.triangles);
+        closing.removedWalls += 2 * cut::sizeOf(wound.plus);
+    } catch (const cut::StepFailure& failure) {
+        ++closing.unpatched;
+        closing.reason = failure.reason;
+    }
 }
 
 void Cutter::State::removeDebris(CutResult& result) {

@@ -155,6 +155,18 @@ double tetrahedron(const std::vector<Vec3>& points, const Triangle& t) {
     return points[t[0]].dot(points[t[1]].cross(points[t[2]])) / 6;
 }
 
+/// About which the volume of each piece is measured: any point where it is closed.
+std::vector<Vec3> volumeApexes(const SurfaceMesh& mesh, const PieceMap& map) {
+    std::vector<Vec3> apexes(map.pieces.size(), Vec3::Zero());
+    const std::vector<int> onBorder = verticesOnBorder(mesh, map.ofVertex, absentTriangles(mesh));
+    for (std::size_t p = 0; p < onBorder.size(); ++p) {
+        if (onBorder[p] >= 0) {
+            apexes[p] = mesh.position(onBorder[p]);
+        }
+    }
+    return apexes;
+}
+
 double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
     double sum = 0;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
@@ -241,6 +253,46 @@ std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const i
     return fault;
 }
 
+std::vector<int> borderHalfEdges(const SurfaceMesh& mesh) {
+    std::vector<int> border;
+    forEachHalfEdge(mesh, [&](int h) {
+        if (!mesh.absent(h / 3) && mesh.absent(mesh.twin(h) / 3)) {
+            border.push_back(h);
+        }
+    });
+    return border;
+}
+
+std::vector<int> verticesOnBorder(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,
+                                  std::span<const int> absent) {
+    std::vector<int> found;
+    for (const int t : absent) {
+        for (const int v : mesh.triangle(t)) {
+            const auto piece = static_cast<std::size_t>(pieceOfVertex[v]);
+            if (piece >= found.size()) {
+                found.resize(piece + 1, -1);
+            }
+            if (found[piece] < 0 && !mesh.hidden(v)) {
+                found[piece] = v;
+            }
+        }
+    }
+    return found;
+}
+
+std::string checkOpenManifold(const SurfaceMesh& mesh) {
+    if (std::string fault = checkClosedManifold(mesh); !fault.empty()) {
+        return fault;
+    }
+    std::vector<int> passes(mesh.vertexCount(), 0);
+    for (const int h : borderHalfEdges(mesh)) {
+        if (++passes[mesh.origin(h)] > 1) {
+            return "the border of the open surface passes " + vertexName(mesh.origin(h)) + " twice";
+        }
+    }
+    return "";
+}
+
 PieceMap findPieces(const SurfaceMesh& mesh) {
     const PieceLabels labels(mesh);
     PieceMap map;
@@ -249,10 +301,14 @@ PieceMap findPieces(const SurfaceMesh& mesh) {
         map.pieces.push_back(
             {piece.triangles, piece.vertices, 0, piece.restVolume, piece.restArea});
     }
+    const std::vector<Vec3> apexes = volumeApexes(mesh, map);
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            map.pieces[map.ofVertex[mesh.triangle(t)[0]]].volume +=
-                tetrahedron(mesh.positions(), mesh.triangle(t));
+        if (mesh.present(t)) {
+            const auto& [a, b, c] = mesh.triangle(t);
+            const int piece = map.ofVertex[a];
+            const Vec3& o = apexes[piece];
+            map.pieces[piece].volume +=
+                (mesh.position(a) - o).dot((mesh.position(b) - o).cross(mesh.position(c) - o)) / 6;
         }
     }
     return map;

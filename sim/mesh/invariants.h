@@ -25,7 +25,19 @@ std::string checkClosedManifold(const SurfaceMesh& mesh);
 /// broken. Dead ones are passed over.
 std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const int> triangles);
 
-/// One connected piece of the mesh.
+/// The same with an open stroke: the mesh with its absent walls is a closed 2-manifold, and what is
+/// present an oriented 2-manifold with a border along them, which passes each vertex once at most.
+std::string checkOpenManifold(const SurfaceMesh& mesh);
+/// Half-edges of present triangles beside absent ones, ascending: the border of the open surface.
+std::vector<int> borderHalfEdges(const SurfaceMesh& mesh);
+
+/// A vertex on the border of each piece that has some of the triangles `absent` (those of the mesh,
+/// ascending), -1 for others; pieces behind the last open one are left out.
+std::vector<int> verticesOnBorder(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,
+                                  std::span<const int> absent);
+
+/// One connected piece of the mesh. Absent walls belong to it but for the current volume, which is
+/// then that of the cones from a vertex on its border (verticesOnBorder) to the present triangles.
 struct Piece {
     int triangles = 0;
     int vertices = 0;

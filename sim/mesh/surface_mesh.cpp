@@ -68,6 +68,15 @@ int SurfaceMesh::valence(int v) const {
     return count;
 }
 
+bool SurfaceMesh::hidden(int v) const {
+    if (openStroke_ < 0 || outgoing_[v] < 0) {
+        return false;
+    }
+    bool allAbsent = true;
+    forEachOutgoing(v, [&](int h) { allAbsent = allAbsent && absent(h / 3); });
+    return allAbsent;
+}
+
 int SurfaceMesh::addVertex(const Vec3& position, const Vec3& rest, const Vec3& velocity) {
     positions_.push_back(position);
     restPositions_.push_back(rest);
@@ -164,6 +173,16 @@ std::vector<int> livingTriangles(const SurfaceMesh& mesh) {
     slots.reserve(mesh.aliveTriangles());
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
+            slots.push_back(t);
+        }
+    }
+    return slots;
+}
+
+std::vector<int> absentTriangles(const SurfaceMesh& mesh) {
+    std::vector<int> slots;
+    for (int t = 0; t < mesh.triangleSlots() && mesh.openStroke() >= 0; ++t) {
+        if (mesh.alive(t) && mesh.absent(t)) {
             slots.push_back(t);
         }
     }

@@ -18,6 +18,10 @@ enum class SurfaceKind : std::uint8_t { skin = 0, wall = 1 };
 /// the solver stay valid. Vertices carry current position, rest position and velocity.
 /// All copies of one material point that a cut made belong to one mate group.
 ///
+/// While a stroke of the open course is unfinished (CutSettings::openCut), its walls are there for
+/// the cutter alone: they are absent from the body, which has an open surface of the present
+/// triangles.
+///
 /// While a solver moves the body elsewhere, positions and velocities may be old: they are fetched
 /// where they are read. Only meshes of which nothing is old may be read by several threads.
 class SurfaceMesh {
@@ -64,6 +68,16 @@ class SurfaceMesh {
     SurfaceKind kind(int t) const { return kinds_[t]; }
     /// Which cut made this wall triangle: 2 * stroke + side (0: W+, 1: W-); -1 on skin.
     int wallLabel(int t) const { return wallLabels_[t]; }
+    /// A wall of the open stroke.
+    bool absent(int t) const {
+        return openStroke_ >= 0 && kinds_[t] == SurfaceKind::wall &&
+               wallLabels_[t] / 2 == openStroke_;
+    }
+    /// Alive and part of the body's surface.
+    bool present(int t) const { return alive(t) && !absent(t); }
+    /// The stroke whose walls are absent, -1 for none.
+    int openStroke() const { return openStroke_; }
+    void setOpenStroke(int stroke) { openStroke_ = stroke; }
 
     // Half-edges.
     static int next(int h) { return h - h % 3 + (h % 3 + 1) % 3; }
@@ -93,6 +107,8 @@ class SurfaceMesh {
 
     /// Number of triangles around v.
     int valence(int v) const;
+    /// All triangles around v are absent, and there are some.
+    bool hidden(int v) const;
 
     // Numbers that are elsewhere.
     /// From now on `source` has positions and velocities of all vertices. It must outlive the mesh
@@ -150,9 +166,12 @@ class SurfaceMesh {
     std::vector<int> mateGroup_;
     std::vector<std::vector<int>> mateMembers_;
     int aliveTriangles_ = 0;
+    int openStroke_ = -1;
 };
 
 /// The slots of the living triangles, ascending.
 std::vector<int> livingTriangles(const SurfaceMesh& mesh);
+/// Those of them that are absent: the walls of the open stroke.
+std::vector<int> absentTriangles(const SurfaceMesh& mesh);
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace kerf {
@@ -15,8 +16,8 @@ constexpr double kMaxCatchUpSpeed = 1;  // relative to the material [m/s]
 constexpr double kSkinReach = 0.8;      // skin nearer than this share of an edge pushes inwards
 
 struct MaterialPoint {
-    Vec3 position;
-    Vec3 velocity;
+    Vec3 position = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
 };
 
 double weightAt(const Vec3& offset, double edge) {
@@ -94,10 +95,10 @@ std::vector<cut::SurfaceSample> samplesAround(const SurfaceMesh& mesh,
 }
 
 std::vector<cut::SurfaceSample> ofPiece(const std::vector<cut::SurfaceSample>& samples,
-                                        const BodyModel& model, int piece) {
+                                        const std::vector<int>& pieceOfVertex, int piece) {
     std::vector<cut::SurfaceSample> out;
     std::copy_if(samples.begin(), samples.end(), std::back_inserter(out),
-                 [&](const auto& sample) { return model.pieceOfVertex[sample.vertex] == piece; });
+                 [&](const auto& sample) { return pieceOfVertex[sample.vertex] == piece; });
     return out;
 }
 
@@ -108,35 +109,56 @@ Vec3 limited(const Vec3& velocity, const Vec3& material) {
                                     : velocity;
 }
 
-}  // namespace
+/// By piece, then copies of one material point together.
+std::vector<int> inOrderOfPieces(std::vector<int> vertices, const SurfaceMesh& mesh,
+                                 const std::vector<int>& pieceOfVertex) {
+    std::ranges::sort(vertices, {}, [&](int v) {
+        return std::tuple(pieceOfVertex[v], mesh.materialPoint(v), v);
+    });
+    return vertices;
+}
 
-std::vector<Anchor> findFrontAnchors(const SurfaceMesh& mesh, const BodyModel& model,
-                                     const std::vector<RungNode>& rung,
-                                     const cut::StrokeSurface& surface, double timeStep) {
-    const std::vector<int> front = innerFrontVertices(mesh, rung);
-    if (front.empty()) {
-        return {};
-    }
-    const auto all = samplesAround(mesh, surface, front, model.edgeLength);
+/// Velocities that carry vertices along with their pieces; those of one piece must stand together.
+std::vector<Anchor> anchorsOf(const std::vector<int>& vertices, const AnchorFrame& in) {
     std::vector<Anchor> anchors;
+    if (vertices.empty()) {
+        return anchors;
+    }
+    const auto all = samplesAround(in.mesh, in.surface, vertices, in.edgeLength);
     int piece = -1;
+    int point = -1;
     std::vector<cut::SurfaceSample> samples;
-    for (const int v : front) {
-        if (model.pieceOfVertex[v] != piece) {
-            piece = model.pieceOfVertex[v];
-            samples = ofPiece(all, model, piece);
+    MaterialPoint now;
+    for (const int v : vertices) {
+        const bool ofSamePiece = in.pieceOfVertex[v] == piece;
+        if (!ofSamePiece) {
+            piece = in.pieceOfVertex[v];
+            samples = ofPiece(all, in.pieceOfVertex, piece);
         }
         if (samples.size() < kLeastSamples) {
             continue;
         }
-        const Vec3& rest = mesh.restPosition(v);
-        const MaterialPoint now = mapFromRest(mesh, samples, rest, model.edgeLength);
-        const Vec3 free = now.position + timeStep * now.velocity;
+        const Vec3& rest = in.mesh.restPosition(v);
+        if (!ofSamePiece || in.mesh.materialPoint(v) != point) {
+            point = in.mesh.materialPoint(v);
+            now = mapFromRest(in.mesh, samples, rest, in.edgeLength);
+        }
+        const Vec3 free = now.position + in.timeStep * now.velocity;
         const Vec3 target =
-            surface.insidePosition(rest, free, kSkinReach * model.edgeLength).value_or(free);
-        anchors.push_back({v, limited((target - mesh.position(v)) / timeStep, now.velocity)});
+            in.surface.insidePosition(rest, free, kSkinReach * in.edgeLength).value_or(free);
+        anchors.push_back({v, limited((target - in.mesh.position(v)) / in.timeStep, now.velocity)});
     }
     return anchors;
+}
+
+}  // namespace
+
+std::vector<Anchor> findFrontAnchors(const std::vector<RungNode>& rung, const AnchorFrame& in) {
+    return anchorsOf(innerFrontVertices(in.mesh, rung), in);
+}
+
+std::vector<Anchor> findHiddenAnchors(const std::vector<int>& hidden, const AnchorFrame& in) {
+    return anchorsOf(inOrderOfPieces(hidden, in.mesh, in.pieceOfVertex), in);
 }
 
 }  // namespace kerf

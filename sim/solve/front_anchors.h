@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "sim/body/body_model.h"
 #include "sim/cut/cutter.h"
 #include "sim/cut/stroke_surface.h"
 #include "sim/mesh/surface_mesh.h"
@@ -15,13 +14,24 @@ struct Anchor {
     Vec3 velocity = Vec3::Zero();  ///< [m/s]
 };
 
+/// What anchors are found from.
+struct AnchorFrame {
+    const SurfaceMesh& mesh;
+    const std::vector<int>& pieceOfVertex;  ///< of all vertices of the mesh
+    double edgeLength = 0;                  ///< of the uncut body [m]
+    const cut::StrokeSurface& surface;
+    double timeStep = 0;  ///< [s]
+};
+
 /// The front of an unfinished slit lies in uncut material, of which a surface mesh knows nothing:
 /// left to its two walls alone it would slide about and throw off each new row. So every inner
 /// vertex of the front is carried along: to where the affine map rest -> current, fitted around it
 /// to the surface that its piece had before the stroke, puts its rest position, and kept below that
-/// surface. `timeStep` [s].
-std::vector<Anchor> findFrontAnchors(const SurfaceMesh& mesh, const BodyModel& model,
-                                     const std::vector<RungNode>& rung,
-                                     const cut::StrokeSurface& surface, double timeStep);
+/// surface.
+std::vector<Anchor> findFrontAnchors(const std::vector<RungNode>& rung, const AnchorFrame& in);
+
+/// The same for all hidden vertices (SurfaceMesh::hidden), the front's among them: they have
+/// neither mass nor constraints.
+std::vector<Anchor> findHiddenAnchors(const std::vector<int>& hidden, const AnchorFrame& in);
 
 }  // namespace kerf

@@ -276,7 +276,9 @@ void GpuSolver::uploadPieces(const BodyModel& model) {
         const uint firstBlock = size32(blocks_.size());
         appendBlocks(blocks_, size32(p), size32(pageTable.size()), size32(pages.size()));
         pageTable.insert(pageTable.end(), pages.begin(), pages.end());
-        pieces_.push_back({pages_.anyVertexOf(p), firstBlock, size32(blocks_.size()) - firstBlock,
+        const uint origin =
+            piece.rimVertex >= 0 ? static_cast<uint>(piece.rimVertex) : pages_.anyVertexOf(p);
+        pieces_.push_back({origin, firstBlock, size32(blocks_.size()) - firstBlock,
                            piece.holdsVolume ? 1u : 0u, static_cast<float>(piece.restVolume),
                            static_cast<float>(piece.massPerArea),
                            static_cast<float>(piece.leastArea)});
@@ -368,8 +370,7 @@ void GpuSolver::updateRecords(const BodyModel& model, const BodyChange& change) 
     updateLists(bendIncidence_, model.bendIncidence, change.bendLists);
     updateLists(ispcIncidence_, model.ispcIncidence, change.ispcLists);
     updateLists(triangleIncidence_, model.triangleIncidence, change.triangleLists);
-    scatter_.write<uint>(neighbours_, model.neighbours,
-                         entriesOf(model.triangleIncidence, change.triangleLists));
+    updateLists(neighbours_, model.neighbours, change.neighbourLists);
 }
 
 void GpuSolver::updateSpokes(const BodyModel& model, const BodyChange& change) {
@@ -488,6 +489,16 @@ void GpuSolver::release(int vertex) {
     setInverseUnitMass(vertex, mass > 0.0f ? 1.0f / mass : 0.0f);
 }
 
+void GpuSolver::carry(std::span<const uint> vertices, std::span<const Vec3f> velocities) {
+    assert(velocities.size() == vertices.size());
+    refreshMasses();
+    scatter_.write<shared::vec4>(velocities_, areas_.size(), vertices, Scatter::Gaps::keep,
+                                 [&](uint v) {
+                                     const auto at = std::ranges::lower_bound(vertices, v);
+                                     return packed(velocities[at - vertices.begin()], 0.0f);
+                                 });
+}
+
 void GpuSolver::setInverseUnitMass(int vertex, float value) {
     const std::size_t w = 4 * static_cast<std::size_t>(vertex) + 3;
     positions_.write(w, std::span<const float>(&value, 1));
@@ -585,7 +596,7 @@ void GpuSolver::solveVolume() {
 }
 
 void GpuSolver::runOverBlocks(const gpu::Program& kernel) {
-    bindIncidence(triangleIncidence_.ranges, neighbours_);
+    neighbours_.bind();
     placeBuffer_.bindTexels(shared::kPlacesBinding, TexelFormat::uint32);
     pageBuffer_.bindStorage(shared::kPagesBinding);
     run(kernel, size32(blocks_.size()) * shared::kGroupSize);

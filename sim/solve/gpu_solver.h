@@ -97,6 +97,9 @@ class GpuSolver {
     /// A vertex that goes on with `velocity`, whatever pulls at it, until released.
     void anchor(int vertex, const Vec3f& velocity);
     void release(int vertex);
+    /// Vertices (ascending) that go on with these velocities in the coming step [m/s], for those
+    /// that have no mass.
+    void carry(std::span<const std::uint32_t> vertices, std::span<const Vec3f> velocities);
 
     /// The vertices that stay where they are, ascending, instead of those before; setModel() and
     /// restoreModel() free all.
@@ -215,10 +218,10 @@ class GpuSolver {
     gpu::Buffer uniformBuffer_;
     gpu::Buffer positions_, velocities_, displacement_, previous_, restPositions_, cutSkinNormals_;
     gpu::Buffer savedPositions_;
-    gpu::Buffer links_, areaBuffer_, triangles_, placeBuffer_, pageBuffer_, neighbours_;
+    gpu::Buffer links_, areaBuffer_, triangles_, placeBuffer_, pageBuffer_;
     gpu::Buffer pulls_, marks_;
     gpu::Buffer edgeRanges_, spokes_, bends_, ispcs_, corrections_;
-    IncidenceBuffers bendIncidence_, ispcIncidence_, triangleIncidence_;
+    IncidenceBuffers bendIncidence_, ispcIncidence_, triangleIncidence_, neighbours_;
     gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, impulses_, blockMeasures_;
 
     NearbyVertices nearby_;     ///< of the coming measure()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace kerf {
 
@@ -29,12 +30,13 @@ void VolumeTargets::follow(std::span<const int> source, const BodyModel& after,
                            std::span<const double> volumes) {
     assert(volumes.size() == after.pieces.size() && source.size() == after.pieces.size());
     const std::vector<double> oldOffsets = offsets_;
-    pieces_ = after.pieces;
+    const std::vector<PieceModel> before = std::exchange(pieces_, after.pieces);
     offsets_.assign(pieces_.size(), 0.0);
     for (std::size_t p = 0; p < offsets_.size(); ++p) {
         const bool only =
             source[p] >= 0 && std::count(source.begin(), source.end(), source[p]) == 1;
-        offsets_[p] = only ? oldOffsets[source[p]] : volumes[p] - pieces_[p].restVolume;
+        const bool goesOn = only && !(before[source[p]].open && !pieces_[p].open);
+        offsets_[p] = goesOn ? oldOffsets[source[p]] : volumes[p] - pieces_[p].restVolume;
     }
     rebuild();
 }

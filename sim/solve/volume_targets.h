@@ -17,7 +17,8 @@ class VolumeTargets {
     void reset(const BodyModel& model);
     /// After a cut. `source`: the old piece that each piece comes from, -1 for none (see
     /// LabelChange). A piece that is the only one left of an old piece goes on as that; the parts
-    /// of a split start at `volumes`, their current ones, shape [pieces of after] [m^3].
+    /// of a split start at `volumes`, their current ones, shape [pieces of after] [m^3], and so do
+    /// open pieces that have been closed.
     void follow(std::span<const int> source, const BodyModel& after,
                 std::span<const double> volumes);
     /// Lets `time` [s] pass. Returns whether a target changed.

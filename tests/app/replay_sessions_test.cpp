@@ -21,7 +21,7 @@ TEST(ShippedSessions, AreReadWithoutWarnings) {
         names.insert(entry.path().filename().stem().stem().string());
     }
     EXPECT_EQ(names, (std::set<std::string>{"banana", "boxes", "drop-in", "first-cut", "octopus",
-                                            "sphere20", "sphere768", "sphere80"}));
+                                            "open-cut", "sphere20", "sphere768", "sphere80"}));
 }
 
 TEST(ShippedSessions, DropInIsASphereInTheMiddleOfTheDefaultView) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/body/body_model.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -22,7 +23,8 @@ struct SlitSphere {
         model = buildBodyModel(mesh);
     }
     std::vector<Anchor> anchors() const {
-        return findFrontAnchors(mesh, model, rung, cutter.strokeSurface(), kStep);
+        return findFrontAnchors(
+            rung, {mesh, model.pieceOfVertex, model.edgeLength, cutter.strokeSurface(), kStep});
     }
 
     SurfaceMesh mesh = test::cubeSphere(8);
@@ -53,8 +55,10 @@ TEST(FrontAnchors, HoldsTheEndOfAFrontInsideTheBody) {
         cutter.advance({{x, 1.5, 0.013}, {x, 0.2, 0.013}});
     }
     ASSERT_GE(cutter.rung().back().vertex, 0) << "the tip is inside";
-    const std::vector<Anchor> anchors =
-        findFrontAnchors(mesh, buildBodyModel(mesh), cutter.rung(), cutter.strokeSurface(), kStep);
+    const BodyModel model = buildBodyModel(mesh);
+    const std::vector<Anchor> anchors = findFrontAnchors(
+        cutter.rung(),
+        {mesh, model.pieceOfVertex, model.edgeLength, cutter.strokeSurface(), kStep});
     const bool held = std::any_of(anchors.begin(), anchors.end(), [&](const Anchor& anchor) {
         return anchor.vertex == cutter.rung().back().vertex;
     });

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "sim/cut/cutter.h"
+#include "sim/cut/patch/patch_plan.h"
+
+namespace kerf::cut {
+
+/// Puts a patch on both sides in place of the walls of a wound. Cannot fail. New vertices are at
+/// the means of others, on each side by itself: the two may lie apart. Adds the change to `delta`,
+/// of which firstNewVertex must be set; returns the triangle slots that were removed or added,
+/// ascending.
+std::vector<int> commitPatch(SurfaceMesh& mesh, const Wound& wound, const PatchPlan& plan,
+                             CutDelta& delta);
+
+}  // namespace kerf::cut
