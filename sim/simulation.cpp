@@ -58,9 +58,9 @@ void roundVertices(SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices
     }
 }
 
-// While the blade stands in material its body begins this far behind the front (of the edge length
-// of walls): by so much the front lags behind the edge until it moves on.
-constexpr double kBehindFront = 0.5;
+// By how much the front of a cut lags behind the edge until it moves on (CutSettings::gate), of the
+// edge length of walls.
+constexpr double kMostLag = 0.5;
 
 double restDiagonal(const SurfaceMesh& mesh) {
     return boxOf(mesh.restPositions()).diagonal();
@@ -373,10 +373,13 @@ double Simulation::State::bladeFront(const BladeCourse& end) const {
     };
     keepBehind(blade->a, 0);
     keepBehind(blade->b, 1);
+    // A front that waits at the gate and one that has just been cut are one to the plate: it comes
+    // on evenly.
+    const double mostLag = front + kMostLag * wallEdge;
     for (const RungNode& node : rung) {
         keepBehind(node.vertex >= 0 ? mesh.position(node.vertex) : node.position, node.s);
     }
-    return standsInMaterial(rung) ? front + kBehindFront * wallEdge : front;
+    return standsInMaterial(rung) ? std::max(front, mostLag) : front;
 }
 
 std::optional<BladeMotion> Simulation::State::bladeBody() const {

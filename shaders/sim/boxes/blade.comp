@@ -1,6 +1,7 @@
 // Keeps vertices out of the body of the blade, whose own way in the substep counts: d ends at the
 // face that the way from X to X + d enters through. What starts inside sinks no deeper, and X is
-// pushed out, slowly. Coulomb friction shortens the way along the face.
+// pushed out, slowly. Coulomb friction shortens the way of skin along the face; walls have none: a
+// cut is wet, and dragged along they would crumple.
 //
 // The walls of the slit that the edge has just cut start in the middle of the plate: their outward
 // normals say to which of the flat sides they belong. Where walls of both sides meet, as at the
@@ -24,6 +25,9 @@ layout(std430, binding = kBladeIncidenceBinding) readonly buffer Incidence { uin
 
 // A mean normal of walls is this long along a face that the walls are to answer to.
 const float kFacing = 0.3;
+// It is this long where it overrules that the walls lie on the other side, by more than half of the
+// way to the face.
+const float kClearlyFacing = 0.7;
 
 float halfAt(BladeRecord blade, float y) {
     return blade.turn.w * clamp((y - blade.shift.w) / blade.bevel.x, 0.0, 1.0);
@@ -66,12 +70,12 @@ struct Faces {
     vec3 side;
 };
 
-Faces facesFor(vec4 wall, vec3 at) {
+Faces facesFor(vec4 wall, vec3 at, float halfThickness) {
     Faces faces = Faces(bvec3(true), vec3(at.x < 0.0 ? -1.0 : 1.0, 1.0, at.z < 0.0 ? -1.0 : 1.0));
     if (wall.w == 0.0) return faces;
     bvec3 facing = lessThan(faces.side * wall.xyz, vec3(-kFacing));
     facing.z = abs(wall.z) > kFacing;
-    if (facing.z) {
+    if (abs(wall.z) > (abs(at.z) > 0.5 * halfThickness ? kClearlyFacing : kFacing)) {
         faces.side.z = wall.z < 0.0 ? 1.0 : -1.0;
     }
     if (length(wall.xyz) < kFacing) {
@@ -87,8 +91,8 @@ int largest(vec3 v) {
 }
 
 // The face that stops the way, 3 for none: the last one that it enters through, or the nearest where
-// it starts inside.
-int faceFor(Faces faces, vec3 before, vec3 after) {
+// it starts inside, no deeper than `deepest`.
+int faceFor(Faces faces, vec3 before, vec3 after, float deepest) {
     if (any(greaterThan(min(before, after), vec3(0.0)))) return 3;
     vec3 when = mix(vec3(-1.0), before / (before - after), greaterThan(before, vec3(0.0)));
     int entered = largest(when);
@@ -100,7 +104,7 @@ int faceFor(Faces faces, vec3 before, vec3 after) {
     vec3 key = mix(vec3(-1e30), before, faces.open);
     int nearest = largest(key);
     after[nearest] = 0.0;
-    return faces.open[nearest] && all(lessThanEqual(after, vec3(0.0))) ? nearest : 3;
+    return key[nearest] > -deepest && all(lessThanEqual(after, vec3(0.0))) ? nearest : 3;
 }
 
 void main() {
@@ -114,15 +118,16 @@ void main() {
     vec4 wall = wallNormal(v, near);
     if (!near) return;
     wall.xyz = toBox(blade.box, wall.xyz);
-    Faces faces = facesFor(wall, at);
+    Faces faces = facesFor(wall, at, blade.turn.w);
     vec3 before = gapsAt(blade, at, faces.side);
     vec3 after = gapsAt(blade, at + way, faces.side);
-    int face = faceFor(faces, before, after);
+    int face = faceFor(faces, before, after, 2.1 * blade.turn.w);
     if (face == 3) return;
     float lift = max(min(before[face], 0.0) - after[face], 0.0);
+    float friction = wall.w == 0.0 ? uniforms.friction : 0.0;
     vec3 along = way;
     along[face] = 0.0;
-    vec3 change = along * (slipLeft(length(along), lift, uniforms.friction) - 1.0);
+    vec3 change = along * (slipLeft(length(along), lift, friction) - 1.0);
     change[face] = faces.side[face] * lift;
     displacement[v] = vec4(displacement[v].xyz + fromBox(blade.box, change), 0.0);
     vec3 push = vec3(0.0);
