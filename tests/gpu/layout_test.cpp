@@ -128,7 +128,7 @@ TEST_F(Layout, BlockMeasure) {
         "Measures", "measures", sizeof(shared::BlockMeasure),
         {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_lost),
          MEMBER(BlockMeasure, low_velocity_kinetic), MEMBER(BlockMeasure, high_velocity_potential),
-         MEMBER(BlockMeasure, low_drift), MEMBER(BlockMeasure, high_drift)});
+         MEMBER(BlockMeasure, low_drift_strain), MEMBER(BlockMeasure, high_drift)});
 }
 
 TEST_F(Layout, SolverUniforms) {
