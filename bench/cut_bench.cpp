@@ -19,6 +19,7 @@
 #include "sim/body/body_updater.h"
 #include "sim/cut/cut_change.h"
 #include "sim/cut/cutter.h"
+#include "sim/float_rounding.h"
 #include "sim/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "sim/stopwatch.h"
@@ -52,7 +53,7 @@ Vec3 deformed(const Vec3& p, int step) {
 double deform(SurfaceMesh& mesh, int step) {
     double most = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const Vec3 p = deformed(mesh.restPosition(v), step).cast<float>().cast<double>();
+        const Vec3 p = nearestFloats(deformed(mesh.restPosition(v), step));
         most = std::max(most, (p - mesh.position(v)).norm());
         mesh.setPosition(v, p);
     }

@@ -13,6 +13,7 @@
 #include "sim/boxes.h"
 #include "sim/contact/paper_contact.h"
 #include "sim/cut/cut_change.h"
+#include "sim/float_rounding.h"
 #include "sim/mesh/oriented_box.h"
 #include "sim/mesh_sync.h"
 #include "sim/snapshot.h"
@@ -45,16 +46,12 @@ std::string checkBlade(const Blade& blade) {
     return "";
 }
 
-Vec3 roundedToFloat(const Vec3& a) {
-    return a.cast<float>().cast<double>();
-}
-
 /// Vertices become what the GPU will hold, so that both sides go on from the same numbers.
 void roundVertices(SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
     for (const std::uint32_t vertex : vertices) {
         const int v = static_cast<int>(vertex);
-        mesh.setPosition(v, roundedToFloat(mesh.position(v)));
-        mesh.setVelocity(v, roundedToFloat(mesh.velocity(v)));
+        mesh.setPosition(v, nearestFloats(mesh.position(v)));
+        mesh.setVelocity(v, nearestFloats(mesh.velocity(v)));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/float_rounding.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -51,7 +52,7 @@ TEST(StateHash, RoundsToFloat) {
     const SurfaceMesh mesh = test::icosphere(1);
     SurfaceMesh rounded = mesh;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        rounded.setPosition(v, mesh.position(v).cast<float>().cast<double>());
+        rounded.setPosition(v, nearestFloats(mesh.position(v)));
     }
     EXPECT_EQ(hashMesh(rounded).hexadecimal(), hashMesh(mesh).hexadecimal());
 }

@@ -9,6 +9,7 @@
 
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/cutter.h"
+#include "sim/float_rounding.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
@@ -286,8 +287,9 @@ Stroke randomStroke(Dice& dice, const SurfaceMesh& mesh, FuzzMode mode, double h
 /// Each vertex by up to `noise` to any side, then to the next float.
 void roundToFloats(SurfaceMesh& mesh, double noise, Dice& dice) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const Vec3 moved = mesh.position(v) + noise * dice.uniform() * dice.direction();
-        mesh.setPosition(v, moved.cast<float>().cast<double>());
+        const double way = noise * dice.uniform();
+        const Vec3 moved = mesh.position(v) + way * dice.direction();
+        mesh.setPosition(v, nearestFloats(moved));
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/cutter.h"
+#include "sim/float_rounding.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
@@ -183,7 +184,7 @@ TEST(Cut, CutsABodyThatDeformsSmoothly) {
                 const Vec3 p = body.position(v);
                 const Vec3 moved = p + 0.003 * Vec3(std::sin(6 * p.y() + step), std::sin(5 * p.z()),
                                                     std::sin(4 * p.x() + step));
-                body.setPosition(v, moved.cast<float>().cast<double>());
+                body.setPosition(v, nearestFloats(moved));
             }
         });
     EXPECT_EQ(check.problem, "");
