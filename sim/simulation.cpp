@@ -222,6 +222,7 @@ struct Simulation::State {
     SnapshotPointer current;       ///< equal to the state as it is; null where none is known to be
     SnapshotPointer beforeStroke;  ///< while the blade is placed and has not changed the body
     bool strokeNoted = false;      ///< in the history, since the blade was placed
+    bool toldTooLarge = false;     ///< for the undo memory, since a body last fit into it
     int cutsSoFar = 0;
 
     // Output.
@@ -838,8 +839,14 @@ SnapshotPointer Simulation::State::captureForUndo() {
 void Simulation::State::noteBodyChange(std::string name, SnapshotPointer before) {
     if (before) {
         history.add({std::move(name), time, UndoEntry::BodyChange{std::move(before), nullptr}});
+        toldTooLarge = false;
     } else if (history.keeps()) {
         history.forgetAll();
+        if (!std::exchange(toldTooLarge, true)) {
+            say("step {}: the body is larger than the undo memory ({} MB), so what has changed it "
+                "so far can't be undone",
+                stepsDone, history.budget() >> 20);
+        }
     }
 }
 

@@ -247,7 +247,12 @@ TEST_F(UndoTest, ABodyTooLargeForTheBudgetEndsWhatCanBeUndone) {
     EXPECT_EQ(pieces(), 2);
     EXPECT_FALSE(simulation->history().canUndo()) << "that would leave the cut in";
     EXPECT_EQ(simulation->history().forgotten(), 2);
+    const auto tellsSo = [](const std::string& message) {
+        return message.find("can't be undone") != std::string::npos;
+    };
+    EXPECT_EQ(std::ranges::count_if(simulation->takeMessages(), tellsSo), 1);
     simulation->execute(Restart{});
+    EXPECT_EQ(std::ranges::count_if(simulation->takeMessages(), tellsSo), 0) << "once is enough";
     EXPECT_EQ(simulation->history().forgotten(), 3);
     simulation->execute(SetParam{"iterations", 8.0});
     undo();
