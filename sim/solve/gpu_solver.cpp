@@ -806,7 +806,7 @@ ConstraintView GpuSolver::constraintView() const {
     view.bendCount = uniforms_.bend_count;
     view.ispcCount = uniforms_.ispc_count;
     view.pullCount = uniforms_.pull_count;
-    if (contacts_.enabled()) {
+    if (contacts_.enabled() && contacts_.records().size() > 0) {
         view.contacts = &contacts_.records();
         view.contactState = &contacts_.state();
         view.mostContacts = uniforms_.vertex_count;
