@@ -1,4 +1,5 @@
 #include "app/editor_state.h"
+#include "ui/display_switch.h"
 
 namespace kerf::app {
 namespace {
@@ -24,41 +25,6 @@ std::optional<AxisView> axisViewOf(ui::ActionId id) {
     }
 }
 
-/// False where the action is none of these.
-bool toggleOverlay(ui::DisplaySettings& display, ui::ActionId id) {
-    bool* shown = nullptr;
-    switch (id) {
-        case ui::ActionId::wireframe:
-            shown = &display.wireframe;
-            break;
-        case ui::ActionId::showCutLines:
-            shown = &display.cutLines;
-            break;
-        case ui::ActionId::showEdges:
-            shown = &display.overlays.edges;
-            break;
-        case ui::ActionId::showBends:
-            shown = &display.overlays.bends;
-            break;
-        case ui::ActionId::showIspcs:
-            shown = &display.overlays.ispcs;
-            break;
-        case ui::ActionId::showErrors:
-            shown = &display.overlays.errors;
-            break;
-        case ui::ActionId::showContacts:
-            shown = &display.overlays.contacts;
-            break;
-        case ui::ActionId::showBoxes:
-            shown = &display.overlays.boxes;
-            break;
-        default:
-            return false;
-    }
-    *shown = !*shown;
-    return true;
-}
-
 }  // namespace
 
 void Editor::State::setDisplay(const ui::DisplaySettings& settings) {
@@ -69,7 +35,8 @@ void Editor::State::setDisplay(const ui::DisplaySettings& settings) {
 }
 
 void Editor::State::performOnView(ui::ActionId id) {
-    if (toggleOverlay(display, id)) {
+    if (bool* shown = ui::displaySwitch(display, id)) {
+        *shown = !*shown;
         return;
     }
     switch (id) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/mesh/ray_box.h"
+
 namespace kerf::app {
 namespace {
 
@@ -16,25 +18,9 @@ bool samePoses(const std::vector<Blade>& a, const std::vector<Blade>& b) {
         a, b, [](const Blade& p, const Blade& q) { return p.a == q.a && p.b == q.b; });
 }
 
-/// Whether a ray comes through a box, by the shares of it between the planes of each axis.
 bool passes(const render::Ray& ray, Bounds box) {
     box.widen(kMargin * box.diagonal());
-    double from = 0;
-    double to = 1e300;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double along = ray.direction[axis];
-        const double low = box.low[axis] - ray.origin[axis];
-        const double high = box.high[axis] - ray.origin[axis];
-        if (along == 0) {
-            if (low > 0 || high < 0) {
-                return false;
-            }
-            continue;
-        }
-        from = std::max(from, std::min(low / along, high / along));
-        to = std::min(to, std::max(low / along, high / along));
-    }
-    return from <= to;
+    return entryInto(box, {ray.origin, ray.direction}, 1e300) < kMissesBox;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "ui/display_switch.h"
 #include "ui/item_places.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets.h"
@@ -104,30 +105,16 @@ bool isAvailable(const PanelModel& model, ActionId id) {
 }
 
 bool isOn(const PanelModel& model, ActionId id) {
-    const render::Overlays& overlays = model.display.overlays;
+    if (const bool* shown = displaySwitch(model.display, id)) {
+        return *shown;
+    }
     switch (id) {
         case ActionId::playPause:
             return model.playing;
         case ActionId::toggleGravity:
             return model.params.gravity.norm() > 0;
-        case ActionId::wireframe:
-            return model.display.wireframe;
-        case ActionId::showCutLines:
-            return model.display.cutLines;
         case ActionId::showApart:
             return model.display.apart > 0;
-        case ActionId::showEdges:
-            return overlays.edges;
-        case ActionId::showBends:
-            return overlays.bends;
-        case ActionId::showIspcs:
-            return overlays.ispcs;
-        case ActionId::showErrors:
-            return overlays.errors;
-        case ActionId::showContacts:
-            return overlays.contacts;
-        case ActionId::showBoxes:
-            return overlays.boxes;
         case ActionId::fineQuality:
             return model.display.quality == render::Quality::full;
         case ActionId::toolStroke:

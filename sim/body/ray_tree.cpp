@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kBorder = 2e-5;       // tolerance on barycentric coordinates
 constexpr double kLeastCosine = 1e-6;  // rays closer to a triangle's plane miss it
-constexpr double kMiss = 1e301;
 
 }  // namespace
 
@@ -36,21 +35,7 @@ Bounds RayTree::boundsOf(int triangle) const {
     return box;
 }
 
-RayTree::Ray::Ray(const Vec3& from, const Vec3& along) : origin(from), direction(along) {
-    for (int axis = 0; axis < 3; ++axis) {
-        inverse[axis] = along[axis] != 0 ? 1 / along[axis] : 1e200;
-    }
-}
-
-double RayTree::entry(const Bounds& box, const Ray& ray, double farthest) {
-    const Vec3 toLow = (box.low - ray.origin).cwiseProduct(ray.inverse);
-    const Vec3 toHigh = (box.high - ray.origin).cwiseProduct(ray.inverse);
-    const double enter = std::max(0.0, toLow.cwiseMin(toHigh).maxCoeff());
-    const double leave = std::min(farthest, toLow.cwiseMax(toHigh).minCoeff());
-    return enter <= leave ? enter : kMiss;
-}
-
-RayHit RayTree::intersect(const Ray& ray, int triangle) const {
+RayHit RayTree::intersect(const BoxRay& ray, int triangle) const {
     // Moeller and Trumbore 1997.
     const Triangle& t = mesh_.triangle(triangle);
     const Vec3& a = mesh_.restPosition(t[0]);
@@ -79,7 +64,7 @@ bool RayTree::facesAway(int triangle, const Vec3& direction) const {
 }
 
 bool RayTree::crosses(const Vec3& from, const Vec3& to) const {
-    const Ray ray(from, to - from);
+    const BoxRay ray(from, to - from);
     double farthest = 1;
     bool crossed = false;
     traverse(ray, farthest, [&](int slot) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/mesh/box_tree.h"
+#include "sim/mesh/ray_box.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
@@ -41,28 +42,21 @@ class RayTree {
     bool crosses(const Vec3& from, const Vec3& to) const;
 
   private:
-    struct Ray {
-        Ray(const Vec3& from, const Vec3& along);
-        Vec3 origin;
-        Vec3 direction;
-        Vec3 inverse;
-    };
-    static double entry(const Bounds& box, const Ray& ray, double farthest);
     /// Intersection with the plane of a triangle, within its widened border; triangle -1 if none.
-    RayHit intersect(const Ray& ray, int triangle) const;
+    RayHit intersect(const BoxRay& ray, int triangle) const;
     Bounds boundsOf(int triangle) const;
     bool facesAway(int triangle, const Vec3& direction) const;
     /// Calls visit(slot) for triangles of boxes that the ray enters before `farthest`, which visit
     /// may shrink.
     template <class Visit>
-    void traverse(const Ray& ray, const double& farthest, Visit&& visit) const;
+    void traverse(const BoxRay& ray, const double& farthest, Visit&& visit) const;
 
     const SurfaceMesh& mesh_;
     BoxTree tree_;
 };
 
 template <class Visit>
-void RayTree::traverse(const Ray& ray, const double& farthest, Visit&& visit) const {
+void RayTree::traverse(const BoxRay& ray, const double& farthest, Visit&& visit) const {
     const std::vector<BoxTree::Node>& nodes = tree_.nodes();
     std::array<int, BoxTree::kMaxDepth + 2> stack;
     int size = 0;
@@ -71,7 +65,7 @@ void RayTree::traverse(const Ray& ray, const double& farthest, Visit&& visit) co
     }
     while (size > 0) {
         const BoxTree::Node& node = nodes[stack[--size]];
-        if (node.count == 0 || entry(node.bounds, ray, farthest) > farthest) {
+        if (node.count == 0 || entryInto(node.bounds, ray, farthest) > farthest) {
             continue;
         }
         if (node.child < 0) {
@@ -80,8 +74,8 @@ void RayTree::traverse(const Ray& ray, const double& farthest, Visit&& visit) co
             }
             continue;
         }
-        const bool leftFirst = entry(nodes[node.child].bounds, ray, farthest) <=
-                               entry(nodes[node.child + 1].bounds, ray, farthest);
+        const bool leftFirst = entryInto(nodes[node.child].bounds, ray, farthest) <=
+                               entryInto(nodes[node.child + 1].bounds, ray, farthest);
         stack[size++] = node.child + (leftFirst ? 1 : 0);
         stack[size++] = node.child + (leftFirst ? 0 : 1);
     }
@@ -90,7 +84,7 @@ void RayTree::traverse(const Ray& ray, const double& farthest, Visit&& visit) co
 template <class Accept>
 RayHit RayTree::castToBackFace(const Vec3& origin, const Vec3& direction, double minDistance,
                                Accept&& accept) const {
-    const Ray ray(origin, direction);
+    const BoxRay ray(origin, direction);
     RayHit best;
     best.distance = 1e300;
     traverse(ray, best.distance, [&](int slot) {
