@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/step.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr double kFullReach = 1.0;
 constexpr double kReach = 2.5;
 constexpr double kSpacing = 0.3;  // of nodes on an edge in the air
-// The sphere about the box of a triangle is taken so much larger that rounding does not matter.
+// The sphere about a triangle is taken so much larger that rounding does not matter.
 constexpr double kSphereRoom = 1 + 1e-6;
 
 struct SkinPoint {
@@ -38,31 +39,6 @@ Bounds boxOf(const SurfaceMesh& mesh, int t) {
         box.add(mesh.position(v));
     }
     return box;
-}
-
-/// Shares of the way from p to q.
-struct Stretch {
-    double from = 0;
-    double to = 1;
-    bool empty() const { return from > to; }
-};
-
-Stretch stretchIn(const Bounds& box, const Vec3& p, const Vec3& q) {
-    Stretch stretch;
-    for (int k = 0; k < 3; ++k) {
-        const double way = q[k] - p[k];
-        if (std::fabs(way) < 1e-300) {
-            if (p[k] < box.low[k] || p[k] > box.high[k]) {
-                return {1, 0};
-            }
-            continue;
-        }
-        const double a = (box.low[k] - p[k]) / way;
-        const double b = (box.high[k] - p[k]) / way;
-        stretch.from = std::max(stretch.from, std::min(a, b));
-        stretch.to = std::min(stretch.to, std::max(a, b));
-    }
-    return stretch;
 }
 
 OrientedBox boxAround(const Vec3& p, const Vec3& q, double reach) {
@@ -93,27 +69,34 @@ class NearestSkin {
     }
 
     void look(int triangle) {
-        Bounds box = boxOf(mesh_, triangle);
-        box.widen(reach_);
-        const Stretch stretch = stretchIn(box, from_, from_ + way_);
-        if (stretch.empty()) {
-            return;
-        }
+        const Bounds box = boxOf(mesh_, triangle);
         const Vec3 center = box.center();
-        const double radius = 0.5 * box.diagonal() - std::sqrt(3.0) * reach_;
-        const int first = std::max(0, static_cast<int>(stretch.from * parts_) - 1);
-        const int last = std::min(parts_, static_cast<int>(stretch.to * parts_) + 1);
+        const double radius = kSphereRoom * 0.5 * box.diagonal();
+        const auto [first, last] = partsWithin(center, reach_ + radius);
         for (int k = first; k <= last; ++k) {
             const Vec3 p = point(k);
-            const double least = (p - center).norm() - kSphereRoom * radius;
-            if (least <= nearest_[k].distance && (p.array() >= box.low.array()).all() &&
-                (p.array() <= box.high.array()).all()) {
+            const double most = nearest_[k].distance + radius;
+            if ((p - center).squaredNorm() <= most * most) {
                 lookFrom(p, triangle, nearest_[k]);
             }
         }
     }
 
   private:
+    /// Of the points on the edge: the first and the last that may lie so near to `center`.
+    std::pair<int, int> partsWithin(const Vec3& center, double distance) const {
+        const double length = way_.norm();
+        if (length == 0) {
+            return {0, parts_};
+        }
+        const double along = (center - from_).dot(way_) / length;
+        const auto part = [&](double at) {
+            return static_cast<int>(std::clamp(at / length, -1.0, 2.0) * parts_);
+        };
+        return {std::max(0, part(along - distance) - 1),
+                std::min(parts_, part(along + distance) + 1)};
+    }
+
     void lookFrom(const Vec3& p, int triangle, SkinPoint& best) const {
         const Triangle& c = mesh_.triangle(triangle);
         const Vec3 weights =

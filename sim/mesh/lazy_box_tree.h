@@ -92,7 +92,7 @@ class LazyBoxTree {
   private:
     // A box may be wider than needed by this share of its diagonal.
     static constexpr double kSlack = 0.1;
-    static constexpr int kLeafSize = 4;
+    static constexpr int kLeafSize = 8;
     // Roots halve in size at least from one to the next.
     static constexpr int kMostRoots = 33;
 

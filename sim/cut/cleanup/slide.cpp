@@ -107,8 +107,21 @@ class Slide {
         return change * spread.ldlt().solve(way);
     }
 
-    // As the rest shape goes along, then as its volumes allow.
+    bool liesAtRest() const {
+        const auto isAtRest = [&](int v) { return mesh_.restPosition(v) == mesh_.position(v); };
+        return std::ranges::all_of(star_.copies, [&](int v) {
+            bool all = isAtRest(v);
+            mesh_.forEachOutgoing(v, [&](int h) { all = all && isAtRest(mesh_.target(h)); });
+            return all;
+        });
+    }
+
+    // As the rest shape goes along, then as its volumes allow. What lies at rest stays so, to the
+    // last bit.
     Vec3 restWayOf(const Vec3& way) const {
+        if (liesAtRest()) {
+            return way;
+        }
         const Vec3 offset =
             mapped(way, [&](int v) { return Vec3(mesh_.restPosition(v) - mesh_.position(v)); });
         const Vec3 restWay = projectOnConstantVolume(restGradients_, way + offset);

@@ -286,5 +286,29 @@ TEST(Cleanup, SwitchedOffChangesNothing) {
     }
 }
 
+// Rest positions are moved by the same arithmetic as positions then, or a body at rest would begin
+// to move.
+TEST(Cleanup, LeavesWhatLiesAtRestAtRestToTheLastBit) {
+    for (const Vec3& along : {Vec3(1, 0, 0), Vec3(0.9, 0.1, -0.3), Vec3(0.2, 0.3, 1)}) {
+        SurfaceMesh mesh = test::icosphere(3);
+        Cutter cutter(mesh, settingsWith(true));
+        const Stroke stroke =
+            through(along.normalized(), along.cross(Vec3(0.2, 1, 0.37)).normalized());
+        int slides = 0;
+        cutter.begin(stroke.front());
+        for (const Blade& blade : stroke) {
+            slides += cutter.advance(blade).statistics.cleanup.slides;
+        }
+        slides += cutter.finish().statistics.cleanup.slides;
+        EXPECT_GT(slides, 0);
+        for (int v = 0; v < mesh.vertexCount(); ++v) {
+            if (mesh.outgoing(v) >= 0) {
+                ASSERT_EQ(mesh.position(v), mesh.restPosition(v)) << v;
+                ASSERT_TRUE(mesh.velocity(v).isZero(0)) << v;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace kerf

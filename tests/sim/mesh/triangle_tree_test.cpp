@@ -254,10 +254,10 @@ TEST_F(LazyBoxTreeTest, FindsTheSameHoweverMuchIsDivided) {
             stack.insert(stack.end(), {node.child, node.child + 1});
         } else {
             ++leaves;
-            EXPECT_LE(node.count, 4);
+            EXPECT_LE(node.count, 8);
         }
     }
-    EXPECT_GE(leaves, 500);
+    EXPECT_GE(leaves, 250);
     for (int i = 0; i < 20; ++i) {
         const Bounds searched = cube(Vec3(uniform(random), uniform(random), uniform(random)), 0.3);
         std::array<std::vector<int>, 2> found;
