@@ -62,6 +62,7 @@ class EarCutter {
     // The nearest hole first, or a bridge could run across one that is not joined yet.
     void bridgeAll(const std::vector<Loop>& loops) {
         std::vector<std::vector<int>> holes;
+        holes.reserve(loops.size());
         for (const Loop& loop : loops) {
             holes.push_back(nodesOf(loop));
         }
