@@ -62,8 +62,8 @@ struct Texel {
 
 /// In the order of TexelFormat.
 const Texel& texelOf(TexelFormat format) {
-    static constexpr std::array<Texel, 4> texels{
-        {{GL_R32UI, 4}, {GL_RG32UI, 8}, {GL_RGBA32UI, 16}, {GL_RGBA32F, 16}}};
+    static constexpr std::array<Texel, 5> texels{
+        {{GL_R32UI, 4}, {GL_RG32UI, 8}, {GL_RGBA32UI, 16}, {GL_RG32F, 8}, {GL_RGBA32F, 16}}};
     return texels[static_cast<std::size_t>(format)];
 }
 
@@ -148,14 +148,20 @@ void Buffer::bindStorage(std::uint32_t binding) const {
 }
 
 void Buffer::bindTexels(std::uint32_t unit, TexelFormat format) const {
-    assert(id_ != 0 && "a buffer needs storage before it is bound");
-    if (texels_.buffer != id_ || texels_.format != format) {
-        showTexels(format);
-    }
+    showTexels(format);
     glBindTextureUnit(unit, texels_.texture);
 }
 
+void Buffer::bindImage(std::uint32_t unit, TexelFormat format) const {
+    showTexels(format);
+    glBindImageTexture(unit, texels_.texture, 0, GL_FALSE, 0, GL_READ_ONLY, texelOf(format).format);
+}
+
 void Buffer::showTexels(TexelFormat format) const {
+    assert(id_ != 0 && "a buffer needs storage before it is bound");
+    if (texels_.buffer == id_ && texels_.format == format) {
+        return;
+    }
     const Texel& texel = texelOf(format);
     requireTexels(capacity_ / texel.bytes);
     if (texels_.texture == 0) {

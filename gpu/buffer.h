@@ -15,7 +15,7 @@ class OutOfMemory : public std::runtime_error {
 };
 
 /// How shaders see the elements of a buffer that they read through a texture unit.
-enum class TexelFormat { uint32, uint32x2, uint32x4, float32x4 };
+enum class TexelFormat { uint32, uint32x2, uint32x4, float32x2, float32x4 };
 
 /// An OpenGL buffer object (move only) with a size in use and a capacity with headroom.
 class Buffer {
@@ -68,6 +68,9 @@ class Buffer {
     /// llvmpipe fetches a texel about four times as fast as it reads four words of storage, other
     /// drivers as fast. Throws OutOfMemory where the driver's texture buffers are too small.
     void bindTexels(std::uint32_t unit, TexelFormat format) const;
+
+    /// The same as an image to read from, for kernels that write it as storage too.
+    void bindImage(std::uint32_t unit, TexelFormat format) const;
 
     std::uint32_t id() const { return id_; }
     std::size_t size() const { return size_; }          ///< [bytes]

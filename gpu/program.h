@@ -64,7 +64,7 @@ class Program {
     mutable std::map<std::string, int, std::less<>> locations_;
 };
 
-/// glMemoryBarrier for what the next dispatch reads, as storage or as texels.
+/// glMemoryBarrier for what the next dispatch reads, as storage, as texels or as images.
 void storageBarrier();
 /// The same for what dispatchIndirect() reads.
 void commandBarrier();

@@ -11,7 +11,7 @@ layout(std430, binding = kBindTriangles) readonly buffer Triangles { uvec4 trian
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
 const int kLines = 1;
 #elif KIND == 1
-layout(std430, binding = kBindConstraints) readonly buffer Bends { BendConstraint bends[]; };
+layout(std430, binding = kBindConstraints) readonly buffer Bends { BendRecord bends[]; };
 const int kLines = 2;
 #elif KIND == 2
 layout(std430, binding = kBindConstraints) readonly buffer Ispcs { IspcConstraint ispcs[]; };
@@ -47,17 +47,17 @@ Line lineOf(int index, int part) {
     return Line(a < b, at(a), at(b), distance(at(a), at(b)) / max(rest, 1e-12) - 1.0);
 }
 #elif KIND == 1
-float bendError(BendConstraint bend) {
+float bendError(BendRecord bend) {
     vec3 origin = at(bend.v0);
     vec3 e = at(bend.v1) - origin;
     vec3 left = cross(e, at(bend.v2) - origin);
     vec3 right = cross(at(bend.v3) - origin, e);
     float angle = atan(dot(cross(left, right), e) / max(length(e), 1e-12), dot(left, right));
-    float error = angle - bend.rest_angle;
+    float error = angle - atan(bend.rest_sine, bend.rest_cosine);
     return error - 6.2831853 * round(error / 6.2831853);
 }
 Line lineOf(int index, int part) {
-    BendConstraint bend = bends[index];
+    BendRecord bend = bends[index];
     vec3 a = at(bend.v0);
     vec3 b = at(bend.v1);
     vec3 apex = at(part == 0 ? bend.v2 : bend.v3);

@@ -53,6 +53,33 @@ struct Spoke {
     uint other_count;   // of spokes there
 };
 
+// A bend as the solver reads it: see BendConstraint.
+struct BendRecord {
+    uint v0;
+    uint v1;
+    uint v2;
+    uint v3;
+    float rest_cosine;  // of the rest angle
+    float rest_sine;
+    float geometry;  // [1/m^3]
+    uint unused;
+};
+
+// The list of the bends at a vertex: first those of which it is an end of the edge, then those of
+// which it is an apex.
+struct BendRange {
+    uint first;   // 2 * bend + (0: v0, 1: v1)
+    uint apexes;  // 2 * bend + (0: v2, 1: v3)
+    uint end;
+    uint unused;
+};
+
+// An ISPC as seen from one of its vertices.
+struct IspcShare {
+    uint ispc;
+    float weight;  // of its pull: 1 on its vertex, less the barycentric weight on a corner
+};
+
 // A word to be written into a buffer.
 struct WordPatch {
     uint word;

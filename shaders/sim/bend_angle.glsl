@@ -1,11 +1,6 @@
 // The angle of a bend, see bend.comp.
 #include "sim/inverse_tangent.glsl"
 
-float wrapped(float angle) {
-    const float kTwoPi = 6.28318530717959;
-    return angle > 0.5 * kTwoPi ? angle - kTwoPi : (angle < -0.5 * kTwoPi ? angle + kTwoPi : angle);
-}
-
 struct Wings {
     vec3 edge, left, right;  // from v0
     vec3 nA, nB;
@@ -21,6 +16,11 @@ bool degenerate(Wings w) {
     return dot(w.nA, w.nA) <= least || dot(w.nB, w.nB) <= least || !(e2 > 0.0);
 }
 
-float angleOf(Wings w) {
-    return inverseTangent(dot(cross(w.nA, w.nB), w.edge) / length(w.edge), dot(w.nA, w.nB));
+// A vector at the angle theta - rest, from cosine and sine of both, times |nA| |nB|:
+// (nA x nB) . e / |e| = -|e| nA . right.
+vec2 errorVector(Wings w, BendRecord bend) {
+    float sine = -length(w.edge) * dot(w.nA, w.right);
+    float cosine = dot(w.nA, w.nB);
+    return vec2(cosine * bend.rest_cosine + sine * bend.rest_sine,
+                sine * bend.rest_cosine - cosine * bend.rest_sine);
 }

@@ -14,16 +14,25 @@ Spoke fetchSpoke(usamplerBuffer records, uint index) {
     uvec4 words = fetch(records, index);
     return Spoke(words.x, uintBitsToFloat(words.y), uintBitsToFloat(words.z), words.w);
 }
+
+BendRecord fetchBend(usamplerBuffer records, uint index) {
+    uvec4 v = fetch(records, 2u * index);
+    vec4 rest = uintBitsToFloat(fetch(records, 2u * index + 1u));
+    return BendRecord(v.x, v.y, v.z, v.w, rest.x, rest.y, rest.z, 0u);
+}
+
+BendRange fetchBendRange(usamplerBuffer records, uint index) {
+    uvec4 words = fetch(records, index);
+    return BendRange(words.x, words.y, words.z, 0u);
+}
+
+IspcShare fetchIspcShare(usamplerBuffer records, uint index) {
+    uvec2 words = fetch(records, index).xy;
+    return IspcShare(words.x, uintBitsToFloat(words.y));
+}
 #endif
 
 #ifdef KERF_CONSTRAINTS_H
-BendConstraint fetchBend(usamplerBuffer records, uint index) {
-    uvec2 edge = fetch(records, 3u * index).xy;
-    uvec2 apexes = fetch(records, 3u * index + 1u).xy;
-    vec2 rest = uintBitsToFloat(fetch(records, 3u * index + 2u).xy);
-    return BendConstraint(edge.x, edge.y, apexes.x, apexes.y, rest.x, rest.y);
-}
-
 IspcConstraint fetchIspc(usamplerBuffer records, uint index) {
     uvec4 corners = fetch(records, 2u * index);
     vec4 rest = uintBitsToFloat(fetch(records, 2u * index + 1u));

@@ -6,12 +6,14 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
+#include "sim/uniforms.glsl"
 
-layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer before;
 layout(std430, binding = kPositionsBinding) writeonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };
 layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
+
+#include "sim/finish.glsl"
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
@@ -19,7 +21,7 @@ void main() {
     vec4 x = fetch(before, v);
     vec3 d = fetch(displacement, v).xyz;
     if (x.w > 0.0) {
-        velocities[v] = vec4(d / uniforms.substep * uniforms.drag_factor, 0.0);
+        velocities[v] = vec4(endVelocity(d), 0.0);
     }
     positions[v] = vec4(x.xyz + d, x.w);
 }

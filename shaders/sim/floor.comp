@@ -7,24 +7,16 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
+#include "sim/uniforms.glsl"
 
-layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kDisplacementBinding) uniform samplerBuffer before;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
 
+#include "sim/floor.glsl"
+
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
-    vec4 x = fetch(positions, v);
-    vec3 d = fetch(before, v).xyz;
-    float lowest = min(uniforms.floor_height - x.y, uniforms.lift_speed * uniforms.substep);
-    float lift = lowest - d.y;
-    if (!(lift > 0.0) || x.w == 0.0) return;
-    d.y += lift;
-    float slip = length(d.xz);
-    if (slip > 0.0) {
-        d.xz *= 1.0 - min(1.0, uniforms.friction * lift / slip);
-    }
-    displacement[v] = vec4(d, 0.0);
+    displacement[v] = vec4(onFloor(fetch(before, v).xyz, fetch(positions, v)), 0.0);
 }

@@ -7,7 +7,7 @@
 #include "solver_uniforms.h"
 layout(local_size_x = kGroupSize) in;
 
-layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
+#include "sim/uniforms.glsl"
 layout(std430, binding = kPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };

@@ -1,6 +1,6 @@
 // What the CPU wants to know after a step: volume, boxes of positions, velocities and ways since the
 // last search for contacts, energy and whether a vertex is lost (not finite, or faster than anything
-// real), per block; behind the blocks, how many contacts there were; and which vertices have a
+// real), per block; behind the blocks, how many contacts there were and how many points had candidates for them; and which vertices have a
 // triangle near the blade. Reads X, velocities, neighbours, places, pages, pieces, blocks, the
 // state of contact, the query, constraints. Writes block measures and records of nearby vertices. One group per block; sums in a fixed order (see
 // volume_gradient). The CPU reads the result.
@@ -13,7 +13,7 @@ layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
 
-layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
+#include "sim/uniforms.glsl"
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
@@ -35,9 +35,8 @@ shared vec4 fastest[kGroupSize];
 shared vec4 leastWay[kGroupSize];  // w: energy of strained material
 shared vec3 mostWay[kGroupSize];
 
-vec3 span(uint from, uint to) {
-    return fetch(positions, to).xyz - fetch(positions, from).xyz;
-}
+vec4 positionOf(uint v) { return fetch(positions, v); }
+uint neighbourAt(uint place) { return fetch(neighbours, place).x; }
 
 #include "sim/strain_energy.glsl"
 #include "sim/volume_gradient.glsl"
@@ -107,7 +106,9 @@ void main() {
         if (v == kNoVertex) continue;
         vec4 x = fetch(positions, v);
         vec3 p = x.xyz;
-        low = vec4(min(low.xyz, p), low.w + dot(span(origin, v), volumeGradient(v)) / 3.0);
+        vec3 arm = p - fetch(positions, origin).xyz;
+        low = vec4(min(low.xyz, p),
+                   low.w + dot(arm, sixfoldGradient(p, fetch(ranges, v).xy)) / 18.0);
         vec3 u = fetch(velocities, v).xyz;
         high = vec4(max(high.xyz, p), lost(p, u) ? 1.0 : high.w);
         vec2 energy = energyOf(x, u);
@@ -141,8 +142,9 @@ void main() {
         }
     }
     if (self == 0u && gl_WorkGroupID.x == 0u) {
-        measures[gl_NumWorkGroups.x] = BlockMeasure(vec4(contacts.last_contacts), vec4(0.0),
-                                                    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+        vec4 counts = vec4(contacts.last_contacts, contacts.points, 0.0, 0.0);
+        measures[gl_NumWorkGroups.x] =
+            BlockMeasure(counts, vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     }
     if (self == 0u) {
         measures[gl_WorkGroupID.x] =

@@ -1,3 +1,5 @@
+#ifndef KERF_PULL_DIRECTION_GLSL
+#define KERF_PULL_DIRECTION_GLSL
 // Constraints pull along their gradient at X, the beginning of the substep, as SHAKE does: then no
 // sweep changes the angular momentum sum X x m d, which the velocities d / h carry on. Where the
 // gradient has turned too far meanwhile, as at slivers, the one at X + d is taken, and always in plain
@@ -15,3 +17,4 @@ bool pullsAsBefore() {
 vec3 pullDirection(vec3 before, vec3 now) {
     return normalize(pullsAsBefore() && turnedLittle(before, now) ? before : now);
 }
+#endif

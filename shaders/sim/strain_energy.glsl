@@ -27,12 +27,13 @@ float edgeEnergy(uint v) {
 }
 
 float bendEnergy(uint index) {
-    BendConstraint bend = fetchBend(bends, index);
+    BendRecord bend = fetchBend(bends, index);
     vec3 from = fetch(positions, bend.v0).xyz;
     Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from, fetch(positions, bend.v2).xyz - from,
                           fetch(positions, bend.v3).xyz - from);
     if (degenerate(wings)) return 0.0;
-    float error = abs(wrapped(angleOf(wings) - bend.rest_angle));
+    vec2 turn = errorVector(wings, bend);
+    float error = abs(inverseTangent(turn.y, turn.x));
     float elastic = min(error, kMaxBendError);
     return energyOf(elastic * (2.0 * error - elastic), bend.geometry, uniforms.bend_compliance);
 }

@@ -7,8 +7,8 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
+#include "sim/uniforms.glsl"
 
-layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kDisplacementBinding) uniform samplerBuffer before;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
@@ -16,12 +16,13 @@ layout(binding = kLinksBinding) uniform usamplerBuffer links;
 layout(binding = kGradientsBinding) uniform samplerBuffer gradients;
 layout(std430, binding = kImpulsesBinding) readonly buffer Impulses { VolumeImpulse impulses[]; };
 
+#include "sim/volume_correct.glsl"
+
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     uint piece = fetch(links, v).w;
     if (piece == kNoPiece) return;
-    float impulse = impulses[piece].impulse;
-    float w = uniforms.inverse_density * fetch(positions, v).w;
-    displacement[v] = vec4(fetch(before, v).xyz + (w * impulse) * fetch(gradients, v).xyz, 0.0);
+    displacement[v] = vec4(withVolume(fetch(before, v).xyz, fetch(positions, v).w,
+                                      impulses[piece].impulse, fetch(gradients, v).xyz), 0.0);
 }

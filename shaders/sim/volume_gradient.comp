@@ -12,8 +12,8 @@
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
+#include "sim/uniforms.glsl"
 
-layout(std430, binding = kUniformsBinding) readonly buffer Uniforms { SolverUniforms uniforms; };
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
@@ -28,78 +28,45 @@ layout(std430, binding = kImpulsesBinding) coherent buffer Impulses { VolumeImpu
 
 shared vec2 partial[kGroupSize];
 
-vec3 spanBefore(uint from, uint to) {
-    return fetch(positions, to).xyz - fetch(positions, from).xyz;
-}
+vec4 positionOf(uint v) { return fetch(positions, v); }
+vec4 displacementOf(uint v) { return fetch(displacement, v); }
+// Open pieces have no volume constraint, so gaps do not matter here.
+uint neighbourAt(uint place) { return fetch(neighbours, place).x & ~kAfterGap; }
+uvec2 rangeAt(uint v) { return fetch(ranges, v).xy; }
+uint placeAt(uint place) { return fetch(places, place).x; }
+uint pageAt(uint index) { return pages[index]; }
+void setGradient(uint v, vec3 gradient) { gradients[v] = vec4(gradient, 0.0); }
+VolumeSum sumOfBlock(uint block) { return sums[block]; }
 
-vec3 motion(uint from, uint to) {
-    return fetch(displacement, to).xyz - fetch(displacement, from).xyz;
-}
+#include "sim/volume.glsl"
 
-struct GradientPair {
-    vec3 before;  // at X
-    vec3 now;     // at X + d
-};
-
-// Six times the gradient at either, see volume_gradient.glsl.
-GradientPair sixfoldGradients(uint v) {
-    GradientPair sum = GradientPair(vec3(0.0), vec3(0.0));
-    uvec2 range = fetch(ranges, v).xy;
-    // Open pieces have no volume constraint, so gaps do not matter here.
-    uint corner = fetch(neighbours, range.y - 1u).x & ~kAfterGap;
-    vec3 lastBefore = spanBefore(v, corner);
-    vec3 last = lastBefore + motion(v, corner);
-    for (uint k = range.x; k < range.y; ++k) {
-        corner = fetch(neighbours, k).x & ~kAfterGap;
-        vec3 nextBefore = spanBefore(v, corner);
-        vec3 next = nextBefore + motion(v, corner);
-        sum.before += cross(lastBefore, nextBefore);
-        sum.now += cross(last, next);
-        lastBefore = nextBefore;
-        last = next;
+// To thread 0.
+vec2 sumOverGroup(vec2 sum, uint self) {
+    partial[self] = sum;
+    barrier();
+    if (self < kSumRows) {
+        for (uint i = self + kSumRows; i < kGroupSize; i += kSumRows) sum += partial[i];
+        partial[self] = sum;
+    }
+    barrier();
+    if (self == 0u) {
+        for (uint i = 1u; i < kSumRows; ++i) sum += partial[i];
     }
     return sum;
 }
 
-float impulseOf(PieceRecord piece) {
-    float volume = 0.0;
-    float denominator = 0.0;
-    for (uint k = 0u; k < piece.block_count; ++k) {
-        volume += sums[piece.first_block + k].volume;
-        denominator += sums[piece.first_block + k].denominator;
-    }
-    bool holds = piece.constrained != 0u && denominator > 0.0;
-    return holds ? -(volume - piece.target_volume) / denominator : 0.0;
-}
-
 void main() {
     BlockRecord block = blocks[gl_WorkGroupID.x];
-    uint origin = pieces[block.piece].origin;
     uint self = gl_LocalInvocationID.x;
-    vec2 sum = vec2(0.0);
-    for (uint i = 0u; i < block.page_count; ++i) {
-        uint v = fetch(places, kPageSize * pages[block.first_page + i] + self).x;
-        if (v == kNoVertex) continue;
-        GradientPair sixfold = sixfoldGradients(v);
-        vec3 g = sixfold.before / 6.0;
-        gradients[v] = vec4(g, 0.0);
-        vec3 arm = spanBefore(origin, v) + motion(origin, v);
-        sum += vec2(dot(arm, sixfold.now) / 18.0,
-                    uniforms.inverse_density * fetch(positions, v).w * dot(g, g));
-    }
-    partial[self] = sum;
-    for (uint reach = kGroupSize / 2u; reach > 0u; reach /= 2u) {
-        barrier();
-        if (self < reach) {
-            partial[self] += partial[self + reach];
-        }
-    }
+    uint origin = pieces[block.piece].origin;
+    vec2 sum = sumOverPages(block, positionOf(origin).xyz, displacementOf(origin).xyz, self);
+    sum = sumOverGroup(sum, self);
     if (self == 0u) {
-        sums[gl_WorkGroupID.x] = VolumeSum(partial[0].x, partial[0].y);
+        sums[gl_WorkGroupID.x] = VolumeSum(sum.x, sum.y);
         memoryBarrierBuffer();
         if (atomicAdd(impulses[block.piece].finished, 1u) + 1u == pieces[block.piece].block_count) {
             memoryBarrierBuffer();
-            impulses[block.piece] = VolumeImpulse(impulseOf(pieces[block.piece]), 0u);
+            impulses[block.piece] = VolumeImpulse(impulseOver(pieces[block.piece]), 0u);
         }
     }
 }

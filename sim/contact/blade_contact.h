@@ -24,6 +24,8 @@ class BladeContact {
 
     /// Before the first substep of a time step. Throws gpu::OutOfMemory.
     void beginStep(const BodyReach& reach);
+    /// Whether the blade is in reach in this step.
+    bool mayTouch() const { return reached_; }
     /// Changes d where it leads into the blade, and moves X out of where it is inside.
     void respond(int substep);
 

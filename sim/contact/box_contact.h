@@ -24,6 +24,8 @@ class BoxContact {
 
     /// Before the first substep of a time step. Throws gpu::OutOfMemory.
     void beginStep(const BodyReach& reach);
+    /// Whether a box is in reach in this step.
+    bool mayTouch() const { return reached_; }
     /// Changes d where it leads into a box, and moves X out of where a box is inside the body.
     void respond();
 

@@ -160,6 +160,7 @@ void ContactSolver::beginStep(const RelativeMotion& motion) {
     const double kept = motion.touching ? kKeptInContact : kKept;
     keepsCandidates_ = hasCandidates_ && candidateSettings_ == settings_ &&
                        motion.drift + way <= kept * edgeLength_;
+    foundNone_ = !motion.hasCandidates;
     if (keepsCandidates_) {
         return;
     }
@@ -173,7 +174,7 @@ void ContactSolver::beginStep(const RelativeMotion& motion) {
 }
 
 void ContactSolver::beforeSubstep(int substep) {
-    if (enabled() && !keepsCandidates_ && substep % substepsBetweenSearches_ == 0) {
+    if (searchesBefore(substep)) {
         search();
     }
 }
@@ -264,7 +265,7 @@ void ContactSolver::findCandidates() {
 }
 
 void ContactSolver::respond() {
-    if (!enabled()) {
+    if (!mayTouch()) {
         return;
     }
     uniformBuffer_.bindStorage(shared::kContactUniformsBinding);

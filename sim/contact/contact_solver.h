@@ -62,6 +62,7 @@ struct RelativeMotion {
     double drift = 0;
     bool touching =
         false;  ///< there are contacts: the nearest triangles must be known, not just some
+    bool hasCandidates = true;  ///< false: the last search found none
 };
 
 /// From what the candidates in force were found; what a snapshot keeps of contact.
@@ -98,6 +99,11 @@ class ContactSolver {
 
     /// Before the first substep of a time step.
     void beginStep(const RelativeMotion& motion);
+    /// Whether something may be touched in this step. A search may find more.
+    bool mayTouch() const { return enabled() && !(keepsCandidates_ && foundNone_); }
+    bool searchesBefore(int substep) const {
+        return enabled() && !keepsCandidates_ && substep % substepsBetweenSearches_ == 0;
+    }
     /// Looks for candidates where this substep needs it. Positions are those between substeps.
     void beforeSubstep(int substep);
     /// Stops d where it leads into another surface, and moves X out of where it is inside one.
@@ -143,6 +149,7 @@ class ContactSolver {
     shared::ContactUniforms uniforms_{};
     int substepsBetweenSearches_ = 1;
     bool keepsCandidates_ = false;       ///< in this step
+    bool foundNone_ = false;             ///< no candidates are kept, if any are
     bool bodyIsNew_ = false;             ///< since the last step with contact on
     bool hasCandidates_ = false;         ///< of this body
     ContactSettings candidateSettings_;  ///< with which they were found

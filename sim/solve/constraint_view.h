@@ -9,7 +9,7 @@ namespace kerf {
 /// The buffers of what acts on the running body: the solver's own, for overlays. A buffer without
 /// entries may be null. Edges are those of the triangles (see BodyView).
 struct ConstraintView {
-    const gpu::Buffer* bends = nullptr;         ///< BendConstraint
+    const gpu::Buffer* bends = nullptr;         ///< BendRecord
     const gpu::Buffer* ispcs = nullptr;         ///< IspcConstraint
     const gpu::Buffer* pulls = nullptr;         ///< PullRecord, of the last step
     const gpu::Buffer* contacts = nullptr;      ///< ContactRecord, of the last substep

@@ -6,8 +6,8 @@
 
 #include "shaders/shared/bindings.h"
 #include "sim/body/incidence.h"
+#include "sim/solve/gathered_records.h"
 #include "sim/solve/solver_uniforms.h"
-#include "sim/sort_unique.h"
 
 namespace kerf {
 
@@ -18,8 +18,9 @@ using shared::uint;
 
 static_assert(sizeof(shared::SolverUniforms) == 112);
 static_assert(sizeof(shared::PullRecord) == 28);
-static_assert(sizeof(shared::EdgeConstraint) == 16);
-static_assert(sizeof(shared::BendConstraint) == 24);
+static_assert(sizeof(shared::BendRecord) == 32);
+static_assert(sizeof(shared::BendRange) == 16);
+static_assert(sizeof(shared::IspcShare) == 8);
 static_assert(sizeof(shared::IspcConstraint) == 32);
 static_assert(sizeof(shared::VertexLinks) == 16);
 static_assert(sizeof(shared::PieceRecord) == 28);
@@ -72,56 +73,6 @@ std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
     return links;
 }
 
-/// At a place of the incidence of the edges that is in use.
-shared::Spoke spokeAt(const BodyModel& model, uint place) {
-    const uint entry = model.edgeIncidence.entries[place];
-    const shared::EdgeConstraint& edge = model.edges[entry / 4];
-    const uint other = entry % 4 == 0 ? edge.b : edge.a;
-    return {other, edge.rest_length, edge.geometry, valence(model.edgeIncidence, other)};
-}
-
-std::vector<shared::Spoke> allSpokes(const BodyModel& model) {
-    std::vector<shared::Spoke> spokes(model.edgeIncidence.entries.size());
-    for (const IncidenceRange& range : model.edgeIncidence.ranges) {
-        for (uint place = range.first; place < range.end; ++place) {
-            spokes[place] = spokeAt(model, place);
-        }
-    }
-    return spokes;
-}
-
-/// Ascending: the places of `vertices` in the lists of an incidence.
-std::vector<uint> entriesOf(const Incidence& incidence, const std::vector<uint>& vertices) {
-    std::vector<uint> places;
-    for (const uint v : vertices) {
-        for (uint k = incidence.ranges[v].first; k < incidence.ranges[v].end; ++k) {
-            places.push_back(k);
-        }
-    }
-    std::sort(places.begin(), places.end());  // lists that grew have moved
-    return places;
-}
-
-void bindIncidence(const gpu::Buffer& ranges, const gpu::Buffer& entries) {
-    ranges.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
-    entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32);
-}
-
-/// Ascending: whose spokes a change touched, by an edge of their own or by the number at its end.
-std::vector<uint> verticesWithNewSpokes(const BodyModel& model, const BodyChange& change) {
-    std::vector<uint> vertices = change.edgeLists;
-    for (const uint e : change.edges) {
-        vertices.insert(vertices.end(), {model.edges[e].a, model.edges[e].b});
-    }
-    for (const uint v : change.edgeLists) {
-        for (const uint place : entriesOf(model.edgeIncidence, {v})) {
-            vertices.push_back(spokeAt(model, place).other);
-        }
-    }
-    sortUnique(vertices);
-    return vertices;
-}
-
 Bounds boundsOf(const std::vector<Vec3f>& values) {
     Bounds box;
     for (const Vec3f& u : values) {
@@ -152,7 +103,8 @@ void GpuSolver::IncidenceBuffers::assign(const Incidence& incidence) {
 }
 
 void GpuSolver::IncidenceBuffers::bind() const {
-    bindIncidence(ranges, entries);
+    ranges.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
+    entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32);
 }
 
 GpuSolver::GpuSolver() {
@@ -160,13 +112,15 @@ GpuSolver::GpuSolver() {
     kernels_.stretchAgain = gpu::Program::compute("sim/stretch.comp", {{"SWEEP_AGAIN", "1"}});
     kernels_.bend = gpu::Program::compute("sim/bend.comp");
     kernels_.ispc = gpu::Program::compute("sim/ispc.comp");
-    kernels_.gatherBends = gpu::Program::compute("sim/gather_corrections.comp");
+    kernels_.gatherBends =
+        gpu::Program::compute("sim/gather_corrections.comp", {{"GATHER_BENDS", "1"}});
     kernels_.gatherIspcs =
         gpu::Program::compute("sim/gather_corrections.comp", {{"GATHER_ISPCS", "1"}});
     kernels_.volumeGradient = gpu::Program::compute("sim/volume_gradient.comp");
     kernels_.volumeCorrect = gpu::Program::compute("sim/volume_correct.comp");
     kernels_.floor = gpu::Program::compute("sim/floor.comp");
     kernels_.finish = gpu::Program::compute("sim/finish.comp");
+    kernels_.settle = gpu::Program::compute("sim/settle.comp");
     kernels_.measure = gpu::Program::compute("sim/measure.comp");
     kernels_.collect = gpu::Program::compute("sim/collect.comp");
     kernels_.masses = gpu::Program::compute("sim/masses.comp");
@@ -203,13 +157,16 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
             edgeRanges_.assign(model.edgeIncidence.ranges);
             return spokes_.assign(allSpokes(model));
         case 5:
-            return bends_.assign(model.bends);
+            return bends_.assign(allBendRecords(model));
         case 6:
             return ispcs_.assign(model.ispcs);
         case 7:
-            return bendIncidence_.assign(model.bendIncidence);
+            bendLists_.assign(model);
+            bendRanges_.assign(bendLists_.ranges);
+            return bendEntries_.assign(bendLists_.entries);
         case 8:
-            return ispcIncidence_.assign(model.ispcIncidence);
+            ispcRanges_.assign(model.ispcIncidence.ranges);
+            return ispcShares_.assign(allIspcShares(model));
         case 9:
             return uploadTriangleLists(model);
         case 10:
@@ -246,6 +203,7 @@ void GpuSolver::uploadTriangleLists(const BodyModel& model) {
 
 void GpuSolver::uploadCounts(const BodyModel& model) {
     uploadPieces(model);
+    smallBody_.setBody(model, blocks_.size());
     setCounts(uniforms_, model);
     uploadUniforms();
 }
@@ -300,6 +258,7 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     updateState(written, state);
     updateRecords(model, change);
     resizeScratch(model);
+    smallBody_.setBody(model, blocks_.size());
     setCounts(uniforms_, model);
     uploadUniforms();
     massesLag_ = true;
@@ -364,28 +323,42 @@ void GpuSolver::updateState(std::span<const uint> written, const BodyState& stat
 
 void GpuSolver::updateRecords(const BodyModel& model, const BodyChange& change) {
     scatter_.write<std::array<uint, 4>>(triangles_, model.triangles, change.triangles);
-    scatter_.write<shared::BendConstraint>(bends_, model.bends, change.bends);
+    scatter_.write<shared::BendRecord>(bends_, model.bends.size(), change.bends,
+                                       Scatter::Gaps::fill,
+                                       [&](uint b) { return bendRecord(model.bends[b]); });
     scatter_.write<shared::IspcConstraint>(ispcs_, model.ispcs, change.ispcs);
     updateSpokes(model, change);
-    updateLists(bendIncidence_, model.bendIncidence, change.bendLists);
-    updateLists(ispcIncidence_, model.ispcIncidence, change.ispcLists);
+    updateBendLists(model, change);
+    updateIspcShares(model, change);
     updateLists(triangleIncidence_, model.triangleIncidence, change.triangleLists);
     updateLists(neighbours_, model.neighbours, change.neighbourLists);
 }
 
 void GpuSolver::updateSpokes(const BodyModel& model, const BodyChange& change) {
     scatter_.write<IncidenceRange>(edgeRanges_, model.edgeIncidence.ranges, change.edgeLists);
-    const std::vector<uint> places =
-        entriesOf(model.edgeIncidence, verticesWithNewSpokes(model, change));
-    scatter_.write<shared::Spoke>(spokes_, model.edgeIncidence.entries.size(), places,
-                                  Scatter::Gaps::keep,
+    scatter_.write<shared::Spoke>(spokes_, model.edgeIncidence.entries.size(),
+                                  changedSpokes(model, change), Scatter::Gaps::keep,
                                   [&](uint place) { return spokeAt(model, place); });
+}
+
+void GpuSolver::updateBendLists(const BodyModel& model, const BodyChange& change) {
+    bendLists_.update(model, change.bendLists);
+    scatter_.write<shared::BendRange>(bendRanges_, bendLists_.ranges, change.bendLists);
+    scatter_.write<uint>(bendEntries_, bendLists_.entries,
+                         placesOf(model.bendIncidence, change.bendLists));
+}
+
+void GpuSolver::updateIspcShares(const BodyModel& model, const BodyChange& change) {
+    scatter_.write<IncidenceRange>(ispcRanges_, model.ispcIncidence.ranges, change.ispcLists);
+    scatter_.write<shared::IspcShare>(ispcShares_, model.ispcIncidence.entries.size(),
+                                      changedIspcShares(model, change), Scatter::Gaps::keep,
+                                      [&](uint place) { return ispcShareAt(model, place); });
 }
 
 void GpuSolver::updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
                             const std::vector<uint>& vertices) {
     scatter_.write<IncidenceRange>(buffers.ranges, incidence.ranges, vertices);
-    scatter_.write<uint>(buffers.entries, incidence.entries, entriesOf(incidence, vertices));
+    scatter_.write<uint>(buffers.entries, incidence.entries, placesOf(incidence, vertices));
 }
 
 void GpuSolver::setState(const BodyState& state) {
@@ -505,9 +478,29 @@ void GpuSolver::setInverseUnitMass(int vertex, float value) {
 }
 
 void GpuSolver::step() {
+    refreshMasses();
     contacts_.beginStep(motion_);
     boxes_.beginStep(reach_);
     blade_.beginStep(reach_);
+    if (!solvesInOneGroup()) {
+        stepByPhases();
+    } else if (meetsOnlyTheFloor()) {
+        stepAtOnce();
+    } else {
+        stepBySubsteps();
+    }
+}
+
+bool GpuSolver::meetsOnlyTheFloor() const {
+    return !contacts_.mayTouch() && !blade_.mayTouch() && !boxes_.mayTouch();
+}
+
+bool GpuSolver::solvesInOneGroup() const {
+    return oneGroupAllowed_ && uniforms_.sweeps == 1 && smallBody_.fits();
+}
+
+void GpuSolver::stepByPhases() {
+    const bool settles = settlingAllowed_ && meetsOnlyTheFloor() && uniforms_.pull_count == 0;
     for (uint i = 0; i < uniforms_.substeps; ++i) {
         searchContactsBefore(i);
         for (uint sweep = 0; sweep < uniforms_.sweeps; ++sweep) {
@@ -515,20 +508,87 @@ void GpuSolver::step() {
             sweep == 0 ? predictAndStretch() : stretchAgain();
             solveBends();
             solveIspcs();
-            solveVolume();
             deformTimer_.end();
-            collideTimer_.begin();
-            pull();
-            collideBody();
-            collideBlade(i);
-            collideBoxes();
-            collideFloor();
-            collideTimer_.end();
+            if (!settles || sweep + 1 < uniforms_.sweeps) {
+                holdVolumeAndCollide(i);
+            }
         }
         deformTimer_.begin();
-        finishSubstep();
+        settles ? settle() : finishSubstep();
         deformTimer_.end();
     }
+}
+
+void GpuSolver::holdVolumeAndCollide(uint substep) {
+    deformTimer_.begin();
+    solveVolume();
+    deformTimer_.end();
+    collideTimer_.begin();
+    pull();
+    collideBody();
+    collideBlade(substep);
+    collideBoxes();
+    collideFloor();
+    collideTimer_.end();
+}
+
+void GpuSolver::stepAtOnce() {
+    for (uint done = 0; done < uniforms_.substeps; done += smallBody_.substepsAtOnce()) {
+        const uint left = uniforms_.substeps - done;
+        runSmallBody({std::min(left, smallBody_.substepsAtOnce()), false, false});
+    }
+}
+
+/// Contact and boxes act while a substep is open, a search for contacts between two.
+void GpuSolver::stepBySubsteps() {
+    bool open = false;
+    for (uint i = 0; i < uniforms_.substeps; ++i) {
+        if (contacts_.searchesBefore(static_cast<int>(i))) {
+            if (std::exchange(open, false)) {
+                runSmallBody({0, true, false});
+            }
+            searchContactsBefore(i);
+        }
+        runSmallBody({1, open, true});
+        open = true;
+        collideTimer_.begin();
+        collideBody();
+        collideBlade(i);
+        collideBoxes();
+        collideTimer_.end();
+    }
+    runSmallBody({0, true, false});
+}
+
+void GpuSolver::runSmallBody(const SubstepRun& run) {
+    deformTimer_.begin();
+    smallBody_.run({.uniforms = &uniformBuffer_,
+                    .positions = &positions_,
+                    .velocities = &velocities_,
+                    .displacement = &displacement_,
+                    .links = &links_,
+                    .edgeRanges = &edgeRanges_,
+                    .spokes = &spokes_,
+                    .bends = &bends_,
+                    .bendRanges = &bendRanges_,
+                    .bendEntries = &bendEntries_,
+                    .ispcs = &ispcs_,
+                    .ispcRanges = &ispcRanges_,
+                    .ispcShares = &ispcShares_,
+                    .neighbourRanges = &neighbours_.ranges,
+                    .neighbours = &neighbours_.entries,
+                    .places = &placeBuffer_,
+                    .corrections = &corrections_,
+                    .gradients = &gradients_,
+                    .blockSums = &blockSums_,
+                    .impulses = &impulses_,
+                    .pieces = &pieceBuffer_,
+                    .blocks = &blockBuffer_,
+                    .pages = &pageBuffer_,
+                    .pulls = &pulls_},
+                   run);
+    ++dispatches_;
+    deformTimer_.end();
 }
 
 void GpuSolver::predictAndStretch() {
@@ -555,15 +615,16 @@ void GpuSolver::bindSpokes() const {
 void GpuSolver::bindConstraints() const {
     edgeRanges_.bindTexels(shared::kEdgeRangesBinding, TexelFormat::uint32x2);
     spokes_.bindTexels(shared::kSpokesBinding, TexelFormat::uint32x4);
-    bends_.bindTexels(shared::kBendsBinding, TexelFormat::uint32x2);
+    bends_.bindTexels(shared::kBendsBinding, TexelFormat::uint32x4);
     ispcs_.bindTexels(shared::kIspcsBinding, TexelFormat::uint32x4);
 }
 
 void GpuSolver::solveBends() {
     if (active(shared::kBendPart)) {
-        bends_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x2);
+        bends_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
         runOverConstraints(kernels_.bend, uniforms_.bend_count);
-        bendIncidence_.bind();
+        bendRanges_.bindTexels(shared::kRangesBinding, TexelFormat::uint32x4);
+        bendEntries_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32);
         run(kernels_.gatherBends, uniforms_.vertex_count);
     }
 }
@@ -572,7 +633,8 @@ void GpuSolver::solveIspcs() {
     if (active(shared::kIspcPart)) {
         ispcs_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
         runOverConstraints(kernels_.ispc, uniforms_.ispc_count);
-        ispcIncidence_.bind();
+        ispcRanges_.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
+        ispcShares_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
         run(kernels_.gatherIspcs, uniforms_.vertex_count);
     }
 }
@@ -584,15 +646,25 @@ void GpuSolver::runOverConstraints(const gpu::Program& kernel, uint count) {
     run(kernel, count);
 }
 
-void GpuSolver::solveVolume() {
-    if (!active(shared::kVolumePart)) {
-        return;
-    }
+void GpuSolver::sumVolume() {
     bindBody();
     blockSums_.bindStorage(shared::kBlockSumsBinding);
     impulses_.bindStorage(shared::kImpulsesBinding);
-    runOverBlocks(kernels_.volumeGradient);
-    run(kernels_.volumeCorrect, uniforms_.vertex_count);
+    if (active(shared::kVolumePart)) {
+        runOverBlocks(kernels_.volumeGradient);
+    }
+}
+
+void GpuSolver::solveVolume() {
+    if (active(shared::kVolumePart)) {
+        sumVolume();
+        run(kernels_.volumeCorrect, uniforms_.vertex_count);
+    }
+}
+
+void GpuSolver::settle() {
+    sumVolume();
+    run(kernels_.settle, uniforms_.vertex_count);
 }
 
 void GpuSolver::runOverBlocks(const gpu::Program& kernel) {
@@ -725,6 +797,7 @@ BodyMeasure GpuSolver::measure() {
     setReach(out.bounds, out.lostPieces.empty() ? speeds : Bounds{});
     motion_.drift = ways.diagonal();
     motion_.touching = out.contacts > 0;
+    motion_.hasCandidates = measures[blocks_.size()].low_volume.y > 0;
     return out;
 }
 
@@ -746,7 +819,7 @@ void GpuSolver::collectAsked(const NearbyVertices& query) {
 void GpuSolver::setReach(const Bounds& positions, const Bounds& velocities) {
     constexpr double kMargin = 0.5;  // of the diagonal
     const Vec3 fastest = velocities.low.cwiseAbs().cwiseMax(velocities.high.cwiseAbs());
-    motion_ = {velocities.diagonal(), 0, false};
+    motion_ = {velocities.diagonal(), 0, false, true};
     reach_ = {positions, velocities.empty() ? 0.0 : fastest.norm(), kMargin * diagonal_};
 }
 

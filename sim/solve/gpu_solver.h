@@ -17,8 +17,10 @@
 #include "sim/contact/contact_solver.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/constraint_view.h"
+#include "sim/solve/gathered_records.h"
 #include "sim/solve/nearby_vertices.h"
 #include "sim/solve/scatter.h"
+#include "sim/solve/small_body.h"
 #include "sim/solve/vertex_pages.h"
 
 namespace kerf {
@@ -109,6 +111,19 @@ class GpuSolver {
 
     /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps.
     void step();
+    /// Whether small bodies may be solved by one work group, as at the start, or in a dispatch for
+    /// each phase like larger ones; the bits are the same.
+    void allowOneGroup(bool allowed) { oneGroupAllowed_ = allowed; }
+    /// Whether the phases at the end of a substep may share a dispatch where nothing but the floor
+    /// can be met, as at the start; the bits are the same.
+    void allowSettling(bool allowed) { settlingAllowed_ = allowed; }
+    /// Before setModel(): where that group keeps what it changes.
+    void setSmallBodyMemory(SmallBodySolver::Memory memory) {
+        smallBody_ = SmallBodySolver(memory);
+    }
+    /// Whether step() does so: in one dispatch, or in one for each substep where something may be
+    /// touched. Large bodies and plain PBD take one for each phase.
+    bool solvesInOneGroup() const;
 
     // The phases of a substep, in their order; each ends with a storage barrier.
     void predictAndStretch();
@@ -168,9 +183,17 @@ class GpuSolver {
     };
     struct Kernels {
         gpu::Program stretch, stretchAgain, bend, ispc, gatherBends, gatherIspcs, volumeGradient,
-            volumeCorrect, floor, finish, measure, collect, masses, pull, restore;
+            volumeCorrect, floor, finish, settle, measure, collect, masses, pull, restore;
     };
 
+    void stepByPhases();
+    void holdVolumeAndCollide(std::uint32_t substep);
+    bool meetsOnlyTheFloor() const;
+    void sumVolume();
+    void settle();
+    void stepAtOnce();
+    void stepBySubsteps();
+    void runSmallBody(const SubstepRun& run);
     void searchContactsBefore(std::uint32_t substep);
     void takeModel(const BodyModel& model, VertexPages& pages);
     void uploadRestShape(const BodyModel& model);
@@ -183,6 +206,8 @@ class GpuSolver {
     void updateState(std::span<const std::uint32_t> written, const BodyState& state);
     void updateRecords(const BodyModel& model, const BodyChange& change);
     void updateSpokes(const BodyModel& model, const BodyChange& change);
+    void updateBendLists(const BodyModel& model, const BodyChange& change);
+    void updateIspcShares(const BodyModel& model, const BodyChange& change);
     void bindSpokes() const;
     void bindConstraints() const;
     void updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
@@ -220,13 +245,18 @@ class GpuSolver {
     gpu::Buffer savedPositions_;
     gpu::Buffer links_, areaBuffer_, triangles_, placeBuffer_, pageBuffer_;
     gpu::Buffer pulls_, marks_;
-    gpu::Buffer edgeRanges_, spokes_, bends_, ispcs_, corrections_;
-    IncidenceBuffers bendIncidence_, ispcIncidence_, triangleIncidence_, neighbours_;
+    gpu::Buffer edgeRanges_, spokes_, bends_, bendRanges_, bendEntries_;
+    gpu::Buffer ispcs_, ispcRanges_, ispcShares_, corrections_;
+    IncidenceBuffers triangleIncidence_, neighbours_;
+    BendLists bendLists_;
     gpu::Buffer gradients_, pieceBuffer_, blockBuffer_, blockSums_, impulses_, blockMeasures_;
 
     NearbyVertices nearby_;     ///< of the coming measure()
     NearbyVertices collected_;  ///< of statesOf()
     Scatter scatter_;
+    SmallBodySolver smallBody_;
+    bool oneGroupAllowed_ = true;
+    bool settlingAllowed_ = true;
     ContactSolver contacts_;
     double contactEdgeLength_ = 0;
     RelativeMotion motion_;  ///< upper bounds

@@ -77,17 +77,18 @@ class Layout : public test::GlTest {
 #define MEMBER(Record, name) \
     { #name, offsetof(shared::Record, name) }
 
-TEST_F(Layout, EdgeConstraint) {
-    expectSame("Edges", "edges", sizeof(shared::EdgeConstraint),
-               {MEMBER(EdgeConstraint, a), MEMBER(EdgeConstraint, b),
-                MEMBER(EdgeConstraint, rest_length), MEMBER(EdgeConstraint, geometry)});
+TEST_F(Layout, Spoke) {
+    expectSame("Spokes", "spokes", sizeof(shared::Spoke),
+               {MEMBER(Spoke, other), MEMBER(Spoke, rest_length), MEMBER(Spoke, geometry),
+                MEMBER(Spoke, other_count)});
 }
 
-TEST_F(Layout, BendConstraint) {
-    expectSame("Bends", "bends", sizeof(shared::BendConstraint),
-               {MEMBER(BendConstraint, v0), MEMBER(BendConstraint, v1), MEMBER(BendConstraint, v2),
-                MEMBER(BendConstraint, v3), MEMBER(BendConstraint, rest_angle),
-                MEMBER(BendConstraint, geometry)});
+TEST_F(Layout, BendRecord) {
+    expectSame(
+        "Bends", "bends", sizeof(shared::BendRecord),
+        {MEMBER(BendRecord, v0), MEMBER(BendRecord, v1), MEMBER(BendRecord, v2),
+         MEMBER(BendRecord, v3), MEMBER(BendRecord, rest_cosine), MEMBER(BendRecord, rest_sine),
+         MEMBER(BendRecord, geometry), MEMBER(BendRecord, unused)});
 }
 
 TEST_F(Layout, IspcConstraint) {

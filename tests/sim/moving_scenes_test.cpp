@@ -48,7 +48,7 @@ TEST_F(MovingScenes, ABodyAtRestStaysThere) {
 }
 
 TEST_F(MovingScenes, RollingHalvesComeApart) {
-    expectParted(play({"vi twice", 1e5, 0}));
+    expectParted(play({"vi twice", 1e5, 4}));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include "box_records.h"
 layout(local_size_x = kGroupSize) in;
 
-layout(std430, binding = kBoxUniformsBinding) readonly buffer Uniforms { BoxUniforms uniforms; };
+#include "sim/boxes/uniforms.glsl"
 layout(std430, binding = kBoxPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxDisplacementBinding) buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kBoxSharesBinding) buffer Shares { uint shares[]; };

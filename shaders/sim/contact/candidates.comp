@@ -12,7 +12,7 @@
 #include "contact_records.h"
 layout(local_size_x = kGroupSize) in;
 
-layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+#include "sim/contact/uniforms.glsl"
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactVelocitiesBinding) readonly buffer Velocities { vec4 velocities[]; };
 layout(std430, binding = kContactRestBinding) readonly buffer Rest { vec4 restPositions[]; };

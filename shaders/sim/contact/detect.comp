@@ -11,7 +11,7 @@
 #include "contact_records.h"
 layout(local_size_x = kGroupSize) in;
 
-layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+#include "sim/contact/uniforms.glsl"
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };

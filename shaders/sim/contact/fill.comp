@@ -6,7 +6,7 @@
 #include "contact_records.h"
 layout(local_size_x = kGroupSize) in;
 
-layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+#include "sim/contact/uniforms.glsl"
 layout(std430, binding = kContactBucketsBinding) readonly buffer Buckets { uint buckets[]; };
 layout(std430, binding = kContactStartsBinding) readonly buffer Starts { ContactBucket starts[]; };
 layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };

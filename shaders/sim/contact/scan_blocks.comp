@@ -6,7 +6,7 @@
 #include "contact_records.h"
 layout(local_size_x = kGroupSize) in;
 
-layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms { ContactUniforms uniforms; };
+#include "sim/contact/uniforms.glsl"
 layout(std430, binding = kContactBlocksBinding) buffer Blocks { uint blocks[]; };
 
 shared uint partial[kGroupSize];

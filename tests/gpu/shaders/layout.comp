@@ -4,8 +4,8 @@
 #include "solver_uniforms.h"
 
 layout(local_size_x = 1) in;
-layout(std430, binding = 0) buffer Edges { EdgeConstraint edges[]; };
-layout(std430, binding = 1) buffer Bends { BendConstraint bends[]; };
+layout(std430, binding = 0) buffer Spokes { Spoke spokes[]; };
+layout(std430, binding = 1) buffer Bends { BendRecord bends[]; };
 layout(std430, binding = 2) buffer Ispcs { IspcConstraint ispcs[]; };
 layout(std430, binding = 3) buffer Links { VertexLinks links[]; };
 layout(std430, binding = 4) buffer Pieces { PieceRecord pieces[]; };
@@ -16,7 +16,7 @@ layout(std430, binding = 8) buffer Uniforms { SolverUniforms uniforms[]; };
 
 // Each block must be used, or the compiler drops it.
 void main() {
-    edges[1] = edges[0];
+    spokes[1] = spokes[0];
     bends[1] = bends[0];
     ispcs[1] = ispcs[0];
     links[1] = links[0];

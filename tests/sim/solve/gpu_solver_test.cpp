@@ -433,11 +433,126 @@ TEST_F(GpuSolverTest, RunsTwiceToTheSameBits) {
     EXPECT_EQ(first.velocities, second.velocities);
 }
 
-TEST_F(GpuSolverTest, UsesAtMostNineDispatchesASubstep) {
-    Pair pair(test::icosphere(1), Params{}, solverUniforms(Params{}).active_parts, 1);
+/// How the bits of one group are compared with those of a dispatch for each phase.
+struct OneGroupCase {
+    SmallBodySolver::Memory memory = SmallBodySolver::suitableMemory();
+    bool contact = false;
+    int iterations = 20;
+    std::vector<StaticBox> boxes;
+};
+
+/// Ten steps with pins, hands and a floor.
+BodyState played(const SurfaceMesh& mesh, const OneGroupCase& how, bool oneGroup) {
+    Params params;
+    params.floor = -0.45;
+    params.iterations = how.iterations;
+    params.contact = how.contact ? 1 : 0;
+    Pair pair(mesh, params, solverUniforms(params).active_parts, 21);
+    pair.gpu.setSmallBodyMemory(how.memory);
+    pair.gpu.setModel(pair.model, pair.start);
+    pair.gpu.setContact(contactSettings(params));
+    pair.gpu.setBoxes(how.boxes);
+    pair.gpu.allowOneGroup(oneGroup);
+    EXPECT_EQ(pair.gpu.solvesInOneGroup(), oneGroup);
+    pair.gpu.setPinned({1, 5});
+    for (int step = 0; step < 10; ++step) {
+        const bool holds = step % 2 == 0;
+        pair.gpu.setPulls(holds ? std::vector<shared::PullRecord>{{9, 0.1f, 0.2f, 0.3f, 1, 0, 0},
+                                                                  {11, 0.4f, 0.2f, 0.3f, 1, 0, 0}}
+                                : std::vector<shared::PullRecord>{});
+        pair.gpu.step();
+        pair.gpu.measure();
+    }
+    return pair.gpu.readState();
+}
+
+void expectOneGroupLikeMany(const SurfaceMesh& mesh, const OneGroupCase& how) {
+    SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
+    const BodyState one = played(mesh, how, true);
+    const BodyState many = played(mesh, how, false);
+    ASSERT_EQ(one.positions.size(), many.positions.size());
+    for (std::size_t v = 0; v < one.positions.size(); ++v) {
+        ASSERT_EQ(one.positions[v], many.positions[v]) << v;
+        ASSERT_EQ(one.velocities[v], many.velocities[v]) << v;
+    }
+}
+
+/// Two spheres that move into each other.
+SurfaceMesh twoSpheres() {
+    return test::meshOf(
+        test::joined(test::icosphereSoup(2), test::icosphereSoup(2), {0.4, 2.02, 0.0}));
+}
+
+TEST_F(GpuSolverTest, OneGroupSolvesToTheBitsOfManyDispatches) {
+    for (const SurfaceMesh& mesh : bodies()) {
+        expectOneGroupLikeMany(mesh, {});
+    }
+    OneGroupCase shared;
+    shared.memory = SmallBodySolver::Memory::shared;
+    expectOneGroupLikeMany(test::cubeSphere(8), shared);
+    expectOneGroupLikeMany(twoSpheres(), shared);
+}
+
+TEST_F(GpuSolverTest, OneGroupMeetsPiecesAndBoxesToTheSameBits) {
+    OneGroupCase how;
+    how.contact = true;
+    expectOneGroupLikeMany(twoSpheres(), how);
+    how.boxes = {StaticBox{Vec3(0.0, -1.1, 0.0), Vec3(1.0, 0.4, 1.0)}};
+    expectOneGroupLikeMany(twoSpheres(), how);
+}
+
+TEST_F(GpuSolverTest, OneGroupEndsNoLoopEarly) {
+    // More turns of loops than llvmpipe allows in a dispatch.
+    OneGroupCase how;
+    how.iterations = 150;
+    expectOneGroupLikeMany(test::icosphere(3), how);
+}
+
+TEST_F(GpuSolverTest, ASmallBodyTakesOneDispatchAStep) {
+    Pair pair(test::cubeSphere(8), Params{}, solverUniforms(Params{}).active_parts, 1);
+    pair.gpu.step();
     const long before = pair.gpu.dispatches();
     pair.gpu.step();
-    EXPECT_LE(pair.gpu.dispatches() - before, 9 * Params{}.iterations);
+    EXPECT_EQ(pair.gpu.dispatches() - before, 1);
+}
+
+TEST_F(GpuSolverTest, SettlingInOneDispatchChangesNoBit) {
+    for (const SolverMode mode : {SolverMode::smallSteps, SolverMode::pbd}) {
+        const auto play = [&](bool settles) {
+            Params params;
+            params.floor = -0.45;
+            params.solver = mode;
+            Pair pair(test::cubeSphere(8), params, solverUniforms(params).active_parts, 5);
+            pair.gpu.allowOneGroup(false);
+            pair.gpu.allowSettling(settles);
+            for (int step = 0; step < 5; ++step) {
+                pair.gpu.step();
+            }
+            return pair.gpu.readState();
+        };
+        const BodyState settled = play(true);
+        const BodyState byPhases = play(false);
+        EXPECT_EQ(settled.positions, byPhases.positions);
+        EXPECT_EQ(settled.velocities, byPhases.velocities);
+    }
+}
+
+TEST_F(GpuSolverTest, LargeBodiesAndPbdTakeADispatchForEachPhase) {
+    EXPECT_TRUE(Pair(test::icosphere(1), Params{}, 0, 1).gpu.solvesInOneGroup());
+    const Pair large(test::icosphere(4), Params{}, 0, 1);
+    EXPECT_GT(large.model.restPositions.size(), 2048U);
+    EXPECT_FALSE(large.gpu.solvesInOneGroup());
+    Params params;
+    params.solver = SolverMode::pbd;
+    EXPECT_FALSE(Pair(test::icosphere(1), params, 0, 1).gpu.solvesInOneGroup());
+}
+
+TEST_F(GpuSolverTest, UsesAtMostSevenDispatchesASubstep) {
+    Pair pair(test::icosphere(1), Params{}, solverUniforms(Params{}).active_parts, 1);
+    pair.gpu.allowOneGroup(false);
+    const long before = pair.gpu.dispatches();
+    pair.gpu.step();
+    EXPECT_LE(pair.gpu.dispatches() - before, 7 * Params{}.iterations);
 }
 
 }  // namespace

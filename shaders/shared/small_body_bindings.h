@@ -1,0 +1,40 @@
+// Bindings of the kernel that solves a whole step of a small body. Storage of X, velocities and d
+// has the numbers of the other solver kernels; so have the images of them.
+#ifndef KERF_SMALL_BODY_BINDINGS_H
+#define KERF_SMALL_BODY_BINDINGS_H
+#include "bindings.h"
+#include "shared_types.h"
+SHARED_BEGIN
+
+// What fits: vertices (their displacements fill the 32 KiB of shared memory that every driver has),
+// and blocks and pieces to sum over.
+SHARED_CONST uint kSmallBodyVertices = 2048u;
+SHARED_CONST uint kSmallBodyBlocks = 64u;
+
+// Storage, beside kUniformsBinding, kPositionsBinding, kVelocitiesBinding and kDisplacementBinding.
+SHARED_CONST uint kSmallCorrectionsBinding = 4u;  // as kCorrectionsBinding; images too
+SHARED_CONST uint kSmallGradientsBinding = 5u;    // as kGradientsBinding; images too
+SHARED_CONST uint kSmallPartsBinding = 6u;        // vec2 per place of each block; images too
+SHARED_CONST uint kSmallBlockSumsBinding = 7u;
+SHARED_CONST uint kSmallImpulsesBinding = 8u;
+SHARED_CONST uint kSmallPiecesBinding = 9u;
+SHARED_CONST uint kSmallBlocksBinding = 10u;
+SHARED_CONST uint kSmallPagesBinding = 11u;
+SHARED_CONST uint kSmallPullsBinding = 12u;
+
+// Texture units.
+SHARED_CONST uint kSmallLinksUnit = 0u;
+SHARED_CONST uint kSmallEdgeRangesUnit = 1u;
+SHARED_CONST uint kSmallSpokesUnit = 2u;
+SHARED_CONST uint kSmallBendsUnit = 3u;
+SHARED_CONST uint kSmallBendRangesUnit = 4u;
+SHARED_CONST uint kSmallBendEntriesUnit = 5u;
+SHARED_CONST uint kSmallIspcsUnit = 6u;
+SHARED_CONST uint kSmallIspcRangesUnit = 7u;
+SHARED_CONST uint kSmallIspcSharesUnit = 8u;
+SHARED_CONST uint kSmallNeighbourRangesUnit = 9u;
+SHARED_CONST uint kSmallNeighboursUnit = 10u;
+SHARED_CONST uint kSmallPlacesUnit = 11u;
+
+SHARED_END
+#endif

@@ -1,0 +1,52 @@
+// A bend: see bend.comp. The includer declares `uniforms`, positionOf(v) and displacementOf(v).
+#include "sim/bend_angle.glsl"
+#include "sim/pull_direction.glsl"
+
+// What the triangle on either side pulls with, along its normal, and where along the edge from v0 (0)
+// to v1 (1) its apex stands: see bendShare.
+struct BendPull {
+    vec4 left, right;
+};
+
+BendPull bendPull(BendRecord bend) {
+    vec3 x0 = positionOf(bend.v0).xyz;
+    vec3 x1 = positionOf(bend.v1).xyz;
+    vec3 x2 = positionOf(bend.v2).xyz;
+    vec3 x3 = positionOf(bend.v3).xyz;
+    vec4 d0 = displacementOf(bend.v0);
+    vec4 d1 = displacementOf(bend.v1);
+    vec4 d2 = displacementOf(bend.v2);
+    vec4 d3 = displacementOf(bend.v3);
+    vec3 edgeStep = d1.xyz - d0.xyz;
+    vec3 leftStep = d2.xyz - d0.xyz;
+    vec3 rightStep = d3.xyz - d0.xyz;
+    Wings before = wingsOf(x1 - x0, x2 - x0, x3 - x0);
+    Wings now = wingsOf(before.edge + edgeStep, before.left + leftStep, before.right + rightStep);
+    bool slivers = degenerate(now);
+    vec2 turn = errorVector(now, bend);
+    float error = boundedInverseTangent(turn.y, turn.x);
+
+    bool little = pullsAsBefore() && turnedLittle(before.edge, now.edge) && turnedLittle(before.nA, now.nA) &&
+                  turnedLittle(before.nB, now.nB);
+    Wings pulled = now;
+    if (little && !degenerate(before)) {
+        pulled = before;
+    }
+    float e2 = dot(pulled.edge, pulled.edge);
+    float reach = sqrt(e2);
+    vec3 a = pulled.nA * (reach / dot(pulled.nA, pulled.nA));
+    vec3 b = pulled.nB * (reach / dot(pulled.nB, pulled.nB));
+    float sA = dot(pulled.left, pulled.edge) / e2;
+    float sB = dot(pulled.right, pulled.edge) / e2;
+    vec3 g0 = (1.0 - sA) * a + (1.0 - sB) * b;
+    vec3 g1 = sA * a + sB * b;
+
+    float weight = uniforms.inverse_density *
+        dot(vec4(d0.w, d1.w, d2.w, d3.w), vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b)));
+    float gamma = uniforms.damping_ratio;
+    float denominator = (1.0 + gamma) * weight + bend.geometry * uniforms.bend_compliance;
+    float rate = dot(a, sA * edgeStep - leftStep) + dot(b, sB * edgeStep - rightStep);
+    float impulse =
+        weight > 0.0 ? uniforms.bend_share * -(error + gamma * rate) / denominator : 0.0;
+    return BendPull(slivers ? vec4(0.0) : vec4(a * impulse, sA), slivers ? vec4(0.0) : vec4(b * impulse, sB));
+}

@@ -1,0 +1,29 @@
+// An ISPC: see ispc.comp. The includer declares `uniforms`, positionOf(v) and displacementOf(v).
+#include "sim/pull_direction.glsl"
+
+// On its vertex; the corners of the triangle that its ray ends on answer by their weights.
+vec3 ispcPull(IspcConstraint ispc) {
+    vec3 b = vec3(1.0 - ispc.b1 - ispc.b2, ispc.b1, ispc.b2);
+    vec3 xv = positionOf(ispc.vertex).xyz;
+    vec3 x0 = positionOf(ispc.t0).xyz;
+    vec3 x1 = positionOf(ispc.t1).xyz;
+    vec3 x2 = positionOf(ispc.t2).xyz;
+    vec4 dv = displacementOf(ispc.vertex);
+    vec4 d0 = displacementOf(ispc.t0);
+    vec4 d1 = displacementOf(ispc.t1);
+    vec4 d2 = displacementOf(ispc.t2);
+    vec3 base = b.x * (xv - x0) + b.y * (xv - x1) + b.z * (xv - x2);
+    vec3 step = b.x * (dv.xyz - d0.xyz) + b.y * (dv.xyz - d1.xyz) + b.z * (dv.xyz - d2.xyz);
+    vec3 r = base + step;
+    float reach = length(r);
+
+    float weight = uniforms.inverse_density * dot(vec4(dv.w, d0.w, d1.w, d2.w), vec4(1.0, b * b));
+    float gamma = uniforms.damping_ratio;
+    float denominator = (1.0 + gamma) * weight + ispc.geometry * uniforms.ispc_compliance;
+    vec3 direction = reach > 1e-12 ? pullDirection(base, r) : vec3(0.0);
+    float impulse = weight > 0.0
+        ? uniforms.ispc_share * -((reach - ispc.rest_length) + gamma * dot(direction, step)) /
+            denominator
+        : 0.0;
+    return direction * impulse;
+}

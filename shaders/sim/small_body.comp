@@ -1,0 +1,210 @@
+// Substeps of a small body by one work group: the phases of the other kernels in their order, with
+// their arithmetic, and with sums in their order whatever the size of the group, so the bits are theirs.
+// A substep begins with the prediction and ends with floor and velocities. What else may move vertices
+// in between (contact, boxes) stands between two dispatches, of which the first one leaves its last
+// substep open.
+// Reads links, lists, pulls, pieces, blocks, pages, places. Reads and writes X, velocities, d.
+// Corrections, gradients, parts, block sums and impulses are scratch. One group in all. A storage
+// barrier follows.
+#include "body_records.h"
+#include "constraints.h"
+#include "small_body_bindings.h"
+#include "solver_uniforms.h"
+const uint kSmallGroup = SMALL_GROUP;
+layout(local_size_x = SMALL_GROUP) in;
+
+#include "sim/fetch.glsl"
+#include "sim/uniforms.glsl"
+
+uniform uint substepsToBegin;
+uniform uint firstIsOpen;   // 1: a substep is open; it ends first
+uniform uint leavesOpen;    // 1: the last one stays open
+uniform uint blockCount;
+uint begins = substepsToBegin;
+bool endsFirst = firstIsOpen != 0u;
+bool endsLast = leavesOpen == 0u;
+uint blocksInAll = blockCount;
+
+layout(binding = kSmallLinksUnit) uniform usamplerBuffer links;
+layout(binding = kSmallEdgeRangesUnit) uniform usamplerBuffer edgeRanges;
+layout(binding = kSmallSpokesUnit) uniform usamplerBuffer spokes;
+layout(binding = kSmallBendsUnit) uniform usamplerBuffer bends;
+layout(binding = kSmallBendRangesUnit) uniform usamplerBuffer bendRanges;
+layout(binding = kSmallBendEntriesUnit) uniform usamplerBuffer bendEntries;
+layout(binding = kSmallIspcsUnit) uniform usamplerBuffer ispcs;
+layout(binding = kSmallIspcRangesUnit) uniform usamplerBuffer ispcRanges;
+layout(binding = kSmallIspcSharesUnit) uniform usamplerBuffer ispcShares;
+layout(binding = kSmallNeighbourRangesUnit) uniform usamplerBuffer neighbourRanges;
+layout(binding = kSmallNeighboursUnit) uniform usamplerBuffer neighbours;
+layout(binding = kSmallPlacesUnit) uniform usamplerBuffer places;
+layout(std430, binding = kSmallPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
+layout(std430, binding = kSmallBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
+layout(std430, binding = kSmallPagesBinding) readonly buffer Pages { uint pages[]; };
+layout(std430, binding = kSmallPullsBinding) readonly buffer Pulls { PullRecord pulls[]; };
+layout(std430, binding = kSmallBlockSumsBinding) coherent buffer Sums { VolumeSum sums[]; };
+layout(std430, binding = kSmallImpulsesBinding) coherent buffer Impulses { VolumeImpulse impulses[]; };
+
+#include "sim/small_body_state.glsl"
+
+Spoke spokeAt(uint place) { return fetchSpoke(spokes, place); }
+uint bendEntryAt(uint place) { return fetch(bendEntries, place).x; }
+IspcShare ispcShareAt(uint place) { return fetchIspcShare(ispcShares, place); }
+// Open pieces have no volume constraint, so gaps do not matter here.
+uint neighbourAt(uint place) { return fetch(neighbours, place).x & ~kAfterGap; }
+uvec2 rangeAt(uint v) { return fetch(neighbourRanges, v).xy; }
+uint placeAt(uint place) { return fetch(places, place).x; }
+uint pageAt(uint index) { return pages[index]; }
+VolumeSum sumOfBlock(uint block) { return sums[block]; }
+float impulseFor(uint piece) { return impulses[piece].impulse; }
+uint pieceOf(uint v) { return fetch(links, v).w; }
+
+#include "sim/bend.glsl"
+#include "sim/gather.glsl"
+#include "sim/ispc.glsl"
+#include "sim/mass_split.glsl"
+#include "sim/pull.glsl"
+#include "sim/settle.glsl"
+#include "sim/stretch.glsl"
+#include "sim/volume.glsl"
+
+vec3 startOf(uint v, float inverseUnitMass) {
+    return predicted(velocityOf(v).xyz, inverseUnitMass);
+}
+
+uint self = gl_LocalInvocationID.x;
+
+bool isActive(uint part) {
+    return (uniforms.active_parts & part) != 0u;
+}
+
+void predictAndStretch() {
+    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
+        vec4 own = positionOf(v);
+        setDisplacement(v, vec4(stretched(v, own, fetch(edgeRanges, v).xy),
+                                firstSplit(own.w, fetch(links, v))));
+    }
+    endPhase();
+}
+
+void solveBends() {
+    for (uint i = self; i < uniforms.bend_count; i += kSmallGroup) {
+        BendPull pull = bendPull(fetchBend(bends, i));
+        setCorrection(2u * i, pull.left);
+        setCorrection(2u * i + 1u, pull.right);
+    }
+    endPhase();
+    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
+        float inverseUnitMass = positionOf(v).w;
+        vec3 sum = bendSum(fetchBendRange(bendRanges, v));
+        setDisplacement(v, vec4(withSum(displacementOf(v).xyz, inverseUnitMass, sum),
+                                secondSplit(inverseUnitMass, fetch(links, v))));
+    }
+    endPhase();
+}
+
+void solveIspcs() {
+    for (uint i = self; i < uniforms.ispc_count; i += kSmallGroup) {
+        setCorrection(i, vec4(ispcPull(fetchIspc(ispcs, i)), 0.0));
+    }
+    endPhase();
+    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
+        vec3 sum = ispcSum(fetch(ispcRanges, v).xy);
+        setDisplacement(v, vec4(withSum(displacementOf(v).xyz, positionOf(v).w, sum), 0.0));
+    }
+    endPhase();
+}
+
+void sumPlaces() {
+    for (uint b = 0u; b < blocksInAll; ++b) {
+        BlockRecord block = blocks[b];
+        uint origin = pieces[block.piece].origin;
+        vec3 originX = positionOf(origin).xyz;
+        vec3 originD = displacementOf(origin).xyz;
+        for (uint place = self; place < kGroupSize; place += kSmallGroup) {
+            setPart(kGroupSize * b + place, sumOverPages(block, originX, originD, place));
+        }
+    }
+    endPhase();
+}
+
+// As volume_gradient has it.
+void sumRows() {
+    for (uint i = self; i < kSumRows * blocksInAll; i += kSmallGroup) {
+        uint end = kGroupSize * (i / kSumRows + 1u);
+        uint row = kGroupSize * (i / kSumRows) + i % kSumRows;
+        vec2 sum = partAt(row);
+        for (uint place = row + kSumRows; place < end; place += kSumRows) sum += partAt(place);
+        setPart(row, sum);
+    }
+    endPhase();
+    for (uint b = self; b < blocksInAll; b += kSmallGroup) {
+        vec2 sum = partAt(kGroupSize * b);
+        for (uint i = 1u; i < kSumRows; ++i) sum += partAt(kGroupSize * b + i);
+        sums[b] = VolumeSum(sum.x, sum.y);
+    }
+    endPhase();
+}
+
+void sumVolume() {
+    sumPlaces();
+    sumRows();
+    for (uint p = self; p < uniforms.piece_count; p += kSmallGroup) {
+        impulses[p] = VolumeImpulse(impulseOver(pieces[p]), 0u);
+    }
+    endPhase();
+}
+
+void end(uint v, vec3 d, vec4 x) {
+    if (isActive(kFloorPart)) d = onFloor(d, x);
+    if (x.w > 0.0) setVelocity(v, endVelocity(d));
+    setPosition(v, vec4(x.xyz + d, x.w));
+}
+
+// What concerns each vertex alone.
+void settle(bool corrects, bool ends) {
+    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
+        vec4 x = positionOf(v);
+        vec3 d = displacementOf(v).xyz;
+        if (corrects) d = heldByVolume(v, d, x.w);
+        if (ends) {
+            end(v, d, x);
+        } else {
+            setDisplacement(v, vec4(d, 0.0));
+        }
+    }
+    endPhase();
+}
+
+void pullAll() {
+    for (uint i = self; i < uniforms.pull_count; i += kSmallGroup) {
+        PullRecord pull = pulls[i];
+        vec3 d = pulled(displacementOf(pull.vertex).xyz, positionOf(pull.vertex), pull);
+        setDisplacement(pull.vertex, vec4(d, 0.0));
+    }
+    endPhase();
+}
+
+void substep(bool ends) {
+    bool volume = isActive(kVolumePart);
+    predictAndStretch();
+    if (isActive(kBendPart)) solveBends();
+    if (isActive(kIspcPart)) solveIspcs();
+    if (volume) sumVolume();
+    if (uniforms.pull_count == 0u) {
+        if (volume || ends) settle(volume, ends);
+        return;
+    }
+    if (volume) settle(true, false);
+    pullAll();
+    if (ends) settle(false, true);
+}
+
+void main() {
+    loadDisplacements(self);
+    endPhase();
+    if (endsFirst) settle(false, true);
+    for (uint i = 0u; i < begins; ++i) {
+        substep(endsLast || i + 1u < begins);
+    }
+    storeDisplacements(self);
+}

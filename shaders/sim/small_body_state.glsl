@@ -1,0 +1,72 @@
+// What a work group changes as it solves a small body. On a GPU the displacements lie in shared memory.
+// With LOAD_IMAGES, for llvmpipe, all of it is written as storage and read as images: that loads a
+// vector at a time, while storage and shared memory are loaded lane by lane.
+
+layout(std430, binding = kPositionsBinding) coherent buffer Positions { vec4 storedPositions[]; };
+layout(std430, binding = kVelocitiesBinding) coherent buffer Velocities { vec4 storedVelocities[]; };
+layout(std430, binding = kDisplacementBinding) coherent buffer Displacement { vec4 storedDisplacement[]; };
+layout(std430, binding = kSmallCorrectionsBinding) coherent buffer Corrections { vec4 storedCorrections[]; };
+layout(std430, binding = kSmallGradientsBinding) coherent buffer Gradients { vec4 storedGradients[]; };
+layout(std430, binding = kSmallPartsBinding) coherent buffer Parts { vec2 storedParts[]; };
+
+void setPosition(uint v, vec4 x) { storedPositions[v] = x; }
+void setVelocity(uint v, vec3 u) { storedVelocities[v] = vec4(u, 0.0); }
+void setCorrection(uint index, vec4 pull) { storedCorrections[index] = pull; }
+void setGradient(uint v, vec3 gradient) { storedGradients[v] = vec4(gradient, 0.0); }
+void setPart(uint place, vec2 sum) { storedParts[place] = sum; }
+
+#ifdef LOAD_IMAGES
+layout(binding = kPositionsBinding, rgba32f) coherent readonly uniform imageBuffer positionTexels;
+layout(binding = kVelocitiesBinding, rgba32f) coherent readonly uniform imageBuffer velocityTexels;
+layout(binding = kDisplacementBinding, rgba32f) coherent readonly uniform imageBuffer displacementTexels;
+layout(binding = kSmallCorrectionsBinding, rgba32f) coherent readonly uniform imageBuffer correctionTexels;
+layout(binding = kSmallGradientsBinding, rgba32f) coherent readonly uniform imageBuffer gradientTexels;
+layout(binding = kSmallPartsBinding, rg32f) coherent readonly uniform imageBuffer partTexels;
+
+vec4 positionOf(uint v) { return imageLoad(positionTexels, int(v)); }
+vec4 velocityOf(uint v) { return imageLoad(velocityTexels, int(v)); }
+vec4 correctionAt(uint index) { return imageLoad(correctionTexels, int(index)); }
+vec3 gradientOf(uint v) { return imageLoad(gradientTexels, int(v)).xyz; }
+vec2 partAt(uint place) { return imageLoad(partTexels, int(place)).xy; }
+vec4 displacementOf(uint v) { return imageLoad(displacementTexels, int(v)); }
+void setDisplacement(uint v, vec4 d) { storedDisplacement[v] = d; }
+void loadDisplacements(uint self) {}
+void storeDisplacements(uint self) {}
+#else
+vec4 positionOf(uint v) { return storedPositions[v]; }
+vec4 velocityOf(uint v) { return storedVelocities[v]; }
+vec4 correctionAt(uint index) { return storedCorrections[index]; }
+vec3 gradientOf(uint v) { return storedGradients[v].xyz; }
+vec2 partAt(uint place) { return storedParts[place]; }
+
+// An array for each component: neighbouring threads then read neighbouring banks.
+shared float displacementX[kSmallBodyVertices];
+shared float displacementY[kSmallBodyVertices];
+shared float displacementZ[kSmallBodyVertices];
+shared float displacementW[kSmallBodyVertices];
+
+vec4 displacementOf(uint v) {
+    return vec4(displacementX[v], displacementY[v], displacementZ[v], displacementW[v]);
+}
+
+void setDisplacement(uint v, vec4 d) {
+    displacementX[v] = d.x;
+    displacementY[v] = d.y;
+    displacementZ[v] = d.z;
+    displacementW[v] = d.w;
+}
+
+void loadDisplacements(uint self) {
+    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) setDisplacement(v, storedDisplacement[v]);
+}
+
+void storeDisplacements(uint self) {
+    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) storedDisplacement[v] = displacementOf(v);
+}
+#endif
+
+// What the group wrote can be read by all of it.
+void endPhase() {
+    memoryBarrier();
+    barrier();
+}

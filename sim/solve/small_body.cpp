@@ -1,0 +1,149 @@
+#include "sim/solve/small_body.h"
+
+#include <algorithm>
+#include <string>
+
+#include "gpu/context.h"
+#include "shaders/shared/small_body_bindings.h"
+#include "sim/body/incidence.h"
+
+namespace kerf {
+
+namespace {
+
+using gpu::TexelFormat;
+using shared::uint;
+
+/// Turns of all loops of a thread in a dispatch, with some to spare.
+constexpr std::size_t kMostTurns = 64000;
+constexpr uint kSumRows = 16;  // as volume.glsl
+
+uint roundedUp(std::size_t count, uint size) {
+    return static_cast<uint>((count + size - 1) / size);
+}
+
+std::size_t endsOfBends(const BodyModel& model, std::size_t v) {
+    const IncidenceRange& range = model.bendIncidence.ranges[v];
+    const auto first = model.bendIncidence.entries.begin();
+    return std::count_if(first + range.first, first + range.end,
+                         [](uint entry) { return entry % 4 < 2; });
+}
+
+/// The most turns that a vertex of a list needs in each of the loops over what touches it.
+struct TurnsOfVertices {
+    std::size_t edges = 0, ends = 0, apexes = 0, ispcs = 0, corners = 0;
+
+    void add(const BodyModel& model, std::size_t v) {
+        const std::size_t vertexEnds = endsOfBends(model, v);
+        edges = std::max<std::size_t>(edges, valence(model.edgeIncidence, v));
+        ends = std::max(ends, vertexEnds);
+        apexes = std::max(apexes, valence(model.bendIncidence, v) - vertexEnds);
+        ispcs = std::max<std::size_t>(ispcs, valence(model.ispcIncidence, v));
+        corners = std::max<std::size_t>(corners, valence(model.neighbours, v));
+    }
+};
+
+/// Of a loop: the one that finds that there is no more to do counts too.
+std::size_t loop(std::size_t times, std::size_t turnsInside = 0) {
+    return times * (1 + turnsInside) + 1;
+}
+
+/// Turns of loops in one substep, at most: threads that run side by side turn as often as the one
+/// that needs most.
+std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, uint group) {
+    constexpr std::size_t kLoopsOverVertices = 5;  // settling twice where hands pull
+    const std::size_t vertices = model.restPositions.size();
+    const uint rounds = roundedUp(vertices, group);
+    std::size_t turns = loop(roundedUp(model.bends.size(), group)) +
+                        loop(roundedUp(model.ispcs.size(), group)) + loop(rounds);  // pulls
+    TurnsOfVertices all;
+    for (std::size_t first = 0; first < vertices; first += group) {
+        TurnsOfVertices side;
+        for (std::size_t v = first; v < std::min(first + group, vertices); ++v) {
+            side.add(model, v);
+            all.add(model, v);
+        }
+        turns += loop(side.edges) + loop(side.ends) + loop(side.apexes) + loop(side.ispcs);
+    }
+    turns += kLoopsOverVertices * loop(rounds);
+    const std::size_t turnsOfPlace = loop(1, loop(all.corners));  // one page: pages are half full
+    turns += loop(blocks, loop(roundedUp(shared::kGroupSize, group), turnsOfPlace));
+    turns += loop(roundedUp(blocks * kSumRows, group), loop(shared::kGroupSize / kSumRows));
+    turns += loop(roundedUp(blocks, group), loop(kSumRows));
+    turns += loop(roundedUp(model.pieces.size(), group), loop(blocks));
+    return turns;
+}
+
+}  // namespace
+
+SmallBodySolver::Memory SmallBodySolver::suitableMemory() {
+    return gpu::queryDevice().software ? Memory::texels : Memory::shared;
+}
+
+void SmallBodySolver::setBody(const BodyModel& model, std::size_t blocks) {
+    blocks_ = static_cast<uint>(blocks);
+    substepsAtOnce_ = 0;
+    if (model.restPositions.size() <= shared::kSmallBodyVertices &&
+        std::max(blocks, model.pieces.size()) <= shared::kSmallBodyBlocks) {
+        const std::size_t turns = 1 + turnsOfSubstep(model, blocks, groupSize());
+        substepsAtOnce_ = static_cast<uint>(kMostTurns / turns);
+        parts_.resize(std::max<std::size_t>(blocks, 1) * shared::kGroupSize * 2 * sizeof(float));
+    }
+}
+
+void SmallBodySolver::compile() {
+    gpu::Defines defines = {{"SMALL_GROUP", std::to_string(groupSize()) + "u"}};
+    if (memory_ == Memory::texels) {
+        defines.emplace_back("LOAD_IMAGES", "1");
+    }
+    kernel_ = gpu::Program::compute("sim/small_body.comp", defines);
+}
+
+void SmallBodySolver::run(const SmallBodyBuffers& buffers, const SubstepRun& run) {
+    if (!kernel_) {
+        compile();
+    }
+    bind(buffers);
+    kernel_->set("substepsToBegin", run.begins);
+    kernel_->set("firstIsOpen", run.firstIsOpen ? 1U : 0U);
+    kernel_->set("leavesOpen", run.leavesOpen ? 1U : 0U);
+    kernel_->set("blockCount", blocks_);
+    kernel_->dispatch(1, groupSize());
+    gpu::storageBarrier();
+}
+
+void SmallBodySolver::bind(const SmallBodyBuffers& b) const {
+    b.uniforms->bindStorage(shared::kUniformsBinding);
+    b.blockSums->bindStorage(shared::kSmallBlockSumsBinding);
+    b.impulses->bindStorage(shared::kSmallImpulsesBinding);
+    b.pieces->bindStorage(shared::kSmallPiecesBinding);
+    b.blocks->bindStorage(shared::kSmallBlocksBinding);
+    b.pages->bindStorage(shared::kSmallPagesBinding);
+    b.pulls->bindStorage(shared::kSmallPullsBinding);
+    const auto bindState = [&](const gpu::Buffer& buffer, uint binding, TexelFormat format) {
+        buffer.bindStorage(binding);
+        if (memory_ == Memory::texels) {
+            buffer.bindImage(binding, format);
+        }
+    };
+    bindState(*b.positions, shared::kPositionsBinding, TexelFormat::float32x4);
+    bindState(*b.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
+    bindState(*b.displacement, shared::kDisplacementBinding, TexelFormat::float32x4);
+    bindState(*b.corrections, shared::kSmallCorrectionsBinding, TexelFormat::float32x4);
+    bindState(*b.gradients, shared::kSmallGradientsBinding, TexelFormat::float32x4);
+    bindState(parts_, shared::kSmallPartsBinding, TexelFormat::float32x2);
+    b.links->bindTexels(shared::kSmallLinksUnit, TexelFormat::uint32x4);
+    b.edgeRanges->bindTexels(shared::kSmallEdgeRangesUnit, TexelFormat::uint32x2);
+    b.spokes->bindTexels(shared::kSmallSpokesUnit, TexelFormat::uint32x4);
+    b.bends->bindTexels(shared::kSmallBendsUnit, TexelFormat::uint32x4);
+    b.bendRanges->bindTexels(shared::kSmallBendRangesUnit, TexelFormat::uint32x4);
+    b.bendEntries->bindTexels(shared::kSmallBendEntriesUnit, TexelFormat::uint32);
+    b.ispcs->bindTexels(shared::kSmallIspcsUnit, TexelFormat::uint32x4);
+    b.ispcRanges->bindTexels(shared::kSmallIspcRangesUnit, TexelFormat::uint32x2);
+    b.ispcShares->bindTexels(shared::kSmallIspcSharesUnit, TexelFormat::uint32x2);
+    b.neighbourRanges->bindTexels(shared::kSmallNeighbourRangesUnit, TexelFormat::uint32x2);
+    b.neighbours->bindTexels(shared::kSmallNeighboursUnit, TexelFormat::uint32);
+    b.places->bindTexels(shared::kSmallPlacesUnit, TexelFormat::uint32);
+}
+
+}  // namespace kerf

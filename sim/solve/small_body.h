@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "sim/body/body_model.h"
+
+namespace kerf {
+
+/// The solver's buffers that a whole step needs (see small_body_bindings.h).
+struct SmallBodyBuffers {
+    const gpu::Buffer *uniforms, *positions, *velocities, *displacement;
+    const gpu::Buffer *links, *edgeRanges, *spokes;
+    const gpu::Buffer *bends, *bendRanges, *bendEntries;
+    const gpu::Buffer *ispcs, *ispcRanges, *ispcShares;
+    const gpu::Buffer *neighbourRanges, *neighbours, *places;
+    const gpu::Buffer *corrections, *gradients, *blockSums, *impulses;
+    const gpu::Buffer *pieces, *blocks, *pages, *pulls;
+};
+
+/// A run of substeps. A substep begins with the prediction and ends with floor and velocities;
+/// between them lies what may collide with the body.
+struct SubstepRun {
+    std::uint32_t begins = 0;  ///< how many substeps begin
+    bool firstIsOpen = false;  ///< a substep has begun before: it ends first
+    bool leavesOpen = false;   ///< the last one does not end
+};
+
+/// Substeps of a small body in one dispatch: one work group goes through the phases of the other
+/// kernels with the same arithmetic and sums in the same order.
+class SmallBodySolver {
+  public:
+    /// What to load by: shared memory on a GPU; texels where lanes share a core and other memory is
+    /// read lane by lane (see small_body_state.glsl).
+    enum class Memory { shared, texels };
+    /// As suits the current context.
+    static Memory suitableMemory();
+
+    explicit SmallBodySolver(Memory memory = suitableMemory()) : memory_(memory) {}
+
+    /// A new body, or one that changed.
+    void setBody(const BodyModel& model, std::size_t blocks);
+    /// Whether one group can solve it.
+    bool fits() const { return substepsAtOnce_ > 0; }
+    /// How many substeps may begin in one dispatch: Mesa's llvmpipe ends all loops of a thread
+    /// after 65,535 turns together, without a word.
+    std::uint32_t substepsAtOnce() const { return substepsAtOnce_; }
+
+    /// One dispatch; a storage barrier follows. Compiles the kernel with the first: throws
+    /// gpu::ShaderError.
+    void run(const SmallBodyBuffers& buffers, const SubstepRun& run);
+
+  private:
+    std::uint32_t groupSize() const { return memory_ == Memory::shared ? 512 : 8; }
+    void compile();
+    void bind(const SmallBodyBuffers& buffers) const;
+
+    Memory memory_;
+    std::optional<gpu::Program> kernel_;
+    gpu::Buffer parts_;
+    std::uint32_t blocks_ = 0;
+    std::uint32_t substepsAtOnce_ = 0;
+};
+
+}  // namespace kerf
