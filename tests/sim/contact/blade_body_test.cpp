@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace kerf {
 namespace {
@@ -41,7 +43,7 @@ TEST(BladeCourse, DrawnBackOrAsideItKeepsItsDirection) {
 TEST(BladeCourse, ItFollowsACurve) {
     std::vector<Vec3> places;
     for (int i = 0; i <= 100; ++i) {
-        const double angle = 0.01 * i * EIGEN_PI / 2;
+        const double angle = 0.01 * i * std::numbers::pi / 2;
         places.emplace_back(std::sin(angle), std::cos(angle), 0);
     }
     const BladeCourse course = led(places);

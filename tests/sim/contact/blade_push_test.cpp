@@ -235,7 +235,7 @@ std::string hashAfterAStroke(const Params& params, bool throughAMoment) {
         lead(simulation, acrossZ(0.03, 0.8), acrossZ(0.2, 0.85), 6);
         return simulation.stateHash();
     };
-    const std::string hash = goOn();
+    std::string hash = goOn();
     if (!throughAMoment) {
         return hash;
     }
