@@ -71,7 +71,7 @@ std::vector<int> findDebris(const SurfaceMesh& mesh, const PieceLabels& pieces, 
 
 std::vector<int> removePieces(SurfaceMesh& mesh, const PieceLabels& pieces,
                               const std::vector<int>& which, int firstTriangle, CutDelta& delta) {
-    const std::vector<int> triangles = trianglesOf(mesh, pieces, which, firstTriangle);
+    std::vector<int> triangles = trianglesOf(mesh, pieces, which, firstTriangle);
     const std::vector<int> vertices = cornersOf(mesh, triangles);
     for (const int t : triangles) {
         mesh.removeTriangle(t);

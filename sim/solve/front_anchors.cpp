@@ -88,6 +88,7 @@ std::vector<cut::SurfaceSample> samplesAround(const SurfaceMesh& mesh,
                                               const cut::StrokeSurface& surface,
                                               const std::vector<int>& front, double edge) {
     std::vector<Vec3> places;
+    places.reserve(front.size());
     for (const int v : front) {
         places.push_back(mesh.restPosition(v));
     }

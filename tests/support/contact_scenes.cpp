@@ -265,8 +265,8 @@ double median(std::vector<double> values) {
 
 SpeedFigures timeDrop(const std::string& model, const Params& given, double seconds) {
     SurfaceMesh mesh = builtin(model);
-    mesh = placed(std::move(mesh), Eigen::Matrix3d::Identity(),
-                  {0, 0.2 - meshBounds(mesh).low.y(), 0});
+    const double lift = 0.2 - meshBounds(mesh).low.y();
+    mesh = placed(std::move(mesh), Eigen::Matrix3d::Identity(), {0, lift, 0});
     Params params = given;
     params.contact = 0;
     const std::vector<double> plain = stepTimes(mesh, params, stepsOf(seconds, params));
@@ -398,8 +398,8 @@ DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
         soup = joined(soup, turned(drawnSoup(draw), drawnTurn(draw)), above);
     }
     SurfaceMesh mesh = meshOf(soup);
-    mesh = placed(std::move(mesh), Eigen::Matrix3d::Identity(),
-                  {0, draw.uniform(0.1, 1.5) - meshBounds(mesh).low.y(), 0});
+    const double lift = draw.uniform(0.1, 1.5) - meshBounds(mesh).low.y();
+    mesh = placed(std::move(mesh), Eigen::Matrix3d::Identity(), {0, lift, 0});
     const Vec3 lower = draw.uniform(0, 2) * draw.direction();
     const Vec3 upper = Vec3(0, -draw.uniform(0, 6), 0) + draw.uniform(0, 1) * draw.direction();
     for (int v = 0; v < mesh.vertexCount(); ++v) {
