@@ -27,6 +27,8 @@ SHARED_CONST float kArmWidth = 8.0f;
 SHARED_CONST float kNearerBy = 0.9999f;
 // Share of a missing thickness that a substep makes up for.
 SHARED_CONST float kThicknessRate = 0.1f;
+// Widest gap that a load holds open where no thickness is kept, times h.
+SHARED_CONST float kHair = 1e-3f;
 // Pairs of edges at each point, the nearest ones.
 SHARED_CONST uint kEdgePairsPerPoint = 4u;
 // Edges meet where the line across both leans no farther from the normals of their surfaces:

@@ -184,13 +184,14 @@ bool ReferenceContact::detect(std::uint32_t vertex,
         slip += contact.gains[k] * state.displacements[contact.vertices[k]];
     }
     const double gap = before + contact.normal.dot(slip);
-    const double lowest = std::min(before, thickness);
+    const double hair = shared::kHair * uniforms_.h;
+    const double lowest = std::min(before, std::max(thickness, hair));
     contact.least = lowest - before;
     const double reached = std::max(gap, lowest);
     const double approach = std::max(lowest - gap, 0.0);
-    contact.push =
-        std::max(0.0, std::min(std::max(-reached, shared::kThicknessRate * (thickness - reached)),
-                               static_cast<double>(uniforms_.lift_speed) * uniforms_.substep));
+    contact.push = std::clamp(std::max(std::min(approach, hair) - reached,
+                                       shared::kThicknessRate * (thickness - reached)),
+                              0.0, static_cast<double>(uniforms_.lift_speed) * uniforms_.substep);
     const Vec3 along = slip - slip.dot(contact.normal) * contact.normal;
     const double held = std::min(along.norm(), uniforms_.friction * approach);
     contact.impulse = approach * contact.normal -

@@ -158,8 +158,8 @@ Touch touchOf(BoxRecord box, Corners c, uvec4 t) {
 }
 
 BoxTouch recordOf(BoxRecord box, Touch touch) {
-    ContactAnswer answer = answerTo(touch.normal, touch.before, touch.slip, uniforms.thickness,
-                                    uniforms.friction, uniforms.push);
+    ContactRule rule = ContactRule(uniforms.thickness, 0.0, uniforms.friction, uniforms.push);
+    ContactAnswer answer = answerTo(touch.normal, touch.before, touch.slip, rule);
     return BoxTouch(vec4(fromBox(box, touch.normal), answer.push),
                     vec4(fromBox(box, answer.impulse), 1.0), vec4(touch.weights, 0.0));
 }

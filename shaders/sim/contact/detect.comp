@@ -97,8 +97,9 @@ void main() {
          weights.y * displacement[near.triangle.y].xyz +
          weights.z * displacement[near.triangle.z].xyz);
     float gap = before + dot(normal, slip);
-    ContactAnswer answer = answerTo(normal, before, slip, near.thickness, uniforms.friction,
-                                    uniforms.lift_speed * uniforms.substep);
+    ContactRule rule = ContactRule(near.thickness, kHair * uniforms.h, uniforms.friction,
+                                   uniforms.lift_speed * uniforms.substep);
+    ContactAnswer answer = answerTo(normal, before, slip, rule);
     float approach = dot(answer.impulse, normal);
     bool touches = (approach > 0.0 || answer.push > 0.0) &&
         lateralDistance(near) <= kLateralSlack * uniforms.h && gap >= -uniforms.margin;

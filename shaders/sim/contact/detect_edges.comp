@@ -87,8 +87,8 @@ void main() {
         records[place].v1 = kNoVertex;
         return;
     }
-    ContactAnswer answer = answerTo(best.normal, best.before, best.slip, best.thickness, 0.0,
-                                    uniforms.lift_speed * uniforms.substep);
+    ContactRule rule = ContactRule(best.thickness, 0.0, 0.0, uniforms.lift_speed * uniforms.substep);
+    ContactAnswer answer = answerTo(best.normal, best.before, best.slip, rule);
     records[place] = ContactRecord(vec4(best.normal, answer.push), vec4(answer.impulse, answer.least),
                                    best.gains, best.vertices.x, best.vertices.y, best.vertices.z,
                                    best.vertices.w);
