@@ -10,7 +10,6 @@
 #include "sim/cut/ladder.h"
 #include "sim/cut/piece_groups.h"
 #include "sim/cut/step_result.h"
-#include "sim/cut/wall_edge.h"
 #include "sim/sort_unique.h"
 
 namespace kerf {
@@ -24,22 +23,9 @@ constexpr double kRoomForReach = 1.6;
 // Keeps passes apart from those of strokes that an earlier cutter made.
 constexpr int kPassesPerStroke = 1000;
 
-double defaultWallEdge(const SurfaceMesh& mesh) {
-    double sum = 0;
-    int count = 0;
-    Bounds bounds;
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t) || mesh.kind(t) != SurfaceKind::skin) {
-            continue;
-        }
-        for (int e = 0; e < 3; ++e) {
-            const Vec3& p = mesh.restPosition(mesh.origin(3 * t + e));
-            sum += (mesh.restPosition(mesh.target(3 * t + e)) - p).norm();
-            bounds.add(p);
-            ++count;
-        }
-    }
-    return count == 0 ? 1.0 : wallEdgeFor(sum / count, bounds.diagonal());
+cut::EdgeLengthField edgeLengthsOf(const SurfaceMesh& mesh, const CutSettings& settings) {
+    return settings.wallEdgeLength > 0 ? cut::EdgeLengthField(settings.wallEdgeLength)
+                                       : cut::EdgeLengthField::ofSkin(mesh);
 }
 
 int strokesSoFar(const SurfaceMesh& mesh) {
@@ -116,8 +102,31 @@ TriangleFinder& Cutter::State::findTriangles() {
     return *tree;
 }
 
-double Cutter::State::margin() const {
-    return (kBroadPhaseMargin + cut::largestOffsetScale() * settings.offset) * h;
+double Cutter::State::margin(double edge) const {
+    return kBroadPhaseMargin * edge + cut::largestOffsetScale() * settings.offset * h;
+}
+
+double Cutter::State::gateLength(Gate gate, double edge) const {
+    return gate == Gate::shareOfEdge
+               ? settings.gate * edge
+               : std::max(kLeastFlush * edge, kLeastFlushOffsets * settings.offset * h);
+}
+
+/// The median over what the nodes rest in, in steps of half an octave: what was looked up for one
+/// length serves for a while. That of the whole body in the air.
+double Cutter::State::edgeLengthAbout(const std::vector<RungNode>& nodes) const {
+    std::vector<double> lengths;
+    for (const RungNode& node : nodes) {
+        if (node.vertex >= 0 && !edgeLengths->isEven()) {
+            lengths.push_back(edgeLengths->localEdgeLength(mesh.restPosition(node.vertex)));
+        }
+    }
+    if (lengths.empty()) {
+        return h;
+    }
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return h * std::exp2(0.5 * std::round(2 * std::log2(*middle / h)));
 }
 
 /// After each change of the mesh, before anything is looked up in it. `changed`: each once. Pieces
@@ -134,7 +143,7 @@ void Cutter::State::follow(const std::vector<int>& changed, int groupOfNewPieces
     }
 }
 
-CutResult Cutter::State::sweepAll(const Blade& to, double gate) {
+CutResult Cutter::State::sweepAll(const Blade& to, Gate gate) {
     if ((to.b - to.a).norm() <= kStandingStill * h) {
         return outcome(CutOutcome::waiting);
     }
@@ -156,8 +165,8 @@ CutResult Cutter::State::sweepAll(const Blade& to, double gate) {
 }
 
 Cutter::Cutter(SurfaceMesh& mesh, const CutSettings& settings)
-    : state_(std::make_unique<State>(State{mesh, settings})) {
-    state_->h = settings.wallEdgeLength > 0 ? settings.wallEdgeLength : defaultWallEdge(mesh);
+    : state_(std::make_unique<State>(State{
+          mesh, settings, std::make_shared<cut::EdgeLengthField>(edgeLengthsOf(mesh, settings))})) {
     state_->stroke = strokesSoFar(mesh);
     state_->pass = kPassesPerStroke * state_->stroke;
 }
@@ -176,14 +185,14 @@ CutResult Cutter::advance(const Blade& blade) {
     assert(state_->inStroke);
     state_->blade = blade;
     state_->noteMotion();
-    return state_->sweepAll(blade, state_->settings.gate * state_->h);
+    return state_->sweepAll(blade, Gate::shareOfEdge);
 }
 
 CutResult Cutter::finish() {
     State& state = *state_;
     assert(state.inStroke);
     state.noteMotion();
-    CutResult result = state.sweepAll(state.blade, state.leastFlush());
+    CutResult result = state.sweepAll(state.blade, Gate::flush);
     state.inStroke = false;
     state.sweeps.clear();
     state.rung.clear();
@@ -227,7 +236,9 @@ bool Cutter::inStroke() const {
 OrientedBox Cutter::reach(std::span<const Blade> path, double time) const {
     std::vector<Vec3> points;
     const SurfaceMesh& mesh = state_->mesh;
+    double edge = state_->h;
     for (const Sweep& sweep : state_->sweeps) {
+        edge = std::max(edge, sweep.edgeLength);
         std::vector<RungNode> rung = sweep.rung;
         cut::followMesh(mesh, rung);
         sweep.airTies.follow(mesh, rung);
@@ -241,7 +252,7 @@ OrientedBox Cutter::reach(std::span<const Blade> path, double time) const {
         points.insert(points.end(), {blade.a, blade.b});
     }
     OrientedBox box = orientedBoxAlong(cut::sweepAxes(path.back(), points), points);
-    box.widen(kRoomForReach * state_->margin());
+    box.widen(kRoomForReach * state_->margin(edge));
     return box;
 }
 

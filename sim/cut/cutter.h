@@ -107,22 +107,24 @@ struct RungNode {
 
 /// How finely a cutter works.
 struct CutSettings {
-    /// Edge length h of new walls [m]. 0 takes the mean edge length of the skin at rest, at most a
-    /// twelfth of the body's diagonal: coarse bodies get walls finer than their skin.
+    /// Edge length h of new walls [m], the same everywhere. 0 takes that of the skin at rest
+    /// around (EdgeLengthField), at most a twelfth of the body's diagonal: coarse bodies get walls
+    /// finer than their skin.
     double wallEdgeLength = 0;
-    /// A step that advances less than this share of the edge length waits.
+    /// A step that advances less than this share of the edge length around waits.
     double gate = 0.5;
-    /// Fixed offset of the blade per pass, as a share of the edge length. 1e-3 is too small to see
-    /// and large enough for float positions; curves of several cuts stay that far apart. A cut that
-    /// must lie exactly in its plane takes less, down to about 1e-10 with double positions.
+    /// Fixed offset of the blade per pass, as a share of the mean edge length. 1e-3 is too small to
+    /// see and large enough for float positions; curves of several cuts stay that far apart. A cut
+    /// that must lie exactly in its plane takes less, down to about 1e-10 with double positions.
     double offset = 1e-3;
-    /// Nodes closer than this share of the edge length are one: 1e-9 for doubles, 1e-5 for floats.
+    /// Nodes closer than this share of the mean edge length are one: 1e-9 for doubles, 1e-5 for
+    /// floats.
     double tolerance = 1e-5;
     std::uint64_t seed = 1;  ///< of the offsets and of the retries
     /// Remove the slivers that a cut leaves, behind the front after each step and at the end.
     bool cleanUp = true;
     /// When a stroke has ended, and is cleaned up, edges inside its walls grow to this many times
-    /// wallEdgeLength; 1 leaves them. The outline of the wound stays as it is.
+    /// the edge length around; 1 leaves them. The outline of the wound stays as it is.
     double wallCoarsening = 1;
     /// When a stroke has ended, pieces that it cut and that hold less than this share of the body's
     /// volume at rest are removed, but for the largest piece; 0 keeps all.

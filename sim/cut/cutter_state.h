@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/cleanup/cleanup.h"
 #include "sim/cut/cutter.h"
+#include "sim/cut/edge_length_field.h"
 #include "sim/cut/patch/wound.h"
 #include "sim/cut/plan.h"
 #include "sim/cut/slit_opening.h"
@@ -19,24 +21,31 @@
 
 namespace kerf {
 
-// What `finish` sweeps although it is below the gate (share of h), and how many times the blade's
-// offset it is at least.
+// What `finish` sweeps although it is below the gate (share of the edge length around), and how
+// many times the blade's offset it is at least.
 inline constexpr double kLeastFlush = 0.01;
 inline constexpr double kLeastFlushOffsets = 4;
 // Below this share of h the blade stands still.
 inline constexpr double kStandingStill = 1e-9;
-// Largest distance (share of h) from the sweep at which a triangle can matter: predicates see
-// vertices elsewhere, and the rung is led around skin that moved across it.
+// Largest distance (share of the edge length about the rung) from the sweep at which a triangle can
+// matter: predicates see vertices elsewhere, and the rung is led around skin that moved across it.
 inline constexpr double kBroadPhaseMargin = 3;
 // Pieces whose copies lie farther apart (share of h) are swept apart.
 inline constexpr double kParted = 1e-3;
+
+/// What keeps the blade waiting.
+enum class Gate {
+    shareOfEdge,  ///< it has moved less than CutSettings::gate
+    flush,        ///< there is hardly anything to sweep
+};
 
 /// All that a cutter remembers. Its functions stand by idea in cutter.cpp (a stroke as a whole),
 /// sweep_step.cpp, sweep_groups.cpp and stroke_end.cpp.
 struct Cutter::State {
     SurfaceMesh& mesh;
     CutSettings settings;
-    double h = 0;
+    std::shared_ptr<const cut::EdgeLengthField> edgeLengths;
+    double h = edgeLengths->mean();
     int stroke = 0;
     int pass = 0;  ///< the last one of any sweep
     bool inStroke = false;
@@ -56,15 +65,14 @@ struct Cutter::State {
     cut::StrokeSurface surface{mesh};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
-    double leastFlush() const {
-        return std::max(kLeastFlush, kLeastFlushOffsets * settings.offset) * h;
-    }
     void start(const Blade& at);
-    CutResult sweepAll(const Blade& to, double gate);
+    CutResult sweepAll(const Blade& to, Gate gate);
+    double gateLength(Gate gate, double edge) const;
+    double edgeLengthAbout(const std::vector<RungNode>& nodes) const;
     bool liesAtRest(int v) const;
     void noteMotion();
     TriangleFinder& findTriangles();
-    double margin() const;
+    double margin(double edge) const;
     void follow(const std::vector<int>& changed, int groupOfNewPieces);
     void followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta);
     void divideSweeps();
@@ -84,7 +92,7 @@ struct Cutter::State {
     void placeRung(const Blade& at, cut::Sweep& sweep);
     void setRung(std::vector<RungNode> next, cut::Sweep& sweep);
     void tie(cut::Sweep& sweep);
-    CutResult advance(const Blade& to, double gate, cut::Sweep& sweep);
+    CutResult advance(const Blade& to, Gate gate, cut::Sweep& sweep);
     CutResult cut(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep);
     bool climb(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
                CutResult& result);

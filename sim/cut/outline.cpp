@@ -34,8 +34,9 @@ struct BorderPoint {
 /// The walk of one piece of the body.
 class BorderWalk {
   public:
-    BorderWalk(const StepInput& in, const Strip& strip, int piece, CutCurves& curves)
-        : in_(in), strip_(strip), piece_(piece), curves_(curves) {}
+    BorderWalk(const StepInput& in, const Strip& strip, const RestGuess& guess, int piece,
+               CutCurves& curves)
+        : in_(in), strip_(strip), guess_(guess), piece_(piece), curves_(curves) {}
 
     Outline run() {
         collectSegments();
@@ -414,29 +415,33 @@ class BorderWalk {
         return from + (strip_.nodes[edge.b].s - from) * point.u;
     }
 
-    // Samples a free piece at spacing h.
+    Vec3 restOf(const Node& node) const {
+        return node.kind == NodeKind::wall ? guess_.at(node.position) : node.rest;
+    }
+
+    // Samples a free piece at the spacing of the edges around.
     void addFreePiece(int from, int to, double sFrom, double sTo, bool newRung) {
         const Node start = curves_.nodes[from];
         const Node end = curves_.nodes[to];
         const double length = (end.position - start.position).norm();
-        const int pieces = std::max(1, static_cast<int>(std::lround(length / in_.h)));
         int previous = from;
-        for (int k = 0; k < pieces; ++k) {
-            const double f = (k + 1) / static_cast<double>(pieces);
+        double at = 0;
+        for (const double share :
+             divideByEdgeLength(in_.edgeLengths, restOf(start), restOf(end), length)) {
             int next = to;
-            if (k + 1 < pieces) {
+            if (share < 1) {
                 Node node;
-                node.position = start.position + (end.position - start.position) * f;
-                node.layout = start.layout + (end.layout - start.layout) * f;
+                node.position = start.position + (end.position - start.position) * share;
+                node.layout = start.layout + (end.layout - start.layout) * share;
                 curves_.nodes.push_back(node);
                 next = sizeOf(curves_.nodes) - 1;
             }
             addEdge(previous, next, OutlineKind::free);
             if (newRung) {
-                const double at = k / static_cast<double>(pieces);
                 outline_.front.push_back({sFrom + (sTo - sFrom) * at, previous, true});
             }
             previous = next;
+            at = share;
         }
     }
 
@@ -463,6 +468,7 @@ class BorderWalk {
 
     const StepInput& in_;
     const Strip& strip_;
+    const RestGuess& guess_;
     int piece_;
     CutCurves& curves_;
     std::vector<Segment> segments_;
@@ -537,15 +543,16 @@ void requireClosed(const std::vector<OutlineEdge>& edges, const std::vector<Node
 
 }  // namespace
 
-Outline traceOutline(const StepInput& in, const Strip& strip, CutCurves& curves) {
+Outline traceOutline(const StepInput& in, const Strip& strip, const RestGuess& guess,
+                     CutCurves& curves) {
     const std::set<int> pieces = piecesInStrip(in, strip, curves);
     Outline outline;
     for (const int piece : pieces) {
         if (belongsTo(piece, strip, in.pieceOfVertex)) {
-            join(outline, BorderWalk(in, strip, piece, curves).run());
+            join(outline, BorderWalk(in, strip, guess, piece, curves).run());
         } else {
             const Strip seen = strip.seenBy(piece, in.pieceOfVertex);
-            join(outline, BorderWalk(in, seen, piece, curves).run());
+            join(outline, BorderWalk(in, seen, guess, piece, curves).run());
         }
     }
     if (pieces.size() > 1) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/cut/intersections.h"
+#include "sim/cut/rest_guess.h"
 
 namespace kerf::cut {
 
@@ -40,6 +41,7 @@ struct Outline {
 /// for each piece of the body apart, so that pieces may touch or overlap. Adds nodes (free samples,
 /// front vertices) to `curves`. Empty where the blade swept only air. Throws StepFailure where
 /// inside and outside contradict each other.
-Outline traceOutline(const StepInput& in, const Strip& strip, CutCurves& curves);
+Outline traceOutline(const StepInput& in, const Strip& strip, const RestGuess& guess,
+                     CutCurves& curves);
 
 }  // namespace kerf::cut

@@ -11,7 +11,7 @@ namespace kerf::cut {
 
 namespace {
 
-constexpr double kRoomAtFrontEnd = 0.3;  // share of h
+constexpr double kRoomAtFrontEnd = 0.3;  // share of the edge length at the end
 
 RungNode airNode(const Strip& strip, int node, double s) {
     return {strip.nodes[node].position, s, -1, false};
@@ -84,7 +84,7 @@ Strip layOut(const StepInput& in, const std::vector<double>& skipped, StepPlan& 
     plan.endA = airNode(strip, strip.newRung.front(), 0);
     plan.endB = airNode(strip, strip.newRung.back(), 1);
     plan.curves = intersect(in, strip, positions);
-    plan.outline = traceOutline(in, strip, plan.curves);
+    plan.outline = traceOutline(in, strip, RestGuess(in, strip, plan.curves), plan.curves);
     return strip;
 }
 
@@ -100,8 +100,12 @@ std::vector<double> crowdedParameters(const StepInput& in, const StepPlan& plan)
         const double length = (plan.curves.nodes[front[i].node].position -
                                plan.curves.nodes[front[i + 1].node].position)
                                   .norm();
-        if (front[i].attached && length < kRoomAtFrontEnd * in.h &&
-            isEnd(front[i]) != isEnd(front[i + 1])) {
+        if (!front[i].attached || isEnd(front[i]) == isEnd(front[i + 1])) {
+            continue;
+        }
+        const FrontPoint& end = isEnd(front[i]) ? front[i] : front[i + 1];
+        const double edge = in.edgeLengths.localEdgeLength(plan.curves.nodes[end.node].rest);
+        if (length < kRoomAtFrontEnd * edge) {
             crowded.push_back(isEnd(front[i]) ? front[i + 1].s : front[i].s);
         }
     }

@@ -6,6 +6,7 @@
 #include "sim/cut/blade.h"
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/cutter.h"
+#include "sim/cut/edge_length_field.h"
 #include "sim/cut/slit_opening.h"
 #include "sim/cut/stroke_surface.h"
 #include "sim/mesh/surface_mesh.h"
@@ -48,8 +49,9 @@ struct StepInput {
     const SlitOpening& opening;
     const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
     Blade blade;
-    double h = 0;       ///< edge length of walls [m]
+    double h = 0;       ///< edge length about the rung [m]
     double offset = 0;  ///< length of the blade's offset at scale 1, share of h
+    const EdgeLengthField& edgeLengths;
     std::uint64_t seed = 0;
     int stroke = 0;
     int pass = 0;               ///< of the blade through the body, counted over all strokes

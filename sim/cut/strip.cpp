@@ -12,7 +12,7 @@ namespace kerf::cut {
 
 namespace {
 
-// Shares of h.
+// Shares of h, the first of the edge length there.
 constexpr double kNewRungSpacing = 0.45;
 constexpr double kPinnedDistance = 0.05;
 constexpr double kLeastSpacing = 1e-7;
@@ -216,14 +216,19 @@ void separateParameters(const StepInput& in, Strip& strip) {
 // stroke that one would lie exactly in the surface.
 std::vector<double> newRungParameters(const StepInput& in, const Strip& strip,
                                       const std::vector<double>& skipped) {
-    const double spacing = kNewRungSpacing * in.h / bladeLength(in);
     std::vector<double> result{0.0};
     for (int i = 1; i < strip.oldCount - 1; ++i) {
         const StripNode& node = strip.nodes[i];
         const bool interior = node.attached && strip.attachedBefore(i) &&
                               sizeOf(node.vertices) == 1 &&
                               std::find(skipped.begin(), skipped.end(), node.s) == skipped.end();
-        if (interior && node.s - result.back() > spacing && 1 - node.s > spacing) {
+        if (!interior) {
+            continue;
+        }
+        const double edge =
+            in.edgeLengths.localEdgeLength(in.mesh.restPosition(node.vertices.front()));
+        const double spacing = kNewRungSpacing * edge / bladeLength(in);
+        if (node.s - result.back() > spacing && 1 - node.s > spacing) {
             result.push_back(node.s);
         }
     }

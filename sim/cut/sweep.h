@@ -20,6 +20,7 @@ struct Sweep {
     std::map<int, Vec3> sides;  ///< in which slits of earlier strokes open (SweepStep)
     int refusedInARow = 0;
     std::vector<RungNode> rung;
+    double edgeLength = 0;  ///< about the rung [m]
     AirTies airTies;
     Blade blade;                      ///< at the rung
     Vec3 lastAdvance = Vec3::Zero();  ///< of the blade's middle in the last step that cut [m]

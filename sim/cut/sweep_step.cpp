@@ -64,7 +64,9 @@ void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
 }
 
 void Cutter::State::tie(Sweep& sweep) {
-    sweep.airTies = cut::AirTies(mesh, findTriangles(), isOuter(sweep), h, sweep.rung);
+    sweep.edgeLength = edgeLengthAbout(sweep.rung);
+    sweep.airTies =
+        cut::AirTies(mesh, findTriangles(), isOuter(sweep), sweep.edgeLength, sweep.rung);
 }
 
 std::function<bool(int)> Cutter::State::isOuter(const Sweep& sweep) const {
@@ -74,11 +76,12 @@ std::function<bool(int)> Cutter::State::isOuter(const Sweep& sweep) const {
     };
 }
 
-CutResult Cutter::State::advance(const Blade& to, double gate, Sweep& sweep) {
+CutResult Cutter::State::advance(const Blade& to, Gate gate, Sweep& sweep) {
     std::vector<RungNode> from = sweep.rung;
+    const double least = gateLength(gate, sweep.edgeLength);
     const cut::SweepMotion motion = cut::reparametrize(to, h, from);
-    if (motion.advance < std::max(gate, kStandingStill * h)) {
-        const bool slides = motion.axial > kAxialSlide * motion.advance && motion.axial > gate;
+    if (motion.advance < std::max(least, kStandingStill * h)) {
+        const bool slides = motion.axial > kAxialSlide * motion.advance && motion.axial > least;
         if (!motion.anyAttached && slides) {
             placeRung(to, sweep);
         }
@@ -101,8 +104,8 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
         findTriangles(),
         to,
         points,
-        margin(),
-        kBinSize * h,
+        margin(sweep.edgeLength),
+        kBinSize * sweep.edgeLength,
         [this, group = sweep.group](int t) { return groupOfVertex(mesh.triangle(t)[0]) == group; }};
 }
 
@@ -125,7 +128,7 @@ bool Cutter::State::climb(const Blade& to, const std::vector<RungNode>& from, Sw
     const cut::BroadPhase candidates = findCandidates(to, sweep, from);
     const auto tryAll = [&](const cut::SlitOpening& opening) {
         std::vector<RungNode> clear = from;
-        cut::clearAirEdges(mesh, candidates, opening, to, h, sweep.airTies, clear);
+        cut::clearAirEdges(mesh, candidates, opening, to, sweep.edgeLength, sweep.airTies, clear);
         for (int i = 0; i < cut::attemptCount(); ++i) {
             if (attempt(to, clear, candidates, opening, i, sweep, result)) {
                 return true;
@@ -134,9 +137,9 @@ bool Cutter::State::climb(const Blade& to, const std::vector<RungNode>& from, Sw
         return false;
     };
     if (sweep.opensSlits) {
-        const cut::SlitOpening opening(
-            mesh, candidates,
-            {from, to, h, stroke, sweep.firstVertexOfPass, sweep.onSeams, sweep.sides});
+        const cut::SlitOpening opening(mesh, candidates,
+                                       {from, to, sweep.edgeLength, stroke, sweep.firstVertexOfPass,
+                                        sweep.onSeams, sweep.sides});
         if (tryAll(opening)) {
             return true;
         }
@@ -148,7 +151,7 @@ bool Cutter::State::climb(const Blade& to, const std::vector<RungNode>& from, Sw
 // Lets go of the front, and sweeps anew across the walls behind it.
 bool Cutter::State::resume(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
                            CutResult& result) {
-    for (const cut::Resumption& way : cut::resumptions(from, to, h)) {
+    for (const cut::Resumption& way : cut::resumptions(from, to, sweep.edgeLength)) {
         Sweep anew = sweep;
         startPass(anew);
         std::vector<RungNode> start = way.rung;
@@ -178,8 +181,10 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
                             int level, Sweep& sweep, CutResult& result) {
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
+    const double edge = sweep.edgeLength;
+    const double scale = h / edge;  // shares that stay shares of h
     Bounds bodyBox = findTriangles().bounds();
-    bodyBox.widen(kBroadPhaseMargin * h);  // predicates may see vertices that far outside
+    bodyBox.widen(kBroadPhaseMargin * edge);  // predicates may see vertices that far outside
     const cut::StepInput in{mesh,
                             candidates,
                             pieces.ofVertex(),
@@ -187,13 +192,14 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
                             opening,
                             from,
                             to,
-                            h,
-                            settings.offset,
+                            edge,
+                            settings.offset * scale,
+                            *edgeLengths,
                             settings.seed,
                             stroke,
                             sweep.pass,
                             sweep.firstVertexOfPass,
-                            cut::attemptAt(level, settings.tolerance, retrySeed),
+                            cut::attemptAt(level, settings.tolerance * scale, retrySeed),
                             bodyBox,
                             atRest};
     const int tries = result.statistics.tries + 1;
@@ -219,9 +225,9 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
         return outcome(CutOutcome::air);
     }
     if (settings.cleanUp && !cleanup) {
-        cleanup.emplace(mesh, h);
+        cleanup.emplace(mesh, *edgeLengths);
     }
-    cut::CommitResult committed = cut::commit(mesh, step.plan, h, stroke);
+    cut::CommitResult committed = cut::commit(mesh, step.plan, sweep.edgeLength, stroke);
     const std::vector<int> changed = changedTriangles(committed.delta);
     follow(changed, sweep.group);
     surface.follow(changed, 0);

@@ -14,12 +14,13 @@ namespace kerf::cut {
 
 namespace {
 
-// Shares of h.
-constexpr double kCoincident = 1e-11;
+constexpr double kCoincident = 1e-11;  // share of h
+// Shares of the edge length there.
 constexpr double kTallSheet = 1.2;
 constexpr double kSteinerToNode = 0.6;
 constexpr double kSteinerToEdge = 0.4;
 constexpr int kMostSteinerPoints = 200000;
+constexpr double kLattices = 2;  // for each doubling of the edge length
 constexpr int kChordPasses = 4;
 // A point counts as inside a triangle of the strip a little beyond it (share of the blade).
 constexpr double kRoomInStrip = 1e-6;
@@ -147,10 +148,11 @@ class CoincidentPoints {
 /// One sheet as a constrained Delaunay triangulation in the layout plane.
 class SheetTriangulation {
   public:
-    SheetTriangulation(const StepInput& in, const Strip& strip, const Sheet2d& sheet,
-                       CutCurves& curves)
+    SheetTriangulation(const StepInput& in, const Strip& strip, const RestGuess& guess,
+                       const Sheet2d& sheet, CutCurves& curves)
         : in_(in),
           strip_(strip),
+          guess_(guess),
           nodes_(curves.nodes),
           edges_(allEdges(sheet)),
           bounds_(boundsOf()),
@@ -268,48 +270,85 @@ class SheetTriangulation {
         }
     }
 
-    // Only single big steps make sheets tall enough to need points inside: a hexagonal lattice.
+    // Only single big steps make sheets tall enough to need points inside: hexagonal lattices, the
+    // coarse ones first, each where its spacing is the edge length.
     void insertSteinerPoints() {
-        const Vec2 extent = bounds_.high - bounds_.low;
-        const double rowHeight = 0.866 * in_.h;
-        const double rows = std::floor(extent.y() / rowHeight);
-        const double columns = std::floor(extent.x() / in_.h);
-        if (extent.y() <= kTallSheet * in_.h || rows * columns > kMostSteinerPoints) {
+        const auto [most, least] = edgeLengthsAtBorder();
+        if (bounds_.high.y() - bounds_.low.y() <= kTallSheet * least) {
             return;
         }
         measureReach();
+        const int levels = static_cast<int>(std::lround(kLattices * std::log2(most / least)));
+        const double widest = levels == 0 && most > least ? std::sqrt(most * least) : most;
+        for (int level = 0; level <= levels; ++level) {
+            insertLattice(widest * std::exp2(-level / kLattices),
+                          {level == 0 ? 1e300 : std::exp2(0.5 / kLattices),
+                           level == levels ? 0 : std::exp2(-0.5 / kLattices)});
+        }
+    }
+
+    struct Range {
+        double most;
+        double least;
+    };
+
+    Range edgeLengthsAtBorder() const {
+        Range range{0, 1e300};
+        for (const OutlineEdge& edge : edges_) {
+            const Node& node = nodes_[edge.from];
+            const double length = in_.edgeLengths.localEdgeLength(
+                node.kind == NodeKind::wall ? guess_.at(node.position) : node.rest);
+            range = {std::max(range.most, length), std::min(range.least, length)};
+        }
+        return range;
+    }
+
+    /// `share`: of the spacing that the edge length of a point may be.
+    void insertLattice(double spacing, const Range& share) {
+        const Vec2 extent = bounds_.high - bounds_.low;
+        const double rowHeight = 0.866 * spacing;
+        const double rows = std::floor(extent.y() / rowHeight);
+        const double columns = std::floor(extent.x() / spacing);
+        if (rows * columns > kMostSteinerPoints) {
+            return;
+        }
         for (int j = 0; j <= static_cast<int>(rows); ++j) {
             for (int i = 0; i <= static_cast<int>(columns); ++i) {
                 const double shift = j % 2 == 1 ? 0.5 : 0.0;
-                tryInsertSteiner({bounds_.low.x() + (i + shift) * in_.h,
-                                  bounds_.low.y() + (j + 0.5) * rowHeight});
+                tryInsertSteiner({bounds_.low.x() + (i + shift) * spacing,
+                                  bounds_.low.y() + (j + 0.5) * rowHeight},
+                                 spacing, share);
             }
         }
     }
 
-    void tryInsertSteiner(const Vec2& p) {
+    void tryInsertSteiner(const Vec2& p, double spacing, const Range& share) {
         const Triangulation::Location at = plane_.locate(p);
         if (at.where != Triangulation::Where::inside || !plane_.marked(at.triangle) ||
-            tooClose(at.triangle, p)) {
+            tooClose(at.triangle, p, spacing)) {
             return;
         }
         Node node;
         node.layout = p;
         node.position = positionInStrip(p);
+        const double edge = in_.edgeLengths.localEdgeLength(guess_.at(node.position));
+        if (edge >= share.most * spacing || edge < share.least * spacing) {
+            return;
+        }
         nodes_.push_back(node);
         plane_.insert(p, at);
         nodeOfVertex_.push_back(sizeOf(nodes_) - 1);
     }
 
-    bool tooClose(int t, const Vec2& p) const {
+    bool tooClose(int t, const Vec2& p, double spacing) const {
         for (int i = 0; i < 3; ++i) {
             const Vec2& a = plane_.point(plane_.corners(t)[i]);
             const Vec2& b = plane_.point(plane_.corners(t)[(i + 1) % 3]);
-            if ((a - p).norm() < kSteinerToNode * in_.h) {
+            if ((a - p).norm() < kSteinerToNode * spacing) {
                 return true;
             }
             const double distance = std::fabs(cross2(b - a, p - a)) / (b - a).norm();
-            if (plane_.constrained(t, i) && distance < kSteinerToEdge * in_.h) {
+            if (plane_.constrained(t, i) && distance < kSteinerToEdge * spacing) {
                 return true;
             }
         }
@@ -425,6 +464,7 @@ class SheetTriangulation {
 
     const StepInput& in_;
     const Strip& strip_;
+    const RestGuess& guess_;
     std::vector<Node>& nodes_;
     std::vector<OutlineEdge> edges_;
     Box bounds_;
@@ -437,10 +477,11 @@ class SheetTriangulation {
 };
 
 std::vector<Triangle> triangulateSheet(const StepInput& in, const Strip& strip,
-                                       const Sheet2d& sheet, CutCurves& curves) {
+                                       const RestGuess& guess, const Sheet2d& sheet,
+                                       CutCurves& curves) {
     const std::size_t nodesBefore = curves.nodes.size();
     try {
-        return SheetTriangulation(in, strip, sheet, curves).run();
+        return SheetTriangulation(in, strip, guess, sheet, curves).run();
     } catch (const StepFailure&) {
         curves.nodes.resize(nodesBefore);
         return cutEars(sheet, curves.nodes, in.h);
@@ -471,8 +512,10 @@ void requireBorderOnce(const Outline& outline, const std::vector<WallSheet>& she
 std::vector<WallSheet> triangulateWall(const StepInput& in, const Strip& strip,
                                        const Outline& outline, CutCurves& curves) {
     std::vector<WallSheet> result;
+    const RestGuess guess(in, strip, curves);
     for (const Sheet2d& sheet : nestLoops(in, outline, curves.nodes)) {
-        result.push_back({triangulateSheet(in, strip, sheet, curves), sheet.outer.front().piece});
+        result.push_back(
+            {triangulateSheet(in, strip, guess, sheet, curves), sheet.outer.front().piece});
     }
     requireBorderOnce(outline, result, curves.nodes.size());
     return result;

@@ -73,6 +73,15 @@ SurfaceMesh urchin() {
 // Rare, since each takes as long as twenty others. Drawn apart from the rest, so that the other
 // seeds keep their bodies.
 constexpr double kChanceOfLargeBody = 0.004;
+constexpr double kChanceOfGradedBody = 0.05;
+constexpr double kChanceOfRocking = 0;
+// Rocking with all others, that many were there before it.
+constexpr int kModesDrawn = 14;
+
+FuzzMode randomMode(Dice& dice, std::uint64_t seed) {
+    const auto mode = static_cast<FuzzMode>(dice.below(kModesDrawn));
+    return Dice(seed + 3000000019).chance(kChanceOfRocking) ? FuzzMode::rocking : mode;
+}
 
 SurfaceMesh randomBody(Dice& dice, std::uint64_t seed, std::string& name) {
     const int kind = dice.below(7);
@@ -81,6 +90,11 @@ SurfaceMesh randomBody(Dice& dice, std::uint64_t seed, std::string& name) {
         const bool sphere = apart.chance(0.5);
         name = sphere ? "icosphere 20480" : "octopus";
         return sphere ? icosphere(5) : builtin("octopus");
+    }
+    if (apart.chance(kChanceOfGradedBody)) {
+        const bool sphere = apart.chance(0.5);
+        name = sphere ? "graded sphere" : "graded torus";
+        return sphere ? gradedSphere() : gradedTorus();
     }
     switch (kind) {
         case 0:
@@ -105,6 +119,18 @@ SurfaceMesh randomBody(Dice& dice, std::uint64_t seed, std::string& name) {
             name = "urchin";
             return urchin();
     }
+}
+
+/// Of walls.
+double longestEdge(const SurfaceMesh& mesh) {
+    double longest = 0;
+    for (const int t : livingTriangles(mesh)) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const Vec3 edge = mesh.restPosition(mesh.target(h)) - mesh.restPosition(mesh.origin(h));
+            longest = std::max(longest, edge.norm());
+        }
+    }
+    return std::min(longest, meshBounds(mesh).diagonal() / 12);
 }
 
 double meanEdge(const SurfaceMesh& mesh) {
@@ -227,6 +253,24 @@ Stroke incision(Dice& dice, Course c, FuzzMode mode) {
     return stroke;
 }
 
+/// The blade tilts to and fro in its plane while its middle goes on, so that either end in turn
+/// goes back.
+Stroke rockingStroke(Dice& dice, const Course& c) {
+    const double tilt = dice.uniform(0.1, 0.3);
+    const double stepsOfTurn = dice.uniform(8, 30);
+    const double phase = dice.uniform(0, 6);
+    Stroke stroke;
+    for (int i = 0; i <= c.steps; ++i) {
+        const double u = i / static_cast<double>(c.steps) - 0.5;
+        const double angle = tilt * std::sin(2 * M_PI * i / stepsOfTurn + phase);
+        const Vec3 along = c.along * std::cos(angle) + c.travel * std::sin(angle);
+        const Vec3 middle = c.center + c.travel * (2.3 * c.diagonal * u);
+        stroke.push_back(
+            {middle - along * (1.3 * c.diagonal), middle + along * (1.3 * c.diagonal)});
+    }
+    return stroke;
+}
+
 /// Three strokes through the line along `normal` at the centre.
 Stroke concurrentStroke(const Course& c, int index) {
     const double angle = 1.1 * index;
@@ -266,6 +310,8 @@ Stroke randomStroke(Dice& dice, const SurfaceMesh& mesh, FuzzMode mode, double h
         case FuzzMode::realigned:
             align(dice, mesh, course);
             break;
+        case FuzzMode::rocking:
+            return rockingStroke(dice, course);
         case FuzzMode::fast:
             course.steps = std::max(3, course.steps / 8);
             break;
@@ -451,13 +497,14 @@ FuzzSetting randomSetting(Dice& dice, std::uint64_t seed) {
                                                                : FuzzSetting::exact;
 }
 
-CutSettings cutSettings(FuzzSetting setting, std::uint64_t seed) {
+CutSettings cutSettings(FuzzSetting setting, double meanEdge, std::uint64_t seed) {
     CutSettings settings = setting == FuzzSetting::fine ? exactSettings() : CutSettings{};
     if (setting == FuzzSetting::exact) {
         settings.tolerance = exactSettings().tolerance;
     }
     settings.seed = seed;
     settings.cleanUp = std::getenv("KERF_FUZZ_NO_CLEANUP") == nullptr;
+    settings.wallEdgeLength = std::getenv("KERF_FUZZ_EVEN_WALLS") == nullptr ? 0 : meanEdge;
     return settings;
 }
 
@@ -465,13 +512,13 @@ CutSettings cutSettings(FuzzSetting setting, std::uint64_t seed) {
 
 const char* nameOf(FuzzMode mode) {
     static const std::array<const char*, kFuzzModes> names{
-        "straight",   "curved",   "twisted", "fast",  "aligned", "crossing", "realigned",
-        "concurrent", "incision", "wander",  "pivot", "saw",     "reverse",  "deform"};
+        "straight", "curved", "twisted", "fast", "aligned", "crossing", "realigned", "concurrent",
+        "incision", "wander", "pivot",   "saw",  "reverse", "deform",   "rocking"};
     return names[static_cast<int>(mode)];
 }
 
 bool goesThrough(FuzzMode mode) {
-    return mode < FuzzMode::incision;
+    return mode < FuzzMode::incision || mode == FuzzMode::rocking;
 }
 
 bool leavesSlabs(FuzzMode mode) {
@@ -518,16 +565,16 @@ void fuzzOnce(std::uint64_t seed, FuzzReport& report) {
     Dice dice(seed);
     std::string body;
     SurfaceMesh mesh = randomBody(dice, seed, body);
-    const auto mode = static_cast<FuzzMode>(dice.below(kFuzzModes));
+    const FuzzMode mode = randomMode(dice, seed);
     const FuzzSetting setting = randomSetting(dice, seed);
     const bool rounded = setting == FuzzSetting::rounded;
     const double h = meanEdge(mesh);
-    Cutter cutter(mesh, cutSettings(setting, seed));
+    Cutter cutter(mesh, cutSettings(setting, h, seed));
     const int strokes = strokesOf(dice, mode);
     const Course shared = randomCourse(dice, mesh, h);
     const bool canOpen = mode != FuzzMode::deform && !rounded;
     Bounds restBox = restBounds(mesh, false);
-    restBox.widen(kCleanupReach * h);
+    restBox.widen(kCleanupReach * longestEdge(mesh));
     bool intersected = false;
     for (int i = 0; i < strokes; ++i) {
         const Stroke stroke = mode == FuzzMode::concurrent ? concurrentStroke(shared, i)

@@ -25,8 +25,9 @@ enum class FuzzMode {
     saw,         ///< forwards while sliding along its axis
     reverse,     ///< goes back and forth
     deform,      ///< the body moves smoothly while it is cut
+    rocking,     ///< right through, one end of the blade going on while the other goes back
 };
-inline constexpr int kFuzzModes = 14;
+inline constexpr int kFuzzModes = 15;
 const char* nameOf(FuzzMode mode);
 /// The stroke passes the whole body, so it must leave no slit that ends inside.
 bool goesThrough(FuzzMode mode);

@@ -166,12 +166,18 @@ double volumeAbove(std::array<Vec3, 3> p, const Vec3& normal) {
 double signedDistance(const Stroke& stroke, const Vec3& p) {
     double least = 1e300;
     double side = 0;
+    Vec3 facing = Vec3::Zero();  // a blade that goes back keeps its sides
     const auto measure = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+        Vec3 normal = (b - a).cross(c - a);
+        if (normal.dot(facing) < 0) {
+            normal = -normal;
+        }
+        facing = normal.isZero(0) ? facing : normal;
         const Vec3 w = closestWeights(p, a, b, c);
         const double distance = (w[0] * a + w[1] * b + w[2] * c - p).norm();
         if (distance < least) {
             least = distance;
-            side = (b - a).cross(c - a).dot(p - a) > 0 ? distance : -distance;
+            side = normal.dot(p - a) > 0 ? distance : -distance;
         }
     };
     for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {

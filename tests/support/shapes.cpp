@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -98,6 +99,109 @@ void addRings(TriangleSoup& soup, int rings, int around, bool closedAlong) {
     }
 }
 
+constexpr double kGrading = 8;  // longest over shortest edge of graded bodies
+
+/// Halves edges that are too long, and with each the longest of its triangle, so that angles stay
+/// (Rivara 1984).
+class Refinement {
+  public:
+    using Length = std::function<double(const Vec3&)>;
+    using Project = std::function<Vec3(const Vec3&)>;
+    Refinement(TriangleSoup& soup, const Length& wanted, const Project& project)
+        : soup_(soup), wanted_(wanted), project_(project) {}
+
+    void run() {
+        while (markLong()) {
+            markLongest();
+            divide();
+        }
+    }
+
+  private:
+    using Edge = std::pair<int, int>;
+    static Edge edge(const Triangle& t, int e) { return std::minmax(t[e], t[(e + 1) % 3]); }
+    double length(const Edge& e) const {
+        return (soup_.positions[e.second] - soup_.positions[e.first]).norm();
+    }
+    Vec3 middle(const Edge& e) const {
+        return 0.5 * (soup_.positions[e.first] + soup_.positions[e.second]);
+    }
+
+    bool markLong() {
+        constexpr double kTooLong = 1.5;
+        middles_.clear();
+        for (const Triangle& t : soup_.triangles) {
+            for (int e = 0; e < 3; ++e) {
+                if (length(edge(t, e)) > kTooLong * wanted_(middle(edge(t, e)))) {
+                    middles_[edge(t, e)] = -1;
+                }
+            }
+        }
+        return !middles_.empty();
+    }
+
+    int longest(const Triangle& t) const {
+        int best = 0;
+        for (int e = 1; e < 3; ++e) {
+            const auto key = [&](int i) { return std::pair(length(edge(t, i)), edge(t, i)); };
+            best = key(e) > key(best) ? e : best;
+        }
+        return best;
+    }
+
+    void markLongest() {
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const Triangle& t : soup_.triangles) {
+                const bool any = isMarked(t, 0) || isMarked(t, 1) || isMarked(t, 2);
+                changed = (any && middles_.try_emplace(edge(t, longest(t)), -1).second) || changed;
+            }
+        }
+    }
+
+    bool isMarked(const Triangle& t, int e) const { return middles_.count(edge(t, e)) > 0; }
+
+    // The longest edge first, then what is left of the others.
+    void divide() {
+        for (auto& [ends, middleVertex] : middles_) {
+            middleVertex = static_cast<int>(soup_.positions.size());
+            soup_.positions.push_back(project_(middle(ends)));
+        }
+        std::vector<Triangle> divided;
+        for (const Triangle& t : soup_.triangles) {
+            const int e = longest(t);
+            if (!isMarked(t, e)) {
+                divided.push_back(t);
+                continue;
+            }
+            const int a = t[e], b = t[(e + 1) % 3], c = t[(e + 2) % 3];
+            const int m = middles_.at(edge(t, e));
+            addHalf({m, b, c}, divided);
+            addHalf({c, a, m}, divided);
+        }
+        soup_.triangles = divided;
+    }
+
+    // Its one old edge is opposite to a corner at the middle: the second or third corner pair.
+    void addHalf(const Triangle& t, std::vector<Triangle>& divided) const {
+        for (int e = 0; e < 3; ++e) {
+            const auto found = middles_.find(edge(t, e));
+            if (found != middles_.end()) {
+                const int a = t[e], b = t[(e + 1) % 3], c = t[(e + 2) % 3];
+                divided.push_back({a, found->second, c});
+                divided.push_back({found->second, b, c});
+                return;
+            }
+        }
+        divided.push_back(t);
+    }
+
+    TriangleSoup& soup_;
+    const Length& wanted_;
+    const Project& project_;
+    std::map<Edge, int> middles_;  ///< of marked edges
+};
+
 }  // namespace
 
 TriangleSoup icosphereSoup(int subdivisions, double radius) {
@@ -130,6 +234,31 @@ TriangleSoup torusSoup(int around, int across, double radius, double tube) {
         }
     }
     addRings(soup, around, across, true);
+    return soup;
+}
+
+TriangleSoup gradedSphereSoup(double coarse, double radius) {
+    TriangleSoup soup = icosphereSoup(1, radius);
+    const Refinement::Length wanted = [&](const Vec3& p) {
+        return coarse * std::pow(kGrading, -0.5 * (p.x() / radius + 1));
+    };
+    const Refinement::Project project = [&](const Vec3& p) {
+        return Vec3(radius * p.normalized());
+    };
+    Refinement(soup, wanted, project).run();
+    return soup;
+}
+
+TriangleSoup gradedTorusSoup(double coarse, double radius, double tube) {
+    TriangleSoup soup = torusSoup(16, 8, radius, tube);
+    const Refinement::Length wanted = [&](const Vec3& p) {
+        return coarse * std::pow(kGrading, std::fabs(std::atan2(p.z(), p.x())) / kPi - 1);
+    };
+    const Refinement::Project project = [&](const Vec3& p) {
+        const Vec3 ring = Vec3(p.x(), 0, p.z()).normalized() * radius;
+        return Vec3(ring + (p - ring).normalized() * tube);
+    };
+    Refinement(soup, wanted, project).run();
     return soup;
 }
 
@@ -189,6 +318,14 @@ SurfaceMesh torus(int around, int across, double radius, double tube) {
 
 SurfaceMesh bentTube(int along, int around) {
     return meshOf(bentTubeSoup(along, around));
+}
+
+SurfaceMesh gradedSphere(double coarse) {
+    return meshOf(gradedSphereSoup(coarse));
+}
+
+SurfaceMesh gradedTorus(double coarse) {
+    return meshOf(gradedTorusSoup(coarse));
 }
 
 SurfaceMesh box(const Vec3& size, int n) {

@@ -18,6 +18,11 @@ TriangleSoup cubeSphereSoup(int n, double radius = 0.5);
 TriangleSoup torusSoup(int around = 32, int across = 16, double radius = 0.35, double tube = 0.15);
 /// A bent, tapered tube with closed ends, like a banana: bends in the x-y plane, about 1 m long.
 TriangleSoup bentTubeSoup(int along = 24, int around = 12);
+/// A sphere with edges of `coarse` at x = -radius and an eighth of that at x = radius, growing
+/// evenly (by equal factors) between.
+TriangleSoup gradedSphereSoup(double coarse = 0.16, double radius = 0.5);
+/// A ring in the x-z plane with edges of `coarse` at its end in -x and an eighth at that in +x.
+TriangleSoup gradedTorusSoup(double coarse = 0.16, double radius = 0.35, double tube = 0.15);
 /// An axis-parallel box with n x n quads a face: 12 * n^2 triangles.
 TriangleSoup boxSoup(const Vec3& size = Vec3::Ones(), int n = 1);
 
@@ -28,6 +33,8 @@ SurfaceMesh icosphere(int subdivisions, double radius = 0.5);
 SurfaceMesh cubeSphere(int n, double radius = 0.5);
 SurfaceMesh torus(int around = 32, int across = 16, double radius = 0.35, double tube = 0.15);
 SurfaceMesh bentTube(int along = 24, int around = 12);
+SurfaceMesh gradedSphere(double coarse = 0.16);
+SurfaceMesh gradedTorus(double coarse = 0.16);
 SurfaceMesh box(const Vec3& size = Vec3::Ones(), int n = 1);
 
 /// A builtin model as its file has it, read without assimp and without a child process: "sphere20",

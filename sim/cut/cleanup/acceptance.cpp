@@ -81,7 +81,7 @@ Scores scoresBefore(const Workspace& workspace, const std::vector<Patch>& patche
     Scores scores;
     for (const Patch& patch : patches) {
         for (const int t : patch.before) {
-            scores.add(triangleScore(workspace.mesh, t, workspace.h));
+            scores.add(triangleScore(workspace.mesh, t, workspace.edgeLength()));
         }
     }
     return scores;
@@ -91,7 +91,8 @@ Scores scoresAfter(const Workspace& workspace, const std::vector<Patch>& patches
     Scores scores;
     for (const Patch& patch : patches) {
         for (const PatchTriangle& t : patch.after) {
-            scores.add(triangleScore(cornersAfter(workspace.mesh, patch, t), workspace.h));
+            scores.add(
+                triangleScore(cornersAfter(workspace.mesh, patch, t), workspace.edgeLength()));
         }
     }
     return scores;
@@ -105,7 +106,7 @@ bool improves(const Scores& before, const Scores& after) {
 bool keepsOrientation(const Workspace& workspace, const std::vector<Patch>& patches) {
     return std::all_of(patches.begin(), patches.end(), [&](const Patch& patch) {
         return std::all_of(patch.after.begin(), patch.after.end(), [&](const PatchTriangle& t) {
-            return keepsOrientation(workspace.mesh, workspace.h, patch, t);
+            return keepsOrientation(workspace.mesh, workspace.edgeLength(), patch, t);
         });
     });
 }

@@ -53,7 +53,8 @@ class SliverRemoval {
     }
 
   private:
-    bool isGood(int t) const { return triangleScore(mesh_, t, workspace_.h) >= 1; }
+    double scoreOf(int t) const { return triangleScore(mesh_, t, workspace_.edgeLengthAt(t)); }
+    bool isGood(int t) const { return scoreOf(t) >= 1; }
 
     /// The worst first.
     std::vector<Sliver> findSlivers(std::vector<int> triangles) const {
@@ -61,7 +62,7 @@ class SliverRemoval {
         std::vector<Sliver> slivers;
         for (const int t : triangles) {
             if (mesh_.alive(t) && !isGood(t)) {
-                slivers.push_back({triangleScore(mesh_, t, workspace_.h), t});
+                slivers.push_back({scoreOf(t), t});
             }
         }
         std::sort(slivers.begin(), slivers.end());
@@ -80,6 +81,7 @@ class SliverRemoval {
     }
 
     bool improve(int t) {
+        workspace_.workAt(t);
         if (const std::optional<CollapsePlan> plan = bestCollapse(t)) {
             carryOut(*plan, workspace_);
             ++statistics_.collapses;
@@ -97,7 +99,8 @@ class SliverRemoval {
     }
 
     double worth(const CollapsePlan& plan) const {
-        return plan.score - kPriceOfDeviation * plan.deviation / (kMostDeviation * workspace_.h);
+        return plan.score -
+               kPriceOfDeviation * plan.deviation / (kMostDeviation * workspace_.edgeLength());
     }
 
     std::optional<CollapsePlan> bestCollapse(int t) const {
@@ -106,7 +109,7 @@ class SliverRemoval {
             starOf(mesh_, corners[0]), starOf(mesh_, corners[1]), starOf(mesh_, corners[2])};
         std::optional<CollapsePlan> best;
         for (const int h : edgesByLength(mesh_, t)) {
-            if (edgeLength(mesh_, h) > kLongestCollapse * workspace_.h) {
+            if (edgeLength(mesh_, h) > kLongestCollapse * workspace_.edgeLength()) {
                 break;
             }
             const MaterialStar& u = stars[h % 3];
@@ -140,8 +143,8 @@ class SliverRemoval {
 
 }  // namespace
 
-Cleanup::Cleanup(SurfaceMesh& mesh, double h)
-    : workspace_(mesh, h), firstTriangle_(mesh.triangleSlots()) {}
+Cleanup::Cleanup(SurfaceMesh& mesh, const EdgeLengthField& edgeLengths)
+    : workspace_(mesh, edgeLengths), firstTriangle_(mesh.triangleSlots()) {}
 
 CleanupStatistics Cleanup::behindFront(const std::vector<RungNode>& rung, CutDelta& delta) {
     workspace_.followMesh();
@@ -162,7 +165,7 @@ CleanupStatistics Cleanup::atEnd(CutDelta& delta) {
 }
 
 int Cleanup::coarsen(double factor, CutDelta& delta) {
-    const int collapses = coarsenWalls(workspace_, trianglesOfStroke(), factor * workspace_.h);
+    const int collapses = coarsenWalls(workspace_, trianglesOfStroke(), factor);
     workspace_.moveChangesTo(delta);
     return collapses;
 }

@@ -13,8 +13,8 @@ namespace kerf::cut {
 /// than kMostDeviation of an edge, summed up over the stroke.
 class Cleanup {
   public:
-    /// For one stroke on `mesh`, which must outlive it; h is the edge length of walls [m].
-    Cleanup(SurfaceMesh& mesh, double h);
+    /// For one stroke on `mesh`; both must outlive it.
+    Cleanup(SurfaceMesh& mesh, const EdgeLengthField& edgeLengths);
 
     /// Cleans what the last two steps made, but nothing beside the rung. `delta` is that of the
     /// step; the changes are added to it.

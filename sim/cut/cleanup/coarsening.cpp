@@ -44,8 +44,8 @@ double qualityOf(const std::array<Vec3, 3>& corners) {
 
 class WallCoarsening {
   public:
-    WallCoarsening(Workspace& workspace, double length)
-        : workspace_(workspace), mesh_(workspace.mesh), length_(length) {}
+    WallCoarsening(Workspace& workspace, double factor)
+        : workspace_(workspace), mesh_(workspace.mesh), factor_(factor) {}
 
     int run(std::vector<int> triangles) {
         int collapses = 0;
@@ -62,6 +62,7 @@ class WallCoarsening {
     }
 
   private:
+    double wantedLengthAt(int t) const { return factor_ * workspace_.edgeLengthAt(t); }
     bool isWall(int t) const { return mesh_.alive(t) && mesh_.kind(t) == SurfaceKind::wall; }
 
     Edge endsOf(int h) const {
@@ -72,8 +73,12 @@ class WallCoarsening {
     std::vector<ShortEdge> findShortEdges(const std::vector<int>& triangles) const {
         std::vector<ShortEdge> edges;
         for (const int t : triangles) {
-            for (int h = 3 * t; h < 3 * t + 3 && isWall(t); ++h) {
-                if (const double length = edgeLength(mesh_, h); length < kShort * length_) {
+            if (!isWall(t)) {
+                continue;
+            }
+            const double wanted = wantedLengthAt(t);
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (const double length = edgeLength(mesh_, h); length < kShort * wanted) {
                     edges.push_back({length, endsOf(h), h});
                 }
             }
@@ -89,7 +94,7 @@ class WallCoarsening {
     bool stillThere(const ShortEdge& edge) const {
         const int h = edge.halfEdge;
         return mesh_.alive(h / 3) && endsOf(h) == edge.ends &&
-               edgeLength(mesh_, h) < kShort * length_;
+               edgeLength(mesh_, h) < kShort * wantedLengthAt(h / 3);
     }
 
     // Both points must lie inside: one on the outline could only stay, and then volume could only
@@ -103,6 +108,7 @@ class WallCoarsening {
         if (!isInsideWall(from) || !isInsideWall(to)) {
             return false;
         }
+        workspace_.workAt(edge.halfEdge / 3);
         std::optional<CollapsePlan> best;
         double bestQuality = 0;
         for (const auto& [u, v] : {std::pair(&from, &to), std::pair(&to, &from)}) {
@@ -133,7 +139,7 @@ class WallCoarsening {
             for (const PatchTriangle& t : patch.after) {
                 const std::array<Vec3, 3> corners = cornersAfter(mesh_, patch, t);
                 after = std::min(after, qualityOf(corners));
-                if (longestOf(corners) > kLong * length_) {
+                if (longestOf(corners) > kLong * factor_ * workspace_.edgeLength()) {
                     return 0;
                 }
             }
@@ -143,13 +149,13 @@ class WallCoarsening {
 
     Workspace& workspace_;
     const SurfaceMesh& mesh_;
-    double length_;
+    double factor_;
 };
 
 }  // namespace
 
-int coarsenWalls(Workspace& workspace, const std::vector<int>& triangles, double length) {
-    return WallCoarsening(workspace, length).run(triangles);
+int coarsenWalls(Workspace& workspace, const std::vector<int>& triangles, double factor) {
+    return WallCoarsening(workspace, factor).run(triangles);
 }
 
 }  // namespace kerf::cut

@@ -7,10 +7,10 @@
 namespace kerf::cut {
 
 /// Collapses edges inside the walls among `triangles`, all copies alike, until they are about
-/// `length` [m] long (shorter than 4/5 of it none can be spared, longer than 4/3 none becomes:
-/// Botsch and Kobbelt, A Remeshing Approach to Multiresolution Modeling, 2004). Rims, ends of slits
-/// and crossings keep every bit; triangles stay well shaped, so that the size grows away from them.
-/// Returns the number of collapses.
-int coarsenWalls(Workspace& workspace, const std::vector<int>& triangles, double length);
+/// `factor` times as long as the edges around (shorter than 4/5 of it none can be spared, longer
+/// than 4/3 none becomes: Botsch and Kobbelt, A Remeshing Approach to Multiresolution Modeling,
+/// 2004). Rims, ends of slits and crossings keep every bit; triangles stay well shaped, so that the
+/// size grows away from them. Returns the number of collapses.
+int coarsenWalls(Workspace& workspace, const std::vector<int>& triangles, double factor);
 
 }  // namespace kerf::cut

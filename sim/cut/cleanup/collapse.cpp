@@ -53,8 +53,8 @@ class Collapse {
         if (!edge->isFeature()) {
             return false;
         }
-        return !from_.isCorner() ||
-               (target_ == CollapseTarget::end && edgeLength() <= kMostDeviation * workspace_.h);
+        return !from_.isCorner() || (target_ == CollapseTarget::end &&
+                                     edgeLength() <= kMostDeviation * workspace_.edgeLength());
     }
 
     double edgeLength() const {
@@ -75,8 +75,8 @@ class Collapse {
     }
 
     void makePatches(const CopyPairing& pairing) {
-        closed_ = haveOnePlace(mesh_, from_.copies, workspace_.h) &&
-                  haveOnePlace(mesh_, to_.copies, workspace_.h);
+        closed_ = haveOnePlace(mesh_, from_.copies, workspace_.edgeLength()) &&
+                  haveOnePlace(mesh_, to_.copies, workspace_.edgeLength());
         for (const int h : pairing.edges) {
             plan_.merges.emplace_back(mesh_.origin(h), mesh_.target(h));
         }
@@ -158,7 +158,7 @@ class Collapse {
         }
         plan_.deviation = moved + std::max(workspace_.deviationAt(from_.copies),
                                            workspace_.deviationAt(to_.copies));
-        return plan_.deviation <= kMostDeviation * workspace_.h;
+        return plan_.deviation <= kMostDeviation * workspace_.edgeLength();
     }
 
     const Workspace& workspace_;

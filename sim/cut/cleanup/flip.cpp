@@ -154,7 +154,7 @@ class Flip {
         const Vec3 first = (q.a - q.c).cross(q.d - q.c);
         const Vec3 second = (q.b - q.d).cross(q.c - q.d);
         const Vec3 old = (q.b - q.a).cross(q.c - q.a) + (q.a - q.b).cross(q.d - q.b);
-        const double square = workspace_.h * workspace_.h;
+        const double square = workspace_.edgeLength() * workspace_.edgeLength();
         const auto looksAsBefore = [&](const Vec3& n) {
             return n.norm() >= kNoArea * square &&
                    n.dot(old) >= kLargestTurn * n.norm() * old.norm();
@@ -163,7 +163,7 @@ class Flip {
     }
 
     void addScores(const Quad& quad, Scores& before, Scores& after) const {
-        const double h = workspace_.h;
+        const double h = workspace_.edgeLength();
         const QuadShape q = shapeOf(quad);
         before.add(triangleScore(mesh_, quad.halfEdge / 3, h));
         before.add(triangleScore(mesh_, mesh_.twin(quad.halfEdge) / 3, h));
@@ -187,7 +187,7 @@ class Flip {
     bool staysNear() {
         const Quad& q = quads_.front();
         deviation_ += workspace_.deviationAt({q.a, q.b, q.c, q.d});
-        return deviation_ <= kMostDeviation * workspace_.h;
+        return deviation_ <= kMostDeviation * workspace_.edgeLength();
     }
 
     void carryOut() {

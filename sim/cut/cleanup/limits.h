@@ -2,7 +2,8 @@
 
 namespace kerf::cut {
 
-// What the clean-up calls a sliver, and how far it may go. Lengths are shares of h.
+// What the clean-up calls a sliver, and how far it may go. Lengths are shares of the
+// edge length there.
 
 /// Height over longest edge from which a triangle is good.
 inline constexpr double kGoodQuality = 0.05;

@@ -151,7 +151,7 @@ struct Shape {
 };
 
 double placeIn(const Workspace& workspace, const Shape& shape, std::vector<Patch>& patches) {
-    const double h = workspace.h;
+    const double h = workspace.edgeLength();
     std::vector<VolumeEquation> equations;
     equations.reserve(patches.size());
     for (const Patch& patch : patches) {
@@ -179,7 +179,7 @@ double placeIn(const Workspace& workspace, const Shape& shape, std::vector<Patch
 VolumeDefect placeByVolume(const Workspace& workspace, std::vector<Patch>& patches) {
     const SurfaceMesh& mesh = workspace.mesh;
     const VolumeDefect tolerable = workspace.mostPerOperation();
-    const double longest = kMostDeviation * workspace.h;
+    const double longest = kMostDeviation * workspace.edgeLength();
     const double stretch = std::min(kMostStretch, restStretch(mesh, patches.front().vertex));
     const Shape current{VertexPlaces::current(mesh), &Patch::position, longest, tolerable.current};
     const Shape rest{VertexPlaces::atRest(mesh), &Patch::rest, longest * stretch, tolerable.rest};

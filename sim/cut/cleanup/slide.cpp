@@ -67,7 +67,7 @@ class Slide {
         }
         const double deviation =
             deviationOf(mesh_, star_, star_, patches) + workspace_.deviationAt(star_.copies);
-        if (deviation > kMostDeviation * workspace_.h) {
+        if (deviation > kMostDeviation * workspace_.edgeLength()) {
             return false;
         }
         for (const Patch& patch : patches) {
@@ -138,7 +138,7 @@ class Slide {
 
 bool pushApexFrom(Workspace& workspace, int base) {
     const SurfaceMesh& mesh = workspace.mesh;
-    const double h = workspace.h;
+    const double h = workspace.edgeLength();
     const int apex = mesh.apex(base);
     const Vec3& a = mesh.position(mesh.origin(base));
     const Vec3 ab = mesh.position(mesh.target(base)) - a;
@@ -160,7 +160,7 @@ bool pushApexFrom(Workspace& workspace, int base) {
 
 bool pushApart(Workspace& workspace, int moving, int staying) {
     const SurfaceMesh& mesh = workspace.mesh;
-    const double h = workspace.h;
+    const double h = workspace.edgeLength();
     const Vec3 edge = mesh.position(moving) - mesh.position(staying);
     const double length = edge.norm();
     if (length < kNoEdge * h || length > kGoodEdge * h) {

@@ -15,7 +15,7 @@ namespace kerf::cut {
 
 namespace {
 
-// Nothing within this share of h of the rung is changed.
+// Nothing within this share of the edge length of the rung is changed.
 constexpr double kRungReach = 0.1;
 
 /// Both lists sorted.
@@ -41,12 +41,19 @@ std::vector<int> olderThan(int firstNew, const std::vector<int>& vertices) {
 
 }  // namespace
 
-Workspace::Workspace(SurfaceMesh& m, double edge)
+Workspace::Workspace(SurfaceMesh& m, const EdgeLengthField& edgeLengths)
     : mesh(m),
-      h(edge),
+      edgeLengths_(edgeLengths),
+      edgeLength_(edgeLengths.mean()),
       bodyVolume_(std::fabs(meshVolume(m))),
       restVolume_(std::fabs(meshRestVolume(m))) {
     followMesh();
+}
+
+double Workspace::edgeLengthAt(int triangle) const {
+    const Triangle& c = mesh.triangle(triangle);
+    return edgeLengths_.localEdgeLength(
+        (mesh.restPosition(c[0]) + mesh.restPosition(c[1]) + mesh.restPosition(c[2])) / 3);
 }
 
 void Workspace::followMesh() {
@@ -77,7 +84,7 @@ bool Workspace::trianglesTouchRung(const std::vector<int>& triangles) const {
             bounds.add(mesh.position(v));
         }
     }
-    const double reach = 0.5 * bounds.diagonal() + kRungReach * h;
+    const double reach = 0.5 * bounds.diagonal() + kRungReach * edgeLength_;
     for (std::size_t k = 0; k + 1 < rung_.size(); ++k) {
         if (distanceToSegment(bounds.center(), rung_[k], rung_[k + 1]) < reach) {
             return true;

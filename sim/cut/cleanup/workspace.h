@@ -5,6 +5,7 @@
 
 #include "sim/cut/cleanup/patch.h"
 #include "sim/cut/cutter.h"
+#include "sim/cut/edge_length_field.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
@@ -19,10 +20,17 @@ struct VolumeDefect {
 /// is, how far each place has moved, how much volume may still change, and what it changed.
 class Workspace {
   public:
-    Workspace(SurfaceMesh& mesh, double h);
+    /// Both must outlive it.
+    Workspace(SurfaceMesh& mesh, const EdgeLengthField& edgeLengths);
 
     SurfaceMesh& mesh;
-    const double h;  ///< edge length of walls [m]
+
+    /// Of edges about a triangle [m].
+    double edgeLengthAt(int triangle) const;
+    /// What edgeLength() is from now on: that about a triangle.
+    void workAt(int triangle) { edgeLength_ = edgeLengthAt(triangle); }
+    /// The unit of all lengths of an operation [m].
+    double edgeLength() const { return edgeLength_; }
 
     /// Keeps the surroundings of the rung as they are, and of nothing else: where the body is cut
     /// next, and what the blade's air meets, must not move.
@@ -60,6 +68,8 @@ class Workspace {
     void followMesh();
 
   private:
+    const EdgeLengthField& edgeLengths_;
+    double edgeLength_;
     double bodyVolume_;
     double restVolume_;
     VolumeDefect spent_;

@@ -76,7 +76,8 @@ Cleaned cleanAtEnd(const Case& c) {
     for (std::size_t i = 0; i + 1 < c.strokes.size(); ++i) {
         EXPECT_EQ(test::runStroke(cutter, mesh, c.strokes[i]).problem, "");
     }
-    cut::Cleanup cleanup(mesh, kWallEdge);
+    const cut::EdgeLengthField edgeLengths(kWallEdge);
+    cut::Cleanup cleanup(mesh, edgeLengths);
     const int first = mesh.triangleSlots();
     EXPECT_EQ(test::runStroke(cutter, mesh, c.strokes.back()).problem, "");
     Cleaned result{mesh, mesh, {}, {}, {}};
