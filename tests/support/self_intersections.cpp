@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "sim/cut/predicates.h"
+#include "sim/cut/piercing.h"
 
 namespace kerf::test {
 
@@ -40,18 +40,9 @@ bool pierces(const SurfaceMesh& mesh, int u, int v, const Triangle& triangle) {
     if (isCorner(triangle, u) || isCorner(triangle, v)) {
         return false;
     }
-    const Vec3& p = mesh.position(u);
-    const Vec3& q = mesh.position(v);
-    const Vec3& a = mesh.position(triangle[0]);
-    const Vec3& b = mesh.position(triangle[1]);
-    const Vec3& c = mesh.position(triangle[2]);
-    if (cut::orient3d(a, b, c, p).sign * cut::orient3d(a, b, c, q).sign >= 0) {
-        return false;
-    }
-    const int ab = cut::orient3d(p, q, a, b).sign;
-    const int bc = cut::orient3d(p, q, b, c).sign;
-    const int ca = cut::orient3d(p, q, c, a).sign;
-    return ab != 0 && ab == bc && bc == ca;
+    return cut::pierces(mesh.position(u), mesh.position(v),
+                        {mesh.position(triangle[0]), mesh.position(triangle[1]),
+                         mesh.position(triangle[2])});
 }
 
 bool anyEdgePierces(const SurfaceMesh& mesh, const Triangle& edges, const Triangle& triangle) {

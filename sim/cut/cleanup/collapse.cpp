@@ -7,6 +7,7 @@
 #include "sim/cut/cleanup/deviation.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/placement.h"
+#include "sim/cut/cleanup/self_piercing.h"
 
 namespace kerf::cut {
 
@@ -34,7 +35,8 @@ class Collapse {
         }
         makePatches(*pairing);
         if (workspace_.touchesRung(plan_.patches) || !movesOnlyOneCorner() || !place() ||
-            !improves() || !keepsOrientation(workspace_, plan_.patches) || !staysNear()) {
+            !improves() || !keepsOrientation(workspace_, plan_.patches) || !staysNear() ||
+            piercesItself(mesh_, plan_.patches)) {
             return std::nullopt;
         }
         plan_.from = from_.copies[0];

@@ -6,6 +6,7 @@
 #include "sim/cut/cleanup/acceptance.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/material.h"
+#include "sim/cut/cleanup/self_piercing.h"
 
 namespace kerf::cut {
 
@@ -80,7 +81,8 @@ class Flip {
             addScores(quad, before, after);
             measure(quad);
         }
-        if (!improves(before, after) || !staysNear() || !workspace_.allows(defect_, onWalls_)) {
+        if (!improves(before, after) || !staysNear() || !workspace_.allows(defect_, onWalls_) ||
+            piercesItself(mesh_, flipped())) {
             return false;
         }
         carryOut();
@@ -188,6 +190,15 @@ class Flip {
         const Quad& q = quads_.front();
         deviation_ += workspace_.deviationAt({q.a, q.b, q.c, q.d});
         return deviation_ <= kMostDeviation * workspace_.edgeLength();
+    }
+
+    std::vector<std::pair<int, Triangle>> flipped() const {
+        std::vector<std::pair<int, Triangle>> triangles;
+        for (const Quad& q : quads_) {
+            triangles.push_back({q.halfEdge / 3, {q.c, q.a, q.d}});
+            triangles.push_back({mesh_.twin(q.halfEdge) / 3, {q.d, q.b, q.c}});
+        }
+        return triangles;
     }
 
     void carryOut() {

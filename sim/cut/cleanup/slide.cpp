@@ -8,6 +8,7 @@
 #include "sim/cut/cleanup/deviation.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/placement.h"
+#include "sim/cut/cleanup/self_piercing.h"
 
 namespace kerf::cut {
 
@@ -67,7 +68,8 @@ class Slide {
         }
         const double deviation =
             deviationOf(mesh_, star_, star_, patches) + workspace_.deviationAt(star_.copies);
-        if (deviation > kMostDeviation * workspace_.edgeLength()) {
+        if (deviation > kMostDeviation * workspace_.edgeLength() ||
+            piercesItself(mesh_, patches)) {
             return false;
         }
         for (const Patch& patch : patches) {

@@ -1,0 +1,157 @@
+#include "sim/cut/cleanup/self_piercing.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "sim/cut/piercing.h"
+#include "sim/sort_unique.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Stands for a material point that an operation moves or merges: all of them end at one place.
+constexpr int kMovedPoint = -2;
+
+/// A triangle at its place; points tell which corners are one.
+struct Placed {
+    Triangle points;
+    std::array<Vec3, 3> corners;
+    Bounds bounds;
+};
+
+Placed placed(const Triangle& points, const std::array<Vec3, 3>& corners) {
+    Placed result{points, corners, {}};
+    for (const Vec3& p : corners) {
+        result.bounds.add(p);
+    }
+    return result;
+}
+
+Triangle pointsOf(const SurfaceMesh& mesh, const Triangle& corners) {
+    return {mesh.materialPoint(corners[0]), mesh.materialPoint(corners[1]),
+            mesh.materialPoint(corners[2])};
+}
+
+Placed placed(const SurfaceMesh& mesh, const Triangle& corners) {
+    return placed(pointsOf(mesh, corners), {mesh.position(corners[0]), mesh.position(corners[1]),
+                                            mesh.position(corners[2])});
+}
+
+bool has(const Triangle& triangle, int point) {
+    return std::ranges::find(triangle, point) != triangle.end();
+}
+
+bool anyEdgePierces(const Placed& edges, const Placed& triangle) {
+    for (int i = 0; i < 3; ++i) {
+        const int k = (i + 1) % 3;
+        if (!has(triangle.points, edges.points[i]) && !has(triangle.points, edges.points[k]) &&
+            pierces(edges.corners[i], edges.corners[k], triangle.corners)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool intersect(const Placed& a, const Placed& b) {
+    return a.bounds.overlaps(b.bounds) && (anyEdgePierces(a, b) || anyEdgePierces(b, a));
+}
+
+/// Pairs among `some`, and of these with `others`.
+int intersections(const std::vector<Placed>& some, const std::vector<Placed>& others) {
+    int count = 0;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        for (std::size_t k = i + 1; k < some.size(); ++k) {
+            count += intersect(some[i], some[k]);
+        }
+        for (const Placed& other : others) {
+            count += intersect(some[i], other);
+        }
+    }
+    return count;
+}
+
+/// What an operation takes away and what it puts there.
+struct Exchange {
+    std::vector<int> slots;     ///< of what it takes away
+    std::vector<int> vertices;  ///< of what it puts there
+    std::vector<Placed> after;
+};
+
+/// Triangles that share a vertex with the new ones and stay.
+std::vector<Placed> surroundings(const SurfaceMesh& mesh, Exchange& exchange) {
+    sortUnique(exchange.vertices);
+    sortUnique(exchange.slots);
+    std::vector<int> around;
+    for (const int v : exchange.vertices) {
+        mesh.forEachOutgoing(v, [&](int h) {
+            if (!std::ranges::binary_search(exchange.slots, h / 3)) {
+                around.push_back(h / 3);
+            }
+        });
+    }
+    sortUnique(around);
+    std::vector<Placed> result;
+    result.reserve(around.size());
+    for (const int t : around) {
+        result.push_back(placed(mesh, mesh.triangle(t)));
+    }
+    return result;
+}
+
+bool piercesItself(const SurfaceMesh& mesh, Exchange exchange) {
+    const std::vector<Placed> around = surroundings(mesh, exchange);
+    const int after = intersections(exchange.after, around);
+    if (after == 0) {
+        return false;
+    }
+    std::vector<Placed> before;
+    for (const int t : exchange.slots) {
+        before.push_back(placed(mesh, mesh.triangle(t)));
+    }
+    return after > intersections(before, around);
+}
+
+std::vector<int> movedPoints(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
+    std::vector<int> points;
+    for (const Patch& patch : patches) {
+        points.push_back(mesh.materialPoint(patch.vertex));
+        for (const int v : patch.merged) {
+            points.push_back(mesh.materialPoint(v));
+        }
+    }
+    sortUnique(points);
+    return points;
+}
+
+}  // namespace
+
+bool piercesItself(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
+    const std::vector<int> moved = movedPoints(mesh, patches);
+    Exchange exchange;
+    for (const Patch& patch : patches) {
+        exchange.slots.insert(exchange.slots.end(), patch.before.begin(), patch.before.end());
+        for (const PatchTriangle& t : patch.after) {
+            exchange.vertices.insert(exchange.vertices.end(), t.corners.begin(), t.corners.end());
+            Triangle points = pointsOf(mesh, t.corners);
+            for (int& point : points) {
+                point = std::ranges::binary_search(moved, point) ? kMovedPoint : point;
+            }
+            exchange.after.push_back(placed(points, cornersAfter(mesh, patch, t)));
+        }
+    }
+    return piercesItself(mesh, std::move(exchange));
+}
+
+bool piercesItself(const SurfaceMesh& mesh, const std::vector<std::pair<int, Triangle>>& changed) {
+    Exchange exchange;
+    for (const auto& [slot, corners] : changed) {
+        exchange.slots.push_back(slot);
+        exchange.vertices.insert(exchange.vertices.end(), corners.begin(), corners.end());
+        exchange.after.push_back(placed(mesh, corners));
+    }
+    return piercesItself(mesh, std::move(exchange));
+}
+
+}  // namespace kerf::cut

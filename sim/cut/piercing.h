@@ -1,0 +1,13 @@
+#pragma once
+
+#include <array>
+
+#include "sim/math.h"
+
+namespace kerf::cut {
+
+/// Whether the inside of segment pq passes through the inside of the triangle: exact, false where
+/// one only touches the other.
+bool pierces(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& triangle);
+
+}  // namespace kerf::cut
