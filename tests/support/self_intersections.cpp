@@ -40,9 +40,9 @@ bool pierces(const SurfaceMesh& mesh, int u, int v, const Triangle& triangle) {
     if (isCorner(triangle, u) || isCorner(triangle, v)) {
         return false;
     }
-    return cut::pierces(mesh.position(u), mesh.position(v),
-                        {mesh.position(triangle[0]), mesh.position(triangle[1]),
-                         mesh.position(triangle[2])});
+    return cut::pierces(
+        mesh.position(u), mesh.position(v),
+        {mesh.position(triangle[0]), mesh.position(triangle[1]), mesh.position(triangle[2])});
 }
 
 bool anyEdgePierces(const SurfaceMesh& mesh, const Triangle& edges, const Triangle& triangle) {

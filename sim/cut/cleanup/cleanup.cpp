@@ -10,6 +10,7 @@
 #include "sim/cut/cleanup/collapse.h"
 #include "sim/cut/cleanup/flip.h"
 #include "sim/cut/cleanup/limits.h"
+#include "sim/cut/cleanup/part_surface.h"
 #include "sim/cut/cleanup/slide.h"
 #include "sim/sort_unique.h"
 
@@ -161,7 +162,12 @@ CleanupStatistics Cleanup::atEnd(CutDelta& delta) {
     std::vector<int> triangles = std::exchange(lastStep_, {});
     const std::vector<int> ofStroke = trianglesOfStroke();
     triangles.insert(triangles.end(), ofStroke.begin(), ofStroke.end());
-    return clean(triangles, delta);
+    CleanupStatistics statistics = clean(triangles, delta);
+    sortUnique(triangles);
+    statistics.flips += partSurface(workspace_, triangles);
+    workspace_.moveChangesTo(delta);
+    statistics.volumeSpent = workspace_.volumeSpent();
+    return statistics;
 }
 
 int Cleanup::coarsen(double factor, CutDelta& delta) {

@@ -36,7 +36,7 @@ class Collapse {
         makePatches(*pairing);
         if (workspace_.touchesRung(plan_.patches) || !movesOnlyOneCorner() || !place() ||
             !improves() || !keepsOrientation(workspace_, plan_.patches) || !staysNear() ||
-            piercesItself(mesh_, plan_.patches)) {
+            addedPiercings(mesh_, plan_.patches) > 0) {
             return std::nullopt;
         }
         plan_.from = from_.copies[0];

@@ -18,6 +18,8 @@ constexpr double kLargestTurn = 0.5;
 constexpr double kNoPair = 1e-6;
 constexpr double kNoArea = 1e-9;
 constexpr int kLeastValence = 4;
+// Of triangles that are flipped so that the surface does not pass through itself.
+constexpr double kLeastScore = 0.4;
 
 /// An edge a -> b with the apexes c on its left and d on its right; flipped it is c -> d.
 struct Quad {
@@ -60,10 +62,13 @@ void flip(SurfaceMesh& mesh, const Quad& q) {
     mesh.setOutgoing(q.b, 3 * o + 1);
 }
 
+enum class FlipGoal { betterTriangles, fewerPiercings };
+
 class Flip {
   public:
-    Flip(Workspace& workspace, int h)
+    Flip(Workspace& workspace, int h, FlipGoal goal)
         : workspace_(workspace),
+          goal_(goal),
           mesh_(workspace.mesh),
           h_(h),
           from_(starOf(mesh_, mesh_.origin(h))) {}
@@ -81,8 +86,8 @@ class Flip {
             addScores(quad, before, after);
             measure(quad);
         }
-        if (!improves(before, after) || !staysNear() || !workspace_.allows(defect_, onWalls_) ||
-            piercesItself(mesh_, flipped())) {
+        if (!isWorth(before, after) || !staysNear() || !workspace_.allows(defect_, onWalls_) ||
+            !keepsApart()) {
             return false;
         }
         carryOut();
@@ -178,9 +183,13 @@ class Flip {
         const double rest = restShapeOf(quad).volume();
         net_.current += current.volume();
         net_.rest += rest;
-        defect_.current =
-            std::max({defect_.current, std::fabs(current.volume()), std::fabs(net_.current)});
-        defect_.rest = std::max({defect_.rest, std::fabs(rest), std::fabs(net_.rest)});
+        if (goal_ == FlipGoal::fewerPiercings) {
+            defect_ = {std::fabs(net_.current), std::fabs(net_.rest)};
+        } else {
+            defect_.current =
+                std::max({defect_.current, std::fabs(current.volume()), std::fabs(net_.current)});
+            defect_.rest = std::max({defect_.rest, std::fabs(rest), std::fabs(net_.rest)});
+        }
         if (!onWalls_) {
             deviation_ = std::max(deviation_, current.height());
         }
@@ -190,6 +199,17 @@ class Flip {
         const Quad& q = quads_.front();
         deviation_ += workspace_.deviationAt({q.a, q.b, q.c, q.d});
         return deviation_ <= kMostDeviation * workspace_.edgeLength();
+    }
+
+    bool isWorth(const Scores& before, const Scores& after) const {
+        return goal_ == FlipGoal::betterTriangles
+                   ? improves(before, after)
+                   : after.worst >= std::min(kLeastScore, before.worst);
+    }
+
+    bool keepsApart() const {
+        const int added = addedPiercings(mesh_, flipped());
+        return goal_ == FlipGoal::betterTriangles ? added <= 0 : added < 0;
     }
 
     std::vector<std::pair<int, Triangle>> flipped() const {
@@ -215,20 +235,27 @@ class Flip {
     }
 
     Workspace& workspace_;
+    FlipGoal goal_;
     const SurfaceMesh& mesh_;
     int h_;
     MaterialStar from_;
     bool onWalls_ = false;
     std::vector<Quad> quads_;
-    VolumeDefect net_;     ///< signed; walls that noise has moved apart don't cancel
-    VolumeDefect defect_;  ///< of the worst copy, or of all together
+    VolumeDefect net_;  ///< signed; walls that noise has moved apart don't cancel
+    /// Of the worst copy, or of all together. Where the two walls of a slit pass through the skin
+    /// beside them one side may give the other what the body keeps.
+    VolumeDefect defect_;
     double deviation_ = 0;
 };
 
 }  // namespace
 
 bool flipEdge(Workspace& workspace, int h) {
-    return Flip(workspace, h).run();
+    return Flip(workspace, h, FlipGoal::betterTriangles).run();
+}
+
+bool flipEdgeApart(Workspace& workspace, int h) {
+    return Flip(workspace, h, FlipGoal::fewerPiercings).run();
 }
 
 }  // namespace kerf::cut

@@ -8,4 +8,8 @@ namespace kerf::cut {
 /// it, keeps the volume, and neither a feature nor a locked edge is in the way. Returns whether.
 bool flipEdge(Workspace& workspace, int h);
 
+/// Flips it likewise, if then the surface passes through itself in fewer places. Triangles beside
+/// it may become worse, but no slivers.
+bool flipEdgeApart(Workspace& workspace, int h);
+
 }  // namespace kerf::cut

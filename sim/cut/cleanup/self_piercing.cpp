@@ -100,17 +100,13 @@ std::vector<Placed> surroundings(const SurfaceMesh& mesh, Exchange& exchange) {
     return result;
 }
 
-bool piercesItself(const SurfaceMesh& mesh, Exchange exchange) {
+int addedPiercings(const SurfaceMesh& mesh, Exchange exchange) {
     const std::vector<Placed> around = surroundings(mesh, exchange);
-    const int after = intersections(exchange.after, around);
-    if (after == 0) {
-        return false;
-    }
     std::vector<Placed> before;
     for (const int t : exchange.slots) {
         before.push_back(placed(mesh, mesh.triangle(t)));
     }
-    return after > intersections(before, around);
+    return intersections(exchange.after, around) - intersections(before, around);
 }
 
 std::vector<int> movedPoints(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
@@ -127,7 +123,7 @@ std::vector<int> movedPoints(const SurfaceMesh& mesh, const std::vector<Patch>& 
 
 }  // namespace
 
-bool piercesItself(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
+int addedPiercings(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
     const std::vector<int> moved = movedPoints(mesh, patches);
     Exchange exchange;
     for (const Patch& patch : patches) {
@@ -141,17 +137,31 @@ bool piercesItself(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
             exchange.after.push_back(placed(points, cornersAfter(mesh, patch, t)));
         }
     }
-    return piercesItself(mesh, std::move(exchange));
+    return addedPiercings(mesh, std::move(exchange));
 }
 
-bool piercesItself(const SurfaceMesh& mesh, const std::vector<std::pair<int, Triangle>>& changed) {
+int addedPiercings(const SurfaceMesh& mesh, const std::vector<std::pair<int, Triangle>>& changed) {
     Exchange exchange;
     for (const auto& [slot, corners] : changed) {
         exchange.slots.push_back(slot);
         exchange.vertices.insert(exchange.vertices.end(), corners.begin(), corners.end());
         exchange.after.push_back(placed(mesh, corners));
     }
-    return piercesItself(mesh, std::move(exchange));
+    return addedPiercings(mesh, std::move(exchange));
+}
+
+std::vector<int> piercedNeighbours(const SurfaceMesh& mesh, int t) {
+    const Placed own = placed(mesh, mesh.triangle(t));
+    std::vector<int> pierced;
+    for (const int v : mesh.triangle(t)) {
+        mesh.forEachOutgoing(v, [&](int h) {
+            if (h / 3 != t && intersect(own, placed(mesh, mesh.triangle(h / 3)))) {
+                pierced.push_back(h / 3);
+            }
+        });
+    }
+    sortUnique(pierced);
+    return pierced;
 }
 
 }  // namespace kerf::cut

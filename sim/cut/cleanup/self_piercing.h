@@ -8,13 +8,18 @@
 
 namespace kerf::cut {
 
-/// Whether an operation makes the surface pass through itself in a place where it does not yet: a
-/// skin triangle cut short over a wall that runs just below it, say. New triangles are compared with each
-/// other and with all that share a vertex with them. Copies of a material point count as one corner,
-/// so walls of a closed slit lie on each other and nothing more.
-bool piercesItself(const SurfaceMesh& mesh, const std::vector<Patch>& patches);
+// Where the surface passes through itself: pairs of triangles that share a vertex with each other
+// or with a third one. Copies of a material point count as one corner, so walls of a closed slit
+// lie on each other and nothing more.
+
+/// How many pairs an operation adds, less those it takes away: a skin triangle cut short over a
+/// wall that runs just below it, say.
+int addedPiercings(const SurfaceMesh& mesh, const std::vector<Patch>& patches);
 
 /// The same for triangles that get other corners (by slot, corners), no vertex moving.
-bool piercesItself(const SurfaceMesh& mesh, const std::vector<std::pair<int, Triangle>>& changed);
+int addedPiercings(const SurfaceMesh& mesh, const std::vector<std::pair<int, Triangle>>& changed);
+
+/// Slots of the triangles at the corners of t that it passes through, ascending.
+std::vector<int> piercedNeighbours(const SurfaceMesh& mesh, int t);
 
 }  // namespace kerf::cut

@@ -69,7 +69,7 @@ class Slide {
         const double deviation =
             deviationOf(mesh_, star_, star_, patches) + workspace_.deviationAt(star_.copies);
         if (deviation > kMostDeviation * workspace_.edgeLength() ||
-            piercesItself(mesh_, patches)) {
+            addedPiercings(mesh_, patches) > 0) {
             return false;
         }
         for (const Patch& patch : patches) {

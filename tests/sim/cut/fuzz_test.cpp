@@ -71,6 +71,18 @@ TEST(CutFuzz, NodesAtOnePlaceKeepWallsMirrored) {
     EXPECT_EQ(figures.invalid, 0);
 }
 
+// Cuts that graze the skin: the clean-up cut it short over the wall (the first two), and chords of
+// curved walls passed through it.
+TEST(CutFuzz, WallsBesideTheirRimDoNotPassThroughTheSkin) {
+    for (const std::uint64_t seed : {400112, 400023, 402046, 405643}) {
+        test::FuzzReport report;
+        test::fuzzOnce(seed, report);
+        const test::FuzzFigures figures = report.total(test::FuzzSetting::exact);
+        EXPECT_GT(figures.strokes, 0) << "seed " << seed;
+        EXPECT_EQ(figures.intersecting, 0) << "seed " << seed;
+    }
+}
+
 // Edges of walls flipped on both sides, which noise had moved apart: the volumes don't cancel.
 TEST(CutFuzz, NoiseInWallsIsInTheVolumeThatTheCleanupAdmits) {
     for (const std::uint64_t seed : {400514, 401847}) {

@@ -1,0 +1,82 @@
+#include "sim/cut/piercing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/cut/cleanup/self_piercing.h"
+#include "tests/support/shapes.h"
+
+namespace kerf::cut {
+namespace {
+
+constexpr std::array<std::array<double, 3>, 3> kCorners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+
+std::array<Vec3, 3> triangle() {
+    std::array<Vec3, 3> corners;
+    std::ranges::transform(kCorners, corners.begin(),
+                           [](const auto& c) { return Vec3(c[0], c[1], c[2]); });
+    return corners;
+}
+
+TEST(Pierces, TheInsideAloneAndFromBothSides) {
+    EXPECT_TRUE(pierces({0.2, 0.2, -1}, {0.3, 0.2, 1}, triangle()));
+    EXPECT_TRUE(pierces({0.3, 0.2, 1}, {0.2, 0.2, -1}, triangle()));
+    EXPECT_FALSE(pierces({0.2, 0.2, 0.1}, {0.3, 0.2, 1}, triangle())) << "ends before it";
+    EXPECT_FALSE(pierces({2, 2, -1}, {2, 2, 1}, triangle())) << "passes beside it";
+}
+
+TEST(Pierces, NotWhereTheyOnlyTouch) {
+    EXPECT_FALSE(pierces({0.2, 0.2, 0}, {0.2, 0.2, 1}, triangle())) << "begins in its plane";
+    EXPECT_FALSE(pierces({0.5, 0, -1}, {0.5, 0, 1}, triangle())) << "through an edge";
+    EXPECT_FALSE(pierces({0, 0, -1}, {0, 0, 1}, triangle())) << "through a corner";
+    EXPECT_FALSE(pierces({-1, 0.2, 0}, {1, 0.2, 0}, triangle())) << "lies in its plane";
+}
+
+constexpr int kTop = 0;
+const Vec3 kThroughTheBottom(0.9, -0.9, 0.1);
+
+/// About the origin, with its top at this place.
+SurfaceMesh octahedron(const Vec3& top) {
+    TriangleSoup soup;
+    soup.positions = {top, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}, {0, -1, 0}};
+    for (int i = 0; i < 4; ++i) {
+        const int a = 1 + i;
+        const int b = 1 + (i + 1) % 4;
+        soup.triangles.push_back({kTop, b, a});
+        soup.triangles.push_back({5, a, b});
+    }
+    return test::meshOf(soup);
+}
+
+int piercedPairs(const SurfaceMesh& mesh) {
+    int ends = 0;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        for (const int other : piercedNeighbours(mesh, t)) {
+            EXPECT_TRUE(std::ranges::binary_search(piercedNeighbours(mesh, other), t));
+            ++ends;
+        }
+    }
+    return ends / 2;
+}
+
+TEST(SelfPiercing, CountsWhatAMoveAddsAndTakesAway) {
+    const Vec3 up(0, 1, 0);
+    const auto addedByMove = [](const SurfaceMesh& mesh, const Vec3& place) {
+        Patch patch = patchOfMove(mesh, starOf(mesh, kTop), kTop);
+        patch.position = place;
+        return addedPiercings(mesh, {patch});
+    };
+    const SurfaceMesh sound = octahedron(up);
+    const SurfaceMesh dented = octahedron(kThroughTheBottom);
+    const int pairs = piercedPairs(dented);
+    EXPECT_GT(pairs, 0);
+    EXPECT_EQ(piercedPairs(sound), 0);
+    EXPECT_EQ(addedByMove(sound, 2 * up), 0);
+    // Pairs that share no vertex count too, where a third triangle joins them.
+    EXPECT_GE(addedByMove(sound, kThroughTheBottom), pairs);
+    EXPECT_EQ(addedByMove(dented, up), -addedByMove(sound, kThroughTheBottom));
+}
+
+}  // namespace
+}  // namespace kerf::cut
