@@ -72,7 +72,8 @@ std::vector<Vec3> wallNormals(const SurfaceMesh& mesh, int v) {
     return normals;
 }
 
-/// A unit direction behind all planes where the perceptron finds one in a few hundred rounds.
+/// A unit direction behind all planes; zero where the perceptron finds none in a few hundred
+/// rounds, as at the end of a slit, which stays closed.
 Vec3 inward(const std::vector<Vec3>& normals) {
     Vec3 direction = Vec3::Zero();
     for (const Vec3& n : normals) {
@@ -89,7 +90,9 @@ Vec3 inward(const std::vector<Vec3>& normals) {
         }
         direction -= *worst;
     }
-    return direction.norm() > 0 ? Vec3(direction.normalized()) : Vec3(Vec3::Zero());
+    const bool behindAll =
+        std::ranges::all_of(normals, [&](const Vec3& n) { return n.dot(direction) < 0; });
+    return behindAll ? Vec3(direction.normalized()) : Vec3(Vec3::Zero());
 }
 
 }  // namespace

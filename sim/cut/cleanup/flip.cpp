@@ -19,7 +19,7 @@ constexpr double kNoPair = 1e-6;
 constexpr double kNoArea = 1e-9;
 constexpr int kLeastValence = 4;
 // Of triangles that are flipped so that the surface does not pass through itself.
-constexpr double kLeastScore = 0.4;
+constexpr double kLeastScore = 0.3;
 
 /// An edge a -> b with the apexes c on its left and d on its right; flipped it is c -> d.
 struct Quad {

@@ -14,15 +14,20 @@ namespace {
 // Stands for a material point that an operation moves or merges: all of them end at one place.
 constexpr int kMovedPoint = -2;
 
+// Sine of the angle between two triangles at an edge below which they lie on each other.
+constexpr double kFoldedFlat = 1e-3;
+
 /// A triangle at its place; points tell which corners are one.
 struct Placed {
+    Triangle vertices;
     Triangle points;
     std::array<Vec3, 3> corners;
     Bounds bounds;
 };
 
-Placed placed(const Triangle& points, const std::array<Vec3, 3>& corners) {
-    Placed result{points, corners, {}};
+Placed placed(const Triangle& vertices, const Triangle& points,
+              const std::array<Vec3, 3>& corners) {
+    Placed result{vertices, points, corners, {}};
     for (const Vec3& p : corners) {
         result.bounds.add(p);
     }
@@ -35,8 +40,9 @@ Triangle pointsOf(const SurfaceMesh& mesh, const Triangle& corners) {
 }
 
 Placed placed(const SurfaceMesh& mesh, const Triangle& corners) {
-    return placed(pointsOf(mesh, corners), {mesh.position(corners[0]), mesh.position(corners[1]),
-                                            mesh.position(corners[2])});
+    return placed(
+        corners, pointsOf(mesh, corners),
+        {mesh.position(corners[0]), mesh.position(corners[1]), mesh.position(corners[2])});
 }
 
 bool has(const Triangle& triangle, int point) {
@@ -54,8 +60,23 @@ bool anyEdgePierces(const Placed& edges, const Placed& triangle) {
     return false;
 }
 
+/// They share an edge and lie on each other with nothing in between, other than both walls at the
+/// end of a slit do, whose third corners are one.
+bool foldedFlat(const Placed& a, const Placed& b) {
+    const auto isShared = [&](int v) { return has(b.vertices, v); };
+    const auto isCommon = [&](int point) { return has(b.points, point); };
+    if (std::ranges::count_if(a.vertices, isShared) != 2 ||
+        std::ranges::all_of(a.points, isCommon)) {
+        return false;
+    }
+    const Vec3 n = crossOf(a.corners);
+    const Vec3 m = crossOf(b.corners);
+    return n.dot(m) < 0 && n.cross(m).norm() < kFoldedFlat * n.norm() * m.norm();
+}
+
 bool intersect(const Placed& a, const Placed& b) {
-    return a.bounds.overlaps(b.bounds) && (anyEdgePierces(a, b) || anyEdgePierces(b, a));
+    return a.bounds.overlaps(b.bounds) &&
+           (anyEdgePierces(a, b) || anyEdgePierces(b, a) || foldedFlat(a, b));
 }
 
 /// Pairs among `some`, and of these with `others`.
@@ -134,7 +155,7 @@ int addedPiercings(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
             for (int& point : points) {
                 point = std::ranges::binary_search(moved, point) ? kMovedPoint : point;
             }
-            exchange.after.push_back(placed(points, cornersAfter(mesh, patch, t)));
+            exchange.after.push_back(placed(t.corners, points, cornersAfter(mesh, patch, t)));
         }
     }
     return addedPiercings(mesh, std::move(exchange));

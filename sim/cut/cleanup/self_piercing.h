@@ -8,9 +8,9 @@
 
 namespace kerf::cut {
 
-// Where the surface passes through itself: pairs of triangles that share a vertex with each other
-// or with a third one. Copies of a material point count as one corner, so walls of a closed slit
-// lie on each other and nothing more.
+// Where the surface passes through itself or lies flat on itself: pairs of triangles that share a
+// vertex with each other or with a third one. Copies of a material point count as one corner, so
+// walls of a closed slit lie on each other and nothing more.
 
 /// How many pairs an operation adds, less those it takes away: a skin triangle cut short over a
 /// wall that runs just below it, say.

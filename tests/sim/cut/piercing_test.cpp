@@ -78,5 +78,11 @@ TEST(SelfPiercing, CountsWhatAMoveAddsAndTakesAway) {
     EXPECT_EQ(addedByMove(dented, up), -addedByMove(sound, kThroughTheBottom));
 }
 
+TEST(SelfPiercing, LyingFlatOnItselfCounts) {
+    EXPECT_EQ(piercedPairs(octahedron({0, -0.4, 0})), 0) << "dented";
+    EXPECT_EQ(piercedPairs(octahedron({0, 0, 0.5})), 0) << "with a flat top";
+    EXPECT_GT(piercedPairs(octahedron({0.25, -0.5, 0.25})), 0) << "its top in a face of its bottom";
+}
+
 }  // namespace
 }  // namespace kerf::cut
