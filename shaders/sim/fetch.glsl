@@ -26,9 +26,14 @@ BendRange fetchBendRange(usamplerBuffer records, uint index) {
     return BendRange(words.x, words.y, words.z, 0u);
 }
 
-IspcShare fetchIspcShare(usamplerBuffer records, uint index) {
-    uvec2 words = fetch(records, index).xy;
-    return IspcShare(words.x, uintBitsToFloat(words.y));
+struct IspcSharePair {
+    IspcShare first, second;
+};
+
+IspcSharePair fetchIspcShares(usamplerBuffer records, uint pair) {
+    uvec4 words = fetch(records, pair);
+    return IspcSharePair(IspcShare(words.x, uintBitsToFloat(words.y)),
+                         IspcShare(words.z, uintBitsToFloat(words.w)));
 }
 #endif
 

@@ -19,9 +19,9 @@ layout(binding = kCorrectionsBinding) uniform samplerBuffer corrections;
 
 vec4 correctionAt(uint index) { return fetch(corrections, index); }
 #ifdef GATHER_BENDS
-uint bendEntryAt(uint place) { return fetch(entries, place).x; }
+uvec2 bendEntriesAt(uint pair) { return fetch(entries, pair).xy; }
 #else
-IspcShare ispcShareAt(uint place) { return fetchIspcShare(entries, place); }
+IspcSharePair ispcSharesAt(uint pair) { return fetchIspcShares(entries, pair); }
 #endif
 
 #include "sim/gather.glsl"

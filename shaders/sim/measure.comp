@@ -36,7 +36,10 @@ shared vec4 leastWay[kGroupSize];  // w: energy of strained material
 shared vec3 mostWay[kGroupSize];
 
 vec4 positionOf(uint v) { return fetch(positions, v); }
-uint neighbourAt(uint place) { return fetch(neighbours, place).x; }
+uint neighbourAt(uint place) {
+    uvec2 pair = fetch(neighbours, place / 2u).xy;
+    return (place & 1u) == 0u ? pair.x : pair.y;
+}
 
 #include "sim/strain_energy.glsl"
 #include "sim/volume_gradient.glsl"
@@ -79,7 +82,7 @@ void lookForNearby(uint v, vec3 p, vec3 u) {
     vec3 low = p;
     vec3 high = p;
     for (uint k = range.x; k < end; ++k) {
-        vec3 q = fetch(positions, fetch(neighbours, k).x & ~kAfterGap).xyz;
+        vec3 q = positionOf(neighbourAt(k) & ~kAfterGap).xyz;
         low = min(low, q);
         high = max(high, q);
     }

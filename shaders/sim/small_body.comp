@@ -41,22 +41,21 @@ layout(std430, binding = kSmallPiecesBinding) readonly buffer Pieces { PieceReco
 layout(std430, binding = kSmallBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
 layout(std430, binding = kSmallPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kSmallPullsBinding) readonly buffer Pulls { PullRecord pulls[]; };
-layout(std430, binding = kSmallBlockSumsBinding) coherent buffer Sums { VolumeSum sums[]; };
 layout(std430, binding = kSmallImpulsesBinding) coherent buffer Impulses { VolumeImpulse impulses[]; };
 
 #include "sim/small_body_state.glsl"
 
 Spoke spokeAt(uint place) { return fetchSpoke(spokes, place); }
-uint bendEntryAt(uint place) { return fetch(bendEntries, place).x; }
-IspcShare ispcShareAt(uint place) { return fetchIspcShare(ispcShares, place); }
+uvec2 bendEntriesAt(uint pair) { return fetch(bendEntries, pair).xy; }
+IspcSharePair ispcSharesAt(uint pair) { return fetchIspcShares(ispcShares, pair); }
 // Open pieces have no volume constraint, so gaps do not matter here.
-uint neighbourAt(uint place) { return fetch(neighbours, place).x & ~kAfterGap; }
+uvec2 neighboursAt(uint pair) { return fetch(neighbours, pair).xy & ~kAfterGap; }
 uvec2 rangeAt(uint v) { return fetch(neighbourRanges, v).xy; }
 uint placeAt(uint place) { return fetch(places, place).x; }
-uint pageAt(uint index) { return pages[index]; }
-VolumeSum sumOfBlock(uint block) { return sums[block]; }
 float impulseFor(uint piece) { return impulses[piece].impulse; }
 uint pieceOf(uint v) { return fetch(links, v).w; }
+
+VolumeSum sumOfBlock(uint block);
 
 #include "sim/bend.glsl"
 #include "sim/gather.glsl"
@@ -66,6 +65,13 @@ uint pieceOf(uint v) { return fetch(links, v).w; }
 #include "sim/settle.glsl"
 #include "sim/stretch.glsl"
 #include "sim/volume.glsl"
+
+// The last part of the sum that volume_gradient has.
+VolumeSum sumOfBlock(uint block) {
+    vec2 sum = partAt(kGroupSize * block);
+    for (uint i = 1u; i < kSumRows; ++i) sum += partAt(kGroupSize * block + i);
+    return VolumeSum(sum.x, sum.y);
+}
 
 vec3 startOf(uint v, float inverseUnitMass) {
     return predicted(velocityOf(v).xyz, inverseUnitMass);
@@ -114,14 +120,16 @@ void solveIspcs() {
     endPhase();
 }
 
+// A block of a small body is one page.
 void sumPlaces() {
     for (uint b = 0u; b < blocksInAll; ++b) {
         BlockRecord block = blocks[b];
+        uint firstPlace = kPageSize * pages[block.first_page];
         uint origin = pieces[block.piece].origin;
         vec3 originX = positionOf(origin).xyz;
         vec3 originD = displacementOf(origin).xyz;
-        for (uint place = self; place < kGroupSize; place += kSmallGroup) {
-            setPart(kGroupSize * b + place, sumOverPages(block, originX, originD, place));
+        for (uint place = self; place < kPageSize; place += kSmallGroup) {
+            setPart(kGroupSize * b + place, sumAt(firstPlace + place, originX, originD));
         }
     }
     endPhase();
@@ -135,12 +143,6 @@ void sumRows() {
         vec2 sum = partAt(row);
         for (uint place = row + kSumRows; place < end; place += kSumRows) sum += partAt(place);
         setPart(row, sum);
-    }
-    endPhase();
-    for (uint b = self; b < blocksInAll; b += kSmallGroup) {
-        vec2 sum = partAt(kGroupSize * b);
-        for (uint i = 1u; i < kSumRows; ++i) sum += partAt(kGroupSize * b + i);
-        sums[b] = VolumeSum(sum.x, sum.y);
     }
     endPhase();
 }

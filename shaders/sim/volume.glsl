@@ -1,6 +1,6 @@
 // What the volume constraint sums up: see volume_gradient.comp. The includer declares `uniforms`,
-// positionOf(v), displacementOf(v), neighbourAt(place) and rangeAt(v) of the neighbours, placeAt(place),
-// pageAt(index), setGradient(v, dV/dp) and sumOfBlock(block).
+// positionOf(v), displacementOf(v), neighboursAt(pair of places) and rangeAt(v) of the neighbours,
+// placeAt(place), setGradient(v, dV/dp) and sumOfBlock(block).
 
 // The sums of kGroupSize places are added up in so many rows first.
 const uint kSumRows = 16u;
@@ -11,24 +11,36 @@ struct GradientPair {
     vec3 now;     // at X + d
 };
 
+struct Arm {
+    vec3 before;  // at X
+    vec3 now;     // at X + d
+};
+
+Arm armTo(uint v, vec3 x, vec3 d) {
+    vec3 before = positionOf(v).xyz - x;
+    return Arm(before, before + (displacementOf(v).xyz - d));
+}
+
+void addTriangle(inout GradientPair sum, Arm a, Arm b) {
+    sum.before += cross(a.before, b.before);
+    sum.now += cross(a.now, b.now);
+}
+
+// Two neighbours a turn: lists begin at even places.
 GradientPair sixfoldGradients(vec3 x, vec3 d, uvec2 range) {
     GradientPair sum = GradientPair(vec3(0.0), vec3(0.0));
-    uint corner = neighbourAt(range.x);
-    vec3 firstBefore = positionOf(corner).xyz - x;
-    vec3 first = firstBefore + (displacementOf(corner).xyz - d);
-    vec3 lastBefore = firstBefore;
-    vec3 last = first;
-    for (uint k = range.x + 1u; k < range.y; ++k) {
-        corner = neighbourAt(k);
-        vec3 nextBefore = positionOf(corner).xyz - x;
-        vec3 next = nextBefore + (displacementOf(corner).xyz - d);
-        sum.before += cross(lastBefore, nextBefore);
-        sum.now += cross(last, next);
-        lastBefore = nextBefore;
-        last = next;
+    uvec2 pair = neighboursAt(range.x / 2u);
+    Arm first = armTo(pair.x, x, d);
+    Arm last = armTo(pair.y, x, d);
+    addTriangle(sum, first, last);
+    for (uint k = range.x + 2u; k < range.y; k += 2u) {
+        pair = neighboursAt(k / 2u);
+        Arm next = armTo(pair.x, x, d);
+        addTriangle(sum, last, next);
+        last = armTo(k + 1u < range.y ? pair.y : pair.x, x, d);
+        addTriangle(sum, next, last);
     }
-    sum.before += cross(lastBefore, firstBefore);
-    sum.now += cross(last, first);
+    addTriangle(sum, last, first);
     return sum;
 }
 
@@ -48,16 +60,14 @@ VolumeShare volumeShare(uint v, vec3 originX, vec3 originD) {
                                uniforms.inverse_density * x.w * dot(g, g)));
 }
 
-// Of a place of all pages of a block; the origin of its piece at X, and its d.
-vec2 sumOverPages(BlockRecord block, vec3 originX, vec3 originD, uint place) {
+// Of the vertex at a place, if there is one, about the origin of its piece at X, and its d.
+vec2 sumAt(uint place, vec3 originX, vec3 originD) {
+    uint v = placeAt(place);
     vec2 sum = vec2(0.0);
-    for (uint i = 0u; i < block.page_count; ++i) {
-        uint v = placeAt(kPageSize * pageAt(block.first_page + i) + place);
-        if (v != kNoVertex) {
-            VolumeShare share = volumeShare(v, originX, originD);
-            setGradient(v, share.gradient);
-            sum += share.sum;
-        }
+    if (v != kNoVertex) {
+        VolumeShare share = volumeShare(v, originX, originD);
+        setGradient(v, share.gradient);
+        sum = share.sum;
     }
     return sum;
 }

@@ -5,11 +5,12 @@
 // The block of a piece that finishes last adds the sums of all of them up, in their order, to the
 // impulse that brings the piece back to its target volume, as a rigid constraint (alpha = 0).
 // Reads X, d, neighbours, places, pages, pieces, blocks. Writes gradients, block sums, impulses.
-// One group per block. A storage barrier follows, then volume_correct.
+// One group of SUM_GROUP threads per block. A storage barrier follows, then volume_correct.
 #include "bindings.h"
 #include "body_records.h"
 #include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
+layout(local_size_x = SUM_GROUP) in;
+const uint kSumGroup = SUM_GROUP;
 
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
@@ -26,29 +27,37 @@ layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord bl
 layout(std430, binding = kBlockSumsBinding) coherent buffer Sums { VolumeSum sums[]; };
 layout(std430, binding = kImpulsesBinding) coherent buffer Impulses { VolumeImpulse impulses[]; };
 
-shared vec2 partial[kGroupSize];
+shared vec2 partial[kPageSize];
 
 vec4 positionOf(uint v) { return fetch(positions, v); }
 vec4 displacementOf(uint v) { return fetch(displacement, v); }
 // Open pieces have no volume constraint, so gaps do not matter here.
-uint neighbourAt(uint place) { return fetch(neighbours, place).x & ~kAfterGap; }
+uvec2 neighboursAt(uint pair) { return fetch(neighbours, pair).xy & ~kAfterGap; }
 uvec2 rangeAt(uint v) { return fetch(ranges, v).xy; }
 uint placeAt(uint place) { return fetch(places, place).x; }
-uint pageAt(uint index) { return pages[index]; }
 void setGradient(uint v, vec3 gradient) { gradients[v] = vec4(gradient, 0.0); }
 VolumeSum sumOfBlock(uint block) { return sums[block]; }
 
 #include "sim/volume.glsl"
 
+// Over a place of all pages of a block.
+vec2 sumOverPages(BlockRecord block, vec3 originX, vec3 originD, uint place) {
+    vec2 sum = vec2(0.0);
+    for (uint i = 0u; i < block.page_count; ++i) {
+        sum += sumAt(kPageSize * pages[block.first_page + i] + place, originX, originD);
+    }
+    return sum;
+}
+
 // To thread 0.
-vec2 sumOverGroup(vec2 sum, uint self) {
-    partial[self] = sum;
-    barrier();
-    if (self < kSumRows) {
-        for (uint i = self + kSumRows; i < kGroupSize; i += kSumRows) sum += partial[i];
-        partial[self] = sum;
+vec2 sumOverPlaces(uint self) {
+    for (uint row = self; row < kSumRows; row += kSumGroup) {
+        vec2 sum = partial[row];
+        for (uint i = row + kSumRows; i < kPageSize; i += kSumRows) sum += partial[i];
+        partial[row] = sum;
     }
     barrier();
+    vec2 sum = partial[0];
     if (self == 0u) {
         for (uint i = 1u; i < kSumRows; ++i) sum += partial[i];
     }
@@ -59,8 +68,13 @@ void main() {
     BlockRecord block = blocks[gl_WorkGroupID.x];
     uint self = gl_LocalInvocationID.x;
     uint origin = pieces[block.piece].origin;
-    vec2 sum = sumOverPages(block, positionOf(origin).xyz, displacementOf(origin).xyz, self);
-    sum = sumOverGroup(sum, self);
+    vec3 originX = positionOf(origin).xyz;
+    vec3 originD = displacementOf(origin).xyz;
+    for (uint place = self; place < kPageSize; place += kSumGroup) {
+        partial[place] = sumOverPages(block, originX, originD, place);
+    }
+    barrier();
+    vec2 sum = sumOverPlaces(self);
     if (self == 0u) {
         sums[gl_WorkGroupID.x] = VolumeSum(sum.x, sum.y);
         memoryBarrierBuffer();

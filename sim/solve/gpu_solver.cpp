@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string>
 #include <utility>
 
+#include "gpu/context.h"
 #include "shaders/shared/bindings.h"
 #include "sim/body/incidence.h"
 #include "sim/solve/gathered_records.h"
@@ -32,8 +34,10 @@ static_assert(sizeof(shared::VolumeImpulse) == 8);
 static_assert(sizeof(shared::Spoke) == 16);
 static_assert(sizeof(shared::BlockMeasure) == 96);
 
-// Every vertex adds up the blocks of its piece, so there are few of them however large it is.
-constexpr uint kMaxBlocksPerPiece = 32;
+// One thread adds up the blocks of a piece, so there are few of them; and a thread goes through the
+// pages of a block, so these may not be too many either: llvmpipe ends loops after 65,535 turns.
+constexpr uint kBlocksPerPiece = 32;
+constexpr uint kMaxPagesPerBlock = 64;
 
 uint size32(std::size_t size) {
     return static_cast<uint>(size);
@@ -81,9 +85,16 @@ Bounds boundsOf(const std::vector<Vec3f>& values) {
     return box;
 }
 
+/// llvmpipe resumes a coroutine at each barrier for every eight threads of a group.
+std::string threadsOfSum() {
+    return (gpu::queryDevice().software ? std::string("8") : std::to_string(shared::kPageSize)) +
+           "u";
+}
+
 void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint firstPage,
                   uint pageCount) {
-    const uint size = (pageCount + kMaxBlocksPerPiece - 1) / kMaxBlocksPerPiece;
+    const uint size =
+        std::min((pageCount + kBlocksPerPiece - 1) / kBlocksPerPiece, kMaxPagesPerBlock);
     for (uint done = 0; done < pageCount; done += size) {
         blocks.push_back({piece, firstPage + done, std::min(size, pageCount - done)});
     }
@@ -104,7 +115,7 @@ void GpuSolver::IncidenceBuffers::assign(const Incidence& incidence) {
 
 void GpuSolver::IncidenceBuffers::bind() const {
     ranges.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
-    entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32);
+    entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
 }
 
 GpuSolver::GpuSolver() {
@@ -116,7 +127,8 @@ GpuSolver::GpuSolver() {
         gpu::Program::compute("sim/gather_corrections.comp", {{"GATHER_BENDS", "1"}});
     kernels_.gatherIspcs =
         gpu::Program::compute("sim/gather_corrections.comp", {{"GATHER_ISPCS", "1"}});
-    kernels_.volumeGradient = gpu::Program::compute("sim/volume_gradient.comp");
+    kernels_.volumeGradient =
+        gpu::Program::compute("sim/volume_gradient.comp", {{"SUM_GROUP", threadsOfSum()}});
     kernels_.volumeCorrect = gpu::Program::compute("sim/volume_correct.comp");
     kernels_.floor = gpu::Program::compute("sim/floor.comp");
     kernels_.finish = gpu::Program::compute("sim/finish.comp");
@@ -203,7 +215,7 @@ void GpuSolver::uploadTriangleLists(const BodyModel& model) {
 
 void GpuSolver::uploadCounts(const BodyModel& model) {
     uploadPieces(model);
-    smallBody_.setBody(model, blocks_.size());
+    smallBody_.setBody(model, blocks_);
     setCounts(uniforms_, model);
     uploadUniforms();
 }
@@ -258,7 +270,7 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     updateState(written, state);
     updateRecords(model, change);
     resizeScratch(model);
-    smallBody_.setBody(model, blocks_.size());
+    smallBody_.setBody(model, blocks_);
     setCounts(uniforms_, model);
     uploadUniforms();
     massesLag_ = true;
@@ -580,7 +592,6 @@ void GpuSolver::runSmallBody(const SubstepRun& run) {
                     .places = &placeBuffer_,
                     .corrections = &corrections_,
                     .gradients = &gradients_,
-                    .blockSums = &blockSums_,
                     .impulses = &impulses_,
                     .pieces = &pieceBuffer_,
                     .blocks = &blockBuffer_,
@@ -624,7 +635,7 @@ void GpuSolver::solveBends() {
         bends_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
         runOverConstraints(kernels_.bend, uniforms_.bend_count);
         bendRanges_.bindTexels(shared::kRangesBinding, TexelFormat::uint32x4);
-        bendEntries_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32);
+        bendEntries_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
         run(kernels_.gatherBends, uniforms_.vertex_count);
     }
 }
@@ -634,7 +645,7 @@ void GpuSolver::solveIspcs() {
         ispcs_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
         runOverConstraints(kernels_.ispc, uniforms_.ispc_count);
         ispcRanges_.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
-        ispcShares_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
+        ispcShares_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x4);
         run(kernels_.gatherIspcs, uniforms_.vertex_count);
     }
 }

@@ -48,6 +48,11 @@ std::size_t loop(std::size_t times, std::size_t turnsInside = 0) {
     return times * (1 + turnsInside) + 1;
 }
 
+/// Of a loop over the pairs of a list.
+std::size_t pairs(std::size_t entries) {
+    return (entries + 1) / 2;
+}
+
 /// Turns of loops in one substep, at most: threads that run side by side turn as often as the one
 /// that needs most.
 std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, uint group) {
@@ -63,14 +68,13 @@ std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, uint grou
             side.add(model, v);
             all.add(model, v);
         }
-        turns += loop(side.edges) + loop(side.ends) + loop(side.apexes) + loop(side.ispcs);
+        turns += loop(side.edges) + loop(pairs(side.ends)) + loop(pairs(side.apexes) + 1) +
+                 loop(pairs(side.ispcs));
     }
     turns += kLoopsOverVertices * loop(rounds);
-    const std::size_t turnsOfPlace = loop(1, loop(all.corners));  // one page: pages are half full
-    turns += loop(blocks, loop(roundedUp(shared::kGroupSize, group), turnsOfPlace));
-    turns += loop(roundedUp(blocks * kSumRows, group), loop(shared::kGroupSize / kSumRows));
-    turns += loop(roundedUp(blocks, group), loop(kSumRows));
-    turns += loop(roundedUp(model.pieces.size(), group), loop(blocks));
+    turns += loop(blocks, loop(roundedUp(shared::kPageSize, group), loop(pairs(all.corners))));
+    turns += loop(roundedUp(blocks * kSumRows, group), loop(shared::kPageSize / kSumRows));
+    turns += 2 * roundedUp(model.pieces.size(), group) + 1 + loop(blocks, loop(kSumRows));
     return turns;
 }
 
@@ -80,14 +84,17 @@ SmallBodySolver::Memory SmallBodySolver::suitableMemory() {
     return gpu::queryDevice().software ? Memory::texels : Memory::shared;
 }
 
-void SmallBodySolver::setBody(const BodyModel& model, std::size_t blocks) {
-    blocks_ = static_cast<uint>(blocks);
+void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks) {
+    blocks_ = static_cast<uint>(blocks.size());
     substepsAtOnce_ = 0;
-    if (model.restPositions.size() <= shared::kSmallBodyVertices &&
-        std::max(blocks, model.pieces.size()) <= shared::kSmallBodyBlocks) {
-        const std::size_t turns = 1 + turnsOfSubstep(model, blocks, groupSize());
+    const bool onePageEach = std::ranges::all_of(
+        blocks, [](const shared::BlockRecord& block) { return block.page_count == 1; });
+    if (model.restPositions.size() <= shared::kSmallBodyVertices && onePageEach &&
+        std::max(blocks.size(), model.pieces.size()) <= shared::kSmallBodyBlocks) {
+        const std::size_t turns = 1 + turnsOfSubstep(model, blocks.size(), groupSize());
         substepsAtOnce_ = static_cast<uint>(kMostTurns / turns);
-        parts_.resize(std::max<std::size_t>(blocks, 1) * shared::kGroupSize * 2 * sizeof(float));
+        parts_.resize(std::max<std::size_t>(blocks.size(), 1) * shared::kPageSize * 2 *
+                      sizeof(float));
     }
 }
 
@@ -114,7 +121,6 @@ void SmallBodySolver::run(const SmallBodyBuffers& buffers, const SubstepRun& run
 
 void SmallBodySolver::bind(const SmallBodyBuffers& b) const {
     b.uniforms->bindStorage(shared::kUniformsBinding);
-    b.blockSums->bindStorage(shared::kSmallBlockSumsBinding);
     b.impulses->bindStorage(shared::kSmallImpulsesBinding);
     b.pieces->bindStorage(shared::kSmallPiecesBinding);
     b.blocks->bindStorage(shared::kSmallBlocksBinding);
@@ -137,12 +143,12 @@ void SmallBodySolver::bind(const SmallBodyBuffers& b) const {
     b.spokes->bindTexels(shared::kSmallSpokesUnit, TexelFormat::uint32x4);
     b.bends->bindTexels(shared::kSmallBendsUnit, TexelFormat::uint32x4);
     b.bendRanges->bindTexels(shared::kSmallBendRangesUnit, TexelFormat::uint32x4);
-    b.bendEntries->bindTexels(shared::kSmallBendEntriesUnit, TexelFormat::uint32);
+    b.bendEntries->bindTexels(shared::kSmallBendEntriesUnit, TexelFormat::uint32x2);
     b.ispcs->bindTexels(shared::kSmallIspcsUnit, TexelFormat::uint32x4);
     b.ispcRanges->bindTexels(shared::kSmallIspcRangesUnit, TexelFormat::uint32x2);
-    b.ispcShares->bindTexels(shared::kSmallIspcSharesUnit, TexelFormat::uint32x2);
+    b.ispcShares->bindTexels(shared::kSmallIspcSharesUnit, TexelFormat::uint32x4);
     b.neighbourRanges->bindTexels(shared::kSmallNeighbourRangesUnit, TexelFormat::uint32x2);
-    b.neighbours->bindTexels(shared::kSmallNeighboursUnit, TexelFormat::uint32);
+    b.neighbours->bindTexels(shared::kSmallNeighboursUnit, TexelFormat::uint32x2);
     b.places->bindTexels(shared::kSmallPlacesUnit, TexelFormat::uint32);
 }
 

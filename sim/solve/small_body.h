@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
@@ -16,7 +17,7 @@ struct SmallBodyBuffers {
     const gpu::Buffer *bends, *bendRanges, *bendEntries;
     const gpu::Buffer *ispcs, *ispcRanges, *ispcShares;
     const gpu::Buffer *neighbourRanges, *neighbours, *places;
-    const gpu::Buffer *corrections, *gradients, *blockSums, *impulses;
+    const gpu::Buffer *corrections, *gradients, *impulses;
     const gpu::Buffer *pieces, *blocks, *pages, *pulls;
 };
 
@@ -41,7 +42,7 @@ class SmallBodySolver {
     explicit SmallBodySolver(Memory memory = suitableMemory()) : memory_(memory) {}
 
     /// A new body, or one that changed.
-    void setBody(const BodyModel& model, std::size_t blocks);
+    void setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks);
     /// Whether one group can solve it.
     bool fits() const { return substepsAtOnce_ > 0; }
     /// How many substeps may begin in one dispatch: Mesa's llvmpipe ends all loops of a thread
