@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "sim/cut/broad_phase.h"
 #include "sim/cut/step.h"
@@ -33,14 +34,6 @@ Vec3 pointOn(const SurfaceMesh& mesh, const Triangle& c, const Vec3& weights) {
            weights[2] * mesh.position(c[2]);
 }
 
-Bounds boxOf(const SurfaceMesh& mesh, int t) {
-    Bounds box;
-    for (const int v : mesh.triangle(t)) {
-        box.add(mesh.position(v));
-    }
-    return box;
-}
-
 OrientedBox boxAround(const Vec3& p, const Vec3& q, double reach) {
     const bool isPoint = p == q;
     const Eigen::Matrix3d axes =
@@ -59,7 +52,8 @@ class NearestSkin {
           way_(q - p),
           parts_(parts),
           reach_(reach),
-          nearest_(parts + 1, SkinPoint{-1, Vec3::Zero(), Vec3::Zero(), reach}) {}
+          nearest_(parts + 1, SkinPoint{-1, Vec3::Zero(), Vec3::Zero(), reach}),
+          farthest_(parts + 1, 1e300) {}
 
     Vec3 point(int k) const { return from_ + way_ * share(k); }
     double share(int k) const { return k / static_cast<double>(parts_); }
@@ -68,21 +62,52 @@ class NearestSkin {
         return nearest_[k].triangle < 0 ? nullptr : &nearest_[k];
     }
 
-    void look(int triangle) {
-        const Bounds box = boxOf(mesh_, triangle);
-        const Vec3 center = box.center();
-        const double radius = kSphereRoom * 0.5 * box.diagonal();
+    /// Each triangle once, all before the first is looked at.
+    void add(int triangle) {
+        const Triangle& c = mesh_.triangle(triangle);
+        const Vec3 center =
+            (mesh_.position(c[0]) + mesh_.position(c[1]) + mesh_.position(c[2])) / 3;
+        double radius = 0;
+        for (const int v : c) {
+            radius = std::max(radius, (mesh_.position(v) - center).squaredNorm());
+        }
+        radius = kSphereRoom * std::sqrt(radius);
         const auto [first, last] = partsWithin(center, reach_ + radius);
         for (int k = first; k <= last; ++k) {
-            const Vec3 p = point(k);
-            const double most = nearest_[k].distance + radius;
-            if ((p - center).squaredNorm() <= most * most) {
-                lookFrom(p, triangle, nearest_[k]);
-            }
+            farthest_[k] = std::min(farthest_[k], (point(k) - center).squaredNorm());
+        }
+        candidates_.push_back({triangle, center, radius, first, last});
+    }
+
+    void lookAtAll() {
+        for (double& farthest : farthest_) {
+            farthest = kSphereRoom * std::sqrt(farthest);
+        }
+        for (const Candidate& candidate : candidates_) {
+            look(candidate);
         }
     }
 
   private:
+    /// A triangle with a sphere about it, and which points may lie so near.
+    struct Candidate {
+        int triangle;
+        Vec3 center;
+        double radius;
+        int first, last;
+    };
+
+    // Skips what some centre of a triangle is nearer than, which is most.
+    void look(const Candidate& candidate) {
+        for (int k = candidate.first; k <= candidate.last; ++k) {
+            const Vec3 p = point(k);
+            const double most = std::min(nearest_[k].distance, farthest_[k]) + candidate.radius;
+            if ((p - candidate.center).squaredNorm() <= most * most) {
+                lookFrom(p, candidate.triangle, nearest_[k]);
+            }
+        }
+    }
+
     /// Of the points on the edge: the first and the last that may lie so near to `center`.
     std::pair<int, int> partsWithin(const Vec3& center, double distance) const {
         const double length = way_.norm();
@@ -114,6 +139,8 @@ class NearestSkin {
     int parts_;
     double reach_;
     std::vector<SkinPoint> nearest_;
+    std::vector<double> farthest_;  ///< of each point: the skin is not farther away
+    std::vector<Candidate> candidates_;
 };
 
 double shareAt(double distance, double h) {
@@ -136,9 +163,10 @@ AirTies::AirTies(const SurfaceMesh& mesh, TriangleFinder& finder,
         NearestSkin skin(mesh, node.position, next.position, parts, kReach * h);
         for (const int t : finder.near(boxAround(node.position, next.position, kReach * h))) {
             if (isSkin(t)) {
-                skin.look(t);
+                skin.add(t);
             }
         }
+        skin.lookAtAll();
         for (int k = 0; k <= parts; ++k) {
             if (const SkinPoint* near = skin.nearest(k)) {
                 ties_.push_back({i, skin.share(k), mesh.triangle(near->triangle), near->weights,

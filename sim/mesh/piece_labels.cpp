@@ -22,37 +22,41 @@ double area(const SurfaceMesh& mesh, const Triangle& t) {
 
 }  // namespace
 
-/// Searches from every touched vertex at once, a vertex each in turn, until all but one of the
-/// parts of each piece are known whole. That takes the time of the smaller parts.
+/// Searches from all changed triangles at once, a triangle each in turn, until all but one of the
+/// parts of each piece are known whole. That takes the time of the smaller parts. Triangles know
+/// their neighbours, so this is several times as fast as going from vertex to vertex.
 class PieceLabels::Splitter {
   public:
-    Splitter(const SurfaceMesh& mesh, const std::vector<int>& ofVertex, std::vector<int>& visitor)
-        : mesh_(mesh), ofVertex_(ofVertex), visitor_(visitor) {}
+    Splitter(const SurfaceMesh& mesh, const std::vector<int>& ofVertex,
+             std::vector<int>& placeOfVertex, std::vector<int>& partOfTriangle)
+        : mesh_(mesh),
+          ofVertex_(ofVertex),
+          placeOfVertex_(placeOfVertex),
+          partOfTriangle_(partOfTriangle) {}
 
-    /// A connected set of vertices that may grow.
+    /// A connected set of triangles that may grow.
     struct Part {
-        std::vector<int> vertices;
-        std::size_t next = 0;  ///< the first whose neighbours have not been looked at
-        int label = -1;        ///< of the piece that it comes from
-        bool joined = false;   ///< holds vertices of two pieces
-        bool whole() const { return next == vertices.size(); }
+        std::vector<int> triangles;
+        std::size_t next = 0;          ///< the first whose neighbours have not been looked at
+        std::vector<int> newVertices;  ///< without a label yet
+        int label = -1;                ///< of the piece that it comes from
+        bool joined = false;           ///< holds vertices of two pieces
+        bool whole() const { return next == triangles.size(); }
     };
 
-    /// Finds the parts; joined() tells where they are not to be used.
+    /// Finds the parts; joined() tells where they are not to be used. `seeds`: the corners of the
+    /// living ones among `triangles`, each once.
     void run(const std::vector<int>& seeds, std::span<const int> triangles) {
         sow(seeds, triangles);
-        for (const Part& part : parts_) {
-            joined_ = joined_ || part.joined;
-        }
+        joined_ = std::ranges::any_of(parts_, &Part::joined);
         if (!joined_) {
             for (const auto& [label, group] : partsByLabel()) {
                 findLesserParts(label, group);
             }
         }
-        for (const std::vector<Part>* list : {&parts_, &cameOff_}) {
-            for (const Part& part : *list) {
-                forget(part);
-            }
+        if (marked_) {
+            forget(parts_);
+            forget(cameOff_);
         }
     }
 
@@ -63,38 +67,47 @@ class PieceLabels::Splitter {
     const std::vector<Part>& stayed() const { return parts_; }
 
   private:
-    // Seeds that changed triangles connect are one part from the start.
+    // Triangles with a common corner are one part from the start.
     void sow(const std::vector<int>& seeds, std::span<const int> triangles) {
         for (std::size_t i = 0; i < seeds.size(); ++i) {
-            visitor_[seeds[i]] = static_cast<int>(i);
+            placeOfVertex_[seeds[i]] = static_cast<int>(i);
         }
         UnionFind sets(seeds.size());
         for (const int t : triangles) {
             if (mesh_.alive(t)) {
                 const Triangle& c = mesh_.triangle(t);
-                sets.join(visitor_[c[0]], visitor_[c[1]]);
-                sets.join(visitor_[c[0]], visitor_[c[2]]);
+                sets.join(placeOfVertex_[c[0]], placeOfVertex_[c[1]]);
+                sets.join(placeOfVertex_[c[0]], placeOfVertex_[c[2]]);
             }
         }
-        std::vector<int> partOfSet(seeds.size(), -1);
+        std::vector<int> partOfSeed(seeds.size(), -1);
         for (std::size_t i = 0; i < seeds.size(); ++i) {
-            int& part = partOfSet[sets.root(static_cast<int>(i))];
-            if (part < 0) {
-                part = static_cast<int>(parts_.size());
+            const int root = sets.root(static_cast<int>(i));
+            if (partOfSeed[root] < 0) {
+                partOfSeed[root] = static_cast<int>(parts_.size());
                 parts_.emplace_back();
             }
-            add(seeds[i], part);
+            partOfSeed[i] = partOfSeed[root];
+            add(seeds[i], parts_[partOfSeed[i]]);
+        }
+        for (const int t : triangles) {
+            if (mesh_.alive(t)) {
+                const int seed = placeOfVertex_[mesh_.triangle(t)[0]];
+                parts_[partOfSeed[seed]].triangles.push_back(t);
+            }
+        }
+        for (const int v : seeds) {
+            placeOfVertex_[v] = -1;
         }
     }
 
-    void add(int vertex, int part) {
-        Part& p = parts_[part];
-        p.vertices.push_back(vertex);
-        visitor_[vertex] = part;
+    void add(int vertex, Part& part) const {
         const int label = ofVertex_[vertex];
-        if (label >= 0) {
-            p.joined = p.joined || (p.label >= 0 && p.label != label);
-            p.label = label;
+        if (label < 0) {
+            part.newVertices.push_back(vertex);
+        } else {
+            part.joined = part.joined || (part.label >= 0 && part.label != label);
+            part.label = label;
         }
     }
 
@@ -109,6 +122,9 @@ class PieceLabels::Splitter {
     void findLesserParts(int label, std::vector<int> group) {
         // A part of new vertices only is complete, since each of their triangles is new.
         const std::size_t keep = label < 0 ? 0 : 1;
+        if (group.size() > keep && label >= 0) {
+            mark(group);
+        }
         while (group.size() > keep) {
             for (std::size_t i = 0; i < group.size() && group.size() > keep;) {
                 if (label < 0 || parts_[group[i]].whole()) {
@@ -122,51 +138,69 @@ class PieceLabels::Splitter {
         }
     }
 
-    // Looks at the neighbours of one vertex; parts that it meets become part of this one.
+    void mark(const std::vector<int>& group) {
+        marked_ = true;
+        partOfTriangle_.resize(mesh_.triangleSlots(), -1);
+        for (const int part : group) {
+            for (const int t : parts_[part].triangles) {
+                partOfTriangle_[t] = part;
+            }
+        }
+    }
+
+    // Looks at the neighbours of one triangle; parts that it meets become part of this one.
     void expand(std::vector<int>& group, std::size_t& index) {
         const int part = group[index];
-        const int vertex = parts_[part].vertices[parts_[part].next++];
-        mesh_.forEachOutgoing(vertex, [&](int h) {
-            const int other = mesh_.target(h);
-            const int owner = visitor_[other];
+        const int triangle = parts_[part].triangles[parts_[part].next++];
+        for (int e = 0; e < 3; ++e) {
+            const int other = mesh_.twin(3 * triangle + e) / 3;
+            const int owner = partOfTriangle_[other];
             if (owner < 0) {
-                add(other, part);
+                partOfTriangle_[other] = part;
+                parts_[part].triangles.push_back(other);
             } else if (owner != part) {
                 absorb(part, owner);
                 const auto gone = std::find(group.begin(), group.end(), owner);
                 index -= gone - group.begin() < static_cast<std::ptrdiff_t>(index) ? 1 : 0;
                 group.erase(gone);
             }
-        });
-    }
-
-    // Vertices already looked at stay in front, so that `next` holds.
-    void absorb(int part, int other) {
-        Part& into = parts_[part];
-        Part from = std::exchange(parts_[other], {});
-        into.joined = into.joined || from.joined;
-        const auto fresh = from.vertices.begin() + static_cast<std::ptrdiff_t>(from.next);
-        into.vertices.insert(into.vertices.begin() + static_cast<std::ptrdiff_t>(into.next),
-                             from.vertices.begin(), fresh);
-        into.next += from.next;
-        into.vertices.insert(into.vertices.end(), fresh, from.vertices.end());
-        for (const int v : from.vertices) {
-            visitor_[v] = part;
         }
     }
 
-    void forget(const Part& part) {
-        for (const int v : part.vertices) {
-            visitor_[v] = -1;
+    // Triangles already looked at stay in front, so that `next` holds.
+    void absorb(int part, int other) {
+        Part& into = parts_[part];
+        Part from = std::exchange(parts_[other], {});
+        const auto fresh = from.triangles.begin() + static_cast<std::ptrdiff_t>(from.next);
+        into.triangles.insert(into.triangles.begin() + static_cast<std::ptrdiff_t>(into.next),
+                              from.triangles.begin(), fresh);
+        into.next += from.next;
+        into.triangles.insert(into.triangles.end(), fresh, from.triangles.end());
+        into.newVertices.insert(into.newVertices.end(), from.newVertices.begin(),
+                                from.newVertices.end());
+        for (const int t : from.triangles) {
+            partOfTriangle_[t] = part;
+        }
+    }
+
+    void forget(const std::vector<Part>& parts) {
+        for (const Part& part : parts) {
+            for (const int t : part.triangles) {
+                if (t < static_cast<int>(partOfTriangle_.size())) {
+                    partOfTriangle_[t] = -1;
+                }
+            }
         }
     }
 
     const SurfaceMesh& mesh_;
     const std::vector<int>& ofVertex_;
-    std::vector<int>& visitor_;
+    std::vector<int>& placeOfVertex_;
+    std::vector<int>& partOfTriangle_;
     std::vector<Part> parts_;
     std::vector<Part> cameOff_;
     bool joined_ = false;
+    bool marked_ = false;  ///< triangles know their parts
 };
 
 PieceLabels::PieceLabels(const SurfaceMesh& mesh) {
@@ -188,7 +222,7 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh) {
     }
     pieces_.clear();
     ofVertex_.assign(mesh.vertexCount(), -1);
-    visitor_.assign(mesh.vertexCount(), -1);
+    placeOfVertex_.assign(mesh.vertexCount(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (used[v] == 0) {
             continue;
@@ -215,13 +249,13 @@ LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> tr
     change.source.resize(pieces_.size());
     std::iota(change.source.begin(), change.source.end(), 0);
     ofVertex_.resize(mesh.vertexCount(), -1);
-    visitor_.resize(mesh.vertexCount(), -1);
+    placeOfVertex_.resize(mesh.vertexCount(), -1);
     shares_.resize(mesh.triangleSlots());
     for (const int t : triangles) {
         discount(t);
     }
     const std::vector<int> touched = touchedVertices(mesh, triangles, change.moves);
-    Splitter splitter(mesh, ofVertex_, visitor_);
+    Splitter splitter(mesh, ofVertex_, placeOfVertex_, partOfTriangle_);
     splitter.run(touched, triangles);
     const int vanished = firstEmptyPiece();
     const bool youngestVanished = onlyEmptyFrom(vanished) && splitter.cameOff().empty();
@@ -230,10 +264,10 @@ LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> tr
     }
     for (const Splitter::Part& part : splitter.cameOff()) {
         change.source.push_back(part.label);
-        comeOff(mesh, part.vertices, change.moves);
+        comeOff(mesh, part.triangles, change.moves);
     }
     for (const Splitter::Part& part : splitter.stayed()) {
-        labelNewVertices(part.vertices, part.label, change.moves);
+        labelNewVertices(part.newVertices, part.label, change.moves);
     }
     for (const int t : triangles) {
         if (mesh.alive(t)) {
@@ -319,7 +353,7 @@ std::vector<int> PieceLabels::touchedVertices(const SurfaceMesh& mesh,
         }
         for (int k = 0; k < 3 && mesh.alive(t); ++k) {
             const int v = mesh.triangle(t)[k];
-            if (std::exchange(visitor_[v], 0) < 0) {
+            if (std::exchange(placeOfVertex_[v], 0) < 0) {
                 touched.push_back(v);
             }
         }
@@ -327,28 +361,25 @@ std::vector<int> PieceLabels::touchedVertices(const SurfaceMesh& mesh,
     return touched;
 }
 
-void PieceLabels::comeOff(const SurfaceMesh& mesh, const std::vector<int>& part,
+void PieceLabels::comeOff(const SurfaceMesh& mesh, const std::vector<int>& triangles,
                           std::vector<LabelMove>& moves) {
     const int label = static_cast<int>(pieces_.size());
     pieces_.emplace_back();
-    for (const int v : part) {
-        mesh.forEachOutgoing(v, [&](int h) {
-            if (h % 3 == 0) {
-                moveShare(h / 3, ofVertex_[v], label);
-            }
-        });
+    for (const int t : triangles) {
+        const Triangle& corners = mesh.triangle(t);
+        moveShare(t, ofVertex_[corners[0]], label);
     }
-    for (const int v : part) {
-        setLabel(v, label, moves);
+    for (const int t : triangles) {
+        for (const int v : mesh.triangle(t)) {
+            setLabel(v, label, moves);
+        }
     }
 }
 
-void PieceLabels::labelNewVertices(const std::vector<int>& part, int label,
+void PieceLabels::labelNewVertices(const std::vector<int>& vertices, int label,
                                    std::vector<LabelMove>& moves) {
-    for (const int v : part) {
-        if (ofVertex_[v] < 0) {
-            setLabel(v, label, moves);
-        }
+    for (const int v : vertices) {
+        setLabel(v, label, moves);
     }
 }
 

@@ -67,9 +67,10 @@ class PieceLabels {
     LabelChange labelAnew(const SurfaceMesh& mesh, const std::vector<int>& before);
     std::vector<int> touchedVertices(const SurfaceMesh& mesh, std::span<const int> triangles,
                                      std::vector<LabelMove>& moves);
-    void comeOff(const SurfaceMesh& mesh, const std::vector<int>& part,
+    void comeOff(const SurfaceMesh& mesh, const std::vector<int>& triangles,
                  std::vector<LabelMove>& moves);
-    void labelNewVertices(const std::vector<int>& part, int label, std::vector<LabelMove>& moves);
+    void labelNewVertices(const std::vector<int>& vertices, int label,
+                          std::vector<LabelMove>& moves);
     void setLabel(int vertex, int label, std::vector<LabelMove>& moves);
     void count(const SurfaceMesh& mesh, int triangle);
     void discount(int triangle);
@@ -79,7 +80,9 @@ class PieceLabels {
     std::vector<int> ofVertex_;
     std::vector<PieceContent> pieces_;
     std::vector<Share> shares_;  ///< by triangle slot
-    std::vector<int> visitor_;   ///< by vertex: scratch of the searches, -1 between them
+    // Room for searches, -1 between them.
+    std::vector<int> placeOfVertex_;   ///< among those touched
+    std::vector<int> partOfTriangle_;  ///< empty until a piece may have fallen apart
 };
 
 }  // namespace kerf

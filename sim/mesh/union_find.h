@@ -21,6 +21,9 @@ class UnionFind {
         return i;
     }
     void join(int a, int b) {
+        if (parent_[a] == parent_[b]) {
+            return;
+        }
         a = root(a);
         b = root(b);
         parent_[std::max(a, b)] = std::min(a, b);
