@@ -191,8 +191,7 @@ ModelMesh readModel(const fs::path& file, const ReadOptions& options) {
         throw ModelFault(file.string() + ": " + found.problem, holes);
     }
     enter(options.progress, "Building the surface");
-    return {SurfaceMesh::fromTriangles(std::move(soup.positions), std::move(soup.triangles)),
-            std::move(soup.uvs)};
+    return {SurfaceMesh::fromTriangles(soup.positions, soup.triangles), std::move(soup.uvs)};
 }
 
 SurfaceMesh loadModel(const fs::path& file, MeshReport* report) {

@@ -52,10 +52,16 @@ class NearestSkin {
           way_(q - p),
           parts_(parts),
           reach_(reach),
+          length_(way_.norm()),
           nearest_(parts + 1, SkinPoint{-1, Vec3::Zero(), Vec3::Zero(), reach}),
-          farthest_(parts + 1, 1e300) {}
+          farthest_(parts + 1, 1e300) {
+        points_.reserve(nearest_.size());
+        for (int k = 0; k <= parts; ++k) {
+            points_.emplace_back(from_ + way_ * share(k));
+        }
+    }
 
-    Vec3 point(int k) const { return from_ + way_ * share(k); }
+    const Vec3& point(int k) const { return points_[k]; }
     double share(int k) const { return k / static_cast<double>(parts_); }
     /// Null where there is none.
     const SkinPoint* nearest(int k) const {
@@ -100,7 +106,7 @@ class NearestSkin {
     // Skips what some centre of a triangle is nearer than, which is most.
     void look(const Candidate& candidate) {
         for (int k = candidate.first; k <= candidate.last; ++k) {
-            const Vec3 p = point(k);
+            const Vec3& p = points_[k];
             const double most = std::min(nearest_[k].distance, farthest_[k]) + candidate.radius;
             if ((p - candidate.center).squaredNorm() <= most * most) {
                 lookFrom(p, candidate.triangle, nearest_[k]);
@@ -110,13 +116,12 @@ class NearestSkin {
 
     /// Of the points on the edge: the first and the last that may lie so near to `center`.
     std::pair<int, int> partsWithin(const Vec3& center, double distance) const {
-        const double length = way_.norm();
-        if (length == 0) {
+        if (length_ == 0) {
             return {0, parts_};
         }
-        const double along = (center - from_).dot(way_) / length;
+        const double along = (center - from_).dot(way_) / length_;
         const auto part = [&](double at) {
-            return static_cast<int>(std::clamp(at / length, -1.0, 2.0) * parts_);
+            return static_cast<int>(std::clamp(at / length_, -1.0, 2.0) * parts_);
         };
         return {std::max(0, part(along - distance) - 1),
                 std::min(parts_, part(along + distance) + 1)};
@@ -138,6 +143,8 @@ class NearestSkin {
     Vec3 way_;
     int parts_;
     double reach_;
+    double length_;
+    std::vector<Vec3> points_;
     std::vector<SkinPoint> nearest_;
     std::vector<double> farthest_;  ///< of each point: the skin is not farther away
     std::vector<Candidate> candidates_;

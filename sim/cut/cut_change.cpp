@@ -9,12 +9,14 @@
 namespace kerf {
 
 std::vector<int> changedTriangles(const CutDelta& delta) {
+    std::vector<int> old = delta.removedTriangles;
+    old.insert(old.end(), delta.changedTriangles.begin(), delta.changedTriangles.end());
+    sortUnique(old);
+    std::vector<int> added = delta.addedTriangles;  // in order already, and many
+    sortUnique(added);
     std::vector<int> all;
-    for (const auto* list :
-         {&delta.removedTriangles, &delta.addedTriangles, &delta.changedTriangles}) {
-        all.insert(all.end(), list->begin(), list->end());
-    }
-    sortUnique(all);
+    all.reserve(old.size() + added.size());
+    std::ranges::set_union(old, added, std::back_inserter(all));
     return all;
 }
 

@@ -1,10 +1,10 @@
 #include "sim/cut/glue.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <cstdint>
 
 #include "sim/cut/directed_edges.h"
-#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 
@@ -17,47 +17,51 @@ struct Directed {
     Directed reversed() const { return {to, from}; }
 };
 
-/// Corners without gaps: the old vertices among them in their order, then the nodes.
+/// Corners without gaps: the nodes, then old vertices in the order in which they are first met.
 class CornerNumbers {
   public:
-    CornerNumbers(int vertexCount, std::size_t nodes, const Outline& outline,
-                  const CutCurves& curves, const std::vector<NewTriangle>& triangles)
-        : vertexCount_(vertexCount) {
-        const auto note = [this](int corner) {
-            if (corner < vertexCount_) {
-                old_.push_back(corner);
-            }
-        };
-        for (const NewTriangle& triangle : triangles) {
-            std::ranges::for_each(triangle.corners, note);
-        }
-        for (const OutlineEdge& edge : outline.edges) {
-            for (const int node : {edge.from, edge.to}) {
-                if (curves.nodes[node].kind == NodeKind::vertex) {
-                    note(curves.nodes[node].a);
-                }
-            }
-        }
-        sortUnique(old_);
-        count_ = old_.size() + nodes;
-    }
+    /// At most `mostOld` vertices are old.
+    CornerNumbers(int vertexCount, std::size_t nodes, std::size_t mostOld)
+        : vertexCount_(vertexCount),
+          nodes_(static_cast<int>(nodes)),
+          places_(std::bit_ceil(2 * mostOld + 1)) {}
 
-    std::size_t count() const { return count_; }
-    bool isOld(int number) const { return number < sizeOf(old_); }
-    /// Of a number that isOld().
-    int vertex(int number) const { return old_[number]; }
-    int operator[](int corner) const {
-        return corner < vertexCount_
-                   ? static_cast<int>(std::ranges::lower_bound(old_, corner) - old_.begin())
-                   : sizeOf(old_) + corner - vertexCount_;
+    int operator[](int corner) {
+        return corner >= vertexCount_ ? corner - vertexCount_ : nodes_ + placeOfOld(corner);
     }
+    std::size_t count() const { return nodes_ + old_.size(); }
+    bool isOld(int number) const { return number >= nodes_; }
+    /// Of a number that isOld().
+    int vertex(int number) const { return old_[number - nodes_]; }
 
   private:
+    struct Place {
+        int vertex = -1;
+        int number = -1;
+    };
+
+    int placeOfOld(int vertex) {
+        const std::size_t mask = places_.size() - 1;
+        std::size_t at = static_cast<std::uint64_t>(vertex) * 0x9E3779B97F4A7C15ull >> 32 & mask;
+        while (places_[at].vertex >= 0 && places_[at].vertex != vertex) {
+            at = (at + 1) & mask;
+        }
+        if (places_[at].vertex < 0) {
+            places_[at] = {vertex, sizeOf(old_)};
+            old_.push_back(vertex);
+        }
+        return places_[at].number;
+    }
+
     int vertexCount_;
+    int nodes_;
+    std::vector<Place> places_;  ///< a power of two of them
     std::vector<int> old_;
-    std::size_t count_ = 0;
 };
 
+/// Both walls have the same triangles, those of W+ turned over: half-edge e of one runs along
+/// half-edge 2 - e of the other, backwards. So one table serves both, and what holds inside of one
+/// is carried over.
 class Gluing {
   public:
     Gluing(const SurfaceMesh& mesh, const CutCurves& curves, const Outline& outline,
@@ -65,31 +69,49 @@ class Gluing {
         : mesh_(mesh),
           triangles_(triangles),
           replaced_(subdivision.replaced),
-          numbers_(mesh.vertexCount(), curves.nodes.size(), outline, curves, triangles),
-          cut_(numbers_.count()),
-          free_(numbers_.count()),
-          front_(numbers_.count()),
-          tables_{DirectedEdges(numbers_.count()), DirectedEdges(numbers_.count()),
-                  DirectedEdges(numbers_.count())} {
-        for (const OutlineEdge& edge : outline.edges) {
-            setOf(edge.kind).add(numbers_[cornerId(mesh, curves, edge.from)],
-                                 numbers_[cornerId(mesh, curves, edge.to)], 0);
-        }
+          firstPlus_(sizeOf(subdivision.triangles)),
+          firstMinus_((firstPlus_ + sizeOf(triangles)) / 2),
+          // Each is a corner of what is replaced, or a V node.
+          numbers_(mesh.vertexCount(), curves.nodes.size(),
+                   3 * replaced_.size() + curves.nodeOfVertex.size()) {
         numberCorners();
-        for (int h = 0; h < 3 * sizeOf(triangles); ++h) {
-            const Directed edge = ends(h);
-            if (!table(triangles[h / 3].sheet).add(edge.from, edge.to, h)) {
-                throw StepFailure{"two new triangles share a directed edge"};
-            }
+        const std::vector<Directed> outlineEdges = numberOutline(curves, outline);
+        const std::size_t count = numbers_.count();
+        onOutline_.assign(count, 0);
+        cut_ = free_ = front_ = DirectedEdges(count);
+        for (int i = 0; i < sizeOf(outlineEdges); ++i) {
+            const auto [from, to] = outlineEdges[i];
+            setOf(outline.edges[i].kind).add(from, to, 0);
+            onOutline_[from] = onOutline_[to] = 1;
         }
+        surface_ = tableOf(0, firstPlus_);
+        minus_ = tableOf(firstMinus_, sizeOf(triangles));
     }
 
     std::vector<GluePartner> run() const {
         std::vector<GluePartner> partners(3 * triangles_.size());
-        for (int h = 0; h < sizeOf(partners); ++h) {
+        std::vector<int> alone;  // those whose partner is not theirs by the way it was found
+        const auto findAlone = [&](int h) {
+            alone.push_back(h);
             partners[h] = partnerOf(h);
+        };
+        const auto findWithin = [&](int first, int end) {
+            for (int h = 3 * first; h < 3 * end; ++h) {
+                if (partners[h].newHalfEdge < 0 && !joinInside(h, partners)) {
+                    findAlone(h);
+                }
+            }
+        };
+        findWithin(0, firstPlus_);
+        findWithin(firstMinus_, sizeOf(triangles_));
+        for (int h = 3 * firstPlus_; h < 3 * firstMinus_; ++h) {
+            if (isInside(ends(h))) {
+                partners[h].newHalfEdge = mirror(partners[mirror(h)].newHalfEdge);
+            } else {
+                findAlone(h);
+            }
         }
-        for (int h = 0; h < sizeOf(partners); ++h) {
+        for (const int h : alone) {
             const int other = partners[h].newHalfEdge;
             if (other >= 0 && partners[other].newHalfEdge != h) {
                 throw StepFailure{"the gluing is not mutual"};
@@ -105,15 +127,33 @@ class Gluing {
             const Triangle& c = triangle.corners;
             corners_.push_back({numbers_[c[0]], numbers_[c[1]], numbers_[c[2]]});
         }
-        for (DirectedEdges& sheet : tables_) {
-            sheet.reserve(3 * triangles_.size());
+    }
+
+    std::vector<Directed> numberOutline(const CutCurves& curves, const Outline& outline) {
+        std::vector<Directed> edges;
+        edges.reserve(outline.edges.size());
+        for (const OutlineEdge& edge : outline.edges) {
+            edges.push_back({numbers_[cornerId(mesh_, curves, edge.from)],
+                             numbers_[cornerId(mesh_, curves, edge.to)]});
         }
+        return edges;
+    }
+
+    DirectedEdges tableOf(int first, int end) const {
+        DirectedEdges table(numbers_.count());
+        table.reserve(3 * static_cast<std::size_t>(end - first));
+        for (int h = 3 * first; h < 3 * end; ++h) {
+            const Directed edge = ends(h);
+            if (!table.add(edge.from, edge.to, h)) {
+                throw StepFailure{"two new triangles share a directed edge"};
+            }
+        }
+        return table;
     }
 
     DirectedEdges& setOf(OutlineKind kind) {
         return kind == OutlineKind::cut ? cut_ : kind == OutlineKind::free ? free_ : front_;
     }
-    DirectedEdges& table(Sheet sheet) { return tables_[static_cast<int>(sheet)]; }
 
     static bool has(const DirectedEdges& set, const Directed& edge) {
         return set.has(edge.from, edge.to);
@@ -122,6 +162,29 @@ class Gluing {
     Directed ends(int h) const {
         const Triangle& corners = corners_[h / 3];
         return {corners[h % 3], corners[(h % 3 + 1) % 3]};
+    }
+
+    /// The half-edge of the other wall that runs along a half-edge of a wall.
+    int mirror(int h) const {
+        const int walls = firstMinus_ - firstPlus_;
+        return 3 * (h / 3 + (h < 3 * firstMinus_ ? walls : -walls)) + 2 - h % 3;
+    }
+
+    /// No edge of the outline, in either direction.
+    bool isInside(const Directed& edge) const {
+        return onOutline_[edge.from] == 0 || onOutline_[edge.to] == 0;
+    }
+
+    /// Of the surface and W-: gives two half-edges within one sheet to each other.
+    bool joinInside(int h, std::vector<GluePartner>& partners) const {
+        const Directed edge = ends(h);
+        const int other =
+            isInside(edge) ? (h < 3 * firstPlus_ ? surface_ : minus_).find(edge.to, edge.from) : -1;
+        if (other >= 0) {
+            partners[h].newHalfEdge = other;
+            partners[other].newHalfEdge = h;
+        }
+        return other >= 0;
     }
 
     GluePartner partnerOf(int h) const {
@@ -170,15 +233,24 @@ class Gluing {
     }
 
     GluePartner in(Sheet sheet, const Directed& edge) const {
-        const int h = tables_[static_cast<int>(sheet)].find(edge.from, edge.to);
+        const int h = find(sheet, edge);
         if (h < 0) {
             throw StepFailure{"a new half-edge has no partner"};
         }
         return {h, -1};
     }
 
+    /// -1 where there is none.
+    int find(Sheet sheet, const Directed& edge) const {
+        if (sheet != Sheet::plus) {
+            return (sheet == Sheet::surface ? surface_ : minus_).find(edge.from, edge.to);
+        }
+        const int mirrored = minus_.find(edge.to, edge.from);
+        return mirrored < 0 ? -1 : mirror(mirrored);
+    }
+
     GluePartner inSurfaceOrMesh(const Directed& edge) const {
-        const int h = tables_[static_cast<int>(Sheet::surface)].find(edge.from, edge.to);
+        const int h = find(Sheet::surface, edge);
         if (h >= 0) {
             return {h, -1};
         }
@@ -194,12 +266,16 @@ class Gluing {
     const SurfaceMesh& mesh_;
     const std::vector<NewTriangle>& triangles_;
     const std::vector<int>& replaced_;
+    int firstPlus_;  ///< triangles: first the surface, then W+, then W-
+    int firstMinus_;
     CornerNumbers numbers_;
-    DirectedEdges cut_;
-    DirectedEdges free_;
-    DirectedEdges front_;
-    std::array<DirectedEdges, 3> tables_;
     std::vector<Triangle> corners_;  ///< of the new triangles, by CornerNumbers
+    std::vector<char> onOutline_;    ///< by number
+    DirectedEdges cut_{0};
+    DirectedEdges free_{0};
+    DirectedEdges front_{0};
+    DirectedEdges surface_{0};
+    DirectedEdges minus_{0};
 };
 
 }  // namespace

@@ -16,6 +16,8 @@ struct GluePartner {
 
 /// Finds the partner of every new half-edge by a table. Topology comes from it alone, never from
 /// geometry; a partner that is missing or double refuses the step (throws StepFailure).
+/// `triangles`: those of the subdivision, then W+, then W- with the same triangles turned over (the
+/// last two corners exchanged).
 std::vector<GluePartner> glue(const SurfaceMesh& mesh, const CutCurves& curves,
                               const Outline& outline, const Subdivision& subdivision,
                               const std::vector<NewTriangle>& triangles);

@@ -19,6 +19,11 @@ RungNode airNode(const Strip& strip, int node, double s) {
 
 // W+ turns the triangles of the layout plane over, W- keeps them.
 void addWalls(const StepInput& in, const std::vector<WallSheet>& sheets, StepPlan& plan) {
+    std::size_t count = plan.triangles.size();
+    for (const WallSheet& sheet : sheets) {
+        count += 2 * sheet.triangles.size();
+    }
+    plan.triangles.reserve(count);
     for (const Sheet side : {Sheet::plus, Sheet::minus}) {
         const int label = 2 * in.stroke + (side == Sheet::plus ? 0 : 1);
         for (const WallSheet& sheet : sheets) {

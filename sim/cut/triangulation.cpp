@@ -31,6 +31,9 @@ bool inCircle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
     const double uw1 = u.x() * w.y(), uw2 = u.y() * w.x();
     const double uv1 = u.x() * v.y(), uv2 = u.y() * v.x();
     const double determinant = uu * (vw1 - vw2) - vv * (uw1 - uw2) + ww * (uv1 - uv2);
+    if (!(determinant > 0)) {
+        return false;
+    }
     const double magnitude = uu * (std::fabs(vw1) + std::fabs(vw2)) +
                              vv * (std::fabs(uw1) + std::fabs(uw2)) +
                              ww * (std::fabs(uv1) + std::fabs(uv2));

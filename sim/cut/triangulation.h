@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cstddef>
 #include <initializer_list>
 #include <vector>
 
@@ -17,6 +18,12 @@ class Triangulation {
     /// Starts with the triangle abc (counter-clockwise); everything happens inside it.
     Triangulation(const Vec2& a, const Vec2& b, const Vec2& c);
 
+    /// Makes room for so many points more, inside the triangle.
+    void reserve(std::size_t points) {
+        points_.reserve(points_.size() + points);
+        faceOfVertex_.reserve(faceOfVertex_.size() + points);
+        faces_.reserve(faces_.size() + 2 * points);
+    }
     /// The Delaunay criterion is applied to metric * point.
     void setMetric(const Eigen::Matrix2d& metric) {
         metric_ = metric;

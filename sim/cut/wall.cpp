@@ -191,6 +191,7 @@ class SheetTriangulation {
     // Coincident border nodes share a vertex of the triangulation; each corner later takes the
     // node of the border edge that bounds its wedge.
     void insertBorder() {
+        plane_.reserve(edges_.size());
         CoincidentPoints known(2 * edges_.size(), kCoincident * in_.h);
         vertexOfNode_.assign(nodes_.size(), -1);
         nodeOfVertex_.assign(3, -1);
@@ -312,6 +313,9 @@ class SheetTriangulation {
         if (rows * columns > kMostSteinerPoints) {
             return;
         }
+        const auto most = static_cast<std::size_t>((rows + 1) * (columns + 1));
+        plane_.reserve(most);
+        nodes_.reserve(nodes_.size() + most);
         for (int j = 0; j <= static_cast<int>(rows); ++j) {
             for (int i = 0; i <= static_cast<int>(columns); ++i) {
                 const double shift = j % 2 == 1 ? 0.5 : 0.0;

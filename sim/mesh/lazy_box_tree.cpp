@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/growth_room.h"
+
 namespace kerf {
 
 namespace {
@@ -35,31 +37,19 @@ LazyBoxTree::Item LazyBoxTree::itemOf(int id, const BoundsOf& boundsOf) {
     return item;
 }
 
-/// The box of cubes; empty places count for nothing.
-struct LazyBoxTree::Extent {
+Bounds LazyBoxTree::boundsOfPlaces(int first, int end) const {
     using Four = Eigen::Array4f;
     Four low = Four::Constant(1e30F);
     Four high = Four::Constant(-1e30F);
-
-    void add(const Item& item) {
-        const Four cube = Eigen::Map<const Four>(item.cube.data());
-        low = low.min(cube - item.cube[3]);
-        high = high.max(cube + item.cube[3]);
-    }
-    Bounds bounds() const {
-        return low[0] <= high[0] ? Bounds{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}
-                                 : Bounds{};
-    }
-};
-
-Bounds LazyBoxTree::boundsOfPlaces(int first, int end) const {
-    Extent extent;
     for (int place = first; place < end; ++place) {
         if (const Item& item = items_[place]; item.id >= 0) {
-            extent.add(item);
+            const Four cube = Eigen::Map<const Four>(item.cube.data());
+            low = low.min(cube - item.cube[3]);
+            high = high.max(cube + item.cube[3]);
         }
     }
-    return extent.bounds();
+    return low[0] <= high[0] ? Bounds{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}
+                             : Bounds{};
 }
 
 void LazyBoxTree::insert(std::span<const int> ids, const BoundsOf& boundsOf) {
@@ -67,10 +57,12 @@ void LazyBoxTree::insert(std::span<const int> ids, const BoundsOf& boundsOf) {
         return;
     }
     const int first = static_cast<int>(items_.size());
+    const std::size_t most = std::size_t(*std::ranges::max_element(ids)) + 1;
     if (first == 0) {
-        items_.reserve(ids.size());
+        items_.reserve(withGrowthRoom(ids.size()));
+        placeOf_.reserve(withGrowthRoom(most));
     }
-    placeOf_.resize(std::max(placeOf_.size(), std::size_t(*std::ranges::max_element(ids)) + 1), -1);
+    placeOf_.resize(std::max(placeOf_.size(), most), -1);
     for (const int id : ids) {
         assert(!contains(id));
         placeOf_[id] = static_cast<int>(items_.size());
@@ -198,7 +190,10 @@ int LazyBoxTree::divide(int index) {
     if (node.count <= kLeafSize) {
         return -1;
     }
-    const auto [middle, bounds] = partition(node);
+    const int middle = partition(node);
+    for (int place = node.first; place < node.end; ++place) {
+        placeOf_[items_[place].id] = place;
+    }
     const int left = newPair();
     nodes_[index].child = left;
     const std::array<int, 3> cuts{node.first, middle, node.end};
@@ -207,7 +202,7 @@ int LazyBoxTree::divide(int index) {
         child.first = cuts[i];
         child.end = cuts[i + 1];
         child.count = child.end - child.first;
-        child.bounds = bounds[i];
+        child.bounds = boundsOfPlaces(child.first, child.end);
         child.stamp = node.stamp;
         child.child = -1;
         child.depth = node.depth + 1;
@@ -215,8 +210,9 @@ int LazyBoxTree::divide(int index) {
     return left;
 }
 
-/// Reorders the items of a node without empty places.
-LazyBoxTree::Halves LazyBoxTree::partition(const Node& node) {
+/// Reorders the items of a node without empty places, which then do not know their places; returns
+/// where the right half begins.
+int LazyBoxTree::partition(const Node& node) {
     const auto longest = [](const Bounds& box) {
         int axis = 0;
         (box.high - box.low).maxCoeff(&axis);
@@ -226,10 +222,8 @@ LazyBoxTree::Halves LazyBoxTree::partition(const Node& node) {
     if (node.depth >= kMiddleDepth) {
         return halve(node, axis);
     }
-    const auto divides = [&node](const Halves& halves) {
-        return halves.middle > node.first && halves.middle < node.end;
-    };
-    if (const Halves at = partitionAt(node, axis, node.bounds.center()[axis]); divides(at)) {
+    const auto dividesAt = [&node](int place) { return place > node.first && place < node.end; };
+    if (const int at = partitionAt(node, axis, node.bounds.center()[axis]); dividesAt(at)) {
         return at;
     }
     Bounds centers;
@@ -238,45 +232,29 @@ LazyBoxTree::Halves LazyBoxTree::partition(const Node& node) {
         centers.add(Vec3(c[0], c[1], c[2]));
     }
     const int across = longest(centers);
-    const Halves at = partitionAt(node, across, centers.center()[across]);
-    return divides(at) ? at : halve(node, across);
+    const int at = partitionAt(node, across, centers.center()[across]);
+    return dividesAt(at) ? at : halve(node, across);
 }
 
-/// Those below the plane come first. Large nodes do not fit into the caches, so their boxes are
-/// made in the same pass.
-LazyBoxTree::Halves LazyBoxTree::partitionAt(const Node& node, int axis, double plane) {
-    Extent below;
-    Extent above;
+/// Those below the plane come first; returns where the others begin. Without branches: on which
+/// side an item lies can't be foreseen.
+int LazyBoxTree::partitionAt(const Node& node, int axis, double plane) {
     int low = node.first;
-    int high = node.end;
-    while (true) {
-        while (low < high && items_[low].cube[axis] < plane) {
-            below.add(items_[low++]);
-        }
-        while (low < high && items_[high - 1].cube[axis] >= plane) {
-            above.add(items_[--high]);
-        }
-        if (low == high) {
-            return {low, {below.bounds(), above.bounds()}};
-        }
-        const Item right = items_[low];
-        setPlace(low, items_[high - 1]);
-        below.add(items_[low++]);
-        setPlace(--high, right);
-        above.add(right);
+    for (int place = node.first; place < node.end; ++place) {
+        const Item item = items_[place];
+        items_[place] = items_[low];
+        items_[low] = item;
+        low += item.cube[axis] < plane ? 1 : 0;
     }
+    return low;
 }
 
-LazyBoxTree::Halves LazyBoxTree::halve(const Node& node, int axis) {
+int LazyBoxTree::halve(const Node& node, int axis) {
     const auto begin = items_.begin() + node.first;
     std::sort(begin, items_.begin() + node.end, [axis](const Item& a, const Item& b) {
         return a.cube[axis] != b.cube[axis] ? a.cube[axis] < b.cube[axis] : a.id < b.id;
     });
-    for (int place = node.first; place < node.end; ++place) {
-        placeOf_[items_[place].id] = place;
-    }
-    const int middle = node.first + node.count / 2;
-    return {middle, {boundsOfPlaces(node.first, middle), boundsOfPlaces(middle, node.end)}};
+    return node.first + node.count / 2;
 }
 
 void LazyBoxTree::divideAll() {

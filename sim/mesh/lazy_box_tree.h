@@ -101,20 +101,14 @@ class LazyBoxTree {
         std::array<float, 4> cube{};  ///< its centre, then half its side
         int id = -1;                  ///< -1: the place is empty
     };
-    struct Extent;
-    /// How the items of a node are divided.
-    struct Halves {
-        int middle;  ///< where the right half begins
-        std::array<Bounds, 2> bounds;
-    };
 
     static Item itemOf(int id, const BoundsOf& boundsOf);
     Bounds widened(const Node& node) const;
     Bounds boundsOfPlaces(int first, int end) const;
     int divide(int index);
-    Halves partition(const Node& node);
-    Halves partitionAt(const Node& node, int axis, double plane);
-    Halves halve(const Node& node, int axis);
+    int partition(const Node& node);
+    int partitionAt(const Node& node, int axis, double plane);
+    int halve(const Node& node, int axis);
     void setPlace(int place, const Item& item);
     int closeRanks(int first, int end);
     void joinLastTwo();

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "sim/growth_room.h"
 #include "sim/mesh/union_find.h"
 
 namespace kerf {
@@ -22,9 +23,9 @@ double area(const SurfaceMesh& mesh, const Triangle& t) {
 
 }  // namespace
 
-/// Searches from all changed triangles at once, a triangle each in turn, until all but one of the
-/// parts of each piece are known whole. That takes the time of the smaller parts. Triangles know
-/// their neighbours, so this is several times as fast as going from vertex to vertex.
+/// Searches from all changed triangles at once, some triangles each in turn, until all but one of
+/// the parts of each piece are known whole. That takes the time of the smaller parts. Triangles
+/// know their neighbours, so this is several times as fast as going from vertex to vertex.
 class PieceLabels::Splitter {
   public:
     Splitter(const SurfaceMesh& mesh, const std::vector<int>& ofVertex,
@@ -67,6 +68,8 @@ class PieceLabels::Splitter {
     const std::vector<Part>& stayed() const { return parts_; }
 
   private:
+    static constexpr int kInTurn = 32;
+
     // Triangles with a common corner are one part from the start.
     void sow(const std::vector<int>& seeds, std::span<const int> triangles) {
         for (std::size_t i = 0; i < seeds.size(); ++i) {
@@ -148,21 +151,24 @@ class PieceLabels::Splitter {
         }
     }
 
-    // Looks at the neighbours of one triangle; parts that it meets become part of this one.
+    // Looks at the neighbours of some triangles; parts that they meet become part of this one.
     void expand(std::vector<int>& group, std::size_t& index) {
         const int part = group[index];
-        const int triangle = parts_[part].triangles[parts_[part].next++];
-        for (int e = 0; e < 3; ++e) {
-            const int other = mesh_.twin(3 * triangle + e) / 3;
-            const int owner = partOfTriangle_[other];
-            if (owner < 0) {
-                partOfTriangle_[other] = part;
-                parts_[part].triangles.push_back(other);
-            } else if (owner != part) {
-                absorb(part, owner);
-                const auto gone = std::find(group.begin(), group.end(), owner);
-                index -= gone - group.begin() < static_cast<std::ptrdiff_t>(index) ? 1 : 0;
-                group.erase(gone);
+        Part& p = parts_[part];
+        for (int i = 0; i < kInTurn && !p.whole(); ++i) {
+            const int triangle = p.triangles[p.next++];
+            for (int e = 0; e < 3; ++e) {
+                const int other = mesh_.twin(3 * triangle + e) / 3;
+                const int owner = partOfTriangle_[other];
+                if (owner < 0) {
+                    partOfTriangle_[other] = part;
+                    p.triangles.push_back(other);
+                } else if (owner != part) {
+                    absorb(part, owner);
+                    const auto gone = std::find(group.begin(), group.end(), owner);
+                    index -= gone - group.begin() < static_cast<std::ptrdiff_t>(index) ? 1 : 0;
+                    group.erase(gone);
+                }
             }
         }
     }
@@ -221,6 +227,10 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh) {
         }
     }
     pieces_.clear();
+    for (std::vector<int>* labels : {&ofVertex_, &placeOfVertex_}) {
+        labels->reserve(withGrowthRoom(mesh.vertexCount()));
+    }
+    shares_.reserve(withGrowthRoom(mesh.triangleSlots()));
     ofVertex_.assign(mesh.vertexCount(), -1);
     placeOfVertex_.assign(mesh.vertexCount(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "sim/growth_room.h"
+
 namespace kerf {
 
 namespace {
@@ -16,16 +18,35 @@ std::uint64_t directedKey(int a, int b) {
 
 }  // namespace
 
-SurfaceMesh SurfaceMesh::fromTriangles(std::vector<Vec3> positions,
-                                       std::vector<Triangle> triangles) {
+SurfaceMesh::SurfaceMesh(const SurfaceMesh& other) {
+    reserve(withGrowthRoom(other.vertexCount()), withGrowthRoom(other.triangleSlots()));
+    *this = other;
+}
+
+void SurfaceMesh::reserve(std::size_t vertices, std::size_t triangles) {
+    old_.reserve(vertices);
+    positions_.reserve(vertices);
+    restPositions_.reserve(vertices);
+    velocities_.reserve(vertices);
+    outgoing_.reserve(vertices);
+    mateGroup_.reserve(vertices);
+    triangles_.reserve(triangles);
+    twins_.reserve(triangles);
+    kinds_.reserve(triangles);
+    wallLabels_.reserve(triangles);
+}
+
+SurfaceMesh SurfaceMesh::fromTriangles(const std::vector<Vec3>& positions,
+                                       const std::vector<Triangle>& triangles) {
     SurfaceMesh mesh;
-    mesh.positions_ = std::move(positions);
+    mesh.reserve(withGrowthRoom(positions.size()), withGrowthRoom(triangles.size()));
+    mesh.positions_ = positions;
     mesh.restPositions_ = mesh.positions_;
     mesh.velocities_.assign(mesh.positions_.size(), Vec3::Zero());
     mesh.old_.assign(mesh.positions_.size(), 0);
     mesh.outgoing_.assign(mesh.positions_.size(), -1);
     mesh.mateGroup_.assign(mesh.positions_.size(), -1);
-    mesh.triangles_ = std::move(triangles);
+    mesh.triangles_ = triangles;
     mesh.kinds_.assign(mesh.triangles_.size(), SurfaceKind::skin);
     mesh.wallLabels_.assign(mesh.triangles_.size(), -1);
     mesh.twins_.assign(mesh.triangles_.size(), {-1, -1, -1});

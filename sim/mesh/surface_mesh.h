@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -26,9 +27,18 @@ enum class SurfaceKind : std::uint8_t { skin = 0, wall = 1 };
 /// where they are read. Only meshes of which nothing is old may be read by several threads.
 class SurfaceMesh {
   public:
+    SurfaceMesh() = default;
+    /// Copies have room to grow (withGrowthRoom).
+    SurfaceMesh(const SurfaceMesh& other);
+    SurfaceMesh(SurfaceMesh&&) noexcept = default;
+    SurfaceMesh& operator=(const SurfaceMesh&) = default;
+    SurfaceMesh& operator=(SurfaceMesh&&) noexcept = default;
+    ~SurfaceMesh() = default;
+
     /// Builds adjacency. The triangles must form a closed, oriented 2-manifold (see
     /// inspectTriangles); throws std::invalid_argument otherwise. Rest positions = positions.
-    static SurfaceMesh fromTriangles(std::vector<Vec3> positions, std::vector<Triangle> triangles);
+    static SurfaceMesh fromTriangles(const std::vector<Vec3>& positions,
+                                     const std::vector<Triangle>& triangles);
 
     // Sizes. Slots include dead triangles and vertices that no triangle uses.
     int vertexCount() const { return static_cast<int>(positions_.size()); }
@@ -151,6 +161,7 @@ class SurfaceMesh {
     const std::vector<int>& matesOfGroup(int group) const { return mateMembers_[group]; }
 
   private:
+    void reserve(std::size_t vertices, std::size_t triangles);
     int groupOf(int v);
 
     mutable VertexSource* source_ = nullptr;  ///< null while nothing is old
