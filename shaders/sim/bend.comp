@@ -16,8 +16,8 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
-layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kDisplacementBinding) displacement;
 layout(binding = kConstraintsBinding) uniform usamplerBuffer bends;
 layout(std430, binding = kCorrectionsBinding) writeonly buffer Corrections { vec4 corrections[]; };
 

@@ -1,6 +1,19 @@
 // Elements of buffers that a kernel reads through texture units (gpu::Buffer::bindTexels). A buffer's
 // unit has the number of its storage binding.
 
+// STATE_TEXELS declares what changes within a step. With LOAD_IMAGES, for llvmpipe, these are images: it
+// calls a function for each fetch of a texel, around which all variables go to memory, but loads images
+// in place.
+#ifdef LOAD_IMAGES
+#define STATE_TEXELS(unit) layout(binding = unit, rgba32f) readonly uniform imageBuffer
+
+vec4 fetch(readonly imageBuffer texels, uint index) {
+    return imageLoad(texels, int(index));
+}
+#else
+#define STATE_TEXELS(unit) layout(binding = unit) uniform samplerBuffer
+#endif
+
 vec4 fetch(samplerBuffer texels, uint index) {
     return texelFetch(texels, int(index));
 }

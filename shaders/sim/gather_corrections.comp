@@ -9,13 +9,13 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+STATE_TEXELS(kPositionsBinding) positions;
 layout(binding = kDisplacementBinding) uniform samplerBuffer before;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
 layout(binding = kLinksBinding) uniform usamplerBuffer links;
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
 layout(binding = kEntriesBinding) uniform usamplerBuffer entries;
-layout(binding = kCorrectionsBinding) uniform samplerBuffer corrections;
+STATE_TEXELS(kCorrectionsBinding) corrections;
 
 vec4 correctionAt(uint index) { return fetch(corrections, index); }
 #ifdef GATHER_BENDS

@@ -13,8 +13,8 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
-layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kVelocitiesBinding) velocities;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
 layout(binding = kLinksBinding) uniform usamplerBuffer links;
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;

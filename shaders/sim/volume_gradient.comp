@@ -15,8 +15,8 @@ const uint kSumGroup = SUM_GROUP;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
-layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kDisplacementBinding) displacement;
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
 layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
 layout(binding = kPlacesBinding) uniform usamplerBuffer places;

@@ -85,12 +85,6 @@ Bounds boundsOf(const std::vector<Vec3f>& values) {
     return box;
 }
 
-/// llvmpipe resumes a coroutine at each barrier for every eight threads of a group.
-std::string threadsOfSum() {
-    return (gpu::queryDevice().software ? std::string("8") : std::to_string(shared::kPageSize)) +
-           "u";
-}
-
 void appendBlocks(std::vector<shared::BlockRecord>& blocks, uint piece, uint firstPage,
                   uint pageCount) {
     const uint size =
@@ -118,17 +112,8 @@ void GpuSolver::IncidenceBuffers::bind() const {
     entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
 }
 
-GpuSolver::GpuSolver() {
-    kernels_.stretch = gpu::Program::compute("sim/stretch.comp");
-    kernels_.stretchAgain = gpu::Program::compute("sim/stretch.comp", {{"SWEEP_AGAIN", "1"}});
-    kernels_.bend = gpu::Program::compute("sim/bend.comp");
-    kernels_.ispc = gpu::Program::compute("sim/ispc.comp");
-    kernels_.gatherBends =
-        gpu::Program::compute("sim/gather_corrections.comp", {{"GATHER_BENDS", "1"}});
-    kernels_.gatherIspcs =
-        gpu::Program::compute("sim/gather_corrections.comp", {{"GATHER_ISPCS", "1"}});
-    kernels_.volumeGradient =
-        gpu::Program::compute("sim/volume_gradient.comp", {{"SUM_GROUP", threadsOfSum()}});
+GpuSolver::GpuSolver() : loadsImages_(gpu::queryDevice().software) {
+    compileConstraints();
     kernels_.volumeCorrect = gpu::Program::compute("sim/volume_correct.comp");
     kernels_.floor = gpu::Program::compute("sim/floor.comp");
     kernels_.finish = gpu::Program::compute("sim/finish.comp");
@@ -139,6 +124,26 @@ GpuSolver::GpuSolver() {
     kernels_.pull = gpu::Program::compute("sim/pull.comp");
     kernels_.restore = gpu::Program::compute("sim/restore.comp");
     setPulls({});
+}
+
+/// Those that a substep spends its time in: see fetch.glsl for images. llvmpipe resumes a coroutine
+/// at each barrier for every eight threads of a group, so that its groups are small.
+void GpuSolver::compileConstraints() {
+    const auto compile = [&](const std::string& name, gpu::Defines defines = {}) {
+        if (loadsImages_) {
+            defines.emplace_back("LOAD_IMAGES", "1");
+        }
+        return gpu::Program::compute("sim/" + name + ".comp", defines);
+    };
+    kernels_.stretch = compile("stretch");
+    kernels_.stretchAgain = compile("stretch", {{"SWEEP_AGAIN", "1"}});
+    kernels_.bend = compile("bend");
+    kernels_.ispc = compile("ispc");
+    kernels_.gatherBends = compile("gather_corrections", {{"GATHER_BENDS", "1"}});
+    kernels_.gatherIspcs = compile("gather_corrections", {{"GATHER_ISPCS", "1"}});
+    const uint threads = loadsImages_ ? 8 : shared::kPageSize;
+    kernels_.volumeGradient =
+        compile("volume_gradient", {{"SUM_GROUP", std::to_string(threads) + "u"}});
 }
 
 void GpuSolver::setModel(const BodyModel& model, const BodyState& state) {
@@ -653,7 +658,7 @@ void GpuSolver::solveIspcs() {
 void GpuSolver::runOverConstraints(const gpu::Program& kernel, uint count) {
     bindBody();
     corrections_.bindStorage(shared::kCorrectionsBinding);
-    corrections_.bindTexels(shared::kCorrectionsBinding, TexelFormat::float32x4);
+    bindState(corrections_, shared::kCorrectionsBinding);
     run(kernel, count);
 }
 
@@ -730,6 +735,13 @@ void GpuSolver::finishSubstep() {
     run(kernels_.finish, uniforms_.vertex_count);
 }
 
+void GpuSolver::bindState(const gpu::Buffer& buffer, uint binding) const {
+    buffer.bindTexels(binding, TexelFormat::float32x4);
+    if (loadsImages_) {
+        buffer.bindImage(binding, TexelFormat::float32x4);
+    }
+}
+
 void GpuSolver::bindBody() const {
     uniformBuffer_.bindStorage(shared::kUniformsBinding);
     positions_.bindStorage(shared::kPositionsBinding);
@@ -739,9 +751,9 @@ void GpuSolver::bindBody() const {
     gradients_.bindStorage(shared::kGradientsBinding);
     pieceBuffer_.bindStorage(shared::kPiecesBinding);
     blockBuffer_.bindStorage(shared::kBlocksBinding);
-    positions_.bindTexels(shared::kPositionsBinding, TexelFormat::float32x4);
-    velocities_.bindTexels(shared::kVelocitiesBinding, TexelFormat::float32x4);
-    displacement_.bindTexels(shared::kDisplacementBinding, TexelFormat::float32x4);
+    bindState(positions_, shared::kPositionsBinding);
+    bindState(velocities_, shared::kVelocitiesBinding);
+    bindState(displacement_, shared::kDisplacementBinding);
     links_.bindTexels(shared::kLinksBinding, TexelFormat::uint32x4);
     gradients_.bindTexels(shared::kGradientsBinding, TexelFormat::float32x4);
 }

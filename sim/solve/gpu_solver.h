@@ -219,7 +219,11 @@ class GpuSolver {
     void setReach(const Bounds& positions, const Bounds& velocities);
     void uploadUniforms();
     void setInverseUnitMass(int vertex, float value);
+    void compileConstraints();
     void bindBody() const;
+    /// As storage it is bound besides; kernels that fetch it see texels or, where loadsImages_,
+    /// images.
+    void bindState(const gpu::Buffer& buffer, std::uint32_t binding) const;
     void run(const gpu::Program& kernel, std::uint32_t threads);
     void runOverConstraints(const gpu::Program& kernel, std::uint32_t count);
     void runOverBlocks(const gpu::Program& kernel);
@@ -229,6 +233,7 @@ class GpuSolver {
     }
     bool active(shared::uint part) const { return (uniforms_.active_parts & part) != 0; }
 
+    bool loadsImages_ = false;  ///< on llvmpipe
     Kernels kernels_;
     shared::SolverUniforms uniforms_{};
     std::vector<float> areas_;  ///< rest area of each vertex [m^2]
