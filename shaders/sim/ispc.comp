@@ -24,5 +24,5 @@ vec4 displacementOf(uint v) { return fetch(displacement, v); }
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= uniforms.ispc_count) return;
-    corrections[index] = vec4(ispcPull(fetchIspc(ispcs, index)), 0.0);
+    corrections[index].xyz = ispcPull(fetchIspc(ispcs, index));
 }

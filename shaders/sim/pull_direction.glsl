@@ -15,6 +15,7 @@ bool pullsAsBefore() {
 }
 
 vec3 pullDirection(vec3 before, vec3 now) {
-    return normalize(pullsAsBefore() && turnedLittle(before, now) ? before : now);
+    bool asBefore = pullsAsBefore() && turnedLittle(before, now);
+    return (asBefore ? before : now) * inversesqrt(asBefore ? dot(before, before) : dot(now, now));
 }
 #endif

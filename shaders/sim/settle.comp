@@ -31,7 +31,7 @@ void main() {
     if ((uniforms.active_parts & kVolumePart) != 0u) d = heldByVolume(v, d, x.w);
     if ((uniforms.active_parts & kFloorPart) != 0u) d = onFloor(d, x);
     if (x.w > 0.0) {
-        velocities[v] = vec4(endVelocity(d), 0.0);
+        velocities[v].xyz = endVelocity(d);
     }
-    positions[v] = vec4(x.xyz + d, x.w);
+    positions[v].xyz = x.xyz + d;
 }

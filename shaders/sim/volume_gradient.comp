@@ -35,7 +35,7 @@ vec4 displacementOf(uint v) { return fetch(displacement, v); }
 uvec2 neighboursAt(uint pair) { return fetch(neighbours, pair).xy & ~kAfterGap; }
 uvec2 rangeAt(uint v) { return fetch(ranges, v).xy; }
 uint placeAt(uint place) { return fetch(places, place).x; }
-void setGradient(uint v, vec3 gradient) { gradients[v] = vec4(gradient, 0.0); }
+void setGradient(uint v, vec3 gradient) { gradients[v].xyz = gradient; }
 VolumeSum sumOfBlock(uint block) { return sums[block]; }
 
 #include "sim/volume.glsl"
