@@ -82,7 +82,9 @@ class NearestSkin {
         for (int k = first; k <= last; ++k) {
             farthest_[k] = std::min(farthest_[k], (point(k) - center).squaredNorm());
         }
-        candidates_.push_back({triangle, center, radius, first, last});
+        if (first <= last) {
+            candidates_.push_back({triangle, center, radius, first, last});
+        }
     }
 
     void lookAtAll() {
@@ -114,17 +116,22 @@ class NearestSkin {
         }
     }
 
-    /// Of the points on the edge: the first and the last that may lie so near to `center`.
+    /// Of the points on the edge: the first and the last that may lie so near to `center`. Empty
+    /// where they are in the wrong order.
     std::pair<int, int> partsWithin(const Vec3& center, double distance) const {
         if (length_ == 0) {
             return {0, parts_};
         }
         const double along = (center - from_).dot(way_) / length_;
+        const double beside = (center - from_).squaredNorm() - along * along;
+        if (beside > distance * distance) {
+            return {1, 0};
+        }
+        const double half = std::sqrt(distance * distance - std::max(0.0, beside));
         const auto part = [&](double at) {
             return static_cast<int>(std::clamp(at / length_, -1.0, 2.0) * parts_);
         };
-        return {std::max(0, part(along - distance) - 1),
-                std::min(parts_, part(along + distance) + 1)};
+        return {std::max(0, part(along - half) - 1), std::min(parts_, part(along + half) + 1)};
     }
 
     void lookFrom(const Vec3& p, int triangle, SkinPoint& best) const {

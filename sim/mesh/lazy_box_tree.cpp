@@ -17,6 +17,7 @@ constexpr int kMiddleDepth = 56;
 // covers the roundings of floats.
 constexpr double kRoundingOfReach = 1e-6;
 constexpr double kRoundingOfCenter = 3e-7;
+constexpr float kFar = 1e30F;
 
 }  // namespace
 
@@ -39,17 +40,18 @@ LazyBoxTree::Item LazyBoxTree::itemOf(int id, const BoundsOf& boundsOf) {
 
 Bounds LazyBoxTree::boundsOfPlaces(int first, int end) const {
     using Four = Eigen::Array4f;
-    Four low = Four::Constant(1e30F);
-    Four high = Four::Constant(-1e30F);
+    Four low = Four::Constant(kFar);
+    Four high = Four::Constant(-kFar);
     for (int place = first; place < end; ++place) {
-        if (const Item& item = items_[place]; item.id >= 0) {
-            const Four cube = Eigen::Map<const Four>(item.cube.data());
-            low = low.min(cube - item.cube[3]);
-            high = high.max(cube + item.cube[3]);
-        }
+        const Four cube = Eigen::Map<const Four>(items_[place].cube.data());
+        low = low.min(cube - items_[place].cube[3]);
+        high = high.max(cube + items_[place].cube[3]);
     }
-    return low[0] <= high[0] ? Bounds{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}
-                             : Bounds{};
+    std::array<float, 4> l;  // the sums themselves stay in registers
+    std::array<float, 4> h;
+    Eigen::Map<Four>(l.data()) = low;
+    Eigen::Map<Four>(h.data()) = high;
+    return l[0] <= h[0] ? Bounds{{l[0], l[1], l[2]}, {h[0], h[1], h[2]}} : Bounds{};
 }
 
 void LazyBoxTree::insert(std::span<const int> ids, const BoundsOf& boundsOf) {
@@ -105,7 +107,7 @@ void LazyBoxTree::erase(std::span<const int> ids) {
             continue;
         }
         const int place = std::exchange(placeOf_[id], -1);
-        items_[place].id = -1;
+        items_[place] = {{0, 0, 0, -kFar}, -1};
         const auto behind = std::ranges::upper_bound(
             roots_, place, {}, [this](int root) { return nodes_[root].first; });
         int index = *(behind - 1);
@@ -175,7 +177,7 @@ int LazyBoxTree::closeRanks(int first, int end) {
         }
         if (place != to) {
             setPlace(to, items_[place]);
-            items_[place].id = -1;
+            items_[place] = {{0, 0, 0, -kFar}, -1};
         }
         ++to;
     }

@@ -98,8 +98,9 @@ class LazyBoxTree {
 
     /// A thing by a cube that holds its box.
     struct Item {
-        std::array<float, 4> cube{};  ///< its centre, then half its side
-        int id = -1;                  ///< -1: the place is empty
+        /// Its centre, then half its side: far below 0 where the place is empty.
+        std::array<float, 4> cube{};
+        int id = -1;  ///< -1: the place is empty
     };
 
     static Item itemOf(int id, const BoundsOf& boundsOf);
