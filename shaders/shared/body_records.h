@@ -120,7 +120,7 @@ struct BlockMeasure {
     // xyz: smallest ways since the last search for contacts [m]; w: energy of the strained material
     // of some constraints, not those of the block [J]
     vec4 low_drift_strain;
-    vec4 high_drift;  // xyz: largest [m]; w unused
+    vec4 high_drift;  // xyz: largest [m]; w: largest fold of some bends (unfold/folded.glsl)
 };
 
 // What a step of the blade wants to know of the vertices once the body has moved. Records follow

@@ -12,6 +12,7 @@ SHARED_CONST uint kIspcPart = 4u;
 SHARED_CONST uint kFloorPart = 8u;
 SHARED_CONST uint kVolumePart = 16u;
 SHARED_CONST uint kPullAsBeforePart = 32u;  // see pull_direction.glsl
+SHARED_CONST uint kUnfoldPart = 64u;        // see unfold/goals.comp
 
 // |C| of a bend is clamped here [rad]: the form that comes back after a snap-through.
 SHARED_CONST float kMaxBendError = 0.3f;

@@ -9,6 +9,7 @@
 #include "constraints.h"
 #include "contact_records.h"
 #include "solver_uniforms.h"
+#include "unfold_records.h"
 layout(local_size_x = kGroupSize) in;
 
 #include "sim/fetch.glsl"
@@ -33,7 +34,7 @@ shared vec4 highs[kGroupSize];
 shared vec4 slowest[kGroupSize];
 shared vec4 fastest[kGroupSize];
 shared vec4 leastWay[kGroupSize];  // w: energy of strained material
-shared vec3 mostWay[kGroupSize];
+shared vec4 mostWay[kGroupSize];  // w: largest fold
 
 vec4 positionOf(uint v) { return fetch(positions, v); }
 uint neighbourAt(uint place) {
@@ -128,7 +129,7 @@ void main() {
     fastest[self] = fast;
     leastWay[self] = vec4(least, strainEnergy(kGroupSize * gl_WorkGroupID.x + self,
                                               kGroupSize * gl_NumWorkGroups.x));
-    mostWay[self] = most;
+    mostWay[self] = vec4(most, largestFold);
     for (uint reach = kGroupSize / 2u; reach > 0u; reach /= 2u) {
         barrier();
         if (self < reach) {
@@ -152,6 +153,6 @@ void main() {
     if (self == 0u) {
         measures[gl_WorkGroupID.x] =
             BlockMeasure(lows[0], highs[0], slowest[0], fastest[0], leastWay[0],
-                         vec4(mostWay[0], 0.0));
+                         mostWay[0]);
     }
 }

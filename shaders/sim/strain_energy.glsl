@@ -26,6 +26,9 @@ float edgeEnergy(uint v) {
     return 0.5 * sum;  // the other end has the other half
 }
 
+#include "sim/unfold/folded.glsl"
+float largestFold = 0.0;  // of the bends that this thread has summed up
+
 float bendEnergy(uint index) {
     BendRecord bend = fetchBend(bends, index);
     vec3 from = fetch(positions, bend.v0).xyz;
@@ -33,6 +36,7 @@ float bendEnergy(uint index) {
                           fetch(positions, bend.v3).xyz - from);
     if (degenerate(wings)) return 0.0;
     vec2 turn = errorVector(wings, bend);
+    largestFold = max(largestFold, foldOf(turn));
     float error = abs(inverseTangent(turn.y, turn.x));
     float elastic = min(error, kMaxBendError);
     return energyOf(elastic * (2.0 * error - elastic), bend.geometry, uniforms.bend_compliance);

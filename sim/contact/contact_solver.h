@@ -63,6 +63,7 @@ struct RelativeMotion {
     bool touching =
         false;  ///< there are contacts: the nearest triangles must be known, not just some
     bool hasCandidates = true;  ///< false: the last search found none
+    bool folded = false;        ///< some edge is folded, so the coming step unfolds (Unfolding)
 };
 
 /// From what the candidates in force were found; what a snapshot keeps of contact.

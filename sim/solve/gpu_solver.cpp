@@ -235,6 +235,7 @@ void GpuSolver::resizeScratch(const BodyModel& model) {
     const std::size_t vertexBytes = model.restPositions.size() * sizeof(shared::vec4);
     displacement_.resize(vertexBytes);
     previous_.resize(vertexBytes);
+    unfolding_.resize(model.restPositions.size());
     gradients_.resize(vertexBytes);
     corrections_.resize(sizeof(shared::vec4) *
                         std::max({2 * model.bends.size(), model.ispcs.size(), std::size_t{1}}));
@@ -499,9 +500,10 @@ void GpuSolver::step() {
     contacts_.beginStep(motion_);
     boxes_.beginStep(reach_);
     blade_.beginStep(reach_);
+    unfolds_ = motion_.folded && active(shared::kUnfoldPart);
     if (!solvesInOneGroup()) {
         stepByPhases();
-    } else if (meetsOnlyTheFloor()) {
+    } else if (meetsOnlyTheFloor() && !unfolds_) {
         stepAtOnce();
     } else {
         stepBySubsteps();
@@ -520,6 +522,7 @@ void GpuSolver::stepByPhases() {
     const bool settles = settlingAllowed_ && meetsOnlyTheFloor() && uniforms_.pull_count == 0;
     for (uint i = 0; i < uniforms_.substeps; ++i) {
         searchContactsBefore(i);
+        unfoldBefore();
         for (uint sweep = 0; sweep < uniforms_.sweeps; ++sweep) {
             deformTimer_.begin();
             sweep == 0 ? predictAndStretch() : stretchAgain();
@@ -556,16 +559,19 @@ void GpuSolver::stepAtOnce() {
     }
 }
 
-/// Contact and boxes act while a substep is open, a search for contacts between two.
+/// Contact and boxes act while a substep is open; contacts are looked for and folds unfolded
+/// between two.
 void GpuSolver::stepBySubsteps() {
     bool open = false;
     for (uint i = 0; i < uniforms_.substeps; ++i) {
-        if (contacts_.searchesBefore(static_cast<int>(i))) {
-            if (std::exchange(open, false)) {
-                runSmallBody({0, true, false});
-            }
+        const bool searches = contacts_.searchesBefore(static_cast<int>(i));
+        if ((unfolds_ || searches) && std::exchange(open, false)) {
+            runSmallBody({0, true, false});
+        }
+        if (searches) {
             searchContactsBefore(i);
         }
+        unfoldBefore();
         runSmallBody({1, open, true});
         open = true;
         collideTimer_.begin();
@@ -575,6 +581,27 @@ void GpuSolver::stepBySubsteps() {
         collideTimer_.end();
     }
     runSmallBody({0, true, false});
+}
+
+void GpuSolver::unfold() {
+    unfolding_.run({.uniforms = &uniformBuffer_,
+                    .positions = &positions_,
+                    .velocities = &velocities_,
+                    .restPositions = &restPositions_,
+                    .bends = &bends_,
+                    .neighbourRanges = &neighbours_.ranges,
+                    .neighbours = &neighbours_.entries,
+                    .vertexCount = uniforms_.vertex_count,
+                    .bendCount = uniforms_.bend_count});
+    dispatches_ += Unfolding::kDispatches;
+}
+
+void GpuSolver::unfoldBefore() {
+    if (unfolds_) {
+        deformTimer_.begin();
+        unfold();
+        deformTimer_.end();
+    }
 }
 
 void GpuSolver::runSmallBody(const SubstepRun& run) {
@@ -783,6 +810,7 @@ BodyMeasure GpuSolver::measure() {
     BodyMeasure out;
     Bounds speeds;
     Bounds ways;
+    float largestFold = 0;
     out.pieceVolumes.assign(pieces_.size(), 0.0);
     std::vector<Bounds>& boxes = out.pieceBounds;
     boxes.resize(pieces_.size());
@@ -798,6 +826,7 @@ BodyMeasure GpuSolver::measure() {
         out.kineticEnergy += slow.w;
         out.potentialEnergy += fast.w;
         out.strainEnergy += leastWay.w;
+        largestFold = std::max(largestFold, measures[b].high_drift.w);
         lost[piece] = lost[piece] || high.w != 0.0f;
         if (low.x > high.x) {
             continue;  // all vertices of the block's pages have gone to other pieces
@@ -820,6 +849,7 @@ BodyMeasure GpuSolver::measure() {
     setReach(out.bounds, out.lostPieces.empty() ? speeds : Bounds{});
     motion_.drift = ways.diagonal();
     motion_.touching = out.contacts > 0;
+    motion_.folded = largestFold > 0;
     motion_.hasCandidates = measures[blocks_.size()].low_volume.y > 0;
     return out;
 }

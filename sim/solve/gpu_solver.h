@@ -21,6 +21,7 @@
 #include "sim/solve/nearby_vertices.h"
 #include "sim/solve/scatter.h"
 #include "sim/solve/small_body.h"
+#include "sim/solve/unfolding.h"
 #include "sim/solve/vertex_pages.h"
 
 namespace kerf {
@@ -126,6 +127,7 @@ class GpuSolver {
     bool solvesInOneGroup() const;
 
     // The phases of a substep, in their order; each ends with a storage barrier.
+    void unfold();  ///< only where something is folded
     void predictAndStretch();
     void stretchAgain();  ///< instead of it in all sweeps but the first
     void solveBends();
@@ -193,6 +195,7 @@ class GpuSolver {
     void settle();
     void stepAtOnce();
     void stepBySubsteps();
+    void unfoldBefore();
     void runSmallBody(const SubstepRun& run);
     void searchContactsBefore(std::uint32_t substep);
     void takeModel(const BodyModel& model, VertexPages& pages);
@@ -268,6 +271,8 @@ class GpuSolver {
     BodyReach reach_;
     BoxContact boxes_;
     BladeContact blade_;
+    Unfolding unfolding_;
+    bool unfolds_ = false;  ///< in this step
     gpu::Timer deformTimer_;
     gpu::Timer collideTimer_;
     long dispatches_ = 0;

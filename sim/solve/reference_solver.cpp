@@ -6,6 +6,7 @@
 #include "sim/body/incidence.h"
 #include "sim/body/piece_masses.h"
 #include "sim/solve/reference_constraints.h"
+#include "sim/solve/reference_unfolding.h"
 
 namespace kerf {
 
@@ -123,6 +124,7 @@ void ReferenceSolver::step(ReferenceState& state) const {
 }
 
 void ReferenceSolver::substep(ReferenceState& state) const {
+    unfold(state);
     predict(state);
     for (std::uint32_t i = 0; i < uniforms_.sweeps; ++i) {
         solveEdges(state);
@@ -133,6 +135,12 @@ void ReferenceSolver::substep(ReferenceState& state) const {
         collideFloor(state);
     }
     finishSubstep(state);
+}
+
+void ReferenceSolver::unfold(ReferenceState& state) const {
+    if (uniforms_.active_parts & shared::kUnfoldPart) {
+        unfoldAsReference(model_, inverseMass_, uniforms_.substep, state);
+    }
 }
 
 void ReferenceSolver::predict(ReferenceState& state) const {

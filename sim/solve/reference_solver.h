@@ -21,9 +21,9 @@ ReferenceState restState(const BodyModel& model);
 
 /// XPBD with small steps and one iteration per substep (Macklin et al. 2019), mass-splitting Jacobi
 /// per constraint type (Tonge et al. 2012): the plain double-precision truth that every kernel is
-/// compared with. A substep is, in this order: predict, then per sweep edges, bends, ISPCs, volume,
-/// pulls, floor, then finish. Plain PBD is many sweeps in one substep, each with a share of the
-/// correction of rigid constraints. Each phase stands alone; constraints read `positions +
+/// compared with. A substep is, in this order: unfold, predict, then per sweep edges, bends, ISPCs,
+/// volume, pulls, floor, then finish. Plain PBD is many sweeps in one substep, each with a share of
+/// the correction of rigid constraints. Each phase stands alone; constraints read `positions +
 /// displacements` as they were when the phase began and change displacements only.
 class ReferenceSolver {
   public:
@@ -44,6 +44,8 @@ class ReferenceSolver {
     void step(ReferenceState& state) const;
     void substep(ReferenceState& state) const;
 
+    /// Draws what is folded back to its rest shape; see Unfolding.
+    void unfold(ReferenceState& state) const;
     /// v += h g, d = h v; kinematic vertices: d = h v.
     void predict(ReferenceState& state) const;
     /// One Jacobi sweep over the constraints of a type.

@@ -20,12 +20,18 @@ bool holdsVolume(const Params& params) {
     return params.solver == SolverMode::smallSteps && params.ispcStiffness > 0;
 }
 
+// What is hollow or limp may fold.
+bool unfolds(const Params& params) {
+    return holdsVolume(params) && params.bendingStiffness > 0;
+}
+
 uint activeParts(const Params& params) {
     uint parts = 0;
     parts |= params.stretchStiffness > 0 ? shared::kStretchPart : 0u;
     parts |= params.bendingStiffness > 0 ? shared::kBendPart : 0u;
     parts |= params.ispcStiffness > 0 ? shared::kIspcPart : 0u;
     parts |= holdsVolume(params) ? shared::kVolumePart : 0u;
+    parts |= unfolds(params) ? shared::kUnfoldPart : 0u;
     parts |= params.floor.has_value() ? shared::kFloorPart : 0u;
     // Plain PBD sweeps many times over a long step, towards where the gradients have turned.
     parts |= params.solver == SolverMode::smallSteps ? shared::kPullAsBeforePart : 0u;

@@ -23,7 +23,7 @@ TEST(SolverUniforms, PartsWithoutStiffnessAreOff) {
     Params params;
     EXPECT_EQ(solverUniforms(params).active_parts,
               shared::kStretchPart | shared::kBendPart | shared::kIspcPart | shared::kVolumePart |
-                  shared::kFloorPart | shared::kPullAsBeforePart);
+                  shared::kFloorPart | shared::kPullAsBeforePart | shared::kUnfoldPart);
     params.stretchStiffness = params.bendingStiffness = params.ispcStiffness = 0;
     params.floor.reset();
     EXPECT_EQ(solverUniforms(params).active_parts, shared::kPullAsBeforePart);

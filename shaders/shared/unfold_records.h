@@ -1,0 +1,39 @@
+// What unfolds the surface: see shaders/sim/unfold/goals.comp.
+#ifndef KERF_UNFOLD_RECORDS_H
+#define KERF_UNFOLD_RECORDS_H
+#include "shared_types.h"
+SHARED_BEGIN
+
+// A bend is folded from the first angle of its turn from rest on, entirely from the second: 60 and
+// 90 degrees. The cosines of both.
+SHARED_CONST float kFoldBegins = 0.5f;
+SHARED_CONST float kFoldEnds = 0.0f;
+
+// Of the spring that unfolds: its rate [1/s], and its damping, which is critical at 2 and more than
+// that here, so that what unfolds creeps.
+SHARED_CONST float kUnfoldRate = 3000.0f;
+SHARED_CONST float kUnfoldDamping = 4.0f;
+// Of what it draws no vertex is farther from its goal than this, as far as the spring knows [m]: it
+// then creeps at 1 m/s.
+SHARED_CONST float kUnfoldReach = kUnfoldDamping / kUnfoldRate;
+
+// Where a vertex and its neighbours would lie as they do at rest, and how they would move as one
+// rigid body.
+struct UnfoldGoal {
+    vec4 rotation;  // from the rest shape: a quaternion, its real part last
+    vec4 center;    // xyz: of mass [m]; w: 1, or 0 where they have no rigid motion (all on a line)
+    vec4 rest_center;  // xyz: of mass at rest [m]; w: share of the way that the spring knows
+    vec4 velocity;     // xyz: of the center [m/s]; w unused
+    vec4 spin;         // xyz: angular velocity [rad/s]; w unused
+};
+
+// Storage and texture units, beside those of the uniforms, X, velocities and the lists of
+// neighbours.
+SHARED_CONST uint kUnfoldRestBinding = 4u;      // texels of rest positions [m]
+SHARED_CONST uint kUnfoldBendsBinding = 5u;     // texels of BendRecord
+SHARED_CONST uint kUnfoldFoldsBinding = 8u;     // float per vertex: the largest fold of its bends
+SHARED_CONST uint kUnfoldFoldSumsBinding = 9u;  // float per vertex: the sum over the goals it is in
+SHARED_CONST uint kUnfoldGoalsBinding = 10u;    // UnfoldGoal per vertex
+
+SHARED_END
+#endif

@@ -1,0 +1,28 @@
+// The sum of the folds of the goals that a vertex is in: its own and those of its neighbours.
+// Reads folds, neighbours. Writes sums. One thread per vertex. A storage barrier follows.
+#include "bindings.h"
+#include "body_records.h"
+#include "solver_uniforms.h"
+#include "unfold_records.h"
+layout(local_size_x = kGroupSize) in;
+
+#include "sim/fetch.glsl"
+#include "sim/uniforms.glsl"
+
+layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
+layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
+layout(binding = kUnfoldFoldsBinding) uniform usamplerBuffer folds;
+layout(std430, binding = kUnfoldFoldSumsBinding) writeonly buffer FoldSums { float foldSums[]; };
+
+float foldAt(uint v) { return uintBitsToFloat(fetch(folds, v).x); }
+
+void main() {
+    uint v = gl_GlobalInvocationID.x;
+    if (v >= uniforms.vertex_count) return;
+    uvec2 range = fetch(ranges, v).xy;
+    float sum = foldAt(v);
+    for (uint k = range.x; k < range.y; ++k) {
+        sum += foldAt(fetch(neighbours, k).x & ~kAfterGap);
+    }
+    foldSums[v] = sum;
+}

@@ -1,0 +1,35 @@
+// How far the bends at each vertex are folded at X, at most. Reads X, bends. Writes folds, which are zero
+// before. One thread per bend; the largest of floats does not mind their order. A storage barrier
+// follows.
+#include "bindings.h"
+#include "body_records.h"
+#include "solver_uniforms.h"
+#include "unfold_records.h"
+layout(local_size_x = kGroupSize) in;
+
+#include "sim/fetch.glsl"
+#include "sim/uniforms.glsl"
+
+layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kUnfoldBendsBinding) uniform usamplerBuffer bends;
+layout(std430, binding = kUnfoldFoldsBinding) buffer Folds { uint folds[]; };
+
+#include "sim/bend_angle.glsl"
+#include "sim/unfold/folded.glsl"
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= uniforms.bend_count) return;
+    BendRecord bend = fetchBend(bends, index);
+    vec3 from = fetch(positions, bend.v0).xyz;
+    Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from, fetch(positions, bend.v2).xyz - from,
+                          fetch(positions, bend.v3).xyz - from);
+    float fold = degenerate(wings) ? 0.0 : foldOf(errorVector(wings, bend));
+    // Positive floats and their bits have the same order.
+    for (uint once = fold > 0.0 ? 1u : 0u; once > 0u; --once) {
+        atomicMax(folds[bend.v0], floatBitsToUint(fold));
+        atomicMax(folds[bend.v1], floatBitsToUint(fold));
+        atomicMax(folds[bend.v2], floatBitsToUint(fold));
+        atomicMax(folds[bend.v3], floatBitsToUint(fold));
+    }
+}

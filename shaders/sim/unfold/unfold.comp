@@ -1,0 +1,63 @@
+// Draws each vertex towards the goals that it is in by damped springs, implicit in the end of the substep:
+// its velocity changes by what they do in the mean, each as much as it is folded. A vertex without a
+// fold near it keeps its bits.
+// Reads X, rest positions, folds, their sums, neighbours, goals. Reads and writes velocities. One thread
+// per vertex. A storage barrier follows.
+#include "bindings.h"
+#include "body_records.h"
+#include "solver_uniforms.h"
+#include "unfold_records.h"
+layout(local_size_x = kGroupSize) in;
+
+#include "sim/fetch.glsl"
+#include "sim/uniforms.glsl"
+
+layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kVelocitiesBinding) uniform samplerBuffer before;
+layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };
+layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
+layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
+layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
+layout(binding = kUnfoldFoldsBinding) uniform usamplerBuffer folds;
+layout(binding = kUnfoldFoldSumsBinding) uniform usamplerBuffer foldSums;
+layout(binding = kUnfoldGoalsBinding) uniform samplerBuffer goals;
+
+#include "sim/unfold/best_rotation.glsl"
+
+UnfoldGoal goalAt(uint v) {
+    uint first = 5u * v;
+    return UnfoldGoal(fetch(goals, first), fetch(goals, first + 1u), fetch(goals, first + 2u),
+                      fetch(goals, first + 3u), fetch(goals, first + 4u));
+}
+
+// What one goal changes a velocity by [m/s].
+vec3 pullOf(UnfoldGoal goal, vec3 x, vec3 rest, vec3 velocity) {
+    vec3 toCenter = goal.center.xyz - x;
+    vec3 way = goal.rest_center.w * (toCenter + rotated(goal.rotation, rest - goal.rest_center.xyz));
+    vec3 slip = goal.center.w * (velocity - goal.velocity.xyz + cross(goal.spin.xyz, toCenter));
+    float turn = kUnfoldRate * uniforms.substep;
+    return (slip + kUnfoldRate * turn * way) / (1.0 + kUnfoldDamping * turn + turn * turn) - slip;
+}
+
+void main() {
+    uint v = gl_GlobalInvocationID.x;
+    if (v >= uniforms.vertex_count) return;
+    uvec2 range = fetch(ranges, v).xy;
+    float foldSum = uintBitsToFloat(fetch(foldSums, v).x);
+    vec4 x = fetch(positions, v);
+    vec3 velocity = fetch(before, v).xyz;
+    vec3 rest = fetch(restPositions, v).xyz;
+    vec3 change = vec3(0.0);
+    uint count = foldSum > 0.0 && x.w > 0.0 ? range.y - range.x + 1u : 0u;
+    for (uint i = 0u; i < count; ++i) {
+        uint j = i == 0u ? v : fetch(neighbours, range.x + i - 1u).x & ~kAfterGap;
+        float fold = uintBitsToFloat(fetch(folds, j).x);
+        if (fold > 0.0) {
+            // Its share of the mass, and as much of the pull.
+            change += fold / foldSum * fold * pullOf(goalAt(j), x.xyz, rest, velocity);
+        }
+    }
+    if (count > 0u) {
+        velocities[v] = vec4(velocity + change, 0.0);
+    }
+}

@@ -1,0 +1,150 @@
+#include "sim/solve/reference_unfolding.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "shaders/shared/unfold_records.h"
+#include "sim/body/dihedral.h"
+#include "sim/body/incidence.h"
+
+namespace kerf {
+
+namespace {
+
+using Matrix = Eigen::Matrix3d;
+
+double foldOf(const shared::BendConstraint& bend, const std::vector<Vec3>& at) {
+    const Vec3& from = at[bend.v0];
+    const auto now = dihedral<double>(at[bend.v1] - from, at[bend.v2] - from, at[bend.v3] - from);
+    if (!now.valid) {
+        return 0;
+    }
+    const double cosine = std::cos(now.angle - static_cast<double>(bend.rest_angle));
+    return std::clamp((shared::kFoldBegins - cosine) / (shared::kFoldBegins - shared::kFoldEnds),
+                      0.0, 1.0);
+}
+
+std::vector<double> foldsOf(const BodyModel& model, const std::vector<Vec3>& at) {
+    std::vector<double> folds(at.size(), 0.0);
+    for (const shared::BendConstraint& bend : model.bends) {
+        const double fold = foldOf(bend, at);
+        for (const std::uint32_t v : verticesOf(bend)) {
+            folds[v] = std::max(folds[v], fold);
+        }
+    }
+    return folds;
+}
+
+/// The vertex itself and its neighbours.
+std::vector<std::uint32_t> membersAt(const BodyModel& model, std::size_t v) {
+    std::vector<std::uint32_t> members{static_cast<std::uint32_t>(v)};
+    const IncidenceRange& range = model.neighbours.ranges[v];
+    for (std::uint32_t k = range.first; k < range.end; ++k) {
+        members.push_back(model.neighbours.entries[k] & ~shared::kAfterGap);
+    }
+    return members;
+}
+
+struct Goal {
+    Matrix rotation = Matrix::Identity();
+    Vec3 center = Vec3::Zero();
+    Vec3 restCenter = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    Vec3 spin = Vec3::Zero();
+    double share = 1;  ///< of the way there that the spring knows
+
+    Vec3 wayOf(const Vec3& x, const Vec3& rest) const {
+        return center + rotation * (rest - restCenter) - x;
+    }
+};
+
+Matrix bestRotation(const Matrix& covariance) {
+    const Eigen::JacobiSVD<Matrix> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Matrix product = svd.matrixU() * svd.matrixV().transpose();
+    const Vec3 signs(1, 1, product.determinant() < 0 ? -1 : 1);
+    return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+}
+
+/// `masses`: what each vertex lends to a goal, over the fold of it.
+Goal goalOf(const BodyModel& model, const std::vector<std::uint32_t>& members,
+            const std::vector<double>& masses, const ReferenceState& state) {
+    Goal goal;
+    double mass = 0;
+    for (const std::uint32_t v : members) {
+        mass += masses[v];
+        goal.center += masses[v] * state.positions[v];
+        goal.restCenter += masses[v] * model.restPositions[v].cast<double>();
+        goal.velocity += masses[v] * state.velocities[v];
+    }
+    goal.center /= mass;
+    goal.restCenter /= mass;
+    goal.velocity /= mass;
+    Matrix covariance = Matrix::Zero();
+    Matrix inertia = Matrix::Zero();
+    Vec3 angularMomentum = Vec3::Zero();
+    for (const std::uint32_t v : members) {
+        const Vec3 x = state.positions[v] - goal.center;
+        const Vec3 rest = model.restPositions[v].cast<double>() - goal.restCenter;
+        covariance += masses[v] * x * rest.transpose();
+        inertia += masses[v] * (x.squaredNorm() * Matrix::Identity() - x * x.transpose());
+        angularMomentum += masses[v] * x.cross(state.velocities[v] - goal.velocity);
+    }
+    goal.rotation = bestRotation(covariance);
+    goal.spin = inertia.inverse() * angularMomentum;
+    double longest = shared::kUnfoldReach;
+    for (const std::uint32_t v : members) {
+        const Vec3 rest = model.restPositions[v].cast<double>();
+        longest =
+            std::max(longest, masses[v] > 0 ? goal.wayOf(state.positions[v], rest).norm() : 0);
+    }
+    goal.share = shared::kUnfoldReach / longest;
+    return goal;
+}
+
+Vec3 pullOf(const Goal& goal, const Vec3& x, const Vec3& rest, const Vec3& velocity, double h) {
+    const Vec3 way = goal.share * goal.wayOf(x, rest);
+    const Vec3 slip = velocity - goal.velocity - goal.spin.cross(x - goal.center);
+    const double turn = shared::kUnfoldRate * h;
+    return (slip + shared::kUnfoldRate * turn * way) /
+               (1 + shared::kUnfoldDamping * turn + turn * turn) -
+           slip;
+}
+
+}  // namespace
+
+void unfoldAsReference(const BodyModel& model, const std::vector<double>& inverseMass,
+                       double substep, ReferenceState& state) {
+    const std::size_t count = state.positions.size();
+    const std::vector<double> folds = foldsOf(model, state.positions);
+    std::vector<double> sums(count, 0.0);
+    std::vector<double> masses(count, 0.0);
+    for (std::size_t v = 0; v < count; ++v) {
+        for (const std::uint32_t j : membersAt(model, v)) {
+            sums[v] += folds[j];
+        }
+        masses[v] = sums[v] > 0 && inverseMass[v] > 0 ? 1 / (inverseMass[v] * sums[v]) : 0.0;
+    }
+    std::vector<Vec3> changes(count, Vec3::Zero());
+    for (std::size_t v = 0; v < count; ++v) {
+        if (folds[v] <= 0) {
+            continue;
+        }
+        const std::vector<std::uint32_t> members = membersAt(model, v);
+        const Goal goal = goalOf(model, members, masses, state);
+        for (const std::uint32_t j : members) {
+            if (inverseMass[j] > 0) {
+                changes[j] +=
+                    folds[v] * folds[v] / sums[j] *
+                    pullOf(goal, state.positions[j], model.restPositions[j].cast<double>(),
+                           state.velocities[j], substep);
+            }
+        }
+    }
+    for (std::size_t v = 0; v < count; ++v) {
+        state.velocities[v] += changes[v];
+    }
+}
+
+}  // namespace kerf

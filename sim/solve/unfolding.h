@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+
+namespace kerf {
+
+/// The solver's buffers and counts that unfolding needs.
+struct UnfoldingBody {
+    const gpu::Buffer *uniforms, *positions, *velocities, *restPositions, *bends;
+    const gpu::Buffer *neighbourRanges, *neighbours;
+    std::uint32_t vertexCount, bendCount;
+};
+
+/// Brings a surface that is folded back, on the GPU: elastic forces alone leave triangles turned
+/// over, as their edges have the right lengths again. Between two substeps the vertices around each
+/// edge that is bent by more than 60 degrees from rest are drawn to how they lie at rest, by an
+/// overdamped spring that changes no momentum. Where nothing is folded no bit changes.
+class Unfolding {
+  public:
+    static constexpr int kDispatches = 4;
+
+    /// Compiles the kernels. Throws gpu::ShaderError.
+    Unfolding();
+    /// A body of so many vertices. Throws gpu::OutOfMemory.
+    void resize(std::size_t vertices);
+    /// Changes velocities; a storage barrier follows.
+    void run(const UnfoldingBody& body);
+
+  private:
+    void bind(const UnfoldingBody& body) const;
+
+    gpu::Program findFolds_, sumFolds_, findGoals_, unfold_;
+    gpu::Buffer folds_, foldSums_, goals_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,135 @@
+#include "sim/solve/unfolding.h"
+
+#include <numeric>
+#include <random>
+
+#include "sim/body/piece_masses.h"
+#include "sim/body/rest_geometry.h"
+#include "sim/body/shape_error.h"
+#include "sim/solve/gpu_solver.h"
+#include "sim/solve/reference_solver.h"
+#include "sim/solve/solver_uniforms.h"
+#include "tests/support/folds.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+/// A weightless body whose vertices were moved at random, and have random velocities.
+struct Crumpled {
+    /// `reach`: of each coordinate, in mean edge lengths. `speed` [m/s].
+    Crumpled(SurfaceMesh body, float reach, float speed)
+        : mesh(std::move(body)), model(buildBodyModel(mesh)) {
+        Params params;
+        params.gravity = Vec3::Zero();
+        params.floor.reset();
+        uniforms = solverUniforms(params, model);
+        std::mt19937 random(5);
+        std::uniform_real_distribution<float> noise(-1, 1);
+        const auto vector = [&] { return Vec3f(noise(random), noise(random), noise(random)); };
+        reach *= static_cast<float>(meanRestEdgeLength(mesh));
+        for (const Vec3f& p : model.restPositions) {
+            start.positions.push_back(p + reach * vector());
+            start.velocities.push_back(speed * vector());
+        }
+        gpu.setModel(model, start);
+        gpu.setUniforms(uniforms);
+    }
+
+    void play(int steps) {
+        for (int step = 0; step < steps; ++step) {
+            gpu.measure();
+            gpu.step();
+        }
+    }
+
+    /// Edges folded by more than 90 degrees.
+    int folds() {
+        const BodyState now = gpu.readState();
+        for (std::size_t v = 0; v < now.positions.size(); ++v) {
+            mesh.setPosition(static_cast<int>(v), now.positions[v].cast<double>());
+        }
+        return test::foldedEdges(mesh);
+    }
+
+    /// As of the last folds() [m].
+    double shapeError() const {
+        std::vector<int> all(mesh.positions().size());
+        std::iota(all.begin(), all.end(), 0);
+        return rmsShapeError(mesh.restPositions(), mesh.positions(), all);
+    }
+
+    SurfaceMesh mesh;
+    BodyModel model;
+    shared::SolverUniforms uniforms;
+    BodyState start;
+    GpuSolver gpu;
+};
+
+class UnfoldingTest : public test::GlTest {};
+
+TEST_F(UnfoldingTest, DoesWhatTheReferenceDoes) {
+    for (const SurfaceMesh& mesh : {test::cubeSphere(8), test::torus(), test::bentTube()}) {
+        Crumpled body(mesh, 0.4f, 1.0f);
+        EXPECT_GT(body.folds(), 10);
+        ReferenceState reference = restState(body.model);
+        for (std::size_t v = 0; v < body.start.positions.size(); ++v) {
+            reference.positions[v] = body.start.positions[v].cast<double>();
+            reference.velocities[v] = body.start.velocities[v].cast<double>();
+        }
+        ReferenceSolver(body.model, body.uniforms).unfold(reference);
+        body.gpu.unfold();
+        const BodyState now = body.gpu.readState();
+        double largestChange = 0;
+        double largestError = 0;
+        for (std::size_t v = 0; v < now.velocities.size(); ++v) {
+            const Vec3 start = body.start.velocities[v].cast<double>();
+            largestChange = std::max(largestChange, (reference.velocities[v] - start).norm());
+            largestError = std::max(
+                largestError, (now.velocities[v].cast<double>() - reference.velocities[v]).norm());
+        }
+        EXPECT_EQ(now.positions, body.start.positions);
+        EXPECT_GT(largestChange, 1);
+        EXPECT_LT(largestError, 1e-4 * largestChange);
+    }
+}
+
+TEST_F(UnfoldingTest, KeepsMomentum) {
+    Crumpled body(test::cubeSphere(8), 0.4f, 1.0f);
+    body.gpu.unfold();
+    const BodyState now = body.gpu.readState();
+    const std::vector<double> masses = unitMasses(body.model);
+    Vec3 gained = Vec3::Zero();
+    Vec3 turned = Vec3::Zero();
+    double moved = 0;
+    for (std::size_t v = 0; v < masses.size(); ++v) {
+        const Vec3 change =
+            masses[v] * (now.velocities[v] - body.start.velocities[v]).cast<double>();
+        gained += change;
+        turned += body.start.positions[v].cast<double>().cross(change);
+        moved += change.norm();
+    }
+    EXPECT_LT(gained.norm(), 1e-6 * moved);
+    EXPECT_LT(turned.norm(), 1e-5 * moved);  // the body's radius is 0.5 m
+}
+
+TEST_F(UnfoldingTest, ChangesNoBitWhereNothingIsFolded) {
+    Crumpled body(test::cubeSphere(8), 0.05f, 1.0f);
+    body.gpu.unfold();
+    const BodyState now = body.gpu.readState();
+    EXPECT_EQ(now.positions, body.start.positions);
+    EXPECT_EQ(now.velocities, body.start.velocities);
+}
+
+// A spring that gave energy would shake the body for ever.
+TEST_F(UnfoldingTest, BringsACrumpledBodyBackToItsShapeAndToRest) {
+    Crumpled body(test::cubeSphere(8), 0.8f, 0.0f);
+    EXPECT_GT(body.folds(), 100);
+    body.play(300);
+    EXPECT_EQ(body.folds(), 0);
+    EXPECT_LT(body.shapeError(), 0.05 * meanRestEdgeLength(body.mesh));
+}
+
+}  // namespace
+}  // namespace kerf
