@@ -96,8 +96,7 @@ Goal goalOf(const BodyModel& model, const std::vector<std::uint32_t>& members,
     double longest = shared::kUnfoldReach;
     for (const std::uint32_t v : members) {
         const Vec3 rest = model.restPositions[v].cast<double>();
-        longest =
-            std::max(longest, masses[v] > 0 ? goal.wayOf(state.positions[v], rest).norm() : 0);
+        longest = std::max(longest, goal.wayOf(state.positions[v], rest).norm());
     }
     goal.share = shared::kUnfoldReach / longest;
     return goal;
@@ -128,10 +127,12 @@ void unfoldAsReference(const BodyModel& model, const std::vector<double>& invers
     }
     std::vector<Vec3> changes(count, Vec3::Zero());
     for (std::size_t v = 0; v < count; ++v) {
-        if (folds[v] <= 0) {
+        const std::vector<std::uint32_t> members = membersAt(model, v);
+        const bool free =
+            std::ranges::all_of(members, [&](std::uint32_t j) { return inverseMass[j] > 0; });
+        if (folds[v] <= 0 || !free) {
             continue;
         }
-        const std::vector<std::uint32_t> members = membersAt(model, v);
         const Goal goal = goalOf(model, members, masses, state);
         for (const std::uint32_t j : members) {
             if (inverseMass[j] > 0) {

@@ -53,7 +53,7 @@ void Unfolding::bind(const UnfoldingBody& body) const {
     body.restPositions->bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
     body.bends->bindTexels(shared::kUnfoldBendsBinding, TexelFormat::uint32x4);
     body.neighbourRanges->bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
-    body.neighbours->bindTexels(shared::kEntriesBinding, TexelFormat::uint32);
+    body.neighbours->bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
     bindBoth(folds_, shared::kUnfoldFoldsBinding, TexelFormat::uint32);
     bindBoth(foldSums_, shared::kUnfoldFoldSumsBinding, TexelFormat::uint32);
     bindBoth(goals_, shared::kUnfoldGoalsBinding, TexelFormat::float32x4);

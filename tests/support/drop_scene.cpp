@@ -16,24 +16,32 @@ constexpr int kCutSteps = 60;
 constexpr int kErrorEvery = 4;  // steps between two looks at the shape
 constexpr double kChip = 1e-4;  // of the body's volume
 
-/// Largest RMS shape error of a piece that is no chip [m].
-double largestError(Simulation& simulation, double bodyVolume) {
+/// Largest RMS shape errors of the pieces that are no chips.
+struct ShapeErrors {
+    double largest = 0;         ///< [m]
+    double largestOfPiece = 0;  ///< share of the diagonal of the piece at rest
+};
+
+ShapeErrors shapeErrors(Simulation& simulation, double bodyVolume) {
     const SurfaceMesh& mesh = simulation.mesh();
     const PieceMap& pieces = simulation.pieces();
     std::vector<std::vector<int>> vertices(pieces.pieces.size());
+    std::vector<Bounds> bounds(pieces.pieces.size());
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (const int piece = pieces.ofVertex[v]; piece >= 0) {
             vertices[piece].push_back(v);
+            bounds[piece].add(mesh.restPosition(v));
         }
     }
-    double largest = 0;
+    ShapeErrors errors;
     for (std::size_t p = 0; p < vertices.size(); ++p) {
         if (pieces.pieces[p].restVolume >= kChip * bodyVolume) {
-            largest = std::max(largest,
-                               rmsShapeError(mesh.restPositions(), mesh.positions(), vertices[p]));
+            const double error = rmsShapeError(mesh.restPositions(), mesh.positions(), vertices[p]);
+            errors.largest = std::max(errors.largest, error);
+            errors.largestOfPiece = std::max(errors.largestOfPiece, error / bounds[p].diagonal());
         }
     }
-    return largest;
+    return errors;
 }
 
 double topSpeed(const SurfaceMesh& mesh) {
@@ -81,7 +89,10 @@ DropFigures playDrop(SurfaceMesh mesh, const DropScene& scene) {
         figures.meanVolume += report.volumeRatio / steps;
         figures.leastVolume = std::min(figures.leastVolume, report.volumeRatio);
         if (step % kErrorEvery == 0 || step == steps) {
-            figures.finalError = largestError(simulation, bodyVolume) / bounds.diagonal();
+            const ShapeErrors errors = shapeErrors(simulation, bodyVolume);
+            figures.finalError = errors.largest / bounds.diagonal();
+            figures.finalErrorOfPiece = errors.largestOfPiece;
+            figures.peakErrorOfPiece = std::max(figures.peakErrorOfPiece, errors.largestOfPiece);
             figures.peakError = std::max(figures.peakError, figures.finalError);
         }
     }
@@ -96,15 +107,16 @@ DropFigures playDrop(SurfaceMesh mesh, const DropScene& scene) {
 
 std::string dropTableHead() {
     return "drop                       pieces triangles  volume % mean     min   final  "
-           "RMS % peak  final  folds  m/s at end  messages\n";
+           "RMS % peak  final  of piece peak  final  folds  m/s at end  messages\n";
 }
 
 std::string dropTableRow(const std::string& name, const DropFigures& f) {
     char text[200];
     std::snprintf(text, sizeof text,
-                  "%-26s %6d %9d  %13.3f %7.3f %7.3f %11.2f %6.2f %6d %11.3f %9d\n", name.c_str(),
-                  f.pieces, f.triangles, 100 * f.meanVolume, 100 * f.leastVolume,
-                  100 * f.finalVolume, 100 * f.peakError, 100 * f.finalError, f.folds, f.finalSpeed,
+                  "%-26s %6d %9d  %13.3f %7.3f %7.3f %11.2f %6.2f %14.2f %6.2f %6d %11.3f %9d\n",
+                  name.c_str(), f.pieces, f.triangles, 100 * f.meanVolume, 100 * f.leastVolume,
+                  100 * f.finalVolume, 100 * f.peakError, 100 * f.finalError,
+                  100 * f.peakErrorOfPiece, 100 * f.finalErrorOfPiece, f.folds, f.finalSpeed,
                   f.messages);
     return text;
 }

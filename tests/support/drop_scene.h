@@ -24,6 +24,9 @@ struct DropFigures {
     double finalVolume = 0;
     double peakError = 0;   ///< largest RMS shape error of a piece, share of the body's diagonal
     double finalError = 0;  ///< at the end
+    /// Both again, as a share of the diagonal of the piece at rest, which is smaller than the body.
+    double peakErrorOfPiece = 0;
+    double finalErrorOfPiece = 0;
     int folds = 0;          ///< edges bent by more than 90 degrees from rest at the end
     double finalSpeed = 0;  ///< of the fastest vertex [m/s]
     int messages = 0;       ///< refused cuts, pieces that had to be brought back

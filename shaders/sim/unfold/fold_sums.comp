@@ -14,15 +14,17 @@ layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
 layout(binding = kUnfoldFoldsBinding) uniform usamplerBuffer folds;
 layout(std430, binding = kUnfoldFoldSumsBinding) writeonly buffer FoldSums { float foldSums[]; };
 
+#include "sim/unfold/members.glsl"
+
 float foldAt(uint v) { return uintBitsToFloat(fetch(folds, v).x); }
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     uvec2 range = fetch(ranges, v).xy;
-    float sum = foldAt(v);
-    for (uint k = range.x; k < range.y; ++k) {
-        sum += foldAt(fetch(neighbours, k).x & ~kAfterGap);
+    float sum = 0.0;
+    for (uint i = 0u; i < memberCount(range); ++i) {
+        sum += foldAt(memberOf(v, range, i));
     }
     foldSums[v] = sum;
 }

@@ -1,7 +1,8 @@
 // For each vertex at a fold: how it and its neighbours lie at rest, put where that fits best to where
 // they are (shape matching, Mueller et al. 2005), and the rigid motion that has their momentum. A vertex
 // lends its mass to the goals that it is in, in proportion to their folds; then what they do to it
-// changes no momentum. What has no inverse mass is in none.
+// changes no momentum. Where one of them has no
+// inverse mass, as at the front of a slit, the goal draws nothing.
 // Reads X, velocities, rest positions, folds, their sums, neighbours. Writes goals. One thread per
 // vertex. A storage barrier follows, then unfold.
 #include "bindings.h"
@@ -23,6 +24,7 @@ layout(binding = kUnfoldFoldSumsBinding) uniform usamplerBuffer foldSums;
 layout(std430, binding = kUnfoldGoalsBinding) writeonly buffer Goals { UnfoldGoal goals[]; };
 
 #include "sim/unfold/best_rotation.glsl"
+#include "sim/unfold/members.glsl"
 
 struct Member {
     float mass;  // that it lends, over the fold of the goal
@@ -46,11 +48,6 @@ struct Mean {
     float perMass;  // one over the mass of all
     vec3 x, rest, velocity;
 };
-
-// The vertex itself, then its neighbours.
-uint memberOf(uint v, uvec2 range, uint i) {
-    return i == 0u ? v : fetch(neighbours, range.x + i - 1u).x & ~kAfterGap;
-}
 
 Mean meanOf(uint v, uvec2 range, uint count, Member origin) {
     float mass = 0.0;
@@ -107,13 +104,15 @@ UnfoldGoal goalOf(uint v, uvec2 range, uint count) {
     vec4 spin = spinOf(angularMomentum, squares, mixed);
     vec4 rotation = bestRotation(sx, sy, sz);
     float longest = kUnfoldReach;
+    bool free = true;
     for (uint i = 0u; i < count; ++i) {
         Member m = memberFrom(origin, memberOf(v, range, i));
         float way = length(mean.x + rotated(rotation, m.rest - mean.rest) - m.x);
-        longest = max(longest, m.mass > 0.0 ? way : 0.0);
+        longest = max(longest, way);
+        free = free && m.mass > 0.0;
     }
-    return UnfoldGoal(rotation, vec4(origin.x + mean.x, spin.w),
-                      vec4(origin.rest + mean.rest, kUnfoldReach / longest),
+    return UnfoldGoal(rotation, vec4(origin.x + mean.x, free ? spin.w : 0.0),
+                      vec4(origin.rest + mean.rest, free ? kUnfoldReach / longest : 0.0),
                       vec4(origin.velocity + mean.velocity, 0.0), vec4(spin.xyz, 0.0));
 }
 
@@ -122,6 +121,6 @@ void main() {
     if (v >= uniforms.vertex_count) return;
     uvec2 range = fetch(ranges, v).xy;
     for (uint once = fetch(folds, v).x != 0u ? 1u : 0u; once > 0u; --once) {
-        goals[v] = goalOf(v, range, range.y - range.x + 1u);
+        goals[v] = goalOf(v, range, memberCount(range));
     }
 }

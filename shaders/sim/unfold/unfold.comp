@@ -23,6 +23,7 @@ layout(binding = kUnfoldFoldSumsBinding) uniform usamplerBuffer foldSums;
 layout(binding = kUnfoldGoalsBinding) uniform samplerBuffer goals;
 
 #include "sim/unfold/best_rotation.glsl"
+#include "sim/unfold/members.glsl"
 
 UnfoldGoal goalAt(uint v) {
     uint first = 5u * v;
@@ -48,9 +49,9 @@ void main() {
     vec3 velocity = fetch(before, v).xyz;
     vec3 rest = fetch(restPositions, v).xyz;
     vec3 change = vec3(0.0);
-    uint count = foldSum > 0.0 && x.w > 0.0 ? range.y - range.x + 1u : 0u;
+    uint count = foldSum > 0.0 && x.w > 0.0 ? memberCount(range) : 0u;
     for (uint i = 0u; i < count; ++i) {
-        uint j = i == 0u ? v : fetch(neighbours, range.x + i - 1u).x & ~kAfterGap;
+        uint j = memberOf(v, range, i);
         float fold = uintBitsToFloat(fetch(folds, j).x);
         if (fold > 0.0) {
             // Its share of the mass, and as much of the pull.
