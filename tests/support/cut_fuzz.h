@@ -28,6 +28,8 @@ enum class FuzzMode {
     rocking,     ///< right through, one end of the blade going on while the other goes back
 };
 inline constexpr int kFuzzModes = 15;
+/// Of them, those that seeds draw: rocking only where KERF_FUZZ_MODE asks for it.
+inline constexpr int kModesDrawn = 14;
 const char* nameOf(FuzzMode mode);
 /// The stroke passes the whole body, so it must leave no slit that ends inside.
 bool goesThrough(FuzzMode mode);
