@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/scene_view.h"
+#include "sim/body/rest_geometry.h"
 
 namespace kerf::app {
 namespace {
@@ -45,6 +46,7 @@ const char* markOf(const Command& command) {
 
 EditorScene::EditorScene(Document document, BodyUpload body)
     : document_(std::move(document)),
+      edgeLength_(meanRestEdgeLength(document_.mesh)),
       simulation_(std::move(body), document_.session.params, document_.session.boxes) {
     simulation_.setUndoBudget(kUndoBudget);
     startAnew();
@@ -374,6 +376,7 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.startParams = document_.session.params;
     model.boxes = simulation_.boxes();
     model.bodySize = document_.restBounds.diagonal();
+    model.edgeLength = edgeLength_;
     model.playing = playing;
     model.stroking = stroke_.drawing() || stroke_.pending() > 0;
     model.step = simulation_.stepCount() - start_.step;

@@ -118,6 +118,7 @@ class EditorScene {
     double timeNow() const { return simulation_.report().time - start_.time; }
 
     Document document_;
+    double edgeLength_;  ///< mean of the uncut body at rest [m]
     Simulation simulation_;
     std::optional<SessionPlayback> playback_;  ///< of a session with events, until a person cuts
     std::optional<int> seekTarget_;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/solve/sweep_strength.h"
 #include "ui/item_places.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets.h"
@@ -250,10 +251,26 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
     if (!isVector) {
         drawReset(info, model, actions);
     }
+    if (const std::string remark = remarkOn(info, model); !remark.empty()) {
+        ImGui::TextWrapped("%s", remark.c_str());
+        noteItem("remark." + std::string(info.name));
+    }
     ImGui::PopID();
 }
 
 }  // namespace
+
+std::string remarkOn(const ParamInfo& info, const PanelModel& model) {
+    if (info.name != "iterations" || model.params.solver != SolverMode::smallSteps ||
+        sweepStrength(model.params, model.edgeLength) >= 1) {
+        return "";
+    }
+    const int wanted = iterationsForModulus(model.params, model.edgeLength);
+    const std::string advice = wanted <= info.high
+                                   ? "From " + std::to_string(wanted) + " on it is not."
+                                   : "A smaller time step helps.";
+    return "Too few for this stiffness: the body is softer than its modulus. " + advice;
+}
 
 std::string sliderFormat(const ParamInfo& info) {
     const std::string tail = info.unit.empty() ? "" : " " + unitText(info);

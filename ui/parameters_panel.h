@@ -12,6 +12,10 @@ namespace kerf::ui {
 /// "More". Each answers with a SetParam command.
 void drawParameters(const PanelModel& model, std::vector<Action>& actions);
 
+/// What is to be known about a parameter as things stand, "" for nothing: iterations too few for
+/// the modulus.
+std::string remarkOn(const ParamInfo& info, const PanelModel& model);
+
 /// The printf format of a slider: decimals that suit the range, and the unit ("%.4f s"). It does
 /// not follow the value, since ImGui rounds to it and scales logarithmic sliders by it.
 std::string sliderFormat(const ParamInfo& info);

@@ -6,6 +6,7 @@
 
 #include "app/bar_experiment.h"
 #include "sim/mesh/box_surface.h"
+#include "sim/solve/sweep_strength.h"
 #include "tests/support/finite_elements.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/run_kerf.h"
@@ -137,6 +138,15 @@ TEST_F(TestBench, TooFewIterationsMakeAStiffBlockSoft) {
     setting.iterations = 40;
     const double many = app::measureModulus(setting).effectiveModulus;
     EXPECT_GT(many, 2 * few) << "Jacobi needs small substeps";
+    EXPECT_LT(few, 0.7 * setting.modulus);
+    EXPECT_GT(many, setting.modulus);
+    Params params;
+    params.youngsModulus = setting.modulus;
+    const double edgeLength = 0.2 / setting.cells;
+    params.iterations = 5;
+    EXPECT_LT(sweepStrength(params, edgeLength), 1) << "so the panel says so";
+    params.iterations = 40;
+    EXPECT_GT(sweepStrength(params, edgeLength), 10);
 }
 
 TEST(BarReport, PutsEachTestInItsPlace) {

@@ -33,5 +33,22 @@ TEST(SliderFormat, LosesNothingOfTheSmallestValue) {
     }
 }
 
+TEST(RemarkOn, IterationsThatAreTooFewForTheModulus) {
+    const ParamInfo& iterations = *findParam("iterations");
+    PanelModel model;
+    model.edgeLength = 0.03;
+    EXPECT_EQ(remarkOn(iterations, model), "");
+    model.params.youngsModulus = 1e7;
+    EXPECT_NE(remarkOn(iterations, model).find("From 58 on"), std::string::npos)
+        << remarkOn(iterations, model);
+    EXPECT_EQ(remarkOn(*findParam("time_step"), model), "");
+    model.params.iterations = 58;
+    EXPECT_EQ(remarkOn(iterations, model), "");
+    model.edgeLength = 1e-4;
+    EXPECT_NE(remarkOn(iterations, model).find("smaller time step"), std::string::npos);
+    model.params.solver = SolverMode::pbd;
+    EXPECT_EQ(remarkOn(iterations, model), "") << "its stiffness is no modulus";
+}
+
 }  // namespace
 }  // namespace kerf::ui
