@@ -139,7 +139,7 @@ std::string picturesSection(const Results& results) {
     for (const ExperimentResult& result : results) {
         text += std::string("### ") + result.paper->label + "\n\n";
         for (const std::string& picture : result.pictures) {
-            text += "![" + picture + "](" + picture + ")\n";
+            text.append("![").append(picture).append("](").append(picture).append(")\n");
         }
         text += "\n";
     }

@@ -165,6 +165,7 @@ int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std:
     gpu::enableDebugOutput();
     removeEarlierReport(arguments.out, experiments);
     std::vector<ExperimentResult> results;
+    results.reserve(experiments.size());
     for (const PaperExperiment* experiment : experiments) {
         results.push_back(runExperiment(*experiment, arguments.out));
     }

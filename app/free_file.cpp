@@ -15,7 +15,8 @@ std::filesystem::path freeFile(const std::filesystem::path& folder, const std::s
     std::filesystem::path file = folder / (stem + ending);
     std::error_code unknown;  // a folder that can't be looked into: writing will say so
     for (int n = 2; std::filesystem::exists(file, unknown); ++n) {
-        file = folder / (stem + "-" + std::to_string(n) + ending);
+        std::string numbered = stem;
+        file = folder / numbered.append("-").append(std::to_string(n)).append(ending);
     }
     return std::filesystem::absolute(file).lexically_normal();
 }

@@ -457,7 +457,7 @@ std::vector<SessionEvent> readEvents(const Node& node, int steps,
 }
 
 Vec3 readColor(const Node& node) {
-    const Vec3 color = readVector(node, 1);
+    Vec3 color = readVector(node, 1);
     if (color.minCoeff() < 0) {
         fail(node.place, "expected red, green and blue from 0 to 1.");
     }

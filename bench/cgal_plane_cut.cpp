@@ -74,6 +74,7 @@ std::vector<double> CgalPlaneCut::partVolumes() const {
     std::vector<Mesh> parts;
     pmp::split_connected_components(state_->mesh, parts);
     std::vector<double> volumes;
+    volumes.reserve(parts.size());
     for (const Mesh& part : parts) {
         volumes.push_back(pmp::volume(part));
     }

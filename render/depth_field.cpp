@@ -206,8 +206,9 @@ DepthTexture::~DepthTexture() {
     }
 }
 
-DepthTexture::DepthTexture(DepthTexture&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), origin_(other.origin_), scale_(other.scale_) {}
+DepthTexture::DepthTexture(DepthTexture&& other) noexcept {
+    *this = std::move(other);
+}
 
 DepthTexture& DepthTexture::operator=(DepthTexture&& other) noexcept {
     std::swap(id_, other.id_);

@@ -47,7 +47,7 @@ class WallCoarsening {
     WallCoarsening(Workspace& workspace, double factor)
         : workspace_(workspace), mesh_(workspace.mesh), factor_(factor) {}
 
-    int run(std::vector<int> triangles) {
+    int run(const std::vector<int>& triangles) {
         int collapses = 0;
         for (int pass = 0; pass < kMostPasses; ++pass) {
             const int before = collapses;
