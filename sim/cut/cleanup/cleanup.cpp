@@ -11,6 +11,7 @@
 #include "sim/cut/cleanup/flip.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/part_surface.h"
+#include "sim/cut/cleanup/self_piercing.h"
 #include "sim/cut/cleanup/slide.h"
 #include "sim/sort_unique.h"
 
@@ -131,7 +132,8 @@ class SliverRemoval {
                   std::optional<CollapsePlan>& best) const {
         for (const CollapseTarget target : {CollapseTarget::end, CollapseTarget::middle}) {
             std::optional<CollapsePlan> plan = planCollapse(workspace_, from, to, target);
-            if (plan && (!best || worth(*plan) > worth(*best))) {
+            if (plan && (!best || worth(*plan) > worth(*best)) &&
+                !addsPiercings(mesh_, plan->patches)) {
                 best = std::move(plan);
             }
         }

@@ -7,6 +7,7 @@
 
 #include "sim/cut/cleanup/collapse.h"
 #include "sim/cut/cleanup/patch.h"
+#include "sim/cut/cleanup/self_piercing.h"
 #include "sim/cut/step.h"
 
 namespace kerf::cut {
@@ -117,7 +118,8 @@ class WallCoarsening {
             if (!plan) {
                 continue;
             }
-            if (const double quality = qualityAfter(*plan); quality > bestQuality) {
+            if (const double quality = qualityAfter(*plan);
+                quality > bestQuality && !addsPiercings(mesh_, plan->patches)) {
                 bestQuality = quality;
                 best = std::move(plan);
             }

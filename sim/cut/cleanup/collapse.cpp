@@ -7,7 +7,6 @@
 #include "sim/cut/cleanup/deviation.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/placement.h"
-#include "sim/cut/cleanup/self_piercing.h"
 
 namespace kerf::cut {
 
@@ -35,8 +34,7 @@ class Collapse {
         }
         makePatches(*pairing);
         if (workspace_.touchesRung(plan_.patches) || !movesOnlyOneCorner() || !place() ||
-            !improves() || !keepsOrientation(workspace_, plan_.patches) || !staysNear() ||
-            addedPiercings(mesh_, plan_.patches) > 0) {
+            !improves() || !keepsOrientation(workspace_, plan_.patches) || !staysNear()) {
             return std::nullopt;
         }
         plan_.from = from_.copies[0];

@@ -25,6 +25,8 @@ struct CollapsePlan {
 enum class CollapseTarget { end, middle };
 
 /// Whether and how `from` may collapse into `to`: see the design of each test in the source.
+/// Whether the surface would pass through itself, which takes longer, is left to ask of the plan
+/// that is chosen.
 std::optional<CollapsePlan> planCollapse(const Workspace& workspace, const MaterialStar& from,
                                          const MaterialStar& to, CollapseTarget target);
 

@@ -208,8 +208,8 @@ class Flip {
     }
 
     bool keepsApart() const {
-        const int added = addedPiercings(mesh_, flipped());
-        return goal_ == FlipGoal::betterTriangles ? added <= 0 : added < 0;
+        return goal_ == FlipGoal::betterTriangles ? !addsPiercings(mesh_, flipped())
+                                                  : removesPiercings(mesh_, flipped());
     }
 
     std::vector<std::pair<int, Triangle>> flipped() const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/cut/piercing.h"
+#include "sim/cut/predicates.h"
 #include "sim/sort_unique.h"
 
 namespace kerf::cut {
@@ -49,7 +50,24 @@ bool has(const Triangle& triangle, int point) {
     return std::ranges::find(triangle, point) != triangle.end();
 }
 
+/// Corners lie on both sides of the plane of the other, as far as doubles tell.
+bool straddles(const Placed& a, const Placed& plane) {
+    bool above = false;
+    bool below = false;
+    const auto& [p, q, r] = plane.corners;
+    for (int i = 0; i < 3; ++i) {
+        const int side =
+            has(plane.points, a.points[i]) ? 0 : estimate3d(p, q, r, a.corners[i]).sign();
+        above = above || side > 0;
+        below = below || side < 0;
+    }
+    return above && below;
+}
+
 bool anyEdgePierces(const Placed& edges, const Placed& triangle) {
+    if (!straddles(edges, triangle)) {
+        return false;
+    }
     for (int i = 0; i < 3; ++i) {
         const int k = (i + 1) % 3;
         if (!has(triangle.points, edges.points[i]) && !has(triangle.points, edges.points[k]) &&
@@ -121,13 +139,20 @@ std::vector<Placed> surroundings(const SurfaceMesh& mesh, Exchange& exchange) {
     return result;
 }
 
-int addedPiercings(const SurfaceMesh& mesh, Exchange exchange) {
-    const std::vector<Placed> around = surroundings(mesh, exchange);
+int piercingsBefore(const SurfaceMesh& mesh, const Exchange& exchange,
+                    const std::vector<Placed>& around) {
     std::vector<Placed> before;
+    before.reserve(exchange.slots.size());
     for (const int t : exchange.slots) {
         before.push_back(placed(mesh, mesh.triangle(t)));
     }
-    return intersections(exchange.after, around) - intersections(before, around);
+    return intersections(before, around);
+}
+
+bool addsPiercings(const SurfaceMesh& mesh, Exchange exchange) {
+    const std::vector<Placed> around = surroundings(mesh, exchange);
+    const int after = intersections(exchange.after, around);
+    return after > 0 && after > piercingsBefore(mesh, exchange, around);
 }
 
 std::vector<int> movedPoints(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
@@ -142,9 +167,7 @@ std::vector<int> movedPoints(const SurfaceMesh& mesh, const std::vector<Patch>& 
     return points;
 }
 
-}  // namespace
-
-int addedPiercings(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
+Exchange exchangeOf(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
     const std::vector<int> moved = movedPoints(mesh, patches);
     Exchange exchange;
     for (const Patch& patch : patches) {
@@ -158,17 +181,33 @@ int addedPiercings(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
             exchange.after.push_back(placed(t.corners, points, cornersAfter(mesh, patch, t)));
         }
     }
-    return addedPiercings(mesh, std::move(exchange));
+    return exchange;
 }
 
-int addedPiercings(const SurfaceMesh& mesh, const std::vector<std::pair<int, Triangle>>& changed) {
+Exchange exchangeOf(const SurfaceMesh& mesh, const ChangedTriangles& changed) {
     Exchange exchange;
     for (const auto& [slot, corners] : changed) {
         exchange.slots.push_back(slot);
         exchange.vertices.insert(exchange.vertices.end(), corners.begin(), corners.end());
         exchange.after.push_back(placed(mesh, corners));
     }
-    return addedPiercings(mesh, std::move(exchange));
+    return exchange;
+}
+
+}  // namespace
+
+bool addsPiercings(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
+    return addsPiercings(mesh, exchangeOf(mesh, patches));
+}
+
+bool addsPiercings(const SurfaceMesh& mesh, const ChangedTriangles& changed) {
+    return addsPiercings(mesh, exchangeOf(mesh, changed));
+}
+
+bool removesPiercings(const SurfaceMesh& mesh, const ChangedTriangles& changed) {
+    Exchange exchange = exchangeOf(mesh, changed);
+    const std::vector<Placed> around = surroundings(mesh, exchange);
+    return intersections(exchange.after, around) < piercingsBefore(mesh, exchange, around);
 }
 
 std::vector<int> piercedNeighbours(const SurfaceMesh& mesh, int t) {

@@ -12,12 +12,15 @@ namespace kerf::cut {
 // vertex with each other or with a third one. Copies of a material point count as one corner, so
 // walls of a closed slit lie on each other and nothing more.
 
-/// How many pairs an operation adds, less those it takes away: a skin triangle cut short over a
-/// wall that runs just below it, say.
-int addedPiercings(const SurfaceMesh& mesh, const std::vector<Patch>& patches);
+/// Triangles that get other corners: slots and corners.
+using ChangedTriangles = std::vector<std::pair<int, Triangle>>;
 
-/// The same for triangles that get other corners (by slot, corners), no vertex moving.
-int addedPiercings(const SurfaceMesh& mesh, const std::vector<std::pair<int, Triangle>>& changed);
+/// Whether after an operation there are more such pairs than before: a skin triangle cut short
+/// over a wall that runs just below it, say.
+bool addsPiercings(const SurfaceMesh& mesh, const std::vector<Patch>& patches);
+bool addsPiercings(const SurfaceMesh& mesh, const ChangedTriangles& changed);
+/// Whether there are fewer.
+bool removesPiercings(const SurfaceMesh& mesh, const ChangedTriangles& changed);
 
 /// Slots of the triangles at the corners of t that it passes through, ascending.
 std::vector<int> piercedNeighbours(const SurfaceMesh& mesh, int t);

@@ -68,8 +68,7 @@ class Slide {
         }
         const double deviation =
             deviationOf(mesh_, star_, star_, patches) + workspace_.deviationAt(star_.copies);
-        if (deviation > kMostDeviation * workspace_.edgeLength() ||
-            addedPiercings(mesh_, patches) > 0) {
+        if (deviation > kMostDeviation * workspace_.edgeLength() || addsPiercings(mesh_, patches)) {
             return false;
         }
         for (const Patch& patch : patches) {
