@@ -8,14 +8,15 @@ namespace kerf::cut {
 namespace {
 
 // Shares of h: how far behind the front the new sweep starts, and how far aside of the blade it
-// ends.
+// ends. The steepest first: walls beside a crumpled front stray by half an edge themselves, and
+// where a flatter sweep misses them a bridge is left.
 struct Detour {
     double behind;
     double aside;
 };
-constexpr Detour kDetours[] = {{0.5, 0.03}, {0.5, 0.1}, {1.0, 0.1}, {1.0, 0.2}};
+constexpr Detour kDetours[] = {{1.5, 0.6}, {1.0, 0.4}, {1.0, 0.2}, {0.5, 0.1}, {0.5, 0.03}};
 // Of the height that leads just to the old front: the walls cross well behind it.
-constexpr double kStartShare = 0.3;
+constexpr double kStartShare = 0.5;
 constexpr double kLeastMotion = 1e-3;
 // Of the new rung's nodes: where the front is crumpled, it is led straight.
 constexpr double kLeastSpacing = 0.5;

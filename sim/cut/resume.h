@@ -15,7 +15,7 @@ struct Resumption {
     Blade blade;                 ///< moved aside by a share of h
 };
 
-/// Ways to go on from `rung` to `blade`, the least visible first. `h`: edge length of walls [m].
+/// Ways to go on from `rung` to `blade`, the surest first. `h`: edge length of walls [m].
 /// Empty where the blade hardly moves.
 std::vector<Resumption> resumptions(const std::vector<RungNode>& rung, const Blade& blade,
                                     double h);
