@@ -9,6 +9,17 @@ namespace {
 
 constexpr int kMostFlipsAtATriangle = 6;
 
+/// One of its corners is on a rim or where sheets meet. Inside a sheet nothing passes through
+/// anything.
+bool isAtOutline(const SurfaceMesh& mesh, int triangle) {
+    bool found = false;
+    for (const int v : mesh.triangle(triangle)) {
+        mesh.forEachOutgoing(
+            v, [&](int h) { found = found || mesh.wallLabel(h / 3) != mesh.wallLabel(triangle); });
+    }
+    return found;
+}
+
 bool flipAnyEdge(Workspace& workspace, int triangle) {
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         if (flipEdgeApart(workspace, h)) {
@@ -39,9 +50,10 @@ bool flipBeside(Workspace& workspace, int triangle) {
 
 int partSurface(Workspace& workspace, const std::vector<int>& triangles) {
     int flips = 0;
+    const SurfaceMesh& mesh = workspace.mesh;
     for (const int t : triangles) {
-        for (int i = 0; i < kMostFlipsAtATriangle && workspace.mesh.alive(t); ++i) {
-            if (!flipBeside(workspace, t)) {
+        for (int i = 0; i < kMostFlipsAtATriangle && mesh.alive(t); ++i) {
+            if (!isAtOutline(mesh, t) || !flipBeside(workspace, t)) {
                 break;
             }
             ++flips;
