@@ -51,5 +51,9 @@ TEST_F(MovingScenes, RollingHalvesComeApart) {
     expectParted(play({"vi twice", 1e5, 0}));
 }
 
+TEST_F(MovingScenes, AnArmAndTheHeadComeOff) {
+    expectParted(play({"iii octopus", 1e5, 5}));
+}
+
 }  // namespace
 }  // namespace kerf

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "tests/support/scene_player.h"
@@ -19,6 +20,7 @@ namespace {
 constexpr double kClearance = 0.001;  // between body and floor at the start [m]
 constexpr int kSteps = 120;           // of a stroke
 constexpr int kStepsAfter = 50;
+constexpr double kHalfArmBlade = 0.12;  // reaches across one arm and not into the next [m]
 
 Blade bladeAround(const Vec3& middle, const Vec3& along, double halfLength) {
     return {middle - along * halfLength, middle + along * halfLength};
@@ -135,27 +137,56 @@ SceneFigures throughArch(const SceneRun& run, bool upwards) {
     return player.finish(2);
 }
 
+double fromAxis(const Vec3& p) {
+    return std::hypot(p.x(), p.z());
+}
+
 /// The end of the arm that reaches farthest in direction `toward`.
-Vec3 armTip(const SurfaceMesh& mesh, const Vec3& toward) {
-    Vec3 tip = mesh.position(0);
-    for (const Vec3& p : mesh.positions()) {
-        if (p.dot(toward) > tip.dot(toward)) {
-            tip = p;
+int armTip(const SurfaceMesh& mesh, const Vec3& toward) {
+    int tip = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.position(v).dot(toward) > mesh.position(tip).dot(toward)) {
+            tip = v;
         }
     }
     return tip;
 }
 
+/// The middle of that arm at this distance from the body's axis, by the edges that lead across it:
+/// arms bend, so it need not lie below the line to the tip.
+Vec3 armMiddle(const SurfaceMesh& mesh, int tip, double distance) {
+    std::set<int> beyond{tip};
+    std::vector<int> open{tip};
+    Bounds section;
+    while (!open.empty()) {
+        const int v = open.back();
+        open.pop_back();
+        mesh.forEachOutgoing(v, [&](int h) {
+            const int w = mesh.target(h);
+            if (fromAxis(mesh.position(w)) < distance) {
+                section.add(0.5 * (mesh.position(v) + mesh.position(w)));
+            } else if (beyond.insert(w).second) {
+                open.push_back(w);
+            }
+        });
+    }
+    return section.center();
+}
+
 void cutArm(ScenePlayer& player, int arm) {
     const double angle = arm * std::numbers::pi / 4 + player.draw(0.2);
-    Vec3 out = armTip(player.mesh(), {std::cos(angle), 0, std::sin(angle)});
+    const SurfaceMesh& mesh = player.mesh();
+    const int tip = armTip(mesh, {std::cos(angle), 0, std::sin(angle)});
+    const double at = (0.62 + player.draw(0.06)) * fromAxis(mesh.position(tip));
+    Vec3 middle = armMiddle(mesh, tip, at);
+    Vec3 out = armMiddle(mesh, tip, 1.1 * at) - middle;
     out.y() = 0;
-    const double at = (0.62 + player.draw(0.06)) * out.norm();
     out.normalize();
     const Vec3 across = out.cross(Vec3::UnitY());
     double top = 0;
-    for (const Vec3& p : player.mesh().positions()) {
-        if (std::fabs(p.dot(out) - at) < 0.06 && std::fabs(p.dot(across)) < 0.12) {
+    for (const Vec3& p : mesh.positions()) {
+        const Vec3 aside = p - middle;
+        if (std::fabs(aside.dot(out)) < 0.06 && std::fabs(aside.dot(across)) < 0.12) {
             top = std::max(top, p.y());
         }
     }
@@ -164,7 +195,8 @@ void cutArm(ScenePlayer& player, int arm) {
     const Vec3 along = (across + Vec3(0, player.draw(0.05), 0)).normalized();
     player.stroke(
         [&](double u) {
-            return bladeAround(out * at + Vec3(0, high + (low - high) * u, 0), along, 0.17);
+            middle.y() = high + (low - high) * u;
+            return bladeAround(middle, along, kHalfArmBlade);
         },
         50);
 }

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
+#include "tests/support/contact_scenes.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/folds.h"
 
@@ -64,7 +66,11 @@ void ScenePlayer::settle(int steps) {
 void ScenePlayer::stroke(const Path& path, int steps, bool through) {
     const int first = labelsSoFar();
     for (int i = 0; i <= steps; ++i) {
-        simulation_.execute(MoveBlade{path(i / static_cast<double>(steps))});
+        const Blade blade = path(i / static_cast<double>(steps));
+        if (through) {
+            requireEndsOutside(blade);
+        }
+        simulation_.execute(MoveBlade{blade});
         cutStep();
     }
     simulation_.execute(LiftBlade{});
@@ -72,6 +78,14 @@ void ScenePlayer::stroke(const Path& path, int steps, bool through) {
     if (through) {
         for (int label = first; label < labelsSoFar(); ++label) {
             throughLabels_.push_back(label);
+        }
+    }
+}
+
+void ScenePlayer::requireEndsOutside(const Blade& blade) {
+    for (const Vec3& end : {blade.a, blade.b}) {
+        if (depthInside(mesh(), end) > 0) {
+            throw std::logic_error("a stroke that should pass through ends inside the body");
         }
     }
 }

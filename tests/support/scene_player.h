@@ -42,6 +42,8 @@ class ScenePlayer {
   private:
     void cutStep();
     void describeStep(double speed);
+    /// Throws std::logic_error: where an end of the blade lies inside, the slit rightly ends there.
+    void requireEndsOutside(const Blade& blade);
     void countOutcome(const CutResult& result);
     void readMessages();
     /// Numbers of strokes that made walls, one more than the last.
