@@ -18,7 +18,7 @@ layout(local_size_x = kGroupSize) in;
 
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) displacement;
-layout(binding = kConstraintsBinding) uniform usamplerBuffer bends;
+RECORD_QUADS(kConstraintsBinding) bends;
 layout(std430, binding = kCorrectionsBinding) writeonly buffer Corrections { vec4 corrections[]; };
 
 vec4 positionOf(uint v) { return fetch(positions, v); }

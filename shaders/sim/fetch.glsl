@@ -1,17 +1,30 @@
 // Elements of buffers that a kernel reads through texture units (gpu::Buffer::bindTexels). A buffer's
 // unit has the number of its storage binding.
 
-// STATE_TEXELS declares what changes within a step. With LOAD_IMAGES, for llvmpipe, these are images: it
+// STATE_TEXELS declares what changes within a step; RECORD_QUADS, RECORD_PAIRS and RECORD_WORDS what
+// only a cut changes, by the words of a texel. With LOAD_IMAGES, for llvmpipe, all of these are images: it
 // calls a function for each fetch of a texel, around which all variables go to memory, but loads images
 // in place.
 #ifdef LOAD_IMAGES
 #define STATE_TEXELS(unit) layout(binding = unit, rgba32f) readonly uniform imageBuffer
+#define RECORD_QUADS(unit) layout(binding = unit, rgba32ui) readonly uniform uimageBuffer
+#define RECORD_PAIRS(unit) layout(binding = unit, rg32ui) readonly uniform uimageBuffer
+#define RECORD_WORDS(unit) layout(binding = unit, r32ui) readonly uniform uimageBuffer
+#define RECORDS readonly uimageBuffer
 
 vec4 fetch(readonly imageBuffer texels, uint index) {
     return imageLoad(texels, int(index));
 }
+
+uvec4 fetch(readonly uimageBuffer texels, uint index) {
+    return imageLoad(texels, int(index));
+}
 #else
 #define STATE_TEXELS(unit) layout(binding = unit) uniform samplerBuffer
+#define RECORD_QUADS(unit) layout(binding = unit) uniform usamplerBuffer
+#define RECORD_PAIRS(unit) layout(binding = unit) uniform usamplerBuffer
+#define RECORD_WORDS(unit) layout(binding = unit) uniform usamplerBuffer
+#define RECORDS usamplerBuffer
 #endif
 
 vec4 fetch(samplerBuffer texels, uint index) {
@@ -23,18 +36,18 @@ uvec4 fetch(usamplerBuffer texels, uint index) {
 }
 
 #ifdef KERF_BODY_RECORDS_H
-Spoke fetchSpoke(usamplerBuffer records, uint index) {
+Spoke fetchSpoke(RECORDS records, uint index) {
     uvec4 words = fetch(records, index);
     return Spoke(words.x, uintBitsToFloat(words.y), uintBitsToFloat(words.z), words.w);
 }
 
-BendRecord fetchBend(usamplerBuffer records, uint index) {
+BendRecord fetchBend(RECORDS records, uint index) {
     uvec4 v = fetch(records, 2u * index);
     vec4 rest = uintBitsToFloat(fetch(records, 2u * index + 1u));
     return BendRecord(v.x, v.y, v.z, v.w, rest.x, rest.y, rest.z, 0u);
 }
 
-BendRange fetchBendRange(usamplerBuffer records, uint index) {
+BendRange fetchBendRange(RECORDS records, uint index) {
     uvec4 words = fetch(records, index);
     return BendRange(words.x, words.y, words.z, 0u);
 }
@@ -43,7 +56,7 @@ struct IspcSharePair {
     IspcShare first, second;
 };
 
-IspcSharePair fetchIspcShares(usamplerBuffer records, uint pair) {
+IspcSharePair fetchIspcShares(RECORDS records, uint pair) {
     uvec4 words = fetch(records, pair);
     return IspcSharePair(IspcShare(words.x, uintBitsToFloat(words.y)),
                          IspcShare(words.z, uintBitsToFloat(words.w)));
@@ -51,7 +64,7 @@ IspcSharePair fetchIspcShares(usamplerBuffer records, uint pair) {
 #endif
 
 #ifdef KERF_CONSTRAINTS_H
-IspcConstraint fetchIspc(usamplerBuffer records, uint index) {
+IspcConstraint fetchIspc(RECORDS records, uint index) {
     uvec4 corners = fetch(records, 2u * index);
     vec4 rest = uintBitsToFloat(fetch(records, 2u * index + 1u));
     return IspcConstraint(corners.x, corners.y, corners.z, corners.w, rest.x, rest.y, rest.z, rest.w);

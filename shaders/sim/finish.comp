@@ -8,10 +8,10 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
-layout(binding = kPositionsBinding) uniform samplerBuffer before;
+STATE_TEXELS(kPositionsBinding) before;
 layout(std430, binding = kPositionsBinding) writeonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };
-layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
+STATE_TEXELS(kDisplacementBinding) displacement;
 
 #include "sim/finish.glsl"
 

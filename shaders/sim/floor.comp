@@ -9,8 +9,8 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
-layout(binding = kDisplacementBinding) uniform samplerBuffer before;
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kDisplacementBinding) before;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
 
 #include "sim/floor.glsl"

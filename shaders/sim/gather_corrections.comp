@@ -10,11 +10,16 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/uniforms.glsl"
 
 STATE_TEXELS(kPositionsBinding) positions;
-layout(binding = kDisplacementBinding) uniform samplerBuffer before;
+STATE_TEXELS(kDisplacementBinding) before;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
-layout(binding = kLinksBinding) uniform usamplerBuffer links;
-layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
-layout(binding = kEntriesBinding) uniform usamplerBuffer entries;
+RECORD_QUADS(kLinksBinding) links;
+#ifdef GATHER_BENDS
+RECORD_QUADS(kRangesBinding) ranges;
+RECORD_PAIRS(kEntriesBinding) entries;
+#else
+RECORD_PAIRS(kRangesBinding) ranges;
+RECORD_QUADS(kEntriesBinding) entries;
+#endif
 STATE_TEXELS(kCorrectionsBinding) corrections;
 
 vec4 correctionAt(uint index) { return fetch(corrections, index); }

@@ -13,7 +13,7 @@ layout(local_size_x = kGroupSize) in;
 
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) displacement;
-layout(binding = kConstraintsBinding) uniform usamplerBuffer ispcs;
+RECORD_QUADS(kConstraintsBinding) ispcs;
 layout(std430, binding = kCorrectionsBinding) writeonly buffer Corrections { vec4 corrections[]; };
 
 vec4 positionOf(uint v) { return fetch(positions, v); }

@@ -9,12 +9,12 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
-layout(binding = kPositionsBinding) uniform samplerBuffer before;
+STATE_TEXELS(kPositionsBinding) before;
 layout(std430, binding = kPositionsBinding) writeonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };
-layout(binding = kDisplacementBinding) uniform samplerBuffer displacement;
-layout(binding = kLinksBinding) uniform usamplerBuffer links;
-layout(binding = kGradientsBinding) uniform samplerBuffer gradients;
+STATE_TEXELS(kDisplacementBinding) displacement;
+RECORD_QUADS(kLinksBinding) links;
+STATE_TEXELS(kGradientsBinding) gradients;
 layout(std430, binding = kImpulsesBinding) readonly buffer Impulses { VolumeImpulse impulses[]; };
 
 vec3 gradientOf(uint v) { return fetch(gradients, v).xyz; }

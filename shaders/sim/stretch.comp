@@ -16,9 +16,9 @@ layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kVelocitiesBinding) velocities;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
-layout(binding = kLinksBinding) uniform usamplerBuffer links;
-layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
-layout(binding = kEntriesBinding) uniform usamplerBuffer spokes;
+RECORD_QUADS(kLinksBinding) links;
+RECORD_PAIRS(kRangesBinding) ranges;
+RECORD_QUADS(kEntriesBinding) spokes;
 
 vec4 positionOf(uint v) { return fetch(positions, v); }
 Spoke spokeAt(uint place) { return fetchSpoke(spokes, place); }
@@ -27,7 +27,7 @@ Spoke spokeAt(uint place) { return fetchSpoke(spokes, place); }
 #include "sim/stretch.glsl"
 
 #ifdef SWEEP_AGAIN
-layout(binding = kPreviousBinding) uniform samplerBuffer previous;
+STATE_TEXELS(kPreviousBinding) previous;
 
 vec3 startOf(uint v, float inverseUnitMass) {
     return fetch(previous, v).xyz;

@@ -9,11 +9,11 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
-layout(binding = kDisplacementBinding) uniform samplerBuffer before;
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kDisplacementBinding) before;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
-layout(binding = kLinksBinding) uniform usamplerBuffer links;
-layout(binding = kGradientsBinding) uniform samplerBuffer gradients;
+RECORD_QUADS(kLinksBinding) links;
+STATE_TEXELS(kGradientsBinding) gradients;
 layout(std430, binding = kImpulsesBinding) readonly buffer Impulses { VolumeImpulse impulses[]; };
 
 #include "sim/volume_correct.glsl"

@@ -17,9 +17,9 @@ const uint kSumGroup = SUM_GROUP;
 
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) displacement;
-layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
-layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
-layout(binding = kPlacesBinding) uniform usamplerBuffer places;
+RECORD_PAIRS(kRangesBinding) ranges;
+RECORD_PAIRS(kEntriesBinding) neighbours;
+RECORD_WORDS(kPlacesBinding) places;
 layout(std430, binding = kPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kGradientsBinding) writeonly buffer Gradients { vec4 gradients[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };

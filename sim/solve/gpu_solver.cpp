@@ -107,17 +107,8 @@ void GpuSolver::IncidenceBuffers::assign(const Incidence& incidence) {
     entries.assign(incidence.entries);
 }
 
-void GpuSolver::IncidenceBuffers::bind() const {
-    ranges.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
-    entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
-}
-
 GpuSolver::GpuSolver() : loadsImages_(gpu::queryDevice().software) {
     compileConstraints();
-    kernels_.volumeCorrect = gpu::Program::compute("sim/volume_correct.comp");
-    kernels_.floor = gpu::Program::compute("sim/floor.comp");
-    kernels_.finish = gpu::Program::compute("sim/finish.comp");
-    kernels_.settle = gpu::Program::compute("sim/settle.comp");
     kernels_.measure = gpu::Program::compute("sim/measure.comp");
     kernels_.collect = gpu::Program::compute("sim/collect.comp");
     kernels_.masses = gpu::Program::compute("sim/masses.comp");
@@ -138,6 +129,10 @@ void GpuSolver::compileConstraints() {
     kernels_.stretch = compile("stretch");
     kernels_.stretchAgain = compile("stretch", {{"SWEEP_AGAIN", "1"}});
     kernels_.bend = compile("bend");
+    kernels_.volumeCorrect = compile("volume_correct");
+    kernels_.floor = compile("floor");
+    kernels_.finish = compile("finish");
+    kernels_.settle = compile("settle");
     kernels_.ispc = compile("ispc");
     kernels_.gatherBends = compile("gather_corrections", {{"GATHER_BENDS", "1"}});
     kernels_.gatherIspcs = compile("gather_corrections", {{"GATHER_ISPCS", "1"}});
@@ -644,14 +639,14 @@ void GpuSolver::predictAndStretch() {
 void GpuSolver::stretchAgain() {
     std::swap(displacement_, previous_);
     bindBody();
-    previous_.bindTexels(shared::kPreviousBinding, TexelFormat::float32x4);
+    bindFetched(previous_, shared::kPreviousBinding, TexelFormat::float32x4);
     bindSpokes();
     run(kernels_.stretchAgain, uniforms_.vertex_count);
 }
 
 void GpuSolver::bindSpokes() const {
-    edgeRanges_.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
-    spokes_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x4);
+    bindFetched(edgeRanges_, shared::kRangesBinding, TexelFormat::uint32x2);
+    bindFetched(spokes_, shared::kEntriesBinding, TexelFormat::uint32x4);
 }
 
 /// For measure(), which reads the triangles around each vertex besides.
@@ -664,20 +659,20 @@ void GpuSolver::bindConstraints() const {
 
 void GpuSolver::solveBends() {
     if (active(shared::kBendPart)) {
-        bends_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
+        bindFetched(bends_, shared::kConstraintsBinding, TexelFormat::uint32x4);
         runOverConstraints(kernels_.bend, uniforms_.bend_count);
-        bendRanges_.bindTexels(shared::kRangesBinding, TexelFormat::uint32x4);
-        bendEntries_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
+        bindFetched(bendRanges_, shared::kRangesBinding, TexelFormat::uint32x4);
+        bindFetched(bendEntries_, shared::kEntriesBinding, TexelFormat::uint32x2);
         run(kernels_.gatherBends, uniforms_.vertex_count);
     }
 }
 
 void GpuSolver::solveIspcs() {
     if (active(shared::kIspcPart)) {
-        ispcs_.bindTexels(shared::kConstraintsBinding, TexelFormat::uint32x4);
+        bindFetched(ispcs_, shared::kConstraintsBinding, TexelFormat::uint32x4);
         runOverConstraints(kernels_.ispc, uniforms_.ispc_count);
-        ispcRanges_.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
-        ispcShares_.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x4);
+        bindFetched(ispcRanges_, shared::kRangesBinding, TexelFormat::uint32x2);
+        bindFetched(ispcShares_, shared::kEntriesBinding, TexelFormat::uint32x4);
         run(kernels_.gatherIspcs, uniforms_.vertex_count);
     }
 }
@@ -685,7 +680,7 @@ void GpuSolver::solveIspcs() {
 void GpuSolver::runOverConstraints(const gpu::Program& kernel, uint count) {
     bindBody();
     corrections_.bindStorage(shared::kCorrectionsBinding);
-    bindState(corrections_, shared::kCorrectionsBinding);
+    bindFetched(corrections_, shared::kCorrectionsBinding, TexelFormat::float32x4);
     run(kernel, count);
 }
 
@@ -711,8 +706,9 @@ void GpuSolver::settle() {
 }
 
 void GpuSolver::runOverBlocks(const gpu::Program& kernel) {
-    neighbours_.bind();
-    placeBuffer_.bindTexels(shared::kPlacesBinding, TexelFormat::uint32);
+    bindFetched(neighbours_.ranges, shared::kRangesBinding, TexelFormat::uint32x2);
+    bindFetched(neighbours_.entries, shared::kEntriesBinding, TexelFormat::uint32x2);
+    bindFetched(placeBuffer_, shared::kPlacesBinding, TexelFormat::uint32);
     pageBuffer_.bindStorage(shared::kPagesBinding);
     run(kernel, size32(blocks_.size()) * shared::kGroupSize);
 }
@@ -762,10 +758,10 @@ void GpuSolver::finishSubstep() {
     run(kernels_.finish, uniforms_.vertex_count);
 }
 
-void GpuSolver::bindState(const gpu::Buffer& buffer, uint binding) const {
-    buffer.bindTexels(binding, TexelFormat::float32x4);
+void GpuSolver::bindFetched(const gpu::Buffer& buffer, uint binding, TexelFormat format) const {
+    buffer.bindTexels(binding, format);
     if (loadsImages_) {
-        buffer.bindImage(binding, TexelFormat::float32x4);
+        buffer.bindImage(binding, format);
     }
 }
 
@@ -778,11 +774,11 @@ void GpuSolver::bindBody() const {
     gradients_.bindStorage(shared::kGradientsBinding);
     pieceBuffer_.bindStorage(shared::kPiecesBinding);
     blockBuffer_.bindStorage(shared::kBlocksBinding);
-    bindState(positions_, shared::kPositionsBinding);
-    bindState(velocities_, shared::kVelocitiesBinding);
-    bindState(displacement_, shared::kDisplacementBinding);
-    links_.bindTexels(shared::kLinksBinding, TexelFormat::uint32x4);
-    gradients_.bindTexels(shared::kGradientsBinding, TexelFormat::float32x4);
+    bindFetched(positions_, shared::kPositionsBinding, TexelFormat::float32x4);
+    bindFetched(velocities_, shared::kVelocitiesBinding, TexelFormat::float32x4);
+    bindFetched(displacement_, shared::kDisplacementBinding, TexelFormat::float32x4);
+    bindFetched(links_, shared::kLinksBinding, TexelFormat::uint32x4);
+    bindFetched(gradients_, shared::kGradientsBinding, TexelFormat::float32x4);
 }
 
 void GpuSolver::run(const gpu::Program& kernel, uint threads) {

@@ -181,7 +181,6 @@ class GpuSolver {
         gpu::Buffer ranges;
         gpu::Buffer entries;
         void assign(const Incidence& incidence);
-        void bind() const;
     };
     struct Kernels {
         gpu::Program stretch, stretchAgain, bend, ispc, gatherBends, gatherIspcs, volumeGradient,
@@ -224,9 +223,9 @@ class GpuSolver {
     void setInverseUnitMass(int vertex, float value);
     void compileConstraints();
     void bindBody() const;
-    /// As storage it is bound besides; kernels that fetch it see texels or, where loadsImages_,
-    /// images.
-    void bindState(const gpu::Buffer& buffer, std::uint32_t binding) const;
+    /// For kernels that fetch it: as texels and, where loadsImages_, as an image.
+    void bindFetched(const gpu::Buffer& buffer, std::uint32_t binding,
+                     gpu::TexelFormat format) const;
     void run(const gpu::Program& kernel, std::uint32_t threads);
     void runOverConstraints(const gpu::Program& kernel, std::uint32_t count);
     void runOverBlocks(const gpu::Program& kernel);

@@ -126,11 +126,18 @@ void SmallBodySolver::bind(const SmallBodyBuffers& b) const {
     b.blocks->bindStorage(shared::kSmallBlocksBinding);
     b.pages->bindStorage(shared::kSmallPagesBinding);
     b.pulls->bindStorage(shared::kSmallPullsBinding);
+    const auto bindImage = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
+        if (memory_ == Memory::texels) {
+            buffer.bindImage(unit, format);
+        }
+    };
     const auto bindState = [&](const gpu::Buffer& buffer, uint binding, TexelFormat format) {
         buffer.bindStorage(binding);
-        if (memory_ == Memory::texels) {
-            buffer.bindImage(binding, format);
-        }
+        bindImage(buffer, binding, format);
+    };
+    const auto bindRecords = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
+        buffer.bindTexels(unit, format);
+        bindImage(buffer, unit, format);
     };
     bindState(*b.positions, shared::kPositionsBinding, TexelFormat::float32x4);
     bindState(*b.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
@@ -138,18 +145,18 @@ void SmallBodySolver::bind(const SmallBodyBuffers& b) const {
     bindState(*b.corrections, shared::kSmallCorrectionsBinding, TexelFormat::float32x4);
     bindState(*b.gradients, shared::kSmallGradientsBinding, TexelFormat::float32x4);
     bindState(parts_, shared::kSmallPartsBinding, TexelFormat::float32x2);
-    b.links->bindTexels(shared::kSmallLinksUnit, TexelFormat::uint32x4);
-    b.edgeRanges->bindTexels(shared::kSmallEdgeRangesUnit, TexelFormat::uint32x2);
-    b.spokes->bindTexels(shared::kSmallSpokesUnit, TexelFormat::uint32x4);
-    b.bends->bindTexels(shared::kSmallBendsUnit, TexelFormat::uint32x4);
-    b.bendRanges->bindTexels(shared::kSmallBendRangesUnit, TexelFormat::uint32x4);
-    b.bendEntries->bindTexels(shared::kSmallBendEntriesUnit, TexelFormat::uint32x2);
-    b.ispcs->bindTexels(shared::kSmallIspcsUnit, TexelFormat::uint32x4);
-    b.ispcRanges->bindTexels(shared::kSmallIspcRangesUnit, TexelFormat::uint32x2);
-    b.ispcShares->bindTexels(shared::kSmallIspcSharesUnit, TexelFormat::uint32x4);
-    b.neighbourRanges->bindTexels(shared::kSmallNeighbourRangesUnit, TexelFormat::uint32x2);
-    b.neighbours->bindTexels(shared::kSmallNeighboursUnit, TexelFormat::uint32x2);
-    b.places->bindTexels(shared::kSmallPlacesUnit, TexelFormat::uint32);
+    bindRecords(*b.links, shared::kSmallLinksUnit, TexelFormat::uint32x4);
+    bindRecords(*b.edgeRanges, shared::kSmallEdgeRangesUnit, TexelFormat::uint32x2);
+    bindRecords(*b.spokes, shared::kSmallSpokesUnit, TexelFormat::uint32x4);
+    bindRecords(*b.bends, shared::kSmallBendsUnit, TexelFormat::uint32x4);
+    bindRecords(*b.bendRanges, shared::kSmallBendRangesUnit, TexelFormat::uint32x4);
+    bindRecords(*b.bendEntries, shared::kSmallBendEntriesUnit, TexelFormat::uint32x2);
+    bindRecords(*b.ispcs, shared::kSmallIspcsUnit, TexelFormat::uint32x4);
+    bindRecords(*b.ispcRanges, shared::kSmallIspcRangesUnit, TexelFormat::uint32x2);
+    bindRecords(*b.ispcShares, shared::kSmallIspcSharesUnit, TexelFormat::uint32x4);
+    bindRecords(*b.neighbourRanges, shared::kSmallNeighbourRangesUnit, TexelFormat::uint32x2);
+    bindRecords(*b.neighbours, shared::kSmallNeighboursUnit, TexelFormat::uint32x2);
+    bindRecords(*b.places, shared::kSmallPlacesUnit, TexelFormat::uint32);
 }
 
 }  // namespace kerf
