@@ -24,13 +24,15 @@ class AirEdges {
         : mesh_(mesh), broadPhase_(broadPhase), opening_(opening), blade_(blade), h_(h) {}
 
     /// The nodes to put between two neighbours of the rung; nothing where none are needed or
-    /// none help. `carried`: the points of the edge that went along with the skin.
+    /// none help. `carriedPoints` gives the points of the edge that went along with the skin.
+    template <class CarriedPoints>
     std::vector<RungNode> detour(const RungNode& from, const RungNode& to,
-                                 const std::vector<CarriedPoint>& carried) const {
+                                 const CarriedPoints& carriedPoints) const {
         const double length = (to.position - from.position).norm();
-        if (length < kShortestAirEdge * h_ || isClear({from, to})) {
+        if (length < kShortestAirEdge * h_ || !isPierced(from, to)) {
             return {};
         }
+        const std::vector<CarriedPoint> carried = carriedPoints();
         for (const double lift : kLifts) {
             const std::vector<RungNode> path = carriedPath(from, to, carried, lift * h_);
             if (isClear(path)) {
@@ -193,15 +195,15 @@ class AirEdges {
 }  // namespace
 
 void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase,
-                   const SlitOpening& opening, const Blade& blade, double h, const AirTies& ties,
-                   std::vector<RungNode>& rung) {
+                   const SlitOpening& opening, const Blade& blade, double h,
+                   const std::function<const AirTies&()>& ties, std::vector<RungNode>& rung) {
     const AirEdges edges(mesh, broadPhase, opening, blade, h);
     std::vector<RungNode> cleared;
     for (std::size_t i = 0; i < rung.size(); ++i) {
         cleared.push_back(rung[i]);
         if (i + 1 < rung.size() && !rung[i].attached) {
-            const std::vector<RungNode> detour =
-                edges.detour(rung[i], rung[i + 1], ties.between(mesh, static_cast<int>(i)));
+            const std::vector<RungNode> detour = edges.detour(
+                rung[i], rung[i + 1], [&] { return ties().between(mesh, static_cast<int>(i)); });
             cleared.insert(cleared.end(), detour.begin(), detour.end());
         }
     }

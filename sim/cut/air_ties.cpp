@@ -29,9 +29,8 @@ struct SkinPoint {
     double distance;
 };
 
-Vec3 pointOn(const SurfaceMesh& mesh, const Triangle& c, const Vec3& weights) {
-    return weights[0] * mesh.position(c[0]) + weights[1] * mesh.position(c[1]) +
-           weights[2] * mesh.position(c[2]);
+Vec3 pointOn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& weights) {
+    return weights[0] * a + weights[1] * b + weights[2] * c;
 }
 
 OrientedBox boxAround(const Vec3& p, const Vec3& q, double reach) {
@@ -46,8 +45,10 @@ OrientedBox boxAround(const Vec3& p, const Vec3& q, double reach) {
 /// The skin nearest to points at equal distances on an edge of the rung, where it is within reach.
 class NearestSkin {
   public:
-    NearestSkin(const SurfaceMesh& mesh, const Vec3& p, const Vec3& q, int parts, double reach)
+    NearestSkin(const SurfaceMesh& mesh, SkinShape shape, const Vec3& p, const Vec3& q, int parts,
+                double reach)
         : mesh_(mesh),
+          atRest_(shape == SkinShape::rest),
           from_(p),
           way_(q - p),
           parts_(parts),
@@ -71,11 +72,10 @@ class NearestSkin {
     /// Each triangle once, all before the first is looked at.
     void add(int triangle) {
         const Triangle& c = mesh_.triangle(triangle);
-        const Vec3 center =
-            (mesh_.position(c[0]) + mesh_.position(c[1]) + mesh_.position(c[2])) / 3;
+        const Vec3 center = (at(c[0]) + at(c[1]) + at(c[2])) / 3;
         double radius = 0;
         for (const int v : c) {
-            radius = std::max(radius, (mesh_.position(v) - center).squaredNorm());
+            radius = std::max(radius, (at(v) - center).squaredNorm());
         }
         radius = kSphereRoom * std::sqrt(radius);
         const auto [first, last] = partsWithin(center, reach_ + radius);
@@ -104,6 +104,8 @@ class NearestSkin {
         double radius;
         int first, last;
     };
+
+    const Vec3& at(int v) const { return atRest_ ? mesh_.restPosition(v) : mesh_.position(v); }
 
     // Skips what some centre of a triangle is nearer than, which is most.
     void look(const Candidate& candidate) {
@@ -136,16 +138,16 @@ class NearestSkin {
 
     void lookFrom(const Vec3& p, int triangle, SkinPoint& best) const {
         const Triangle& c = mesh_.triangle(triangle);
-        const Vec3 weights =
-            closestWeights(p, mesh_.position(c[0]), mesh_.position(c[1]), mesh_.position(c[2]));
-        const Vec3 at = pointOn(mesh_, c, weights);
-        const double distance = (at - p).norm();
+        const Vec3 weights = closestWeights(p, at(c[0]), at(c[1]), at(c[2]));
+        const Vec3 nearest = pointOn(at(c[0]), at(c[1]), at(c[2]), weights);
+        const double distance = (nearest - p).norm();
         if (distance < best.distance || (distance == best.distance && best.triangle < 0)) {
-            best = {triangle, weights, at, distance};
+            best = {triangle, weights, nearest, distance};
         }
     }
 
     const SurfaceMesh& mesh_;
+    bool atRest_;
     Vec3 from_;
     Vec3 way_;
     int parts_;
@@ -165,7 +167,7 @@ double shareAt(double distance, double h) {
 
 AirTies::AirTies(const SurfaceMesh& mesh, TriangleFinder& finder,
                  const std::function<bool(int)>& isSkin, double h,
-                 const std::vector<RungNode>& rung) {
+                 const std::vector<RungNode>& rung, SkinShape shape) {
     for (int i = 0; i + 1 < sizeOf(rung); ++i) {
         const RungNode& node = rung[i];
         const RungNode& next = rung[i + 1];
@@ -174,7 +176,7 @@ AirTies::AirTies(const SurfaceMesh& mesh, TriangleFinder& finder,
         }
         const double length = (next.position - node.position).norm();
         const int parts = std::max(1, static_cast<int>(std::ceil(length / (kSpacing * h))));
-        NearestSkin skin(mesh, node.position, next.position, parts, kReach * h);
+        NearestSkin skin(mesh, shape, node.position, next.position, parts, kReach * h);
         for (const int t : finder.near(boxAround(node.position, next.position, kReach * h))) {
             if (isSkin(t)) {
                 skin.add(t);
@@ -191,11 +193,11 @@ AirTies::AirTies(const SurfaceMesh& mesh, TriangleFinder& finder,
 }
 
 CarriedPoint AirTies::carried(const SurfaceMesh& mesh, const Tie& tie) {
-    const Vec3 moved = pointOn(mesh, tie.corners, tie.weights) - tie.onSkin;
     const Vec3& a = mesh.position(tie.corners[0]);
-    const Vec3 normal =
-        (mesh.position(tie.corners[1]) - a).cross(mesh.position(tie.corners[2]) - a);
-    return {tie.point + tie.share * moved, normal.stableNormalized()};
+    const Vec3& b = mesh.position(tie.corners[1]);
+    const Vec3& c = mesh.position(tie.corners[2]);
+    const Vec3 moved = pointOn(a, b, c, tie.weights) - tie.onSkin;
+    return {tie.point + tie.share * moved, (b - a).cross(c - a).stableNormalized()};
 }
 
 void AirTies::follow(const SurfaceMesh& mesh, std::vector<RungNode>& rung) const {

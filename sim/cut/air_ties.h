@@ -14,6 +14,9 @@ struct CarriedPoint {
     Vec3 outward = Vec3::Zero();  ///< normal of that skin; zero where there is none near
 };
 
+/// In which shape of the body a rung is tied.
+enum class SkinShape { current, rest };
+
 /// Holds the rung's edges in the air to the skin beside them. The skin moves between two steps of
 /// the blade, and what lies behind the rung is never swept: where the skin came across an edge
 /// that stayed in space, a bridge would stay.
@@ -23,8 +26,9 @@ class AirTies {
     /// Remembers where points on the edges of `rung` in the air are as seen from the skin. Edges
     /// between two mesh vertices are left out: there the front crosses an older slit.
     /// `isSkin` tells which triangles count: those of the piece, without the walls of the stroke.
+    /// `finder` finds them in the shape `shape`.
     AirTies(const SurfaceMesh& mesh, TriangleFinder& finder, const std::function<bool(int)>& isSkin,
-            double h, const std::vector<RungNode>& rung);
+            double h, const std::vector<RungNode>& rung, SkinShape shape);
 
     /// Moves the ends of the same rung that are in the air along with the skin. No triangle may
     /// have gone since.

@@ -80,6 +80,11 @@ bool Cutter::State::liesAtRest(int v) const {
 void Cutter::State::noteMotion() {
     const std::optional<double> most = std::exchange(moved, std::nullopt);
     const bool still = most == 0;
+    for (Sweep& sweep : sweeps) {
+        if (!still) {
+            makeWaitingTies(sweep);
+        }
+    }
     atRest = atRest && still;
     groupsHold = groupsHold && still;
     if (!tree) {
@@ -210,6 +215,9 @@ void Cutter::prepare() {
 }
 
 void Cutter::useFinder(TriangleFinder* finder) {
+    for (Sweep& sweep : state_->sweeps) {
+        state_->makeWaitingTies(sweep);
+    }
     state_->finder = finder;
     state_->tree.reset();
 }

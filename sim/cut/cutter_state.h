@@ -92,6 +92,7 @@ struct Cutter::State {
     void placeRung(const Blade& at, cut::Sweep& sweep);
     void setRung(std::vector<RungNode> next, cut::Sweep& sweep);
     void tie(cut::Sweep& sweep);
+    void makeWaitingTies(cut::Sweep& sweep);
     CutResult advance(const Blade& to, Gate gate, cut::Sweep& sweep);
     CutResult cut(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep);
     bool climb(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,

@@ -22,7 +22,8 @@ struct Sweep {
     std::vector<RungNode> rung;
     double edgeLength = 0;  ///< about the rung [m]
     AirTies airTies;
-    Blade blade;                      ///< at the rung
+    bool tiesWait = false;  ///< they are made once they are needed: nothing has moved from rest
+    Blade blade;            ///< at the rung
     Vec3 lastAdvance = Vec3::Zero();  ///< of the blade's middle in the last step that cut [m]
 };
 

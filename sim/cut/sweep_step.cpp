@@ -63,10 +63,26 @@ void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
     tie(sweep);
 }
 
+// While all lies where it rests, ties would hold the rung where it is. They can wait: where they
+// are to be made is known also when the body has begun to move.
 void Cutter::State::tie(Sweep& sweep) {
     sweep.edgeLength = edgeLengthAbout(sweep.rung);
-    sweep.airTies =
-        cut::AirTies(mesh, findTriangles(), isOuter(sweep), sweep.edgeLength, sweep.rung);
+    sweep.tiesWait = atRest && finder == nullptr;
+    if (sweep.tiesWait) {
+        sweep.airTies = {};
+        findTriangles().bounds();  // the tree knows the shape at rest from now on
+    } else {
+        sweep.airTies = cut::AirTies(mesh, findTriangles(), isOuter(sweep), sweep.edgeLength,
+                                     sweep.rung, cut::SkinShape::current);
+    }
+}
+
+/// Before the tree hears that anything has moved.
+void Cutter::State::makeWaitingTies(Sweep& sweep) {
+    if (std::exchange(sweep.tiesWait, false)) {
+        sweep.airTies = cut::AirTies(mesh, findTriangles(), isOuter(sweep), sweep.edgeLength,
+                                     sweep.rung, cut::SkinShape::rest);
+    }
 }
 
 std::function<bool(int)> Cutter::State::isOuter(const Sweep& sweep) const {
@@ -128,7 +144,13 @@ bool Cutter::State::climb(const Blade& to, const std::vector<RungNode>& from, Sw
     const cut::BroadPhase candidates = findCandidates(to, sweep, from);
     const auto tryAll = [&](const cut::SlitOpening& opening) {
         std::vector<RungNode> clear = from;
-        cut::clearAirEdges(mesh, candidates, opening, to, sweep.edgeLength, sweep.airTies, clear);
+        cut::clearAirEdges(
+            mesh, candidates, opening, to, sweep.edgeLength,
+            [&]() -> const cut::AirTies& {
+                makeWaitingTies(sweep);
+                return sweep.airTies;
+            },
+            clear);
         for (int i = 0; i < cut::attemptCount(); ++i) {
             if (attempt(to, clear, candidates, opening, i, sweep, result)) {
                 return true;

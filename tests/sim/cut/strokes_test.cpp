@@ -193,27 +193,32 @@ TEST(Cut, CutsABodyThatDeformsSmoothly) {
 }
 
 // Half way through, the skin below one end of the front bulges out and up, across the line from
-// the front to the blade's end. What hangs above the blade is behind it and must be cut too.
+// the front to the blade's end. What hangs above the blade is behind it and must be cut too. While
+// the body is promised to lie still, what holds the blade to the skin is not worked out, but must
+// be once it moves.
 TEST(Cut, SkinThatMovesAcrossTheBladeInTheAirIsNotLeftAsABridge) {
+    constexpr int kBulges = 31;  // the blade stands at y = 0.02
     for (const Vec3& bulge : {Vec3(-0.1, 0.1, 0), Vec3(-0.15, 0.14, 0), Vec3(-0.2, 0.2, 0)}) {
-        SurfaceMesh mesh = test::icosphere(3);
-        Cutter cutter(mesh, test::exactSettings());
-        const auto bulgeOut = [&](SurfaceMesh& body, int step) {
-            if (step != 31) {  // the blade stands at y = 0.02
-                return;
-            }
-            for (int v = 0; v < body.vertexCount(); ++v) {
-                const Vec3 p = body.position(v);
-                const bool below = p.y() < -0.02 && p.y() > -0.15 && p.x() < -0.4;
-                if (below && body.mateGroup(v) < 0) {
-                    body.setPosition(v, p + bulge);
+        for (const bool promises : {false, true}) {
+            SurfaceMesh mesh = test::icosphere(3);
+            Cutter cutter(mesh, test::exactSettings());
+            const auto bulgeOut = [&](SurfaceMesh& body, int step) {
+                if (promises && step != kBulges) {
+                    cutter.boundMotion(0);
                 }
-            }
-        };
-        expectSound(
-            test::runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()), bulgeOut));
-        EXPECT_EQ(test::slitEdges(mesh, 0), 0);
-        EXPECT_EQ(piecesOf(mesh), 2);
+                for (int v = 0; v < body.vertexCount() && step == kBulges; ++v) {
+                    const Vec3 p = body.position(v);
+                    const bool below = p.y() < -0.02 && p.y() > -0.15 && p.x() < -0.4;
+                    if (below && body.mateGroup(v) < 0) {
+                        body.setPosition(v, p + bulge);
+                    }
+                }
+            };
+            expectSound(
+                test::runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()), bulgeOut));
+            EXPECT_EQ(test::slitEdges(mesh, 0), 0);
+            EXPECT_EQ(piecesOf(mesh), 2);
+        }
     }
 }
 
