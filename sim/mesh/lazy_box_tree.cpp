@@ -84,21 +84,42 @@ void LazyBoxTree::insert(std::span<const int> ids, const BoundsOf& boundsOf) {
     }
 }
 
-/// They become one undivided tree, without their empty places.
 void LazyBoxTree::joinLastTwo() {
     const int last = roots_.back();
     roots_.pop_back();
-    Node joined = nodes_[roots_.back()];
+    const int first = roots_.back();
+    Node joined = nodes_[first];
     joined.bounds.add(nodes_[last].bounds);
     joined.stamp = std::min(joined.stamp, nodes_[last].stamp);
     joined.count += nodes_[last].count;
-    joined.child = -1;
-    joined.end = closeRanks(joined.first, nodes_[last].end);
-    items_.resize(joined.end);
-    forget(last);
-    forget(std::exchange(roots_.back(), -1));
+    joined.end = nodes_[last].end;
+    joined.joins = std::max(joined.joins, nodes_[last].joins) + 1;
+    const bool mostlyEmpty = 2 * joined.count < joined.end - joined.first;
+    if (joining_ == Joining::anew || mostlyEmpty || joined.joins > kMostJoins) {
+        makeUndivided(joined, first, last);
+    } else {
+        becomeChildren(joined, first, last);
+    }
     roots_.back() = newPair();
     nodes_[roots_.back()] = joined;
+}
+
+/// One node without empty places in place of the trees of these roots, which are the last two.
+void LazyBoxTree::makeUndivided(Node& joined, int first, int last) {
+    forget(first);
+    forget(last);
+    joined.child = -1;
+    joined.joins = 0;
+    joined.end = closeRanks(joined.first, joined.end);
+    items_.resize(joined.end);
+}
+
+void LazyBoxTree::becomeChildren(Node& joined, int first, int last) {
+    const int left = newPair();
+    nodes_[left] = nodes_[first];
+    nodes_[left + 1] = nodes_[last];
+    freePairs_.insert(freePairs_.end(), {first, last});
+    joined.child = left;
 }
 
 void LazyBoxTree::erase(std::span<const int> ids) {

@@ -12,7 +12,7 @@ namespace kerf {
 /// A forest of bounding-volume trees over numbered things with boxes, for few searches among many
 /// things that change in batches. Nodes are divided where something is first looked for, at the
 /// middle of their longest side, so what nobody looks at costs one pass. A batch is a tree of its
-/// own; trees of like size merge (Bentley and Saxe 1980). What it finds does not depend on its
+/// own; trees of like size join (Bentley and Saxe 1980). What it finds does not depend on its
 /// shape.
 ///
 /// Boxes of nodes may be larger than needed, never smaller. Each remembers how far things had moved
@@ -22,19 +22,29 @@ class LazyBoxTree {
     /// The box of a thing now.
     using BoundsOf = std::function<Bounds(int id)>;
 
+    /// What becomes of two trees that join.
+    enum class Joining {
+        anew,    ///< one undivided tree: nodes tell places apart best
+        divided  ///< the halves of a tree, divided as they are: what was divided stays so
+    };
+
     struct Node {
         Bounds bounds;
         double stamp = 0;  ///< motion of the things when the bounds were made
         int first = 0;     ///< of its places
         int end = 0;       ///< behind them
         int child = -1;    ///< the left one, the right one follows it; -1 while it is not divided
-        int depth = 0;
-        int count = 0;  ///< things below; places may be empty
+        int depth = 0;     ///< below the root of its batch
+        int count = 0;     ///< things below; places may be empty
+        int joins = 0;     ///< of a root: so many joins at most lie above its batches
     };
 
-    LazyBoxTree() = default;
+    explicit LazyBoxTree(Joining joining = Joining::anew) : joining_(joining) {}
     /// O(n).
-    LazyBoxTree(std::span<const int> ids, const BoundsOf& boundsOf) { insert(ids, boundsOf); }
+    LazyBoxTree(std::span<const int> ids, const BoundsOf& boundsOf, Joining joining = Joining::anew)
+        : joining_(joining) {
+        insert(ids, boundsOf);
+    }
 
     /// None of them may be in the tree.
     void insert(std::span<const int> ids, const BoundsOf& boundsOf);
@@ -87,7 +97,7 @@ class LazyBoxTree {
     void divideAll();
 
     /// No node lies deeper.
-    static constexpr int kMaxDepth = 90;
+    static constexpr int kMaxDepth = 98;
 
   private:
     // A box may be wider than needed by this share of its diagonal.
@@ -95,6 +105,8 @@ class LazyBoxTree {
     static constexpr int kLeafSize = 8;
     // Roots halve in size at least from one to the next.
     static constexpr int kMostRoots = 33;
+    // After so many joins above each other a tree is made anew.
+    static constexpr int kMostJoins = 8;
 
     /// A thing by a cube that holds its box.
     struct Item {
@@ -113,11 +125,14 @@ class LazyBoxTree {
     void setPlace(int place, const Item& item);
     int closeRanks(int first, int end);
     void joinLastTwo();
+    void makeUndivided(Node& joined, int first, int last);
+    void becomeChildren(Node& joined, int first, int last);
     int newPair();
     void forget(int index);
     void refitWithin(int index, double tolerance, const BoundsOf& boundsOf);
     void makeAnew(Node& node, const BoundsOf& boundsOf);
 
+    Joining joining_;
     std::vector<Node> nodes_;
     std::vector<Item> items_;   ///< those of a node lie in a row
     std::vector<int> placeOf_;  ///< of each id, -1 for none

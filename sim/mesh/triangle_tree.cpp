@@ -12,7 +12,9 @@ constexpr double kRoom = 1 + 1e-9;  // for rounding
 }  // namespace
 
 TriangleTree::TriangleTree(const SurfaceMesh& mesh) : mesh_(mesh) {
-    tree_ = LazyBoxTree(livingTriangles(mesh), [this](int t) { return boundsOf(t); });
+    tree_ = LazyBoxTree(
+        livingTriangles(mesh), [this](int t) { return boundsOf(t); },
+        LazyBoxTree::Joining::divided);
 }
 
 Bounds TriangleTree::boundsOf(int triangle) const {

@@ -143,14 +143,14 @@ TEST_F(TriangleTreeTest, StaysShallowWhenThingsAreAddedInARow) {
 }
 
 /// Random boxes of which some come and go: what is found is what a look at all of them finds.
-class LazyBoxTreeTest : public testing::Test {
+class LazyBoxTreeTest : public testing::TestWithParam<LazyBoxTree::Joining> {
   protected:
     static constexpr unsigned kSeed = 5;
     std::mt19937 random{kSeed};
     std::uniform_real_distribution<double> uniform{-1, 1};
     std::vector<Bounds> boxes;
     std::vector<bool> inTree;
-    LazyBoxTree tree;
+    LazyBoxTree tree{GetParam()};
     LazyBoxTree::BoundsOf boundsOfId = [this](int id) { return boxes[id]; };
 
     // Sizes from a thousandth up to a half, many in one place.
@@ -208,7 +208,7 @@ class LazyBoxTreeTest : public testing::Test {
     }
 };
 
-TEST_F(LazyBoxTreeTest, FindsAllWhileThingsComeAndGo) {
+TEST_P(LazyBoxTreeTest, FindsAllWhileThingsComeAndGo) {
     add(3000);
     for (int round = 0; round < 60; ++round) {
         expectFindsAll();
@@ -224,7 +224,7 @@ TEST_F(LazyBoxTreeTest, FindsAllWhileThingsComeAndGo) {
     expectFindsAll();
 }
 
-TEST_F(LazyBoxTreeTest, FindsAllWhileThingsMove) {
+TEST_P(LazyBoxTreeTest, FindsAllWhileThingsMove) {
     add(2000);
     for (int round = 0; round < 60; ++round) {
         const double most = 0.01;
@@ -240,7 +240,7 @@ TEST_F(LazyBoxTreeTest, FindsAllWhileThingsMove) {
     }
 }
 
-TEST_F(LazyBoxTreeTest, FindsTheSameHoweverMuchIsDivided) {
+TEST_P(LazyBoxTreeTest, FindsTheSameHoweverMuchIsDivided) {
     add(2000);
     LazyBoxTree divided = tree;
     divided.divideAll();
@@ -270,6 +270,10 @@ TEST_F(LazyBoxTreeTest, FindsTheSameHoweverMuchIsDivided) {
         EXPECT_EQ(found[0], found[1]);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Joinings, LazyBoxTreeTest,
+                         testing::Values(LazyBoxTree::Joining::anew,
+                                         LazyBoxTree::Joining::divided));
 
 }  // namespace
 }  // namespace kerf
