@@ -23,6 +23,7 @@ constexpr double kApartError = 1e-13;
 /// A triangle of the mesh as the predicates see it.
 struct Corners {
     std::array<Vec3, 3> at;
+    Vec3 sum = Vec3::Zero();  ///< of the three
     /// Corner numbers in canonical order, and whether that order reverses the orientation.
     std::array<int, 3> order{0, 1, 2};
     int parity = 1;
@@ -167,6 +168,14 @@ class Intersector {
     }
 
   private:
+    /// A triangle of the strip.
+    struct StripCorners {
+        int index = -1;
+        std::array<Vec3, 3> at;
+        Vec3 sum = Vec3::Zero();
+        Bounds bounds{};
+    };
+
     /// The vertex that the two triangles share.
     struct SharedVertex {
         int count = 0;
@@ -181,10 +190,11 @@ class Intersector {
         int m;
         int s;
         const Corners& mesh;
-        std::array<Vec3, 3> strip;
-        Signs meshSigns;   ///< of the mesh corners against the strip triangle
-        Signs stripSigns;  ///< of the strip corners against the mesh triangle in canonical order
+        const std::array<Vec3, 3>& strip;
         SharedVertex shared;
+        Vec3 across;         ///< from the middle of the mesh triangle to that of the other
+        Signs meshSigns{};   ///< of the mesh corners against the strip triangle
+        Signs stripSigns{};  ///< of the strip corners against the mesh triangle in canonical order
         int entry = -1;
         int exit = -1;
         int hits = 0;
@@ -200,16 +210,23 @@ class Intersector {
     }
 
     void intersectStripTriangle(int s) {
-        const Triangle& corners = strip_.triangles[s];
-        Bounds bounds;
-        std::array<Vec3, 3> at;
-        for (int i = 0; i < 3; ++i) {
-            at[i] = strip_.nodes[corners[i]].position;
-            bounds.add(at[i]);
+        StripCorners strip;
+        strip.index = s;
+        stripVertices_.clear();
+        for (int j = 0; j < 3; ++j) {
+            const StripNode& node = strip_.nodes[strip_.triangles[s][j]];
+            strip.at[j] = node.position;
+            strip.sum += node.position;
+            strip.bounds.add(node.position);
+            for (const std::vector<int>* vertices : {&node.vertices, &node.touching}) {
+                for (const int v : *vertices) {
+                    stripVertices_.push_back({v, j});
+                }
+            }
         }
-        in_.broadPhase.findEntries(at[0], at[1], at[2], predicateDrift(), found_);
+        in_.broadPhase.findEntries(strip.at[0], strip.at[1], strip.at[2], predicateDrift(), found_);
         for (const int entry : found_) {
-            intersectPair(entry, s, at, bounds);
+            intersectPair(entry, strip);
         }
     }
 
@@ -222,15 +239,16 @@ class Intersector {
         return shares * in_.h + in_.opening.reach();
     }
 
-    void intersectPair(int entry, int s, const std::array<Vec3, 3>& stripAt,
-                       const Bounds& stripBounds) {
+    // The walls that the blade has just made lie in its plane, where signs cost the most: most of
+    // them are told apart before.
+    void intersectPair(int entry, const StripCorners& strip) {
         const Corners& corners = cornersOfEntry(entry);
-        if (!corners.bounds.overlaps(stripBounds)) {
+        if (!corners.bounds.overlaps(strip.bounds)) {
             return;
         }
         const int m = in_.broadPhase.entries()[entry].triangle;
-        Pair pair{m, s, corners, stripAt, {}, {}, sharedVertex(m, s)};
-        if (pair.shared.count >= 2 || (in_.attempt.ignoreFringe && isFringe(m)) ||
+        Pair pair{m, strip.index, corners, strip.at, sharedVertex(m), strip.sum - corners.sum};
+        if (pair.shared.count >= 2 || areApart(pair) || (in_.attempt.ignoreFringe && isFringe(m)) ||
             !signMeshCorners(pair) || !signStripCorners(pair)) {
             return;
         }
@@ -249,7 +267,7 @@ class Intersector {
             throw StepFailure{"the blade meets the walls that it has just made"};
         }
         curves_.segmentsOfTriangle[m].push_back(sizeOf(curves_.segments));
-        curves_.segments.push_back({m, s, pair.entry, pair.exit});
+        curves_.segments.push_back({m, pair.s, pair.entry, pair.exit});
     }
 
     const Corners& cornersOfEntry(int entry) {
@@ -265,6 +283,7 @@ class Intersector {
         const Triangle& ids = mesh_.triangle(m);
         for (int i = 0; i < 3; ++i) {
             corners.at[i] = positions_.at(ids[i]);
+            corners.sum += corners.at[i];
             corners.bounds.add(corners.at[i]);
         }
         const auto sortPair = [&](int u, int v) {
@@ -281,17 +300,13 @@ class Intersector {
         return corners;
     }
 
-    SharedVertex sharedVertex(int m, int s) const {
+    SharedVertex sharedVertex(int m) const {
         SharedVertex shared;
-        for (int j = 0; j < 3; ++j) {
-            const StripNode& node = strip_.nodes[strip_.triangles[s][j]];
-            for (const std::vector<int>* vertices : {&node.vertices, &node.touching}) {
-                for (const int v : *vertices) {
-                    for (int i = 0; i < 3; ++i) {
-                        if (mesh_.triangle(m)[i] == v) {
-                            shared = {shared.count + 1, v, i, j};
-                        }
-                    }
+        const Triangle& ids = mesh_.triangle(m);
+        for (const auto& [v, stripCorner] : stripVertices_) {
+            for (int i = 0; i < 3; ++i) {
+                if (ids[i] == v) {
+                    shared = {shared.count + 1, v, i, stripCorner};
                 }
             }
         }
@@ -332,31 +347,13 @@ class Intersector {
                std::any_of(ids.begin(), ids.end(), [&](int v) { return fringe().count(v) > 0; });
     }
 
-    // False where the mesh triangle lies on one side of the strip triangle. The walls that the
-    // blade has just made lie in its plane, where signs cost the most; most of them are told apart
-    // before.
-    bool signMeshCorners(Pair& pair) const {
-        std::array<double, 3> magnitudes{};
-        bool unsure = false;
+    // False where the mesh triangle lies on one side of the strip triangle.
+    static bool signMeshCorners(Pair& pair) {
         for (int i = 0; i < 3; ++i) {
-            if (pair.shared.any() && i == pair.shared.meshCorner) {
-                pair.meshSigns.sign[i] = kShared;
-                continue;
-            }
-            const Estimate3d estimate =
-                estimate3d(pair.strip[0], pair.strip[1], pair.strip[2], pair.mesh.at[i]);
-            pair.meshSigns.sign[i] = estimate.sign();
-            magnitudes[i] = estimate.magnitude;
-            unsure |= pair.meshSigns.sign[i] == 0;
-        }
-        if (unsure && areApart(pair)) {
-            return false;
-        }
-        for (int i = 0; i < 3; ++i) {
-            if (pair.meshSigns.sign[i] == 0) {
-                pair.meshSigns.sign[i] = preciseSign3d(pair.strip[0], pair.strip[1], pair.strip[2],
-                                                       pair.mesh.at[i], magnitudes[i]);
-            }
+            pair.meshSigns.sign[i] =
+                pair.shared.any() && i == pair.shared.meshCorner
+                    ? kShared
+                    : orientSign3d(pair.strip[0], pair.strip[1], pair.strip[2], pair.mesh.at[i]);
         }
         return !pair.meshSigns.separated();
     }
@@ -368,10 +365,7 @@ class Intersector {
         if (shared.any() && pair.mesh.at[shared.meshCorner] != origin) {
             return false;
         }
-        Vec3 normal = Vec3::Zero();
-        for (int i = 0; i < 3; ++i) {
-            normal += pair.strip[i] - pair.mesh.at[i];
-        }
+        const Vec3& normal = pair.across;
         double above = 1e300;
         double below = -1e300;
         for (int i = 0; i < 3; ++i) {
@@ -565,7 +559,8 @@ class Intersector {
     std::vector<int> rungVertices_;                ///< ascending
     std::vector<std::optional<Corners>> corners_;  ///< by entry of the broad phase
     std::vector<int> found_;
-    std::set<int> fringe_;  ///< empty until fringe() is asked
+    std::vector<std::pair<int, int>> stripVertices_;  ///< of the strip triangle in hand: corners
+    std::set<int> fringe_;                            ///< empty until fringe() is asked
     CutCurves curves_;
 };
 
