@@ -88,9 +88,11 @@ void placeOldRung(const StepInput& in, const PredicatePositions& positions, Stri
         }
     }
     strip.oldCount = sizeOf(strip.nodes);
+    // Across the blade: a node that is led around skin may have the s of another place.
+    const Vec3 along = (in.blade.b - in.blade.a).normalized();
     for (const RungNode& node : in.rung) {
-        const Vec3 above = in.blade.a + (in.blade.b - in.blade.a) * std::clamp(node.s, 0.0, 1.0);
-        strip.height = std::max(strip.height, (above - node.position).norm());
+        const Vec3 fromA = node.position - in.blade.a;
+        strip.height = std::max(strip.height, (fromA - along * along.dot(fromA)).norm());
     }
 }
 

@@ -63,7 +63,7 @@ struct Strip {
     std::vector<StripNode> nodes;  ///< the old rung first
     int oldCount = 0;
     std::vector<int> newRung;  ///< nodes of R1 from A to B; ends may be shared with R0 (pinned)
-    double height = 0;         ///< largest distance between the rungs [m]
+    double height = 0;         ///< largest distance of the old rung to the new one's line [m]
     std::vector<Triangle> triangles;
     std::vector<Triangle> triangleEdges;
     std::vector<StripEdge> edges;

@@ -95,6 +95,35 @@ TEST(MovingBody, RisingThroughTheBladeInTheAirIsCutFromItsSkinOn) {
     }
 }
 
+int wallsOf(const SurfaceMesh& mesh) {
+    int walls = 0;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        walls += mesh.alive(t) && mesh.kind(t) == SurfaceKind::wall;
+    }
+    return walls;
+}
+
+// The rung goes by points that the skin carried along, which are near one end of the blade.
+TEST(MovingBody, RisingThroughTheBladeInTheAirMakesNoMoreWalls) {
+    const Vec3 aside(0.9, 0, 0);
+    const Stroke stroke =
+        test::straightStroke(kCenter + aside, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 60);
+    std::vector<int> walls;
+    for (const double rise : {0.0, 0.03}) {
+        SurfaceMesh mesh = test::icosphere(3);
+        Cutter cutter(mesh, CutSettings{});
+        const CutCheck check =
+            test::runStroke(cutter, mesh, stroke, [&](SurfaceMesh& body, int step) {
+                if (step == 19) {
+                    shift(body, allVertices(body), Vec3(0, rise, 0));
+                }
+            });
+        expectParted(mesh, check);
+        walls.push_back(wallsOf(mesh));
+    }
+    EXPECT_NEAR(walls[1], walls[0], 0.1 * walls[0]);
+}
+
 TEST(MovingBody, AFrontEndThatSlidesOverItsNeighboursIsNoReasonToRefuse) {
     const double h = 0.08;
     for (const double slip : {0.1, 0.2, 0.3}) {
