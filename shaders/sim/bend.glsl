@@ -43,10 +43,9 @@ BendPull bendPull(BendRecord bend) {
 
     float weight = uniforms.inverse_density *
         dot(vec4(d0.w, d1.w, d2.w, d3.w), vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b)));
-    float gamma = uniforms.damping_ratio;
-    float denominator = (1.0 + gamma) * weight + bend.geometry * uniforms.bend_compliance;
+    float denominator = dampedWeight(weight, bend.geometry * uniforms.bend_compliance);
     float rate = dot(a, sA * edgeStep - leftStep) + dot(b, sB * edgeStep - rightStep);
     float impulse =
-        weight > 0.0 ? uniforms.bend_share * -(error + gamma * rate) / denominator : 0.0;
+        weight > 0.0 ? uniforms.bend_share * -dampedError(error, rate) / denominator : 0.0;
     return BendPull(slivers ? vec4(0.0) : vec4(a * impulse, sA), slivers ? vec4(0.0) : vec4(b * impulse, sB));
 }

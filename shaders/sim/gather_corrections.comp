@@ -1,5 +1,6 @@
 // Adds to each vertex what its bends pull (GATHER_BENDS) or its ISPCs (GATHER_ISPCS).
-// Reads X (inverse mass), corrections, links, lists. Reads and writes d.
+// With ONTO_FLOOR it lifts the vertex onto the floor besides, as floor.comp does.
+// Reads X, corrections, links, lists. Reads and writes d.
 // One thread per vertex. A storage barrier follows.
 #include "bindings.h"
 #include "body_records.h"
@@ -31,6 +32,9 @@ IspcSharePair ispcSharesAt(uint pair) { return fetchIspcShares(entries, pair); }
 
 #include "sim/gather.glsl"
 #include "sim/mass_split.glsl"
+#ifdef ONTO_FLOOR
+#include "sim/floor.glsl"
+#endif
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
@@ -40,7 +44,10 @@ void main() {
 #else
     vec3 sum = ispcSum(fetch(ranges, v).xy);
 #endif
-    float inverseUnitMass = fetch(positions, v).w;
-    vec3 d = withSum(fetch(before, v).xyz, inverseUnitMass, sum);
-    displacement[v] = vec4(d, secondSplit(inverseUnitMass, fetch(links, v)));
+    vec4 x = fetch(positions, v);
+    vec3 d = withSum(fetch(before, v).xyz, x.w, sum);
+#ifdef ONTO_FLOOR
+    d = onFloor(d, x);
+#endif
+    displacement[v] = vec4(d, secondSplit(x.w, fetch(links, v)));
 }

@@ -18,11 +18,10 @@ vec3 ispcPull(IspcConstraint ispc) {
     float reach = length(r);
 
     float weight = uniforms.inverse_density * dot(vec4(dv.w, d0.w, d1.w, d2.w), vec4(1.0, b * b));
-    float gamma = uniforms.damping_ratio;
-    float denominator = (1.0 + gamma) * weight + ispc.geometry * uniforms.ispc_compliance;
+    float denominator = dampedWeight(weight, ispc.geometry * uniforms.ispc_compliance);
     vec3 direction = reach > 1e-12 ? pullDirection(base, r) : vec3(0.0);
     float impulse = weight > 0.0
-        ? uniforms.ispc_share * -((reach - ispc.rest_length) + gamma * dot(direction, step)) /
+        ? uniforms.ispc_share * -dampedError(reach - ispc.rest_length, dot(direction, step)) /
             denominator
         : 0.0;
     return direction * impulse;

@@ -3,16 +3,42 @@
 // Constraints pull along their gradient at X, the beginning of the substep, as SHAKE does: then no
 // sweep changes the angular momentum sum X x m d, which the velocities d / h carry on. Where the
 // gradient has turned too far meanwhile, as at slivers, the one at X + d is taken, and always in plain
-// PBD, which sweeps many times over a long step. The includer declares `uniforms`.
+// PBD, which sweeps many times over a long step. There constraints are rigid and not damped; kernels
+// with PLAIN_PBD are compiled for it alone and leave out what it does not need. The includer declares
+// `uniforms`.
 
 // In the substep it turned by no more than 60 degrees and kept half of its size.
 bool turnedLittle(vec3 before, vec3 now) {
     return dot(before, now) > 0.5 * max(dot(before, before), dot(now, now));
 }
 
+#ifdef PLAIN_PBD
+bool pullsAsBefore() {
+    return false;
+}
+
+float dampedError(float error, float rate) {
+    return error;
+}
+
+float dampedWeight(float weight, float compliance) {
+    return weight;
+}
+#else
 bool pullsAsBefore() {
     return (uniforms.active_parts & kPullAsBeforePart) != 0u;
 }
+
+// What an impulse is to answer to: C, and its rate times gamma.
+float dampedError(float error, float rate) {
+    return error + uniforms.damping_ratio * rate;
+}
+
+// What an impulse is divided by.
+float dampedWeight(float weight, float compliance) {
+    return (1.0 + uniforms.damping_ratio) * weight + compliance;
+}
+#endif
 
 vec3 pullDirection(vec3 before, vec3 now) {
     bool asBefore = pullsAsBefore() && turnedLittle(before, now);

@@ -20,11 +20,9 @@ vec3 spokePull(Spoke spoke, vec4 own, float count, vec3 ownStart) {
     float reach = length(span);
     float inverseMasses =
         uniforms.inverse_density * (count * own.w + float(spoke.other_count) * far.w);
-    float gamma = uniforms.damping_ratio;
-    float denominator =
-        (1.0 + gamma) * inverseMasses + spoke.geometry * uniforms.stretch_compliance;
+    float denominator = dampedWeight(inverseMasses, spoke.geometry * uniforms.stretch_compliance);
     vec3 direction = pullDirection(before, span);
-    float impulse = -((reach - spoke.rest_length) + gamma * dot(direction, step)) / denominator;
+    float impulse = -dampedError(reach - spoke.rest_length, dot(direction, step)) / denominator;
     vec3 pull = direction * (uniforms.stretch_share * uniforms.inverse_density * own.w * impulse);
     return reach >= 1e-12 && denominator > 0.0 ? pull : vec3(0.0);
 }

@@ -127,15 +127,26 @@ void GpuSolver::compileConstraints() {
         return gpu::Program::compute("sim/" + name + ".comp", defines);
     };
     kernels_.stretch = compile("stretch");
-    kernels_.stretchAgain = compile("stretch", {{"SWEEP_AGAIN", "1"}});
-    kernels_.bend = compile("bend");
+    for (const bool plain : {false, true}) {
+        ConstraintKernels& kernels = plain ? kernels_.plainPbd : kernels_.anySolver;
+        const auto compileFor = [&](const std::string& name, gpu::Defines defines = {}) {
+            if (plain) {
+                defines.emplace_back("PLAIN_PBD", "1");
+            }
+            return compile(name, std::move(defines));
+        };
+        kernels.stretchAgain = compileFor("stretch", {{"SWEEP_AGAIN", "1"}});
+        kernels.bend = compileFor("bend");
+        kernels.ispc = compileFor("ispc");
+    }
     kernels_.volumeCorrect = compile("volume_correct");
     kernels_.floor = compile("floor");
     kernels_.finish = compile("finish");
     kernels_.settle = compile("settle");
-    kernels_.ispc = compile("ispc");
     kernels_.gatherBends = compile("gather_corrections", {{"GATHER_BENDS", "1"}});
     kernels_.gatherIspcs = compile("gather_corrections", {{"GATHER_ISPCS", "1"}});
+    kernels_.gatherOntoFloor =
+        compile("gather_corrections", {{"GATHER_ISPCS", "1"}, {"ONTO_FLOOR", "1"}});
     const uint threads = loadsImages_ ? 8 : shared::kPageSize;
     kernels_.volumeGradient =
         compile("volume_gradient", {{"SUM_GROUP", std::to_string(threads) + "u"}});
@@ -522,9 +533,11 @@ void GpuSolver::stepByPhases() {
             deformTimer_.begin();
             sweep == 0 ? predictAndStretch() : stretchAgain();
             solveBends();
-            solveIspcs();
+            const bool last = sweep + 1 == uniforms_.sweeps;
+            const bool lifts = settles && !last && liftsInGather();
+            solveIspcs(lifts ? kernels_.gatherOntoFloor : kernels_.gatherIspcs);
             deformTimer_.end();
-            if (!settles || sweep + 1 < uniforms_.sweeps) {
+            if (!(settles && last) && !lifts) {
                 holdVolumeAndCollide(i);
             }
         }
@@ -532,6 +545,11 @@ void GpuSolver::stepByPhases() {
         settles ? settle() : finishSubstep();
         deformTimer_.end();
     }
+}
+
+/// Whether all that follows the ISPCs in a sweep is the floor.
+bool GpuSolver::liftsInGather() const {
+    return active(shared::kIspcPart) && active(shared::kFloorPart) && !active(shared::kVolumePart);
 }
 
 void GpuSolver::holdVolumeAndCollide(uint substep) {
@@ -641,7 +659,7 @@ void GpuSolver::stretchAgain() {
     bindBody();
     bindFetched(previous_, shared::kPreviousBinding, TexelFormat::float32x4);
     bindSpokes();
-    run(kernels_.stretchAgain, uniforms_.vertex_count);
+    run(constraintKernels().stretchAgain, uniforms_.vertex_count);
 }
 
 void GpuSolver::bindSpokes() const {
@@ -660,20 +678,32 @@ void GpuSolver::bindConstraints() const {
 void GpuSolver::solveBends() {
     if (active(shared::kBendPart)) {
         bindFetched(bends_, shared::kConstraintsBinding, TexelFormat::uint32x4);
-        runOverConstraints(kernels_.bend, uniforms_.bend_count);
+        runOverConstraints(constraintKernels().bend, uniforms_.bend_count);
         bindFetched(bendRanges_, shared::kRangesBinding, TexelFormat::uint32x4);
         bindFetched(bendEntries_, shared::kEntriesBinding, TexelFormat::uint32x2);
         run(kernels_.gatherBends, uniforms_.vertex_count);
     }
 }
 
+/// Those compiled for plain PBD give the same bits, where nothing is damped or gives way.
+const GpuSolver::ConstraintKernels& GpuSolver::constraintKernels() const {
+    const bool plain = !active(shared::kPullAsBeforePart) && uniforms_.damping_ratio == 0 &&
+                       uniforms_.stretch_compliance == 0 && uniforms_.bend_compliance == 0 &&
+                       uniforms_.ispc_compliance == 0;
+    return plain ? kernels_.plainPbd : kernels_.anySolver;
+}
+
 void GpuSolver::solveIspcs() {
+    solveIspcs(kernels_.gatherIspcs);
+}
+
+void GpuSolver::solveIspcs(const gpu::Program& gather) {
     if (active(shared::kIspcPart)) {
         bindFetched(ispcs_, shared::kConstraintsBinding, TexelFormat::uint32x4);
-        runOverConstraints(kernels_.ispc, uniforms_.ispc_count);
+        runOverConstraints(constraintKernels().ispc, uniforms_.ispc_count);
         bindFetched(ispcRanges_, shared::kRangesBinding, TexelFormat::uint32x2);
         bindFetched(ispcShares_, shared::kEntriesBinding, TexelFormat::uint32x4);
-        run(kernels_.gatherIspcs, uniforms_.vertex_count);
+        run(gather, uniforms_.vertex_count);
     }
 }
 

@@ -182,12 +182,17 @@ class GpuSolver {
         gpu::Buffer entries;
         void assign(const Incidence& incidence);
     };
+    struct ConstraintKernels {
+        gpu::Program stretchAgain, bend, ispc;
+    };
     struct Kernels {
-        gpu::Program stretch, stretchAgain, bend, ispc, gatherBends, gatherIspcs, volumeGradient,
+        ConstraintKernels anySolver, plainPbd;
+        gpu::Program stretch, gatherBends, gatherIspcs, gatherOntoFloor, volumeGradient,
             volumeCorrect, floor, finish, settle, measure, collect, masses, pull, restore;
     };
 
     void stepByPhases();
+    bool liftsInGather() const;
     void holdVolumeAndCollide(std::uint32_t substep);
     bool meetsOnlyTheFloor() const;
     void sumVolume();
@@ -210,6 +215,8 @@ class GpuSolver {
     void updateSpokes(const BodyModel& model, const BodyChange& change);
     void updateBendLists(const BodyModel& model, const BodyChange& change);
     void updateIspcShares(const BodyModel& model, const BodyChange& change);
+    void solveIspcs(const gpu::Program& gather);
+    const ConstraintKernels& constraintKernels() const;
     void bindSpokes() const;
     void bindConstraints() const;
     void updateLists(IncidenceBuffers& buffers, const Incidence& incidence,
