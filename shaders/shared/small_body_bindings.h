@@ -15,6 +15,7 @@ SHARED_CONST uint kSmallBodyBlocks = 64u;
 SHARED_CONST uint kSmallCorrectionsBinding = 4u;  // as kCorrectionsBinding; images too
 SHARED_CONST uint kSmallGradientsBinding = 5u;    // as kGradientsBinding; images too
 SHARED_CONST uint kSmallPartsBinding = 6u;        // vec2 per place of each block; images too
+SHARED_CONST uint kSmallSweptBinding = 7u;        // vec4: d after the sweep before; images too
 SHARED_CONST uint kSmallImpulsesBinding = 8u;
 SHARED_CONST uint kSmallPiecesBinding = 9u;
 SHARED_CONST uint kSmallBlocksBinding = 10u;

@@ -3,6 +3,7 @@
 // A substep begins with the prediction and ends with floor and velocities. What else may move vertices
 // in between (contact, boxes) stands between two dispatches, of which the first one leaves its last
 // substep open.
+// With PLAIN_PBD it is some of the sweeps of plain PBD instead, which meets nothing but the floor here.
 // Reads links, lists, pulls, pieces, blocks, pages, places. Reads and writes X, velocities, d.
 // Corrections, gradients, parts, block sums and impulses are scratch. One group in all. A storage
 // barrier follows.
@@ -16,6 +17,10 @@ layout(local_size_x = SMALL_GROUP) in;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
+#ifdef PLAIN_PBD
+uniform uint firstSweep;
+uniform uint endSweep;
+#else
 uniform uint substepsToBegin;
 uniform uint firstIsOpen;   // 1: a substep is open; it ends first
 uniform uint leavesOpen;    // 1: the last one stays open
@@ -24,6 +29,7 @@ uint begins = substepsToBegin;
 bool endsFirst = firstIsOpen != 0u;
 bool endsLast = leavesOpen == 0u;
 uint blocksInAll = blockCount;
+#endif
 
 RECORD_QUADS(kSmallLinksUnit) links;
 RECORD_PAIRS(kSmallEdgeRangesUnit) edgeRanges;
@@ -73,18 +79,31 @@ VolumeSum sumOfBlock(uint block) {
     return VolumeSum(sum.x, sum.y);
 }
 
-vec3 startOf(uint v, float inverseUnitMass) {
-    return predicted(velocityOf(v).xyz, inverseUnitMass);
-}
-
 uint self = gl_LocalInvocationID.x;
 
 bool isActive(uint part) {
     return (uniforms.active_parts & part) != 0u;
 }
 
-void predictAndStretch() {
-    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
+#ifdef PLAIN_PBD
+vec3 startOf(uint v, float inverseUnitMass) {
+    return sweptOf(v);
+}
+
+void predict() {
+    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
+        setSwept(v, predicted(velocityOf(v).xyz, positionOf(v).w));
+    }
+    endPhase();
+}
+#else
+vec3 startOf(uint v, float inverseUnitMass) {
+    return predicted(velocityOf(v).xyz, inverseUnitMass);
+}
+#endif
+
+void stretchAll() {
+    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
         vec4 own = positionOf(v);
         setDisplacement(v, vec4(stretched(v, own, fetch(edgeRanges, v).xy),
                                 firstSplit(own.w, fetch(links, v))));
@@ -93,13 +112,13 @@ void predictAndStretch() {
 }
 
 void solveBends() {
-    for (uint i = self; i < uniforms.bend_count; i += kSmallGroup) {
+    for (uint i = firstOf(uniforms.bend_count); i < endOf(uniforms.bend_count); i += kStride) {
         BendPull pull = bendPull(fetchBend(bends, i));
         setCorrection(2u * i, pull.left);
         setCorrection(2u * i + 1u, pull.right);
     }
     endPhase();
-    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
+    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
         float inverseUnitMass = positionOf(v).w;
         vec3 sum = bendSum(fetchBendRange(bendRanges, v));
         setDisplacement(v, vec4(withSum(displacementOf(v).xyz, inverseUnitMass, sum),
@@ -108,14 +127,60 @@ void solveBends() {
     endPhase();
 }
 
-void solveIspcs() {
-    for (uint i = self; i < uniforms.ispc_count; i += kSmallGroup) {
+void pullByIspcs() {
+    for (uint i = firstOf(uniforms.ispc_count); i < endOf(uniforms.ispc_count); i += kStride) {
         setCorrection(i, vec4(ispcPull(fetchIspc(ispcs, i)), 0.0));
     }
     endPhase();
-    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
-        vec3 sum = ispcSum(fetch(ispcRanges, v).xy);
-        setDisplacement(v, vec4(withSum(displacementOf(v).xyz, positionOf(v).w, sum), 0.0));
+}
+
+vec3 afterIspcs(uint v, float inverseUnitMass) {
+    return withSum(displacementOf(v).xyz, inverseUnitMass, ispcSum(fetch(ispcRanges, v).xy));
+}
+
+void end(uint v, vec3 d, vec4 x) {
+    if (isActive(kFloorPart)) d = onFloor(d, x);
+    if (x.w > 0.0) setVelocity(v, endVelocity(d));
+    setPosition(v, vec4(x.xyz + d, x.w));
+}
+
+#ifdef PLAIN_PBD
+void finishSweep(bool last) {
+    bool gathers = isActive(kIspcPart);
+    bool lifts = isActive(kFloorPart);
+    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
+        vec4 x = positionOf(v);
+        vec3 d = displacementOf(v).xyz;
+        if (gathers) d = afterIspcs(v, x.w);
+        if (last) {
+            setDisplacement(v, vec4(d, 0.0));
+            end(v, d, x);
+        } else {
+            setSwept(v, lifts ? onFloor(d, x) : d);
+        }
+    }
+    endPhase();
+}
+
+void sweep(bool last) {
+    stretchAll();
+    if (isActive(kBendPart)) solveBends();
+    if (isActive(kIspcPart)) pullByIspcs();
+    finishSweep(last);
+}
+
+void main() {
+    uint begin = firstSweep;
+    uint end = endSweep;
+    if (begin == 0u) predict();
+    for (uint i = begin; i < end; ++i) sweep(i + 1u == uniforms.sweeps);
+    storeDisplacements(self);
+}
+#else
+void solveIspcs() {
+    pullByIspcs();
+    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
+        setDisplacement(v, vec4(afterIspcs(v, positionOf(v).w), 0.0));
     }
     endPhase();
 }
@@ -156,15 +221,9 @@ void sumVolume() {
     endPhase();
 }
 
-void end(uint v, vec3 d, vec4 x) {
-    if (isActive(kFloorPart)) d = onFloor(d, x);
-    if (x.w > 0.0) setVelocity(v, endVelocity(d));
-    setPosition(v, vec4(x.xyz + d, x.w));
-}
-
 // What concerns each vertex alone.
 void settle(bool corrects, bool ends) {
-    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
+    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
         vec4 x = positionOf(v);
         vec3 d = displacementOf(v).xyz;
         if (corrects) d = heldByVolume(v, d, x.w);
@@ -178,7 +237,7 @@ void settle(bool corrects, bool ends) {
 }
 
 void pullAll() {
-    for (uint i = self; i < uniforms.pull_count; i += kSmallGroup) {
+    for (uint i = firstOf(uniforms.pull_count); i < endOf(uniforms.pull_count); i += kStride) {
         PullRecord pull = pulls[i];
         vec3 d = pulled(displacementOf(pull.vertex).xyz, positionOf(pull.vertex), pull);
         setDisplacement(pull.vertex, vec4(d, 0.0));
@@ -188,7 +247,7 @@ void pullAll() {
 
 void substep(bool ends) {
     bool volume = isActive(kVolumePart);
-    predictAndStretch();
+    stretchAll();
     if (isActive(kBendPart)) solveBends();
     if (isActive(kIspcPart)) solveIspcs();
     if (volume) sumVolume();
@@ -210,3 +269,4 @@ void main() {
     }
     storeDisplacements(self);
 }
+#endif

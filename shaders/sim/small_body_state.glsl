@@ -15,6 +15,47 @@ void setCorrection(uint index, vec4 pull) { storedCorrections[index] = pull; }
 void setGradient(uint v, vec3 gradient) { storedGradients[v] = vec4(gradient, 0.0); }
 void setPart(uint place, vec2 sum) { storedParts[place] = sum; }
 
+// d at the beginning of a sweep of plain PBD.
+#ifdef PLAIN_PBD
+layout(std430, binding = kSmallSweptBinding) coherent buffer Swept { vec4 storedSwept[]; };
+void setSwept(uint v, vec3 d) { storedSwept[v] = vec4(d, 0.0); }
+#ifdef LOAD_IMAGES
+layout(binding = kSmallSweptBinding, rgba32f) coherent readonly uniform imageBuffer sweptTexels;
+vec3 sweptOf(uint v) { return imageLoad(sweptTexels, int(v)).xyz; }
+#else
+vec3 sweptOf(uint v) { return storedSwept[v].xyz; }
+#endif
+#endif
+
+// Which of `count` vertices or constraints a thread takes: from firstOf(count) every kStride-th below
+// endOf(count). On llvmpipe eight threads that run side by side have a stretch of them, which stays in
+// the cache.
+#ifdef LOAD_IMAGES
+const uint kStride = 8u;
+
+uint stretchOf(uint count) {
+    return (count + kSmallGroup - 1u) / kSmallGroup * kStride;
+}
+
+uint firstOf(uint count) {
+    return gl_LocalInvocationID.x / kStride * stretchOf(count) + gl_LocalInvocationID.x % kStride;
+}
+
+uint endOf(uint count) {
+    return min(count, (gl_LocalInvocationID.x / kStride + 1u) * stretchOf(count));
+}
+#else
+const uint kStride = kSmallGroup;
+
+uint firstOf(uint count) {
+    return gl_LocalInvocationID.x;
+}
+
+uint endOf(uint count) {
+    return count;
+}
+#endif
+
 #ifdef LOAD_IMAGES
 layout(binding = kPositionsBinding, rgba32f) coherent readonly uniform imageBuffer positionTexels;
 layout(binding = kVelocitiesBinding, rgba32f) coherent readonly uniform imageBuffer velocityTexels;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <string>
 #include <utility>
 
@@ -226,7 +227,8 @@ void GpuSolver::uploadTriangleLists(const BodyModel& model) {
 
 void GpuSolver::uploadCounts(const BodyModel& model) {
     uploadPieces(model);
-    smallBody_.setBody(model, blocks_);
+    smallBody_.setBody(model, blocks_, true);
+    sweepsFaster_ = {};
     setCounts(uniforms_, model);
     uploadUniforms();
 }
@@ -282,7 +284,7 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     updateState(written, state);
     updateRecords(model, change);
     resizeScratch(model);
-    smallBody_.setBody(model, blocks_);
+    smallBody_.setBody(model, blocks_, plainPbd());
     setCounts(uniforms_, model);
     uploadUniforms();
     massesLag_ = true;
@@ -507,7 +509,11 @@ void GpuSolver::step() {
     boxes_.beginStep(reach_);
     blade_.beginStep(reach_);
     unfolds_ = motion_.folded && active(shared::kUnfoldPart);
-    if (!solvesInOneGroup()) {
+    if (sweepsInOneGroup() && smallBody_.large()) {
+        stepTheFasterWay();
+    } else if (sweepsInOneGroup()) {
+        stepBySweeps();
+    } else if (!solvesInOneGroup()) {
         stepByPhases();
     } else if (meetsOnlyTheFloor() && !unfolds_) {
         stepAtOnce();
@@ -521,7 +527,35 @@ bool GpuSolver::meetsOnlyTheFloor() const {
 }
 
 bool GpuSolver::solvesInOneGroup() const {
-    return oneGroupAllowed_ && uniforms_.sweeps == 1 && smallBody_.fits();
+    const bool bySubsteps = oneGroupAllowed_ && uniforms_.sweeps == 1 && smallBody_.fits();
+    return bySubsteps || (sweepsInOneGroup() && !smallBody_.large());
+}
+
+bool GpuSolver::sweepsInOneGroup() const {
+    return oneGroupAllowed_ && uniforms_.sweeps > 1 && plainPbd() && !active(shared::kVolumePart) &&
+           uniforms_.pull_count == 0 && meetsOnlyTheFloor() && smallBody_.sweepsAtOnce() > 0;
+}
+
+/// The cores of llvmpipe may be so far from each other that one of them is done sooner alone; their
+/// compute shaders have run when a dispatch returns.
+void GpuSolver::stepTheFasterWay() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    sweepsFaster_.next() == 0 ? stepBySweeps() : stepByPhases();
+    sweepsFaster_.took(std::chrono::duration<double>(Clock::now() - start).count());
+}
+
+void GpuSolver::stepBySweeps() {
+    deformTimer_.begin();
+    const uint atOnce = smallBody_.sweepsAtOnce();
+    for (uint i = 0; i < uniforms_.substeps; ++i) {
+        for (uint first = 0; first < uniforms_.sweeps; first += atOnce) {
+            smallBody_.run(smallBodyBuffers(),
+                           SweepRun{first, std::min(first + atOnce, uniforms_.sweeps)});
+            ++dispatches_;
+        }
+    }
+    deformTimer_.end();
 }
 
 void GpuSolver::stepByPhases() {
@@ -619,32 +653,36 @@ void GpuSolver::unfoldBefore() {
 
 void GpuSolver::runSmallBody(const SubstepRun& run) {
     deformTimer_.begin();
-    smallBody_.run({.uniforms = &uniformBuffer_,
-                    .positions = &positions_,
-                    .velocities = &velocities_,
-                    .displacement = &displacement_,
-                    .links = &links_,
-                    .edgeRanges = &edgeRanges_,
-                    .spokes = &spokes_,
-                    .bends = &bends_,
-                    .bendRanges = &bendRanges_,
-                    .bendEntries = &bendEntries_,
-                    .ispcs = &ispcs_,
-                    .ispcRanges = &ispcRanges_,
-                    .ispcShares = &ispcShares_,
-                    .neighbourRanges = &neighbours_.ranges,
-                    .neighbours = &neighbours_.entries,
-                    .places = &placeBuffer_,
-                    .corrections = &corrections_,
-                    .gradients = &gradients_,
-                    .impulses = &impulses_,
-                    .pieces = &pieceBuffer_,
-                    .blocks = &blockBuffer_,
-                    .pages = &pageBuffer_,
-                    .pulls = &pulls_},
-                   run);
+    smallBody_.run(smallBodyBuffers(), run);
     ++dispatches_;
     deformTimer_.end();
+}
+
+SmallBodyBuffers GpuSolver::smallBodyBuffers() const {
+    return {.uniforms = &uniformBuffer_,
+            .positions = &positions_,
+            .velocities = &velocities_,
+            .displacement = &displacement_,
+            .swept = &previous_,
+            .links = &links_,
+            .edgeRanges = &edgeRanges_,
+            .spokes = &spokes_,
+            .bends = &bends_,
+            .bendRanges = &bendRanges_,
+            .bendEntries = &bendEntries_,
+            .ispcs = &ispcs_,
+            .ispcRanges = &ispcRanges_,
+            .ispcShares = &ispcShares_,
+            .neighbourRanges = &neighbours_.ranges,
+            .neighbours = &neighbours_.entries,
+            .places = &placeBuffer_,
+            .corrections = &corrections_,
+            .gradients = &gradients_,
+            .impulses = &impulses_,
+            .pieces = &pieceBuffer_,
+            .blocks = &blockBuffer_,
+            .pages = &pageBuffer_,
+            .pulls = &pulls_};
 }
 
 void GpuSolver::predictAndStretch() {
@@ -687,10 +725,13 @@ void GpuSolver::solveBends() {
 
 /// Those compiled for plain PBD give the same bits, where nothing is damped or gives way.
 const GpuSolver::ConstraintKernels& GpuSolver::constraintKernels() const {
-    const bool plain = !active(shared::kPullAsBeforePart) && uniforms_.damping_ratio == 0 &&
-                       uniforms_.stretch_compliance == 0 && uniforms_.bend_compliance == 0 &&
-                       uniforms_.ispc_compliance == 0;
-    return plain ? kernels_.plainPbd : kernels_.anySolver;
+    return plainPbd() ? kernels_.plainPbd : kernels_.anySolver;
+}
+
+bool GpuSolver::plainPbd() const {
+    return !active(shared::kPullAsBeforePart) && uniforms_.damping_ratio == 0 &&
+           uniforms_.stretch_compliance == 0 && uniforms_.bend_compliance == 0 &&
+           uniforms_.ispc_compliance == 0;
 }
 
 void GpuSolver::solveIspcs() {

@@ -17,6 +17,7 @@
 #include "sim/contact/contact_solver.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/constraint_view.h"
+#include "sim/solve/faster_way.h"
 #include "sim/solve/gathered_records.h"
 #include "sim/solve/nearby_vertices.h"
 #include "sim/solve/scatter.h"
@@ -123,7 +124,8 @@ class GpuSolver {
         smallBody_ = SmallBodySolver(memory);
     }
     /// Whether step() does so: in one dispatch, or in one for each substep where something may be
-    /// touched. Large bodies and plain PBD take one for each phase.
+    /// touched; plain PBD only where nothing but the floor may be. Large bodies take one for each
+    /// phase, in plain PBD on llvmpipe whichever is faster.
     bool solvesInOneGroup() const;
 
     // The phases of a substep, in their order; each ends with a storage barrier.
@@ -192,6 +194,11 @@ class GpuSolver {
     };
 
     void stepByPhases();
+    void stepBySweeps();
+    void stepTheFasterWay();
+    bool sweepsInOneGroup() const;
+    bool plainPbd() const;
+    SmallBodyBuffers smallBodyBuffers() const;
     bool liftsInGather() const;
     void holdVolumeAndCollide(std::uint32_t substep);
     bool meetsOnlyTheFloor() const;
@@ -269,6 +276,7 @@ class GpuSolver {
     NearbyVertices collected_;  ///< of statesOf()
     Scatter scatter_;
     SmallBodySolver smallBody_;
+    FasterWay sweepsFaster_;  ///< 0: in one group, 1: by phases
     bool oneGroupAllowed_ = true;
     bool settlingAllowed_ = true;
     ContactSolver contacts_;

@@ -18,6 +18,11 @@ using shared::uint;
 constexpr std::size_t kMostTurns = 64000;
 constexpr uint kSumRows = 16;  // as volume.glsl
 
+/// Larger bodies take more threads than run side by side, so that each has fewer turns.
+constexpr uint kSideBySide = 8;
+constexpr uint kLargeGroup = 128;
+constexpr std::size_t kLargeBodyVertices = 16384;
+
 uint roundedUp(std::size_t count, uint size) {
     return static_cast<uint>((count + size - 1) / size);
 }
@@ -53,25 +58,57 @@ std::size_t pairs(std::size_t entries) {
     return (entries + 1) / 2;
 }
 
-/// Turns of loops in one substep, at most: threads that run side by side turn as often as the one
-/// that needs most.
-std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, uint group) {
-    constexpr std::size_t kLoopsOverVertices = 5;  // settling twice where hands pull
+/// How a group goes through a body: so many of its threads run side by side, and turn as often as
+/// the one that needs most. They have a stretch of the vertices each (see small_body_state.glsl).
+struct GroupShape {
+    uint threads;
+    uint sideBySide;
+};
+
+std::size_t turnsAt(const TurnsOfVertices& side) {
+    return loop(side.edges) + loop(pairs(side.ends)) + loop(pairs(side.apexes) + 1) +
+           loop(pairs(side.ispcs));
+}
+
+/// Of the loops over what touches a vertex, in the stretch that needs most; `all` gets the most
+/// turns of all vertices.
+std::size_t turnsOfLists(const BodyModel& model, const GroupShape& group, TurnsOfVertices& all) {
     const std::size_t vertices = model.restPositions.size();
-    const uint rounds = roundedUp(vertices, group);
-    std::size_t turns = loop(roundedUp(model.bends.size(), group)) +
-                        loop(roundedUp(model.ispcs.size(), group)) + loop(rounds);  // pulls
-    TurnsOfVertices all;
-    for (std::size_t first = 0; first < vertices; first += group) {
-        TurnsOfVertices side;
-        for (std::size_t v = first; v < std::min(first + group, vertices); ++v) {
-            side.add(model, v);
-            all.add(model, v);
+    const std::size_t stretch =
+        std::max<std::size_t>(roundedUp(vertices, group.threads) * group.sideBySide, 1);
+    std::size_t most = 0;
+    for (std::size_t begin = 0; begin < vertices; begin += stretch) {
+        const std::size_t end = std::min(begin + stretch, vertices);
+        std::size_t turns = 0;
+        for (std::size_t first = begin; first < end; first += group.sideBySide) {
+            TurnsOfVertices side;
+            for (std::size_t v = first; v < std::min<std::size_t>(first + group.sideBySide, end);
+                 ++v) {
+                side.add(model, v);
+                all.add(model, v);
+            }
+            turns += turnsAt(side);
         }
-        turns += loop(side.edges) + loop(pairs(side.ends)) + loop(pairs(side.apexes) + 1) +
-                 loop(pairs(side.ispcs));
+        most = std::max(most, turns);
     }
-    turns += kLoopsOverVertices * loop(rounds);
+    return most;
+}
+
+/// Turns of loops in one sweep, at most.
+std::size_t turnsOfSweep(const BodyModel& model, const GroupShape& group, TurnsOfVertices& all) {
+    constexpr std::size_t kLoopsOverVertices = 4;  // with the prediction
+    return loop(roundedUp(model.bends.size(), group.threads)) +
+           loop(roundedUp(model.ispcs.size(), group.threads)) +
+           kLoopsOverVertices * loop(roundedUp(model.restPositions.size(), group.threads)) +
+           turnsOfLists(model, group, all);
+}
+
+/// Turns of loops in one substep, at most.
+std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, uint group) {
+    constexpr std::size_t kMoreLoopsOverVertices = 2;  // settling twice where hands pull, and pulls
+    TurnsOfVertices all;
+    std::size_t turns = turnsOfSweep(model, {group, group}, all);
+    turns += kMoreLoopsOverVertices * loop(roundedUp(model.restPositions.size(), group));
     turns += loop(blocks, loop(roundedUp(shared::kPageSize, group), loop(pairs(all.corners))));
     turns += loop(roundedUp(blocks * kSumRows, group), loop(shared::kPageSize / kSumRows));
     turns += 2 * roundedUp(model.pieces.size(), group) + 1 + loop(blocks, loop(kSumRows));
@@ -84,12 +121,18 @@ SmallBodySolver::Memory SmallBodySolver::suitableMemory() {
     return gpu::queryDevice().software ? Memory::texels : Memory::shared;
 }
 
-void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks) {
+void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks,
+                              bool asksForSweeps) {
     blocks_ = static_cast<uint>(blocks.size());
+    large_ = model.restPositions.size() > shared::kSmallBodyVertices;
     substepsAtOnce_ = 0;
+    sweepsAtOnce_ = 0;
+    if (!large_ || asksForSweeps) {
+        setSweeps(model);
+    }
     const bool onePageEach = std::ranges::all_of(
         blocks, [](const shared::BlockRecord& block) { return block.page_count == 1; });
-    if (model.restPositions.size() <= shared::kSmallBodyVertices && onePageEach &&
+    if (!large_ && onePageEach &&
         std::max(blocks.size(), model.pieces.size()) <= shared::kSmallBodyBlocks) {
         const std::size_t turns = 1 + turnsOfSubstep(model, blocks.size(), groupSize());
         substepsAtOnce_ = static_cast<uint>(kMostTurns / turns);
@@ -98,17 +141,33 @@ void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::Bl
     }
 }
 
-void SmallBodySolver::compile() {
-    gpu::Defines defines = {{"SMALL_GROUP", std::to_string(groupSize()) + "u"}};
+void SmallBodySolver::setSweeps(const BodyModel& model) {
+    const std::size_t most =
+        memory_ == Memory::texels ? kLargeBodyVertices : std::size_t{shared::kSmallBodyVertices};
+    if (model.restPositions.size() <= most) {
+        const uint threads = groupSizeOfSweeps();
+        const uint sideBySide = memory_ == Memory::texels ? kSideBySide : threads;
+        TurnsOfVertices all;
+        const std::size_t turns = 1 + turnsOfSweep(model, {threads, sideBySide}, all);
+        sweepsAtOnce_ = static_cast<uint>(kMostTurns / turns);
+    }
+}
+
+uint SmallBodySolver::groupSizeOfSweeps() const {
+    return large_ ? kLargeGroup : groupSize();
+}
+
+gpu::Program SmallBodySolver::compile(uint threads, gpu::Defines defines) const {
+    defines.emplace_back("SMALL_GROUP", std::to_string(threads) + "u");
     if (memory_ == Memory::texels) {
         defines.emplace_back("LOAD_IMAGES", "1");
     }
-    kernel_ = gpu::Program::compute("sim/small_body.comp", defines);
+    return gpu::Program::compute("sim/small_body.comp", defines);
 }
 
 void SmallBodySolver::run(const SmallBodyBuffers& buffers, const SubstepRun& run) {
     if (!kernel_) {
-        compile();
+        kernel_ = compile(groupSize(), {});
     }
     bind(buffers);
     kernel_->set("substepsToBegin", run.begins);
@@ -116,6 +175,18 @@ void SmallBodySolver::run(const SmallBodyBuffers& buffers, const SubstepRun& run
     kernel_->set("leavesOpen", run.leavesOpen ? 1U : 0U);
     kernel_->set("blockCount", blocks_);
     kernel_->dispatch(1, groupSize());
+    gpu::storageBarrier();
+}
+
+void SmallBodySolver::run(const SmallBodyBuffers& buffers, const SweepRun& run) {
+    std::optional<gpu::Program>& kernel = large_ ? largeSweepKernel_ : sweepKernel_;
+    if (!kernel) {
+        kernel = compile(groupSizeOfSweeps(), {{"PLAIN_PBD", "1"}});
+    }
+    bind(buffers);
+    kernel->set("firstSweep", run.first);
+    kernel->set("endSweep", run.end);
+    kernel->dispatch(1, groupSizeOfSweeps());
     gpu::storageBarrier();
 }
 
@@ -142,6 +213,7 @@ void SmallBodySolver::bind(const SmallBodyBuffers& b) const {
     bindState(*b.positions, shared::kPositionsBinding, TexelFormat::float32x4);
     bindState(*b.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
     bindState(*b.displacement, shared::kDisplacementBinding, TexelFormat::float32x4);
+    bindState(*b.swept, shared::kSmallSweptBinding, TexelFormat::float32x4);
     bindState(*b.corrections, shared::kSmallCorrectionsBinding, TexelFormat::float32x4);
     bindState(*b.gradients, shared::kSmallGradientsBinding, TexelFormat::float32x4);
     bindState(parts_, shared::kSmallPartsBinding, TexelFormat::float32x2);

@@ -12,7 +12,7 @@ namespace kerf {
 
 /// The solver's buffers that a whole step needs (see small_body_bindings.h).
 struct SmallBodyBuffers {
-    const gpu::Buffer *uniforms, *positions, *velocities, *displacement;
+    const gpu::Buffer *uniforms, *positions, *velocities, *displacement, *swept;
     const gpu::Buffer *links, *edgeRanges, *spokes;
     const gpu::Buffer *bends, *bendRanges, *bendEntries;
     const gpu::Buffer *ispcs, *ispcRanges, *ispcShares;
@@ -29,6 +29,12 @@ struct SubstepRun {
     bool leavesOpen = false;   ///< the last one does not end
 };
 
+/// Sweeps of plain PBD: those from `first` up to, not including, `end`.
+struct SweepRun {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+};
+
 /// Substeps of a small body in one dispatch: one work group goes through the phases of the other
 /// kernels with the same arithmetic and sums in the same order.
 class SmallBodySolver {
@@ -41,28 +47,44 @@ class SmallBodySolver {
 
     explicit SmallBodySolver(Memory memory = suitableMemory()) : memory_(memory) {}
 
-    /// A new body, or one that changed.
-    void setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks);
+    /// A new body, or one that changed. Whether sweeps fit is found out by looking at every vertex,
+    /// for large bodies only where that is asked for.
+    void setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks,
+                 bool asksForSweeps);
     /// Whether one group can solve it.
     bool fits() const { return substepsAtOnce_ > 0; }
     /// How many substeps may begin in one dispatch: Mesa's llvmpipe ends all loops of a thread
     /// after 65,535 turns together, without a word.
     std::uint32_t substepsAtOnce() const { return substepsAtOnce_; }
 
+    /// The same of sweeps of plain PBD, which one group of llvmpipe can do for larger bodies too; 0
+    /// where it can't.
+    std::uint32_t sweepsAtOnce() const { return sweepsAtOnce_; }
+
+    /// Whether it may be too much for one thread of llvmpipe.
+    bool large() const { return large_; }
+
     /// One dispatch; a storage barrier follows. Compiles the kernel with the first: throws
     /// gpu::ShaderError.
     void run(const SmallBodyBuffers& buffers, const SubstepRun& run);
+    void run(const SmallBodyBuffers& buffers, const SweepRun& run);
 
   private:
     std::uint32_t groupSize() const { return memory_ == Memory::shared ? 512 : 8; }
-    void compile();
+    std::uint32_t groupSizeOfSweeps() const;
+    gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
+    void setSweeps(const BodyModel& model);
     void bind(const SmallBodyBuffers& buffers) const;
 
     Memory memory_;
     std::optional<gpu::Program> kernel_;
+    std::optional<gpu::Program> sweepKernel_;
+    std::optional<gpu::Program> largeSweepKernel_;
     gpu::Buffer parts_;
     std::uint32_t blocks_ = 0;
     std::uint32_t substepsAtOnce_ = 0;
+    std::uint32_t sweepsAtOnce_ = 0;
+    bool large_ = false;  ///< more than kSmallBodyVertices
 };
 
 }  // namespace kerf

@@ -442,6 +442,7 @@ struct OneGroupCase {
     int iterations = 20;
     std::vector<StaticBox> boxes;
     float shake = 0.05f;
+    SolverMode solver = SolverMode::smallSteps;
 };
 
 /// Ten steps with pins, hands and a floor.
@@ -450,6 +451,7 @@ BodyState played(const SurfaceMesh& mesh, const OneGroupCase& how, bool oneGroup
     params.floor = -0.45;
     params.iterations = how.iterations;
     params.contact = how.contact ? 1 : 0;
+    params.solver = how.solver;
     Pair pair(mesh, params, solverUniforms(params).active_parts, 21, how.shake);
     pair.gpu.setSmallBodyMemory(how.memory);
     pair.gpu.setModel(pair.model, pair.start);
@@ -496,6 +498,65 @@ TEST_F(GpuSolverTest, OneGroupSolvesToTheBitsOfManyDispatches) {
     expectOneGroupLikeMany(twoSpheres(), shared);
 }
 
+TEST_F(GpuSolverTest, OneGroupSweepsToTheBitsOfManyDispatches) {
+    OneGroupCase how;
+    how.solver = SolverMode::pbd;
+    for (const SurfaceMesh& mesh : bodies()) {
+        expectOneGroupLikeMany(mesh, how);
+    }
+    how.memory = SmallBodySolver::Memory::shared;
+    expectOneGroupLikeMany(test::cubeSphere(8), how);
+}
+
+/// Steps of plain PBD from the same start, and how many dispatches each took.
+struct SweptSteps {
+    BodyState state;
+    std::vector<long> dispatches;
+};
+
+SweptSteps sweptSteps(const SurfaceMesh& mesh, uint parts, bool oneGroup) {
+    Params params;
+    params.floor = -0.45;
+    params.solver = SolverMode::pbd;
+    Pair pair(mesh, params, parts, 3);
+    pair.gpu.allowOneGroup(oneGroup);
+    SweptSteps steps;
+    for (int step = 0; step < 2 * FasterWay::kTries; ++step) {
+        const long before = pair.gpu.dispatches();
+        pair.gpu.step();
+        steps.dispatches.push_back(pair.gpu.dispatches() - before);
+    }
+    steps.state = pair.gpu.readState();
+    return steps;
+}
+
+TEST_F(GpuSolverTest, OneGroupSweepsWithoutSomePartsToTheSameBits) {
+    for (const uint parts : {0U, shared::kStretchPart, shared::kBendPart | shared::kFloorPart,
+                             shared::kStretchPart | shared::kIspcPart}) {
+        SCOPED_TRACE(parts);
+        const SweptSteps one = sweptSteps(test::cubeSphere(8), parts, true);
+        const SweptSteps many = sweptSteps(test::cubeSphere(8), parts, false);
+        EXPECT_EQ(one.dispatches[0], 1);
+        EXPECT_EQ(one.state.positions, many.state.positions);
+        EXPECT_EQ(one.state.velocities, many.state.velocities);
+    }
+}
+
+TEST_F(GpuSolverTest, LargerBodiesSweepInOneGroupWhereThatIsFaster) {
+    if (SmallBodySolver::suitableMemory() != SmallBodySolver::Memory::texels) {
+        GTEST_SKIP() << "only llvmpipe's groups take larger bodies";
+    }
+    const uint parts = shared::kStretchPart | shared::kBendPart | shared::kIspcPart;
+    const SurfaceMesh mesh = test::icosphere(4);
+    const SweptSteps either = sweptSteps(mesh, parts, true);
+    const SweptSteps phases = sweptSteps(mesh, parts, false);
+    // Both are tried first.
+    EXPECT_LT(either.dispatches[0], 5);
+    EXPECT_EQ(either.dispatches[FasterWay::kTries], phases.dispatches[0]);
+    EXPECT_EQ(either.state.positions, phases.state.positions);
+    EXPECT_EQ(either.state.velocities, phases.state.velocities);
+}
+
 TEST_F(GpuSolverTest, OneGroupMeetsPiecesAndBoxesToTheSameBits) {
     OneGroupCase how;
     how.contact = true;
@@ -516,6 +577,8 @@ TEST_F(GpuSolverTest, OneGroupEndsNoLoopEarly) {
     // More turns of loops than llvmpipe allows in a dispatch.
     OneGroupCase how;
     how.iterations = 150;
+    expectOneGroupLikeMany(test::icosphere(3), how);
+    how.solver = SolverMode::pbd;
     expectOneGroupLikeMany(test::icosphere(3), how);
 }
 
@@ -548,14 +611,17 @@ TEST_F(GpuSolverTest, SettlingInOneDispatchChangesNoBit) {
     }
 }
 
-TEST_F(GpuSolverTest, LargeBodiesAndPbdTakeADispatchForEachPhase) {
+TEST_F(GpuSolverTest, SmallBodiesAreSolvedInOneGroup) {
     EXPECT_TRUE(Pair(test::icosphere(1), Params{}, 0, 1).gpu.solvesInOneGroup());
     const Pair large(test::icosphere(4), Params{}, 0, 1);
     EXPECT_GT(large.model.restPositions.size(), 2048U);
     EXPECT_FALSE(large.gpu.solvesInOneGroup());
     Params params;
     params.solver = SolverMode::pbd;
-    EXPECT_FALSE(Pair(test::icosphere(1), params, 0, 1).gpu.solvesInOneGroup());
+    Pair swept(test::icosphere(1), params, 0, 1);
+    EXPECT_TRUE(swept.gpu.solvesInOneGroup());
+    swept.gpu.setPulls({{9, 0.1f, 0.2f, 0.3f, 1, 0, 0}});
+    EXPECT_FALSE(swept.gpu.solvesInOneGroup());
 }
 
 TEST_F(GpuSolverTest, UsesAtMostSevenDispatchesASubstep) {
