@@ -1,5 +1,6 @@
 #include "sim/cut/cutter.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -36,10 +37,18 @@ int strokesSoFar(const SurfaceMesh& mesh) {
     return last < 0 ? 0 : last / 2 + 1;
 }
 
-double sumOfRestVolumes(const PieceLabels& pieces) {
+double sumOfRestVolumes(const SurfaceMesh& mesh, const PieceLabels& pieces) {
+    std::vector<double> volumes(pieces.pieces().size(), 0.0);
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            const Triangle& c = mesh.triangle(t);
+            const Vec3 normal = mesh.restPosition(c[1]).cross(mesh.restPosition(c[2]));
+            volumes[pieces.ofVertex()[c[0]]] += mesh.restPosition(c[0]).dot(normal) / 6;
+        }
+    }
     double sum = 0;
-    for (const PieceContent& piece : pieces.pieces()) {
-        sum += std::fabs(piece.restVolume);
+    for (const double volume : volumes) {
+        sum += std::fabs(volume);
     }
     return sum;
 }
@@ -61,7 +70,7 @@ void Cutter::State::start(const Blade& at) {
     sweeps.clear();
     groupOfPiece = cut::groupPieces(mesh, pieces, kParted * h, {});
     groupsHold = true;
-    restVolume = sumOfRestVolumes(pieces);
+    restVolume = sumOfRestVolumes(mesh, pieces);
     mesh.setOpenStroke(settings.openCut ? stroke : -1);
     for (const int v : lowestVertices({groupOfPiece.begin(), groupOfPiece.end()})) {
         Sweep& sweep = sweeps.emplace_back();
@@ -212,6 +221,7 @@ CutResult Cutter::finish() {
 
 void Cutter::prepare() {
     state_->surface.prepare();
+    state_->measureForDebris();
 }
 
 void Cutter::useFinder(TriangleFinder* finder) {

@@ -53,11 +53,11 @@ struct Cutter::State {
     std::vector<cut::Sweep> sweeps{};
     std::vector<RungNode> rung{};  ///< those of all sweeps, one after the other
     bool madeWalls = false;        ///< in this stroke
-    PieceLabels pieces{mesh};
-    TriangleFinder* finder = nullptr;    ///< null: the tree
-    std::optional<TriangleTree> tree{};  ///< made when it is first asked
-    std::optional<double> moved{};       ///< how far vertices moved at most since the last step [m]
-    bool atRest = false;                 ///< all of the body is known to lie still where it rests
+    PieceLabels pieces{mesh, PieceLabels::Measures::none};  ///< measured where debris is removed
+    TriangleFinder* finder = nullptr;                       ///< null: the tree
+    std::optional<TriangleTree> tree{};                     ///< made when it is first asked
+    std::optional<double> moved{};  ///< how far vertices moved at most since the last step [m]
+    bool atRest = false;            ///< all of the body is known to lie still where it rests
     std::vector<int> groupOfPiece{};
     bool groupsHold = false;  ///< since they were made nothing has moved or been cut
     int firstTriangle = 0;    ///< slot from which on the stroke made triangles
@@ -84,6 +84,7 @@ struct Cutter::State {
     void closeWounds(CutResult& result);
     void patch(const cut::Wound& wound, CutResult& result);
     void removeDebris(CutResult& result);
+    void measureForDebris();
     void holdLivingVertices();
     void tieRungs();
 

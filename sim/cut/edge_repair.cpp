@@ -1,6 +1,7 @@
 #include "sim/cut/edge_repair.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace kerf::cut {
 
@@ -33,23 +34,33 @@ class DuplicateEdges {
   private:
     // Looks at each vertex of the new triangles once.
     bool anyParallel(int end) const {
-        std::vector<int> targets;
-        for (int h = 3 * first_; h < 3 * end; ++h) {
-            if (mesh_.outgoing(mesh_.origin(h)) != h) {
-                continue;
-            }
-            targets.clear();
-            bool found = false;
-            mesh_.forEachOutgoing(mesh_.origin(h), [&](int spoke) {
-                const int target = mesh_.target(spoke);
-                found = found || std::find(targets.begin(), targets.end(), target) != targets.end();
-                targets.push_back(target);
-            });
-            if (found) {
-                return true;
+        for (int t = first_; t < end; ++t) {
+            for (int corner = 0; corner < 3; ++corner) {
+                const int v = mesh_.triangle(t)[corner];
+                if (mesh_.outgoing(v) == 3 * t + corner && anyParallelAt(v)) {
+                    return true;
+                }
             }
         }
         return false;
+    }
+
+    // Most vertices have few neighbours with a bit each of their own.
+    bool anyParallelAt(int v) const {
+        std::uint64_t seen = 0;
+        bool sharesBit = false;
+        mesh_.forEachOutgoing(v, [&](int h) {
+            const std::uint64_t bit = std::uint64_t{1} << (mesh_.target(h) % 64);
+            sharesBit = sharesBit || (seen & bit) != 0;
+            seen |= bit;
+        });
+        if (!sharesBit) {
+            return false;
+        }
+        std::vector<int> targets;
+        mesh_.forEachOutgoing(v, [&](int h) { targets.push_back(mesh_.target(h)); });
+        std::ranges::sort(targets);
+        return std::ranges::adjacent_find(targets) != targets.end();
     }
 
     std::vector<int> edgesBetween(int u, int v) const {

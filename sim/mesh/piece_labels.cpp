@@ -209,8 +209,25 @@ class PieceLabels::Splitter {
     bool marked_ = false;  ///< triangles know their parts
 };
 
-PieceLabels::PieceLabels(const SurfaceMesh& mesh) {
+PieceLabels::PieceLabels(const SurfaceMesh& mesh, Measures measures)
+    : measures_(measures == Measures::volumesAndAreas) {
     labelAll(mesh);
+}
+
+void PieceLabels::measure(const SurfaceMesh& mesh) {
+    if (std::exchange(measures_, true)) {
+        return;
+    }
+    shares_.reserve(withGrowthRoom(mesh.triangleSlots()));
+    shares_.resize(mesh.triangleSlots());
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            shares_[t] = shareOf(mesh, t);
+            PieceContent& piece = pieces_[ofVertex_[mesh.triangle(t)[0]]];
+            piece.restVolume += shares_[t].volume;
+            piece.restArea += shares_[t].area;
+        }
+    }
 }
 
 void PieceLabels::labelAll(const SurfaceMesh& mesh) {
@@ -230,7 +247,7 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh) {
     for (std::vector<int>* labels : {&ofVertex_, &placeOfVertex_}) {
         labels->reserve(withGrowthRoom(mesh.vertexCount()));
     }
-    shares_.reserve(withGrowthRoom(mesh.triangleSlots()));
+    counted_.reserve(withGrowthRoom(mesh.triangleSlots()));
     ofVertex_.assign(mesh.vertexCount(), -1);
     placeOfVertex_.assign(mesh.vertexCount(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -245,7 +262,11 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh) {
         ofVertex_[v] = ofVertex_[lowest];
         ++pieces_[ofVertex_[v]].vertices;
     }
-    shares_.assign(mesh.triangleSlots(), {});
+    counted_.assign(mesh.triangleSlots(), {});
+    if (measures_) {
+        shares_.reserve(withGrowthRoom(mesh.triangleSlots()));
+        shares_.assign(mesh.triangleSlots(), {});
+    }
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
             count(mesh, t);
@@ -260,7 +281,8 @@ LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> tr
     std::iota(change.source.begin(), change.source.end(), 0);
     ofVertex_.resize(mesh.vertexCount(), -1);
     placeOfVertex_.resize(mesh.vertexCount(), -1);
-    shares_.resize(mesh.triangleSlots());
+    counted_.resize(mesh.triangleSlots());
+    shares_.resize(measures_ ? mesh.triangleSlots() : 0);
     for (const int t : triangles) {
         discount(t);
     }
@@ -356,7 +378,7 @@ std::vector<int> PieceLabels::touchedVertices(const SurfaceMesh& mesh,
                                               std::vector<LabelMove>& moves) {
     std::vector<int> touched;
     for (const int t : triangles) {
-        for (const int v : shares_[t].corners) {
+        for (const int v : counted_[t].corners) {
             if (v >= 0 && mesh.outgoing(v) < 0) {
                 setLabel(v, -1, moves);
             }
@@ -377,7 +399,10 @@ void PieceLabels::comeOff(const SurfaceMesh& mesh, const std::vector<int>& trian
     pieces_.emplace_back();
     for (const int t : triangles) {
         const Triangle& corners = mesh.triangle(t);
-        moveShare(t, ofVertex_[corners[0]], label);
+        if (counted_[t].counted) {
+            addShare(t, ofVertex_[corners[0]], -1);
+            addShare(t, label, 1);
+        }
     }
     for (const int t : triangles) {
         for (const int v : mesh.triangle(t)) {
@@ -408,30 +433,31 @@ void PieceLabels::setLabel(int vertex, int label, std::vector<LabelMove>& moves)
 }
 
 void PieceLabels::count(const SurfaceMesh& mesh, int triangle) {
-    Share& share = shares_[triangle];
-    share = {mesh.triangle(triangle), true, tetrahedron(mesh, mesh.triangle(triangle)),
-             area(mesh, mesh.triangle(triangle))};
-    addShare(share, ofVertex_[share.corners[0]], 1);
+    const Triangle& corners = mesh.triangle(triangle);
+    counted_[triangle] = {corners, true};
+    if (measures_) {
+        shares_[triangle] = shareOf(mesh, triangle);
+    }
+    addShare(triangle, ofVertex_[corners[0]], 1);
 }
 
 void PieceLabels::discount(int triangle) {
-    Share& share = shares_[triangle];
-    if (std::exchange(share.counted, false)) {
-        addShare(share, ofVertex_[share.corners[0]], -1);
+    Counted& counted = counted_[triangle];
+    if (std::exchange(counted.counted, false)) {
+        addShare(triangle, ofVertex_[counted.corners[0]], -1);
     }
 }
 
-void PieceLabels::moveShare(int triangle, int from, int to) {
-    if (shares_[triangle].counted) {
-        addShare(shares_[triangle], from, -1);
-        addShare(shares_[triangle], to, 1);
-    }
-}
-
-void PieceLabels::addShare(const Share& share, int piece, int sign) {
+void PieceLabels::addShare(int triangle, int piece, int sign) {
     pieces_[piece].triangles += sign;
-    pieces_[piece].restVolume += sign * share.volume;
-    pieces_[piece].restArea += sign * share.area;
+    if (measures_) {
+        pieces_[piece].restVolume += sign * shares_[triangle].volume;
+        pieces_[piece].restArea += sign * shares_[triangle].area;
+    }
+}
+
+PieceLabels::Share PieceLabels::shareOf(const SurfaceMesh& mesh, int triangle) {
+    return {tetrahedron(mesh, mesh.triangle(triangle)), area(mesh, mesh.triangle(triangle))};
 }
 
 }  // namespace kerf

@@ -12,8 +12,8 @@ namespace kerf {
 struct PieceContent {
     int triangles = 0;
     int vertices = 0;
-    double restVolume = 0;  ///< signed [m^3]
-    double restArea = 0;    ///< [m^2]
+    double restVolume = 0;  ///< signed [m^3]; 0 where nothing is measured
+    double restArea = 0;    ///< [m^2]; the same
 };
 
 /// A vertex that went to another piece; -1 stands for none.
@@ -38,8 +38,15 @@ struct LabelChange {
 /// label, so labels tell age and not place; they are dense.
 class PieceLabels {
   public:
+    /// Whether volumes and areas are followed.
+    enum class Measures { none, volumesAndAreas };
+
     /// Labels in the order of the pieces' lowest vertices. O(n).
-    explicit PieceLabels(const SurfaceMesh& mesh);
+    explicit PieceLabels(const SurfaceMesh& mesh, Measures measures = Measures::volumesAndAreas);
+
+    /// From now on volumes and areas are followed. O(n) the first time. The labels must be those of
+    /// the mesh as it is.
+    void measure(const SurfaceMesh& mesh);
 
     /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
     /// a corner or its rest position changed; each once. Where pieces were joined, or one
@@ -50,10 +57,13 @@ class PieceLabels {
     const std::vector<PieceContent>& pieces() const { return pieces_; }
 
   private:
-    /// What a triangle adds to its piece, and of which vertex that is.
-    struct Share {
+    /// A triangle as it was counted.
+    struct Counted {
         Triangle corners{-1, -1, -1};
         bool counted = false;
+    };
+    /// What a triangle adds to its piece.
+    struct Share {
         double volume = 0;
         double area = 0;
     };
@@ -74,12 +84,14 @@ class PieceLabels {
     void setLabel(int vertex, int label, std::vector<LabelMove>& moves);
     void count(const SurfaceMesh& mesh, int triangle);
     void discount(int triangle);
-    void moveShare(int triangle, int from, int to);
-    void addShare(const Share& share, int piece, int sign);
+    void addShare(int triangle, int piece, int sign);
+    static Share shareOf(const SurfaceMesh& mesh, int triangle);
 
     std::vector<int> ofVertex_;
     std::vector<PieceContent> pieces_;
-    std::vector<Share> shares_;  ///< by triangle slot
+    std::vector<Counted> counted_;  ///< by triangle slot
+    bool measures_ = false;
+    std::vector<Share> shares_;  ///< by triangle slot; empty where nothing is measured
     // Room for searches, -1 between them.
     std::vector<int> placeOfVertex_;   ///< among those touched
     std::vector<int> partOfTriangle_;  ///< empty until a piece may have fallen apart
