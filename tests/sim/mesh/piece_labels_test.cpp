@@ -51,6 +51,21 @@ TEST(PieceLabels, GoInTheOrderOfTheLowestVertices) {
     EXPECT_NEAR(labels.pieces()[1].restVolume, 0.2 * 0.3 * 0.4, 1e-12);
 }
 
+TEST(PieceLabels, MeasureOnceThatIsAskedForAndFollowFromThenOn) {
+    SurfaceMesh mesh = test::box(Vec3::Ones(), 8);
+    PieceLabels early(mesh, PieceLabels::Measures::none);
+    PieceLabels late = early;
+    EXPECT_EQ(early.pieces()[0].restVolume, 0);
+    early.measure(mesh);
+    expectSamePieces(early, mesh);
+    const CutDelta delta = test::HandCut(mesh).delta();
+    for (PieceLabels* labels : {&early, &late}) {
+        labels->update(mesh, changedTriangles(delta));
+        labels->measure(mesh);
+        expectSamePieces(*labels, mesh);
+    }
+}
+
 TEST(PieceLabels, APartThatComesOffGetsALabelOfItsOwn) {
     SurfaceMesh mesh = test::box(Vec3::Ones(), 8);
     PieceLabels labels(mesh);
