@@ -39,6 +39,13 @@ enum class Gate {
     flush,        ///< there is hardly anything to sweep
 };
 
+/// Of walls in the step in hand (keepsMirrors). No step is refused for their sake alone.
+enum class Mirrors {
+    wanted,
+    missed,  ///< some try failed for them
+    waived,
+};
+
 /// All that a cutter remembers. Its functions stand by idea in cutter.cpp (a stroke as a whole),
 /// sweep_step.cpp, sweep_groups.cpp and stroke_end.cpp.
 struct Cutter::State {
@@ -61,7 +68,8 @@ struct Cutter::State {
     std::vector<int> groupOfPiece{};
     bool groupsHold = false;  ///< since they were made nothing has moved or been cut
     int firstTriangle = 0;    ///< slot from which on the stroke made triangles
-    double restVolume = 0;    ///< of the body at the start of the stroke [m^3]
+    Mirrors mirrors = Mirrors::wanted;
+    double restVolume = 0;  ///< of the body at the start of the stroke [m^3]
     cut::StrokeSurface surface{mesh};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
@@ -96,6 +104,8 @@ struct Cutter::State {
     void makeWaitingTies(cut::Sweep& sweep);
     CutResult advance(const Blade& to, Gate gate, cut::Sweep& sweep);
     CutResult cut(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep);
+    bool findStep(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
+                  CutResult& result);
     bool climb(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
                CutResult& result);
     bool resume(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
@@ -104,6 +114,7 @@ struct Cutter::State {
                  const cut::BroadPhase& candidates, const cut::SlitOpening& opening, int level,
                  cut::Sweep& sweep, CutResult& result);
     void requireVolume(const cut::StepPlan& plan) const;
+    void requireMirrors(const cut::StepPlan& plan, double edge);
     CutResult accept(const cut::PlannedStep& step, cut::Sweep& sweep);
     void keepOwnNodes(std::vector<RungNode> nodes, cut::Sweep& sweep);
     static void moveOn(const Blade& to, const CutResult& result, cut::Sweep& sweep);

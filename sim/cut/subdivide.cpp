@@ -137,6 +137,7 @@ class TriangleSubdivision {
                                         Sheet::surface,
                                         mesh_.kind(m_),
                                         mesh_.wallLabel(m_)});
+            result.parents.push_back(m_);
         }
     }
 

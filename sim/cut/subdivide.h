@@ -23,6 +23,7 @@ int cornerId(const SurfaceMesh& mesh, const CutCurves& curves, int node);
 /// All triangles that a step puts in the place of those that the strip meets.
 struct Subdivision {
     std::vector<NewTriangle> triangles;
+    std::vector<int> parents;   ///< by triangle: the one that it is a part of
     std::vector<int> replaced;  ///< ascending
     SubdivisionCounts patterns{};
 };

@@ -9,6 +9,7 @@
 #include "sim/cut/cut_change.h"
 #include "sim/cut/cutter_state.h"
 #include "sim/cut/ladder.h"
+#include "sim/cut/mirrors.h"
 #include "sim/cut/resume.h"
 #include "sim/cut/step_result.h"
 #include "sim/cut/strip.h"
@@ -128,13 +129,24 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
 // Nothing is committed until one attempt succeeds.
 CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep) {
     CutResult result = outcome(CutOutcome::refused);
-    if (climb(to, from, sweep, result) || resume(to, from, sweep, result)) {
+    mirrors = Mirrors::wanted;
+    bool done = findStep(to, from, sweep, result);
+    if (!done && mirrors == Mirrors::missed) {
+        mirrors = Mirrors::waived;
+        done = findStep(to, from, sweep, result);
+    }
+    if (done) {
         moveOn(to, result, sweep);
         return result;
     }
     result.statistics.refusedPieces = 1;
     countRefusal(to, sweep);
     return result;
+}
+
+bool Cutter::State::findStep(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
+                             CutResult& result) {
+    return climb(to, from, sweep, result) || resume(to, from, sweep, result);
 }
 
 // The retry ladder: with older slits along the blade seen open, then with all as they are; a pass
@@ -198,6 +210,13 @@ void Cutter::State::requireVolume(const cut::StepPlan& plan) const {
     }
 }
 
+void Cutter::State::requireMirrors(const cut::StepPlan& plan, double edge) {
+    if (mirrors != Mirrors::waived && !cut::keepsMirrors(mesh, plan, cut::kCloseNoise * edge)) {
+        mirrors = Mirrors::missed;
+        throw cut::StepFailure{"the two sides of a wall would divide differently"};
+    }
+}
+
 bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
                             const cut::BroadPhase& candidates, const cut::SlitOpening& opening,
                             int level, Sweep& sweep, CutResult& result) {
@@ -230,6 +249,7 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
     try {
         const cut::PlannedStep step = cut::planStep(in);
         requireVolume(step.plan);
+        requireMirrors(step.plan, edge);
         result = accept(step, sweep);
         result.statistics.tries = tries;
         result.reason = reason;
