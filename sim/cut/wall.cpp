@@ -164,6 +164,7 @@ class SheetTriangulation {
         markInside();
         insertSteinerPoints();
         flipChords();
+        liftChords();
         return collect();
     }
 
@@ -278,7 +279,6 @@ class SheetTriangulation {
         if (bounds_.high.y() - bounds_.low.y() <= kTallSheet * least) {
             return;
         }
-        measureReach();
         const int levels = static_cast<int>(std::lround(kLattices * std::log2(most / least)));
         const double widest = levels == 0 && most > least ? std::sqrt(most * least) : most;
         for (int level = 0; level <= levels; ++level) {
@@ -332,15 +332,19 @@ class SheetTriangulation {
             tooClose(at.triangle, p, spacing)) {
             return;
         }
-        Node node;
-        node.layout = p;
-        node.position = positionInStrip(p);
-        const double edge = in_.edgeLengths.localEdgeLength(guess_.at(node.position));
-        if (edge >= share.most * spacing || edge < share.least * spacing) {
-            return;
+        const Vec3 position = positionInStrip(p);
+        const double edge = in_.edgeLengths.localEdgeLength(guess_.at(position));
+        if (edge < share.most * spacing && edge >= share.least * spacing) {
+            insertInside(p, position, at);
         }
+    }
+
+    void insertInside(const Vec2& layout, const Vec3& position, const Triangulation::Location& at) {
+        Node node;
+        node.layout = layout;
+        node.position = position;
         nodes_.push_back(node);
-        plane_.insert(p, at);
+        plane_.insert(layout, at);
         nodeOfVertex_.push_back(sizeOf(nodes_) - 1);
     }
 
@@ -370,7 +374,10 @@ class SheetTriangulation {
         }
     }
 
-    Vec3 positionInStrip(const Vec2& p) const {
+    Vec3 positionInStrip(const Vec2& p) {
+        if (reachOfTriangle_.empty()) {
+            measureReach();
+        }
         const double room = kRoomInStrip * (in_.blade.b - in_.blade.a).norm();
         const auto first = std::ranges::lower_bound(reachOfTriangle_, p.x() - room);
         for (std::size_t i = first - reachOfTriangle_.begin(); i < strip_.triangles.size(); ++i) {
@@ -430,6 +437,55 @@ class SheetTriangulation {
                 }
             }
         }
+    }
+
+    // Where no flip helps, an inner point of the blade's surface leads the wall away from the face.
+    void liftChords() {
+        const int end = plane_.size();
+        for (int t = 0; t < end; ++t) {
+            for (int e = 0; e < 3 && plane_.marked(t); ++e) {
+                if (liftChord(t, e)) {
+                    break;
+                }
+            }
+        }
+    }
+
+    bool liftChord(int t, int e) {
+        const int a = plane_.corners(t)[e];
+        const int b = plane_.corners(t)[(e + 1) % 3];
+        const int neighbor = plane_.neighbor(t, e);
+        if (plane_.constrained(t, e) || neighbor < 0 || !isChord(a, b)) {
+            return false;
+        }
+        const bool wider = doubleArea(t) >= doubleArea(neighbor);
+        const int wide = wider ? t : neighbor;
+        const int narrow = wider ? neighbor : t;
+        const Vec2 p = centerOf(wide);
+        const Triangulation::Location at = plane_.locate(p);
+        if (at.where != Triangulation::Where::inside || at.triangle != wide) {
+            return false;
+        }
+        insertInside(p, positionInStrip(p), at);
+        for (int k = 0; k < 3; ++k) {  // unless the new point has flipped it already
+            const Triangle& c = plane_.corners(narrow);
+            if (edgeOf(c[k], c[(k + 1) % 3]) == edgeOf(a, b) && plane_.convex(narrow, k)) {
+                plane_.flip(narrow, k);
+                break;
+            }
+        }
+        return true;
+    }
+
+    double doubleArea(int t) const {
+        const Triangle& c = plane_.corners(t);
+        return cross2(plane_.point(c[1]) - plane_.point(c[0]),
+                      plane_.point(c[2]) - plane_.point(c[0]));
+    }
+
+    Vec2 centerOf(int t) const {
+        const Triangle& c = plane_.corners(t);
+        return (plane_.point(c[0]) + plane_.point(c[1]) + plane_.point(c[2])) / 3;
     }
 
     std::vector<Triangle> collect() const {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "sim/cut/piercing.h"
 #include "sim/cut/predicates.h"
+#include "sim/mesh/closest_point.h"
 #include "sim/sort_unique.h"
 
 namespace kerf::cut {
@@ -18,17 +20,31 @@ constexpr int kMovedPoint = -2;
 // Sine of the angle between two triangles at an edge below which they lie on each other.
 constexpr double kFoldedFlat = 1e-3;
 
+// Share of the longer edge: triangles that come so near to each other touch.
+constexpr double kTouching = 1e-9;
+// Of two edges: what lies so near to their ends is no crossing.
+constexpr double kEndOfEdge = 1e-6;
+
 /// A triangle at its place; points tell which corners are one.
 struct Placed {
     Triangle vertices;
     Triangle points;
     std::array<Vec3, 3> corners;
+    int stroke;      ///< -1 on skin
+    Vec3 normal;     ///< twice the area long
+    double longest;  ///< edge
     Bounds bounds;
 };
 
-Placed placed(const Triangle& vertices, const Triangle& points,
-              const std::array<Vec3, 3>& corners) {
-    Placed result{vertices, points, corners, {}};
+double longestEdge(const std::array<Vec3, 3>& corners) {
+    const auto& [p, q, r] = corners;
+    return std::sqrt(
+        std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
+}
+
+Placed placed(const Triangle& vertices, const Triangle& points, const std::array<Vec3, 3>& corners,
+              int stroke) {
+    Placed result{vertices, points, corners, stroke, crossOf(corners), longestEdge(corners), {}};
     for (const Vec3& p : corners) {
         result.bounds.add(p);
     }
@@ -40,10 +56,19 @@ Triangle pointsOf(const SurfaceMesh& mesh, const Triangle& corners) {
             mesh.materialPoint(corners[2])};
 }
 
-Placed placed(const SurfaceMesh& mesh, const Triangle& corners) {
-    return placed(
-        corners, pointsOf(mesh, corners),
-        {mesh.position(corners[0]), mesh.position(corners[1]), mesh.position(corners[2])});
+int strokeOf(const SurfaceMesh& mesh, int slot) {
+    return mesh.kind(slot) == SurfaceKind::wall ? mesh.wallLabel(slot) / 2 : -1;
+}
+
+/// With other corners than it has.
+Placed placed(const SurfaceMesh& mesh, int slot, const Triangle& corners) {
+    return placed(corners, pointsOf(mesh, corners),
+                  {mesh.position(corners[0]), mesh.position(corners[1]), mesh.position(corners[2])},
+                  strokeOf(mesh, slot));
+}
+
+Placed placed(const SurfaceMesh& mesh, int slot) {
+    return placed(mesh, slot, mesh.triangle(slot));
 }
 
 bool has(const Triangle& triangle, int point) {
@@ -87,14 +112,90 @@ bool foldedFlat(const Placed& a, const Placed& b) {
         std::ranges::all_of(a.points, isCommon)) {
         return false;
     }
-    const Vec3 n = crossOf(a.corners);
-    const Vec3 m = crossOf(b.corners);
+    const Vec3& n = a.normal;
+    const Vec3& m = b.normal;
     return n.dot(m) < 0 && n.cross(m).norm() < kFoldedFlat * n.norm() * m.norm();
+}
+
+/// All corners of a that b does not have lie farther than `distance` on one side of its plane.
+bool isAside(const Placed& a, const Placed& b, double distance) {
+    const double least = distance * distance * b.normal.squaredNorm();
+    bool above = true;
+    bool below = true;
+    for (int i = 0; i < 3; ++i) {
+        if (!has(b.points, a.points[i])) {
+            const double height = b.normal.dot(a.corners[i] - b.corners[0]);
+            const bool near = height * height <= least;
+            above = above && height > 0 && !near;
+            below = below && height < 0 && !near;
+        }
+    }
+    return above || below;
+}
+
+/// A corner of a lies on b, inside or on an edge.
+bool cornerTouches(const Placed& a, const Placed& b, double distance) {
+    for (int i = 0; i < 3; ++i) {
+        if (has(b.points, a.points[i])) {
+            continue;
+        }
+        const Vec3& p = a.corners[i];
+        const auto& [q, r, s] = b.corners;
+        const Vec3 w = closestWeights(p, q, r, s);
+        const Vec3 nearest = w[0] * q + w[1] * r + w[2] * s;
+        const bool atCorner = std::ranges::any_of(
+            b.corners, [&](const Vec3& corner) { return (corner - p).norm() < 2 * distance; });
+        if ((nearest - p).norm() < distance && !atCorner) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool edgesCross(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s, double distance) {
+    const Vec3 u = q - p;
+    const Vec3 v = s - r;
+    const Vec3 across = u.cross(v);
+    const double square = across.squaredNorm();
+    if (square == 0 || std::fabs(across.dot(r - p)) > distance * std::sqrt(square)) {
+        return false;
+    }
+    const auto isInside = [](double t) { return t > kEndOfEdge && t < 1 - kEndOfEdge; };
+    return isInside((r - p).cross(v).dot(across) / square) &&
+           isInside((r - p).cross(u).dot(across) / square);
+}
+
+bool anyEdgesCross(const Placed& a, const Placed& b, double distance) {
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        for (int k = 0; k < 3; ++k) {
+            const int l = (k + 1) % 3;
+            const bool apart = a.points[i] != b.points[k] && a.points[i] != b.points[l] &&
+                               a.points[j] != b.points[k] && a.points[j] != b.points[l];
+            if (apart &&
+                edgesCross(a.corners[i], a.corners[j], b.corners[k], b.corners[l], distance)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Surfaces of different cuts, or a cut and the skin, touch elsewhere than in common points: a
+/// chord of a wall lies in a flat piece of the other, and passes through it once the cut opens.
+bool touch(const Placed& a, const Placed& b) {
+    if (a.stroke == b.stroke) {
+        return false;
+    }
+    const double distance = kTouching * std::max(a.longest, b.longest);
+    return !isAside(a, b, distance) && !isAside(b, a, distance) &&
+           (anyEdgesCross(a, b, distance) || cornerTouches(a, b, distance) ||
+            cornerTouches(b, a, distance));
 }
 
 bool intersect(const Placed& a, const Placed& b) {
     return a.bounds.overlaps(b.bounds) &&
-           (anyEdgePierces(a, b) || anyEdgePierces(b, a) || foldedFlat(a, b));
+           (anyEdgePierces(a, b) || anyEdgePierces(b, a) || foldedFlat(a, b) || touch(a, b));
 }
 
 /// Pairs among `some`, and of these with `others`.
@@ -134,7 +235,7 @@ std::vector<Placed> surroundings(const SurfaceMesh& mesh, Exchange& exchange) {
     std::vector<Placed> result;
     result.reserve(around.size());
     for (const int t : around) {
-        result.push_back(placed(mesh, mesh.triangle(t)));
+        result.push_back(placed(mesh, t));
     }
     return result;
 }
@@ -144,7 +245,7 @@ int piercingsBefore(const SurfaceMesh& mesh, const Exchange& exchange,
     std::vector<Placed> before;
     before.reserve(exchange.slots.size());
     for (const int t : exchange.slots) {
-        before.push_back(placed(mesh, mesh.triangle(t)));
+        before.push_back(placed(mesh, t));
     }
     return intersections(before, around);
 }
@@ -178,7 +279,8 @@ Exchange exchangeOf(const SurfaceMesh& mesh, const std::vector<Patch>& patches) 
             for (int& point : points) {
                 point = std::ranges::binary_search(moved, point) ? kMovedPoint : point;
             }
-            exchange.after.push_back(placed(t.corners, points, cornersAfter(mesh, patch, t)));
+            exchange.after.push_back(
+                placed(t.corners, points, cornersAfter(mesh, patch, t), strokeOf(mesh, t.slot)));
         }
     }
     return exchange;
@@ -189,7 +291,7 @@ Exchange exchangeOf(const SurfaceMesh& mesh, const ChangedTriangles& changed) {
     for (const auto& [slot, corners] : changed) {
         exchange.slots.push_back(slot);
         exchange.vertices.insert(exchange.vertices.end(), corners.begin(), corners.end());
-        exchange.after.push_back(placed(mesh, corners));
+        exchange.after.push_back(placed(mesh, slot, corners));
     }
     return exchange;
 }
@@ -211,11 +313,11 @@ bool removesPiercings(const SurfaceMesh& mesh, const ChangedTriangles& changed) 
 }
 
 std::vector<int> piercedNeighbours(const SurfaceMesh& mesh, int t) {
-    const Placed own = placed(mesh, mesh.triangle(t));
+    const Placed own = placed(mesh, t);
     std::vector<int> pierced;
     for (const int v : mesh.triangle(t)) {
         mesh.forEachOutgoing(v, [&](int h) {
-            if (h / 3 != t && intersect(own, placed(mesh, mesh.triangle(h / 3)))) {
+            if (h / 3 != t && intersect(own, placed(mesh, h / 3))) {
                 pierced.push_back(h / 3);
             }
         });

@@ -8,9 +8,10 @@
 
 namespace kerf::cut {
 
-// Where the surface passes through itself or lies flat on itself: pairs of triangles that share a
-// vertex with each other or with a third one. Copies of a material point count as one corner, so
-// walls of a closed slit lie on each other and nothing more.
+// Where the surface passes through itself or lies flat on itself, or where walls of a cut touch
+// other surfaces elsewhere than in common corners: pairs of triangles that share a vertex with each
+// other or with a third one. Copies of a material point count as one corner, so walls of a closed
+// slit lie on each other and nothing more.
 
 /// Triangles that get other corners: slots and corners.
 using ChangedTriangles = std::vector<std::pair<int, Triangle>>;

@@ -83,6 +83,38 @@ TEST(CutFuzz, WallsBesideTheirRimDoNotPassThroughTheSkin) {
     }
 }
 
+// Rims of new walls with kinks in flat pieces of the skin or of older walls: chords across the kink
+// lay in these.
+TEST(CutFuzz, ChordsOfWallsDoNotLieInOtherSurfaces) {
+    for (const std::uint64_t seed :
+         {400777, 401948, 402995, 403455, 404144, 405566, 406024, 406257}) {
+        test::FuzzReport report;
+        test::fuzzOnce(seed, report);
+        const test::FuzzFigures figures = report.total(test::FuzzSetting::exact);
+        EXPECT_GT(figures.strokes, 0) << "seed " << seed;
+        EXPECT_EQ(figures.intersecting, 0) << "seed " << seed;
+        EXPECT_EQ(figures.invalid, 0) << "seed " << seed;
+    }
+}
+
+// The blade passes an edge of an older wall within the noise of its two sides, or between the ways
+// in which they are seen open: one side was divided there and the other at the vertex beside it.
+TEST(CutFuzz, BothSidesOfOlderWallsAreDividedAlike) {
+    for (const std::uint64_t seed : {401844, 403183, 405875, 406492, 406716, 407148}) {
+        test::FuzzReport report;
+        test::fuzzOnce(seed, report);
+        int strokes = 0;
+        for (const test::FuzzSetting setting : test::kFuzzSettings) {
+            const test::FuzzFigures figures = report.total(setting);
+            strokes += figures.strokes;
+            EXPECT_EQ(figures.unmirrored, 0) << "seed " << seed;
+            EXPECT_EQ(figures.refused, 0) << "seed " << seed;
+            EXPECT_EQ(figures.invalid, 0) << "seed " << seed;
+        }
+        EXPECT_GT(strokes, 1) << "seed " << seed;
+    }
+}
+
 // Edges of walls flipped on both sides, which noise had moved apart: the volumes don't cancel.
 TEST(CutFuzz, NoiseInWallsIsInTheVolumeThatTheCleanupAdmits) {
     for (const std::uint64_t seed : {400514, 401847}) {
