@@ -448,7 +448,7 @@ void Simulation::State::carryHidden() {
 }
 
 AnchorFrame Simulation::State::anchorFrame() const {
-    return {mesh, body->pieceOfMeshVertex(), model().edgeLength, cutter->strokeSurface(),
+    return {mesh, body->pieceOfMeshVertex(), cutter->edgeLengthAtFront(), cutter->strokeSurface(),
             params.timeStep};
 }
 

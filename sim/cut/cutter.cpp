@@ -292,6 +292,9 @@ std::vector<int> Cutter::followedVertices() const {
 const cut::StrokeSurface& Cutter::strokeSurface() const {
     return state_->surface;
 }
+double Cutter::edgeLengthAtFront() const {
+    return state_->edgeLengthAbout(state_->rung);
+}
 const std::vector<RungNode>& Cutter::rung() const {
     return state_->rung;
 }

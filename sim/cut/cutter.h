@@ -188,6 +188,8 @@ class Cutter {
     std::vector<int> followedVertices() const;
     /// The body's surface as it was when the stroke began.
     const cut::StrokeSurface& strokeSurface() const;
+    /// The edge length about the rung, by which a step maps new walls from that surface [m].
+    double edgeLengthAtFront() const;
 
   private:
     struct State;

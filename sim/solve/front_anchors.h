@@ -18,7 +18,7 @@ struct Anchor {
 struct AnchorFrame {
     const SurfaceMesh& mesh;
     const std::vector<int>& pieceOfVertex;  ///< of all vertices of the mesh
-    double edgeLength = 0;                  ///< of the uncut body [m]
+    double edgeLength = 0;                  ///< about the front, as the cutter maps walls [m]
     const cut::StrokeSurface& surface;
     double timeStep = 0;  ///< [s]
 };

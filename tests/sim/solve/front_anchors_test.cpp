@@ -23,8 +23,8 @@ struct SlitSphere {
         model = buildBodyModel(mesh);
     }
     std::vector<Anchor> anchors() const {
-        return findFrontAnchors(
-            rung, {mesh, model.pieceOfVertex, model.edgeLength, cutter.strokeSurface(), kStep});
+        return findFrontAnchors(rung, {mesh, model.pieceOfVertex, cutter.edgeLengthAtFront(),
+                                       cutter.strokeSurface(), kStep});
     }
 
     SurfaceMesh mesh = test::cubeSphere(8);
@@ -58,7 +58,7 @@ TEST(FrontAnchors, HoldsTheEndOfAFrontInsideTheBody) {
     const BodyModel model = buildBodyModel(mesh);
     const std::vector<Anchor> anchors = findFrontAnchors(
         cutter.rung(),
-        {mesh, model.pieceOfVertex, model.edgeLength, cutter.strokeSurface(), kStep});
+        {mesh, model.pieceOfVertex, cutter.edgeLengthAtFront(), cutter.strokeSurface(), kStep});
     const bool held = std::any_of(anchors.begin(), anchors.end(), [&](const Anchor& anchor) {
         return anchor.vertex == cutter.rung().back().vertex;
     });
@@ -101,6 +101,23 @@ TEST(FrontAnchors, FollowsAStretch) {
     for (const Anchor& anchor : sphere.anchors()) {
         EXPECT_LT(anchor.velocity.norm() * kStep, 0.02 * sphere.model.edgeLength);
     }
+}
+
+// What the front is held by reaches as far as the edges there are long, not those of the whole
+// body.
+TEST(FrontAnchors, GoByTheEdgeLengthAboutTheFront) {
+    SurfaceMesh mesh = test::gradedSphere();
+    const auto edgeAtFront = [&](double x) {
+        Cutter cutter(mesh, {});
+        cutter.begin({{x, 0.8, -0.7}, {x, 0.8, 0.7}});
+        for (int i = 1; i <= 30; ++i) {
+            cutter.advance({{x, 0.8 - 0.02 * i, -0.7}, {x, 0.8 - 0.02 * i, 0.7}});
+        }
+        const double edge = cutter.edgeLengthAtFront();
+        cutter.finish();
+        return edge;
+    };
+    EXPECT_GT(edgeAtFront(-0.31), 2 * edgeAtFront(0.31));
 }
 
 TEST(FrontAnchors, AreNoneOutsideAStroke) {
