@@ -17,7 +17,8 @@ namespace kerf::app {
 
 namespace {
 
-constexpr std::array kKinds{SpecimenKind::hangingBar, SpecimenKind::compressedBlock};
+constexpr std::array kKinds{SpecimenKind::hangingBar, SpecimenKind::bentBar, SpecimenKind::bentSlab,
+                            SpecimenKind::compressedBlock};
 constexpr std::array kModuli{1e4, 1e5, 1e6};
 constexpr std::array kCells{2, 3, 4, 6};
 constexpr std::array kIterations{5, 10, 20, 40, 60};
@@ -26,7 +27,17 @@ constexpr const char* kReportFile = "report.md";
 constexpr const char* kSummaryFile = "summary.json";
 
 const char* nameOf(SpecimenKind kind) {
-    return kind == SpecimenKind::hangingBar ? "hanging bar" : "compressed block";
+    switch (kind) {
+        case SpecimenKind::hangingBar:
+            return "hanging bar";
+        case SpecimenKind::bentBar:
+            return "bent bar";
+        case SpecimenKind::bentSlab:
+            return "bent slab";
+        case SpecimenKind::compressedBlock:
+            return "compressed block";
+    }
+    return "";
 }
 
 bool sameSetting(const BenchSetting& a, const BenchSetting& b) {
@@ -136,10 +147,13 @@ std::vector<BenchRun> runAll() {
 
 std::string formatBarReport(const std::vector<BenchRun>& runs) {
     return "# Effective Young's modulus\n\n"
-           "A bar that hangs from its pinned top and a block that stands on a floor without "
-           "friction, loaded by their own weight so that a solid of modulus E changes its length "
-           "by 1 %. The figures are E_eff / E: the modulus of the solid bar that would change as "
-           "much as ours, over the parameter `youngs_modulus`. 1 is true to the parameter, more is "
+           "A bar that hangs from its pinned top, the same bar and one five times as wide bent by "
+           "a "
+           "weight that acts sideways, and a block that stands on a floor without friction, loaded "
+           "by their own weight so that a solid of modulus E changes its length, or moves its end "
+           "aside, by 1 %. The figures are E_eff / E: the modulus of the solid that would change "
+           "as much as ours, over the parameter `youngs_modulus`. 1 is true to the parameter, more "
+           "is "
            "too stiff.\n\n"
            "## By resolution (squares across the specimen), 20 iterations\n\n" +
            table(runs, "across", kCells,

@@ -11,10 +11,11 @@ namespace kerf::app {
 namespace {
 
 constexpr double kStrain = 0.01;
-constexpr double kDrag = 20;       // [1/s]: about critical for the slowest mode, so it settles soon
-constexpr int kWindow = 40;        // steps between two looks
-constexpr double kSettled = 1e-4;  // relative change of length in a window
-constexpr double kMostSeconds = 8;  // then it has not settled
+constexpr double kDrag = 20;             // [1/s]: about critical for the slowest stretching mode
+constexpr double kFirstBending = 3.516;  // of a bar that is held at one end: (1.875)^2
+constexpr int kWindow = 40;              // steps between two looks
+constexpr double kSettled = 1e-4;        // relative change of the end's motion in a window
+constexpr double kMostSeconds = 8;       // then it has not settled
 
 /// The unloaded body, its axis along y.
 struct Specimen {
@@ -34,23 +35,54 @@ std::vector<int> verticesAt(const SurfaceMesh& mesh, double height) {
     return found;
 }
 
+bool isBent(SpecimenKind kind) {
+    return kind == SpecimenKind::bentBar || kind == SpecimenKind::bentSlab;
+}
+
+Vec3 sizeOf(SpecimenKind kind) {
+    switch (kind) {
+        case SpecimenKind::hangingBar:
+        case SpecimenKind::bentBar:
+            return {0.1, 0.4, 0.1};
+        case SpecimenKind::bentSlab:
+            return {0.1, 0.4, 0.5};
+        case SpecimenKind::compressedBlock:
+            return {0.2, 0.2, 0.2};
+    }
+    return Vec3::Zero();
+}
+
+/// Squares across its x, as large along the other axes.
 Specimen makeSpecimen(const BenchSetting& setting) {
-    const bool bar = setting.kind == SpecimenKind::hangingBar;
-    const Vec3 size = bar ? Vec3(0.1, 0.4, 0.1) : Vec3(0.2, 0.2, 0.2);
-    const int along = bar ? 4 * setting.cells : setting.cells;
-    const TriangleSoup soup = boxSurface(size, {setting.cells, along, setting.cells});
+    const Vec3 size = sizeOf(setting.kind);
+    const auto cells = [&](double length) {
+        return static_cast<int>(std::lround(setting.cells * length / size.x()));
+    };
+    const TriangleSoup soup = boxSurface(size, {setting.cells, cells(size.y()), cells(size.z())});
     Specimen specimen{size, SurfaceMesh::fromTriangles(soup.positions, soup.triangles), {}, {}};
     specimen.bottom = verticesAt(specimen.mesh, -size.y() / 2);
     specimen.top = verticesAt(specimen.mesh, size.y() / 2);
     return specimen;
 }
 
-/// Mean distance of the weight from the support [m]. Weight lies on the skin, spread by area.
-double meanWeightDistance(const Specimen& specimen, SpecimenKind kind) {
-    const double support = (kind == SpecimenKind::hangingBar ? 0.5 : -0.5) * specimen.size.y();
+/// How far a force at a distance from the support moves the end, times E, per newton [1/m].
+double compliance(const Vec3& size, SpecimenKind kind, double distance) {
+    const double length = size.y();
+    if (isBent(kind)) {
+        const double secondMoment = size.z() * std::pow(size.x(), 3) / 12;
+        return distance * distance * (3 * length - distance) / (6 * secondMoment);
+    }
+    return distance / (size.x() * size.z());
+}
+
+/// How far the end of a specimen moves, times E, per unit of gravity [Pa s^2]. Weight lies on the
+/// skin, spread by area.
+double loadPerGravity(const Specimen& specimen, SpecimenKind kind, double density) {
+    const Vec3& size = specimen.size;
+    const double support = (kind == SpecimenKind::compressedBlock ? -0.5 : 0.5) * size.y();
     const SurfaceMesh& mesh = specimen.mesh;
     double area = 0;
-    double moment = 0;
+    double motion = 0;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         const auto [a, b, c] = mesh.triangle(t);
         const Vec3 middle = (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3;
@@ -58,14 +90,19 @@ double meanWeightDistance(const Specimen& specimen, SpecimenKind kind) {
             0.5 *
             (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)).norm();
         area += share;
-        moment += share * std::abs(middle.y() - support);
+        motion += share * compliance(size, kind, std::abs(middle.y() - support));
     }
-    return moment / area;
+    return density * size.prod() * motion / area;
 }
 
-/// How much longer or shorter a specimen of modulus E gets, times E, per unit of gravity [Pa s^2].
-double loadPerGravity(const Specimen& specimen, SpecimenKind kind, double density) {
-    return density * specimen.size.y() * meanWeightDistance(specimen, kind);
+/// About critical for the slowest mode, so that it settles soon [1/s].
+double dragFor(const BenchSetting& setting, const Specimen& specimen, double density) {
+    if (!isBent(setting.kind)) {
+        return kDrag;
+    }
+    const double gyration = specimen.size.x() / std::sqrt(12.0);
+    const double length = specimen.size.y();
+    return 2 * kFirstBending * gyration / (length * length) * std::sqrt(setting.modulus / density);
 }
 
 Params benchParams(const BenchSetting& setting, const Specimen& specimen) {
@@ -73,14 +110,15 @@ Params benchParams(const BenchSetting& setting, const Specimen& specimen) {
     params.iterations = setting.iterations;
     params.youngsModulus = setting.modulus;
     params.ispcStiffness = setting.ispcStiffness;
-    params.airDrag = kDrag;
+    params.airDrag = dragFor(setting, specimen, params.density);
     params.friction = 0;
     params.floor.reset();
     if (setting.kind == SpecimenKind::compressedBlock) {
         params.floor = -specimen.size.y() / 2;
     }
     const double load = loadPerGravity(specimen, setting.kind, params.density);
-    params.gravity = Vec3(0, -kStrain * setting.modulus * specimen.size.y() / load, 0);
+    const double gravity = kStrain * setting.modulus * specimen.size.y() / load;
+    params.gravity = gravity * (isBent(setting.kind) ? Vec3(Vec3::UnitX()) : Vec3(-Vec3::UnitY()));
     return params;
 }
 
@@ -93,28 +131,30 @@ void pinTop(Simulation& simulation, const Specimen& specimen) {
     simulation.execute(Pin{region});
 }
 
-double meanHeight(const SurfaceMesh& mesh, const std::vector<int>& vertices) {
-    double sum = 0;
+Vec3 meanPosition(const SurfaceMesh& mesh, const std::vector<int>& vertices) {
+    Vec3 sum = Vec3::Zero();
     for (const int v : vertices) {
-        sum += mesh.position(v).y();
+        sum += mesh.position(v);
     }
     return sum / static_cast<double>(vertices.size());
 }
 
-double length(Simulation& simulation, const Specimen& specimen) {
+/// How far the ends have moved against each other since rest: along the bar, or aside [m].
+double motionOfEnd(Simulation& simulation, const Specimen& specimen, SpecimenKind kind) {
     const SurfaceMesh& mesh = simulation.mesh();
-    return meanHeight(mesh, specimen.top) - meanHeight(mesh, specimen.bottom);
+    const Vec3 axis = meanPosition(mesh, specimen.bottom) - meanPosition(mesh, specimen.top);
+    return std::abs(isBent(kind) ? axis.x() : axis.y() + specimen.size.y());
 }
 
-/// Steps until the length stands still. False where it does not in kMostSeconds.
-bool settle(Simulation& simulation, const Specimen& specimen) {
-    double before = length(simulation, specimen);
+/// Steps until the end stands still. False where it does not in kMostSeconds.
+bool settle(Simulation& simulation, const Specimen& specimen, SpecimenKind kind) {
+    double before = motionOfEnd(simulation, specimen, kind);
     while (simulation.report().time < kMostSeconds) {
         for (int i = 0; i < kWindow; ++i) {
             simulation.step();
         }
-        const double now = length(simulation, specimen);
-        if (std::abs(now - before) <= kSettled * std::abs(now - specimen.size.y())) {
+        const double now = motionOfEnd(simulation, specimen, kind);
+        if (std::abs(now - before) <= kSettled * now) {
             return true;
         }
         before = now;
@@ -128,16 +168,16 @@ BenchResult measureModulus(const BenchSetting& setting) {
     const Specimen specimen = makeSpecimen(setting);
     const Params params = benchParams(setting, specimen);
     Simulation simulation(specimen.mesh, params);
-    if (setting.kind == SpecimenKind::hangingBar) {
+    if (setting.kind != SpecimenKind::compressedBlock) {
         pinTop(simulation, specimen);
     }
     BenchResult result;
-    result.settled = settle(simulation, specimen);
-    const double change = std::abs(length(simulation, specimen) - specimen.size.y());
+    result.settled = settle(simulation, specimen, setting.kind);
+    const double change = motionOfEnd(simulation, specimen, setting.kind);
     const double load = loadPerGravity(specimen, setting.kind, params.density);
     result.triangles = specimen.mesh.aliveTriangles();
     result.strain = change / specimen.size.y();
-    result.effectiveModulus = load * -params.gravity.y() / change;
+    result.effectiveModulus = load * params.gravity.norm() / change;
     result.volumeRatio = simulation.report().volumeRatio;
     return result;
 }

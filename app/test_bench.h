@@ -5,6 +5,8 @@ namespace kerf::app {
 /// What is loaded on the virtual test bench, and how.
 enum class SpecimenKind {
     hangingBar,       ///< 0.1 x 0.4 x 0.1 m, its top pinned, pulled by its own weight
+    bentBar,          ///< the same bar, its weight acting sideways
+    bentSlab,         ///< the same, but 0.5 m wide across the weight
     compressedBlock,  ///< 0.2 m cube that stands on a floor without friction under its own weight
 };
 
@@ -20,16 +22,19 @@ struct BenchSetting {
 /// What came of it.
 struct BenchResult {
     int triangles = 0;
-    double strain = 0;            ///< mean, by which the specimen got longer or shorter
+    double strain =
+        0;  ///< by which the specimen got longer, shorter or moved aside, over its length
     double effectiveModulus = 0;  ///< [Pa]
     double volumeRatio = 1;       ///< at rest under load, against the unloaded specimen
     bool settled = false;         ///< false where it still moved when time was up
 };
 
 /// Loads the specimen by a gravity that gives a strain of 1 % at the parameter's modulus, lets it
-/// settle, and takes the modulus from its change of length. With the weight of the vertices m g, at
-/// distances h from the support, a bar of cross-section A changes its length by sum(m g h) / (E A).
-/// Runs on the GL context that is current.
+/// settle, and takes the modulus from how far its end goes. With the weight of the vertices m g, at
+/// distances h from the support, a bar of length L and cross-section A changes its length by
+/// sum(m g h) / (E A); one with the second moment of area I that is bent moves its end by
+/// sum(m g h^2 (3 L - h)) / (6 E I) (Euler and Bernoulli, without shear). Runs on the GL context
+/// that is current.
 BenchResult measureModulus(const BenchSetting& setting);
 
 }  // namespace kerf::app
