@@ -4,11 +4,13 @@
 //
 //   kerf_drop_bench [--only TEXT] [--solver pbd] [--ispc S] [--modulus E] [--seconds T]
 //       [--iterations N] [--bending B] [--contact 0]
+//       [--azimuth DEGREES]
 
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,7 @@ void play(const DropModel& model, bool cut, const Options& options) {
     DropScene scene;
     Params& params = scene.params;
     scene.cut = cut;
+    scene.azimuth = number(options, "--azimuth", 0) * std::numbers::pi / 180;
     scene.seconds = number(options, "--seconds", 3);
     params.timeStep = model.timeStep;
     params.iterations = static_cast<int>(number(options, "--iterations", model.iterations));

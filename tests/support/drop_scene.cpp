@@ -54,11 +54,13 @@ double topSpeed(const SurfaceMesh& mesh) {
     return top;
 }
 
-/// Through the middle of the box, along z, a little askew.
-void cutInHalf(Simulation& simulation, const Bounds& bounds) {
+/// Through the middle of the box, along z turned by `azimuth`, a little askew.
+void cutInHalf(Simulation& simulation, const Bounds& bounds, double azimuth) {
     const Vec3 size = bounds.high - bounds.low;
-    const Vec3 middle = bounds.center() + Vec3(0.02 * size.x(), 0, 0);
-    const Vec3 reach(0.02 * size.x(), 0.03 * size.y(), 0.7 * size.z());
+    const Eigen::AngleAxisd turn(azimuth, Vec3::UnitY());
+    const Vec3 middle = bounds.center() + turn * Vec3(0.02 * size.x(), 0, 0);
+    const Vec3 reach =
+        turn * Vec3(0.02 * size.x(), 0.03 * size.y(), 0.7 * std::max(size.x(), size.z()));
     for (int step = 0; step <= kCutSteps; ++step) {
         const double height = 0.65 - 1.3 * step / kCutSteps;
         const Vec3 at = middle + Vec3(0, height * size.y(), 0);
@@ -79,7 +81,7 @@ DropFigures playDrop(SurfaceMesh mesh, const DropScene& scene) {
     params.floor = bounds.low.y() - scene.height;
     Simulation simulation(std::move(mesh), params);
     if (scene.cut) {
-        cutInHalf(simulation, bounds);
+        cutInHalf(simulation, bounds, scene.azimuth);
     }
     simulation.execute(SetParam{"gravity", scene.params.gravity});
     DropFigures figures;

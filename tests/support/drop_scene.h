@@ -13,6 +13,7 @@ struct DropScene {
     double height = 0.5;  ///< of the fall [m]
     double seconds = 3;   ///< from the start of the fall
     bool cut = false;     ///< by a blade that comes straight down through the middle
+    double azimuth = 0;   ///< of that blade about the vertical, from z towards x [rad]
 };
 
 /// What came of it. Volumes in shares of rest, from the start of the fall.
