@@ -215,6 +215,17 @@ void AirTies::addVertices(std::vector<int>& vertices) const {
     }
 }
 
+AirTies AirTies::part(int first, int last, int at) const {
+    AirTies result;
+    for (const Tie& tie : ties_) {
+        if (tie.edge >= first && tie.edge < last) {
+            result.ties_.push_back(tie);
+            result.ties_.back().edge += at - first;
+        }
+    }
+    return result;
+}
+
 std::vector<CarriedPoint> AirTies::between(const SurfaceMesh& mesh, int index) const {
     std::vector<CarriedPoint> points;
     for (const Tie& tie : ties_) {

@@ -37,6 +37,9 @@ class AirTies {
     void addVertices(std::vector<int>& vertices) const;
     /// Where the points between rung node `index` and the next are now.
     std::vector<CarriedPoint> between(const SurfaceMesh& mesh, int index) const;
+    /// Those between the rung's nodes `first` and `last`, as ties of a rung in which `first` is the
+    /// node `at`.
+    AirTies part(int first, int last, int at) const;
 
   private:
     struct Tie {

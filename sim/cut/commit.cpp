@@ -14,8 +14,9 @@ namespace {
 
 class Commit {
   public:
-    Commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke)
-        : mesh_(mesh), plan_(plan), h_(h), stroke_(stroke) {}
+    Commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke,
+           const std::vector<RungNode>& staying)
+        : mesh_(mesh), plan_(plan), h_(h), stroke_(stroke), staying_(staying) {}
 
     CommitResult run() {
         result_.delta.firstNewVertex = oldVertices_ = mesh_.vertexCount();
@@ -196,13 +197,18 @@ class Commit {
         return result;
     }
 
-    void repairDuplicateEdges() {
-        std::set<Edge> frontEdges;
-        for (int k = 0; k + 1 < sizeOf(result_.rung); ++k) {
-            if (result_.rung[k].attached) {
-                frontEdges.insert(edgeOf(result_.rung[k].vertex, result_.rung[k + 1].vertex));
+    static void addFrontEdges(const std::vector<RungNode>& rung, std::set<Edge>& edges) {
+        for (int k = 0; k + 1 < sizeOf(rung); ++k) {
+            if (rung[k].attached) {
+                edges.insert(edgeOf(rung[k].vertex, rung[k + 1].vertex));
             }
         }
+    }
+
+    void repairDuplicateEdges() {
+        std::set<Edge> frontEdges;
+        addFrontEdges(result_.rung, frontEdges);
+        addFrontEdges(staying_, frontEdges);
         const std::vector<int> changed =
             splitDuplicateEdges(mesh_, firstTriangle_, stroke_, frontEdges);
         std::vector<int>& relabelled = result_.delta.changedTriangles;
@@ -221,6 +227,7 @@ class Commit {
     const StepPlan& plan_;
     double h_;
     int stroke_;
+    const std::vector<RungNode>& staying_;
     int oldVertices_ = 0;
     int firstTriangle_ = 0;
     std::map<int, Triangle> replacedCorners_;
@@ -230,8 +237,9 @@ class Commit {
 
 }  // namespace
 
-CommitResult commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke) {
-    return Commit(mesh, plan, h, stroke).run();
+CommitResult commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke,
+                    const std::vector<RungNode>& staying) {
+    return Commit(mesh, plan, h, stroke, staying).run();
 }
 
 }  // namespace kerf::cut

@@ -28,8 +28,10 @@ struct CommitResult {
     std::vector<int> onSeams;    ///< new vertices on walls that were divided but not cut
 };
 
-/// Changes the mesh. Cannot fail. Every umbrella of the new surface becomes one vertex; the first
-/// one keeps the old number, others become mates of it.
-CommitResult commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke);
+/// Changes the mesh. Cannot fail. The front edges of `staying` are not the step's, and stay. Every
+/// umbrella of the new surface becomes one vertex; the first one keeps the old number, others
+/// become mates of it.
+CommitResult commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke,
+                    const std::vector<RungNode>& staying);
 
 }  // namespace kerf::cut

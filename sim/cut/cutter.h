@@ -169,8 +169,10 @@ class Cutter {
 
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);
-    /// Sweeps from where the last successful step ended to `blade`. After three refusals in a row
-    /// the front in that piece is let go, stays as a slit, and the sweep starts anew at the blade.
+    /// Sweeps from where the last successful step ended to `blade`. Where that lies behind the cut
+    /// the cut stays, and goes on once the blade is ahead of it again. After three refusals in a
+    /// row the front in that piece is let go, stays as a slit, and the sweep starts anew at the
+    /// blade.
     CutResult advance(const Blade& blade);
     /// Ends the stroke: sweeps what the gate held back, lets go of the front, cleans up, closes the
     /// wounds of the open course, removes debris.

@@ -13,6 +13,7 @@
 #include "sim/cut/edge_length_field.h"
 #include "sim/cut/patch/wound.h"
 #include "sim/cut/plan.h"
+#include "sim/cut/rung_parts.h"
 #include "sim/cut/slit_opening.h"
 #include "sim/cut/stroke_surface.h"
 #include "sim/cut/sweep.h"
@@ -103,19 +104,20 @@ struct Cutter::State {
     void tie(cut::Sweep& sweep);
     void makeWaitingTies(cut::Sweep& sweep);
     CutResult advance(const Blade& to, Gate gate, cut::Sweep& sweep);
+    static bool goesInParts(const Blade& to, const std::vector<RungNode>& from,
+                            const cut::Sweep& sweep);
+    CutResult cutParts(const Blade& to, const std::vector<cut::RungPart>& parts, cut::Sweep& sweep);
     CutResult cut(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep);
-    bool findStep(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
-                  CutResult& result);
-    bool climb(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
-               CutResult& result);
+    bool findStep(const std::function<bool()>& find);
+    bool climb(const Blade& to, const cut::RungPart& part, cut::Sweep& sweep, CutResult& result);
     bool resume(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
                 CutResult& result);
-    bool attempt(const Blade& to, const std::vector<RungNode>& from,
-                 const cut::BroadPhase& candidates, const cut::SlitOpening& opening, int level,
-                 cut::Sweep& sweep, CutResult& result);
+    bool attempt(const Blade& to, const cut::RungPart& part, const cut::BroadPhase& candidates,
+                 const cut::SlitOpening& opening, int level, cut::Sweep& sweep, CutResult& result);
     void requireVolume(const cut::StepPlan& plan) const;
     void requireMirrors(const cut::StepPlan& plan, double edge);
-    CutResult accept(const cut::PlannedStep& step, cut::Sweep& sweep);
+    CutResult accept(const Blade& to, const cut::PlannedStep& step, const cut::RungPart& part,
+                     cut::Sweep& sweep);
     void keepOwnNodes(std::vector<RungNode> nodes, cut::Sweep& sweep);
     static void moveOn(const Blade& to, const CutResult& result, cut::Sweep& sweep);
     void countRefusal(const Blade& to, cut::Sweep& sweep);

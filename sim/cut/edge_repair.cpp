@@ -87,7 +87,7 @@ class DuplicateEdges {
             if (!runs(x, u, v)) {
                 continue;
             }
-            if (frontToKeep && joinsNewSheets(x)) {
+            if (frontToKeep && joinsSheets(x)) {
                 frontToKeep = false;
                 kept = 1;
             } else if (!isWall(x / 3) && !isWall(mesh_.twin(x) / 3)) {
@@ -105,12 +105,11 @@ class DuplicateEdges {
     bool isWall(int t) const { return mesh_.kind(t) == SurfaceKind::wall; }
     bool isFront(int u, int v) const { return frontEdges_.count(edgeOf(u, v)) > 0; }
 
-    bool joinsNewSheets(int h) const {
+    bool joinsSheets(int h) const {
         const int t = h / 3;
         const int o = mesh_.twin(h) / 3;
-        return t >= first_ && o >= first_ && mesh_.wallLabel(t) / 2 == stroke_ &&
-               mesh_.wallLabel(o) / 2 == stroke_ && mesh_.wallLabel(t) != mesh_.wallLabel(o) &&
-               isWall(t) && isWall(o);
+        return mesh_.wallLabel(t) / 2 == stroke_ && mesh_.wallLabel(o) / 2 == stroke_ &&
+               mesh_.wallLabel(t) != mesh_.wallLabel(o) && isWall(t) && isWall(o);
     }
 
     std::vector<int> copiesOf(int v) const {

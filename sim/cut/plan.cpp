@@ -86,8 +86,8 @@ void requireFinite(const CutCurves& curves) {
 Strip layOut(const StepInput& in, const std::vector<double>& skipped, StepPlan& plan) {
     PredicatePositions positions(in);
     Strip strip = buildStrip(in, positions, skipped);
-    plan.endA = airNode(strip, strip.newRung.front(), 0);
-    plan.endB = airNode(strip, strip.newRung.back(), 1);
+    plan.endA = airNode(strip, strip.newRung.front(), in.span.from);
+    plan.endB = airNode(strip, strip.newRung.back(), in.span.to);
     plan.curves = intersect(in, strip, positions);
     plan.outline = traceOutline(in, strip, RestGuess(in, strip, plan.curves), plan.curves);
     return strip;

@@ -40,6 +40,15 @@ struct Attempt {
     bool ignoreFringe = false;  ///< walls next to the front are not cut
 };
 
+/// Which part of the blade goes on, by its parameters.
+struct BladeSpan {
+    double from = 0;
+    double to = 1;
+    /// The ends stay where the old rung ends: beyond them the front stays.
+    bool holdsFrom = false;
+    bool holdsTo = false;
+};
+
 /// All that one try of a step reads; nothing here changes during the try.
 struct StepInput {
     const SurfaceMesh& mesh;
@@ -49,6 +58,7 @@ struct StepInput {
     const SlitOpening& opening;
     const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
     Blade blade;
+    BladeSpan span;
     double h = 0;       ///< edge length about the rung [m]
     double offset = 0;  ///< length of the blade's offset at scale 1, share of h
     const EdgeLengthField& edgeLengths;

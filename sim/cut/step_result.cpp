@@ -1,6 +1,9 @@
 #include "sim/cut/step_result.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <set>
 
 namespace kerf {
 
@@ -11,10 +14,23 @@ void append(std::vector<T>& to, const std::vector<T>& more) {
     to.insert(to.end(), more.begin(), more.end());
 }
 
+// The later part may have changed what the earlier one added.
 void addTo(CutDelta& sum, const CutDelta& part) {
-    append(sum.removedTriangles, part.removedTriangles);
+    std::vector<int> removed = part.removedTriangles;
+    std::ranges::sort(removed);
+    const auto isAdded =
+        [added = std::set<int>(sum.addedTriangles.begin(), sum.addedTriangles.end())](int t) {
+            return added.contains(t);
+        };
+    std::erase_if(sum.addedTriangles,
+                  [&](int t) { return std::ranges::binary_search(removed, t); });
+    std::erase_if(sum.changedTriangles,
+                  [&](int t) { return std::ranges::binary_search(removed, t); });
+    std::ranges::copy_if(part.removedTriangles, std::back_inserter(sum.removedTriangles),
+                         std::not_fn(isAdded));
+    std::ranges::copy_if(part.changedTriangles, std::back_inserter(sum.changedTriangles),
+                         std::not_fn(isAdded));
     append(sum.addedTriangles, part.addedTriangles);
-    append(sum.changedTriangles, part.changedTriangles);
     append(sum.movedVertices, part.movedVertices);
     append(sum.deadVertices, part.deadVertices);
 }

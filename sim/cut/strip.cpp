@@ -214,11 +214,24 @@ void separateParameters(const StepInput& in, Strip& strip) {
     }
 }
 
+// Between two ends that stay, the new rung must leave the old one somewhere.
+double middleOfFront(const StepInput& in, const Strip& strip) {
+    double first = in.span.to;
+    double last = in.span.from;
+    for (int i = 0; i + 1 < strip.oldCount; ++i) {
+        if (strip.nodes[i].attached) {
+            first = std::min(first, strip.nodes[i].s);
+            last = std::max(last, strip.nodes[i + 1].s);
+        }
+    }
+    return first < last ? 0.5 * (first + last) : 0.5 * (in.span.from + in.span.to);
+}
+
 // R1 has a point above every interior front node, never above a surface entry: for a straight
 // stroke that one would lie exactly in the surface.
 std::vector<double> newRungParameters(const StepInput& in, const Strip& strip,
                                       const std::vector<double>& skipped) {
-    std::vector<double> result{0.0};
+    std::vector<double> result{in.span.from};
     for (int i = 1; i < strip.oldCount - 1; ++i) {
         const StripNode& node = strip.nodes[i];
         const bool interior = node.attached && strip.attachedBefore(i) &&
@@ -230,11 +243,14 @@ std::vector<double> newRungParameters(const StepInput& in, const Strip& strip,
         const double edge =
             in.edgeLengths.localEdgeLength(in.mesh.restPosition(node.vertices.front()));
         const double spacing = kNewRungSpacing * edge / bladeLength(in);
-        if (node.s - result.back() > spacing && 1 - node.s > spacing) {
+        if (node.s - result.back() > spacing && in.span.to - node.s > spacing) {
             result.push_back(node.s);
         }
     }
-    result.push_back(1.0);
+    if (result.size() == 1 && in.span.holdsFrom && in.span.holdsTo) {
+        result.push_back(middleOfFront(in, strip));
+    }
+    result.push_back(in.span.to);
     return result;
 }
 
@@ -249,7 +265,8 @@ void placeNewRung(const StepInput& in, const std::vector<double>& skipped, Strip
     for (int j = 0; j <= last; ++j) {
         const Vec3 onBlade = bladePoint(in, parameters[j]);
         const int oldEnd = j == 0 ? 0 : strip.oldCount - 1;
-        if ((j == 0 || j == last) && isPinned(in, strip, onBlade, oldEnd)) {
+        const bool held = (j == 0 && in.span.holdsFrom) || (j == last && in.span.holdsTo);
+        if (held || ((j == 0 || j == last) && isPinned(in, strip, onBlade, oldEnd))) {
             strip.newRung.push_back(oldEnd);
             continue;
         }
@@ -262,7 +279,7 @@ void placeNewRung(const StepInput& in, const std::vector<double>& skipped, Strip
     }
 }
 
-void zipRungs(Strip& strip) {
+void zipRungs(const BladeSpan& span, Strip& strip) {
     std::vector<int> lower(strip.oldCount);
     std::vector<double> lowerS(strip.oldCount);
     for (int i = 0; i < strip.oldCount; ++i) {
@@ -273,8 +290,8 @@ void zipRungs(Strip& strip) {
     for (const int node : strip.newRung) {
         upperS.push_back(strip.nodes[node].s);
     }
-    upperS.front() = 0;  // a pinned end keeps its own s on the old rung
-    upperS.back() = 1;
+    upperS.front() = span.from;  // a pinned end keeps its own s on the old rung
+    upperS.back() = span.to;
     strip.triangles = zip(lower, lowerS, strip.newRung, upperS);
     if (strip.triangles.empty()) {
         throw StepFailure{"the blade swept no area"};
@@ -443,7 +460,7 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions,
     }
     separateParameters(in, strip);
     placeNewRung(in, skipped, strip);
-    zipRungs(strip);
+    zipRungs(in.span, strip);
     connectEdges(in, strip);
     return strip;
 }

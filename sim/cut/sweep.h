@@ -25,6 +25,9 @@ struct Sweep {
     bool tiesWait = false;  ///< they are made once they are needed: nothing has moved from rest
     Blade blade;            ///< at the rung
     Vec3 lastAdvance = Vec3::Zero();  ///< of the blade's middle in the last step that cut [m]
+    /// In which the front went on in the last step that cut; zero while the rung is in the air.
+    Vec3 heading = Vec3::Zero();
+    bool isUneven = false;  ///< part of the rung stayed when the rest last went on
 };
 
 /// How the blade moved since the old rung.

@@ -61,6 +61,9 @@ void Cutter::State::placeRung(const Blade& at, Sweep& sweep) {
 
 void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
     sweep.rung = std::move(next);
+    if (isInAir(sweep.rung)) {
+        sweep.heading = Vec3::Zero();
+    }
     tie(sweep);
 }
 
@@ -97,6 +100,14 @@ CutResult Cutter::State::advance(const Blade& to, Gate gate, Sweep& sweep) {
     std::vector<RungNode> from = sweep.rung;
     const double least = gateLength(gate, sweep.edgeLength);
     const cut::SweepMotion motion = cut::reparametrize(to, h, from);
+    if (goesInParts(to, from, sweep)) {
+        const CutOutcome otherwise = cut::isWithdrawing(mesh, to, h, sweep.lastAdvance, from)
+                                         ? CutOutcome::withdrawing
+                                         : CutOutcome::waiting;
+        const std::vector<cut::RungPart> parts =
+            cut::partsAhead(to, sweep.edgeLength, least, sweep.heading, from);
+        return parts.empty() ? outcome(otherwise) : cutParts(to, parts, sweep);
+    }
     if (motion.advance < std::max(least, kStandingStill * h)) {
         const bool slides = motion.axial > kAxialSlide * motion.advance && motion.axial > least;
         if (!motion.anyAttached && slides) {
@@ -107,7 +118,47 @@ CutResult Cutter::State::advance(const Blade& to, Gate gate, Sweep& sweep) {
     if (cut::isWithdrawing(mesh, to, h, sweep.lastAdvance, from)) {
         return outcome(CutOutcome::withdrawing);
     }
+    if (isInAir(from)) {
+        const std::vector<cut::RungPart> parts = cut::partsInAir(to, sweep.edgeLength, from);
+        if (!parts.empty()) {
+            return cutParts(to, parts, sweep);
+        }
+    }
     return cut(to, from, sweep);
+}
+
+// A part that the blade has left behind stays until the blade is ahead of it again.
+bool Cutter::State::goesInParts(const Blade& to, const std::vector<RungNode>& from,
+                                const Sweep& sweep) {
+    return !sweep.heading.isZero(0) &&
+           (sweep.isUneven || cut::isPartlyBehind(to, sweep.edgeLength, sweep.heading, from));
+}
+
+/// From the last part to the first: the nodes before it keep their places in the rung. Where one is
+/// refused the whole blade goes on.
+CutResult Cutter::State::cutParts(const Blade& to, const std::vector<cut::RungPart>& parts,
+                                  Sweep& sweep) {
+    CutResult sum = outcome(CutOutcome::air);
+    int staying = cut::sizeOf(sweep.rung);
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+        CutResult result = outcome(CutOutcome::refused);
+        if (!findStep([&] { return climb(to, *part, sweep, result); })) {
+            tie(sweep);
+            std::vector<RungNode> from = sweep.rung;
+            cut::reparametrize(to, h, from);
+            addTo(sum, cut(to, from, sweep));
+            return sum;
+        }
+        addTo(sum, result);
+        staying -= part->count;
+    }
+    moveOn(to, sum, sweep);
+    sum.statistics.cutPieces = std::min(sum.statistics.cutPieces, 1);
+    sweep.isUneven = staying > 0;
+    if (!sweep.isUneven && isInAir(sweep.rung)) {
+        setRung({sweep.rung.front(), sweep.rung.back()}, sweep);  // without where it crossed
+    }
+    return sum;
 }
 
 cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& sweep,
@@ -129,14 +180,11 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& swee
 // Nothing is committed until one attempt succeeds.
 CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep) {
     CutResult result = outcome(CutOutcome::refused);
-    mirrors = Mirrors::wanted;
-    bool done = findStep(to, from, sweep, result);
-    if (!done && mirrors == Mirrors::missed) {
-        mirrors = Mirrors::waived;
-        done = findStep(to, from, sweep, result);
-    }
-    if (done) {
+    const cut::RungPart whole{from, {}, 0, cut::sizeOf(sweep.rung)};
+    if (findStep(
+            [&] { return climb(to, whole, sweep, result) || resume(to, from, sweep, result); })) {
         moveOn(to, result, sweep);
+        sweep.isUneven = false;
         return result;
     }
     result.statistics.refusedPieces = 1;
@@ -144,25 +192,36 @@ CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from,
     return result;
 }
 
-bool Cutter::State::findStep(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
-                             CutResult& result) {
-    return climb(to, from, sweep, result) || resume(to, from, sweep, result);
+// First with walls mirrored, and without where that alone is in the way.
+bool Cutter::State::findStep(const std::function<bool()>& find) {
+    mirrors = Mirrors::wanted;
+    if (find()) {
+        return true;
+    }
+    if (mirrors != Mirrors::missed) {
+        return false;
+    }
+    mirrors = Mirrors::waived;
+    return find();
 }
 
 // The retry ladder: with older slits along the blade seen open, then with all as they are; a pass
 // that once had to do without stays so.
-bool Cutter::State::climb(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
+bool Cutter::State::climb(const Blade& to, const cut::RungPart& part, Sweep& sweep,
                           CutResult& result) {
+    const std::vector<RungNode>& from = part.rung;
     const cut::BroadPhase candidates = findCandidates(to, sweep, from);
     const auto tryAll = [&](const cut::SlitOpening& opening) {
-        std::vector<RungNode> clear = from;
+        cut::RungPart clear = part;
+        cut::AirTies ties;
         cut::clearAirEdges(
             mesh, candidates, opening, to, sweep.edgeLength,
             [&]() -> const cut::AirTies& {
                 makeWaitingTies(sweep);
-                return sweep.airTies;
+                return ties = sweep.airTies.part(part.first, part.first + part.count - 1,
+                                                 part.beforeFirst);
             },
-            clear);
+            clear.rung);
         for (int i = 0; i < cut::attemptCount(); ++i) {
             if (attempt(to, clear, candidates, opening, i, sweep, result)) {
                 return true;
@@ -188,9 +247,9 @@ bool Cutter::State::resume(const Blade& to, const std::vector<RungNode>& from, S
     for (const cut::Resumption& way : cut::resumptions(from, to, sweep.edgeLength)) {
         Sweep anew = sweep;
         startPass(anew);
-        std::vector<RungNode> start = way.rung;
-        cut::reparametrize(way.blade, h, start);
-        const cut::BroadPhase candidates = findCandidates(way.blade, anew, start);
+        cut::RungPart start{way.rung, {}, 0, cut::sizeOf(anew.rung)};
+        cut::reparametrize(way.blade, h, start.rung);
+        const cut::BroadPhase candidates = findCandidates(way.blade, anew, start.rung);
         for (int i = 0; i < kAttemptsOfResumption; ++i) {
             if (attempt(way.blade, start, candidates, kNoOpening, i, anew, result)) {
                 sweep = std::move(anew);
@@ -217,7 +276,7 @@ void Cutter::State::requireMirrors(const cut::StepPlan& plan, double edge) {
     }
 }
 
-bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
+bool Cutter::State::attempt(const Blade& to, const cut::RungPart& part,
                             const cut::BroadPhase& candidates, const cut::SlitOpening& opening,
                             int level, Sweep& sweep, CutResult& result) {
     const std::uint64_t retrySeed =
@@ -231,8 +290,9 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
                             pieces.ofVertex(),
                             surface,
                             opening,
-                            from,
+                            part.rung,
                             to,
+                            part.span,
                             edge,
                             settings.offset * scale,
                             *edgeLengths,
@@ -250,7 +310,7 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
         const cut::PlannedStep step = cut::planStep(in);
         requireVolume(step.plan);
         requireMirrors(step.plan, edge);
-        result = accept(step, sweep);
+        result = accept(to, step, part, sweep);
         result.statistics.tries = tries;
         result.reason = reason;
         return true;
@@ -260,16 +320,18 @@ bool Cutter::State::attempt(const Blade& to, const std::vector<RungNode>& from,
     }
 }
 
-CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
+CutResult Cutter::State::accept(const Blade& to, const cut::PlannedStep& step,
+                                const cut::RungPart& part, Sweep& sweep) {
     sweep.refusedInARow = 0;
     if (step.air) {
-        setRung({step.air->endA, step.air->endB}, sweep);
+        setRung(cut::replaced(sweep.rung, part, {step.air->endA, step.air->endB}), sweep);
         return outcome(CutOutcome::air);
     }
     if (settings.cleanUp && !cleanup) {
         cleanup.emplace(mesh, *edgeLengths);
     }
-    cut::CommitResult committed = cut::commit(mesh, step.plan, sweep.edgeLength, stroke);
+    cut::CommitResult committed =
+        cut::commit(mesh, step.plan, sweep.edgeLength, stroke, cut::stayingFront(sweep.rung, part));
     const std::vector<int> changed = changedTriangles(committed.delta);
     follow(changed, sweep.group);
     surface.follow(changed, 0);
@@ -284,10 +346,14 @@ CutResult Cutter::State::accept(const cut::PlannedStep& step, Sweep& sweep) {
     result.statistics.patterns = step.plan.subdivision.patterns;
     result.statistics.seeds = step.seeds;
     result.statistics.volumeChange = step.plan.volumeChange;
-    if (isInAir(committed.rung)) {
+    const Vec3 way = cut::advanceOf(to, sweep.edgeLength, part.rung, committed.rung);
+    sweep.heading = way.isZero(0) ? sweep.heading : way;
+    std::vector<RungNode> next = cut::replaced(sweep.rung, part, committed.rung);
+    if (isInAir(next)) {
+        sweep.heading = Vec3::Zero();
         startPass(sweep);
     }
-    sweep.rung = std::move(committed.rung);  // tied once all of the step is done
+    sweep.rung = std::move(next);  // tied once all of the step is done
     return result;
 }
 

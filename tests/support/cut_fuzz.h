@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,7 +83,8 @@ struct FuzzReport {
     }
 };
 
-/// One random body and its strokes; `seed` decides everything.
-void fuzzOnce(std::uint64_t seed, FuzzReport& report);
+/// One random body and its strokes; `seed` decides everything, but for the kind of stroke where one
+/// is `wanted`.
+void fuzzOnce(std::uint64_t seed, FuzzReport& report, std::optional<FuzzMode> wanted = {});
 
 }  // namespace kerf::test

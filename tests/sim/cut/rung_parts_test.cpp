@@ -1,0 +1,149 @@
+#include "sim/cut/rung_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "sim/mesh/invariants.h"
+#include "tests/support/cut_fuzz.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/self_intersections.h"
+#include "tests/support/shapes.h"
+
+namespace kerf::cut {
+namespace {
+
+constexpr double kH = 0.1;
+constexpr double kGate = 0.5 * kH;
+const Vec3 kHeading = Vec3::UnitX();
+
+/// Along y from 0 to 1; the front lies between 0.2 and 0.8.
+std::vector<RungNode> rungAlongY() {
+    std::vector<RungNode> rung{{{0, 0, 0}, 0, -1, false}};
+    for (int i = 2; i <= 8; ++i) {
+        rung.push_back({{0, 0.1 * i, 0}, 0.1 * i, i, i < 8});
+    }
+    rung.push_back({{0, 1, 0}, 1, -1, false});
+    return rung;
+}
+
+std::vector<RungPart> partsTo(double ofA, double ofB) {
+    return partsAhead({{ofA, 0, 0}, {ofB, 1, 0}}, kH, kGate, kHeading, rungAlongY());
+}
+
+TEST(RungParts, ABladeThatIsAheadEverywhereTakesTheWholeRung) {
+    const std::vector<RungPart> parts = partsTo(kH, 2 * kH);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_EQ(parts[0].first, 0);
+    EXPECT_EQ(parts[0].rung.size(), rungAlongY().size());
+    EXPECT_FALSE(parts[0].span.holdsFrom || parts[0].span.holdsTo);
+    EXPECT_EQ(parts[0].span.from, 0);
+    EXPECT_EQ(parts[0].span.to, 1);
+}
+
+// It crosses the rung at 0.5, in the front.
+TEST(RungParts, APartEndsAtAnInnerNodeOfTheFrontWhichStays) {
+    const std::vector<RungPart> parts = partsTo(-3 * kH, 3 * kH);
+    ASSERT_EQ(parts.size(), 1U);
+    const RungNode& held = parts[0].rung.front();
+    EXPECT_EQ(held.vertex, 5);
+    EXPECT_EQ(parts[0].span.from, held.s);
+    EXPECT_TRUE(parts[0].span.holdsFrom);
+    EXPECT_FALSE(parts[0].span.holdsTo);
+    EXPECT_EQ(parts[0].first + parts[0].count, static_cast<int>(rungAlongY().size()));
+}
+
+// At 0.1, beside the front.
+TEST(RungParts, APartEndsInTheAirWhereTheBladeCrossesTheRung) {
+    const std::vector<RungPart> parts = partsTo(-kH, 9 * kH);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_LT(parts[0].rung.front().vertex, 0);
+    EXPECT_NEAR(parts[0].rung.front().s, 0.1, 1e-12);
+    EXPECT_EQ(parts[0].rung[1].vertex, 2);
+    EXPECT_EQ(parts[0].first, 1) << "the node at the blade's end stays";
+}
+
+TEST(RungParts, BelowTheGateNothingGoesOn) {
+    EXPECT_TRUE(partsTo(-3 * kH, 0.4 * kH).empty());
+    EXPECT_TRUE(partsTo(-3 * kH, -kH).empty());
+}
+
+TEST(RungParts, WhatGoesOnTakesThePlaceOfThePart) {
+    const std::vector<RungNode> rung = rungAlongY();
+    const RungPart part = partsTo(-3 * kH, 3 * kH).front();
+    const std::vector<RungNode> next{{{0, 0.5, 0}, 0.5, 5, true}, {{0.1, 0.9, 0}, 0.9, 9, false}};
+    const std::vector<RungNode> after = replaced(rung, part, next);
+    ASSERT_EQ(static_cast<int>(after.size()), part.first + 2);
+    EXPECT_EQ(after[part.first - 1].vertex, rung[part.first - 1].vertex);
+    EXPECT_TRUE(after[part.first - 1].attached);
+    EXPECT_EQ(after.back().vertex, 9);
+    for (const RungNode& node : stayingFront(rung, part)) {
+        EXPECT_FALSE(node.attached && node.vertex >= 5) << node.vertex;
+    }
+}
+
+double wallArea(const SurfaceMesh& mesh) {
+    double area = 0;
+    for (const int t : livingTriangles(mesh)) {
+        const Triangle& c = mesh.triangle(t);
+        const Vec3& a = mesh.position(c[0]);
+        area += mesh.kind(t) == SurfaceKind::wall
+                    ? 0.5 * (mesh.position(c[1]) - a).cross(mesh.position(c[2]) - a).norm()
+                    : 0;
+    }
+    return area;
+}
+
+/// In the plane z = 0.013 right through a sphere of radius 0.5; the blade tilts by up to `tilt`
+/// about its middle.
+test::Stroke rockingStroke(double tilt) {
+    test::Stroke stroke;
+    for (int i = 0; i <= 90; ++i) {
+        const double u = i / 90.0 - 0.5;
+        const double angle = tilt * std::sin(40 * u);
+        const Vec3 along(std::sin(angle), std::cos(angle), 0);
+        const Vec3 middle(1.6 * u, 0.021, 0.013);
+        stroke.push_back({middle - 1.5 * along, middle + 1.5 * along});
+    }
+    return stroke;
+}
+
+// What goes back lies in the slit: no wall is made twice.
+TEST(RungParts, ARockingBladeMakesTheWallsOfAStraightOne) {
+    constexpr double kTilt =
+        0.25;  // the ends of the slit go back by twice what the middle advances
+    SurfaceMesh straight = test::icosphere(3);
+    test::runStroke(straight, test::exactSettings(), rockingStroke(0));
+    SurfaceMesh rocking = test::icosphere(3);
+    const test::CutCheck check =
+        test::runStroke(rocking, test::exactSettings(), rockingStroke(kTilt));
+    EXPECT_EQ(check.problem, "");
+    EXPECT_EQ(check.unmirrored, "");
+    EXPECT_EQ(check.refused, 0) << check.reason;
+    EXPECT_EQ(findPieces(rocking).pieces.size(), 2U);
+    EXPECT_EQ(test::slitEdges(rocking, 0), 0);
+    EXPECT_NEAR(wallArea(rocking), wallArea(straight), 1e-4 * wallArea(straight));
+    EXPECT_TRUE(test::selfIntersections(test::opened(rocking, 1e-6 * kH)).empty());
+}
+
+TEST(RungParts, RandomRockingStrokesPart) {
+    constexpr std::uint64_t kFirstSeed = 500000;
+    constexpr int kRuns = 60;
+    test::FuzzReport report;
+    for (int i = 0; i < kRuns; ++i) {
+        test::fuzzOnce(kFirstSeed + i, report, test::FuzzMode::rocking);
+    }
+    for (const test::FuzzSetting setting : test::kFuzzSettings) {
+        const test::FuzzFigures sum = report.total(setting);
+        EXPECT_GT(sum.strokes, 0);
+        EXPECT_EQ(sum.refused, 0) << "of " << sum.cuts << " steps";
+        EXPECT_EQ(sum.unseparated, 0) << "of " << sum.strokes << " strokes";
+        EXPECT_EQ(sum.unmirrored, 0);
+        EXPECT_EQ(sum.invalid, 0);
+        EXPECT_LE(sum.intersecting, 0.03 * sum.strokes);
+    }
+}
+
+}  // namespace
+}  // namespace kerf::cut
