@@ -36,6 +36,19 @@ TEST_P(DropTest, HollowHalvesCollapseAndFirmOnesKeepTheirVolume) {
     EXPECT_GT(soft.peakError, 1.2 * firm.peakError);
 }
 
+class LargeDropTest : public test::GlTest {};
+
+// More vertices than one work group takes: its step goes by phases.
+TEST_F(LargeDropTest, ABodyThatStepsByPhasesKeepsItsVolumeOnTheFloor) {
+    test::DropScene scene;
+    scene.height = 0.05;
+    scene.seconds = 0.3;
+    const test::DropFigures fallen = test::playDrop(test::cubeSphere(20), scene);
+    EXPECT_GT(fallen.leastVolume, 0.999);
+    EXPECT_GT(fallen.peakError, 0.01) << "it never met the floor";
+    EXPECT_EQ(fallen.folds, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(BothModes, DropTest,
                          ::testing::Values(SolverMode::smallSteps, SolverMode::pbd),
                          [](const auto& each) {
