@@ -148,13 +148,11 @@ std::vector<BenchRun> runAll() {
 std::string formatBarReport(const std::vector<BenchRun>& runs) {
     return "# Effective Young's modulus\n\n"
            "A bar that hangs from its pinned top, the same bar and one five times as wide bent by "
-           "a "
-           "weight that acts sideways, and a block that stands on a floor without friction, loaded "
-           "by their own weight so that a solid of modulus E changes its length, or moves its end "
-           "aside, by 1 %. The figures are E_eff / E: the modulus of the solid that would change "
-           "as much as ours, over the parameter `youngs_modulus`. 1 is true to the parameter, more "
-           "is "
-           "too stiff.\n\n"
+           "a weight that acts sideways, and a block that stands on a floor without friction, "
+           "loaded by their own weight so that a solid of modulus E changes its length, or moves "
+           "its end aside, by 1 %. The figures are E_eff / E: the modulus of the solid that would "
+           "change as much as ours, over the parameter `youngs_modulus`. 1 is true to the "
+           "parameter, more is too stiff.\n\n"
            "## By resolution (squares across the specimen), 20 iterations\n\n" +
            table(runs, "across", kCells,
                  [](SpecimenKind kind, double modulus, int cells) {

@@ -22,8 +22,7 @@ struct BenchSetting {
 /// What came of it.
 struct BenchResult {
     int triangles = 0;
-    double strain =
-        0;  ///< by which the specimen got longer, shorter or moved aside, over its length
+    double strain = 0;            ///< how far the end went, over the specimen's length
     double effectiveModulus = 0;  ///< [Pa]
     double volumeRatio = 1;       ///< at rest under load, against the unloaded specimen
     bool settled = false;         ///< false where it still moved when time was up
