@@ -305,7 +305,7 @@ void GpuSolver::setContactBody() {
                            uniforms_.triangle_count};
     contacts_.setBody(body, contactEdgeLength_);
     boxes_.setBody(body, contactEdgeLength_);
-    blade_.setBody(body);
+    blade_.setBody(body, contactEdgeLength_);
 }
 
 void GpuSolver::setContact(const ContactSettings& settings) {
@@ -594,7 +594,7 @@ void GpuSolver::holdVolumeAndCollide(uint substep) {
     pull();
     collideBody();
     collideBlade(substep);
-    collideBoxes();
+    collideBoxes(substep);
     collideFloor();
     collideTimer_.end();
 }
@@ -624,7 +624,7 @@ void GpuSolver::stepBySubsteps() {
         collideTimer_.begin();
         collideBody();
         collideBlade(i);
-        collideBoxes();
+        collideBoxes(i);
         collideTimer_.end();
     }
     runSmallBody({0, true, false});
@@ -813,8 +813,8 @@ void GpuSolver::collideBlade(uint substep) {
     blade_.respond(static_cast<int>(substep));
 }
 
-void GpuSolver::collideBoxes() {
-    boxes_.respond();
+void GpuSolver::collideBoxes(uint substep) {
+    boxes_.respond(static_cast<int>(substep));
 }
 
 void GpuSolver::collideFloor() {

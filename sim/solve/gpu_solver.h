@@ -12,9 +12,10 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/body/body_updater.h"
-#include "sim/contact/blade_contact.h"
-#include "sim/contact/box_contact.h"
+#include "sim/contact/blade_obstacle.h"
+#include "sim/contact/box_obstacles.h"
 #include "sim/contact/contact_solver.h"
+#include "sim/contact/obstacle_contact.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/constraint_view.h"
 #include "sim/solve/faster_way.h"
@@ -91,10 +92,14 @@ class GpuSolver {
     /// Contact of the body with itself, off until then, and with boxes.
     void setContact(const ContactSettings& settings);
     /// What the body collides with. Throws gpu::ShaderError.
-    void setBoxes(std::vector<StaticBox> boxes) { boxes_.setBoxes(std::move(boxes)); }
+    void setBoxes(std::vector<StaticBox> boxes) {
+        boxes_.setObstacles(BoxObstacles::of(std::move(boxes)));
+    }
     /// How the blade's body moves in the coming step; none: it does not push. Throws
     /// gpu::ShaderError.
-    void setBlade(std::optional<BladeMotion> motion) { blade_.setMotion(std::move(motion)); }
+    void setBlade(std::optional<BladeMotion> motion) {
+        blade_.setObstacles(BladeObstacle::of(std::move(motion)));
+    }
     /// One per piece.
     void setVolumeTargets(std::span<const VolumeTarget> targets);
 
@@ -138,7 +143,7 @@ class GpuSolver {
     void pull();
     void collideBody();
     void collideBlade(std::uint32_t substep);
-    void collideBoxes();
+    void collideBoxes(std::uint32_t substep);
     void collideFloor();
     void finishSubstep();
 
@@ -283,8 +288,8 @@ class GpuSolver {
     double contactEdgeLength_ = 0;
     RelativeMotion motion_;  ///< upper bounds
     BodyReach reach_;
-    BoxContact boxes_;
-    BladeContact blade_;
+    ObstacleContact boxes_{BoxObstacles::kind()};
+    ObstacleContact blade_{BladeObstacle::kind()};
     Unfolding unfolding_;
     bool unfolds_ = false;  ///< in this step
     gpu::Timer deformTimer_;

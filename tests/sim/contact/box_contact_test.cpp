@@ -1,9 +1,8 @@
-#include "sim/contact/box_contact.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 
+#include "sim/contact/box_obstacles.h"
 #include "sim/simulation.h"
 #include "sim/state_hash.h"
 #include "tests/support/contact_scenes.h"

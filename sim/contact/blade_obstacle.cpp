@@ -1,4 +1,4 @@
-#include "sim/contact/blade_contact.h"
+#include "sim/contact/blade_obstacle.h"
 
 #include <algorithm>
 #include <utility>
@@ -42,42 +42,30 @@ shared::BladeRecord recordOf(const BladeMotion& motion, std::size_t substep) {
 
 }  // namespace
 
-void BladeContact::setMotion(std::optional<BladeMotion> motion) {
-    motion_ = std::move(motion);
-    if (motion_ && !kernels_) {
-        kernels_.emplace(Kernels{BoxTouches(gpu::Defines{{"BLADE", "1"}}),
-                                 gpu::Program::compute("sim/boxes/blade.comp")});
-    }
+ObstacleKind BladeObstacle::kind() {
+    return {{{"BLADE", "1"}}, "sim/boxes/blade.comp"};
 }
 
-void BladeContact::beginStep(const BodyReach& reach) {
-    reached_ = motion_ && motion_->bounds().overlaps(boundsInStep(reach, settings_));
-    if (!reached_) {
-        return;
-    }
-    std::vector<shared::BladeRecord> records;
-    for (std::size_t i = 0; i + 1 < motion_->frames.size(); ++i) {
-        records.push_back(recordOf(*motion_, i));
-    }
-    blades_.assign(records);
-    kernels_->touches.resize(body_);
-    shared::BoxUniforms uniforms = boxUniforms(settings_, body_, 1);
-    uniforms.depth = static_cast<float>(motion_->halfThickness);
-    kernels_->touches.setUniforms(uniforms);
+std::unique_ptr<const Obstacles> BladeObstacle::of(std::optional<BladeMotion> motion) {
+    return motion ? std::make_unique<BladeObstacle>(std::move(*motion)) : nullptr;
 }
 
-void BladeContact::respond(int substep) {
-    if (!reached_) {
-        return;
+std::size_t BladeObstacle::write(const Bounds& bounds, gpu::Buffer& records) const {
+    if (!motion_.bounds().overlaps(bounds)) {
+        return 0;
     }
-    kernels_->touches.bind(body_, blades_);
-    body_.incidenceRanges->bindStorage(shared::kBladeRangesBinding);
-    body_.incidence->bindStorage(shared::kBladeIncidenceBinding);
-    const auto index = static_cast<std::uint32_t>(substep);
-    kernels_->touches.triangles().set("substep", index);
-    kernels_->vertices.set("substep", index);
-    kernels_->touches.solve(body_);
-    runOver(kernels_->vertices, body_.vertexCount);
+    std::vector<shared::BladeRecord> ofSubsteps;
+    for (std::size_t i = 0; i + 1 < motion_.frames.size(); ++i) {
+        ofSubsteps.push_back(recordOf(motion_, i));
+    }
+    records.assign(ofSubsteps);
+    return 1;
+}
+
+/// No thickness is kept: the walls of a cut lie close.
+TouchDistances BladeObstacle::distances(const ContactSettings& /*settings*/,
+                                        double /*edgeLength*/) const {
+    return {0, static_cast<float>(motion_.halfThickness)};
 }
 
 }  // namespace kerf

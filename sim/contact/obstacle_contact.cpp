@@ -1,0 +1,114 @@
+#include "sim/contact/obstacle_contact.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "shaders/shared/blade_records.h"
+#include "shaders/shared/body_records.h"
+
+namespace kerf {
+
+namespace {
+
+using shared::uint;
+
+static_assert(sizeof(shared::BoxUniforms) == 40);
+static_assert(sizeof(shared::BoxTouch) == 48);
+
+constexpr double kSpeedUp = 4;  // that a body may undergo in a time step
+
+/// Where a body may come in a time step.
+Bounds boundsInStep(const BodyReach& reach, const ContactSettings& settings) {
+    Bounds around = reach.bounds;
+    const double duration = settings.substep * settings.substeps;
+    around.widen(reach.margin + kSpeedUp * reach.speed * duration);
+    return around;
+}
+
+shared::BoxUniforms uniformsOf(const ContactSettings& settings, const ContactBody& body,
+                               const TouchDistances& distances, std::size_t boxCount) {
+    shared::BoxUniforms u{};
+    u.thickness = distances.thickness;
+    u.depth = distances.depth;
+    u.lift = static_cast<float>(settings.liftSpeed * settings.sweeps * settings.substep);
+    u.push = static_cast<float>(settings.liftSpeed * settings.substep);
+    u.friction = static_cast<float>(settings.friction);
+    u.inverse_density = static_cast<float>(settings.inverseDensity);
+    u.unit = static_cast<float>(fixedUnit(settings));
+    u.vertex_count = body.vertexCount;
+    u.triangle_count = body.triangleCount;
+    u.box_count = static_cast<uint>(boxCount);
+    return u;
+}
+
+/// One thread each, then a storage barrier.
+void runOver(const gpu::Program& kernel, uint threads) {
+    kernel.dispatch(threads, shared::kGroupSize);
+    gpu::storageBarrier();
+}
+
+}  // namespace
+
+void ObstacleContact::setObstacles(std::unique_ptr<const Obstacles> obstacles) {
+    obstacles_ = std::move(obstacles);
+    if (obstacles_ && !kernels_) {
+        kernels_.emplace(Kernels{gpu::Program::compute("sim/boxes/triangles.comp", kind_.triangles),
+                                 gpu::Program::compute("sim/boxes/respond.comp"),
+                                 gpu::Program::compute("sim/boxes/apply.comp"),
+                                 gpu::Program::compute(kind_.vertices)});
+    }
+}
+
+void ObstacleContact::setBody(const ContactBody& body, double edgeLength) {
+    body_ = body;
+    edgeLength_ = edgeLength;
+}
+
+void ObstacleContact::beginStep(const BodyReach& reach) {
+    const std::size_t count =
+        obstacles_ ? obstacles_->write(boundsInStep(reach, settings_), records_) : 0;
+    reached_ = count > 0;
+    if (!reached_) {
+        return;
+    }
+    makeRoom();
+    const shared::BoxUniforms uniforms =
+        uniformsOf(settings_, body_, obstacles_->distances(settings_, edgeLength_), count);
+    uniforms_.assign(std::span<const shared::BoxUniforms>(&uniforms, 1));
+}
+
+void ObstacleContact::makeRoom() {
+    touches_.resize(std::max(body_.triangleCount, 1u) * sizeof(shared::BoxTouch));
+    shares_.resize(body_.vertexCount * sizeof(uint));
+    sums_.resize(body_.vertexCount * 6 * sizeof(int));
+}
+
+void ObstacleContact::respond(int substep) {
+    if (!reached_) {
+        return;
+    }
+    bind();
+    // For those that move; the kernels of others do without.
+    kernels_->triangles.set("substep", static_cast<uint>(substep));
+    kernels_->vertices.set("substep", static_cast<uint>(substep));
+    runOver(kernels_->triangles, body_.triangleCount);
+    runOver(kernels_->respond, body_.triangleCount);
+    runOver(kernels_->apply, body_.vertexCount);
+    runOver(kernels_->vertices, body_.vertexCount);
+}
+
+void ObstacleContact::bind() const {
+    uniforms_.bindStorage(shared::kBoxUniformsBinding);
+    body_.positions->bindStorage(shared::kBoxPositionsBinding);
+    body_.displacement->bindStorage(shared::kBoxDisplacementBinding);
+    body_.triangles->bindStorage(shared::kBoxTrianglesBinding);
+    records_.bindStorage(shared::kBoxBoxesBinding);
+    touches_.bindStorage(shared::kBoxRecordsBinding);
+    shares_.bindStorage(shared::kBoxSharesBinding);
+    sums_.bindStorage(shared::kBoxSumsBinding);
+    body_.incidenceRanges->bindStorage(shared::kBladeRangesBinding);
+    body_.incidence->bindStorage(shared::kBladeIncidenceBinding);
+}
+
+}  // namespace kerf

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "shaders/shared/box_records.h"
+#include "sim/contact/contact_solver.h"
+#include "sim/contact/obstacles.h"
+#include "sim/math.h"
+
+namespace kerf {
+
+/// Where a body is and how fast it moves at most: what decides which obstacles it can reach.
+struct BodyReach {
+    Bounds bounds;      ///< [m]
+    double speed = 0;   ///< no vertex is faster [m/s]
+    double margin = 0;  ///< what it may move besides in a time step [m]
+};
+
+/// Contact of a body with obstacles of one kind, on the GPU, with the same bits for any number of
+/// threads: their corners and edges against triangles first, then vertices against them, which have
+/// the last word. Obstacles that the body cannot reach in a time step cost nothing.
+class ObstacleContact {
+  public:
+    explicit ObstacleContact(ObstacleKind kind) : kind_(std::move(kind)) {}
+
+    /// All there are, of the kind; null: none. Compiles the kernels with the first: throws
+    /// gpu::ShaderError.
+    void setObstacles(std::unique_ptr<const Obstacles> obstacles);
+    /// A new body, or one that has more vertices or triangles. `edgeLength`: see
+    /// contactEdgeLength() [m].
+    void setBody(const ContactBody& body, double edgeLength);
+    void setSettings(const ContactSettings& settings) { settings_ = settings; }
+
+    /// Before the first substep of a time step. Throws gpu::OutOfMemory.
+    void beginStep(const BodyReach& reach);
+    /// Whether an obstacle is in reach in this step.
+    bool mayTouch() const { return reached_; }
+    /// Changes d where it leads into an obstacle, and moves X out of where one is inside the body.
+    void respond(int substep);
+
+  private:
+    struct Kernels {
+        gpu::Program triangles, respond, apply, vertices;
+    };
+    void makeRoom();
+    void bind() const;
+
+    ObstacleKind kind_;
+    std::unique_ptr<const Obstacles> obstacles_;
+    std::optional<Kernels> kernels_;
+    ContactBody body_;
+    ContactSettings settings_;
+    double edgeLength_ = 0;  ///< [m]
+    bool reached_ = false;   ///< in this step
+    gpu::Buffer uniforms_, records_;
+    gpu::Buffer touches_, shares_, sums_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "shaders/shared/box_records.h"
+#include "sim/contact/contact_solver.h"
+#include "sim/math.h"
+
+namespace kerf {
+
+/// What the kernels of a kind of obstacles differ in.
+struct ObstacleKind {
+    gpu::Defines triangles;  ///< for where they meet triangles
+    std::string vertices;    ///< path of the kernel that keeps vertices out of them
+};
+
+/// How near and how deep obstacles are touched [m].
+struct TouchDistances {
+    float thickness = 0;  ///< distance kept from them
+    float depth = 0;      ///< farther behind a triangle, nothing of them touches it
+};
+
+/// Rigid things of one kind that a body collides with: boxes, or what the kernels take for one.
+class Obstacles {
+  public:
+    virtual ~Obstacles() = default;
+    /// Writes the records of those that reach into `bounds` in the coming time step [m], for all of
+    /// its substeps. Returns how many a substep meets; 0: none, and nothing was written. Throws
+    /// gpu::OutOfMemory.
+    virtual std::size_t write(const Bounds& bounds, gpu::Buffer& records) const = 0;
+    /// `edgeLength`: see contactEdgeLength() [m].
+    virtual TouchDistances distances(const ContactSettings& settings, double edgeLength) const = 0;
+};
+
+/// Rounded to floats.
+shared::vec4 packed(const Vec3& v, double w);
+/// Columns of `axes`: unit vectors; `half`: half the size along each [m].
+shared::BoxRecord boxRecord(const Vec3& center, const Eigen::Matrix3d& axes, const Vec3& half);
+
+}  // namespace kerf
