@@ -1,0 +1,97 @@
+#include "sim/run/led_blade.h"
+
+#include <algorithm>
+#include <array>
+
+namespace kerf {
+
+namespace {
+
+// By how much the front of a cut lags behind the edge until it moves on (CutSettings::gate), of the
+// edge length of walls.
+constexpr double kMostLag = 0.5;
+
+}  // namespace
+
+std::string checkBlade(const Blade& blade) {
+    if (!blade.a.allFinite() || !blade.b.allFinite()) {
+        return "The blade needs finite coordinates for both ends; it stays where it was.";
+    }
+    if (blade.a == blade.b) {
+        return "The two ends of the blade are the same point; give it a length.";
+    }
+    return "";
+}
+
+bool standsInMaterial(const std::vector<RungNode>& rung) {
+    return std::ranges::any_of(rung, [](const RungNode& node) { return node.vertex >= 0; });
+}
+
+std::optional<Blade> LedBlade::pose() const {
+    return course_ ? std::optional(course_->edge) : std::nullopt;
+}
+
+bool LedBlade::isAt(const Blade& pose) const {
+    return course_ && course_->edge.a == pose.a && course_->edge.b == pose.b;
+}
+
+void LedBlade::moveTo(const Blade& to, double width) {
+    course_ = course_ ? ledTo(*course_, to, width) : BladeCourse{to};
+}
+
+std::vector<Blade> LedBlade::path() const {
+    std::vector<Blade> path;
+    if (course_) {
+        path.push_back(course_->edge);
+    }
+    for (const BladeAction& action : coming_) {
+        if (const auto* move = std::get_if<MoveBlade>(&action)) {
+            path.push_back(move->blade);
+        }
+    }
+    return path;
+}
+
+std::optional<BladeMotion> LedBlade::body(const BladePush& push) const {
+    if (!course_ || course_->farthest <= 0) {
+        return std::nullopt;
+    }
+    return motionOf(std::array{*course_}, push.size, 0, push.wallEdge, 1);
+}
+
+std::optional<BladeMotion> LedBlade::motion(const BladePush& push,
+                                            const std::vector<RungNode>& front) const {
+    std::vector<BladeCourse> courses{*course_};
+    for (const BladeAction& action : coming_) {
+        const auto* move = std::get_if<MoveBlade>(&action);
+        if (move == nullptr) {
+            break;
+        }
+        courses.push_back(ledTo(courses.back(), move->blade, push.size.width));
+    }
+    BladeMotion motion =
+        motionOf(courses, push.size, lagOfBody(courses.back(), front, push.wallEdge), push.wallEdge,
+                 push.substeps);
+    return motion.back > motion.front ? std::optional(std::move(motion)) : std::nullopt;
+}
+
+/// How far behind the edge at the end of a step its body begins: not before where the edge has cut.
+double LedBlade::lagOfBody(const BladeCourse& end, const std::vector<RungNode>& front,
+                           double wallEdge) const {
+    double lag = 0;
+    const auto keepBehind = [&](const Vec3& p, double s) {
+        const Vec3 edge = end.edge.a + s * (end.edge.b - end.edge.a);
+        lag = std::max(lag, end.back.dot(p - edge));
+    };
+    keepBehind(course_->edge.a, 0);
+    keepBehind(course_->edge.b, 1);
+    // A front that waits at the gate and one that has just been cut are one to the plate: it comes
+    // on evenly.
+    const double mostLag = lag + kMostLag * wallEdge;
+    for (const RungNode& node : front) {
+        keepBehind(node.position, node.s);
+    }
+    return standsInMaterial(front) ? std::max(lag, mostLag) : lag;
+}
+
+}  // namespace kerf

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "sim/body/body_updater.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/invariants.h"
+#include "sim/mesh/surface_mesh.h"
+#include "sim/mesh_sync.h"
+#include "sim/params.h"
+#include "sim/prepared_body.h"
+#include "sim/snapshot.h"
+#include "sim/solve/gpu_solver.h"
+#include "sim/solve/hands.h"
+#include "sim/solve/pins.h"
+#include "sim/solve/volume_targets.h"
+
+namespace kerf {
+
+/// The body of a simulation as it runs: constant set-up, running state on the GPU, the mesh, which
+/// is the truth about topology and fetches positions where they are read, and all that cutting and
+/// solving remember of it. What a Snapshot keeps.
+struct RunningBody {
+    /// Of an uncut body at rest that `loadedSolver` has been given.
+    RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver);
+
+    /// The uncut body at rest, nothing held or pinned. measureAtRest() once the parameters apply.
+    void startAnew();
+    void measureAtRest();
+    void apply(const Params& params);
+
+    /// Equal to the body as it is; null never.
+    SnapshotPointer capture();
+    /// Bit for bit. The parameters are to be applied again.
+    void restore(const Snapshot& snapshot);
+
+    /// Lets targets of volumes fade and hands move, before the solver's step of `timeStep` [s].
+    void prepareStep(double timeStep);
+    /// Lets pieces answer to each other as in the paper: the state comes back from the GPU and goes
+    /// up again. Returns how many pairs of triangles met.
+    int collideAsThePaper(double timeStep);
+    void bringLostPiecesBack();
+    /// The solver's step is over.
+    void endStep();
+
+    /// Whether what is swept between these points [m] comes near the body.
+    bool isNear(std::span<const Vec3> sweep);
+    /// The rung where the blade last cut, as it lies now.
+    std::vector<RungNode> front() const;
+    /// After a cut. Returns "" or what makes the mesh no closed manifold.
+    std::string adopt(const CutDelta& delta);
+
+    /// See Simulation::readAllBack().
+    void readAllBack(bool all);
+
+    const BodyModel& model() const { return updater->model(); }
+    /// Whether walls of a stroke of the open course are absent.
+    bool isOpen() const;
+    const PieceMap& pieces();
+
+    // What it was made with.
+    const std::shared_ptr<const UncutBody> uncut;
+    const double diagonal;  ///< of the uncut body at rest [m]
+    const double wallEdge;  ///< edge length of walls [m]
+
+    const std::unique_ptr<SurfaceMesh> meshOwner;
+    SurfaceMesh& mesh = *meshOwner;
+    std::unique_ptr<BodyUpdater> updater;
+    const std::unique_ptr<GpuSolver> solverOwner;
+    GpuSolver& solver = *solverOwner;
+    MeshSync sync{mesh, solver};
+    bool readsAllBack = false;
+    std::optional<Cutter> cutter;
+    VolumeTargets volumeTargets;
+    Hands hands;
+    Pins pins;
+    BodyMeasure measure;  ///< as of the last step
+    SubdivisionCounts subdivisions{};
+    bool closed = true;
+
+  private:
+    void lookUpTriangles();
+    void beginAtRest();
+
+    std::optional<PieceMap> pieces_;  ///< of the mesh as it is, where it is known
+};
+
+}  // namespace kerf

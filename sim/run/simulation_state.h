@@ -1,0 +1,131 @@
+#pragma once
+
+#include <spdlog/fmt/fmt.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/box_edit.h"
+#include "sim/run/led_blade.h"
+#include "sim/run/running_body.h"
+#include "sim/run/undo_log.h"
+#include "sim/simulation.h"
+
+namespace kerf {
+
+struct Moment::Content {
+    SnapshotPointer body;
+    Params params;
+    std::vector<StaticBox> boxes;
+    LedBlade blade;
+    UndoLog log;
+    int stepsDone = 0;
+    double time = 0;  ///< [s]
+    StepReport report;
+};
+
+/// What a simulation was made with besides the body; constant.
+struct SimulationSetup {
+    Params params;
+    std::vector<StaticBox> boxes;
+};
+
+/// A running simulation. Its parts stand in files of their own: the step in simulation.cpp, the
+/// course of a stroke in stroke.cpp, commands in commands.cpp, undo in undo.cpp.
+struct Simulation::State {
+    State(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver, SimulationSetup with);
+
+    void start();
+    const StepReport& step();
+
+    // Commands that take effect at once; each returns "" or one sentence.
+    std::string execute(const MoveBlade& move);
+    std::string execute(const LiftBlade& lift);
+    std::string execute(const SetParam& set);
+    std::string execute(const Grab& grab);
+    std::string execute(const Drag& drag);
+    std::string execute(const Release& release);
+    std::string execute(const Pin& pin);
+    std::string execute(const AddBox& add) { return apply(edited(boxes, add)); }
+    std::string execute(const ChangeBox& change) { return apply(edited(boxes, change)); }
+    std::string execute(const RemoveBox& remove) { return apply(edited(boxes, remove)); }
+    std::string execute(const Restart&);
+    std::string execute(const Undo&);
+    std::string execute(const Redo&);
+
+    Moment moment();
+    void goTo(const Moment::Content& then);
+
+    std::optional<BladeMotion> bladeBody() const;
+
+    const SimulationSetup setup;
+    RunningBody body;
+
+    // Input.
+    Params params;
+    bool paramsChanged = false;
+    std::vector<StaticBox> boxes;
+    LedBlade blade;
+
+    UndoLog log;
+    SnapshotPointer current;    ///< equal to the state as it is; null where none is known to be
+    bool toldTooLarge = false;  ///< for the undo memory, since a body last fit into it
+
+    // Output.
+    StepReport report;
+    CutResult lastCut;
+    std::vector<std::string> messages;
+    int stepsDone = 0;
+    int bodyRevision = 0;
+    double time = 0;        ///< [s]
+    int lastLossStep = -2;  ///< the last step that lost a piece
+    int paperContacts = 0;  ///< pairs of triangles, with paper_contact
+
+  private:
+    void startRun();
+    void startBody();
+    void beginAtRest();
+
+    // The phases of a step.
+    void applyParameters();
+    void solve();
+    void foreseeCut();
+    void moveBody();
+    double collideAsThePaper();
+    void takeBackLostPieces();
+    void cutAll();
+    void publish();
+
+    // The course of a stroke.
+    void cut(const MoveBlade& move);
+    void cut(const LiftBlade& lift);
+    bool mayTouch(const Blade& to);
+    void beginStroke();
+    void endStroke();
+    void accept(const CutResult& result);
+    void putBladeAway();
+    BladePush bladePush() const;
+    std::optional<BladeMotion> bladeMotion() const;
+
+    // Undo.
+    SnapshotPointer capture();
+    SnapshotPointer captureForUndo();
+    void restoreBody(const SnapshotPointer& snapshot);
+    void tellOf(UndoLog::Noted noted);
+    void apply(const UndoEntry::ParamChange& change, bool forward);
+    void apply(const UndoEntry::PinChange& change, bool forward);
+    void apply(const UndoEntry::BodyChange& change, bool forward);
+    void apply(const UndoEntry::BoxesChange& change, bool forward);
+    std::string apply(BoxEdit edit);
+    void setBoxes(std::vector<StaticBox> now);
+    /// Something is about to differ from the last snapshot.
+    void touch() { current.reset(); }
+
+    template <class... Parts>
+    void say(fmt::format_string<Parts...> format, Parts&&... parts) {
+        messages.push_back(fmt::format(format, std::forward<Parts>(parts)...));
+    }
+};
+
+}  // namespace kerf

@@ -1,0 +1,61 @@
+#include "sim/run/step_report.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "sim/text.h"
+
+namespace kerf {
+
+void StepReport::add(const CutStatistics& cut) {
+    touchedTriangles += cut.touchedTriangles;
+    addTo(subdivisions, cut.patterns);
+    seeds += cut.seeds;
+    debris.pieces += cut.debris.pieces;
+    debris.volume += cut.debris.volume;
+}
+
+void StepReport::describe(const BodyModel& model, const BodyMeasure& measure) {
+    volume = 0;
+    vertices = 0;
+    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+        volume += measure.pieceVolumes[p];
+        vertices += static_cast<int>(model.pieces[p].vertexCount);
+    }
+    volumeRatio = volume / model.uncutRestVolume;
+    pieces = static_cast<int>(model.pieces.size());
+    triangles = static_cast<int>(model.triangles.size());
+    ispcs = static_cast<int>(model.ispcs.size());
+    contacts = measure.contacts;
+    kineticEnergy = measure.kineticEnergy;
+    potentialEnergy = measure.potentialEnergy;
+    strainEnergy = measure.strainEnergy;
+}
+
+std::vector<std::string> sentencesAbout(const CutResult& result, int step) {
+    std::vector<std::string> sentences;
+    if (result.outcome == CutOutcome::refused) {
+        sentences.push_back(fmt::format("step {}: the cut was refused ({}); the blade goes on",
+                                        step, result.reason));
+    }
+    const Debris& debris = result.statistics.debris;
+    if (debris.pieces > 0) {
+        sentences.push_back(fmt::format("step {}: removed {} that the cut left, {:.3g} m^3 in all",
+                                        step, counted(debris.pieces, "chip", "chips"),
+                                        debris.volume));
+    }
+    const WoundClosing& closing = result.statistics.closing;
+    if (closing.slits > 0) {
+        sentences.push_back(
+            fmt::format("step {}: the stroke ended inside the body, where a wound has no loop to "
+                        "patch; {} closed by the walls that the blade swept",
+                        step, counted(closing.slits, "wound is", "wounds are")));
+    }
+    if (closing.unpatched > 0) {
+        sentences.push_back(fmt::format(
+            "step {}: {} closed by the walls that the blade swept instead of a patch ({})", step,
+            counted(closing.unpatched, "wound is", "wounds are"), closing.reason));
+    }
+    return sentences;
+}
+
+}  // namespace kerf

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/body/body_model.h"
+#include "sim/cut/cutter.h"
+#include "sim/solve/gpu_solver.h"
+
+namespace kerf {
+
+/// One row of metrics.csv, known after a step.
+struct StepReport {
+    int step = 0;            ///< index of the step that just ran, from 0
+    double time = 0;         ///< simulated time at its end [s]
+    double volume = 0;       ///< sum over pieces [m^3]
+    double volumeRatio = 1;  ///< against the uncut rest shape
+    int pieces = 1;
+    int vertices = 0;
+    int triangles = 0;
+    int ispcs = 0;
+    int touchedTriangles = 0;
+    SubdivisionCounts subdivisions{};  ///< of the touched triangles, in this step
+    int seeds = 0;                     ///< groups of neighbours among the touched triangles
+    Debris debris;                     ///< removed in this step
+    int contacts = 0;                  ///< of the body with itself in the last substep
+    bool closed = true;
+    bool open = false;                   ///< walls of a stroke of the open course are absent
+    double kineticEnergy = 0;            ///< see BodyMeasure [J]
+    double potentialEnergy = 0;          ///< [J]
+    std::optional<double> strainEnergy;  ///< of the material; none with plain PBD [J]
+    int lostPieces = 0;  ///< pieces that ran away and were taken back to where the step began
+    double deformMs = 0;
+    double collideMs = 0;
+    double cutMs = 0;
+
+    /// What a movement of the blade did.
+    void add(const CutStatistics& cut);
+    /// What the body has become; contacts as the measure knows them.
+    void describe(const BodyModel& model, const BodyMeasure& measure);
+};
+
+/// What a person is told of a movement of the blade in a step.
+std::vector<std::string> sentencesAbout(const CutResult& result, int step);
+
+}  // namespace kerf
