@@ -227,6 +227,61 @@ double middleOfFront(const StepInput& in, const Strip& strip) {
     return first < last ? 0.5 * (first + last) : 0.5 * (in.span.from + in.span.to);
 }
 
+/// A chain of front edges, by its first and its last node.
+struct Chain {
+    int first;
+    int last;
+};
+
+/// Those that end at the skin, not at an end of the rung.
+std::vector<Chain> chainsInside(const Strip& strip) {
+    std::vector<Chain> chains;
+    for (int i = 1; i + 1 < strip.oldCount; ++i) {
+        if (!strip.attachedBefore(i) && strip.nodes[i].attached) {
+            int last = i + 1;
+            while (last < strip.oldCount && strip.nodes[last].attached) {
+                ++last;
+            }
+            if (last + 1 < strip.oldCount) {
+                chains.push_back({i, last});
+            }
+        }
+    }
+    return chains;
+}
+
+/// Whether a triangle between a front edge and the blade at s would lie on the walls behind it.
+bool foldsBack(const StepInput& in, const Strip& strip, int edge, double s) {
+    const StripNode& p = strip.nodes[edge];
+    const StripNode& q = strip.nodes[edge + 1];
+    const bool stays = s == in.span.from && in.span.holdsFrom;
+    const Vec3 apex = stays ? strip.nodes.front().position : bladePoint(in, s);
+    const Vec3 along = (q.position - p.position).stableNormalized();
+    const Vec3 ahead = bladePoint(in, 0.5 * (p.s + q.s)) - 0.5 * (p.position + q.position);
+    return (apex - p.position).dot(ahead - along * along.dot(ahead)) < 0;
+}
+
+// A short front leans as it likes: what joins it to the far end of the blade alone may fold back
+// onto its walls. A point ahead of its middle keeps the strip before it.
+void stayAheadOfShortFronts(const StepInput& in, const Strip& strip,
+                            std::vector<double>& parameters) {
+    for (const Chain& chain : chainsInside(strip)) {
+        const double first = strip.nodes[chain.first].s;
+        const double last = strip.nodes[chain.last].s;
+        const auto behind = std::ranges::upper_bound(parameters, last);
+        if (behind == parameters.begin() || behind == parameters.end() || *(behind - 1) >= first) {
+            continue;
+        }
+        bool folds = false;
+        for (int i = chain.first; i < chain.last; ++i) {
+            folds |= foldsBack(in, strip, i, *(behind - 1));
+        }
+        if (folds) {
+            parameters.insert(behind, 0.5 * (first + last));
+        }
+    }
+}
+
 // R1 has a point above every interior front node, never above a surface entry: for a straight
 // stroke that one would lie exactly in the surface.
 std::vector<double> newRungParameters(const StepInput& in, const Strip& strip,
@@ -251,6 +306,7 @@ std::vector<double> newRungParameters(const StepInput& in, const Strip& strip,
         result.push_back(middleOfFront(in, strip));
     }
     result.push_back(in.span.to);
+    stayAheadOfShortFronts(in, strip, result);
     return result;
 }
 

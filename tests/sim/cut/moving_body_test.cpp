@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/cut/cutter.h"
 #include "sim/cut/piece_groups.h"
@@ -122,6 +123,30 @@ TEST(MovingBody, RisingThroughTheBladeInTheAirMakesNoMoreWalls) {
         walls.push_back(wallsOf(mesh));
     }
     EXPECT_NEAR(walls[1], walls[0], 0.1 * walls[0]);
+}
+
+/// The body at rest with waves across z, turned about z.
+void turnAndBend(SurfaceMesh& mesh, double angle, double phase) {
+    const Eigen::AngleAxisd turn(angle, Vec3::UnitZ());
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3& rest = mesh.restPosition(v);
+        const double wave = 0.009 * std::sin(25 * rest.y() + 10 * rest.x() + phase);
+        mesh.setPosition(v, turn * Vec3(rest + Vec3(0, 0, wave)));
+    }
+}
+
+// A front of a single edge: the strip to the far ends of the blade would fold back onto its walls.
+TEST(MovingBody, AShortFrontMayLeanAgainstALongBlade) {
+    for (const double angle : {0.02, 0.06, 0.1}) {
+        SurfaceMesh mesh = test::box({0.1, 1, 1}, 4);
+        Cutter cutter(mesh, CutSettings{});
+        const CutCheck check = test::runStroke(
+            cutter, mesh, down(),
+            [&](SurfaceMesh& body, int step) { turnAndBend(body, angle * (step % 3), step); });
+        expectParted(mesh, check);
+        EXPECT_EQ(check.retried, 0);
+        EXPECT_EQ(check.resumed, 0);
+    }
 }
 
 TEST(MovingBody, AFrontEndThatSlidesOverItsNeighboursIsNoReasonToRefuse) {
