@@ -15,6 +15,9 @@ constexpr double kLeastAirEdge = 0.2;  // shorter ones cross an older slit, wher
 constexpr double kFromVertex = 0.1;    // from a mesh vertex to the end of a part in the air
 // Of what the blade has to be ahead somewhere: an inner node goes.
 constexpr double kLeastOfInner = 0.5;
+// A front that moves along with the blade slips past it in any direction; from so much way on
+// (share of h, on average) the direction is that of the cut.
+constexpr double kLeastWay = 0.25;
 
 Vec3 pointOn(const Blade& blade, double s) {
     return blade.a + (blade.b - blade.a) * s;
@@ -230,7 +233,7 @@ Vec3 advanceOf(const Blade& blade, double h, const std::vector<RungNode>& from,
         sum += pointOn(blade, node.s) - p.position - t * (q.position - p.position);
         ++count;
     }
-    return sum.norm() > kBehind * h * count ? sum : Vec3(Vec3::Zero());
+    return sum.norm() > kLeastWay * h * count ? sum : Vec3(Vec3::Zero());
 }
 
 }  // namespace kerf::cut

@@ -38,7 +38,7 @@ std::vector<RungNode> replaced(const std::vector<RungNode>& rung, const RungPart
 std::vector<RungNode> stayingFront(const std::vector<RungNode>& rung, const RungPart& part);
 
 /// How the blade went on from the old rung where the new one has mesh vertices. Zero where there
-/// are none, or where it hardly moved.
+/// are none, or where the way is too short to tell its direction.
 Vec3 advanceOf(const Blade& blade, double h, const std::vector<RungNode>& from,
                const std::vector<RungNode>& next);
 

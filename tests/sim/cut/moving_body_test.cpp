@@ -149,6 +149,22 @@ TEST(MovingBody, AShortFrontMayLeanAgainstALongBlade) {
     }
 }
 
+// Meanwhile the front slips past the blade sideways, which is not where the cut goes on.
+TEST(MovingBody, WhatFallsAlongWithTheBladeIsCutOnceItStands) {
+    const Vec3 fall(0, -0.041, 0);  // a little faster than the blade
+    for (const double slip : {-0.005, 0.003, 0.01, 0.02, 0.03, 0.05}) {
+        SurfaceMesh mesh = test::icosphere(3);
+        Cutter cutter(mesh, CutSettings{});
+        const CutCheck check =
+            test::runStroke(cutter, mesh, down(), [&](SurfaceMesh& body, int step) {
+                if (step > 27 && step < 36) {
+                    shift(body, allVertices(body), fall + Vec3(0, 0, slip));
+                }
+            });
+        expectParted(mesh, check);
+    }
+}
+
 TEST(MovingBody, AFrontEndThatSlidesOverItsNeighboursIsNoReasonToRefuse) {
     const double h = 0.08;
     for (const double slip : {0.1, 0.2, 0.3}) {

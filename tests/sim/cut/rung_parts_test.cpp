@@ -83,6 +83,16 @@ TEST(RungParts, WhatGoesOnTakesThePlaceOfThePart) {
     }
 }
 
+Vec3 advanceBy(const Vec3& way) {
+    return advanceOf({way, Vec3::UnitY() + way}, kH, rungAlongY(), rungAlongY());
+}
+
+// A front that moves along with the blade slips past it anywhere.
+TEST(RungParts, AShortWayTellsNoDirection) {
+    EXPECT_EQ(advanceBy({0.1 * kH, 0, 0.2 * kH}), Vec3(Vec3::Zero()));
+    EXPECT_GT(advanceBy({0.4 * kH, 0, 0.2 * kH}).x(), 0);
+}
+
 double wallArea(const SurfaceMesh& mesh) {
     double area = 0;
     for (const int t : livingTriangles(mesh)) {
