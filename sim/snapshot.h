@@ -7,6 +7,7 @@
 #include "sim/contact/contact_solver.h"
 #include "sim/cut/cutter.h"
 #include "sim/mesh/surface_mesh.h"
+#include "sim/solve/body_measure.h"
 #include "sim/solve/hands.h"
 #include "sim/solve/pins.h"
 #include "sim/solve/volume_targets.h"

@@ -47,7 +47,7 @@ struct SolverUniforms {
     uint triangle_count;
     uint piece_count;
     uint pull_count;      // vertices that hands hold
-    float runaway_speed;  // a vertex that is faster is lost [m/s]; set by GpuSolver
+    float runaway_speed;  // a vertex that is faster is lost [m/s]; set by SolverBody
 };
 
 SHARED_END

@@ -6,7 +6,7 @@
 
 #include "sim/body/body_model.h"
 #include "sim/cut/cutter.h"
-#include "sim/solve/gpu_solver.h"
+#include "sim/solve/body_measure.h"
 
 namespace kerf {
 

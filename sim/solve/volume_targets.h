@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/body/body_model.h"
-#include "sim/solve/gpu_solver.h"
+#include "sim/solve/solver_pieces.h"
 
 namespace kerf {
 

@@ -1,0 +1,111 @@
+#include "sim/solve/body_measure.h"
+
+#include <algorithm>
+
+#include "shaders/shared/bindings.h"
+
+namespace kerf {
+
+namespace {
+
+using gpu::TexelFormat;
+
+Vec3 xyz(const shared::vec4& a) {
+    return {a.x, a.y, a.z};
+}
+
+/// Adds what one block measured.
+void add(const shared::BlockMeasure& block, std::uint32_t piece, SolverMeasure& sum) {
+    const shared::vec4& low = block.low_volume;
+    sum.body.pieceVolumes[piece] += low.w;
+    sum.body.kineticEnergy += block.low_velocity_kinetic.w;
+    sum.body.potentialEnergy += block.high_velocity_potential.w;
+    sum.body.strainEnergy += block.low_drift_strain.w;
+    sum.folded = sum.folded || block.high_drift.w > 0;
+    if (low.x > block.high_lost.x) {
+        return;  // all vertices of the block's pages have gone to other pieces
+    }
+    sum.body.pieceBounds[piece].add(xyz(low));
+    sum.body.pieceBounds[piece].add(xyz(block.high_lost));
+    sum.velocities.add(xyz(block.low_velocity_kinetic));
+    sum.velocities.add(xyz(block.high_velocity_potential));
+    sum.ways.add(xyz(block.low_drift_strain));
+    sum.ways.add(xyz(block.high_drift));
+}
+
+}  // namespace
+
+BodyMeasurer::BodyMeasurer(SolverBody& body)
+    : body_(body),
+      measure_(gpu::Program::compute("sim/measure.comp")),
+      collect_(gpu::Program::compute("sim/collect.comp")) {}
+
+SolverMeasure BodyMeasurer::measure(const ContactSolver& contacts) {
+    runMeasure(contacts);
+    const std::vector<shared::BlockRecord>& blocks = body_.pieces.blocks();
+    const std::size_t pieceCount = body_.pieces.pieces().size();
+    const auto measures =
+        body_.pieces.blockMeasures.read<shared::BlockMeasure>(0, blocks.size() + 1);
+    SolverMeasure out;
+    BodyMeasure& body = out.body;
+    body.pieceVolumes.assign(pieceCount, 0.0);
+    body.pieceBounds.resize(pieceCount);
+    std::vector<bool> lost(pieceCount, false);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        add(measures[b], blocks[b].piece, out);
+        lost[blocks[b].piece] = lost[blocks[b].piece] || measures[b].high_lost.w != 0.0f;
+    }
+    for (std::size_t p = 0; p < pieceCount; ++p) {
+        body.bounds.add(body.pieceBounds[p]);
+        if (lost[p] || body.pieceBounds[p].diagonal() > kLargestPiece * body_.model.diagonal) {
+            body.lostPieces.push_back(static_cast<int>(p));
+        }
+    }
+    const shared::vec4& ofContacts = measures[blocks.size()].low_volume;
+    body.contacts = contacts.enabled() ? static_cast<int>(ofContacts.x) : 0;
+    out.hasCandidates = ofContacts.y > 0;
+    return out;
+}
+
+void BodyMeasurer::runMeasure(const ContactSolver& contacts) {
+    body_.bind();
+    body_.pieces.blockMeasures.bindStorage(shared::kBlockSumsBinding);
+    contacts.state().bindStorage(shared::kContactCountsOfStepBinding);
+    // Of another body it has another size; candidates are then looked for anyway.
+    const gpu::Buffer& searched = contacts.searchedPositions();
+    const gpu::Buffer& positions = body_.state.positions;
+    (searched.size() == positions.size() ? searched : positions)
+        .bindStorage(shared::kSearchedBinding);
+    if (nearby_.asks()) {
+        nearby_.renew();
+    }
+    nearby_.bind();
+    bindConstraints();
+    body_.runOverBlocks(measure_);
+    collectAsked(nearby_);
+}
+
+/// As texels: the triangles around each vertex are read besides.
+void BodyMeasurer::bindConstraints() const {
+    const SolverModel& model = body_.model;
+    model.edgeRanges.bindTexels(shared::kEdgeRangesBinding, TexelFormat::uint32x2);
+    model.spokes.bindTexels(shared::kSpokesBinding, TexelFormat::uint32x4);
+    model.bends.bindTexels(shared::kBendsBinding, TexelFormat::uint32x4);
+    model.ispcs.bindTexels(shared::kIspcsBinding, TexelFormat::uint32x4);
+}
+
+VertexStates BodyMeasurer::statesOf(std::span<const int> vertices) {
+    collected_.ask(std::nullopt, vertices);
+    body_.bind();
+    collectAsked(collected_);
+    return collected_.take();
+}
+
+void BodyMeasurer::collectAsked(const NearbyVertices& query) {
+    if (query.asked() > 0) {
+        query.bind();
+        body_.run(collect_, query.asked());
+    }
+}
+
+}  // namespace kerf

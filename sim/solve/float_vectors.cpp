@@ -1,0 +1,29 @@
+#include "sim/solve/float_vectors.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+std::vector<shared::vec4> packed(const std::vector<Vec3f>& values) {
+    std::vector<shared::vec4> out(values.size());
+    std::ranges::transform(values, out.begin(), [](const Vec3f& a) { return packed(a, 0.0f); });
+    return out;
+}
+
+std::vector<Vec3f> unpacked(const gpu::Buffer& buffer, std::size_t count) {
+    const std::vector<shared::vec4> values = buffer.read<shared::vec4>(0, count);
+    std::vector<Vec3f> out(count);
+    std::ranges::transform(values, out.begin(),
+                           [](const shared::vec4& a) { return Vec3f(a.x, a.y, a.z); });
+    return out;
+}
+
+Bounds boundsOf(const std::vector<Vec3f>& values) {
+    Bounds box;
+    for (const Vec3f& u : values) {
+        box.add(u.cast<double>());
+    }
+    return box;
+}
+
+}  // namespace kerf

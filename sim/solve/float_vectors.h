@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "shaders/shared/shared_types.h"
+#include "sim/math.h"
+
+namespace kerf {
+
+inline std::uint32_t size32(std::size_t size) {
+    return static_cast<std::uint32_t>(size);
+}
+
+inline shared::vec4 packed(const Vec3f& a, float w) {
+    return {a.x(), a.y(), a.z(), w};
+}
+/// With w = 0.
+std::vector<shared::vec4> packed(const std::vector<Vec3f>& values);
+/// Waits for the GPU.
+std::vector<Vec3f> unpacked(const gpu::Buffer& buffer, std::size_t count);
+
+/// [m] or [m/s], as the values.
+Bounds boundsOf(const std::vector<Vec3f>& values);
+
+}  // namespace kerf

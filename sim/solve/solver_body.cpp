@@ -1,0 +1,104 @@
+#include "sim/solve/solver_body.h"
+
+#include <span>
+
+#include "gpu/context.h"
+#include "shaders/shared/bindings.h"
+#include "sim/solve/float_vectors.h"
+#include "sim/solve/solver_uniforms.h"
+
+namespace kerf {
+
+using gpu::TexelFormat;
+using shared::uint;
+
+static_assert(sizeof(shared::SolverUniforms) == 112);
+static_assert(sizeof(shared::PullRecord) == 28);
+
+double runawaySpeed(double diagonal, double gravity) {
+    constexpr double kDiagonalsPerSecond = 1000;
+    constexpr double kFall = 100;  // [s]
+    return kDiagonalsPerSecond * diagonal + kFall * gravity;
+}
+
+SolverBody::SolverBody() : loadsImages(gpu::queryDevice().software) {
+    setPulls({});
+}
+
+void SolverBody::setParameters(const shared::SolverUniforms& parameters) {
+    const shared::SolverUniforms counts = uniforms;
+    uniforms = parameters;
+    uniforms.vertex_count = counts.vertex_count;
+    uniforms.edge_count = counts.edge_count;
+    uniforms.bend_count = counts.bend_count;
+    uniforms.ispc_count = counts.ispc_count;
+    uniforms.triangle_count = counts.triangle_count;
+    uniforms.piece_count = counts.piece_count;
+    uniforms.pull_count = counts.pull_count;
+    uploadUniforms();
+}
+
+void SolverBody::setCountsOf(const BodyModel& of) {
+    setCounts(uniforms, of);
+    uploadUniforms();
+}
+
+void SolverBody::setPulls(const std::vector<shared::PullRecord>& records) {
+    if (records.empty() && uniforms.pull_count == 0 && pulls.size() > 0) {
+        return;
+    }
+    pulls.assign(records);
+    uniforms.pull_count = size32(records.size());
+    uploadUniforms();
+}
+
+void SolverBody::uploadUniforms() {
+    const shared::vec4& g = uniforms.gravity;
+    uniforms.runaway_speed =
+        static_cast<float>(runawaySpeed(model.diagonal, Vec3(g.x, g.y, g.z).norm()));
+    uniformBuffer.assign(std::span<const shared::SolverUniforms>(&uniforms, 1));
+}
+
+bool SolverBody::plainPbd() const {
+    return !active(shared::kPullAsBeforePart) && uniforms.damping_ratio == 0 &&
+           uniforms.stretch_compliance == 0 && uniforms.bend_compliance == 0 &&
+           uniforms.ispc_compliance == 0;
+}
+
+void SolverBody::bind() const {
+    uniformBuffer.bindStorage(shared::kUniformsBinding);
+    pieces.pieceBuffer.bindStorage(shared::kPiecesBinding);
+    pieces.blockBuffer.bindStorage(shared::kBlocksBinding);
+    const auto bindBoth = [&](const gpu::Buffer& buffer, uint binding, TexelFormat format) {
+        buffer.bindStorage(binding);
+        bindFetched(buffer, binding, format);
+    };
+    bindBoth(state.positions, shared::kPositionsBinding, TexelFormat::float32x4);
+    bindBoth(state.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
+    bindBoth(state.displacement, shared::kDisplacementBinding, TexelFormat::float32x4);
+    bindBoth(model.links, shared::kLinksBinding, TexelFormat::uint32x4);
+    bindBoth(state.gradients, shared::kGradientsBinding, TexelFormat::float32x4);
+}
+
+void SolverBody::bindFetched(const gpu::Buffer& buffer, uint binding, TexelFormat format) const {
+    buffer.bindTexels(binding, format);
+    if (loadsImages) {
+        buffer.bindImage(binding, format);
+    }
+}
+
+void SolverBody::run(const gpu::Program& kernel, uint threads) {
+    kernel.dispatch(threads, shared::kGroupSize);
+    gpu::storageBarrier();
+    ++dispatches;
+}
+
+void SolverBody::runOverBlocks(const gpu::Program& kernel) {
+    bindFetched(model.neighbours.ranges, shared::kRangesBinding, TexelFormat::uint32x2);
+    bindFetched(model.neighbours.entries, shared::kEntriesBinding, TexelFormat::uint32x2);
+    bindFetched(pieces.placeBuffer, shared::kPlacesBinding, TexelFormat::uint32);
+    pieces.pageBuffer.bindStorage(shared::kPagesBinding);
+    run(kernel, size32(pieces.blocks().size()) * shared::kGroupSize);
+}
+
+}  // namespace kerf

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "shaders/shared/body_records.h"
+#include "shaders/shared/solver_uniforms.h"
+#include "sim/solve/scatter.h"
+#include "sim/solve/solver_model.h"
+#include "sim/solve/solver_pieces.h"
+#include "sim/solve/solver_state.h"
+
+namespace kerf {
+
+/// What no vertex of a body of this size reaches but by a blow-up: 1000 diagonals a second, and
+/// what free fall adds in 100 s. `diagonal` [m], `gravity` [m/s^2].
+double runawaySpeed(double diagonal, double gravity);
+
+/// A body on the GPU, as the solver's kernels see it: constant set-up, running state, parameters.
+struct SolverBody {
+    SolverBody();
+
+    /// Takes the parameters of `parameters`; its counts are ignored.
+    void setParameters(const shared::SolverUniforms& parameters);
+    void setCountsOf(const BodyModel& of);
+    void setPulls(const std::vector<shared::PullRecord>& records);
+
+    bool active(shared::uint part) const { return (uniforms.active_parts & part) != 0; }
+    /// Nothing is damped or gives way, so that kernels compiled for it give the same bits.
+    bool plainPbd() const;
+    /// Binds what most kernels read.
+    void bind() const;
+    /// For kernels that fetch it: as texels and, where loadsImages, as an image.
+    void bindFetched(const gpu::Buffer& buffer, std::uint32_t binding,
+                     gpu::TexelFormat format) const;
+    /// One thread each, then a storage barrier.
+    void run(const gpu::Program& kernel, std::uint32_t threads);
+    /// One group for each block, of the vertices on its pages.
+    void runOverBlocks(const gpu::Program& kernel);
+
+    const bool loadsImages;  ///< on llvmpipe, see fetch.glsl
+    SolverModel model;
+    SolverPieces pieces;
+    SolverState state;
+    shared::SolverUniforms uniforms{};
+    gpu::Buffer uniformBuffer, pulls;
+    Scatter scatter;
+    long dispatches = 0;  ///< kernels started so far
+
+  private:
+    void uploadUniforms();
+};
+
+}  // namespace kerf

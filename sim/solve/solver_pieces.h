@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "shaders/shared/body_records.h"
+#include "sim/body/body_model.h"
+#include "sim/solve/scatter.h"
+#include "sim/solve/vertex_pages.h"
+
+namespace kerf {
+
+/// What volume a piece is held at; chips are left alone (PieceModel::holdsVolume).
+struct VolumeTarget {
+    double volume = 0;  ///< [m^3]
+    bool constrained = true;
+};
+
+/// The pieces of a body on the GPU, with the pages on which their vertices lie and the blocks of
+/// pages over which work groups sum.
+class SolverPieces {
+  public:
+    /// How the vertices of each piece lie in memory, of a new body; upload() follows.
+    void setPages(VertexPages pages);
+    /// The same after a cut.
+    void updatePages(std::span<const LabelMove> moves, const BodyModel& model);
+    const VertexPages& pages() const { return pages_; }
+
+    /// Records of all pieces: few, however large the body, since pages hold hundreds of vertices.
+    /// Volume targets are the rest volumes. Throws gpu::OutOfMemory.
+    void upload(const BodyModel& model, Scatter& scatter);
+    /// One per piece.
+    void setVolumeTargets(std::span<const VolumeTarget> targets);
+
+    const std::vector<shared::PieceRecord>& pieces() const { return pieces_; }
+    const std::vector<shared::BlockRecord>& blocks() const { return blocks_; }
+
+    gpu::Buffer pieceBuffer, blockBuffer, pageBuffer, placeBuffer;
+    gpu::Buffer blockSums, impulses, blockMeasures;  ///< room for what is summed
+
+  private:
+    void addRecord(const PieceModel& piece, std::size_t number, std::vector<std::uint32_t>& table);
+    void makeRoomForSums();
+
+    VertexPages pages_;
+    std::vector<shared::PieceRecord> pieces_;
+    std::vector<shared::BlockRecord> blocks_;
+};
+
+}  // namespace kerf

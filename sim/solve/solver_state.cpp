@@ -1,0 +1,45 @@
+#include "sim/solve/solver_state.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/solve/float_vectors.h"
+
+namespace kerf {
+
+void SolverState::makeRoom(const BodyModel& model) {
+    const std::size_t vertexBytes = model.restPositions.size() * sizeof(shared::vec4);
+    displacement.resize(vertexBytes);
+    previous.resize(vertexBytes);
+    gradients.resize(vertexBytes);
+    corrections.resize(sizeof(shared::vec4) *
+                       std::max({2 * model.bends.size(), model.ispcs.size(), std::size_t{1}}));
+}
+
+void SolverState::assign(const BodyState& state) {
+    positions.assign(packed(state.positions));
+    velocities.assign(packed(state.velocities));
+}
+
+void SolverState::update(std::span<const std::uint32_t> written, const BodyState& state,
+                         std::size_t count, Scatter& scatter) {
+    assert(state.positions.size() == written.size() && state.velocities.size() == written.size());
+    const auto place = [&](std::uint32_t v) {
+        return std::ranges::lower_bound(written, v) - written.begin();
+    };
+    const auto keep = Scatter::Gaps::keep;
+    for (gpu::Buffer* buffer : {&positions, &saved}) {
+        scatter.write<shared::vec4>(*buffer, count, written, keep, [&](std::uint32_t v) {
+            return packed(state.positions[place(v)], 0.0f);
+        });
+    }
+    scatter.write<shared::vec4>(velocities, count, written, keep, [&](std::uint32_t v) {
+        return packed(state.velocities[place(v)], 0.0f);
+    });
+}
+
+BodyState SolverState::read(std::size_t count) const {
+    return {unpacked(positions, count), unpacked(velocities, count)};
+}
+
+}  // namespace kerf

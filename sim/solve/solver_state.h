@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "sim/body/body_model.h"
+#include "sim/body/body_state.h"
+#include "sim/solve/scatter.h"
+
+namespace kerf {
+
+/// What a step changes, on the GPU: base positions X with inverse unit masses, velocities, and the
+/// displacement d of a substep. All that allocates throws gpu::OutOfMemory.
+struct SolverState {
+    gpu::Buffer positions, velocities, displacement;
+    gpu::Buffer previous;  ///< d before the last sweep
+    gpu::Buffer saved;     ///< X when the last step ended
+    gpu::Buffer gradients, corrections;
+
+    /// Makes room for what a substep keeps of such a body.
+    void makeRoom(const BodyModel& model);
+    /// All positions and velocities.
+    void assign(const BodyState& state);
+    /// Those of `written` (ascending), also where positions are saved; there are `count` vertices.
+    void update(std::span<const std::uint32_t> written, const BodyState& state, std::size_t count,
+                Scatter& scatter);
+    /// Waits for the GPU.
+    BodyState read(std::size_t count) const;
+};
+
+}  // namespace kerf

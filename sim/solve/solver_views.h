@@ -1,0 +1,22 @@
+#pragma once
+
+#include "sim/contact/contact_solver.h"
+#include "sim/solve/body_view.h"
+#include "sim/solve/constraint_view.h"
+#include "sim/solve/small_body.h"
+#include "sim/solve/solver_body.h"
+#include "sim/solve/unfolding.h"
+
+namespace kerf {
+
+// The buffers of a body on the GPU as those see them who work on it or draw it; valid while the
+// body is neither uploaded nor updated.
+
+ContactBody contactBodyOf(const SolverBody& body);
+SmallBodyBuffers smallBodyBuffersOf(const SolverBody& body);
+UnfoldingBody unfoldingBodyOf(const SolverBody& body);
+BodyView bodyViewOf(const SolverBody& body);
+/// With `contacts` where they are on and were looked for.
+ConstraintView constraintViewOf(const SolverBody& body, const ContactSolver& contacts);
+
+}  // namespace kerf

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gpu/program.h"
+#include "sim/math.h"
+#include "sim/solve/solver_body.h"
+
+namespace kerf {
+
+/// The inverse unit masses of a body's vertices: who moves under the forces, who stays where it is
+/// or goes on with a velocity of its own.
+class VertexMasses {
+  public:
+    /// The body must outlive it. Compiles the kernel: throws gpu::ShaderError.
+    explicit VertexMasses(SolverBody& body);
+
+    /// Computes them now.
+    void compute();
+    /// After a cut all masses of a piece change: that waits for the next step, which looks at every
+    /// vertex anyway.
+    void outdate() { outdated_ = true; }
+    void refresh();
+
+    // See GpuSolver.
+    void anchor(int vertex, const Vec3f& velocity);
+    void release(int vertex);
+    void carry(std::span<const std::uint32_t> vertices, std::span<const Vec3f> velocities);
+    /// In force with the next refresh().
+    void setPinned(std::vector<std::uint32_t> vertices);
+    /// Of a new body, whose masses are computed later.
+    void freeAll() { pinned_.clear(); }
+
+  private:
+    bool isPinned(int vertex) const {
+        return std::ranges::binary_search(pinned_, static_cast<std::uint32_t>(vertex));
+    }
+    void holdPinned();
+    void setInverse(int vertex, float value);
+
+    SolverBody& body_;
+    gpu::Program kernel_;
+    std::vector<std::uint32_t> pinned_;  ///< ascending
+    bool outdated_ = false;
+};
+
+}  // namespace kerf
