@@ -170,10 +170,10 @@ void sweep(bool last) {
 }
 
 void main() {
-    uint begin = firstSweep;
-    uint end = endSweep;
-    if (begin == 0u) predict();
-    for (uint i = begin; i < end; ++i) sweep(i + 1u == uniforms.sweeps);
+    uint first = firstSweep;
+    uint afterLast = endSweep;
+    if (first == 0u) predict();
+    for (uint i = first; i < afterLast; ++i) sweep(i + 1u == uniforms.sweeps);
     storeDisplacements(self);
 }
 #else

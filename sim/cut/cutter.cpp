@@ -37,18 +37,12 @@ int strokesSoFar(const SurfaceMesh& mesh) {
     return last < 0 ? 0 : last / 2 + 1;
 }
 
-double sumOfRestVolumes(const SurfaceMesh& mesh, const PieceLabels& pieces) {
-    std::vector<double> volumes(pieces.pieces().size(), 0.0);
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            const Triangle& c = mesh.triangle(t);
-            const Vec3 normal = mesh.restPosition(c[1]).cross(mesh.restPosition(c[2]));
-            volumes[pieces.ofVertex()[c[0]]] += mesh.restPosition(c[0]).dot(normal) / 6;
-        }
-    }
+/// Of a body that was cut before, the volumes were carried through the cuts: equal to those summed
+/// anew but for the rounding of sums.
+double sumOfRestVolumes(const PieceLabels& measured) {
     double sum = 0;
-    for (const double volume : volumes) {
-        sum += std::fabs(volume);
+    for (const PieceContent& piece : measured.pieces()) {
+        sum += std::fabs(piece.restVolume);
     }
     return sum;
 }
@@ -70,7 +64,8 @@ void Cutter::State::start(const Blade& at) {
     sweeps.clear();
     groupOfPiece = cut::groupPieces(mesh, pieces, kParted * h, {});
     groupsHold = true;
-    restVolume = sumOfRestVolumes(mesh, pieces);
+    pieces.measure(mesh);
+    restVolume = sumOfRestVolumes(pieces);
     mesh.setOpenStroke(settings.openCut ? stroke : -1);
     for (const int v : lowestVertices({groupOfPiece.begin(), groupOfPiece.end()})) {
         Sweep& sweep = sweeps.emplace_back();
@@ -221,7 +216,7 @@ CutResult Cutter::finish() {
 
 void Cutter::prepare() {
     state_->surface.prepare();
-    state_->measureForDebris();
+    state_->pieces.measure(state_->mesh);
 }
 
 void Cutter::useFinder(TriangleFinder* finder) {

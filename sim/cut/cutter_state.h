@@ -61,7 +61,7 @@ struct Cutter::State {
     std::vector<cut::Sweep> sweeps{};
     std::vector<RungNode> rung{};  ///< those of all sweeps, one after the other
     bool madeWalls = false;        ///< in this stroke
-    PieceLabels pieces{mesh, PieceLabels::Measures::none};  ///< measured where debris is removed
+    PieceLabels pieces{mesh, PieceLabels::Measures::none};  ///< measured once a stroke begins
     TriangleFinder* finder = nullptr;                       ///< null: the tree
     std::optional<TriangleTree> tree{};                     ///< made when it is first asked
     std::optional<double> moved{};  ///< how far vertices moved at most since the last step [m]
@@ -93,7 +93,6 @@ struct Cutter::State {
     void closeWounds(CutResult& result);
     void patch(const cut::Wound& wound, CutResult& result);
     void removeDebris(CutResult& result);
-    void measureForDebris();
     void holdLivingVertices();
     void tieRungs();
 

@@ -250,7 +250,8 @@ std::vector<Chain> chainsInside(const Strip& strip) {
     return chains;
 }
 
-/// Whether a triangle between a front edge and the blade at s would lie on the walls behind it.
+/// Whether a triangle between the front edge from node `edge` on and the blade at s would lie on
+/// the walls behind that edge.
 bool foldsBack(const StepInput& in, const Strip& strip, int edge, double s) {
     const StripNode& p = strip.nodes[edge];
     const StripNode& q = strip.nodes[edge + 1];

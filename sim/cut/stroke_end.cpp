@@ -79,17 +79,10 @@ void Cutter::State::patch(const cut::Wound& wound, CutResult& result) {
     }
 }
 
-void Cutter::State::measureForDebris() {
-    if (settings.debrisVolume > 0) {
-        pieces.measure(mesh);
-    }
-}
-
 void Cutter::State::removeDebris(CutResult& result) {
     if (settings.debrisVolume <= 0) {
         return;
     }
-    measureForDebris();
     const std::vector<int> debris =
         cut::findDebris(mesh, pieces, firstTriangle, settings.debrisVolume * restVolume);
     if (debris.empty()) {

@@ -117,7 +117,8 @@ bool foldedFlat(const Placed& a, const Placed& b) {
     return n.dot(m) < 0 && n.cross(m).norm() < kFoldedFlat * n.norm() * m.norm();
 }
 
-/// All corners of a that b does not have lie farther than `distance` on one side of its plane.
+/// All corners of a that b does not have lie on one side of the plane of b, farther than `distance`
+/// from it.
 bool isAside(const Placed& a, const Placed& b, double distance) {
     const double least = distance * distance * b.normal.squaredNorm();
     bool above = true;
@@ -152,6 +153,7 @@ bool cornerTouches(const Placed& a, const Placed& b, double distance) {
     return false;
 }
 
+/// pq and rs come within `distance` of each other, away from their ends.
 bool edgesCross(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s, double distance) {
     const Vec3 u = q - p;
     const Vec3 v = s - r;
@@ -170,9 +172,9 @@ bool anyEdgesCross(const Placed& a, const Placed& b, double distance) {
         const int j = (i + 1) % 3;
         for (int k = 0; k < 3; ++k) {
             const int l = (k + 1) % 3;
-            const bool apart = a.points[i] != b.points[k] && a.points[i] != b.points[l] &&
-                               a.points[j] != b.points[k] && a.points[j] != b.points[l];
-            if (apart &&
+            const bool noCommonEnd = a.points[i] != b.points[k] && a.points[i] != b.points[l] &&
+                                     a.points[j] != b.points[k] && a.points[j] != b.points[l];
+            if (noCommonEnd &&
                 edgesCross(a.corners[i], a.corners[j], b.corners[k], b.corners[l], distance)) {
                 return true;
             }

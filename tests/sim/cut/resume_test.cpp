@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
-#include "tests/support/cut_fuzz.h"
+#include "tests/support/sound_strokes.h"
 
 namespace kerf::cut {
 namespace {
@@ -63,15 +62,8 @@ TEST(Resume, ABladeThatStandsHasNoWayOn) {
 TEST(Resume, CrumpledFrontsAreCutAnewAndTheBodyParts) {
     int resumed = 0;
     for (const std::uint64_t seed : {201160, 300344, 300617, 300945, 302320}) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        test::FuzzReport report;
-        test::fuzzOnce(seed, report);
-        for (const test::FuzzSetting setting : test::kFuzzSettings) {
-            const test::FuzzFigures figures = report.total(setting);
-            EXPECT_EQ(figures.invalid, 0);
-            EXPECT_EQ(figures.refused, 0);
-            EXPECT_EQ(figures.unseparated, 0);
-            EXPECT_EQ(figures.outside, 0);
+        for (const test::FuzzFigures& figures : test::expectSoundStrokes(seed)) {
+            EXPECT_EQ(figures.outside, 0) << "seed " << seed;
             resumed += figures.resumed;
         }
     }
