@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace kerf {
 
@@ -61,6 +62,7 @@ std::optional<BladeMotion> LedBlade::body(const BladePush& push) const {
 
 std::optional<BladeMotion> LedBlade::motion(const BladePush& push,
                                             const std::vector<RungNode>& front) const {
+    assert(isPlaced());
     std::vector<BladeCourse> courses{*course_};
     for (const BladeAction& action : coming_) {
         const auto* move = std::get_if<MoveBlade>(&action);

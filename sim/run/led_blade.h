@@ -49,8 +49,8 @@ class LedBlade {
     std::vector<Blade> path() const;
     /// Its body where it stands; none where it has not come out.
     std::optional<BladeMotion> body(const BladePush& push) const;
-    /// Its body in the coming step, up to where it is lifted, while it is placed; none where it has
-    /// not come out. It begins behind `front`, the rung where it last cut as that lies now.
+    /// Its body in the coming step, up to where it is lifted; none where it has not come out. It
+    /// must be placed. Its body begins behind `front`, the rung where it last cut as that lies now.
     std::optional<BladeMotion> motion(const BladePush& push,
                                       const std::vector<RungNode>& front) const;
 

@@ -32,7 +32,7 @@ struct RunningBody {
     void measureAtRest();
     void apply(const Params& params);
 
-    /// Equal to the body as it is; null never.
+    /// The body as it is now; never null.
     SnapshotPointer capture();
     /// Bit for bit. The parameters are to be applied again.
     void restore(const Snapshot& snapshot);
