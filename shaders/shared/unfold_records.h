@@ -8,6 +8,9 @@ SHARED_BEGIN
 // 90 degrees. The cosines of both.
 SHARED_CONST float kFoldBegins = 0.5f;
 SHARED_CONST float kFoldEnds = 0.0f;
+// A triangle is squashed from the first share of its area at rest on, entirely from the second.
+SHARED_CONST float kSquashBegins = 0.5f;
+SHARED_CONST float kSquashEnds = 0.2f;
 
 // Of the spring that unfolds: its rate [1/s], and its damping, which is critical at 2 and more than
 // that here, so that what unfolds creeps.

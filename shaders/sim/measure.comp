@@ -1,7 +1,7 @@
 // What the CPU wants to know after a step: volume, boxes of positions, velocities and ways since the
 // last search for contacts, energy and whether a vertex is lost (not finite, or faster than anything
 // real), per block; behind the blocks, how many contacts there were and how many points had candidates for them; and which vertices have a
-// triangle near the blade. Reads X, velocities, neighbours, places, pages, pieces, blocks, the
+// triangle near the blade. Reads X, velocities, rest positions, neighbours, places, pages, pieces, blocks, the
 // state of contact, the query, constraints. Writes block measures and records of nearby vertices. One group per block; sums in a fixed order (see
 // volume_gradient). The CPU reads the result.
 #include "bindings.h"
@@ -17,6 +17,7 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/uniforms.glsl"
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
+layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
 layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
 layout(binding = kPlacesBinding) uniform usamplerBuffer places;

@@ -1,12 +1,10 @@
 // Energy of strained material at X [J]: C^2 / (2 alpha) of each constraint, and beyond the clamp of a
 // bend what its constant moment adds. What is rigid or off holds none. The includer declares
-// `uniforms` and `positions`.
+// `uniforms`, `positions` and `restPositions`.
 layout(binding = kEdgeRangesBinding) uniform usamplerBuffer edgeRanges;
 layout(binding = kSpokesBinding) uniform usamplerBuffer spokes;
 layout(binding = kBendsBinding) uniform usamplerBuffer bends;
 layout(binding = kIspcsBinding) uniform usamplerBuffer ispcs;
-
-#include "sim/bend_angle.glsl"
 
 // `square`: C^2, or what stands for it; `compliance` over h^2.
 float energyOf(float square, float geometry, float compliance) {
@@ -34,9 +32,9 @@ float bendEnergy(uint index) {
     vec3 from = fetch(positions, bend.v0).xyz;
     Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from, fetch(positions, bend.v2).xyz - from,
                           fetch(positions, bend.v3).xyz - from);
+    largestFold = max(largestFold, foldOf(wings, bend));
     if (degenerate(wings)) return 0.0;
     vec2 turn = errorVector(wings, bend);
-    largestFold = max(largestFold, foldOf(turn));
     float error = abs(inverseTangent(turn.y, turn.x));
     float elastic = min(error, kMaxBendError);
     return energyOf(elastic * (2.0 * error - elastic), bend.geometry, uniforms.bend_compliance);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shaders/shared/bindings.h"
+#include "shaders/shared/unfold_records.h"
 
 namespace kerf {
 
@@ -92,6 +93,7 @@ void BodyMeasurer::bindConstraints() const {
     model.spokes.bindTexels(shared::kSpokesBinding, TexelFormat::uint32x4);
     model.bends.bindTexels(shared::kBendsBinding, TexelFormat::uint32x4);
     model.ispcs.bindTexels(shared::kIspcsBinding, TexelFormat::uint32x4);
+    model.restPositions.bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
 }
 
 VertexStates BodyMeasurer::statesOf(std::span<const int> vertices) {

@@ -15,7 +15,7 @@ namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-double foldOf(const shared::BendConstraint& bend, const std::vector<Vec3>& at) {
+double turnedOver(const shared::BendConstraint& bend, const std::vector<Vec3>& at) {
     const Vec3& from = at[bend.v0];
     const auto now = dihedral<double>(at[bend.v1] - from, at[bend.v2] - from, at[bend.v3] - from);
     if (!now.valid) {
@@ -26,10 +26,27 @@ double foldOf(const shared::BendConstraint& bend, const std::vector<Vec3>& at) {
                       0.0, 1.0);
 }
 
+double parallelogram(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return (b - a).cross(c - a).norm();
+}
+
+/// Of the more squashed one of both triangles.
+double squashed(const shared::BendConstraint& bend, const std::vector<Vec3>& at,
+                const std::vector<Vec3f>& restPositions) {
+    const auto rest = [&](std::uint32_t v) -> Vec3 { return restPositions[v].cast<double>(); };
+    double least = 1;
+    for (const std::uint32_t apex : {bend.v2, bend.v3}) {
+        least = std::min(least, parallelogram(at[bend.v0], at[bend.v1], at[apex]) /
+                                    parallelogram(rest(bend.v0), rest(bend.v1), rest(apex)));
+    }
+    return std::clamp(
+        (shared::kSquashBegins - least) / (shared::kSquashBegins - shared::kSquashEnds), 0.0, 1.0);
+}
+
 std::vector<double> foldsOf(const BodyModel& model, const std::vector<Vec3>& at) {
     std::vector<double> folds(at.size(), 0.0);
     for (const shared::BendConstraint& bend : model.bends) {
-        const double fold = foldOf(bend, at);
+        const double fold = std::max(turnedOver(bend, at), squashed(bend, at, model.restPositions));
         for (const std::uint32_t v : verticesOf(bend)) {
             folds[v] = std::max(folds[v], fold);
         }

@@ -1,5 +1,5 @@
-// How far the bends at each vertex are folded at X, at most. Reads X, bends. Writes folds, which are zero
-// before. One thread per bend; the largest of floats does not mind their order. A storage barrier
+// How far the skin at the bends of each vertex is folded at X, at most. Reads X, rest positions, bends.
+// Writes folds, which are zero before. One thread per bend; the largest of floats does not mind their order. A storage barrier
 // follows.
 #include "bindings.h"
 #include "body_records.h"
@@ -11,10 +11,10 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/uniforms.glsl"
 
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
 layout(binding = kUnfoldBendsBinding) uniform usamplerBuffer bends;
 layout(std430, binding = kUnfoldFoldsBinding) buffer Folds { uint folds[]; };
 
-#include "sim/bend_angle.glsl"
 #include "sim/unfold/folded.glsl"
 
 void main() {
@@ -24,7 +24,7 @@ void main() {
     vec3 from = fetch(positions, bend.v0).xyz;
     Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from, fetch(positions, bend.v2).xyz - from,
                           fetch(positions, bend.v3).xyz - from);
-    float fold = degenerate(wings) ? 0.0 : foldOf(errorVector(wings, bend));
+    float fold = foldOf(wings, bend);
     // Positive floats and their bits have the same order.
     for (uint once = fold > 0.0 ? 1u : 0u; once > 0u; --once) {
         atomicMax(folds[bend.v0], floatBitsToUint(fold));

@@ -122,6 +122,25 @@ TEST_F(UnfoldingTest, ChangesNoBitWhereNothingIsFolded) {
     EXPECT_EQ(now.velocities, body.start.velocities);
 }
 
+// Thin triangles turn over without a bend before: their apex slides over the edge below it.
+TEST_F(UnfoldingTest, HoldsATriangleThatIsSquashedInItsPlane) {
+    Crumpled body(test::cubeSphere(8), 0.0f, 0.0f);
+    const auto [a, b, apex] = body.mesh.triangle(0);
+    BodyState state = body.start;
+    const Vec3f foot = (state.positions[a] + state.positions[b]) / 2;
+    const Vec3f height = state.positions[apex] - foot;
+    const auto pullAt = [&](float share) {
+        state.positions[apex] = foot + share * height;
+        body.gpu.setState(state);
+        EXPECT_EQ(body.folds(), 0);
+        body.gpu.unfold();
+        return body.gpu.readState().velocities[apex].dot(height.normalized());
+    };
+    EXPECT_EQ(pullAt(0.6f), 0.0f);
+    EXPECT_GT(pullAt(0.3f), 0.01f);
+    EXPECT_GT(pullAt(0.1f), pullAt(0.3f));
+}
+
 // A spring that gave energy would shake the body for ever.
 TEST_F(UnfoldingTest, BringsACrumpledBodyBackToItsShapeAndToRest) {
     Crumpled body(test::cubeSphere(8), 0.8f, 0.0f);
