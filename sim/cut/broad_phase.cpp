@@ -13,6 +13,12 @@ constexpr int kMostBins = 4096;
 constexpr double kRotationRounding = 1e-6;  // of the bins: what turning into the frame may move
 constexpr double kFirstMargin = 0.25;       // of a bin: what is taken around the sweep at first
 
+// The same as overlaps(). Along the sweep most boxes of a bin are told apart.
+bool meet(const Bounds& a, const Bounds& b) {
+    return a.low.y() <= b.high.y() && b.low.y() <= a.high.y() && a.low.x() <= b.high.x() &&
+           b.low.x() <= a.high.x() && a.low.z() <= b.high.z() && b.low.z() <= a.high.z();
+}
+
 }  // namespace
 
 Eigen::Matrix3d sweepAxes(const Blade& blade, const std::vector<Vec3>& points) {
@@ -131,7 +137,7 @@ void BroadPhase::findEntries(const Vec3& a, const Vec3& b, const Vec3& c, double
     for (int bin = first; bin <= last; ++bin) {
         for (int i = firstOfBin_[bin]; i < firstOfBin_[bin + 1]; ++i) {
             const Entry& entry = entries_[inBins_[i]];
-            if (bin == std::max(first, entry.firstBin) && entry.bounds.overlaps(bounds)) {
+            if (bin == std::max(first, entry.firstBin) && meet(entry.bounds, bounds)) {
                 found.push_back(inBins_[i]);
             }
         }

@@ -161,7 +161,8 @@ class Gluing {
 
     Directed ends(int h) const {
         const Triangle& corners = corners_[h / 3];
-        return {corners[h % 3], corners[(h % 3 + 1) % 3]};
+        const int corner = h % 3;
+        return {corners[corner], corners[corner == 2 ? 0 : corner + 1]};
     }
 
     /// The half-edge of the other wall that runs along a half-edge of a wall.

@@ -22,6 +22,7 @@ constexpr double kApartError = 1e-13;
 
 /// A triangle of the mesh as the predicates see it.
 struct Corners {
+    Triangle ids{};
     std::array<Vec3, 3> at;
     Vec3 sum = Vec3::Zero();  ///< of the three
     /// Corner numbers in canonical order, and whether that order reverses the orientation.
@@ -173,6 +174,7 @@ class Intersector {
         int index = -1;
         std::array<Vec3, 3> at;
         Vec3 sum = Vec3::Zero();
+        double reach = 0;  ///< largest coordinate
         Bounds bounds{};
     };
 
@@ -192,7 +194,6 @@ class Intersector {
         const Corners& mesh;
         const std::array<Vec3, 3>& strip;
         SharedVertex shared;
-        Vec3 across;         ///< from the middle of the mesh triangle to that of the other
         Signs meshSigns{};   ///< of the mesh corners against the strip triangle
         Signs stripSigns{};  ///< of the strip corners against the mesh triangle in canonical order
         int entry = -1;
@@ -218,6 +219,7 @@ class Intersector {
             strip.at[j] = node.position;
             strip.sum += node.position;
             strip.bounds.add(node.position);
+            strip.reach = std::max(strip.reach, node.position.cwiseAbs().maxCoeff());
             for (const std::vector<int>* vertices : {&node.vertices, &node.touching}) {
                 for (const int v : *vertices) {
                     stripVertices_.push_back({v, j});
@@ -246,10 +248,14 @@ class Intersector {
         if (!corners.bounds.overlaps(strip.bounds)) {
             return;
         }
+        const SharedVertex shared = sharedVertex(corners.ids);
+        if (shared.count >= 2 || areApart(strip, corners, shared)) {
+            return;
+        }
         const int m = in_.broadPhase.entries()[entry].triangle;
-        Pair pair{m, strip.index, corners, strip.at, sharedVertex(m), strip.sum - corners.sum};
-        if (pair.shared.count >= 2 || areApart(pair) || (in_.attempt.ignoreFringe && isFringe(m)) ||
-            !signMeshCorners(pair) || !signStripCorners(pair)) {
+        Pair pair{m, strip.index, corners, strip.at, shared};
+        if ((in_.attempt.ignoreFringe && isFringe(m)) || !signMeshCorners(pair) ||
+            !signStripCorners(pair)) {
             return;
         }
         meshEdgesAgainstStrip(pair);
@@ -280,7 +286,7 @@ class Intersector {
 
     Corners seenCorners(int m) const {
         Corners corners;
-        const Triangle& ids = mesh_.triangle(m);
+        const Triangle& ids = corners.ids = mesh_.triangle(m);
         for (int i = 0; i < 3; ++i) {
             corners.at[i] = positions_.at(ids[i]);
             corners.sum += corners.at[i];
@@ -300,9 +306,8 @@ class Intersector {
         return corners;
     }
 
-    SharedVertex sharedVertex(int m) const {
+    SharedVertex sharedVertex(const Triangle& ids) const {
         SharedVertex shared;
-        const Triangle& ids = mesh_.triangle(m);
         for (const auto& [v, stripCorner] : stripVertices_) {
             for (int i = 0; i < 3; ++i) {
                 if (ids[i] == v) {
@@ -359,25 +364,27 @@ class Intersector {
     }
 
     // Whether some plane, found without much ado, lies between the two; but for a shared vertex.
-    static bool areApart(const Pair& pair) {
-        const SharedVertex& shared = pair.shared;
-        const Vec3 origin = shared.any() ? pair.strip[shared.stripCorner] : pair.strip[0];
-        if (shared.any() && pair.mesh.at[shared.meshCorner] != origin) {
+    static bool areApart(const StripCorners& strip, const Corners& mesh,
+                         const SharedVertex& shared) {
+        const Vec3& origin = strip.at[shared.any() ? shared.stripCorner : 0];
+        if (shared.any() && mesh.at[shared.meshCorner] != origin) {
             return false;
         }
-        const Vec3& normal = pair.across;
+        const Vec3 normal = strip.sum - mesh.sum;  // from the middle of one to that of the other
+        const auto height = [&](const Vec3& p) {
+            return normal.x() * (p.x() - origin.x()) + normal.y() * (p.y() - origin.y()) +
+                   normal.z() * (p.z() - origin.z());
+        };
         double above = 1e300;
         double below = -1e300;
         for (int i = 0; i < 3; ++i) {
-            if (!shared.any() || i != shared.stripCorner) {
-                above = std::min(above, normal.dot(pair.strip[i] - origin));
-            }
-            if (!shared.any() || i != shared.meshCorner) {
-                below = std::max(below, normal.dot(pair.mesh.at[i] - origin));
-            }
+            const double ofStrip = i == shared.stripCorner ? 1e300 : height(strip.at[i]);
+            const double ofMesh = i == shared.meshCorner ? -1e300 : height(mesh.at[i]);
+            above = std::min(above, ofStrip);
+            below = std::max(below, ofMesh);
         }
-        const double size = origin.cwiseAbs().maxCoeff() + normal.cwiseAbs().maxCoeff();
-        const double error = kApartError * normal.cwiseAbs().sum() * size;
+        const double length = normal.cwiseAbs().sum();
+        const double error = kApartError * length * (strip.reach + length);
         return shared.any() ? above > error && below < -error : above - below > error;
     }
 

@@ -90,14 +90,14 @@ class SurfaceMesh {
     void setOpenStroke(int stroke) { openStroke_ = stroke; }
 
     // Half-edges.
-    static int next(int h) { return h - h % 3 + (h % 3 + 1) % 3; }
-    static int previous(int h) { return h - h % 3 + (h % 3 + 2) % 3; }
-    int origin(int h) const { return triangles_[h / 3][h % 3]; }
-    int target(int h) const { return triangles_[h / 3][(h % 3 + 1) % 3]; }
-    int apex(int h) const { return triangles_[h / 3][(h % 3 + 2) % 3]; }
-    int twin(int h) const { return twins_[h / 3][h % 3]; }
+    static int next(int h) { return cornerOf(h) == 2 ? h - 2 : h + 1; }
+    static int previous(int h) { return cornerOf(h) == 0 ? h + 2 : h - 1; }
+    int origin(int h) const { return triangles_[h / 3][cornerOf(h)]; }
+    int target(int h) const { return triangles_[h / 3][cornerAfter(cornerOf(h))]; }
+    int apex(int h) const { return triangles_[h / 3][cornerBefore(cornerOf(h))]; }
+    int twin(int h) const { return twins_[h / 3][cornerOf(h)]; }
     /// Next outgoing half-edge of the same origin, counter-clockwise seen from outside.
-    int rotate(int h) const { return twin(previous(h)); }
+    int rotate(int h) const { return twins_[h / 3][cornerBefore(cornerOf(h))]; }
     /// The half-edge u -> v, or -1.
     int findHalfEdge(int u, int v) const;
 
@@ -139,7 +139,7 @@ class SurfaceMesh {
     void removeVertex(int v);
     void setCorner(int t, int corner, int v) { triangles_[t][corner] = v; }
     void setCorners(int t, const Triangle& corners) { triangles_[t] = corners; }
-    void setTwin(int h, int g) { twins_[h / 3][h % 3] = g; }
+    void setTwin(int h, int g) { twins_[h / 3][cornerOf(h)] = g; }
     /// Makes h and g each other's twins.
     void link(int h, int g) {
         setTwin(h, g);
@@ -161,6 +161,11 @@ class SurfaceMesh {
     const std::vector<int>& matesOfGroup(int group) const { return mateMembers_[group]; }
 
   private:
+    // Without divisions by three but the one that tells the triangle.
+    static int cornerOf(int h) { return h - 3 * (h / 3); }
+    static int cornerAfter(int corner) { return corner == 2 ? 0 : corner + 1; }
+    static int cornerBefore(int corner) { return corner == 0 ? 2 : corner - 1; }
+
     void reserve(std::size_t vertices, std::size_t triangles);
     int groupOf(int v);
 

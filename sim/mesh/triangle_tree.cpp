@@ -18,11 +18,11 @@ TriangleTree::TriangleTree(const SurfaceMesh& mesh) : mesh_(mesh) {
 }
 
 Bounds TriangleTree::boundsOf(int triangle) const {
-    Bounds bounds;
-    for (const int v : mesh_.triangle(triangle)) {
-        bounds.add(mesh_.position(v));
-    }
-    return bounds;
+    const Triangle& corners = mesh_.triangle(triangle);
+    const Vec3& p = mesh_.position(corners[0]);
+    const Vec3& q = mesh_.position(corners[1]);
+    const Vec3& r = mesh_.position(corners[2]);
+    return {p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
 }
 
 std::vector<int> TriangleTree::near(const OrientedBox& box) {
