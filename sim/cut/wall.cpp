@@ -9,6 +9,7 @@
 #include "sim/cut/ears.h"
 #include "sim/cut/loops.h"
 #include "sim/cut/triangulation.h"
+#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 
@@ -196,27 +197,40 @@ class SheetTriangulation {
         CoincidentPoints known(2 * edges_.size(), kCoincident * in_.h);
         vertexOfNode_.assign(nodes_.size(), -1);
         nodeOfVertex_.assign(3, -1);
-        for (const OutlineEdge& edge : edges_) {
-            for (const int node : {edge.from, edge.to}) {
-                if (vertexOfNode_[node] >= 0) {
-                    continue;
-                }
-                const Vec2& p = nodes_[node].layout;
-                int vertex = known.find(p);
+        for (const int node : nodesAlongBlade()) {
+            const Vec2& p = nodes_[node].layout;
+            int vertex = known.find(p);
+            if (vertex < 0) {
+                vertex = plane_.insert(p).vertex;
                 if (vertex < 0) {
-                    vertex = plane_.insert(p).vertex;
-                    if (vertex < 0) {
-                        throw StepFailure{"a wall node lies outside the layout"};
-                    }
-                    known.add(p, vertex);
+                    throw StepFailure{"a wall node lies outside the layout"};
                 }
-                vertexOfNode_[node] = vertex;
-                if (vertex == sizeOf(nodeOfVertex_)) {
-                    nodeOfVertex_.push_back(node);
-                }
+                known.add(p, vertex);
+            }
+            vertexOfNode_[node] = vertex;
+            if (vertex == sizeOf(nodeOfVertex_)) {
+                nodeOfVertex_.push_back(node);
             }
         }
         borderVertices_ = sizeOf(nodeOfVertex_);
+    }
+
+    /// Of the border, each once, from B to A: each new one lies beside the last, so that few edges
+    /// flip. Along one side of a strip and then the other it would be twice as many. At one place of
+    /// the blade those behind come first: rectangles get the same diagonals as around the border.
+    std::vector<int> nodesAlongBlade() const {
+        std::vector<int> order;
+        order.reserve(edges_.size());
+        for (const OutlineEdge& edge : edges_) {
+            order.push_back(edge.from);
+        }
+        sortUnique(order);
+        std::ranges::stable_sort(order, [&](int a, int b) {
+            const Vec2& p = nodes_[a].layout;
+            const Vec2& q = nodes_[b].layout;
+            return p.x() != q.x() ? p.x() > q.x() : p.y() < q.y();
+        });
+        return order;
     }
 
     void constrainBorder() {
