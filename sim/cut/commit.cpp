@@ -206,6 +206,9 @@ class Commit {
     }
 
     void repairDuplicateEdges() {
+        if (!hasDuplicateEdges(mesh_, firstTriangle_)) {
+            return;
+        }
         std::set<Edge> frontEdges;
         addFrontEdges(result_.rung, frontEdges);
         addFrontEdges(staying_, frontEdges);

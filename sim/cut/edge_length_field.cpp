@@ -1,6 +1,7 @@
 #include "sim/cut/edge_length_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -223,24 +224,27 @@ std::vector<double> divideByEdgeLength(const EdgeLengthField& field, const Vec3&
                           : std::clamp(static_cast<int>(std::ceil(kLooksPerEdge * length / first)),
                                        2, kMostLooks);
     // How many edges fit into the piece up to each place.
-    std::vector<double> edges{0};
+    std::array<double, kMostLooks + 1> edges;
+    edges[0] = 0;
     double before = first;
     for (int i = 1; i <= looks; ++i) {
         const double here =
             field.localEdgeLength(from + (to - from) * (i / static_cast<double>(looks)));
-        edges.push_back(edges.back() + 0.5 * (1 / before + 1 / here) * length / looks);
+        edges[i] = edges[i - 1] + 0.5 * (1 / before + 1 / here) * length / looks;
         before = here;
     }
-    const int parts = std::max(1, static_cast<int>(std::lround(edges.back())));
+    const double all = edges[looks];
+    const int parts = std::max(1, static_cast<int>(std::lround(all)));
     std::vector<double> shares;
-    std::size_t next = 1;
+    shares.reserve(parts);
+    int next = 1;
     for (int k = 1; k < parts; ++k) {
-        const double wanted = edges.back() * k / parts;
-        while (edges[next] < wanted && next + 1 < edges.size()) {
+        const double wanted = all * k / parts;
+        while (edges[next] < wanted && next < looks) {
             ++next;
         }
         const double within = (wanted - edges[next - 1]) / (edges[next] - edges[next - 1]);
-        shares.push_back((static_cast<double>(next - 1) + within) / looks);
+        shares.push_back((next - 1 + within) / looks);
     }
     shares.push_back(1);
     return shares;

@@ -12,6 +12,32 @@ bool intersects(const std::vector<int>& p, const std::vector<int>& q) {
                        [&](int x) { return std::find(q.begin(), q.end(), x) != q.end(); });
 }
 
+// Most vertices have few neighbours with two bits each of their own.
+bool mayHaveParallels(const SurfaceMesh& mesh, int v) {
+    std::uint64_t seen = 0;
+    std::uint64_t seenMixed = 0;
+    bool may = false;
+    mesh.forEachOutgoing(v, [&](int h) {
+        const auto target = static_cast<std::uint64_t>(mesh.target(h));
+        const std::uint64_t bit = std::uint64_t{1} << (target % 64);
+        const std::uint64_t mixed = std::uint64_t{1} << (target * 0x9E3779B97F4A7C15ull >> 58);
+        may = may || ((seen & bit) != 0 && (seenMixed & mixed) != 0);
+        seen |= bit;
+        seenMixed |= mixed;
+    });
+    return may;
+}
+
+bool hasParallels(const SurfaceMesh& mesh, int v) {
+    if (!mayHaveParallels(mesh, v)) {
+        return false;
+    }
+    std::vector<int> targets;
+    mesh.forEachOutgoing(v, [&](int h) { targets.push_back(mesh.target(h)); });
+    std::ranges::sort(targets);
+    return std::ranges::adjacent_find(targets) != targets.end();
+}
+
 class DuplicateEdges {
   public:
     DuplicateEdges(SurfaceMesh& mesh, int firstTriangle, int stroke,
@@ -20,9 +46,6 @@ class DuplicateEdges {
 
     std::vector<int> run() {
         const int end = mesh_.triangleSlots();
-        if (!anyParallel(end)) {
-            return {};
-        }
         for (int t = first_; t < end; ++t) {
             for (int e = 0; e < 3; ++e) {
                 resolve(3 * t + e);
@@ -32,37 +55,6 @@ class DuplicateEdges {
     }
 
   private:
-    // Looks at each vertex of the new triangles once.
-    bool anyParallel(int end) const {
-        for (int t = first_; t < end; ++t) {
-            for (int corner = 0; corner < 3; ++corner) {
-                const int v = mesh_.triangle(t)[corner];
-                if (mesh_.outgoing(v) == 3 * t + corner && anyParallelAt(v)) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    // Most vertices have few neighbours with a bit each of their own.
-    bool anyParallelAt(int v) const {
-        std::uint64_t seen = 0;
-        bool sharesBit = false;
-        mesh_.forEachOutgoing(v, [&](int h) {
-            const std::uint64_t bit = std::uint64_t{1} << (mesh_.target(h) % 64);
-            sharesBit = sharesBit || (seen & bit) != 0;
-            seen |= bit;
-        });
-        if (!sharesBit) {
-            return false;
-        }
-        std::vector<int> targets;
-        mesh_.forEachOutgoing(v, [&](int h) { targets.push_back(mesh_.target(h)); });
-        std::ranges::sort(targets);
-        return std::ranges::adjacent_find(targets) != targets.end();
-    }
-
     std::vector<int> edgesBetween(int u, int v) const {
         std::vector<int> result;
         mesh_.forEachOutgoing(u, [&](int h) {
@@ -254,6 +246,19 @@ int splitEdgeAtMiddle(SurfaceMesh& mesh, int h) {
     mesh.setOutgoing(c, 3 * t + 2);
     mesh.setOutgoing(d, 3 * o + 2);
     return m;
+}
+
+// Looks at each vertex of the new triangles once.
+bool hasDuplicateEdges(const SurfaceMesh& mesh, int firstTriangle) {
+    for (int t = firstTriangle; t < mesh.triangleSlots(); ++t) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const int v = mesh.triangle(t)[corner];
+            if (mesh.outgoing(v) == 3 * t + corner && hasParallels(mesh, v)) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 std::vector<int> splitDuplicateEdges(SurfaceMesh& mesh, int firstTriangle, int stroke,

@@ -7,6 +7,9 @@
 
 namespace kerf::cut {
 
+/// Whether two edges at the triangles from `firstTriangle` on have the same end points.
+bool hasDuplicateEdges(const SurfaceMesh& mesh, int firstTriangle);
+
 /// Keeps the mesh a simple complex (I3): where two edges have the same end points, copies are
 /// split at their midpoints until one is left. Edges of the skin go first and alone; edges of
 /// walls are split together with their mirror copies, so that walls stay mirrored. Front edges

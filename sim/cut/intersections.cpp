@@ -208,6 +208,7 @@ class Intersector {
         }
         in_.broadPhase.cover(points, predicateDrift());
         corners_.resize(in_.broadPhase.entries().size());
+        curves_.nodes.reserve(2 * strip_.nodes.size());
     }
 
     void intersectStripTriangle(int s) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace kerf::cut {
 
@@ -92,10 +93,11 @@ class BorderWalk {
         }
     }
 
-    std::map<int, int> borderEdges() const {
-        std::map<int, int> edgeFrom;
+    /// By strip node: the border edge that starts there, -1 where none does.
+    std::vector<int> borderEdges() const {
+        std::vector<int> edgeFrom(strip_.nodes.size(), -1);
         for (int e = 0; e < sizeOf(strip_.edges); ++e) {
-            if (strip_.edges[e].onBorder() && !edgeFrom.emplace(strip_.edges[e].a, e).second) {
+            if (strip_.edges[e].onBorder() && std::exchange(edgeFrom[strip_.edges[e].a], e) >= 0) {
                 throw StepFailure{"the strip is pinched"};
             }
         }
@@ -103,15 +105,16 @@ class BorderWalk {
     }
 
     void collectPoints() {
-        const std::map<int, int> edgeFrom = borderEdges();
-        const int start = edgeFrom.begin()->first;
+        const std::vector<int> edgeFrom = borderEdges();
+        const auto first = std::ranges::find_if(edgeFrom, [](int edge) { return edge >= 0; });
+        const int start = static_cast<int>(first - edgeFrom.begin());
+        points_.reserve(edgeFrom.size());
         int v = start;
         do {
-            const auto at = edgeFrom.find(v);
-            if (at == edgeFrom.end() || points_.size() > 1000000) {
+            const int edge = edgeFrom[v];
+            if (edge < 0 || points_.size() > 1000000) {
                 throw StepFailure{"the border of the strip is open"};
             }
-            const int edge = at->second;
             collectAtNode(v, edge);
             for (const int node : faceNodesOfEdge_[edge]) {
                 points_.push_back(
@@ -122,8 +125,13 @@ class BorderWalk {
     }
 
     void collectAtNode(int v, int edge) {
-        std::vector<BorderPoint> here =
-            strip_.nodes[v].isCluster() ? clusterPoints(v) : vertexPoints(v);
+        std::vector<BorderPoint>& here = atNode_;
+        here.clear();
+        if (strip_.nodes[v].isCluster()) {
+            addClusterPoints(v, here);
+        } else {
+            addVertexPoints(v, here);
+        }
         addTouching(v, here);
         if (here.empty()) {
             here.push_back({-1, v, 0});
@@ -138,9 +146,8 @@ class BorderWalk {
     }
 
     // Several front vertices at one place, joined by front edges of length zero.
-    std::vector<BorderPoint> clusterPoints(int v) {
+    void addClusterPoints(int v, std::vector<BorderPoint>& points) {
         const StripNode& strip = strip_.nodes[v];
-        std::vector<BorderPoint> points;
         for (int i = 0; i < sizeOf(strip.vertices); ++i) {
             const int node = ownNode(v, i);
             const bool held = strip.attachedWithin[i] || (i > 0 && strip.attachedWithin[i - 1]);
@@ -149,18 +156,15 @@ class BorderWalk {
                                   strip.attachedWithin[i] ? Link::zeroFront : Link::none});
             }
         }
-        return points;
     }
 
-    std::vector<BorderPoint> vertexPoints(int v) const {
-        std::vector<BorderPoint> points;
+    void addVertexPoints(int v, std::vector<BorderPoint>& points) const {
         for (const int vertex : strip_.nodes[v].vertices) {
             const auto node = curves_.nodeOfVertex.find(vertex);
             if (node != curves_.nodeOfVertex.end() && eventOf(node->second) != 0) {
                 points.push_back({node->second, v, eventOf(node->second), Link::none});
             }
         }
-        return points;
     }
 
     // Curves that end at a vertex of another piece lying here: the body is left before and
@@ -475,6 +479,7 @@ class BorderWalk {
     std::vector<int> events_;
     std::vector<std::vector<int>> faceNodesOfEdge_;
     std::vector<BorderPoint> points_;
+    std::vector<BorderPoint> atNode_;  ///< room for collectAtNode
     Outline outline_;
 };
 

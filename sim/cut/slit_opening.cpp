@@ -77,15 +77,14 @@ bool isBesideFront(const SweepStep& step, const Vec3& p) {
 class Opening {
   public:
     Opening(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const SweepStep& step)
-        : mesh_(mesh), broadPhase_(broadPhase), step_(step), swept_(sweptTriangles(step)) {
-        for (const RungNode& node : step.rung) {
-            fixed_.insert(node.vertex);
-        }
-    }
+        : mesh_(mesh), broadPhase_(broadPhase), step_(step), swept_(sweptTriangles(step)) {}
 
     std::map<int, Vec3> run() {
         if (step_.sides.empty() && !comesNearOldWall()) {
             return {};
+        }
+        for (const RungNode& node : step_.rung) {
+            fixed_.insert(node.vertex);
         }
         std::map<int, Vec3> found;
         for (const int v : oldWallVertices()) {

@@ -80,6 +80,7 @@ StripNode oldNode(const StepInput& in, const PredicatePositions& positions, cons
 }
 
 void placeOldRung(const StepInput& in, const PredicatePositions& positions, Strip& strip) {
+    strip.nodes.reserve(2 * in.rung.size() + 2);  // the new rung has no more
     for (int i = 0; i < sizeOf(in.rung); ++i) {
         if (joinsPrevious(in, positions, strip, i)) {
             joinPrevious(in, positions, strip, i);
@@ -357,6 +358,10 @@ void zipRungs(const BladeSpan& span, Strip& strip) {
 
 void connectEdges(const StepInput& in, Strip& strip) {
     DirectedEdges known(strip.nodes.size());
+    const std::size_t edges = 2 * strip.triangles.size() + 1;  // of a band
+    known.reserve(edges);
+    strip.edges.reserve(edges);
+    strip.triangleEdges.reserve(strip.triangles.size());
     for (int t = 0; t < sizeOf(strip.triangles); ++t) {
         Triangle ids{};
         for (int e = 0; e < 3; ++e) {

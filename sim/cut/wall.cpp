@@ -216,8 +216,9 @@ class SheetTriangulation {
     }
 
     /// Of the border, each once, from B to A: each new one lies beside the last, so that few edges
-    /// flip. Along one side of a strip and then the other it would be twice as many. At one place of
-    /// the blade those behind come first: rectangles get the same diagonals as around the border.
+    /// flip. Along one side of a strip and then the other it would be twice as many. At one place
+    /// of the blade those behind come first: rectangles get the same diagonals as around the
+    /// border.
     std::vector<int> nodesAlongBlade() const {
         std::vector<int> order;
         order.reserve(edges_.size());
