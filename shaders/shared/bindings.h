@@ -33,6 +33,9 @@ SHARED_CONST uint kPatchedBinding = 1u;      // what it writes to
 SHARED_CONST uint kContactCountsOfStepBinding = 5u;  // ContactState
 SHARED_CONST uint kSearchedBinding = 8u;             // vec4: X at the last search for contacts [m]
 SHARED_CONST uint kNearbyBinding = 15u;              // NearbyQuery and its NearbyVertex records
+// Texture unit of how far the skin at each vertex is folded: see folds.glsl. No kernel has another
+// use for it.
+SHARED_CONST uint kFoldsUnit = 28u;
 // Texture units of a kernel that reads all constraints besides the triangles around each vertex.
 SHARED_CONST uint kBendsBinding = 5u;        // texels of BendRecord
 SHARED_CONST uint kIspcsBinding = 8u;        // texels of IspcConstraint

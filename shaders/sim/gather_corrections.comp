@@ -47,7 +47,7 @@ void main() {
     vec4 x = fetch(positions, v);
     vec3 d = withSum(fetch(before, v).xyz, x.w, sum);
 #ifdef ONTO_FLOOR
-    d = onFloor(d, x);
+    d = onFloor(d, x, foldAt(v));
 #endif
     displacement[v] = vec4(d, secondSplit(x.w, fetch(links, v)));
 }

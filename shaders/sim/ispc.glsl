@@ -1,4 +1,5 @@
 // An ISPC: see ispc.comp. The includer declares `uniforms`, positionOf(v) and displacementOf(v).
+#include "sim/folds.glsl"
 #include "sim/pull_direction.glsl"
 
 // On its vertex; the corners of the triangle that its ray ends on answer by their weights.
@@ -18,10 +19,11 @@ vec3 ispcPull(IspcConstraint ispc) {
     float reach = length(r);
 
     float weight = uniforms.inverse_density * dot(vec4(dv.w, d0.w, d1.w, d2.w), vec4(1.0, b * b));
-    float denominator = dampedWeight(weight, ispc.geometry * uniforms.ispc_compliance);
+    float damping = dampingAt(foldAt(uvec4(ispc.vertex, ispc.t0, ispc.t1, ispc.t2)));
+    float denominator = dampedWeight(weight, ispc.geometry * uniforms.ispc_compliance, damping);
     vec3 direction = reach > 1e-12 ? pullDirection(base, r) : vec3(0.0);
     float impulse = weight > 0.0
-        ? uniforms.ispc_share * -dampedError(reach - ispc.rest_length, dot(direction, step)) /
+        ? uniforms.ispc_share * -dampedError(reach - ispc.rest_length, dot(direction, step), damping) /
             denominator
         : 0.0;
     return direction * impulse;

@@ -17,11 +17,15 @@ bool pullsAsBefore() {
     return false;
 }
 
-float dampedError(float error, float rate) {
+float dampingAt(float fold) {
+    return 0.0;
+}
+
+float dampedError(float error, float rate, float damping) {
     return error;
 }
 
-float dampedWeight(float weight, float compliance) {
+float dampedWeight(float weight, float compliance, float damping) {
     return weight;
 }
 #else
@@ -29,14 +33,19 @@ bool pullsAsBefore() {
     return (uniforms.active_parts & kPullAsBeforePart) != 0u;
 }
 
+// Gamma of a constraint on skin that is so far folded (folds.glsl).
+float dampingAt(float fold) {
+    return uniforms.damping_ratio * (1.0 - fold);
+}
+
 // What an impulse is to answer to: C, and its rate times gamma.
-float dampedError(float error, float rate) {
-    return error + uniforms.damping_ratio * rate;
+float dampedError(float error, float rate, float damping) {
+    return error + damping * rate;
 }
 
 // What an impulse is divided by.
-float dampedWeight(float weight, float compliance) {
-    return (1.0 + uniforms.damping_ratio) * weight + compliance;
+float dampedWeight(float weight, float compliance, float damping) {
+    return (1.0 + damping) * weight + compliance;
 }
 #endif
 

@@ -29,7 +29,7 @@ void main() {
     vec4 x = fetch(before, v);
     vec3 d = fetch(displacement, v).xyz;
     if ((uniforms.active_parts & kVolumePart) != 0u) d = heldByVolume(v, d, x.w);
-    if ((uniforms.active_parts & kFloorPart) != 0u) d = onFloor(d, x);
+    if ((uniforms.active_parts & kFloorPart) != 0u) d = onFloor(d, x, foldAt(v));
     if (x.w > 0.0) {
         velocities[v].xyz = endVelocity(d);
     }

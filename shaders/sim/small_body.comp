@@ -139,7 +139,7 @@ vec3 afterIspcs(uint v, float inverseUnitMass) {
 }
 
 void end(uint v, vec3 d, vec4 x) {
-    if (isActive(kFloorPart)) d = onFloor(d, x);
+    if (isActive(kFloorPart)) d = onFloor(d, x, foldAt(v));
     if (x.w > 0.0) setVelocity(v, endVelocity(d));
     setPosition(v, vec4(x.xyz + d, x.w));
 }
@@ -156,7 +156,7 @@ void finishSweep(bool last) {
             setDisplacement(v, vec4(d, 0.0));
             end(v, d, x);
         } else {
-            setSwept(v, lifts ? onFloor(d, x) : d);
+            setSwept(v, lifts ? onFloor(d, x, foldAt(v)) : d);
         }
     }
     endPhase();

@@ -1,5 +1,6 @@
 // Prediction and edges of a vertex: see stretch.comp. The includer declares `uniforms`, positionOf(v),
 // startOf(v, inverse unit mass) [m] and spokeAt(place).
+#include "sim/folds.glsl"
 #include "sim/pull_direction.glsl"
 
 vec3 predicted(vec3 speed, float inverseUnitMass) {
@@ -12,7 +13,7 @@ vec3 predicted(vec3 speed, float inverseUnitMass) {
 vec3 startOf(uint v, float inverseUnitMass);
 
 // What a spoke adds to the displacement of its vertex, which has `count` of them.
-vec3 spokePull(Spoke spoke, vec4 own, float count, vec3 ownStart) {
+vec3 spokePull(Spoke spoke, vec4 own, float count, vec3 ownStart, float ownFold) {
     vec4 far = positionOf(spoke.other);
     vec3 step = ownStart - startOf(spoke.other, far.w);
     vec3 before = own.xyz - far.xyz;
@@ -20,9 +21,12 @@ vec3 spokePull(Spoke spoke, vec4 own, float count, vec3 ownStart) {
     float reach = length(span);
     float inverseMasses =
         uniforms.inverse_density * (count * own.w + float(spoke.other_count) * far.w);
-    float denominator = dampedWeight(inverseMasses, spoke.geometry * uniforms.stretch_compliance);
+    float damping = dampingAt(max(ownFold, foldAt(spoke.other)));
+    float denominator =
+        dampedWeight(inverseMasses, spoke.geometry * uniforms.stretch_compliance, damping);
     vec3 direction = pullDirection(before, span);
-    float impulse = -dampedError(reach - spoke.rest_length, dot(direction, step)) / denominator;
+    float impulse =
+        -dampedError(reach - spoke.rest_length, dot(direction, step), damping) / denominator;
     vec3 pull = direction * (uniforms.stretch_share * uniforms.inverse_density * own.w * impulse);
     return reach >= 1e-12 && denominator > 0.0 ? pull : vec3(0.0);
 }
@@ -30,10 +34,11 @@ vec3 spokePull(Spoke spoke, vec4 own, float count, vec3 ownStart) {
 // d of a vertex after its edges, of which the spokes lie at `range`.
 vec3 stretched(uint v, vec4 own, uvec2 range) {
     vec3 start = startOf(v, own.w);
+    float fold = foldAt(v);
     vec3 sum = vec3(0.0);
     if ((uniforms.active_parts & kStretchPart) != 0u && own.w > 0.0) {
         for (uint k = range.x; k < range.y; ++k) {
-            sum += spokePull(spokeAt(k), own, float(range.y - range.x), start);
+            sum += spokePull(spokeAt(k), own, float(range.y - range.x), start, fold);
         }
     }
     return start + sum;

@@ -118,6 +118,8 @@ void GpuSolver::step() {
     boxes_.beginStep(reach_);
     blade_.beginStep(reach_);
     unfolds_ = motion_.folded && body_.active(shared::kUnfoldPart);
+    phases_.setFolds(unfolds_ ? &unfolding_.folds() : nullptr);
+    smallBody_.setFolds(unfolds_ ? &unfolding_.folds() : nullptr);
     if (sweepsInOneGroup() && smallBody_.large()) {
         stepTheFasterWay();
     } else if (sweepsInOneGroup()) {

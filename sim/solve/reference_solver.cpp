@@ -43,7 +43,11 @@ void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
         if (!c.valid) {
             continue;
         }
-        const double lambda = share * multiplier(c, state, w, incidence, gamma);
+        double fold = 0;
+        for (const std::uint32_t v : c.vertices) {
+            fold = std::max(fold, state.fold(v));
+        }
+        const double lambda = share * multiplier(c, state, w, incidence, gamma * (1 - fold));
         for (std::size_t k = 0; k < c.vertices.size(); ++k) {
             correction[c.vertices[k]] += w[c.vertices[k]] * lambda * c.gradient[k];
         }
@@ -231,7 +235,8 @@ void ReferenceSolver::collideFloor(ReferenceState& state) const {
         d.y() += lift;
         const double slide = std::hypot(d.x(), d.z());
         if (slide > 0) {
-            const double kept = 1 - std::min(1.0, uniforms_.friction * lift / slide);
+            const double friction = uniforms_.friction * (1 - state.fold(v));
+            const double kept = 1 - std::min(1.0, friction * lift / slide);
             d.x() *= kept;
             d.z() *= kept;
         }

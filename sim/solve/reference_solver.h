@@ -14,6 +14,10 @@ struct ReferenceState {
     std::vector<Vec3> positions;      ///< X [m]
     std::vector<Vec3> displacements;  ///< d of the running substep [m]
     std::vector<Vec3> velocities;     ///< v [m/s]
+    /// How far the skin at each vertex is folded, 0 to 1, as of the last unfold(); empty before.
+    std::vector<double> folds;
+
+    double fold(std::size_t vertex) const { return folds.empty() ? 0.0 : folds[vertex]; }
 };
 
 /// The body at rest, without motion.
@@ -44,7 +48,8 @@ class ReferenceSolver {
     void step(ReferenceState& state) const;
     void substep(ReferenceState& state) const;
 
-    /// Draws what is folded back to its rest shape; see Unfolding.
+    /// Draws what is folded back to its rest shape; see Unfolding. Until the next time constraints
+    /// there are not damped and the floor does not rub (shaders/sim/folds.glsl).
     void unfold(ReferenceState& state) const;
     /// v += h g, d = h v; kinematic vertices: d = h v.
     void predict(ReferenceState& state) const;

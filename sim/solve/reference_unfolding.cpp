@@ -133,7 +133,8 @@ Vec3 pullOf(const Goal& goal, const Vec3& x, const Vec3& rest, const Vec3& veloc
 void unfoldAsReference(const BodyModel& model, const std::vector<double>& inverseMass,
                        double substep, ReferenceState& state) {
     const std::size_t count = state.positions.size();
-    const std::vector<double> folds = foldsOf(model, state.positions);
+    state.folds = foldsOf(model, state.positions);
+    const std::vector<double>& folds = state.folds;
     std::vector<double> sums(count, 0.0);
     std::vector<double> masses(count, 0.0);
     for (std::size_t v = 0; v < count; ++v) {

@@ -166,15 +166,20 @@ gpu::Program SmallBodySolver::compile(uint threads, gpu::Defines defines) const 
 }
 
 void SmallBodySolver::run(const SmallBodyBuffers& buffers, const SubstepRun& run) {
-    if (!kernel_) {
-        kernel_ = compile(groupSize(), {});
+    std::optional<gpu::Program>& kernel = folds_ != nullptr ? foldedKernel_ : kernel_;
+    if (!kernel) {
+        kernel = compile(groupSize(),
+                         folds_ != nullptr ? gpu::Defines{{"UNFOLDS", "1"}} : gpu::Defines{});
     }
     bind(buffers);
-    kernel_->set("substepsToBegin", run.begins);
-    kernel_->set("firstIsOpen", run.firstIsOpen ? 1U : 0U);
-    kernel_->set("leavesOpen", run.leavesOpen ? 1U : 0U);
-    kernel_->set("blockCount", blocks_);
-    kernel_->dispatch(1, groupSize());
+    if (folds_ != nullptr) {
+        folds_->bindTexels(shared::kFoldsUnit, TexelFormat::uint32);
+    }
+    kernel->set("substepsToBegin", run.begins);
+    kernel->set("firstIsOpen", run.firstIsOpen ? 1U : 0U);
+    kernel->set("leavesOpen", run.leavesOpen ? 1U : 0U);
+    kernel->set("blockCount", blocks_);
+    kernel->dispatch(1, groupSize());
     gpu::storageBarrier();
 }
 

@@ -64,6 +64,10 @@ class SmallBodySolver {
     /// Whether it may be too much for one thread of llvmpipe.
     bool large() const { return large_; }
 
+    /// How far the skin at each vertex is folded (Unfolding::folds()) in the substeps to come; null
+    /// where it is not folded, as at the start.
+    void setFolds(const gpu::Buffer* folds) { folds_ = folds; }
+
     /// One dispatch; a storage barrier follows. Compiles the kernel with the first: throws
     /// gpu::ShaderError.
     void run(const SmallBodyBuffers& buffers, const SubstepRun& run);
@@ -78,8 +82,10 @@ class SmallBodySolver {
 
     Memory memory_;
     std::optional<gpu::Program> kernel_;
+    std::optional<gpu::Program> foldedKernel_;  ///< shaders/sim/folds.glsl
     std::optional<gpu::Program> sweepKernel_;
     std::optional<gpu::Program> largeSweepKernel_;
+    const gpu::Buffer* folds_ = nullptr;
     gpu::Buffer parts_;
     std::uint32_t blocks_ = 0;
     std::uint32_t substepsAtOnce_ = 0;

@@ -58,10 +58,31 @@ const SubstepPhases::ConstraintKernels& SubstepPhases::constraints() const {
     return constraints_[body_.plainPbd() ? 1 : 0];
 }
 
+void SubstepPhases::setFolds(const gpu::Buffer* folds) {
+    folds_ = folds;
+    if (folds_ != nullptr && !foldedKernels_) {
+        const auto compileFor = [&](const std::string& name) {
+            return compile(body_, name, {{"UNFOLDS", "1"}});
+        };
+        foldedKernels_.emplace(FoldedKernels{compileFor("stretch"), compileFor("bend"),
+                                             compileFor("ispc"), compileFor("floor"),
+                                             compileFor("settle")});
+    }
+}
+
+const gpu::Program& SubstepPhases::choose(const gpu::Program& kernel,
+                                          gpu::Program FoldedKernels::*folded) const {
+    if (folds_ == nullptr) {
+        return kernel;
+    }
+    folds_->bindTexels(shared::kFoldsUnit, TexelFormat::uint32);
+    return *foldedKernels_.*folded;
+}
+
 void SubstepPhases::predictAndStretch() {
     body_.bind();
     bindSpokes();
-    body_.run(stretch_, body_.uniforms.vertex_count);
+    body_.run(choose(stretch_, &FoldedKernels::stretch), body_.uniforms.vertex_count);
 }
 
 void SubstepPhases::stretchAgain() {
@@ -83,7 +104,7 @@ void SubstepPhases::solveBends() {
     }
     const SolverModel& model = body_.model;
     body_.bindFetched(model.bends, shared::kConstraintsBinding, TexelFormat::uint32x4);
-    runOverConstraints(constraints().bend, body_.uniforms.bend_count);
+    runOverConstraints(choose(constraints().bend, &FoldedKernels::bend), body_.uniforms.bend_count);
     body_.bindFetched(model.bendRanges, shared::kRangesBinding, TexelFormat::uint32x4);
     body_.bindFetched(model.bendEntries, shared::kEntriesBinding, TexelFormat::uint32x2);
     body_.run(gatherBends_, body_.uniforms.vertex_count);
@@ -95,7 +116,7 @@ void SubstepPhases::solveIspcs(const gpu::Program& gather) {
     }
     const SolverModel& model = body_.model;
     body_.bindFetched(model.ispcs, shared::kConstraintsBinding, TexelFormat::uint32x4);
-    runOverConstraints(constraints().ispc, body_.uniforms.ispc_count);
+    runOverConstraints(choose(constraints().ispc, &FoldedKernels::ispc), body_.uniforms.ispc_count);
     body_.bindFetched(model.ispcRanges, shared::kRangesBinding, TexelFormat::uint32x2);
     body_.bindFetched(model.ispcShares, shared::kEntriesBinding, TexelFormat::uint32x4);
     body_.run(gather, body_.uniforms.vertex_count);
@@ -132,7 +153,7 @@ void SubstepPhases::solveVolume() {
 
 void SubstepPhases::settle() {
     sumVolume();
-    body_.run(settle_, body_.uniforms.vertex_count);
+    body_.run(choose(settle_, &FoldedKernels::settle), body_.uniforms.vertex_count);
 }
 
 void SubstepPhases::pull() {
@@ -146,7 +167,7 @@ void SubstepPhases::pull() {
 void SubstepPhases::collideFloor() {
     if (body_.active(shared::kFloorPart)) {
         body_.bind();
-        body_.run(floor_, body_.uniforms.vertex_count);
+        body_.run(choose(floor_, &FoldedKernels::floor), body_.uniforms.vertex_count);
     }
 }
 

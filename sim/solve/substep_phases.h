@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "gpu/program.h"
 #include "sim/solve/solver_body.h"
@@ -14,6 +15,11 @@ class SubstepPhases {
   public:
     /// The body must outlive it. Compiles the kernels: throws gpu::ShaderError.
     explicit SubstepPhases(SolverBody& body);
+
+    /// How far the skin at each vertex is folded (Unfolding::folds()) in the substeps to come; null
+    /// where it is not folded, as at the start. At the first folds compiles kernels: throws
+    /// gpu::ShaderError.
+    void setFolds(const gpu::Buffer* folds);
 
     void predictAndStretch();
     /// Instead of it in all sweeps but the first.
@@ -34,8 +40,15 @@ class SubstepPhases {
     struct ConstraintKernels {
         gpu::Program stretchAgain, bend, ispc;
     };
+    /// What acts otherwise on folded skin: shaders/sim/folds.glsl.
+    struct FoldedKernels {
+        gpu::Program stretch, bend, ispc, floor, settle;
+    };
     ConstraintKernels compileConstraints(bool plainPbd) const;
     const ConstraintKernels& constraints() const;
+    /// `folded` instead of `kernel` where the skin is folded.
+    const gpu::Program& choose(const gpu::Program& kernel,
+                               gpu::Program FoldedKernels::*folded) const;
     void bindSpokes() const;
     void solveIspcs(const gpu::Program& gather);
     void runOverConstraints(const gpu::Program& kernel, std::uint32_t count);
@@ -43,6 +56,8 @@ class SubstepPhases {
 
     SolverBody& body_;
     std::array<ConstraintKernels, 2> constraints_;  ///< for any solver, for plain PBD
+    std::optional<FoldedKernels> foldedKernels_;
+    const gpu::Buffer* folds_ = nullptr;
     gpu::Program stretch_, gatherBends_, gatherIspcs_, gatherIspcsOntoFloor_;
     gpu::Program volumeGradient_, volumeCorrect_, pull_, floor_, finish_, settle_;
 };

@@ -29,6 +29,8 @@ class Unfolding {
     void resize(std::size_t vertices);
     /// Changes velocities; a storage barrier follows.
     void run(const UnfoldingBody& body);
+    /// How far the skin at each vertex is folded, 0 to 1, as of the last run: a float each.
+    const gpu::Buffer& folds() const { return folds_; }
 
   private:
     void bind(const UnfoldingBody& body) const;
