@@ -9,9 +9,9 @@
 #include <ostream>
 
 #include "app/exit_codes.h"
-#include "app/output_folder.h"
 #include "app/progress_line.h"
 #include "gpu/context.h"
+#include "sim/text.h"
 
 namespace kerf::app {
 
@@ -118,18 +118,25 @@ std::string describe(const BenchSetting& setting) {
                        setting.modulus, setting.cells, setting.iterations);
 }
 
-/// Empty where all is well.
+/// Empty where every specimen kept its volume.
 std::string firstFailure(const std::vector<BenchRun>& runs) {
     for (const BenchRun& run : runs) {
-        if (!run.result.settled) {
-            return "bar: " + describe(run.setting) + ": it did not come to rest.";
-        }
         if (!(std::abs(run.result.volumeRatio - 1) < kMostVolumeChange)) {
             return fmt::format("bar: {}: the volume is {:.2f} % of what it was.",
                                describe(run.setting), 100 * run.result.volumeRatio);
         }
     }
     return "";
+}
+
+std::vector<std::string> stillMoving(const std::vector<BenchRun>& runs) {
+    std::vector<std::string> names;
+    for (const BenchRun& run : runs) {
+        if (!run.result.settled) {
+            names.push_back(describe(run.setting));
+        }
+    }
+    return names;
 }
 
 std::vector<BenchRun> runAll() {
@@ -166,26 +173,42 @@ std::string formatBarReport(const std::vector<BenchRun>& runs) {
                  });
 }
 
+std::string stillMovingWarning(const std::vector<BenchRun>& runs) {
+    const std::vector<std::string> names = stillMoving(runs);
+    return names.empty()
+               ? ""
+               : fmt::format(
+                     "bar: {} still moving when time was up, so what stands there "
+                     "is not final: {}.",
+                     counted(names.size(), "specimen was", "specimens were"), joined(names, "; "));
+}
+
+int reportBarRuns(const std::vector<BenchRun>& runs, OutputFolder& folder, bool json,
+                  std::ostream& out, std::ostream& errors) {
+    nlohmann::ordered_json summary;
+    for (const BenchRun& run : runs) {
+        summary["tests"].push_back(toJson(run));
+    }
+    summary["still_moving"] = stillMoving(runs);
+    const std::string report = formatBarReport(runs);
+    folder.write(kReportFile, report);
+    folder.write(kSummaryFile, summary.dump(2) + "\n");
+    out << (json ? summary.dump() + "\n" : report);
+    for (const std::string& sentence : {stillMovingWarning(runs), firstFailure(runs)}) {
+        if (!sentence.empty()) {
+            errors << sentence << "\n";
+        }
+    }
+    return firstFailure(runs).empty() ? kExitDone : kExitCheckFailed;
+}
+
 int runBarExperiment(const std::filesystem::path& folder, bool json, std::ostream& out,
                      std::ostream& errors) {
     const gpu::EglContext context;
     OutputFolder own(folder / kBarExperiment);
     own.remove(kSummaryFile);
     own.remove(kReportFile);
-    const std::vector<BenchRun> runs = runAll();
-    nlohmann::ordered_json summary;
-    for (const BenchRun& run : runs) {
-        summary["tests"].push_back(toJson(run));
-    }
-    const std::string report = formatBarReport(runs);
-    own.write(kReportFile, report);
-    own.write(kSummaryFile, summary.dump(2) + "\n");
-    out << (json ? summary.dump() + "\n" : report);
-    const std::string failure = firstFailure(runs);
-    if (!failure.empty()) {
-        errors << failure << "\n";
-    }
-    return failure.empty() ? kExitDone : kExitCheckFailed;
+    return reportBarRuns(runAll(), own, json, out, errors);
 }
 
 }  // namespace kerf::app

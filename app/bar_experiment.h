@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/output_folder.h"
 #include "app/test_bench.h"
 
 namespace kerf::app {
@@ -21,10 +22,18 @@ struct BenchRun {
 /// The text of report.md: the effective modulus over the parameter, by resolution and iterations.
 std::string formatBarReport(const std::vector<BenchRun>& runs);
 
-/// `kerf experiment bar`: a hanging bar and a compressed block (see measureModulus) at four
-/// resolutions, three moduli and five numbers of iterations. Writes DIR/bar/summary.json and
-/// DIR/bar/report.md; prints the report, or with `json` the summary. Returns 0, or 1 where a
-/// specimen did not settle or lost volume. Throws OutputError, gpu::ContextError.
+/// One sentence that names all specimens that did not settle; empty where all did.
+std::string stillMovingWarning(const std::vector<BenchRun>& runs);
+
+/// Writes report.md and summary.json into `folder`; prints the report, or with `json` the summary.
+/// Specimens that did not settle are named in one warning. Returns 0, or 1 where a specimen lost
+/// volume. Throws OutputError.
+int reportBarRuns(const std::vector<BenchRun>& runs, OutputFolder& folder, bool json,
+                  std::ostream& out, std::ostream& errors);
+
+/// `kerf experiment bar`: a hanging bar, the same bar and a slab bent, and a compressed block (see
+/// measureModulus) at four resolutions, three moduli and five numbers of iterations, reported by
+/// reportBarRuns in DIR/bar. Throws OutputError, gpu::ContextError.
 int runBarExperiment(const std::filesystem::path& folder, bool json, std::ostream& out,
                      std::ostream& errors);
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/bar_experiment.h"
 #include "sim/mesh/box_surface.h"
@@ -188,6 +190,65 @@ TEST_F(TestBench, TooFewIterationsMakeAStiffBlockSoft) {
     EXPECT_LT(sweepStrength(params, edgeLength), 1) << "so the panel says so";
     params.iterations = 40;
     EXPECT_GT(sweepStrength(params, edgeLength), 10);
+}
+
+BenchRun runThat(bool settled, double volumeRatio, SpecimenKind kind = SpecimenKind::bentBar) {
+    BenchRun run;
+    run.setting = {.kind = kind, .cells = 3, .modulus = 1e5};
+    run.result.effectiveModulus = 1.25e5;
+    run.result.volumeRatio = volumeRatio;
+    run.result.settled = settled;
+    return run;
+}
+
+/// What reportBarRuns left.
+struct Reported {
+    int exitCode = -1;
+    std::string out;
+    std::string errors;
+    nlohmann::json summary;
+    std::string report;
+};
+
+Reported reportOf(const std::vector<BenchRun>& runs, bool json = false) {
+    const test::TemporaryFolder folder;
+    std::ostringstream out;
+    std::ostringstream errors;
+    app::OutputFolder own(folder.path());
+    const int exitCode = app::reportBarRuns(runs, own, json, out, errors);
+    return {exitCode, out.str(), errors.str(),
+            nlohmann::json::parse(test::readBytes(folder / "summary.json")),
+            test::readBytes(folder / "report.md")};
+}
+
+TEST(BarReport, SpecimensThatStillMoveAreAFindingAndNoFailure) {
+    const Reported reported = reportOf({runThat(true, 1), runThat(false, 1, SpecimenKind::bentSlab),
+                                        runThat(false, 1, SpecimenKind::hangingBar)});
+    EXPECT_EQ(reported.exitCode, 0);
+    EXPECT_EQ(
+        reported.errors,
+        "bar: 2 specimens were still moving when time was up, so what stands there is not "
+        "final: bent slab, E = 1e+05 Pa, 3 cells, 20 iterations; hanging bar, E = 1e+05 Pa, 3 "
+        "cells, 20 iterations.\n");
+    EXPECT_EQ(reported.summary["still_moving"].size(), 2u);
+    EXPECT_EQ(reported.summary["tests"].size(), 3u);
+    EXPECT_NE(reported.report.find("| bent bar | 1e+05 | - | 1.25 | - | - |"), std::string::npos);
+    EXPECT_NE(reported.report.find("| bent slab | 1e+05 | - | 1.25 (still moving) | - | - |"),
+              std::string::npos);
+    EXPECT_EQ(reported.out, reported.report);
+}
+
+TEST(BarReport, LostVolumeIsAFailure) {
+    const Reported reported = reportOf({runThat(true, 1), runThat(true, 0.97)}, true);
+    EXPECT_EQ(reported.exitCode, 1);
+    EXPECT_EQ(reported.errors,
+              "bar: bent bar, E = 1e+05 Pa, 3 cells, 20 iterations: the volume is 97.00 % of what "
+              "it was.\n");
+    EXPECT_EQ(nlohmann::json::parse(reported.out), reported.summary);
+    EXPECT_TRUE(reported.summary["still_moving"].empty());
+    EXPECT_TRUE(reported.summary["still_moving"].is_array());
+    EXPECT_EQ(reportOf({runThat(false, std::nan(""))}).exitCode, 1)
+        << "it left the range of numbers";
 }
 
 TEST(BarReport, PutsEachTestInItsPlace) {
