@@ -205,7 +205,7 @@ bool EditorScene::playingBack() const {
 
 void EditorScene::playSessionEvents() {
     // Screenshots and exports are the replay's business: a person only watches here.
-    for (const SessionAction& action : playback_->actionsAt(simulation_.stepCount())) {
+    for (const auto& [action, number] : playback_->actionsAt(simulation_.stepCount())) {
         std::string message;
         if (const auto* check = std::get_if<CheckEvent>(&action)) {
             message = playback_->compare(*check, simulation_);

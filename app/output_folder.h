@@ -12,9 +12,13 @@ class OutputFolder {
   public:
     /// Makes the folder where it is missing. Throws OutputError, as all functions here.
     explicit OutputFolder(const std::filesystem::path& folder);
+    /// What was made here and is empty still goes again.
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
 
     /// Where `name` lies, its own folder made. Throws also where a link leads outside.
-    std::filesystem::path place(const std::string& name) const;
+    std::filesystem::path place(const std::string& name);
     /// Removes an earlier result, if there is one.
     void remove(const std::string& name) const;
     /// Writes a whole file; it appears complete or not at all.
@@ -25,7 +29,10 @@ class OutputFolder {
     const std::vector<std::string>& written() const { return written_; }
 
   private:
+    void makeFolders(const std::filesystem::path& folder);
+
     std::filesystem::path folder_;
+    std::vector<std::filesystem::path> made_;  ///< folders, outer ones first
     std::vector<std::string> written_;
 };
 

@@ -21,7 +21,7 @@ namespace kerf::app {
 namespace {
 
 /// How many pieces an earlier run had is not known: their files have no gaps.
-void removeExport(const OutputFolder& folder, const ExportEvent& event) {
+void removeExport(OutputFolder& folder, const ExportEvent& event) {
     folder.remove(event.file);
     for (int piece = 0; event.filePerPiece; ++piece) {
         const std::string name = pieceFile(event.file, piece).generic_string();
@@ -32,7 +32,7 @@ void removeExport(const OutputFolder& folder, const ExportEvent& event) {
     }
 }
 
-void removeEarlierResults(const OutputFolder& folder, const Session& session) {
+void removeEarlierResults(OutputFolder& folder, const Session& session) {
     for (const char* name : {kSummaryFile, kMetricsFile, kMeshFile}) {
         folder.remove(name);
     }
@@ -156,16 +156,24 @@ class Replay {
 
     void applyActions(int step) {
         step_ = step;
-        for (const SessionAction& action : player_.actionsAt(step)) {
-            std::visit(*this, action);
+        for (const PlayedAction& played : player_.actionsAt(step)) {
+            event_ = played.number;
+            std::visit(*this, played.action);
         }
     }
 
     void execute(const Command& command) {
         const std::string problem = simulation_.execute(command);
         if (!problem.empty()) {
-            throw InputError("step " + std::to_string(step_) + ": " + problem);
+            throw InputError(placeInFile() + ": " + problem);
         }
+    }
+
+    /// "first-cut.kerf.json: events[3] at step 12", as far as it is known.
+    std::string placeInFile() const {
+        const std::string file = session_.fileName.empty() ? "" : session_.fileName + ": ";
+        const std::string event = event_ < 0 ? "" : "events[" + std::to_string(event_) + "] at ";
+        return file + event + "step " + std::to_string(step_);
     }
 
     void checkHash(const CheckEvent& event) {
@@ -235,6 +243,7 @@ class Replay {
     std::vector<Blade> sweep_;  ///< poses of the running stroke
     RunSummary summary_;
     int step_ = 0;
+    int event_ = -1;  ///< SessionEvent::number of what happens now
     double renderMs_ = 0;
     bool reportedOpen_ = false;
     bool reportedNotFinite_ = false;

@@ -31,7 +31,8 @@ struct ReplayResult {
 /// run under these names are removed first, and summary.json comes last. Checks that fail do not
 /// stop the run: they stand in summary.failures. `model` is loadSessionModel(session).
 ///
-/// Throws OutputError, gpu::ShaderError, gpu::OutOfMemory.
+/// Throws InputError naming the event that cannot happen (nothing to undo, no such box),
+/// OutputError, gpu::ShaderError, gpu::OutOfMemory.
 ReplayResult replaySession(const Session& session, ModelMesh model,
                            const std::filesystem::path& folder, const ReplayListener& listener);
 

@@ -1,6 +1,7 @@
 #include "app/session.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -111,7 +112,8 @@ void SessionPlayer::collectSweeps() {
         } else if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
             if (lastKey != nullptr && lastKey->step < event.step) {
                 sweeps_.push_back({lastKey->step, event.step,
-                                   std::get<MoveBlade>(lastKey->action).blade, move->blade});
+                                   std::get<MoveBlade>(lastKey->action).blade, move->blade,
+                                   event.number});
             }
             lastKey = &event;
         }
@@ -130,8 +132,8 @@ void SessionPlayer::collectHandMoves() {
         } else if (const auto* drag = std::get_if<Drag>(&event.action)) {
             const auto last = keys.find(drag->hand);
             if (last != keys.end() && last->second.step + 1 < event.step) {
-                handMoves_.push_back(
-                    {drag->hand, last->second.step, event.step, last->second.at, drag->to});
+                handMoves_.push_back({drag->hand, last->second.step, event.step, last->second.at,
+                                      drag->to, event.number});
             }
             keys[drag->hand] = {event.step, drag->to};
         } else if (const auto* release = std::get_if<Release>(&event.action)) {
@@ -142,42 +144,40 @@ void SessionPlayer::collectHandMoves() {
     }
 }
 
-std::vector<SessionAction> SessionPlayer::actionsAt(int step) const {
+std::vector<PlayedAction> SessionPlayer::actionsAt(int step) const {
     const auto byStep = [](const SessionEvent& event, int value) { return event.step < value; };
     const auto& events = session_->events;
-    std::vector<SessionAction> actions;
+    std::vector<PlayedAction> actions;
     for (auto event = std::lower_bound(events.begin(), events.end(), step, byStep);
          event != events.end() && event->step == step; ++event) {
-        actions.push_back(event->action);
+        actions.push_back({event->action, event->number});
     }
     if (const auto pose = poseBetweenKeys(step)) {
-        actions.emplace_back(*pose);
+        actions.push_back(*pose);
     }
-    for (const Drag& drag : dragsBetweenKeys(step)) {
-        actions.emplace_back(drag);
-    }
+    std::ranges::copy(dragsBetweenKeys(step), std::back_inserter(actions));
     return actions;
 }
 
-std::vector<Drag> SessionPlayer::dragsBetweenKeys(int step) const {
-    std::vector<Drag> drags;
+std::vector<PlayedAction> SessionPlayer::dragsBetweenKeys(int step) const {
+    std::vector<PlayedAction> drags;
     for (const HandMove& move : handMoves_) {
         if (step > move.firstStep && step < move.lastStep) {
             const double t = double(step - move.firstStep) / (move.lastStep - move.firstStep);
-            drags.push_back({move.hand, move.from + t * (move.to - move.from)});
+            drags.push_back({Drag{move.hand, move.from + t * (move.to - move.from)}, move.number});
         }
     }
     return drags;
 }
 
-std::optional<MoveBlade> SessionPlayer::poseBetweenKeys(int step) const {
+std::optional<PlayedAction> SessionPlayer::poseBetweenKeys(int step) const {
     const auto endsBefore = [](const Sweep& sweep, int value) { return sweep.lastStep <= value; };
     const auto sweep = std::lower_bound(sweeps_.begin(), sweeps_.end(), step, endsBefore);
     if (sweep == sweeps_.end() || step <= sweep->firstStep) {
         return std::nullopt;
     }
     const double t = double(step - sweep->firstStep) / double(sweep->lastStep - sweep->firstStep);
-    return MoveBlade{interpolate(sweep->from, sweep->to, t)};
+    return PlayedAction{MoveBlade{interpolate(sweep->from, sweep->to, t)}, sweep->number};
 }
 
 }  // namespace kerf::app

@@ -76,10 +76,12 @@ using SessionAction =
 struct SessionEvent {
     int step = 0;  ///< applied before this step; equal to Session::steps: after the last one
     SessionAction action;
+    int number = -1;  ///< in the file's list, from 0; -1 where it stands in no file
 };
 
 /// A *.kerf.json file: start state, commands, checks. See docs/session-format.md.
 struct Session {
+    std::string fileName;  ///< without its folder, as errors name it; empty where it is no file
     ModelReference model;
     Placement placement;
     Params params;
@@ -117,6 +119,12 @@ ModelMesh loadSessionModel(const Session& session, const ReadOptions& options = 
 /// room around it for what falls.
 render::Camera sessionCamera(const Session& session, const Bounds& bounds);
 
+/// What a session does before a step.
+struct PlayedAction {
+    SessionAction action;
+    int number = -1;  ///< SessionEvent::number; between two key poses, that of the later one
+};
+
 /// The commands of one step, blade poses interpolated between key poses.
 class SessionPlayer {
   public:
@@ -124,7 +132,7 @@ class SessionPlayer {
     explicit SessionPlayer(const Session& session);
     /// Everything that happens before step `step`, in order; where the blade is between two key
     /// poses, its pose of this step comes last. `step` equal to session.steps: after the run.
-    std::vector<SessionAction> actionsAt(int step) const;
+    std::vector<PlayedAction> actionsAt(int step) const;
 
   private:
     /// The blade moves from one key pose to the next.
@@ -133,6 +141,7 @@ class SessionPlayer {
         int lastStep = 0;
         Blade from;
         Blade to;
+        int number = -1;  ///< of the later key pose
     };
     /// A hand moves from one key pose to the next, with steps between.
     struct HandMove {
@@ -141,11 +150,12 @@ class SessionPlayer {
         int lastStep = 0;
         Vec3 from = Vec3::Zero();
         Vec3 to = Vec3::Zero();
+        int number = -1;  ///< of the later key pose
     };
     void collectSweeps();
     void collectHandMoves();
-    std::optional<MoveBlade> poseBetweenKeys(int step) const;
-    std::vector<Drag> dragsBetweenKeys(int step) const;
+    std::optional<PlayedAction> poseBetweenKeys(int step) const;
+    std::vector<PlayedAction> dragsBetweenKeys(int step) const;
 
     const Session* session_;
     std::vector<Sweep> sweeps_;  ///< by step, not overlapping

@@ -28,7 +28,7 @@ class SessionPlayback {
     int steps() const { return session_->steps; }
     bool loop = false;
 
-    std::vector<SessionAction> actionsAt(int step) const { return player_.actionsAt(step); }
+    std::vector<PlayedAction> actionsAt(int step) const { return player_.actionsAt(step); }
 
     /// Whether a keyframe is due before the actions of the coming step.
     bool wantsKeyframe(int step) const;

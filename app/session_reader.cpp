@@ -446,7 +446,7 @@ std::vector<SessionEvent> readEvents(const Node& node, int steps,
         const Node event{&(*node.value)[i], node.place + "[" + std::to_string(i) + "]"};
         ObjectReader object(event);
         const int step = readInteger(object.required("step"), 0, steps);
-        events.push_back({step, readAction(object, event)});
+        events.push_back({step, readAction(object, event), static_cast<int>(i)});
         object.warnAboutTheRest(warnings);
     }
     const auto earlier = [](const SessionEvent& a, const SessionEvent& b) {
@@ -529,8 +529,9 @@ Session readSession(const std::filesystem::path& file) {
     const std::string text = readInputFile(file, kMaxSessionBytes);
     try {
         Session session = parseSession(text, std::filesystem::absolute(file).parent_path());
+        session.fileName = file.filename().string();
         for (std::string& warning : session.warnings) {
-            warning.insert(0, file.filename().string() + ": ");
+            warning.insert(0, session.fileName + ": ");
         }
         return session;
     } catch (const InputError& error) {

@@ -154,6 +154,54 @@ TEST(Replay, LinksDoNotLeadOutOfTheFolder) {
     EXPECT_TRUE(std::filesystem::is_empty(folder / "elsewhere"));
 }
 
+std::string sessionThatDoes(const std::string& events) {
+    return R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"},
+              "steps": 5, "events": [)" +
+           events + "]}";
+}
+
+TEST(Replay, WhatCannotHappenIsNamedAsItStandsInTheFileAndNothingIsWritten) {
+    const TemporaryFolder folder;
+    const std::string other = R"({"step": 3, "type": "lift"}, )";
+    const std::vector<std::pair<std::string, std::string>> mistakes{
+        {R"({"step": 1, "type": "undo"})", "events[1] at step 1: There is nothing to undo."},
+        {R"({"step": 0, "type": "redo"})", "events[1] at step 0: There is nothing to redo."},
+        {R"({"step": 2, "type": "remove_box", "box": 0})", "events[1] at step 2: There is no box"},
+        {R"({"step": 1, "type": "grab", "at": [9, 9, 9], "radius": 0.1})",
+         "events[1] at step 1: No free vertex"},
+        {R"({"step": 1, "type": "pin", "center": [9, 9, 9], "radius": 0.1})",
+         "events[1] at step 1: No free vertex"},
+        // A blade that turns around goes through a point.
+        {R"({"step": 4, "type": "blade", "a": [8, 0, 0], "b": [9, 0, 0]},
+            {"step": 0, "type": "blade", "a": [9, 0, 0], "b": [8, 0, 0]})",
+         ""},
+    };
+    for (const auto& [event, sentence] : mistakes) {
+        const bool turns = sentence.empty();
+        const ProgramRun run =
+            replay(folder, sessionThatDoes((turns ? "" : other) + event), "new/out");
+        EXPECT_EQ(run.exitCode, 3) << event;
+        const std::string expected =
+            "kerf: test.kerf.json: " +
+            (turns ? "events[0] at step 2: The two ends of the blade" : sentence);
+        EXPECT_EQ(run.errors.substr(0, expected.size()), expected);
+        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+        EXPECT_FALSE(std::filesystem::exists(folder / "new")) << event;
+    }
+}
+
+TEST(Replay, ARefusedEventLeavesFoldersThatWereThereAndPicturesOfBefore) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "out");
+    const std::string undo = R"({"step": 2, "type": "undo"})";
+    EXPECT_EQ(replay(folder, sessionThatDoes(undo), "out").exitCode, 3);
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
+    const std::string picture =
+        R"({"step": 1, "type": "screenshot", "file": "a/b.png", "width": 8, "height": 8}, )";
+    EXPECT_EQ(replay(folder, sessionThatDoes(picture + undo), "out").exitCode, 3);
+    EXPECT_EQ(filesBelow(folder / "out"), (std::set<std::string>{"a/b.png"}));
+}
+
 TEST(Replay, WithoutOpenGlNothingIsWritten) {
     const TemporaryFolder folder;
     const ProgramRun run = replay(folder, smallSession(), "out", {{"KERF_FORCE_NO_GL", "1"}});

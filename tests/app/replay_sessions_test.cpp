@@ -65,8 +65,8 @@ class SessionRun {
         : player_(session), simulation_(loadSessionModel(session).mesh, session.params) {}
 
     const StepReport& step(int number) {
-        for (const SessionAction& action : player_.actionsAt(number)) {
-            std::visit(*this, action);
+        for (const PlayedAction& played : player_.actionsAt(number)) {
+            std::visit(*this, played.action);
         }
         return simulation_.step();
     }

@@ -22,9 +22,9 @@ TEST(SessionJournal, ABladeThatStoodStillIsSaidToHave) {
     for (const int step : {5, 6, 7}) {
         const auto actions = player.actionsAt(step);
         ASSERT_EQ(actions.size(), 1U);
-        EXPECT_NEAR(std::get<MoveBlade>(actions[0]).blade.a.y(), 0.9, 1e-15);
+        EXPECT_NEAR(std::get<MoveBlade>(actions[0].action).blade.a.y(), 0.9, 1e-15);
     }
-    EXPECT_EQ(std::get<MoveBlade>(player.actionsAt(9).at(0)).blade.a.y(), 0.8);
+    EXPECT_EQ(std::get<MoveBlade>(player.actionsAt(9).at(0).action).blade.a.y(), 0.8);
 }
 
 TEST(SessionJournal, AHandThatStoodStillIsSaidToHave) {
@@ -39,8 +39,8 @@ TEST(SessionJournal, AHandThatStoodStillIsSaidToHave) {
     const SessionPlayer player(session);
     const auto drags = [&](int step) {
         std::vector<double> places;
-        for (const SessionAction& action : player.actionsAt(step)) {
-            if (const auto* drag = std::get_if<Drag>(&action)) {
+        for (const PlayedAction& played : player.actionsAt(step)) {
+            if (const auto* drag = std::get_if<Drag>(&played.action)) {
                 places.push_back(drag->to.x());
             }
         }

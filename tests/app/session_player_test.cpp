@@ -26,8 +26,8 @@ Session sessionOf(std::vector<SessionEvent> events) {
 /// Heights of the blade poses of one step.
 std::vector<double> heightsAt(const SessionPlayer& player, int step) {
     std::vector<double> heights;
-    for (const SessionAction& action : player.actionsAt(step)) {
-        if (const auto* move = std::get_if<MoveBlade>(&action)) {
+    for (const PlayedAction& played : player.actionsAt(step)) {
+        if (const auto* move = std::get_if<MoveBlade>(&played.action)) {
             heights.push_back(move->blade.a.y());
         }
     }
@@ -74,9 +74,27 @@ TEST(SessionPlayer, EventsOfOneStepComeInOrderThePoseLast) {
         sessionOf({key(0, 0), {1, SetParam{"iterations", 5.0}}, {1, CheckEvent{{}, 1}}, key(2, 2)});
     const auto actions = SessionPlayer(session).actionsAt(1);
     ASSERT_EQ(actions.size(), 3u);
-    EXPECT_TRUE(std::holds_alternative<SetParam>(actions[0]));
-    EXPECT_TRUE(std::holds_alternative<CheckEvent>(actions[1]));
-    EXPECT_TRUE(std::holds_alternative<MoveBlade>(actions[2]));
+    EXPECT_TRUE(std::holds_alternative<SetParam>(actions[0].action));
+    EXPECT_TRUE(std::holds_alternative<CheckEvent>(actions[1].action));
+    EXPECT_TRUE(std::holds_alternative<MoveBlade>(actions[2].action));
+}
+
+TEST(SessionPlayer, WhatHappensKnowsItsEventInTheFile) {
+    const Session session = parseSession(
+        R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": 9,
+            "events": [{"step": 4, "type": "lift"},
+                       {"step": 3, "type": "blade", "a": [0, 0, 0], "b": [1, 0, 0]},
+                       {"step": 1, "type": "blade", "a": [0, 2, 0], "b": [1, 2, 0]},
+                       {"step": 7, "type": "drag", "to": [1, 0, 0]},
+                       {"step": 5, "type": "grab", "at": [0, 0, 0], "radius": 1}]})",
+        "/");
+    const SessionPlayer player(session);
+    const std::vector<std::pair<int, int>> numberAt{{1, 2}, {2, 1}, {3, 1}, {4, 0},
+                                                    {5, 4}, {6, 3}, {7, 3}};
+    for (const auto& [step, number] : numberAt) {
+        ASSERT_EQ(player.actionsAt(step).size(), 1u) << step;
+        EXPECT_EQ(player.actionsAt(step)[0].number, number) << step;
+    }
 }
 
 TEST(SessionPlayer, AfterTheLastStepComeTheEventsOfTheEnd) {
@@ -93,8 +111,8 @@ TEST(SessionPlayer, HandsMoveLinearlyFromTheirGrabToTheirDrags) {
     const SessionPlayer player(session);
     const auto dragsAt = [&](int step) {
         std::vector<std::pair<int, Vec3>> drags;
-        for (const SessionAction& action : player.actionsAt(step)) {
-            if (const auto* drag = std::get_if<Drag>(&action)) {
+        for (const PlayedAction& played : player.actionsAt(step)) {
+            if (const auto* drag = std::get_if<Drag>(&played.action)) {
                 drags.emplace_back(drag->hand, drag->to);
             }
         }
