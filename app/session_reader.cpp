@@ -284,23 +284,29 @@ Drag readDrag(ObjectReader& object) {
     return {hand, readVector(object.required("to"), kMaxSessionCoordinate)};
 }
 
-/// A ball ("center", "radius") or a box ("low", "high").
-Region readRegion(ObjectReader& object) {
-    if (const auto center = object.optional("center")) {
-        const Vec3 at = readVector(*center, kMaxSessionCoordinate);
+/// A ball ("center", "radius") or a box ("low", "high"), but not some of each.
+Region readRegion(ObjectReader& object, const Node& event) {
+    const bool ball = object.optional("center") || object.optional("radius");
+    const bool box = object.optional("low") || object.optional("high");
+    if (ball == box) {
+        fail(event.place,
+             "expected either a ball (\"center\", \"radius\") or a box (\"low\", \"high\").");
+    }
+    if (ball) {
+        const Vec3 at = readVector(object.required("center"), kMaxSessionCoordinate);
         return Ball{at, readNumber(object.required("radius"), kLeastRadius, kMaxSessionCoordinate)};
     }
     const Node low = object.required("low");
-    const Bounds box{readVector(low, kMaxSessionCoordinate),
-                     readVector(object.required("high"), kMaxSessionCoordinate)};
-    if ((box.low.array() > box.high.array()).any()) {
+    const Bounds bounds{readVector(low, kMaxSessionCoordinate),
+                        readVector(object.required("high"), kMaxSessionCoordinate)};
+    if ((bounds.low.array() > bounds.high.array()).any()) {
         fail(low.place, "a box needs low to be no higher than high, in each direction.");
     }
-    return box;
+    return bounds;
 }
 
-Pin readPin(ObjectReader& object, bool pinned) {
-    Pin pin{readRegion(object), pinned};
+Pin readPin(ObjectReader& object, const Node& event, bool pinned) {
+    Pin pin{readRegion(object, event), pinned};
     if (const auto continues = object.optional("continues")) {
         pin.continues = readBoolean(*continues);
     }
@@ -423,7 +429,9 @@ SessionAction readAction(ObjectReader& object, const Node& event) {
     if (name == "grab") return readGrab(object);
     if (name == "drag") return readDrag(object);
     if (name == "release") return Release{readHand(object)};
-    if (name == "pin" || name == "unpin") return readPin(object, name == "pin");
+    if (name == "pin" || name == "unpin") {
+        return readPin(object, event, name == "pin");
+    }
     if (name == "add_box") return AddBox{readBox(object)};
     if (name == "change_box") return readChangeBox(object);
     if (name == "remove_box") return RemoveBox{readBoxIndex(object)};
