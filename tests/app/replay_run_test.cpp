@@ -32,6 +32,13 @@ std::string smallSession(const std::string& moreEvents = "") {
            moreEvents + "]}";
 }
 
+/// A whole sphere of 20 triangles to which these events happen.
+std::string sessionThatDoes(const std::string& events, int steps = 5) {
+    return R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"},
+              "params": {"gravity": [0, 0, 0], "floor": null}, "steps": )" +
+           std::to_string(steps) + R"(, "events": [)" + events + "]}";
+}
+
 ProgramRun replay(const TemporaryFolder& folder, const std::string& session, const std::string& out,
                   const std::map<std::string, std::string>& environment = {}) {
     writeText(folder / "test.kerf.json", session);
@@ -154,10 +161,23 @@ TEST(Replay, LinksDoNotLeadOutOfTheFolder) {
     EXPECT_TRUE(std::filesystem::is_empty(folder / "elsewhere"));
 }
 
-std::string sessionThatDoes(const std::string& events) {
-    return R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"},
-              "steps": 5, "events": [)" +
-           events + "]}";
+TEST(Replay, AnUndoBetweenTwoKeysEndsTheStrokeAsALiftDoes) {
+    const TemporaryFolder folder;
+    // The key at step 13 places the blade anew below the body.
+    const std::string first = R"({"step": 0, "type": "set", "name": "friction", "value": 1}, )";
+    const std::string keys =
+        R"({"step": 1, "type": "blade", "a": [-0.8, 0.62, 0.02], "b": [0.8, 0.58, 0.05]},
+           {"step": 13, "type": "blade", "a": [-0.8, -0.68, 0.02], "b": [0.8, -0.72, 0.05]})";
+    for (const char* end : {"undo", "lift"}) {
+        const std::string events =
+            first + keys + R"(, {"step": 2, "type": ")" + std::string(end) + R"("})";
+        const ProgramRun run = replay(folder, sessionThatDoes(events, 20), end);
+        ASSERT_EQ(run.exitCode, 0) << run.errors;
+        const auto summary = nlohmann::json::parse(run.out);
+        EXPECT_EQ(summary["after"]["triangles"], 20) << end;
+    }
+    const ProgramRun whole = replay(folder, sessionThatDoes(first + keys, 20), "whole");
+    EXPECT_EQ(nlohmann::json::parse(whole.out)["pieces"].size(), 2u) << "without one it cuts";
 }
 
 TEST(Replay, WhatCannotHappenIsNamedAsItStandsInTheFileAndNothingIsWritten) {

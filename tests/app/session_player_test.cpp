@@ -69,6 +69,18 @@ TEST(SessionPlayer, ALiftEndsTheSweep) {
     EXPECT_EQ(heightsAt(player, 9), std::vector<double>{5.5});
 }
 
+TEST(SessionPlayer, UndoRedoAndRestartEndTheSweepAsALiftDoes) {
+    for (const SessionAction& end : std::vector<SessionAction>{Undo{}, Redo{}, Restart{}}) {
+        const Session session = sessionOf({key(0, 0), {2, end}, key(4, 4), key(6, 5)});
+        const SessionPlayer player(session);
+        for (const int step : {1, 2, 3}) {
+            EXPECT_EQ(heightsAt(player, step), std::vector<double>{}) << step;
+        }
+        EXPECT_EQ(heightsAt(player, 4), std::vector<double>{4});
+        EXPECT_EQ(heightsAt(player, 5), std::vector<double>{4.5});
+    }
+}
+
 TEST(SessionPlayer, EventsOfOneStepComeInOrderThePoseLast) {
     const Session session =
         sessionOf({key(0, 0), {1, SetParam{"iterations", 5.0}}, {1, CheckEvent{{}, 1}}, key(2, 2)});
