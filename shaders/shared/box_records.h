@@ -13,6 +13,8 @@ SHARED_CONST uint kBoxBoxesBinding = 4u;         // BoxRecord: those near the bo
 SHARED_CONST uint kBoxRecordsBinding = 5u;       // BoxTouch per triangle
 SHARED_CONST uint kBoxSharesBinding = 6u;        // uint per vertex: touches that it is part of
 SHARED_CONST uint kBoxSumsBinding = 7u;          // 6 int per vertex: fixed-point d, then X
+SHARED_CONST uint kBoxLinksBinding = 10u;        // VertexLinks
+SHARED_CONST uint kBoxPiecesBinding = 11u;       // PieceBounds
 
 struct BoxUniforms {
     float thickness;        // distance kept from a box [m]
@@ -22,6 +24,7 @@ struct BoxUniforms {
     float friction;         // Coulomb coefficient
     float inverse_density;  // w = inverse_density / unit_mass [m^3/kg]
     float unit;             // of fixed-point displacements [m]
+    float floor_height;     // [m]; far below everything where there is no floor
     uint vertex_count;
     uint triangle_count;
     uint box_count;
@@ -33,6 +36,13 @@ struct BoxRecord {
     vec4 x;       // axis; w: half length [m]
     vec4 y;
     vec4 z;
+};
+
+// The box around the vertices of a piece at the beginning of a time step, as words in the order of
+// the floats, see ordered_floats.glsl.
+struct PieceBounds {
+    uint low_x, low_y, low_z;
+    uint high_x, high_y, high_z;
 };
 
 // Where a corner or an edge of a box meets a triangle in a substep.

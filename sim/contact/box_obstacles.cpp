@@ -11,7 +11,7 @@ constexpr double kDepth = 0.5;  // h
 }  // namespace
 
 ObstacleKind BoxObstacles::kind() {
-    return {{}, "sim/boxes/vertices.comp"};
+    return {{}, "sim/boxes/vertices.comp", true};
 }
 
 std::unique_ptr<const Obstacles> BoxObstacles::of(std::vector<StaticBox> boxes) {

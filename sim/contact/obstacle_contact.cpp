@@ -13,8 +13,9 @@ namespace {
 
 using shared::uint;
 
-static_assert(sizeof(shared::BoxUniforms) == 40);
+static_assert(sizeof(shared::BoxUniforms) == 44);
 static_assert(sizeof(shared::BoxTouch) == 48);
+static_assert(sizeof(shared::PieceBounds) == 24);
 
 constexpr double kSpeedUp = 4;  // that a body may undergo in a time step
 
@@ -27,7 +28,8 @@ Bounds boundsInStep(const BodyReach& reach, const ContactSettings& settings) {
 }
 
 shared::BoxUniforms uniformsOf(const ContactSettings& settings, const ContactBody& body,
-                               const TouchDistances& distances, std::size_t boxCount) {
+                               const TouchDistances& distances, double floor,
+                               std::size_t boxCount) {
     shared::BoxUniforms u{};
     u.thickness = distances.thickness;
     u.depth = distances.depth;
@@ -36,6 +38,7 @@ shared::BoxUniforms uniformsOf(const ContactSettings& settings, const ContactBod
     u.friction = static_cast<float>(settings.friction);
     u.inverse_density = static_cast<float>(settings.inverseDensity);
     u.unit = static_cast<float>(fixedUnit(settings));
+    u.floor_height = static_cast<float>(floor);
     u.vertex_count = body.vertexCount;
     u.triangle_count = body.triangleCount;
     u.box_count = static_cast<uint>(boxCount);
@@ -56,7 +59,10 @@ void ObstacleContact::setObstacles(std::unique_ptr<const Obstacles> obstacles) {
         kernels_.emplace(Kernels{gpu::Program::compute("sim/boxes/triangles.comp", kind_.triangles),
                                  gpu::Program::compute("sim/boxes/respond.comp"),
                                  gpu::Program::compute("sim/boxes/apply.comp"),
-                                 gpu::Program::compute(kind_.vertices)});
+                                 gpu::Program::compute(kind_.vertices), std::nullopt});
+        if (kind_.movesPiecesOut) {
+            kernels_->pieces = gpu::Program::compute("sim/boxes/pieces.comp");
+        }
     }
 }
 
@@ -73,9 +79,22 @@ void ObstacleContact::beginStep(const BodyReach& reach) {
         return;
     }
     makeRoom();
-    const shared::BoxUniforms uniforms =
-        uniformsOf(settings_, body_, obstacles_->distances(settings_, edgeLength_), count);
+    const shared::BoxUniforms uniforms = uniformsOf(
+        settings_, body_, obstacles_->distances(settings_, edgeLength_), reach.floor, count);
     uniforms_.assign(std::span<const shared::BoxUniforms>(&uniforms, 1));
+    boundPieces();
+}
+
+/// Pieces begin with empty boxes.
+void ObstacleContact::boundPieces() {
+    if (kernels_->pieces) {
+        constexpr uint kMost = ~0u;
+        const std::size_t count = body_.pieces->size() / sizeof(shared::PieceRecord);
+        pieceBounds_.assign(
+            std::vector<shared::PieceBounds>(count, {kMost, kMost, kMost, 0, 0, 0}));
+        bind();
+        runOver(*kernels_->pieces, body_.vertexCount);
+    }
 }
 
 void ObstacleContact::makeRoom() {
@@ -109,6 +128,10 @@ void ObstacleContact::bind() const {
     sums_.bindStorage(shared::kBoxSumsBinding);
     body_.incidenceRanges->bindStorage(shared::kBladeRangesBinding);
     body_.incidence->bindStorage(shared::kBladeIncidenceBinding);
+    body_.links->bindStorage(shared::kBoxLinksBinding);
+    if (kernels_->pieces) {
+        pieceBounds_.bindStorage(shared::kBoxPiecesBinding);
+    }
 }
 
 }  // namespace kerf

@@ -14,9 +14,11 @@ namespace kerf {
 
 /// Where a body is and how fast it moves at most: what decides which obstacles it can reach.
 struct BodyReach {
-    Bounds bounds;      ///< [m]
-    double speed = 0;   ///< no vertex is faster [m/s]
-    double margin = 0;  ///< what it may move besides in a time step [m]
+    Bounds bounds;            ///< [m]
+    double speed = 0;         ///< no vertex is faster [m/s]
+    double margin = 0;        ///< what it may move besides in a time step [m]
+    double floor = kNoFloor;  ///< height, below which nothing leaves an obstacle [m]
+    static constexpr double kNoFloor = -1e30;
 };
 
 /// Contact of a body with obstacles of one kind, on the GPU, with the same bits for any number of
@@ -44,8 +46,10 @@ class ObstacleContact {
   private:
     struct Kernels {
         gpu::Program triangles, respond, apply, vertices;
+        std::optional<gpu::Program> pieces;
     };
     void makeRoom();
+    void boundPieces();
     void bind() const;
 
     ObstacleKind kind_;
@@ -57,6 +61,7 @@ class ObstacleContact {
     bool reached_ = false;   ///< in this step
     gpu::Buffer uniforms_, records_;
     gpu::Buffer touches_, shares_, sums_;
+    gpu::Buffer pieceBounds_;  ///< at the beginning of the step
 };
 
 }  // namespace kerf

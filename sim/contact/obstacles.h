@@ -13,8 +13,9 @@ namespace kerf {
 
 /// What the kernels of a kind of obstacles differ in.
 struct ObstacleKind {
-    gpu::Defines triangles;  ///< for where they meet triangles
-    std::string vertices;    ///< path of the kernel that keeps vertices out of them
+    gpu::Defines triangles;       ///< for where they meet triangles
+    std::string vertices;         ///< path of the kernel that keeps vertices out of them
+    bool movesPiecesOut = false;  ///< as a whole: it wants the boxes of pieces
 };
 
 /// How near and how deep obstacles are touched [m].

@@ -115,6 +115,8 @@ void GpuSolver::setState(const BodyState& state) {
 void GpuSolver::step() {
     masses_.refresh();
     contacts_.beginStep(motion_);
+    reach_.floor =
+        body_.active(shared::kFloorPart) ? body_.uniforms.floor_height : BodyReach::kNoFloor;
     boxes_.beginStep(reach_);
     blade_.beginStep(reach_);
     unfolds_ = motion_.folded && body_.active(shared::kUnfoldPart);

@@ -1,7 +1,9 @@
 // Keeps vertices out of boxes: d ends at the face that the way from X to X + d enters through, a
-// thickness away from it. What starts inside comes out through the nearest face, slowly. Coulomb friction shortens the tangential way.
-// Reads X, boxes. Reads and writes d. One thread per vertex; boxes in their order. A storage barrier
-// follows.
+// thickness away from it. What starts inside comes out, slowly: a piece that the box could hold as a
+// whole through the one face where it has the least way, vertices of others through the nearest.
+// Coulomb friction shortens the tangential way; a piece that leaves as a whole goes straight.
+// Reads X, links, boxes of pieces, boxes. Reads and writes d. One thread per vertex; boxes in their
+// order. A storage barrier follows.
 #include "body_records.h"
 #include "box_records.h"
 layout(local_size_x = kGroupSize) in;
@@ -10,18 +12,36 @@ layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxDisplacementBinding) buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kBoxBoxesBinding) readonly buffer Boxes { BoxRecord boxes[]; };
+layout(std430, binding = kBoxLinksBinding) readonly buffer Links { VertexLinks links[]; };
+layout(std430, binding = kBoxPiecesBinding) readonly buffer Bounds { PieceBounds bounds[]; };
 
 #include "boxes.glsl"
+#include "sim/ordered_floats.glsl"
+
+// Vertices up to here inside a box, as a share of the depth of touches, merely touch it.
+const float kSkinDeep = 0.1;
 
 // A face that stops a vertex; axis 3 for none.
 struct Face {
     int axis;
-    float gap;  // to it at X [m]
+    float side;  // 1 or -1
+    float gap;   // to it at X [m]
+    bool whole;  // a piece leaves through it
+};
+
+// About how far a piece reaches, in the coordinates of a box: as an ellipsoid that fills the box
+// around it in the world.
+struct PieceBox {
+    vec3 middle;
+    vec3 reach;
+    float low;  // in the world [m]
 };
 
 int largest(vec3 v) {
     return v.x >= v.y && v.x >= v.z ? 0 : (v.y >= v.z ? 1 : 2);
 }
+
+float sideOf(float at) { return at < 0.0 ? -1.0 : 1.0; }
 
 // The last of the three slabs that the way enters is where it meets the box.
 Face entered(vec3 at, vec3 way, vec3 reach) {
@@ -30,35 +50,84 @@ Face entered(vec3 at, vec3 way, vec3 reach) {
     vec3 when = vec3(-1.0);
     for (int k = 0; k < 3; ++k) {
         if (outside[k] > 0.0) {
-            if (!(inward[k] > outside[k])) return Face(3, 0.0);
+            if (!(inward[k] > outside[k])) return Face(3, 0.0, 0.0, false);
             when[k] = outside[k] / inward[k];
         }
     }
     int axis = largest(when);
     vec3 beside = abs(at + when[axis] * way) - reach;
     beside[axis] = 0.0;
-    return Face(all(lessThanEqual(beside, vec3(0.0))) ? axis : 3, outside[axis]);
+    bool meets = all(lessThanEqual(beside, vec3(0.0)));
+    return Face(meets ? axis : 3, sideOf(at[axis]), outside[axis], false);
 }
 
-Face faceFor(vec3 at, vec3 way, vec3 reach) {
+PieceBox pieceBoxIn(BoxRecord box, uint p) {
+    vec3 low = vec3(orderedFloat(bounds[p].low_x), orderedFloat(bounds[p].low_y),
+                    orderedFloat(bounds[p].low_z));
+    vec3 high = vec3(orderedFloat(bounds[p].high_x), orderedFloat(bounds[p].high_y),
+                     orderedFloat(bounds[p].high_z));
+    vec3 reach = 0.5 * (high - low);
+    return PieceBox(toBox(box, 0.5 * (low + high) - box.center.xyz),
+                    vec3(length(box.x.xyz * reach), length(box.y.xyz * reach),
+                         length(box.z.xyz * reach)),
+                    low.y);
+}
+
+// Whether a piece that leaves so far along an axis, up or down, comes to lie in the floor.
+bool endsInFloor(PieceBox piece, float up, float way) {
+    return piece.low + up * way < uniforms.floor_height - 0.01 * way;
+}
+
+// The face through which a piece has the least way out, the floor permitting.
+Face wayOutOf(BoxRecord box, PieceBox piece) {
+    Face best = Face(3, 0.0, 0.0, true);
+    float least = 1e30;
+    vec3 up = vec3(box.x.y, box.y.y, box.z.y);
+    vec3 far = halfOf(box) + piece.reach;
+    for (int k = 0; k < 6; ++k) {
+        int axis = k % 3;
+        float side = k < 3 ? 1.0 : -1.0;
+        float way = far[axis] - side * piece.middle[axis];
+        if (way < least && !endsInFloor(piece, side * up[axis], way)) {
+            least = way;
+            best = Face(axis, side, 0.0, true);
+        }
+    }
+    return best;
+}
+
+// Whether beside the way out through this face the box is as wide as the piece and around its middle.
+bool holds(BoxRecord box, PieceBox piece, Face face) {
+    vec3 room = halfOf(box) - max(piece.reach, abs(piece.middle));
+    if (face.axis < 3) room[face.axis] = 0.0;
+    return face.axis < 3 && all(greaterThanEqual(room, vec3(0.0)));
+}
+
+Face faceFor(BoxRecord box, uint v, vec3 at, vec3 way) {
+    vec3 reach = halfOf(box) + uniforms.thickness;
     vec3 outside = abs(at) - reach;
     int axis = largest(outside);
-    return outside[axis] > 0.0 ? entered(at, way, reach) : Face(axis, outside[axis]);
+    if (outside[axis] > 0.0) return entered(at, way, reach);
+    Face nearest = Face(axis, sideOf(at[axis]), outside[axis], false);
+    if (outside[axis] > -uniforms.thickness - kSkinDeep * uniforms.depth) return nearest;
+    PieceBox piece = pieceBoxIn(box, links[v].piece);
+    Face leaving = wayOutOf(box, piece);
+    if (!holds(box, piece, leaving)) return nearest;
+    leaving.gap = leaving.side * at[leaving.axis] - reach[leaving.axis];
+    return leaving;
 }
 
-vec3 keptOut(BoxRecord box, vec3 x, vec3 d) {
-    vec3 at = toBox(box, x - box.center.xyz);
+vec3 keptOut(BoxRecord box, uint v, vec3 x, vec3 d) {
     vec3 way = toBox(box, d);
-    Face face = faceFor(at, way, halfOf(box) + uniforms.thickness);
+    Face face = faceFor(box, v, toBox(box, x - box.center.xyz), way);
     if (face.axis == 3) return d;
-    float side = at[face.axis] < 0.0 ? -1.0 : 1.0;
     float least = min(-face.gap, uniforms.lift);
-    float lift = least - side * way[face.axis];
+    float lift = least - face.side * way[face.axis];
     if (!(lift > 0.0)) return d;
     float across = way[face.axis];
     way[face.axis] = 0.0;
-    way *= slipLeft(length(way), lift, uniforms.friction);
-    way[face.axis] = across + side * lift;
+    way *= face.whole ? 0.0 : slipLeft(length(way), lift, uniforms.friction);
+    way[face.axis] = across + face.side * lift;
     return fromBox(box, way);
 }
 
@@ -68,7 +137,7 @@ void main() {
     vec3 x = positions[v].xyz;
     vec3 d = displacement[v].xyz;
     for (uint b = 0u; b < uniforms.box_count; ++b) {
-        d = keptOut(boxes[b], x, d);
+        d = keptOut(boxes[b], v, x, d);
     }
     displacement[v] = vec4(d, 0.0);
 }

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numeric>
 
+#include "sim/body/shape_error.h"
 #include "sim/contact/box_obstacles.h"
 #include "sim/simulation.h"
 #include "sim/state_hash.h"
@@ -172,6 +174,48 @@ TEST_F(BoxContactTest, ABoxInTheBodyPushesItOutGently) {
     }
     EXPECT_LT(deepestVertexIn(box, simulation.mesh()), 1e-6);
     EXPECT_LT(fastest, 3);
+}
+
+/// RMS distance from the rest shape, laid over it [m].
+double shapeErrorOf(const SurfaceMesh& mesh) {
+    std::vector<int> all(mesh.vertexCount());
+    std::iota(all.begin(), all.end(), 0);
+    return rmsShapeError(mesh.restPositions(), mesh.positions(), all);
+}
+
+/// A sphere of 1 m in a box of 1.4 m that it is a little off the middle of.
+struct Enclosed {
+    const char* name;
+    Vec3 turn, offset;  // of the box [degrees], of the sphere in its axes [m]
+    int axis;           // of the box, along which the sphere has the least way out
+    std::optional<double> floor;
+};
+
+TEST_F(BoxContactTest, ABodyInABoxLeavesItWholeThroughOneFace) {
+    for (const Enclosed& c : {Enclosed{"right", {0, 0, 0}, {0.1, 0.03, 0.02}, 0, {}},
+                              Enclosed{"turned", {20, 30, 0}, {0.01, -0.03, -0.1}, 2, {}},
+                              Enclosed{"floor", {0, 0, 0}, {0.02, -0.1, 0.05}, 2, -0.9}}) {
+        SCOPED_TRACE(c.name);
+        StaticBox box{{0, 0, 0}, Vec3::Constant(1.4), c.turn};
+        box.center = -box.axes() * c.offset;
+        Params params = withoutFloor();
+        params.floor = c.floor;
+        params.gravity.setZero();
+        Simulation simulation(test::cubeSphere(5), params, {box});
+        for (int i = 0; i < 300; ++i) {
+            simulation.step();
+            ASSERT_NEAR(simulation.report().volumeRatio, 1, 1e-3) << i;
+        }
+        const Vec3 at = box.axes().transpose() * (middle(simulation.mesh()) - box.center);
+        const double side = c.offset[c.axis] < 0 ? -1 : 1;
+        EXPECT_GT(side * at[c.axis], 0.7 + 0.45);
+        Vec3 beside = at - c.offset;
+        beside[c.axis] = 0;
+        EXPECT_LT(beside.norm(), 0.02);
+        EXPECT_EQ(deepestVertexIn(box, simulation.mesh()), 0);
+        EXPECT_LT(shapeErrorOf(simulation.mesh()), 0.005);
+        EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    }
 }
 
 TEST_F(BoxContactTest, ABoxOutOfReachChangesNoBit) {

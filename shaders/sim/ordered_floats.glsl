@@ -1,0 +1,9 @@
+// Words that compare as unsigned integers as their floats do, for atomicMin and atomicMax.
+uint orderedWord(float value) {
+    uint bits = floatBitsToUint(value);
+    return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}
+
+float orderedFloat(uint word) {
+    return uintBitsToFloat((word & 0x80000000u) != 0u ? word & 0x7fffffffu : ~word);
+}
