@@ -15,7 +15,7 @@ constexpr double kDrag = 20;             // [1/s]: about critical for the slowes
 constexpr double kFirstBending = 3.516;  // of a bar that is held at one end: (1.875)^2
 constexpr int kWindow = 40;              // steps between two looks
 constexpr double kSettled = 1e-4;        // relative change of the end's motion in a window
-constexpr double kMostSeconds = 8;       // then it has not settled
+constexpr double kMostSeconds = 16;      // enough for what drag slows most; then it has not settled
 
 /// The unloaded body, its axis along y.
 struct Specimen {
