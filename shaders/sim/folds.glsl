@@ -1,7 +1,7 @@
 #ifndef KERF_FOLDS_GLSL
 #define KERF_FOLDS_GLSL
 // How far the skin at a vertex is folded, 0 to 1, when the substep begins. Where it is, constraints are
-// not damped and the floor does not rub: a damped sweep gives way to a load 1 + gamma times as far, and
+// hardly damped and the floor does not rub: a damped sweep gives way to a load 1 + gamma times as far, and
 // friction holds on the floor what the springs that unfold press onto it. Those springs are damped
 // themselves. Kernels with UNFOLDS are compiled for steps that unfold; to others nothing is folded.
 #ifdef UNFOLDS

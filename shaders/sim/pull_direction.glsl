@@ -6,6 +6,7 @@
 // PBD, which sweeps many times over a long step. There constraints are rigid and not damped; kernels
 // with PLAIN_PBD are compiled for it alone and leave out what it does not need. The includer declares
 // `uniforms`.
+#include "unfold_records.h"
 
 // In the substep it turned by no more than 60 degrees and kept half of its size.
 bool turnedLittle(vec3 before, vec3 now) {
@@ -35,7 +36,7 @@ bool pullsAsBefore() {
 
 // Gamma of a constraint on skin that is so far folded (folds.glsl).
 float dampingAt(float fold) {
-    return uniforms.damping_ratio * (1.0 - fold);
+    return uniforms.damping_ratio * (1.0 - kFoldUndamps * fold);
 }
 
 // What an impulse is to answer to: C, and its rate times gamma.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/shared/unfold_records.h"
 #include "sim/body/incidence.h"
 #include "sim/body/piece_masses.h"
 #include "sim/solve/reference_constraints.h"
@@ -47,7 +48,8 @@ void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
         for (const std::uint32_t v : c.vertices) {
             fold = std::max(fold, state.fold(v));
         }
-        const double lambda = share * multiplier(c, state, w, incidence, gamma * (1 - fold));
+        const double lambda =
+            share * multiplier(c, state, w, incidence, gamma * (1 - shared::kFoldUndamps * fold));
         for (std::size_t k = 0; k < c.vertices.size(); ++k) {
             correction[c.vertices[k]] += w[c.vertices[k]] * lambda * c.gradient[k];
         }

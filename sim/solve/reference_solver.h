@@ -49,7 +49,7 @@ class ReferenceSolver {
     void substep(ReferenceState& state) const;
 
     /// Draws what is folded back to its rest shape; see Unfolding. Until the next time constraints
-    /// there are not damped and the floor does not rub (shaders/sim/folds.glsl).
+    /// there are hardly damped and the floor does not rub (shaders/sim/folds.glsl).
     void unfold(ReferenceState& state) const;
     /// v += h g, d = h v; kinematic vertices: d = h v.
     void predict(ReferenceState& state) const;

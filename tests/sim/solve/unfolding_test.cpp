@@ -100,7 +100,7 @@ TEST_F(UnfoldingTest, DoesWhatTheReferenceDoes) {
     }
 }
 
-// On folded skin constraints are not damped and the floor does not rub.
+// On folded skin constraints are hardly damped and the floor does not rub.
 TEST_F(UnfoldingTest, AStepIsThatOfTheReference) {
     for (const bool oneGroup : {true, false}) {
         Crumpled body(test::cubeSphere(8), 0.3f, 0.5f);
