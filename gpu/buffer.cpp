@@ -15,24 +15,6 @@ namespace {
 
 constexpr std::size_t kEmptyBytes = 16;
 
-std::size_t maxBytes() {
-    GLint64 limit = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
-    return static_cast<std::size_t>(limit);
-}
-
-/// Half as much again as `capacity`, at least `bytes`, at most the driver's limit.
-std::size_t grownCapacity(std::size_t capacity, std::size_t bytes) {
-    const std::size_t limit = maxBytes();
-    if (bytes > limit) {
-        throw OutOfMemory(fmt::format(
-            "A graphics buffer of {} bytes is needed, but this driver allows {} bytes at most; use "
-            "a smaller model.",
-            bytes, limit));
-    }
-    return std::clamp(capacity + capacity / 2, bytes, limit);
-}
-
 std::uint32_t allocate(std::size_t bytes) {
     forgetErrors();
     GLuint id = 0;

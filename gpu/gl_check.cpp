@@ -3,6 +3,8 @@
 #include <glad/gl.h>
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+
 #include "gpu/buffer.h"
 
 namespace kerf::gpu {
@@ -19,6 +21,19 @@ void throwIfOutOfMemory(std::string_view what, std::size_t bytes) {
             "picture, or close other programs.",
             what, bytes));
     }
+}
+
+std::size_t grownCapacity(std::size_t capacity, std::size_t bytes) {
+    GLint64 most = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    const auto limit = static_cast<std::size_t>(most);
+    if (bytes > limit) {
+        throw OutOfMemory(fmt::format(
+            "A graphics buffer of {} bytes is needed, but this driver allows {} bytes at most; use "
+            "a smaller model.",
+            bytes, limit));
+    }
+    return std::clamp(capacity + capacity / 2, bytes, limit);
 }
 
 }  // namespace kerf::gpu

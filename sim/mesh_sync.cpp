@@ -32,6 +32,9 @@ void MeshSync::foresee(const OrientedBox& box, std::span<const int> vertices) {
 void MeshSync::outdate() {
     forget();
     mesh_.leaveTo(*this);
+}
+
+void MeshSync::takeForeseen() {
     const std::optional<OrientedBox> box = std::exchange(foreseen_, std::nullopt);
     if (!box) {
         return;

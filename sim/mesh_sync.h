@@ -24,6 +24,8 @@ class MeshSync final : public VertexSource, public TriangleFinder {
     void foresee(const OrientedBox& box, std::span<const int> vertices);
     /// The solver has moved the body.
     void outdate();
+    /// After the measure: what was foreseen comes back.
+    void takeForeseen();
     /// The mesh has become another one, of which nothing is old.
     void forget();
     /// How often all of the body came back.

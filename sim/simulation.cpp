@@ -76,7 +76,7 @@ void Simulation::State::solve() {
     foreseeCut();
     moveBody();
     const double paperContactMs = collideAsThePaper();
-    body.measure = body.solver.measure();
+    body.measureStep();
     takeBackLostPieces();
     body.endStep();
     report.deformMs = body.solver.takeDeformMilliseconds();

@@ -123,6 +123,14 @@ int RunningBody::collideAsThePaper(double timeStep) {
     return met;
 }
 
+/// What needs no result is done while the GPU measures.
+void RunningBody::measureStep() {
+    solver.startMeasure();
+    sync.outdate();
+    pieces_.reset();
+    measure = solver.takeMeasure();
+}
+
 void RunningBody::bringLostPiecesBack() {
     solver.restorePiecesAtRest(measure.lostPieces);
     measure = solver.measure();
@@ -130,12 +138,11 @@ void RunningBody::bringLostPiecesBack() {
 
 void RunningBody::endStep() {
     solver.saveState();
-    sync.outdate();
+    sync.takeForeseen();
     sync.setBounds(measure.bounds);
     if (readsAllBack) {
         mesh.bringAll();
     }
-    pieces_.reset();
 }
 
 /// By the box of the body, which is at hand, and that of the sweep, then by what lies in the

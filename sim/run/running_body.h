@@ -43,7 +43,9 @@ struct RunningBody {
     /// up again. Returns how many pairs of triangles met.
     int collideAsThePaper(double timeStep);
     void bringLostPiecesBack();
-    /// The solver's step is over.
+    /// Measures what the solver's step has moved; waits for the GPU.
+    void measureStep();
+    /// The solver's step is over, with lost pieces back.
     void endStep();
 
     /// Whether what is swept between these points [m] comes near the body.

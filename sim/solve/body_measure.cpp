@@ -41,12 +41,30 @@ BodyMeasurer::BodyMeasurer(SolverBody& body)
       measure_(gpu::Program::compute("sim/measure.comp")),
       collect_(gpu::Program::compute("sim/collect.comp")) {}
 
-SolverMeasure BodyMeasurer::measure(const ContactSolver& contacts) {
-    runMeasure(contacts);
+void BodyMeasurer::start(const ContactSolver& contacts) {
+    body_.bind();
+    slot_ = body_.pieces.blockMeasures.bindNext(shared::kBlockSumsBinding);
+    contacts.state().bindStorage(shared::kContactCountsOfStepBinding);
+    // Of another body it has another size; candidates are then looked for anyway.
+    const gpu::Buffer& searched = contacts.searchedPositions();
+    const gpu::Buffer& positions = body_.state.positions;
+    (searched.size() == positions.size() ? searched : positions)
+        .bindStorage(shared::kSearchedBinding);
+    if (nearby_.asks()) {
+        nearby_.renew();
+    }
+    nearby_.bind();
+    bindConstraints();
+    body_.runOverBlocks(measure_);
+    body_.pieces.blockMeasures.fence();
+    collectAsked(nearby_);
+}
+
+SolverMeasure BodyMeasurer::take(const ContactSolver& contacts) const {
     const std::vector<shared::BlockRecord>& blocks = body_.pieces.blocks();
     const std::size_t pieceCount = body_.pieces.pieces().size();
     const auto measures =
-        body_.pieces.blockMeasures.read<shared::BlockMeasure>(0, blocks.size() + 1);
+        body_.pieces.blockMeasures.read<shared::BlockMeasure>(slot_, blocks.size() + 1);
     SolverMeasure out;
     BodyMeasure& body = out.body;
     body.pieceVolumes.assign(pieceCount, 0.0);
@@ -66,24 +84,6 @@ SolverMeasure BodyMeasurer::measure(const ContactSolver& contacts) {
     body.contacts = contacts.enabled() ? static_cast<int>(ofContacts.x) : 0;
     out.hasCandidates = ofContacts.y > 0;
     return out;
-}
-
-void BodyMeasurer::runMeasure(const ContactSolver& contacts) {
-    body_.bind();
-    body_.pieces.blockMeasures.bindStorage(shared::kBlockSumsBinding);
-    contacts.state().bindStorage(shared::kContactCountsOfStepBinding);
-    // Of another body it has another size; candidates are then looked for anyway.
-    const gpu::Buffer& searched = contacts.searchedPositions();
-    const gpu::Buffer& positions = body_.state.positions;
-    (searched.size() == positions.size() ? searched : positions)
-        .bindStorage(shared::kSearchedBinding);
-    if (nearby_.asks()) {
-        nearby_.renew();
-    }
-    nearby_.bind();
-    bindConstraints();
-    body_.runOverBlocks(measure_);
-    collectAsked(nearby_);
 }
 
 /// As texels: the triangles around each vertex are read besides.

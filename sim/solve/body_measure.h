@@ -48,8 +48,10 @@ class BodyMeasurer {
     /// The body must outlive it. Compiles the kernels: throws gpu::ShaderError.
     explicit BodyMeasurer(SolverBody& body);
 
-    /// Of the positions between steps; waits for the GPU.
-    SolverMeasure measure(const ContactSolver& contacts);
+    /// Of the positions between steps: the GPU begins.
+    void start(const ContactSolver& contacts);
+    /// What start() asked for, with the same pieces still; waits for the GPU.
+    SolverMeasure take(const ContactSolver& contacts) const;
     /// See GpuSolver.
     void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
         nearby_.ask(box, vertices);
@@ -58,13 +60,13 @@ class BodyMeasurer {
     VertexStates statesOf(std::span<const int> vertices);
 
   private:
-    void runMeasure(const ContactSolver& contacts);
     void bindConstraints() const;
     void collectAsked(const NearbyVertices& query);
 
     SolverBody& body_;
     gpu::Program measure_, collect_;
-    NearbyVertices nearby_;     ///< of the coming measure()
+    int slot_ = 0;              ///< of the block measures that start() asked for
+    NearbyVertices nearby_;     ///< of the coming start()
     NearbyVertices collected_;  ///< of statesOf()
 };
 

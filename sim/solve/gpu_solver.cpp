@@ -276,8 +276,8 @@ void GpuSolver::searchContacts() {
     contacts_.search();
 }
 
-BodyMeasure GpuSolver::measure() {
-    SolverMeasure found = measurer_.measure(contacts_);
+BodyMeasure GpuSolver::takeMeasure() {
+    SolverMeasure found = measurer_.take(contacts_);
     setReach(found.body.bounds, found.body.lostPieces.empty() ? found.velocities : Bounds{});
     motion_.drift = found.ways.diagonal();
     motion_.touching = found.body.contacts > 0;

@@ -122,7 +122,14 @@ class GpuSolver {
 
     /// Of the positions between steps; waits for the GPU. The next step counts on its box and
     /// speeds.
-    BodyMeasure measure();
+    BodyMeasure measure() {
+        startMeasure();
+        return takeMeasure();
+    }
+    /// The same in two parts, between which the CPU may do something else that changes nothing
+    /// here.
+    void startMeasure() { measurer_.start(contacts_); }
+    BodyMeasure takeMeasure();
     /// What the coming measure() is to find out besides, for takeWatched(); see NearbyVertices.
     void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
         measurer_.watch(box, vertices);

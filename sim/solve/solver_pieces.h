@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/mapped_ring.h"
 #include "shaders/shared/body_records.h"
 #include "sim/body/body_model.h"
 #include "sim/solve/scatter.h"
@@ -38,7 +39,8 @@ class SolverPieces {
     const std::vector<shared::BlockRecord>& blocks() const { return blocks_; }
 
     gpu::Buffer pieceBuffer, blockBuffer, pageBuffer, placeBuffer;
-    gpu::Buffer blockSums, impulses, blockMeasures;  ///< room for what is summed
+    gpu::Buffer blockSums, impulses;  ///< room for what is summed
+    gpu::MappedRing blockMeasures;    ///< the same; read by the CPU after each step
 
   private:
     void addRecord(const PieceModel& piece, std::size_t number, std::vector<std::uint32_t>& table);
