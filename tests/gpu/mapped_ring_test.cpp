@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -21,12 +22,18 @@ using Values = std::vector<std::uint32_t>;
 
 class MappedRingTest : public test::GlTest {
   protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        kernel_ = Program::compute(std::string(KERF_SOURCE_DIR) + "/tests/gpu/shaders/scale.comp",
+                                   {{"OFFSET", "1u"}});
+    }
+
     /// A kernel writes multiples of `factor`, and one, into the next slot.
     int write(std::uint32_t count, std::uint32_t factor) {
         const int slot = ring_.bindNext(0);
-        kernel_.set("count", count);
-        kernel_.set("factor", factor);
-        kernel_.dispatch(count, 64);
+        kernel_->set("count", count);
+        kernel_->set("factor", factor);
+        kernel_->dispatch(count, 64);
         ring_.fence();
         return slot;
     }
@@ -43,8 +50,7 @@ class MappedRingTest : public test::GlTest {
         return ring_.read<std::uint32_t>(slot, count);
     }
 
-    Program kernel_ = Program::compute(
-        std::string(KERF_SOURCE_DIR) + "/tests/gpu/shaders/scale.comp", {{"OFFSET", "1u"}});
+    std::optional<Program> kernel_;  ///< once there is a context
     MappedRing ring_;
 };
 
