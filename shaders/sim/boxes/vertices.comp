@@ -109,7 +109,8 @@ Face faceFor(BoxRecord box, uint v, vec3 at, vec3 way) {
     int axis = largest(outside);
     if (outside[axis] > 0.0) return entered(at, way, reach);
     Face nearest = Face(axis, sideOf(at[axis]), outside[axis], false);
-    if (outside[axis] > -uniforms.thickness - kSkinDeep * uniforms.depth) return nearest;
+    bool touches = outside[axis] > -uniforms.thickness - kSkinDeep * uniforms.depth;
+    if (touches || links[v].piece == kNoPiece) return nearest;
     PieceBox piece = pieceBoxIn(box, links[v].piece);
     Face leaving = wayOutOf(box, piece);
     if (!holds(box, piece, leaving)) return nearest;
