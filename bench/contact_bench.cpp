@@ -1,6 +1,6 @@
 // What contact must hold: halves that rest on each other, an octopus dropped on
-// its arms, bodies dropped and thrown at random.
-//   kerf_contact_bench [halves|blocks|octopus|speed|collision|drops] [--runs N] [--first I]
+// its arms, bodies dropped and thrown at random, spheres that fall onto bars.
+//   kerf_contact_bench [halves|blocks|octopus|speed|collision|drops|bars] [--runs N] [--first I]
 //   [--seed S] [--NAME VALUE ...]
 // where NAME is a parameter of the simulation.
 
@@ -12,6 +12,7 @@
 #include <string>
 
 #include "gpu/context.h"
+#include "tests/support/bar_falls.h"
 #include "tests/support/contact_scenes.h"
 
 namespace kerf::test {
@@ -73,6 +74,54 @@ void playDrops(const Options& options) {
                 text(sum).c_str());
 }
 
+/// How high spheres fall, how the bar lies: by `--seed`, 1 to 5.
+BarFall kindOfFall(std::uint64_t seed) {
+    BarFall fall;
+    if (seed == 2) {
+        fall.height = 2;
+        fall.roll = 30;
+        fall.aside = 0.1;
+    } else if (seed == 3) {
+        fall.height = 0.5;
+        fall.roll = 45;
+        fall.aside = 0.001;
+    } else if (seed == 4) {
+        fall.height = 2;
+        fall.aside = 0.001;
+    } else if (seed == 5) {
+        fall.floor = -0.3;
+    }
+    return fall;
+}
+
+/// 42 falls, or some of them: `--first I --runs N`.
+void playBarFalls(const Options& options) {
+    const BarFall kind = kindOfFall(options.seed);
+    int index = 0;
+    int pierced = 0;
+    int last = 0;
+    for (const char* model : {"sphere80", "sphere768"}) {
+        for (const double modulus : {1e4, 3e4, 1e5}) {
+            for (const double width : {0.005, 0.01, 0.02, 0.05, 0.1, 0.3, 1.0}) {
+                if (index++ < options.first || index > options.first + options.runs) {
+                    continue;
+                }
+                BarFall fall = kind;
+                fall.model = model;
+                fall.modulus = modulus;
+                fall.width = width;
+                const BarFigures figures = fallOnBar(fall, options.params);
+                pierced += figures.pierced > 0;
+                last += figures.longestLast > 0;
+                std::printf("  bar %2d: %-9s %6.0f Pa %5.3f m: %s\n", index - 1, model, modulus,
+                            width, text(figures).c_str());
+                std::fflush(stdout);
+            }
+        }
+    }
+    std::printf("bars: pierced %d, at the end %d\n", pierced, last);
+}
+
 void play(const Options& options) {
     const auto asked = [&](const char* name) {
         return options.scene.empty() || options.scene == name;
@@ -98,6 +147,9 @@ void play(const Options& options) {
     if (asked("collision")) {
         std::printf("collision: %s\n", text(collideSpheres(options.params)).c_str());
         std::fflush(stdout);
+    }
+    if (asked("bars")) {
+        playBarFalls(options);
     }
     if (asked("drops")) {
         playDrops(options);
