@@ -15,6 +15,10 @@ SHARED_CONST uint kBoxSharesBinding = 6u;        // uint per vertex: touches tha
 SHARED_CONST uint kBoxSumsBinding = 7u;          // 6 int per vertex: fixed-point d, then X
 SHARED_CONST uint kBoxLinksBinding = 10u;        // VertexLinks
 SHARED_CONST uint kBoxPiecesBinding = 11u;       // PieceBounds
+SHARED_CONST uint kBoxStartBinding = 12u;  // vec4: X at the beginning of the substep, way since [m]
+
+// Room before what is no plane [m].
+SHARED_CONST float kNoPlane = 1e30f;
 
 struct BoxUniforms {
     float thickness;        // distance kept from a box [m]
@@ -50,6 +54,14 @@ struct BoxTouch {
     vec4 normal;   // away from the box; w: how far X is to be pushed along it [m]
     vec4 impulse;  // xyz: how d is to change [m]; w: 0 where nothing is touched
     vec4 weights;  // xyz: of the point of the triangle that answers; w unused
+};
+
+// Between a triangle and boxes, in the place of its touch.
+struct BoxPlanes {
+    vec4 first;   // xyz: away from the box; w: how far the corners may go against it in a substep
+                  // [m], kNoPlane: there are none, whatever stands behind it
+    vec4 second;  // the same, of one with no less room
+    vec4 third;
 };
 
 SHARED_END

@@ -1,5 +1,6 @@
 #include "sim/contact/box_obstacles.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace kerf {
@@ -7,11 +8,12 @@ namespace kerf {
 namespace {
 
 constexpr double kDepth = 0.5;  // h
+constexpr double kThin = 2;     // h
 
 }  // namespace
 
 ObstacleKind BoxObstacles::kind() {
-    return {{}, "sim/boxes/vertices.comp", true};
+    return {{}, "sim/boxes/vertices.comp", true, true};
 }
 
 std::unique_ptr<const Obstacles> BoxObstacles::of(std::vector<StaticBox> boxes) {
@@ -29,6 +31,12 @@ std::size_t BoxObstacles::write(const Bounds& bounds, gpu::Buffer& records) cons
         records.assign(near);
     }
     return near.size();
+}
+
+bool BoxObstacles::mayPierce(const Bounds& bounds, double edgeLength) const {
+    return std::ranges::any_of(boxes_, [&](const StaticBox& box) {
+        return box.size.minCoeff() < kThin * edgeLength && box.bounds().overlaps(bounds);
+    });
 }
 
 TouchDistances BoxObstacles::distances(const ContactSettings& settings, double edgeLength) const {

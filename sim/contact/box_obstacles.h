@@ -17,6 +17,7 @@ class BoxObstacles final : public Obstacles {
 
     explicit BoxObstacles(std::vector<StaticBox> boxes) : boxes_(std::move(boxes)) {}
     std::size_t write(const Bounds& bounds, gpu::Buffer& records) const override;
+    bool mayPierce(const Bounds& bounds, double edgeLength) const override;
     TouchDistances distances(const ContactSettings& settings, double edgeLength) const override;
 
   private:

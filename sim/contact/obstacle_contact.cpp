@@ -16,6 +16,7 @@ using shared::uint;
 static_assert(sizeof(shared::BoxUniforms) == 44);
 static_assert(sizeof(shared::BoxTouch) == 48);
 static_assert(sizeof(shared::PieceBounds) == 24);
+static_assert(sizeof(shared::BoxPlanes) == sizeof(shared::BoxTouch));
 
 constexpr double kSpeedUp = 4;  // that a body may undergo in a time step
 
@@ -59,7 +60,8 @@ void ObstacleContact::setObstacles(std::unique_ptr<const Obstacles> obstacles) {
         kernels_.emplace(Kernels{gpu::Program::compute("sim/boxes/triangles.comp", kind_.triangles),
                                  gpu::Program::compute("sim/boxes/respond.comp"),
                                  gpu::Program::compute("sim/boxes/apply.comp"),
-                                 gpu::Program::compute(kind_.vertices), std::nullopt});
+                                 gpu::Program::compute(kind_.vertices), std::nullopt, std::nullopt,
+                                 std::nullopt});
         if (kind_.movesPiecesOut) {
             kernels_->pieces = gpu::Program::compute("sim/boxes/pieces.comp");
         }
@@ -72,11 +74,16 @@ void ObstacleContact::setBody(const ContactBody& body, double edgeLength) {
 }
 
 void ObstacleContact::beginStep(const BodyReach& reach) {
-    const std::size_t count =
-        obstacles_ ? obstacles_->write(boundsInStep(reach, settings_), records_) : 0;
+    const Bounds bounds = boundsInStep(reach, settings_);
+    const std::size_t count = obstacles_ ? obstacles_->write(bounds, records_) : 0;
     reached_ = count > 0;
+    keepsSides_ = reached_ && kind_.keepsSides && obstacles_->mayPierce(bounds, edgeLength_);
     if (!reached_) {
         return;
+    }
+    if (keepsSides_ && !kernels_->sides) {
+        kernels_->planes = gpu::Program::compute("sim/boxes/planes.comp");
+        kernels_->sides = gpu::Program::compute("sim/boxes/sides.comp");
     }
     makeRoom();
     const shared::BoxUniforms uniforms = uniformsOf(
@@ -101,6 +108,13 @@ void ObstacleContact::makeRoom() {
     touches_.resize(std::max(body_.triangleCount, 1u) * sizeof(shared::BoxTouch));
     shares_.resize(body_.vertexCount * sizeof(uint));
     sums_.resize(body_.vertexCount * 6 * sizeof(int));
+    start_.resize(kind_.keepsSides ? body_.vertexCount * sizeof(shared::vec4) : 0);
+}
+
+void ObstacleContact::beginSubstep() {
+    if (keepsSides_) {
+        start_.copyFrom(*body_.positions);
+    }
 }
 
 void ObstacleContact::respond(int substep) {
@@ -115,6 +129,10 @@ void ObstacleContact::respond(int substep) {
     runOver(kernels_->respond, body_.triangleCount);
     runOver(kernels_->apply, body_.vertexCount);
     runOver(kernels_->vertices, body_.vertexCount);
+    if (keepsSides_) {
+        runOver(*kernels_->planes, body_.triangleCount);
+        runOver(*kernels_->sides, body_.vertexCount);
+    }
 }
 
 void ObstacleContact::bind() const {
@@ -131,6 +149,9 @@ void ObstacleContact::bind() const {
     body_.links->bindStorage(shared::kBoxLinksBinding);
     if (kernels_->pieces) {
         pieceBounds_.bindStorage(shared::kBoxPiecesBinding);
+    }
+    if (kind_.keepsSides) {
+        start_.bindStorage(shared::kBoxStartBinding);
     }
 }
 

@@ -36,17 +36,21 @@ class ObstacleContact {
     void setBody(const ContactBody& body, double edgeLength);
     void setSettings(const ContactSettings& settings) { settings_ = settings; }
 
-    /// Before the first substep of a time step. Throws gpu::OutOfMemory.
+    /// Before the first substep of a time step. Compiles what the first thin obstacle in reach
+    /// needs. Throws gpu::ShaderError, gpu::OutOfMemory.
     void beginStep(const BodyReach& reach);
     /// Whether an obstacle is in reach in this step.
     bool mayTouch() const { return reached_; }
+    /// Before anything else moves X in a substep: triangles are kept on the side of thin obstacles
+    /// where they are now.
+    void beginSubstep();
     /// Changes d where it leads into an obstacle, and moves X out of where one is inside the body.
     void respond(int substep);
 
   private:
     struct Kernels {
         gpu::Program triangles, respond, apply, vertices;
-        std::optional<gpu::Program> pieces;
+        std::optional<gpu::Program> pieces, planes, sides;
     };
     void makeRoom();
     void boundPieces();
@@ -59,9 +63,11 @@ class ObstacleContact {
     ContactSettings settings_;
     double edgeLength_ = 0;  ///< [m]
     bool reached_ = false;   ///< in this step
+    bool keepsSides_ = false;
     gpu::Buffer uniforms_, records_;
     gpu::Buffer touches_, shares_, sums_;
     gpu::Buffer pieceBounds_;  ///< at the beginning of the step
+    gpu::Buffer start_;        ///< X at the beginning of the substep
 };
 
 }  // namespace kerf

@@ -16,6 +16,7 @@ struct ObstacleKind {
     gpu::Defines triangles;       ///< for where they meet triangles
     std::string vertices;         ///< path of the kernel that keeps vertices out of them
     bool movesPiecesOut = false;  ///< as a whole: it wants the boxes of pieces
+    bool keepsSides = false;      ///< no triangle crosses them: it wants X as the substep began
 };
 
 /// How near and how deep obstacles are touched [m].
@@ -32,6 +33,9 @@ class Obstacles {
     /// its substeps. Returns how many a substep meets; 0: none, and nothing was written. Throws
     /// gpu::OutOfMemory.
     virtual std::size_t write(const Bounds& bounds, gpu::Buffer& records) const = 0;
+    /// Whether one that reaches into `bounds` is so thin that skin with edges of `edgeLength` may
+    /// bend around it as sharply as it can: then triangles are to be kept on their side of it.
+    virtual bool mayPierce(const Bounds& /*bounds*/, double /*edgeLength*/) const { return false; }
     /// `edgeLength`: see contactEdgeLength() [m].
     virtual TouchDistances distances(const ContactSettings& settings, double edgeLength) const = 0;
 };

@@ -183,6 +183,7 @@ void GpuSolver::stepByPhases() {
     for (uint i = 0; i < body_.uniforms.substeps; ++i) {
         searchContactsBefore(i);
         unfoldBefore();
+        boxes_.beginSubstep();
         for (uint sweep = 0; sweep < body_.uniforms.sweeps; ++sweep) {
             deformTimer_.begin();
             sweep == 0 ? predictAndStretch() : stretchAgain();
@@ -237,6 +238,7 @@ void GpuSolver::stepBySubsteps() {
         runSmallBody(SubstepRun{1, open, true});
         open = true;
         collideTimer_.begin();
+        boxes_.beginSubstep();
         collideBody();
         collideBlade(i);
         collideBoxes(i);

@@ -2,7 +2,8 @@
 // thickness away from it. What starts inside comes out, slowly: a piece that the box could hold as a
 // whole through the one face where it has the least way, vertices of others through the nearest.
 // Coulomb friction shortens the tangential way; a piece that leaves as a whole goes straight.
-// Reads X, links, boxes of pieces, boxes. Reads and writes d. One thread per vertex; boxes in their
+// Reads X, X at the beginning of the substep, links, boxes of pieces, boxes. Reads and writes d. Writes
+// the way since that beginning. One thread per vertex; boxes in their
 // order. A storage barrier follows.
 #include "body_records.h"
 #include "box_records.h"
@@ -14,6 +15,7 @@ layout(std430, binding = kBoxDisplacementBinding) buffer Displacement { vec4 dis
 layout(std430, binding = kBoxBoxesBinding) readonly buffer Boxes { BoxRecord boxes[]; };
 layout(std430, binding = kBoxLinksBinding) readonly buffer Links { VertexLinks links[]; };
 layout(std430, binding = kBoxPiecesBinding) readonly buffer Bounds { PieceBounds bounds[]; };
+layout(std430, binding = kBoxStartBinding) buffer Start { vec4 start[]; };
 
 #include "boxes.glsl"
 #include "sim/ordered_floats.glsl"
@@ -141,4 +143,5 @@ void main() {
         d = keptOut(boxes[b], v, x, d);
     }
     displacement[v] = vec4(d, 0.0);
+    start[v].w = distance(start[v].xyz, x) + length(d);
 }

@@ -7,6 +7,7 @@
 #include "sim/contact/box_obstacles.h"
 #include "sim/simulation.h"
 #include "sim/state_hash.h"
+#include "tests/support/bar_falls.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
@@ -123,6 +124,22 @@ TEST_F(BoxContactTest, ACoarseBodyDoesNotSinkOntoSmallBoxes) {
         EXPECT_LT(deepest, 0.002);
         EXPECT_GT(middle(simulation.mesh()).y(), 0.1) << "it lies on the box and the floor";
         EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    }
+}
+
+// A bar far thinner than an edge of the body, around which the skin bends sharply in the rebound.
+TEST_F(BoxContactTest, NothingIsPiercedByAThinBar) {
+    for (const double width : {0.01, 0.02}) {
+        SCOPED_TRACE(width);
+        test::BarFall fall;
+        fall.width = width;
+        fall.modulus = 1e5;
+        fall.height = 2;
+        fall.aside = 0.001;
+        fall.seconds = 0.45;
+        const test::BarFigures figures = test::fallOnBar(fall, Params{});
+        EXPECT_EQ(figures.pierced, 0) << test::text(figures);
+        EXPECT_GT(figures.leastVolume, 0.999);
     }
 }
 

@@ -1,0 +1,121 @@
+// Planes between triangles and boxes, as both lay when the substep began: corners that stay behind
+// them take no triangle across a box, however thin it is and however sharply the skin bends around
+// it. A plane lies across the axis along which the two are farthest apart: a face of the box, the
+// triangle, or across an edge of each. Where they overlap a little along all of them, as what
+// touches may, the plane goes through the triangle.
+//
+// A corner may take a share of the gap. Planes that corners do not get to in this substep are left
+// out; of others each triangle keeps the three that leave the least.
+// Reads X at the beginning of the substep and ways since, triangles, boxes. Writes planes, marks
+// vertices in shares. One thread per triangle. A storage barrier follows, then sides.
+#include "body_records.h"
+#include "box_records.h"
+layout(local_size_x = kGroupSize) in;
+
+#include "sim/boxes/uniforms.glsl"
+layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
+layout(std430, binding = kBoxBoxesBinding) readonly buffer Boxes { BoxRecord boxes[]; };
+layout(std430, binding = kBoxRecordsBinding) writeonly buffer Planes { BoxPlanes planes[]; };
+layout(std430, binding = kBoxSharesBinding) buffer Shares { uint shares[]; };
+layout(std430, binding = kBoxStartBinding) readonly buffer Start { vec4 start[]; };
+
+#include "boxes.glsl"
+
+// Share of a gap that corners may take in a substep, down to a share of the thickness.
+const float kTaken = 0.9;
+const float kLeft = 0.1;
+// Overlaps up to here are touches: shares of the box's least half length and of the depth of touches.
+const float kOverlap = 0.5;
+const float kSkinDeep = 0.1;
+
+// In the coordinates of a box.
+struct Plane {
+    vec3 normal;  // from the box to the triangle
+    float gap;    // [m]
+};
+
+Plane wider(Plane a, Plane b) {
+    if (b.gap > a.gap) return b;
+    return a;
+}
+
+Plane across(vec3 axis, vec3 p[3], vec3 reach) {
+    vec3 at = vec3(dot(axis, p[0]), dot(axis, p[1]), dot(axis, p[2]));
+    float low = min(at.x, min(at.y, at.z));
+    float high = max(at.x, max(at.y, at.z));
+    float side = low > -high ? 1.0 : -1.0;
+    return Plane(side * axis, max(low, -high) - dot(abs(axis), reach));
+}
+
+Plane facePlane(vec3 p[3], vec3 reach) {
+    Plane best = across(vec3(1.0, 0.0, 0.0), p, reach);
+    best = wider(best, across(vec3(0.0, 1.0, 0.0), p, reach));
+    return wider(best, across(vec3(0.0, 0.0, 1.0), p, reach));
+}
+
+// None along an axis of no length.
+Plane acrossLong(Plane best, vec3 axis, float least, vec3 p[3], vec3 reach) {
+    float size = length(axis);
+    if (!(size > least)) return best;
+    return wider(best, across(axis / size, p, reach));
+}
+
+Plane widestPlane(Plane face, vec3 p[3], vec3 reach) {
+    Plane best = acrossLong(face, cross(p[1] - p[0], p[2] - p[0]), 0.0, p, reach);
+    for (int i = 0; i < 3; ++i) {
+        vec3 edge = p[(i + 1) % 3] - p[i];
+        float least = 1e-3 * length(edge);
+        best = acrossLong(best, vec3(0.0, edge.z, -edge.y), least, p, reach);
+        best = acrossLong(best, vec3(-edge.z, 0.0, edge.x), least, p, reach);
+        best = acrossLong(best, vec3(edge.y, -edge.x, 0.0), least, p, reach);
+    }
+    return best;
+}
+
+// How far corners may go towards the box [m].
+float roomAt(Plane plane) { return kTaken * max(plane.gap - kLeft * uniforms.thickness, 0.0); }
+
+float deepestTouch(vec3 reach) {
+    return min(kOverlap * min(reach.x, min(reach.y, reach.z)), kSkinDeep * uniforms.depth);
+}
+
+// xyz: normal, w: room of what a corner that goes up to `way` far may get to; kNoPlane: of nothing.
+vec4 planeTo(BoxRecord box, vec3 p[3], float way) {
+    vec3 reach = halfOf(box);
+    for (int k = 0; k < 3; ++k) p[k] = toBox(box, p[k] - box.center.xyz);
+    Plane best = facePlane(p, reach);
+    // A loop, since llvmpipe runs both sides of a branch.
+    for (int i = roomAt(best) < way ? 0 : 1; i < 1; ++i) best = widestPlane(best, p, reach);
+    bool counts = roomAt(best) < way && best.gap > -deepestTouch(reach);
+    return vec4(fromBox(box, best.normal), counts ? roomAt(best) : kNoPlane);
+}
+
+// The three with the least room, in their order.
+void keep(inout vec4 least[3], vec4 plane) {
+    for (int i = 0; i < 3; ++i) {
+        bool before = plane.w < least[i].w;
+        vec4 later = before ? least[i] : plane;
+        least[i] = before ? plane : least[i];
+        plane = later;
+    }
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= uniforms.triangle_count) return;
+    uvec3 t = triangles[index].xyz;
+    vec4 a = start[t.x];
+    vec4 b = start[t.y];
+    vec4 c = start[t.z];
+    vec3 p[3] = vec3[3](a.xyz, b.xyz, c.xyz);
+    float way = max(a.w, max(b.w, c.w));
+    vec4 least[3] = vec4[3](vec4(kNoPlane), vec4(kNoPlane), vec4(kNoPlane));
+    for (uint i = 0u; i < uniforms.box_count; ++i) {
+        keep(least, planeTo(boxes[i], p, way));
+    }
+    planes[index].first = least[0];
+    if (least[0].w == kNoPlane) return;
+    planes[index].second = least[1];
+    planes[index].third = least[2];
+    for (int k = 0; k < 3; ++k) shares[t[k]] = 1u;
+}
