@@ -12,9 +12,9 @@ SHARED_CONST float kFoldEnds = 0.0f;
 SHARED_CONST float kSquashBegins = 0.5f;
 SHARED_CONST float kSquashEnds = 0.2f;
 
-// What constraints lose of their damping on skin that is entirely folded. With all of it gone
-// single vertices of an opened slit reached 15 m/s.
-SHARED_CONST float kFoldUndamps = 0.75f;
+// On skin that is entirely folded constraints are not damped, and what they ask for at X goes back
+// no faster than this [m/s]. Without that bound single vertices of an opened slit reached 15 m/s.
+SHARED_CONST float kFoldCreep = 1.0f;
 
 // Of the spring that unfolds: its rate [1/s], and its damping, which is critical at 2 and more than
 // that here, so that what unfolds creeps.

@@ -44,10 +44,10 @@ BendPull bendPull(BendRecord bend) {
 
     float weight = uniforms.inverse_density *
         dot(vec4(d0.w, d1.w, d2.w, d3.w), vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b)));
-    float damping = dampingAt(foldAt(uvec4(bend.v0, bend.v1, bend.v2, bend.v3)));
-    float denominator = dampedWeight(weight, bend.geometry * uniforms.bend_compliance, damping);
+    float fold = foldAt(uvec4(bend.v0, bend.v1, bend.v2, bend.v3));
+    float denominator = dampedWeight(weight, bend.geometry * uniforms.bend_compliance, fold);
     float rate = dot(a, sA * edgeStep - leftStep) + dot(b, sB * edgeStep - rightStep);
-    float impulse =
-        weight > 0.0 ? uniforms.bend_share * -dampedError(error, rate, damping) / denominator : 0.0;
+    float answered = dampedError(error, rate, fold, max(length(a), length(b)));
+    float impulse = weight > 0.0 ? uniforms.bend_share * -answered / denominator : 0.0;
     return BendPull(slivers ? vec4(0.0) : vec4(a * impulse, sA), slivers ? vec4(0.0) : vec4(b * impulse, sB));
 }

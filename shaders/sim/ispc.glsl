@@ -19,12 +19,10 @@ vec3 ispcPull(IspcConstraint ispc) {
     float reach = length(r);
 
     float weight = uniforms.inverse_density * dot(vec4(dv.w, d0.w, d1.w, d2.w), vec4(1.0, b * b));
-    float damping = dampingAt(foldAt(uvec4(ispc.vertex, ispc.t0, ispc.t1, ispc.t2)));
-    float denominator = dampedWeight(weight, ispc.geometry * uniforms.ispc_compliance, damping);
+    float fold = foldAt(uvec4(ispc.vertex, ispc.t0, ispc.t1, ispc.t2));
+    float denominator = dampedWeight(weight, ispc.geometry * uniforms.ispc_compliance, fold);
     vec3 direction = reach > 1e-12 ? pullDirection(base, r) : vec3(0.0);
-    float impulse = weight > 0.0
-        ? uniforms.ispc_share * -dampedError(reach - ispc.rest_length, dot(direction, step), damping) /
-            denominator
-        : 0.0;
+    float answered = dampedError(reach - ispc.rest_length, dot(direction, step), fold, 1.0);
+    float impulse = weight > 0.0 ? uniforms.ispc_share * -answered / denominator : 0.0;
     return direction * impulse;
 }

@@ -18,15 +18,11 @@ bool pullsAsBefore() {
     return false;
 }
 
-float dampingAt(float fold) {
-    return 0.0;
-}
-
-float dampedError(float error, float rate, float damping) {
+float dampedError(float error, float rate, float fold, float perWay) {
     return error;
 }
 
-float dampedWeight(float weight, float compliance, float damping) {
+float dampedWeight(float weight, float compliance, float fold) {
     return weight;
 }
 #else
@@ -36,17 +32,25 @@ bool pullsAsBefore() {
 
 // Gamma of a constraint on skin that is so far folded (folds.glsl).
 float dampingAt(float fold) {
-    return uniforms.damping_ratio * (1.0 - kFoldUndamps * fold);
+    return uniforms.damping_ratio * (1.0 - fold);
 }
 
-// What an impulse is to answer to: C, and its rate times gamma.
-float dampedError(float error, float rate, float damping) {
-    return error + damping * rate;
+// What an impulse is to answer to: C, and its rate times gamma. Where the skin is folded what C was at X
+// goes back at kFoldCreep at most, in the way of a vertex of which each metre changes C by `perWay`.
+float dampedError(float error, float rate, float fold, float perWay) {
+    float damped = error + dampingAt(fold) * rate;
+#ifdef UNFOLDS
+    float most = kFoldCreep * uniforms.substep * perWay / max(fold, 1e-6);
+    float bounded = clamp(error - rate, -most, most) + (1.0 + dampingAt(fold)) * rate;
+    return fold > 0.0 ? bounded : damped;
+#else
+    return damped;
+#endif
 }
 
 // What an impulse is divided by.
-float dampedWeight(float weight, float compliance, float damping) {
-    return (1.0 + damping) * weight + compliance;
+float dampedWeight(float weight, float compliance, float fold) {
+    return (1.0 + dampingAt(fold)) * weight + compliance;
 }
 #endif
 

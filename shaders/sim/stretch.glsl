@@ -21,12 +21,12 @@ vec3 spokePull(Spoke spoke, vec4 own, float count, vec3 ownStart, float ownFold)
     float reach = length(span);
     float inverseMasses =
         uniforms.inverse_density * (count * own.w + float(spoke.other_count) * far.w);
-    float damping = dampingAt(max(ownFold, foldAt(spoke.other)));
+    float fold = max(ownFold, foldAt(spoke.other));
     float denominator =
-        dampedWeight(inverseMasses, spoke.geometry * uniforms.stretch_compliance, damping);
+        dampedWeight(inverseMasses, spoke.geometry * uniforms.stretch_compliance, fold);
     vec3 direction = pullDirection(before, span);
     float impulse =
-        -dampedError(reach - spoke.rest_length, dot(direction, step), damping) / denominator;
+        -dampedError(reach - spoke.rest_length, dot(direction, step), fold, 1.0) / denominator;
     vec3 pull = direction * (uniforms.stretch_share * uniforms.inverse_density * own.w * impulse);
     return reach >= 1e-12 && denominator > 0.0 ? pull : vec3(0.0);
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "shaders/shared/bindings.h"
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
 #include "sim/cut/wall_edge.h"
@@ -114,6 +115,21 @@ ContactSolver::ContactSolver() {
     kernels_.applyLast = gpu::Program::compute("sim/contact/apply.comp", {{"LAST_SWEEP", "1"}});
     state_.resize(sizeof(shared::ContactState));
     searchedPositions_.resize(sizeof(shared::vec4));
+}
+
+void ContactSolver::setFolds(const gpu::Buffer* folds) {
+    folds_ = folds;
+    if (folds_ != nullptr && enabled() && !detectBesideFolds_) {
+        detectBesideFolds_ = gpu::Program::compute("sim/contact/detect.comp", {{"UNFOLDS", "1"}});
+    }
+}
+
+const gpu::Program& ContactSolver::detect() const {
+    if (folds_ == nullptr) {
+        return kernels_.detect;
+    }
+    folds_->bindTexels(shared::kFoldsUnit, gpu::TexelFormat::uint32);
+    return *detectBesideFolds_;
 }
 
 void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
@@ -280,7 +296,7 @@ void ContactSolver::respond() {
     state_.bindStorage(shared::kContactStateBinding);
     normals_.bindStorage(shared::kContactNormalsBinding);
     edgePairs_.bindStorage(shared::kContactEdgePairsBinding);
-    runIndirect(kernels_.detect, offsetof(shared::ContactState, point_groups));
+    runIndirect(detect(), offsetof(shared::ContactState, point_groups));
     if (settings_.edges) {
         runIndirect(kernels_.detectEdges, offsetof(shared::ContactState, point_groups));
     }

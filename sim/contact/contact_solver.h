@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -98,6 +99,10 @@ class ContactSolver {
     /// The body has been put elsewhere.
     void forgetCandidates() { hasCandidates_ = false; }
 
+    /// How far the skin at each vertex is folded, a float each, where the coming step unfolds; null
+    /// where it does not. What is folded does not touch what was beside it at rest.
+    void setFolds(const gpu::Buffer* folds);
+
     /// Before the first substep of a time step.
     void beginStep(const RelativeMotion& motion);
     /// Whether something may be touched in this step. A search may find more.
@@ -134,6 +139,7 @@ class ContactSolver {
         gpu::Program normals, boxes, scan, scanBlocks, fill, candidates, edgePairs, detect,
             detectEdges, respond, apply, respondAgain, applyLast;
     };
+    const gpu::Program& detect() const;
     void takeBody();
     void uploadUniforms();
     void findFromSearched();
@@ -144,6 +150,8 @@ class ContactSolver {
     void runIndirect(const gpu::Program& kernel, std::size_t offset);
 
     Kernels kernels_;
+    std::optional<gpu::Program> detectBesideFolds_;  ///< compiled when first needed
+    const gpu::Buffer* folds_ = nullptr;
     ContactBody body_;
     ContactSettings settings_;
     double edgeLength_ = 0;

@@ -120,8 +120,10 @@ void GpuSolver::step() {
     boxes_.beginStep(reach_);
     blade_.beginStep(reach_);
     unfolds_ = motion_.folded && body_.active(shared::kUnfoldPart);
-    phases_.setFolds(unfolds_ ? &unfolding_.folds() : nullptr);
-    smallBody_.setFolds(unfolds_ ? &unfolding_.folds() : nullptr);
+    const gpu::Buffer* folds = unfolds_ ? &unfolding_.folds() : nullptr;
+    phases_.setFolds(folds);
+    smallBody_.setFolds(folds);
+    contacts_.setFolds(folds);
     if (sweepsInOneGroup() && smallBody_.large()) {
         stepTheFasterWay();
     } else if (sweepsInOneGroup()) {

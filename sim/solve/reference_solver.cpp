@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/incidence.h"
@@ -13,11 +14,37 @@ namespace kerf {
 
 namespace {
 
-/// delta lambda of one constraint: XPBD with stiffness-proportional damping (gamma = beta / h) and
+/// What C changes by for each metre of the vertex that changes it most.
+double changePerWay(const shared::EdgeConstraint&, const Linearized<2>&) {
+    return 1;
+}
+
+double changePerWay(const shared::IspcConstraint&, const Linearized<4>&) {
+    return 1;
+}
+
+double changePerWay(const shared::BendConstraint&, const Linearized<4>& c) {
+    return std::max(c.gradient[2].norm(), c.gradient[3].norm());
+}
+
+/// How constraints are damped at one place.
+struct Damping {
+    double gamma = 0;  ///< beta / h
+    double most = 0;   ///< of C at X that is answered in a substep
+};
+
+/// As in shaders/sim/pull_direction.glsl.
+Damping dampingAt(double fold, const shared::SolverUniforms& uniforms, double perWay) {
+    const double creep = shared::kFoldCreep * uniforms.substep * perWay;
+    return {uniforms.damping_ratio * (1 - fold),
+            fold > 0 ? creep / fold : std::numeric_limits<double>::infinity()};
+}
+
+/// delta lambda of one constraint: XPBD with stiffness-proportional damping and
 /// the mass of each vertex split among its constraints of this type (w~ = valence * w).
 template <std::size_t N>
 double multiplier(const Linearized<N>& c, const ReferenceState& s, const std::vector<double>& w,
-                  const Incidence& incidence, double gamma) {
+                  const Incidence& incidence, const Damping& damping) {
     double sum = 0;
     double rate = 0;
     for (std::size_t k = 0; k < N; ++k) {
@@ -25,8 +52,9 @@ double multiplier(const Linearized<N>& c, const ReferenceState& s, const std::ve
         sum += valence(incidence, v) * w[v] * c.gradient[k].squaredNorm();
         rate += c.gradient[k].dot(s.displacements[v]);
     }
-    const double denominator = (1 + gamma) * sum + c.compliance;
-    return denominator > 0 ? -(c.value + gamma * rate) / denominator : 0.0;
+    const double denominator = (1 + damping.gamma) * sum + c.compliance;
+    const double before = std::clamp(c.value - rate, -damping.most, damping.most);
+    return denominator > 0 ? -(before + (1 + damping.gamma) * rate) / denominator : 0.0;
 }
 
 Pull pullOf(const shared::SolverUniforms& uniforms) {
@@ -37,10 +65,10 @@ Pull pullOf(const shared::SolverUniforms& uniforms) {
 template <class Constraint>
 void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
            const Incidence& incidence, const std::vector<double>& w, double compliance,
-           double gamma, double share, Pull pull) {
+           const shared::SolverUniforms& uniforms, double share) {
     std::vector<Vec3> correction(state.positions.size(), Vec3::Zero());
     for (const Constraint& constraint : constraints) {
-        const auto c = linearize(constraint, state, compliance, pull);
+        const auto c = linearize(constraint, state, compliance, pullOf(uniforms));
         if (!c.valid) {
             continue;
         }
@@ -48,8 +76,8 @@ void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
         for (const std::uint32_t v : c.vertices) {
             fold = std::max(fold, state.fold(v));
         }
-        const double lambda =
-            share * multiplier(c, state, w, incidence, gamma * (1 - shared::kFoldUndamps * fold));
+        const Damping damping = dampingAt(fold, uniforms, changePerWay(constraint, c));
+        const double lambda = share * multiplier(c, state, w, incidence, damping);
         for (std::size_t k = 0; k < c.vertices.size(); ++k) {
             correction[c.vertices[k]] += w[c.vertices[k]] * lambda * c.gradient[k];
         }
@@ -163,21 +191,21 @@ void ReferenceSolver::predict(ReferenceState& state) const {
 void ReferenceSolver::solveEdges(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kStretchPart) {
         sweep(state, model_.edges, model_.edgeIncidence, inverseMass_, uniforms_.stretch_compliance,
-              uniforms_.damping_ratio, uniforms_.stretch_share, pullOf(uniforms_));
+              uniforms_, uniforms_.stretch_share);
     }
 }
 
 void ReferenceSolver::solveBends(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kBendPart) {
         sweep(state, model_.bends, model_.bendIncidence, inverseMass_, uniforms_.bend_compliance,
-              uniforms_.damping_ratio, uniforms_.bend_share, pullOf(uniforms_));
+              uniforms_, uniforms_.bend_share);
     }
 }
 
 void ReferenceSolver::solveIspcs(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kIspcPart) {
         sweep(state, model_.ispcs, model_.ispcIncidence, inverseMass_, uniforms_.ispc_compliance,
-              uniforms_.damping_ratio, uniforms_.ispc_share, pullOf(uniforms_));
+              uniforms_, uniforms_.ispc_share);
     }
 }
 

@@ -43,9 +43,14 @@ double squashed(const shared::BendConstraint& bend, const std::vector<Vec3>& at,
         (shared::kSquashBegins - least) / (shared::kSquashBegins - shared::kSquashEnds), 0.0, 1.0);
 }
 
-std::vector<double> foldsOf(const BodyModel& model, const std::vector<Vec3>& at) {
+std::vector<double> foldsOf(const BodyModel& model, const std::vector<Vec3>& at,
+                            const std::vector<double>& inverseMass) {
     std::vector<double> folds(at.size(), 0.0);
     for (const shared::BendConstraint& bend : model.bends) {
+        if (std::ranges::any_of(verticesOf(bend),
+                                [&](std::uint32_t v) { return inverseMass[v] == 0; })) {
+            continue;
+        }
         const double fold = std::max(turnedOver(bend, at), squashed(bend, at, model.restPositions));
         for (const std::uint32_t v : verticesOf(bend)) {
             folds[v] = std::max(folds[v], fold);
@@ -133,7 +138,7 @@ Vec3 pullOf(const Goal& goal, const Vec3& x, const Vec3& rest, const Vec3& veloc
 void unfoldAsReference(const BodyModel& model, const std::vector<double>& inverseMass,
                        double substep, ReferenceState& state) {
     const std::size_t count = state.positions.size();
-    state.folds = foldsOf(model, state.positions);
+    state.folds = foldsOf(model, state.positions, inverseMass);
     const std::vector<double>& folds = state.folds;
     std::vector<double> sums(count, 0.0);
     std::vector<double> masses(count, 0.0);

@@ -3,9 +3,11 @@
 // by the same weights and normal at X + d, after; see contact_answer.glsl. The triangle answers where
 // the line of the whole impulse meets its plane at X, so that no torque is left over, as far as the
 // vertex is no deeper than the thickness.
+// With UNFOLDS folded skin does not touch what was beside it at rest, see folds.glsl.
 //
-// Reads X, d, candidates. Writes records, what contacts take of each vertex, and their number.
+// Reads X, d, candidates, with UNFOLDS folds. Writes records, what contacts take of each vertex, and their number.
 // One thread per listed point. A storage barrier follows, then respond.
+#include "bindings.h"
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -23,6 +25,8 @@ layout(std430, binding = kContactStateBinding) buffer State { ContactState state
 
 #include "closest_point.glsl"
 #include "sim/contact_answer.glsl"
+#include "sim/fetch.glsl"
+#include "sim/folds.glsl"
 #include "sim/mass_shares.glsl"
 
 struct Nearest {
@@ -102,7 +106,8 @@ void main() {
     ContactAnswer answer = answerTo(normal, before, slip, rule);
     float approach = dot(answer.impulse, normal);
     bool touches = (approach > 0.0 || answer.push > 0.0) &&
-        lateralDistance(near) <= kLateralSlack * uniforms.h && gap >= -uniforms.margin;
+        lateralDistance(near) <= kLateralSlack * uniforms.h && gap >= -uniforms.margin &&
+        (near.thickness >= uniforms.thickness || !(foldAt(uvec4(v, near.triangle.xyz)) > 0.0));
     if (approach > 0.0) {
         float lever = clamp(before, -uniforms.thickness, uniforms.thickness);
         vec3 aside = (-lever / approach) * (answer.impulse - approach * normal);

@@ -1,4 +1,6 @@
-// How far the skin at the bends of each vertex is folded at X, at most. Reads X, rest positions, bends.
+// How far the skin at the bends of each vertex is folded at X, at most. A bend with a vertex that has no inverse
+// mass does not count: its rings are not drawn (goals.comp), and walls beside the front of a slit must stay
+// damped and in contact, else they crumple into the way of the blade. Reads X, rest positions, bends.
 // Writes folds, which are zero before. One thread per bend; the largest of floats does not mind their order. A storage barrier
 // follows.
 #include "bindings.h"
@@ -21,10 +23,13 @@ void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= uniforms.bend_count) return;
     BendRecord bend = fetchBend(bends, index);
-    vec3 from = fetch(positions, bend.v0).xyz;
-    Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from, fetch(positions, bend.v2).xyz - from,
-                          fetch(positions, bend.v3).xyz - from);
-    float fold = foldOf(wings, bend);
+    vec4 x0 = fetch(positions, bend.v0);
+    vec4 x1 = fetch(positions, bend.v1);
+    vec4 x2 = fetch(positions, bend.v2);
+    vec4 x3 = fetch(positions, bend.v3);
+    bool free = min(min(x0.w, x1.w), min(x2.w, x3.w)) > 0.0;
+    Wings wings = wingsOf(x1.xyz - x0.xyz, x2.xyz - x0.xyz, x3.xyz - x0.xyz);
+    float fold = free ? foldOf(wings, bend) : 0.0;
     // Positive floats and their bits have the same order.
     for (uint once = fold > 0.0 ? 1u : 0u; once > 0u; --once) {
         atomicMax(folds[bend.v0], floatBitsToUint(fold));

@@ -1,11 +1,13 @@
 #include "sim/solve/unfolding.h"
 
+#include <algorithm>
 #include <numeric>
 #include <random>
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/body/shape_error.h"
+#include "sim/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "sim/solve/reference_solver.h"
 #include "sim/solve/solver_uniforms.h"
@@ -111,7 +113,7 @@ TEST_F(UnfoldingTest, DoesWhatTheReferenceDoes) {
     }
 }
 
-// On folded skin constraints are hardly damped and the floor does not rub.
+// On folded skin constraints are bounded instead of damped, and the floor does not rub.
 TEST_F(UnfoldingTest, AStepIsThatOfTheReference) {
     for (const bool oneGroup : {true, false}) {
         Crumpled body(test::cubeSphere(8), 0.3f, 0.5f);
@@ -174,6 +176,69 @@ TEST_F(UnfoldingTest, HoldsATriangleThatIsSquashedInItsPlane) {
     EXPECT_EQ(pullAt(0.6f), 0.0f);
     EXPECT_GT(pullAt(0.3f), 0.01f);
     EXPECT_GT(pullAt(0.1f), pullAt(0.3f));
+}
+
+/// A sphere with a slit that is still closed.
+SurfaceMesh slitSphere() {
+    Params params;
+    params.gravity.setZero();
+    params.floor.reset();
+    Simulation simulation(test::cubeSphere(8), params);
+    for (int i = 0; i <= 16; ++i) {
+        const double y = 0.6 - 0.04 * i;
+        simulation.execute(MoveBlade{{{-0.9, y, 0.03}, {0.9, y + 0.02, 0.05}}});
+        simulation.step();
+    }
+    simulation.execute(LiftBlade{});
+    simulation.step();
+    return simulation.mesh();
+}
+
+/// What points touched in the last substep that lay closer to them at rest than contact keeps its
+/// whole thickness from: how often, and how often something of it was folded.
+struct TouchedWalls {
+    int all = 0, folded = 0;
+};
+
+TouchedWalls touchedWalls(const Crumpled& body, const std::vector<double>& folds,
+                          double thickness) {
+    const ContactSolver& contacts = body.gpu.contacts();
+    const auto candidates = contacts.readCandidates();
+    const auto isWall = [&](std::uint32_t point, std::uint32_t corner) {
+        return std::ranges::any_of(candidates[point], [&](const shared::ContactCandidate& c) {
+            return body.model.triangles[c.triangle][0] == corner && c.thickness < thickness;
+        });
+    };
+    TouchedWalls touched;
+    for (const shared::ContactRecord& record :
+         contacts.records().read<shared::ContactRecord>(0, contacts.readState().points)) {
+        if (record.v1 != shared::kNoVertex && isWall(record.v0, record.v1)) {
+            ++touched.all;
+            touched.folded += std::max({folds[record.v0], folds[record.v1], folds[record.v2],
+                                        folds[record.v3]}) > 0;
+        }
+    }
+    return touched;
+}
+
+// A wall that has turned over would be caught behind the other one.
+TEST_F(UnfoldingTest, FoldedWallsDoNotTouch) {
+    Crumpled body(slitSphere(), 0.15f, 0.5f);
+    Params params;
+    params.contact = 1;
+    ContactSettings settings = contactSettings(params);
+    settings.edges = false;
+    body.gpu.setContact(settings);
+    body.uniforms.substeps = 1;
+    body.gpu.setUniforms(body.uniforms);
+    ReferenceState reference = body.startInDoubles();
+    ReferenceSolver(body.model, body.uniforms).unfold(reference);
+    EXPECT_GT(std::ranges::count_if(reference.folds, [](double fold) { return fold > 0; }), 20);
+    body.play(1);
+    const double thickness = 0.999 * settings.thickness * contactEdgeLength(body.model);
+    const TouchedWalls touched = touchedWalls(body, reference.folds, thickness);
+    EXPECT_GT(touched.all, 5);
+    EXPECT_EQ(touched.folded, 0);
 }
 
 // A spring that gave energy would shake the body for ever.
