@@ -1,6 +1,6 @@
 // Bodies cut while they move, eight strokes for each scene and Young's modulus: one row each.
 //   kerf_scenes_bench [--scene NAME] [--modulus PA] [--index I] [--runs N] [--seed S] [--planes]
-//     [--contact 0] [--push 1]
+//     [--contact 0] [--push 1] [--after STEPS]
 // --index plays that stroke alone and prints its steps.
 
 #include <cstdio>
@@ -34,6 +34,7 @@ double number(const Options& options, const std::string& name, double otherwise)
 void play(const Options& options, SceneRun run) {
     run.contact = number(options, "--contact", 1) != 0;
     run.push = number(options, "--push", 0) != 0;
+    run.stepsAfter = static_cast<int>(number(options, "--after", run.stepsAfter));
     run.seed = static_cast<std::uint64_t>(number(options, "--seed", 1));
     if (options.count("--index") > 0) {
         run.index = static_cast<int>(number(options, "--index", 0));

@@ -17,9 +17,8 @@ namespace kerf::test {
 
 namespace {
 
-constexpr double kClearance = 0.001;  // between body and floor at the start [m]
-constexpr int kSteps = 120;           // of a stroke
-constexpr int kStepsAfter = 50;
+constexpr double kClearance = 0.001;    // between body and floor at the start [m]
+constexpr int kSteps = 120;             // of a stroke
 constexpr double kHalfArmBlade = 0.12;  // reaches across one arm and not into the next [m]
 
 Blade bladeAround(const Vec3& middle, const Vec3& along, double halfLength) {
@@ -81,14 +80,14 @@ SceneFigures throughOnFloor(const SceneRun& run, SurfaceMesh mesh) {
     ScenePlayer player(run, roundBody(std::move(mesh)));
     player.settle(60);
     cutDown(player);
-    player.watch(kStepsAfter);
+    player.watch(run.stepsAfter);
     return player.finish(2);
 }
 
 SceneFigures throughAtRest(const SceneRun& run) {
     ScenePlayer player(run, roundBody(cubeSphere(8)), true);
     cutDown(player);
-    player.watch(kStepsAfter);
+    player.watch(run.stepsAfter);
     return player.finish(2);
 }
 
@@ -108,7 +107,7 @@ SceneFigures twice(const SceneRun& run) {
             return bladeAround({x, top + (bottom - top) * u, 0}, along, 3.5);
         },
         kSteps);
-    player.watch(kStepsAfter);
+    player.watch(run.stepsAfter);
     return player.finish(4);
 }
 
@@ -133,7 +132,7 @@ SceneFigures throughArch(const SceneRun& run, bool upwards) {
             return bladeAround({x, y, 0}, along, 0.7);
         },
         60);
-    player.watch(kStepsAfter);
+    player.watch(run.stepsAfter);
     return player.finish(2);
 }
 
@@ -219,7 +218,7 @@ SceneFigures armThenHead(const SceneRun& run) {
     cutArm(player, run.index);
     player.watch(20);
     cutHead(player);
-    player.watch(kStepsAfter);
+    player.watch(run.stepsAfter);
     return player.finish(3);
 }
 
@@ -249,7 +248,7 @@ SceneFigures incisions(const SceneRun& run) {
     incise(player, false);
     player.watch(30);
     incise(player, true);
-    player.watch(kStepsAfter);
+    player.watch(run.stepsAfter);
     return player.finish(1);
 }
 
@@ -266,7 +265,7 @@ SceneFigures randomPlane(const SceneRun& run, SurfaceMesh mesh) {
             return bladeAround(middle + travel * (reach * (2 * u - 1)), along, reach);
         },
         kSteps);
-    player.watch(kStepsAfter);
+    player.watch(run.stepsAfter);
     return player.finish(2);
 }
 

@@ -15,6 +15,7 @@ struct SceneRun {
     bool verbose = false;  ///< prints every step of the blade
     bool contact = true;   ///< of the body with itself
     bool push = false;     ///< the body of the blade
+    int stepsAfter = 50;   ///< that follow the last stroke
 };
 
 /// What came of one run, or of several: counts add up, of speeds and rows the largest counts.
