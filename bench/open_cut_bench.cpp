@@ -53,8 +53,8 @@ class Play {
 
     Figures run(int steps) {
         for (int step = 0; step < steps; ++step) {
-            for (const app::SessionAction& action : player_.actionsAt(step)) {
-                std::visit(*this, action);
+            for (const app::PlayedAction& played : player_.actionsAt(step)) {
+                std::visit(*this, played.action);
             }
             note(simulation_.step());
         }
