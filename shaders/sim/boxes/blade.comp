@@ -49,11 +49,11 @@ bool mayMeet(BladeRecord blade, vec3 from, vec3 to) {
 // xyz: the sum of the area vectors of the walls at v over the sum of their lengths, w: 1 where there
 // are any.
 vec4 wallNormal(uint v, bool wanted) {
-    uint first = ranges[v].first;
-    uint end = wanted ? ranges[v].end : first;
+    IncidenceRange range = ranges[v];  // once, see sides.comp
+    uint end = wanted ? range.end : range.first;
     vec3 sum = vec3(0.0);
     float size = 0.0;
-    for (uint k = first; k < end; ++k) {
+    for (uint k = range.first; k < end; ++k) {
         uvec4 t = triangles[incidence[k] / 4u];
         if ((t.w & 1u) == 0u) continue;
         vec3 a = positions[t.x].xyz;
