@@ -17,6 +17,10 @@ SHARED_CONST uint kUnfoldPart = 64u;        // see unfold/goals.comp
 // |C| of a bend is clamped here [rad]: the form that comes back after a snap-through.
 SHARED_CONST float kMaxBendError = 0.3f;
 
+// A rigid bend is left out where its free vertices change it less than that, as a share of what
+// they would do as its apexes (squared gradients): see bend.glsl.
+SHARED_CONST float kLeastBendShare = 1e-4f;
+
 // Rate r of the springs of hands [1/s]: held vertices follow in about 1 / r.
 SHARED_CONST float kPullRate = 120.0f;
 

@@ -9,6 +9,14 @@ struct BendPull {
     vec4 left, right;
 };
 
+// Below this a bend has no answer but noise. Where all but one of its vertices are held and lie on a
+// line, as at the front of a slit, the last one hardly changes the angle: a rigid bend would throw it
+// as far as rounding of the angle over that gradient says. Compliance bounds it.
+float leastWeight(vec4 w, vec3 a, vec3 b) {
+    float most = uniforms.inverse_density * max(max(w.x, w.y), max(w.z, w.w));
+    return uniforms.bend_compliance > 0.0 ? 0.0 : kLeastBendShare * most * (dot(a, a) + dot(b, b));
+}
+
 BendPull bendPull(BendRecord bend) {
     vec3 x0 = positionOf(bend.v0).xyz;
     vec3 x1 = positionOf(bend.v1).xyz;
@@ -42,12 +50,14 @@ BendPull bendPull(BendRecord bend) {
     vec3 g0 = (1.0 - sA) * a + (1.0 - sB) * b;
     vec3 g1 = sA * a + sB * b;
 
+    vec4 inverseMasses = vec4(d0.w, d1.w, d2.w, d3.w);
     float weight = uniforms.inverse_density *
-        dot(vec4(d0.w, d1.w, d2.w, d3.w), vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b)));
+        dot(inverseMasses, vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b)));
     float fold = foldAt(uvec4(bend.v0, bend.v1, bend.v2, bend.v3));
     float denominator = dampedWeight(weight, bend.geometry * uniforms.bend_compliance, fold);
     float rate = dot(a, sA * edgeStep - leftStep) + dot(b, sB * edgeStep - rightStep);
     float answered = dampedError(error, rate, fold, max(length(a), length(b)));
-    float impulse = weight > 0.0 ? uniforms.bend_share * -answered / denominator : 0.0;
+    bool answers = weight > leastWeight(inverseMasses, a, b);
+    float impulse = answers ? uniforms.bend_share * -answered / denominator : 0.0;
     return BendPull(slivers ? vec4(0.0) : vec4(a * impulse, sA), slivers ? vec4(0.0) : vec4(b * impulse, sB));
 }

@@ -27,6 +27,17 @@ double changePerWay(const shared::BendConstraint&, const Linearized<4>& c) {
     return std::max(c.gradient[2].norm(), c.gradient[3].norm());
 }
 
+/// As leastWeight in shaders/sim/bend.glsl; `lightest`: the largest inverse mass.
+double leastWeight(const shared::BendConstraint&, const Linearized<4>& c, double lightest) {
+    const double apexes = c.gradient[2].squaredNorm() + c.gradient[3].squaredNorm();
+    return c.compliance > 0 ? 0 : shared::kLeastBendShare * lightest * apexes;
+}
+
+template <class Constraint, std::size_t N>
+double leastWeight(const Constraint&, const Linearized<N>&, double) {
+    return 0;
+}
+
 /// How constraints are damped at one place.
 struct Damping {
     double gamma = 0;  ///< beta / h
@@ -42,19 +53,24 @@ Damping dampingAt(double fold, const shared::SolverUniforms& uniforms, double pe
 
 /// delta lambda of one constraint: XPBD with stiffness-proportional damping and
 /// the mass of each vertex split among its constraints of this type (w~ = valence * w).
-template <std::size_t N>
-double multiplier(const Linearized<N>& c, const ReferenceState& s, const std::vector<double>& w,
-                  const Incidence& incidence, const Damping& damping) {
+template <class Constraint, std::size_t N>
+double multiplier(const Constraint& constraint, const Linearized<N>& c, const ReferenceState& s,
+                  const std::vector<double>& w, const Incidence& incidence,
+                  const Damping& damping) {
     double sum = 0;
     double rate = 0;
+    double lightest = 0;
     for (std::size_t k = 0; k < N; ++k) {
         const std::uint32_t v = c.vertices[k];
-        sum += valence(incidence, v) * w[v] * c.gradient[k].squaredNorm();
+        const double inverseMass = valence(incidence, v) * w[v];
+        lightest = std::max(lightest, inverseMass);
+        sum += inverseMass * c.gradient[k].squaredNorm();
         rate += c.gradient[k].dot(s.displacements[v]);
     }
     const double denominator = (1 + damping.gamma) * sum + c.compliance;
     const double before = std::clamp(c.value - rate, -damping.most, damping.most);
-    return denominator > 0 ? -(before + (1 + damping.gamma) * rate) / denominator : 0.0;
+    const bool answers = denominator > 0 && sum >= leastWeight(constraint, c, lightest);
+    return answers ? -(before + (1 + damping.gamma) * rate) / denominator : 0.0;
 }
 
 Pull pullOf(const shared::SolverUniforms& uniforms) {
@@ -77,7 +93,7 @@ void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
             fold = std::max(fold, state.fold(v));
         }
         const Damping damping = dampingAt(fold, uniforms, changePerWay(constraint, c));
-        const double lambda = share * multiplier(c, state, w, incidence, damping);
+        const double lambda = share * multiplier(constraint, c, state, w, incidence, damping);
         for (std::size_t k = 0; k < c.vertices.size(); ++k) {
             correction[c.vertices[k]] += w[c.vertices[k]] * lambda * c.gradient[k];
         }

@@ -176,8 +176,12 @@ TEST_F(SimulationTest, ABladeThatMissesChangesNothing) {
     EXPECT_EQ(with.lastCut().outcome, CutOutcome::air);
 }
 
-TEST_F(SimulationTest, CutsInTwoAtRestWithoutMovingAnything) {
-    Simulation simulation(test::cubeSphere(8), weightless());
+class CutAtRestTest : public SimulationTest, public testing::WithParamInterface<SolverMode> {};
+
+TEST_P(CutAtRestTest, CutsInTwoWithoutMovingAnything) {
+    Params params = weightless();
+    params.solver = GetParam();
+    Simulation simulation(test::cubeSphere(8), params);
     const double diagonal = meshBounds(simulation.mesh()).diagonal();
     double fastest = 0;
     cutDown(simulation, 0.7, -0.7, 30, [&] {
@@ -198,6 +202,12 @@ TEST_F(SimulationTest, CutsInTwoAtRestWithoutMovingAnything) {
     const auto& pieces = simulation.pieces().pieces;
     EXPECT_NEAR(pieces[0].volume + pieces[1].volume, meshRestVolume(test::cubeSphere(8)), 1e-5);
 }
+
+INSTANTIATE_TEST_SUITE_P(Solvers, CutAtRestTest,
+                         testing::Values(SolverMode::smallSteps, SolverMode::pbd),
+                         [](const auto& each) {
+                             return each.param == SolverMode::pbd ? "pbd" : "small_steps";
+                         });
 
 TEST_F(SimulationTest, HalvesFallApartAndKeepTheirVolume) {
     Simulation simulation(test::cubeSphere(8), [] {
