@@ -146,20 +146,24 @@ std::string picturesSection(const Results& results) {
     return text;
 }
 
-std::string failuresSection(const Results& results) {
+/// One list of sentences for all experiments; nothing where no experiment has any.
+std::string sentencesSection(const char* title, const Results& results,
+                             std::vector<std::string> RunSummary::*sentences) {
     std::string text;
     for (const ExperimentResult& result : results) {
-        for (const std::string& failure : result.summary.failures) {
-            text += std::string("- ") + result.paper->label + ": " + failure + "\n";
+        for (const std::string& sentence : result.summary.*sentences) {
+            text += std::string("- ") + result.paper->label + ": " + sentence + "\n";
         }
     }
-    return text.empty() ? "" : "## What did not hold\n\n" + text + "\n";
+    return text.empty() ? "" : std::string("## ") + title + "\n\n" + text + "\n";
 }
 
 }  // namespace
 
 std::string formatExperimentReport(const Results& results) {
-    return headSection(results) + failuresSection(results) + settingsSection(results) +
+    return headSection(results) +
+           sentencesSection("What did not hold", results, &RunSummary::failures) +
+           sentencesSection("Remarks", results, &RunSummary::remarks) + settingsSection(results) +
            countsSection(results) + volumeSection(results) + framesSection(results) +
            stagesSection(results) + subdivisionSection(results) + picturesSection(results);
 }

@@ -120,6 +120,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     json["lost_pieces"] = run.lostPieces;
     json["debris"] = {{"pieces", run.debris.pieces}, {"volume", run.debris.volume}};
     json["failures"] = summary.failures;
+    json["remarks"] = summary.remarks;
     return json;
 }
 

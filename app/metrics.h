@@ -73,6 +73,7 @@ struct RunSummary {
     RunStatistics statistics;
     std::vector<std::string>
         failures;  ///< checks and invariants that did not hold, one sentence each
+    std::vector<std::string> remarks;  ///< what else the figures are to be read with
 };
 
 /// The keys of summary.json (docs/session-format.md).

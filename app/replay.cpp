@@ -10,8 +10,10 @@
 #include "app/file_io.h"
 #include "app/output_folder.h"
 #include "app/scene_view.h"
+#include "app/sweep_watch.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
+#include "sim/body/rest_geometry.h"
 #include "sim/simulation.h"
 #include "sim/stopwatch.h"
 #include "sim/text.h"
@@ -65,6 +67,7 @@ class Replay {
           renderer_(render::Quality::full),
           simulation_(uncut_, session.params, session.boxes),
           restBounds_(meshBounds(simulation_.mesh())),
+          sweeps_(meanRestEdgeLength(uncut_)),
           camera_(sessionCamera(session, restBounds_)) {
         summary_.model = session.model.name();
         summary_.renderer = gpu::queryDevice().renderer;
@@ -90,6 +93,7 @@ class Replay {
             }
         }
         applyActions(session_.steps);
+        remark(sweeps_.sentence());
         writeResults();
     }
 
@@ -136,6 +140,7 @@ class Replay {
         const Stopwatch watch;
         renderMs_ = 0;
         applyActions(step);
+        sweeps_.add(step, simulation_.params());
         const StepReport& report = simulation_.step();
         const MetricsRow row{report, renderMs_, watch.milliseconds()};
         metrics_.write(formatMetrics(row));
@@ -171,9 +176,12 @@ class Replay {
 
     /// "first-cut.kerf.json: events[3] at step 12", as far as it is known.
     std::string placeInFile() const {
-        const std::string file = session_.fileName.empty() ? "" : session_.fileName + ": ";
         const std::string event = event_ < 0 ? "" : "events[" + std::to_string(event_) + "] at ";
-        return file + event + "step " + std::to_string(step_);
+        return filePrefix() + event + "step " + std::to_string(step_);
+    }
+
+    std::string filePrefix() const {
+        return session_.fileName.empty() ? "" : session_.fileName + ": ";
     }
 
     void checkHash(const CheckEvent& event) {
@@ -208,6 +216,14 @@ class Replay {
         summary_.failures.push_back("Step " + std::to_string(step_) + ": " + problem + ".");
     }
 
+    /// What no check fails for, but a reader of the results should know.
+    void remark(const std::string& sentence) {
+        if (!sentence.empty()) {
+            summary_.remarks.push_back(sentence);
+            spdlog::warn("{}{}", filePrefix(), sentence);
+        }
+    }
+
     void logMessages() {
         for (const std::string& message : simulation_.takeMessages()) {
             spdlog::warn(message);
@@ -239,6 +255,7 @@ class Replay {
     render::Renderer renderer_;
     Simulation simulation_;
     Bounds restBounds_;
+    SweepWatch sweeps_;
     render::Camera camera_;
     std::vector<Blade> sweep_;  ///< poses of the running stroke
     RunSummary summary_;

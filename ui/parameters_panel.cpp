@@ -261,14 +261,12 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
 }  // namespace
 
 std::string remarkOn(const ParamInfo& info, const PanelModel& model) {
-    if (info.name != "iterations" || model.params.solver != SolverMode::smallSteps ||
-        sweepStrength(model.params, model.edgeLength) >= 1) {
+    if (info.name != "iterations" || !hasTooFewSweeps(model.params, model.edgeLength)) {
         return "";
     }
-    const int wanted = iterationsForModulus(model.params, model.edgeLength);
-    const std::string advice = wanted <= info.high
-                                   ? "From " + std::to_string(wanted) + " on it is not."
-                                   : "A smaller time step helps.";
+    const std::optional<int> enough = enoughIterations(model.params, model.edgeLength);
+    const std::string advice = enough ? "From " + std::to_string(*enough) + " on it is not."
+                                      : "A smaller time step helps.";
     return "Too few for this stiffness: the body is softer than its modulus. " + advice;
 }
 

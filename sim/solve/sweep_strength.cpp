@@ -10,9 +10,15 @@ double sweepStrength(const Params& params, double edgeLength) {
     return params.density * edgeLength * edgeLength / (12 * modulus * substep * substep);
 }
 
-int iterationsForModulus(const Params& params, double edgeLength) {
-    return static_cast<int>(
-        std::ceil(params.iterations / std::sqrt(sweepStrength(params, edgeLength))));
+bool hasTooFewSweeps(const Params& params, double edgeLength) {
+    return params.solver == SolverMode::smallSteps && sweepStrength(params, edgeLength) < 1;
+}
+
+std::optional<int> enoughIterations(const Params& params, double edgeLength) {
+    const double wanted =
+        std::ceil(params.iterations / std::sqrt(sweepStrength(params, edgeLength)));
+    return wanted <= findParam("iterations")->high ? std::optional(static_cast<int>(wanted))
+                                                   : std::nullopt;
 }
 
 }  // namespace kerf

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "sim/params.h"
 
 namespace kerf {
@@ -11,7 +13,10 @@ namespace kerf {
 /// modulus). `edgeLength` is the mean at rest [m]; `small_steps` is assumed.
 double sweepStrength(const Params& params, double edgeLength);
 
-/// Least number of iterations for which that is 1.
-int iterationsForModulus(const Params& params, double edgeLength);
+/// Whether that is below 1. Never with plain PBD, whose stiffness is no modulus.
+bool hasTooFewSweeps(const Params& params, double edgeLength);
+
+/// Least number of iterations for which it is 1; none where the range of the parameter ends before.
+std::optional<int> enoughIterations(const Params& params, double edgeLength);
 
 }  // namespace kerf

@@ -73,13 +73,16 @@ TEST(Experiment, WithoutOpenGlNothingIsWritten) {
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-TEST(ExperimentReport, NamesWhatDidNotHold) {
+TEST(ExperimentReport, NamesWhatDidNotHoldAndWhatIsToBeKnown) {
     app::ExperimentResult result;
     result.paper = app::findPaperExperiment("octopus");
     result.summary.renderer = "some GPU";
     result.summary.failures = {"Step 7: the volume is not finite any more."};
+    result.summary.remarks = {"Step 0: 1 iteration is too few."};
     const std::string report = app::formatExperimentReport({result});
     EXPECT_NE(report.find("- Octopus: Step 7: the volume"), std::string::npos) << report;
+    EXPECT_NE(report.find("## Remarks\n\n- Octopus: Step 0: 1 iteration is too few.\n"),
+              std::string::npos);
     EXPECT_NE(report.find("some GPU"), std::string::npos);
     EXPECT_NE(report.find("91.1"), std::string::npos);
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "sim/params.h"
+
+namespace kerf::app {
+
+/// Watches over a run for steps with too few sweeps for the stiffness (sim/solve/sweep_strength.h),
+/// which make a body softer than its modulus without any other sign of it.
+class SweepWatch {
+  public:
+    /// `edgeLength`: mean of the uncut body at rest [m].
+    explicit SweepWatch(double edgeLength) : edgeLength_(edgeLength) {}
+
+    /// A step is done with these.
+    void add(int step, const Params& params);
+    /// What is too few, where it is worst and what to do; "" where no step had too few.
+    std::string sentence() const;
+
+  private:
+    double edgeLength_;
+    int steps_ = 0;
+    int weakSteps_ = 0;
+    double least_ = 1;  ///< strength of a sweep
+    int worstStep_ = 0;
+    Params worst_;
+};
+
+}  // namespace kerf::app
