@@ -109,6 +109,8 @@ void describeExperiment(Parser& parser, Arguments& arguments) {
         ->required()
         ->check(refuseEmpty)
         ->type_name("DIR");
+    parser.experiment->add_flag("--published", arguments.experiment.published,
+                                "Solve, answer contact and cut as the paper does");
     parser.experiment->add_flag("--json", arguments.experiment.json, "Print one JSON object");
 }
 
@@ -260,6 +262,10 @@ int runCommandLine(int argc, char** argv) {
     }
     if (!arguments.file.empty() && !parser.app.get_subcommands().empty()) {
         return complain("A verb comes first and takes its own files; see kerf --help.", kExitUsage);
+    }
+    if (arguments.experiment.published && arguments.experiment.name == kBarExperiment) {
+        return complain("'bar' is none of the paper's experiments and takes no --published.",
+                        kExitUsage);
     }
     return runVerbSafely(parser, arguments);
 }

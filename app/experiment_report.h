@@ -17,6 +17,8 @@ struct ExperimentResult {
 };
 
 /// The text of report.md: the paper's tables and figures remade, its figures beside ours.
-std::string formatExperimentReport(const std::vector<ExperimentResult>& results);
+/// `published`: solver, contact and course of the cut were the paper's too.
+std::string formatExperimentReport(const std::vector<ExperimentResult>& results,
+                                   bool published = false);
 
 }  // namespace kerf::app

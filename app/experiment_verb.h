@@ -6,9 +6,10 @@
 
 namespace kerf::app {
 
-/// `kerf experiment NAME|all --out DIR [--json]`, parsed.
+/// `kerf experiment NAME|all --out DIR [--published] [--json]`, parsed.
 struct ExperimentArguments {
-    std::string name;  ///< of an experiment, "bar" or "all"
+    std::string name;        ///< of an experiment, "bar" or "all"
+    bool published = false;  ///< with the paper's solver, contact and course of the cut; not "bar"
     std::filesystem::path out;
     bool json = false;
 };

@@ -64,6 +64,8 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
     expectMistake(runKerf({"experimant"}), 2, "neither a verb nor a file");
     expectMistake(runKerf({"experiment", "--out", "x"}), 2, "NAME");
     expectMistake(runKerf({"experiment", "all"}), 2, "--out");
+    expectMistake(runKerf({"experiment", "bar", "--published", "--out", "x"}), 2,
+                  "takes no --published");
     expectMistake(runKerf({"experiment", "cube", "--out", "x"}), 2,
                   "there is no experiment 'cube'; there are sphere20, ");
     expectMistake(runKerf({"compare", "a.png"}), 2, "B");

@@ -65,6 +65,21 @@ TEST(Experiment, LeavesWhatTheContractSays) {
     EXPECT_EQ(report.find("Octopus"), std::string::npos) << "was not run";
 }
 
+TEST(Experiment, RunsAsPublished) {
+    const TemporaryFolder folder;
+    const test::ProgramRun run =
+        runKerf({"experiment", "sphere20", "--published", "--out", folder / "out", "--json"});
+    ASSERT_EQ(run.exitCode, 0) << run.errors;
+    const auto summary = nlohmann::json::parse(readBytes(folder / "out/sphere20/summary.json"));
+    EXPECT_EQ(summary["pieces"].size(), 2u);
+    EXPECT_FALSE(summary["closed_every_step"]) << "open while the blade is in it";
+    EXPECT_LT(summary["volume_ratio"]["min"], 0.999) << "the paper's solver loses volume";
+    EXPECT_GT(summary["volume_ratio"]["min"], 0.95);
+    EXPECT_TRUE(summary["failures"].empty());
+    const std::string report = readBytes(folder / "out/report.md");
+    EXPECT_NE(report.find("(`solver` pbd, `paper_contact`, `open_cut`)"), std::string::npos);
+}
+
 TEST(Experiment, WithoutOpenGlNothingIsWritten) {
     const TemporaryFolder folder;
     const test::ProgramRun run =
