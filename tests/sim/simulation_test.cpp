@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "sim/body/shape_error.h"
 #include "tests/support/gl_fixture.h"
@@ -323,6 +324,51 @@ std::string hashOfACut() {
     run(simulation, 20);
     EXPECT_GT(simulation.report().contacts, 0);
     return simulation.stateHash();
+}
+
+/// In range, and not too far from what it is: what a slider gives while it is dragged.
+ParamValue draggedValue(const Params& params, const ParamInfo& info) {
+    const ParamValue now = getParam(params, info.name);
+    if (const Vec3* vector = std::get_if<Vec3>(&now)) {
+        return Vec3(*vector + Vec3(0.5, 0.5, 0));
+    }
+    if (std::holds_alternative<std::string>(now)) {
+        return std::string(info.choices.back());
+    }
+    const double value = std::get<double>(now);
+    if (info.type == ParamType::integer && info.high == 1) {
+        return 1 - value;
+    }
+    return info.type == ParamType::integer ? value + 5 : value + 0.2 * std::abs(value);
+}
+
+// Of halves that lie on each other, on a box and on the floor, so that everything has a say.
+TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
+    Params params = dropped(0.05);
+    params.contactThickness = 0.1;
+    Simulation simulation(test::cubeSphere(6), params,
+                          {{{0.1, -0.6, 0.3}, {0.3, 0.2, 0.3}, {0, 20, 10}}});
+    cutDown(simulation, 0.7, -0.7, 25);
+    run(simulation, 20);
+    const Moment moment = simulation.moment();
+    run(simulation, 10);
+    const std::string unchanged = simulation.stateHash();
+    // Without a blade these wait for the next stroke.
+    const std::set<std::string_view> waiting{"blade_push",      "blade_width",   "blade_thickness",
+                                             "wall_coarsening", "debris_volume", "open_cut"};
+    for (const ParamInfo& info : paramTable()) {
+        SCOPED_TRACE(info.name);
+        simulation.goTo(moment);
+        const ParamValue value = draggedValue(simulation.params(), info);
+        ASSERT_EQ(simulation.execute(SetParam{std::string(info.name), value}), "");
+        run(simulation, 10);
+        EXPECT_EQ(simulation.stateHash() == unchanged, waiting.contains(info.name));
+        EXPECT_EQ(checkFinite(simulation.mesh()), "");
+        EXPECT_TRUE(simulation.report().closed);
+        EXPECT_NEAR(simulation.report().volumeRatio, 1, info.name == "solver" ? 0.1 : 0.02)
+            << "pbd has no volume constraint";
+        EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    }
 }
 
 TEST_F(SimulationTest, RunsTwiceToTheSameHash) {
