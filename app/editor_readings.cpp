@@ -33,6 +33,9 @@ void EditorReadings::addStep(double time, const Simulation& simulation) {
     stage(ui::Stage::collide).add(time, report.collideMs);
     stage(ui::Stage::cut).add(time, report.cutMs);
     history_.touchedTriangles.add(time, report.touchedTriangles);
+    if (report.lostPieces > 0) {
+        history_.lostPieces.add(time, history_.lostPieces.last() + report.lostPieces);
+    }
     if (impacts_.see(simulation.pieceBounds(), simulation.params().floor,
                      simulation.bounds().diagonal())) {
         mark(time, "impact");
@@ -74,7 +77,7 @@ void EditorReadings::forgetAfter(double time) {
     for (ui::Series* series :
          {&history_.framesPerSecond, &history_.volumePercent, &history_.kineticEnergy,
           &history_.potentialEnergy, &history_.strainEnergy, &history_.totalEnergy,
-          &history_.touchedTriangles}) {
+          &history_.touchedTriangles, &history_.lostPieces}) {
         series->forgetAfter(time);
     }
     for (ui::Series& series : history_.stages) {

@@ -51,7 +51,7 @@ std::string metricsHeader() {
            "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts,one_to_four,one_to_"
            "three_a,"
            "one_to_two,one_to_three_b,other_patterns,seeds,kinetic_energy,potential_energy,"
-           "debris_pieces,debris_volume,strain_energy\n";
+           "debris_pieces,debris_volume,strain_energy,lost_pieces\n";
 }
 
 std::string formatMetrics(const MetricsRow& row) {
@@ -79,7 +79,7 @@ std::string formatMetrics(const MetricsRow& row) {
     }
     line += "," + std::to_string(r.debris.pieces) + "," + formatNumber(r.debris.volume);
     line += "," + (r.strainEnergy ? formatNumber(*r.strainEnergy) : "");
-    return line + "\n";
+    return line + "," + std::to_string(r.lostPieces) + "\n";
 }
 
 void RunStatistics::add(const MetricsRow& row) {

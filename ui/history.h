@@ -26,6 +26,7 @@ struct History {
     Series strainEnergy;                 ///< [J]; nothing with plain PBD
     Series totalEnergy;                  ///< the sum of those there are [J]
     Series touchedTriangles;
+    Series lostPieces;            ///< taken back since the start, where there were any
     std::vector<PlotMark> marks;  ///< cuts, impacts, what was undone, by time
 };
 

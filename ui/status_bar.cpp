@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <string>
-
 #include "sim/text.h"
 #include "ui/shortcuts.h"
 #include "ui/theme.h"
@@ -18,14 +16,24 @@ std::string stateOf(const PanelModel& model) {
     return model.playing ? "playing" : "paused";
 }
 
-std::string leftText(const PanelModel& model) {
+/// How often pieces ran away and were taken back, where any did.
+std::string lossesOf(const PanelModel& model) {
+    const auto losses = static_cast<int>(model.history->lostPieces.last());
+    return losses > 0 ? ", " + std::to_string(losses) + " taken back" : "";
+}
+
+}  // namespace
+
+std::string statusText(const PanelModel& model) {
     if (model.name.empty()) {
         return "Nothing open";
     }
-    return model.name + "   |   " + counted(model.pieces.size(), "piece", "pieces") + "   |   " +
-           std::to_string(model.vertices) + " vertices, " + std::to_string(model.triangles) +
-           " triangles   |   " + stateOf(model);
+    return model.name + "   |   " + counted(model.pieces.size(), "piece", "pieces") +
+           lossesOf(model) + "   |   " + std::to_string(model.vertices) + " vertices, " +
+           std::to_string(model.triangles) + " triangles   |   " + stateOf(model);
 }
+
+namespace {
 
 std::string rightText(const PanelModel& model) {
     return model.device + "   |   " + std::string(shortcutOf(ActionId::help).keyText) + " help";
@@ -44,7 +52,7 @@ void drawStatusBar(const PanelModel& model, const Rect& rect) {
     ImGui::Begin("status", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::TextUnformatted(leftText(model).c_str());
+    ImGui::TextUnformatted(statusText(model).c_str());
     const std::string right = rightText(model);
     const float width = ImGui::CalcTextSize(right.c_str()).x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);

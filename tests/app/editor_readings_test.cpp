@@ -71,6 +71,33 @@ TEST_F(EditorReadingsTest, FollowsABodyThatFalls) {
     EXPECT_TRUE(history.marks.empty()) << "the impact came later";
 }
 
+TEST_F(EditorReadingsTest, CountsThePiecesThatWereTakenBack) {
+    Params params;
+    params.gravity = Vec3::Zero();
+    params.floor.reset();
+    params.iterations = 1;
+    Simulation simulation(test::icosphere(1), params);
+    EditorReadings readings;
+    const auto stepOnce = [&] {
+        simulation.step();
+        readings.addStep(simulation.report().time, simulation);
+    };
+    const ui::History& history = readings.history();
+    stepOnce();
+    EXPECT_EQ(history.lostPieces.last(), 0);
+    // A hand that leaves at a speed that nothing real reaches.
+    ASSERT_EQ(simulation.execute(Grab{0, Vec3(0.5, 0, 0), 0.3}), "");
+    ASSERT_EQ(simulation.execute(Drag{0, Vec3(1e6, 0, 0)}), "");
+    stepOnce();
+    stepOnce();
+    EXPECT_EQ(history.lostPieces.last(), 2);
+    ASSERT_EQ(simulation.execute(Release{0}), "");
+    stepOnce();
+    EXPECT_EQ(history.lostPieces.last(), 2) << "since the start";
+    readings.forgetAfter(2.5 * params.timeStep);
+    EXPECT_EQ(history.lostPieces.last(), 1) << "as of then";
+}
+
 TEST(FormatPlots, HasARowPerValue) {
     ui::Series series;
     series.add(0, 1.5);

@@ -45,13 +45,14 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
         "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
         "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts,one_to_four,one_to_three_a,"
         "one_to_two,one_to_three_b,other_patterns,seeds,kinetic_energy,potential_energy,"
-        "debris_pieces,debris_volume,strain_energy\n");
+        "debris_pieces,debris_volume,strain_energy,lost_pieces\n");
     EXPECT_EQ(formatMetrics(row),
-              "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,\n")
+              "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,,0\n")
         << "with plain PBD there is no energy of strained material";
     row.report.strainEnergy = 0.75;
+    row.report.lostPieces = 2;
     EXPECT_EQ(formatMetrics(row),
-              "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75\n");
+              "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75,2\n");
 }
 
 TEST(Metrics, RangeOfASeries) {

@@ -1,0 +1,22 @@
+#include "ui/status_bar.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf::ui {
+namespace {
+
+TEST(StatusText, CountsPiecesThatWereTakenBackWhereAnyWere) {
+    History history;
+    PanelModel model;
+    model.history = &history;
+    EXPECT_EQ(statusText(model), "Nothing open");
+    model.name = "sphere80";
+    model.pieces.resize(2);
+    EXPECT_NE(statusText(model).find("2 pieces   |"), std::string::npos) << statusText(model);
+    history.lostPieces.add(0.5, 3);
+    EXPECT_NE(statusText(model).find("2 pieces, 3 taken back   |"), std::string::npos)
+        << statusText(model);
+}
+
+}  // namespace
+}  // namespace kerf::ui
