@@ -1,6 +1,7 @@
 // Bodies cut while they move, eight strokes for each scene and Young's modulus: one row each.
-//   kerf_scenes_bench [--scene NAME] [--modulus PA] [--index I] [--runs N] [--seed S] [--planes]
+//   kerf_scenes_bench [--scene NAME] [--modulus PA] [--index I] [--runs N] [--seed S] [--more]
 //     [--contact 0] [--push 1] [--after STEPS]
+// --more adds those beyond the six. Folds are counted 50 steps (soon) and STEPS, 300, after the last stroke.
 // --index plays that stroke alone and prints its steps.
 
 #include <cstdio>
@@ -15,13 +16,15 @@
 namespace kerf::test {
 namespace {
 
+constexpr int kStepsAfter = 300;  // until most of what rolls or swings is quiet
+
 using Options = std::map<std::string, std::string>;
 
 Options readOptions(int count, char** words) {
     Options options;
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
-        options[word] = word != "--planes" && i + 1 < count ? words[++i] : "";
+        options[word] = word != "--more" && i + 1 < count ? words[++i] : "";
     }
     return options;
 }
@@ -34,7 +37,7 @@ double number(const Options& options, const std::string& name, double otherwise)
 void play(const Options& options, SceneRun run) {
     run.contact = number(options, "--contact", 1) != 0;
     run.push = number(options, "--push", 0) != 0;
-    run.stepsAfter = static_cast<int>(number(options, "--after", run.stepsAfter));
+    run.stepsAfter = static_cast<int>(number(options, "--after", kStepsAfter));
     run.seed = static_cast<std::uint64_t>(number(options, "--seed", 1));
     if (options.count("--index") > 0) {
         run.index = static_cast<int>(number(options, "--index", 0));
@@ -58,8 +61,8 @@ void play(const Options& options, SceneRun run) {
 void playAll(const Options& options) {
     const auto only = options.find("--scene");
     std::printf("seed %.0f\n%s", number(options, "--seed", 1), sceneTableHead().c_str());
-    for (const auto* list : {&movingScenes(), &planeScenes()}) {
-        if (list == &planeScenes() && only == options.end() && options.count("--planes") == 0) {
+    for (const auto* list : {&movingScenes(), &furtherScenes()}) {
+        if (list == &furtherScenes() && only == options.end() && options.count("--more") == 0) {
             continue;
         }
         for (const std::string& scene : *list) {

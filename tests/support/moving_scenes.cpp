@@ -1,6 +1,7 @@
 #include "tests/support/moving_scenes.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -18,6 +19,11 @@ namespace kerf::test {
 namespace {
 
 constexpr double kClearance = 0.001;    // between body and floor at the start [m]
+constexpr double kAboveFloor = 0.6;     // the lowest point of the hanging banana [m]
+constexpr double kPinned = 0.1;         // of its length, at each end
+constexpr double kHandAside = 0.09;     // of a slit, the middle of a hand [m]
+constexpr double kHand = 0.1;           // its reach [m]
+constexpr double kPull = 0.08;          // its way [m]
 constexpr int kSteps = 120;             // of a stroke
 constexpr double kHalfArmBlade = 0.12;  // reaches across one arm and not into the next [m]
 
@@ -56,6 +62,28 @@ SurfaceMesh arch() {
         bend += std::fabs(p.x()) < 0.2 ? p.y() : -p.y();
     }
     return onFloor(std::move(mesh), turned(0, bend > 0 ? 0.0 : std::numbers::pi));
+}
+
+/// The banana with its middle lowest, above the floor.
+SurfaceMesh hanging() {
+    SurfaceMesh mesh = arch();
+    const double high = meshBounds(mesh).high.y();
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3& p = mesh.position(v);
+        const Vec3 turnedOver(p.x(), kAboveFloor + high - p.y(), -p.z());
+        mesh.setPosition(v, turnedOver);
+        mesh.setRestPosition(v, turnedOver);
+    }
+    return mesh;
+}
+
+/// What lies in the last tenth of the box in x, at its low or at its high end.
+Bounds endInX(const Bounds& box, bool high) {
+    const double length = box.high.x() - box.low.x();
+    Bounds end = box;
+    (high ? end.low : end.high).x() =
+        high ? box.high.x() - kPinned * length : box.low.x() + kPinned * length;
+    return end;
 }
 
 /// Down through all that is there now: the blade along x, turned and tilted a little.
@@ -111,10 +139,8 @@ SceneFigures twice(const SceneRun& run) {
     return player.finish(4);
 }
 
-/// Through the middle of the arch, upwards (the cut opens) or downwards (it closes on the blade).
-SceneFigures throughArch(const SceneRun& run, bool upwards) {
-    ScenePlayer player(run, arch());
-    player.settle(20);
+/// Through the middle of the banana, upwards or downwards.
+void cutMiddle(ScenePlayer& player, bool upwards) {
     Bounds middle;
     for (const Vec3& p : player.mesh().positions()) {
         if (std::fabs(p.x()) < 0.1) {
@@ -132,6 +158,24 @@ SceneFigures throughArch(const SceneRun& run, bool upwards) {
             return bladeAround({x, y, 0}, along, 0.7);
         },
         60);
+}
+
+SceneFigures throughArch(const SceneRun& run, bool upwards) {
+    ScenePlayer player(run, arch());
+    player.settle(20);
+    cutMiddle(player, upwards);
+    player.watch(run.stepsAfter);
+    return player.finish(2);
+}
+
+/// The banana hangs between its two ends and sags: upwards the cut opens, downwards it closes on
+/// the blade.
+SceneFigures throughHanging(const SceneRun& run, bool upwards) {
+    ScenePlayer player(run, hanging());
+    player.execute(Pin{endInX(player.bounds(), false)});
+    player.execute(Pin{endInX(player.bounds(), true)});
+    player.settle(200);
+    cutMiddle(player, upwards);
     player.watch(run.stepsAfter);
     return player.finish(2);
 }
@@ -252,6 +296,46 @@ SceneFigures incisions(const SceneRun& run) {
     return player.finish(1);
 }
 
+/// Hands on both sides of a slit along x over the top.
+std::array<Vec3, 2> takeSides(ScenePlayer& player) {
+    const Bounds box = player.bounds();
+    const double radius = 0.5 * (box.high.y() - box.low.y());
+    std::array<Vec3, 2> held;
+    for (int hand = 0; hand < 2; ++hand) {
+        const double aside = (2 * hand - 1) * kHandAside;
+        held[hand] = player.middle() + Vec3(0, 0, aside);
+        held[hand].y() = box.high.y() - radius + std::sqrt(radius * radius - aside * aside);
+        player.execute(Grab{hand, held[hand], kHand});
+    }
+    return held;
+}
+
+/// Pulls the hands apart by `way` each in `steps` steps.
+void pullApart(ScenePlayer& player, const std::array<Vec3, 2>& held, double way, int steps) {
+    for (int i = 1; i <= steps; ++i) {
+        for (int hand = 0; hand < 2; ++hand) {
+            player.execute(Drag{hand, held[hand] + Vec3(0, 0, (2 * hand - 1) * way * i / steps)});
+        }
+        player.watch(1);
+    }
+}
+
+/// The first incision is pulled open before the second one crosses it.
+SceneFigures incisionsPulledOpen(const SceneRun& run) {
+    ScenePlayer player(run, roundBody(cubeSphere(8)));
+    player.settle(60);
+    incise(player, false);
+    player.watch(50);
+    pullApart(player, takeSides(player), kPull, 100);
+    player.watch(20);
+    incise(player, true);
+    player.watch(20);
+    player.execute(Release{0});
+    player.execute(Release{1});
+    player.watch(run.stepsAfter);
+    return player.finish(1);
+}
+
 SceneFigures randomPlane(const SceneRun& run, SurfaceMesh mesh) {
     ScenePlayer player(run, roundBody(std::move(mesh)));
     player.settle(60);
@@ -275,10 +359,13 @@ const std::map<std::string, Scene>& scenes() {
     static const std::map<std::string, Scene> table{
         {"i sphere768", [](const SceneRun& run) { return throughOnFloor(run, cubeSphere(8)); }},
         {"i icosphere1280", [](const SceneRun& run) { return throughOnFloor(run, icosphere(3)); }},
-        {"ii arch upwards", [](const SceneRun& run) { return throughArch(run, true); }},
-        {"ii arch downwards", [](const SceneRun& run) { return throughArch(run, false); }},
+        {"ii banana upwards", [](const SceneRun& run) { return throughHanging(run, true); }},
+        {"ii banana downwards", [](const SceneRun& run) { return throughHanging(run, false); }},
+        {"arch upwards", [](const SceneRun& run) { return throughArch(run, true); }},
+        {"arch downwards", [](const SceneRun& run) { return throughArch(run, false); }},
         {"iii octopus", armThenHead},
-        {"iv incisions", incisions},
+        {"iv incisions pulled", incisionsPulledOpen},
+        {"incisions", incisions},
         {"v at rest", throughAtRest},
         {"vi twice", twice},
         {"plane sphere768", [](const SceneRun& run) { return randomPlane(run, cubeSphere(8)); }},
@@ -309,6 +396,8 @@ void SceneFigures::add(const SceneFigures& other) {
     nonFinite += other.nonFinite;
     open += other.open;
     folded += other.folded;
+    foldedSoon += other.foldedSoon;
+    foldedAtPins += other.foldedAtPins;
     chips += other.chips;
     speedCutting = std::max(speedCutting, other.speedCutting);
     speedAfter = std::max(speedAfter, other.speedAfter);
@@ -317,14 +406,15 @@ void SceneFigures::add(const SceneFigures& other) {
 
 const std::vector<std::string>& movingScenes() {
     static const std::vector<std::string> names{
-        "i sphere768", "i icosphere1280", "ii arch upwards", "ii arch downwards",
-        "iii octopus", "iv incisions",    "v at rest",       "vi twice"};
+        "i sphere768", "i icosphere1280",     "ii banana upwards", "ii banana downwards",
+        "iii octopus", "iv incisions pulled", "v at rest",         "vi twice"};
     return names;
 }
 
-const std::vector<std::string>& planeScenes() {
-    static const std::vector<std::string> names{"plane sphere768", "plane sphere80",
-                                                "plane sphere20", "plane banana"};
+const std::vector<std::string>& furtherScenes() {
+    static const std::vector<std::string> names{
+        "arch upwards",   "arch downwards", "incisions",   "plane sphere768",
+        "plane sphere80", "plane sphere20", "plane banana"};
     return names;
 }
 
@@ -342,14 +432,15 @@ SceneFigures playScene(const SceneRun& run) {
 
 std::string sceneTableHead() {
     return "scene              E    runs  refused/steps  row retried whole slit-ends NaN open "
-           "folds chips  v cut/fall  v after d/s   s\n";
+           " soon folds at-pins chips  v cut/fall  v after d/s   s\n";
 }
 
 std::string sceneTableRow(const SceneRun& run, const SceneFigures& f) {
-    return formatted("%-18s %.0e %3d %8d/%-6d %4d %6d %5d %8d %4d %4d %5d %5d %9.2f %13.5f %5.0f\n",
-                     run.scene.c_str(), run.youngsModulus, f.runs, f.refused, f.attempted,
-                     f.longestRefusal, f.retried, f.unseparated, f.slitEdges, f.nonFinite, f.open,
-                     f.folded, f.chips, f.speedCutting, f.speedAfter, f.seconds);
+    return formatted(
+        "%-18s %.0e %3d %8d/%-6d %4d %6d %5d %8d %4d %4d %5d %5d %7d %5d %9.2f %13.5f %5.0f\n",
+        run.scene.c_str(), run.youngsModulus, f.runs, f.refused, f.attempted, f.longestRefusal,
+        f.retried, f.unseparated, f.slitEdges, f.nonFinite, f.open, f.foldedSoon, f.folded,
+        f.foldedAtPins, f.chips, f.speedCutting, f.speedAfter, f.seconds);
 }
 
 }  // namespace kerf::test

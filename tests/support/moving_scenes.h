@@ -29,8 +29,11 @@ struct SceneFigures {
     int slitEdges = 0;       ///< ends of slits left inside by strokes that should pass through
     int nonFinite = 0;       ///< steps in which the body left the range of numbers
     int open = 0;            ///< runs that ended with a mesh that is no closed manifold
-    int folded = 0;  ///< edges bent by more than 90 degrees from rest at the end, slivers apart
-    int chips = 0;   ///< pieces below 1e-4 of the body
+    int folded = 0;      ///< edges bent by more than 90 degrees from rest at the end, slivers apart
+    int foldedSoon = 0;  ///< the same 50 steps after the last stroke
+    int foldedAtPins =
+        0;          ///< the same at the end, of edges with a pinned end, which `folded` leaves out
+    int chips = 0;  ///< pieces below 1e-4 of the body
     double speedCutting = 0;  ///< while cutting, in speeds of a fall through the body's height
     double speedAfter = 0;    ///< after a stroke [diagonals/s]
     double seconds = 0;       ///< wall time
@@ -38,12 +41,14 @@ struct SceneFigures {
     void add(const SceneFigures& other);
 };
 
-/// Scenes that a cut of a moving body must master: bodies on the floor cut right through, an arch
-/// cut where it opens and where it closes on the blade, an arm and a head, an incision and a
-/// second one across, a body at rest, halves cut again while they roll.
+/// Scenes that a cut of a moving body must master: bodies on the floor cut right through, a banana
+/// pinned at both ends cut where it opens and where it closes on the blade, an arm and a head, an
+/// incision that is pulled open and a second one across, a body at rest, halves cut again while
+/// they roll.
 const std::vector<std::string>& movingScenes();
-/// Strokes in random planes through bodies that lie on the floor.
-const std::vector<std::string>& planeScenes();
+/// Others: a banana that stands as an arch, whose halves fall on their cut ends, incisions that nobody
+/// pulls open, strokes in random planes through bodies on the floor.
+const std::vector<std::string>& furtherScenes();
 
 /// Plays one run with a Simulation on the GL context that is current.
 /// Throws std::invalid_argument for an unknown scene.

@@ -15,6 +15,7 @@ namespace kerf::test {
 namespace {
 
 constexpr double kGravity = 9.81;
+constexpr int kSoon = 50;       // steps after a stroke
 constexpr double kChip = 1e-4;  // of the body's volume
 
 double heightOf(const SurfaceMesh& mesh) {
@@ -95,6 +96,10 @@ void ScenePlayer::watch(int steps) {
         simulation_.step();
         readMessages();
         figures_.speedAfter = std::max(figures_.speedAfter, topSpeed() / diagonal_);
+        if (i + 1 == kSoon) {
+            countFolds();
+            figures_.foldedSoon = figures_.folded;
+        }
     }
 }
 
@@ -192,6 +197,12 @@ int ScenePlayer::slitEdgesLeft() {
     return count;
 }
 
+void ScenePlayer::countFolds() {
+    const int all = foldedEdges(mesh());
+    figures_.folded = foldedEdges(mesh(), simulation_.pinnedVertices());
+    figures_.foldedAtPins = all - figures_.folded;
+}
+
 SceneFigures ScenePlayer::finish(int pieces) {
     figures_.runs = 1;
     figures_.open = !checkClosedManifold(simulation_.mesh()).empty();
@@ -199,7 +210,7 @@ SceneFigures ScenePlayer::finish(int pieces) {
     const int solid = static_cast<int>(simulation_.pieces().pieces.size()) - figures_.chips;
     figures_.slitEdges = slitEdgesLeft();
     figures_.unseparated = solid < pieces;
-    figures_.folded = foldedEdges(simulation_.mesh());
+    countFolds();
     return figures_;
 }
 

@@ -29,12 +29,14 @@ class ScenePlayer {
     /// Mean of the vertices.
     Vec3 middle();
 
+    /// Hands and pins.
+    void execute(const Command& command) { simulation_.execute(command); }
     /// Steps before the first cut; nothing is measured.
     void settle(int steps);
     /// Takes the blade along the path in `steps` steps and lifts it. `through`: it should leave
     /// no end of a slit inside the body.
     void stroke(const Path& path, int steps, bool through = true);
-    /// The steps after a stroke.
+    /// Steps after a stroke.
     void watch(int steps);
     /// `pieces`: how many the strokes should have made.
     SceneFigures finish(int pieces);
@@ -51,6 +53,7 @@ class ScenePlayer {
     double topSpeed();
     int chips();
     int slitEdgesLeft();
+    void countFolds();
 
     SceneRun run_;
     cut::Jitter draw_;
