@@ -1,7 +1,8 @@
 // Bodies cut while they move, eight strokes for each scene and Young's modulus: one row each.
 //   kerf_scenes_bench [--scene NAME] [--modulus PA] [--index I] [--runs N] [--seed S] [--more]
 //     [--contact 0] [--push 1] [--after STEPS]
-// --more adds those beyond the six. Folds are counted 50 steps (soon) and STEPS, 300, after the last stroke.
+// --more adds those beyond the six. Folds are counted 50 steps (soon) and STEPS, 300, after the
+// last stroke.
 // --index plays that stroke alone and prints its steps.
 
 #include <cstdio>

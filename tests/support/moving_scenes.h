@@ -46,8 +46,8 @@ struct SceneFigures {
 /// incision that is pulled open and a second one across, a body at rest, halves cut again while
 /// they roll.
 const std::vector<std::string>& movingScenes();
-/// Others: a banana that stands as an arch, whose halves fall on their cut ends, incisions that nobody
-/// pulls open, strokes in random planes through bodies on the floor.
+/// Others: a banana that stands as an arch, whose halves fall on their cut ends, incisions that
+/// nobody pulls open, strokes in random planes through bodies on the floor.
 const std::vector<std::string>& furtherScenes();
 
 /// Plays one run with a Simulation on the GL context that is current.
