@@ -70,6 +70,8 @@ void RunningBody::measureAtRest() {
 
 void RunningBody::apply(const Params& params) {
     solver.setUniforms(solverUniforms(params));
+    volumesHeld = holdsVolume(params);
+    solver.setVolumeTargets(volumeTargets.targets());
     cutter->setWallCoarsening(params.wallCoarsening);
     cutter->setDebrisVolume(params.debrisVolume);
     cutter->setOpenCut(params.openCut != 0);
@@ -105,7 +107,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
 }
 
 void RunningBody::prepareStep(double timeStep) {
-    if (volumeTargets.fade(timeStep)) {
+    if (volumesHeld && volumeTargets.fade(timeStep)) {
         solver.setVolumeTargets(volumeTargets.targets());
     }
     solver.setPulls(hands.advance(timeStep));
@@ -137,6 +139,9 @@ void RunningBody::bringLostPiecesBack() {
 }
 
 void RunningBody::endStep() {
+    if (!volumesHeld) {
+        volumeTargets.startAt(measure.pieceVolumes);
+    }
     solver.saveState();
     sync.takeForeseen();
     sync.setBounds(measure.bounds);

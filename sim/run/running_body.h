@@ -82,6 +82,7 @@ struct RunningBody {
     BodyMeasure measure;  ///< as of the last step
     SubdivisionCounts subdivisions{};
     bool closed = true;
+    bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:
     void lookUpTriangles();

@@ -15,11 +15,6 @@ float complianceOverSquare(double modulus, double h) {
     return modulus > 0 ? static_cast<float>(1 / (modulus * h * h)) : 0.0f;
 }
 
-// The paper's solver has no volume constraint, and what is hollow can be squeezed flat.
-bool holdsVolume(const Params& params) {
-    return params.solver == SolverMode::smallSteps && params.ispcStiffness > 0;
-}
-
 // What is hollow or limp may fold.
 bool unfolds(const Params& params) {
     return holdsVolume(params) && params.bendingStiffness > 0;
@@ -39,6 +34,10 @@ uint activeParts(const Params& params) {
 }
 
 }  // namespace
+
+bool holdsVolume(const Params& params) {
+    return params.solver == SolverMode::smallSteps && params.ispcStiffness > 0;
+}
 
 double ispcModulusFactor(double stiffness) {
     if (stiffness >= 1) {

@@ -16,6 +16,10 @@ double ispcModulusFactor(double stiffness);
 /// 0..1.
 double sweepStiffness(double stiffness, int sweeps);
 
+/// Whether pieces are held at their volumes: not in the paper's solver, and not without ISPCs,
+/// where what is hollow can be squeezed flat.
+bool holdsVolume(const Params& params);
+
 /// What the parameters mean for the solver; counts are 0. SolverMode::smallSteps: `iterations`
 /// substeps of one sweep, with compliances. SolverMode::pbd: one substep of `iterations` sweeps,
 /// with stiffness factors and without a volume constraint.

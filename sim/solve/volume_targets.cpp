@@ -9,13 +9,17 @@ namespace kerf {
 
 namespace {
 
-constexpr double kFadeTime = 0.1;  // [s]
+constexpr double kFadeTime = 0.1;   // [s]
+constexpr double kFastestFade = 2;  // rest volumes a second
 // Offsets below this share of the rest volume are float noise.
 constexpr double kNegligible = 1e-7;
 
-double faded(double offset, double restVolume, double time) {
-    const double rest = offset * std::exp(-time / kFadeTime);
-    return std::abs(rest) < kNegligible * std::abs(restVolume) ? 0.0 : rest;
+double faded(double offset, const PieceModel& piece, double time) {
+    const double least = std::abs(offset) - kFastestFade * piece.restVolume * time;
+    const double soon = offset * std::exp(-time / kFadeTime);
+    const bool tooSoon = piece.holdsVolume && std::abs(soon) < least;
+    const double rest = tooSoon ? std::copysign(least, offset) : soon;
+    return std::abs(rest) < kNegligible * std::abs(piece.restVolume) ? 0.0 : rest;
 }
 
 }  // namespace
@@ -41,11 +45,19 @@ void VolumeTargets::follow(std::span<const int> source, const BodyModel& after,
     rebuild();
 }
 
+void VolumeTargets::startAt(std::span<const double> volumes) {
+    assert(volumes.size() == pieces_.size());
+    for (std::size_t p = 0; p < offsets_.size(); ++p) {
+        offsets_[p] = pieces_[p].holdsVolume ? volumes[p] - pieces_[p].restVolume : 0.0;
+    }
+    rebuild();
+}
+
 bool VolumeTargets::fade(double time) {
     bool changed = false;
     for (std::size_t p = 0; p < offsets_.size(); ++p) {
         if (offsets_[p] != 0.0) {
-            offsets_[p] = faded(offsets_[p], pieces_[p].restVolume, time);
+            offsets_[p] = faded(offsets_[p], pieces_[p], time);
             changed = true;
         }
     }

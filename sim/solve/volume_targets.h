@@ -10,7 +10,9 @@ namespace kerf {
 
 /// At which volume each piece is held. A piece that has just come off has a current volume up to a
 /// few per cent off its rest volume, which a rigid constraint would take as a jump; so its target
-/// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s).
+/// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s), by 2 V0 a second at
+/// most, so that what has collapsed or turned inside out while volumes were not held is not shot
+/// off.
 class VolumeTargets {
   public:
     /// All pieces at their rest volumes.
@@ -21,6 +23,9 @@ class VolumeTargets {
     /// open pieces that have been closed.
     void follow(std::span<const int> source, const BodyModel& after,
                 std::span<const double> volumes);
+    /// While volumes are not held: targets will start at `volumes`, the current ones, shape
+    /// [pieces].
+    void startAt(std::span<const double> volumes);
     /// Lets `time` [s] pass. Returns whether a target changed.
     bool fade(double time);
 

@@ -151,6 +151,49 @@ TEST_F(SimulationTest, DroppedSphereIsSoftAndKeepsItsVolume) {
     }
 }
 
+/// The top speed in `steps` steps.
+double fastestIn(Simulation& simulation, int steps) {
+    double fastest = 0;
+    for (int i = 0; i < steps; ++i) {
+        simulation.step();
+        fastest = std::max(fastest, topSpeed(simulation));
+    }
+    return fastest;
+}
+
+TEST_F(SimulationTest, ACollapsedBodyIsFilledAgainWithoutBeingShotOff) {
+    Params params = dropped(0.5);
+    params.ispcStiffness = 0;
+    Simulation simulation(test::icosphere(1), params);
+    run(simulation, 300);
+    ASSERT_LT(simulation.report().volumeRatio, 0.5);
+    ASSERT_EQ(simulation.execute(SetParam{"ispc_stiffness", 0.5}), "");
+    EXPECT_LT(fastestIn(simulation, 400), 10);
+    EXPECT_NEAR(simulation.report().volumeRatio, 1, 1e-3);
+    EXPECT_LT(simulation.bounds().high.y(), 0.5);
+    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+}
+
+TEST_F(SimulationTest, WhatPlainPbdTurnedInsideOutComesBack) {
+    Params params = weightless();
+    params.solver = SolverMode::pbd;
+    Simulation simulation(test::cubeSphere(8), params);
+    ASSERT_EQ(simulation.execute(Pin{Ball{{0, -0.5, 0}, 0.2}}), "");
+    ASSERT_EQ(simulation.execute(Grab{0, {0, 0.5, 0}, 0.3}), "");
+    for (int i = 1; i <= 40; ++i) {
+        ASSERT_EQ(simulation.execute(Drag{0, {0, 0.5 - 0.05 * i, 0}}), "");
+        simulation.step();
+    }
+    run(simulation, 15);
+    ASSERT_EQ(simulation.execute(Release{0}), "");
+    run(simulation, 40);
+    ASSERT_LT(simulation.report().volumeRatio, -0.5);
+    ASSERT_EQ(simulation.execute(SetParam{"solver", std::string("small_steps")}), "");
+    EXPECT_LT(fastestIn(simulation, 300), 50);
+    EXPECT_NEAR(simulation.report().volumeRatio, 1, 0.01);
+    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+}
+
 TEST_F(SimulationTest, ARaisedFloorLiftsTheBodyGently) {
     Simulation simulation(test::icosphere(2), dropped(0));
     run(simulation, 20);

@@ -69,5 +69,26 @@ TEST(VolumeTargets, GoOnThroughACutThatSeparatesNothing) {
     EXPECT_DOUBLE_EQ(targets.targets()[1].volume, 0.81);
 }
 
+TEST(VolumeTargets, ComeBackFromAfarByTwoRestVolumesASecond) {
+    VolumeTargets targets;
+    targets.reset(whole());
+    const double insideOut[] = {-2};
+    targets.startAt(insideOut);
+    EXPECT_DOUBLE_EQ(targets.targets()[0].volume, -2);
+    EXPECT_TRUE(targets.fade(0.1));
+    EXPECT_DOUBLE_EQ(targets.targets()[0].volume, -1.6);
+    for (int i = 0; i < 100 && targets.fade(0.1); ++i) {
+    }
+    EXPECT_EQ(targets.targets()[0].volume, 2);
+}
+
+TEST(VolumeTargets, OfChipsStayAtRest) {
+    VolumeTargets targets;
+    targets.reset(halves());
+    const double volumes[] = {1, 1, 5};
+    targets.startAt(volumes);
+    EXPECT_EQ(targets.targets()[2].volume, 1e-9);
+}
+
 }  // namespace
 }  // namespace kerf
