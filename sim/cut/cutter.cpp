@@ -64,7 +64,7 @@ void Cutter::State::start(const Blade& at) {
     sweeps.clear();
     groupOfPiece = cut::groupPieces(mesh, pieces, kParted * h, {});
     groupsHold = true;
-    pieces.measure(mesh);
+    pieces.measureVolumes(mesh);
     restVolume = sumOfRestVolumes(pieces);
     mesh.setOpenStroke(settings.openCut ? stroke : -1);
     for (const int v : lowestVertices({groupOfPiece.begin(), groupOfPiece.end()})) {
@@ -216,7 +216,7 @@ CutResult Cutter::finish() {
 
 void Cutter::prepare() {
     state_->surface.prepare();
-    state_->pieces.measure(state_->mesh);
+    state_->pieces.measureVolumes(state_->mesh);
 }
 
 void Cutter::useFinder(TriangleFinder* finder) {

@@ -1,6 +1,7 @@
 #include "sim/cut/plan.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "sim/cut/seams.h"
 #include "sim/cut/seeds.h"
@@ -65,13 +66,19 @@ double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, const OfVerte
     return added - removed;
 }
 
-void measureVolumeChange(const SurfaceMesh& mesh, StepPlan& plan) {
-    plan.volumeChange = volumeChange(
-        mesh, plan, [&](int v) -> const Vec3& { return mesh.position(v); },
-        [](const Node& node) -> const Vec3& { return node.position; });
+void measureVolumeChange(const StepInput& in, StepPlan& plan) {
+    const SurfaceMesh& mesh = in.mesh;
     plan.restVolumeChange = volumeChange(
         mesh, plan, [&](int v) -> const Vec3& { return mesh.restPosition(v); },
         [](const Node& node) -> const Vec3& { return node.rest; });
+    const auto lies = [](const Node& node) { return node.position == node.rest; };
+    if (in.atRest && std::ranges::all_of(plan.curves.nodes, lies)) {
+        plan.volumeChange = plan.restVolumeChange;
+        return;
+    }
+    plan.volumeChange = volumeChange(
+        mesh, plan, [&](int v) -> const Vec3& { return mesh.position(v); },
+        [](const Node& node) -> const Vec3& { return node.position; });
 }
 
 void requireFinite(const CutCurves& curves) {
@@ -138,7 +145,7 @@ PlannedStep planStep(const StepInput& in) {
     plan.triangles = plan.subdivision.triangles;
     addWalls(in, sheets, plan);
     plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);
-    measureVolumeChange(in.mesh, plan);
+    measureVolumeChange(in, plan);
     requireFinite(plan.curves);
     step.seeds = countSeeds(in.mesh, plan.subdivision.replaced);
     step.wallTriangles = sizeOf(plan.triangles) - sizeOf(plan.subdivision.triangles);

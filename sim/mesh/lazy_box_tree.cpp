@@ -13,39 +13,18 @@ namespace {
 
 // Deeper nodes are halved by count, which bounds the depth.
 constexpr int kMiddleDepth = 56;
-// Cubes are larger by these shares of their reach and of their distance from the origin, which
-// covers the roundings of floats.
-constexpr double kRoundingOfReach = 1e-6;
-constexpr double kRoundingOfCenter = 3e-7;
 constexpr float kFar = 1e30F;
 
 }  // namespace
-
-LazyBoxTree::Item LazyBoxTree::itemOf(int id, const BoundsOf& boundsOf) {
-    const Bounds bounds = boundsOf(id);
-    Item item;
-    double reach = 0;
-    double farthest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        item.cube[axis] = static_cast<float>(0.5 * (bounds.low[axis] + bounds.high[axis]));
-        const double center = item.cube[axis];
-        reach = std::max({reach, bounds.high[axis] - center, center - bounds.low[axis]});
-        farthest = std::max(farthest, std::fabs(center));
-    }
-    item.cube[3] =
-        static_cast<float>(reach * (1 + kRoundingOfReach) + (farthest + reach) * kRoundingOfCenter);
-    item.id = id;
-    return item;
-}
 
 Bounds LazyBoxTree::boundsOfPlaces(int first, int end) const {
     using Four = Eigen::Array4f;
     Four low = Four::Constant(kFar);
     Four high = Four::Constant(-kFar);
-    for (int place = first; place < end; ++place) {
-        const Four cube = Eigen::Map<const Four>(items_[place].cube.data());
-        low = low.min(cube - items_[place].cube[3]);
-        high = high.max(cube + items_[place].cube[3]);
+    for (const Item& item : std::span(items_).subspan(first, end - first)) {
+        const Four cube = Eigen::Map<const Four>(item.cube.data());
+        low = low.min(cube - item.cube[3]);
+        high = high.max(cube + item.cube[3]);
     }
     std::array<float, 4> l;  // the sums themselves stay in registers
     std::array<float, 4> h;
@@ -54,22 +33,17 @@ Bounds LazyBoxTree::boundsOfPlaces(int first, int end) const {
     return l[0] <= h[0] ? Bounds{{l[0], l[1], l[2]}, {h[0], h[1], h[2]}} : Bounds{};
 }
 
-void LazyBoxTree::insert(std::span<const int> ids, const BoundsOf& boundsOf) {
-    if (ids.empty()) {
-        return;
-    }
-    const int first = static_cast<int>(items_.size());
+void LazyBoxTree::makeRoomFor(std::span<const int> ids) {
     const std::size_t most = std::size_t(*std::ranges::max_element(ids)) + 1;
-    if (first == 0) {
+    if (items_.empty()) {
         items_.reserve(withGrowthRoom(ids.size()));
         placeOf_.reserve(withGrowthRoom(most));
     }
     placeOf_.resize(std::max(placeOf_.size(), most), -1);
-    for (const int id : ids) {
-        assert(!contains(id));
-        placeOf_[id] = static_cast<int>(items_.size());
-        items_.push_back(itemOf(id, boundsOf));
-    }
+}
+
+/// A tree of the items from this place on.
+void LazyBoxTree::plantFrom(int first) {
     Node root;
     root.first = first;
     root.end = static_cast<int>(items_.size());
@@ -262,14 +236,14 @@ int LazyBoxTree::partition(const Node& node) {
 /// Those below the plane come first; returns where the others begin. Without branches: on which
 /// side an item lies can't be foreseen.
 int LazyBoxTree::partitionAt(const Node& node, int axis, double plane) {
-    int low = node.first;
-    for (int place = node.first; place < node.end; ++place) {
-        const Item item = items_[place];
-        items_[place] = items_[low];
-        items_[low] = item;
-        low += item.cube[axis] < plane ? 1 : 0;
+    Item* const items = items_.data();
+    Item* low = items + node.first;
+    for (Item* item = low; item != items + node.end; ++item) {
+        const bool isLow = item->cube[axis] < plane;
+        std::swap(*item, *low);
+        low += isLow ? 1 : 0;
     }
-    return low;
+    return static_cast<int>(low - items);
 }
 
 int LazyBoxTree::halve(const Node& node, int axis) {
@@ -322,7 +296,7 @@ void LazyBoxTree::refitWithin(int index, double tolerance, const BoundsOf& bound
 void LazyBoxTree::makeAnew(Node& node, const BoundsOf& boundsOf) {
     for (int place = node.first; place < node.end; ++place) {
         if (const int id = items_[place].id; id >= 0) {
-            items_[place] = itemOf(id, boundsOf);
+            items_[place] = itemOf(id, boundsOf(id));
         }
     }
     node.bounds = boundsOfPlaces(node.first, node.end);

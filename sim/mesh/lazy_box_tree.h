@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cassert>
+#include <cmath>
 #include <functional>
 #include <span>
 #include <vector>
@@ -40,14 +43,16 @@ class LazyBoxTree {
     };
 
     explicit LazyBoxTree(Joining joining = Joining::anew) : joining_(joining) {}
-    /// O(n).
-    LazyBoxTree(std::span<const int> ids, const BoundsOf& boundsOf, Joining joining = Joining::anew)
+    /// O(n). `boundsOf` is a BoundsOf, or what can be called as one.
+    template <class Of>
+    LazyBoxTree(std::span<const int> ids, const Of& boundsOf, Joining joining = Joining::anew)
         : joining_(joining) {
         insert(ids, boundsOf);
     }
 
     /// None of them may be in the tree.
-    void insert(std::span<const int> ids, const BoundsOf& boundsOf);
+    template <class Of>
+    void insert(std::span<const int> ids, const Of& boundsOf);
     /// Those that are in the tree.
     void erase(std::span<const int> ids);
     bool contains(int id) const {
@@ -107,6 +112,10 @@ class LazyBoxTree {
     static constexpr int kMostRoots = 33;
     // After so many joins above each other a tree is made anew.
     static constexpr int kMostJoins = 8;
+    // Cubes are larger by these shares of their reach and of their distance from the origin, which
+    // covers the roundings of floats.
+    static constexpr double kRoundingOfReach = 1e-6;
+    static constexpr double kRoundingOfCenter = 3e-7;
 
     /// A thing by a cube that holds its box.
     struct Item {
@@ -115,7 +124,9 @@ class LazyBoxTree {
         int id = -1;  ///< -1: the place is empty
     };
 
-    static Item itemOf(int id, const BoundsOf& boundsOf);
+    static Item itemOf(int id, const Bounds& bounds);
+    void makeRoomFor(std::span<const int> ids);
+    void plantFrom(int first);
     Bounds widened(const Node& node) const;
     Bounds boundsOfPlaces(int first, int end) const;
     int divide(int index);
@@ -140,6 +151,37 @@ class LazyBoxTree {
     std::vector<int> freePairs_;
     double motion_ = 0;
 };
+
+template <class Of>
+void LazyBoxTree::insert(std::span<const int> ids, const Of& boundsOf) {
+    if (ids.empty()) {
+        return;
+    }
+    makeRoomFor(ids);
+    const int first = static_cast<int>(items_.size());
+    for (const int id : ids) {
+        assert(!contains(id));
+        placeOf_[id] = static_cast<int>(items_.size());
+        items_.push_back(itemOf(id, boundsOf(id)));
+    }
+    plantFrom(first);
+}
+
+inline LazyBoxTree::Item LazyBoxTree::itemOf(int id, const Bounds& bounds) {
+    Item item;
+    double reach = 0;
+    double farthest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        item.cube[axis] = static_cast<float>(0.5 * (bounds.low[axis] + bounds.high[axis]));
+        const double center = item.cube[axis];
+        reach = std::max({reach, bounds.high[axis] - center, center - bounds.low[axis]});
+        farthest = std::max(farthest, std::fabs(center));
+    }
+    item.cube[3] =
+        static_cast<float>(reach * (1 + kRoundingOfReach) + (farthest + reach) * kRoundingOfCenter);
+    item.id = id;
+    return item;
+}
 
 template <class Meets, class Visit>
 void LazyBoxTree::find(const BoundsOf& boundsOf, Meets&& meets, Visit&& visit) {

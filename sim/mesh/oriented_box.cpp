@@ -9,6 +9,8 @@ namespace {
 
 // Of the boxes' sizes: what rounding may add to a distance.
 constexpr double kRounding = 1e-12;
+// The same where boxes that overlap the box around are alone asked for.
+constexpr double kRoundingOfMany = 1e-9;
 
 double reachAlong(const OrientedBox& box, const Vec3& axis) {
     return (box.axes.transpose() * axis).cwiseAbs().dot(box.half);
@@ -63,6 +65,24 @@ bool mayMeet(const OrientedBox& a, const Bounds& b) {
     const Vec3 ofB = half + along * a.half;
     return ((a.axes.transpose() * way).cwiseAbs().array() <= ofA.array() + rounding).all() &&
            (way.cwiseAbs().array() <= ofB.array() + rounding).all();
+}
+
+MeetingBoxes::MeetingBoxes(const OrientedBox& box)
+    : axes_(box.axes.transpose()), across_(axes_.cwiseAbs()), middle_(axes_ * box.center) {
+    const double reach = box.center.cwiseAbs().sum() + box.half.sum();
+    half_ = box.half + Vec3::Constant(kRoundingOfMany * reach);
+    const Vec3 halfAround = across_.transpose() * half_;
+    around_ = {box.center - halfAround, box.center + halfAround};
+}
+
+bool MeetingBoxes::meetsAlongAxes(const Vec3& center, const Vec3& half) const {
+    for (int i = 0; i < 3; ++i) {
+        const double way = axes_.row(i).dot(center) - middle_[i];
+        if (std::fabs(way) > half_[i] + across_.row(i).dot(half) * (1 + kRoundingOfMany)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool overlap(const OrientedBox& a, const OrientedBox& b) {

@@ -29,6 +29,27 @@ bool contains(const OrientedBox& outer, const OrientedBox& inner);
 /// overlap().
 bool mayMeet(const OrientedBox& a, const Bounds& b);
 
+/// mayMeet() for many boxes beside one, at a fraction of the time for each. Boxes that it finds
+/// may lie apart by the rounding of sums.
+class MeetingBoxes {
+  public:
+    explicit MeetingBoxes(const OrientedBox& box);
+
+    bool mayMeet(const Bounds& b) const {
+        return b.overlaps(around_) &&
+               meetsAlongAxes(0.5 * (b.low + b.high), 0.5 * (b.high - b.low));
+    }
+
+  private:
+    bool meetsAlongAxes(const Vec3& center, const Vec3& half) const;
+
+    Bounds around_;           ///< of the box; tells most apart
+    Eigen::Matrix3d axes_;    ///< rows
+    Eigen::Matrix3d across_;  ///< sizes of their entries
+    Vec3 middle_;             ///< of the box, along its axes
+    Vec3 half_;               ///< of its size, with room for rounding
+};
+
 /// Whether two boxes have a point in common: none of the 15 axes that can separate boxes does
 /// (Gottschalk, Lin, Manocha 1996). Boxes that touch overlap, up to rounding.
 bool overlap(const OrientedBox& a, const OrientedBox& b);

@@ -154,23 +154,27 @@ class PieceLabels::Splitter {
     // Looks at the neighbours of some triangles; parts that they meet become part of this one.
     void expand(std::vector<int>& group, std::size_t& index) {
         const int part = group[index];
-        Part& p = parts_[part];
-        for (int i = 0; i < kInTurn && !p.whole(); ++i) {
-            const int triangle = p.triangles[p.next++];
-            for (int e = 0; e < 3; ++e) {
-                const int other = mesh_.twin(3 * triangle + e) / 3;
+        std::vector<int>& triangles = parts_[part].triangles;
+        std::size_t next = parts_[part].next;
+        for (int i = 0; i < kInTurn && next < triangles.size(); ++i) {
+            const int triangle = triangles[next++];
+            for (const int twin : mesh_.twins(triangle)) {
+                const int other = twin / 3;
                 const int owner = partOfTriangle_[other];
                 if (owner < 0) {
                     partOfTriangle_[other] = part;
-                    p.triangles.push_back(other);
+                    triangles.push_back(other);
                 } else if (owner != part) {
+                    parts_[part].next = next;
                     absorb(part, owner);
+                    next = parts_[part].next;
                     const auto gone = std::find(group.begin(), group.end(), owner);
                     index -= gone - group.begin() < static_cast<std::ptrdiff_t>(index) ? 1 : 0;
                     group.erase(gone);
                 }
             }
         }
+        parts_[part].next = next;
     }
 
     // Triangles already looked at stay in front, so that `next` holds.
@@ -209,15 +213,15 @@ class PieceLabels::Splitter {
     bool marked_ = false;  ///< triangles know their parts
 };
 
-PieceLabels::PieceLabels(const SurfaceMesh& mesh, Measures measures)
-    : measures_(measures == Measures::volumesAndAreas) {
+PieceLabels::PieceLabels(const SurfaceMesh& mesh, Measures measures) : measures_(measures) {
     labelAll(mesh);
 }
 
-void PieceLabels::measure(const SurfaceMesh& mesh) {
-    if (std::exchange(measures_, true)) {
+void PieceLabels::measureVolumes(const SurfaceMesh& mesh) {
+    if (measures()) {
         return;
     }
+    measures_ = Measures::volumes;
     shares_.reserve(withGrowthRoom(mesh.triangleSlots()));
     shares_.resize(mesh.triangleSlots());
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
@@ -225,7 +229,6 @@ void PieceLabels::measure(const SurfaceMesh& mesh) {
             shares_[t] = shareOf(mesh, t);
             PieceContent& piece = pieces_[ofVertex_[mesh.triangle(t)[0]]];
             piece.restVolume += shares_[t].volume;
-            piece.restArea += shares_[t].area;
         }
     }
 }
@@ -263,7 +266,7 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh) {
         ++pieces_[ofVertex_[v]].vertices;
     }
     counted_.assign(mesh.triangleSlots(), {});
-    if (measures_) {
+    if (measures()) {
         shares_.reserve(withGrowthRoom(mesh.triangleSlots()));
         shares_.assign(mesh.triangleSlots(), {});
     }
@@ -282,7 +285,7 @@ LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> tr
     ofVertex_.resize(mesh.vertexCount(), -1);
     placeOfVertex_.resize(mesh.vertexCount(), -1);
     counted_.resize(mesh.triangleSlots());
-    shares_.resize(measures_ ? mesh.triangleSlots() : 0);
+    shares_.resize(measures() ? mesh.triangleSlots() : 0);
     for (const int t : triangles) {
         discount(t);
     }
@@ -296,7 +299,7 @@ LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> tr
     }
     for (const Splitter::Part& part : splitter.cameOff()) {
         change.source.push_back(part.label);
-        comeOff(mesh, part.triangles, change.moves);
+        comeOff(mesh, part.triangles, part.label, change.moves);
     }
     for (const Splitter::Part& part : splitter.stayed()) {
         labelNewVertices(part.newVertices, part.label, change.moves);
@@ -393,18 +396,16 @@ std::vector<int> PieceLabels::touchedVertices(const SurfaceMesh& mesh,
     return touched;
 }
 
-void PieceLabels::comeOff(const SurfaceMesh& mesh, const std::vector<int>& triangles,
+/// `from`: the label of those that are counted.
+void PieceLabels::comeOff(const SurfaceMesh& mesh, const std::vector<int>& triangles, int from,
                           std::vector<LabelMove>& moves) {
     const int label = static_cast<int>(pieces_.size());
     pieces_.emplace_back();
     for (const int t : triangles) {
-        const Triangle& corners = mesh.triangle(t);
         if (counted_[t].counted) {
-            addShare(t, ofVertex_[corners[0]], -1);
+            addShare(t, from, -1);
             addShare(t, label, 1);
         }
-    }
-    for (const int t : triangles) {
         for (const int v : mesh.triangle(t)) {
             setLabel(v, label, moves);
         }
@@ -435,7 +436,7 @@ void PieceLabels::setLabel(int vertex, int label, std::vector<LabelMove>& moves)
 void PieceLabels::count(const SurfaceMesh& mesh, int triangle) {
     const Triangle& corners = mesh.triangle(triangle);
     counted_[triangle] = {corners, true};
-    if (measures_) {
+    if (measures()) {
         shares_[triangle] = shareOf(mesh, triangle);
     }
     addShare(triangle, ofVertex_[corners[0]], 1);
@@ -450,14 +451,16 @@ void PieceLabels::discount(int triangle) {
 
 void PieceLabels::addShare(int triangle, int piece, int sign) {
     pieces_[piece].triangles += sign;
-    if (measures_) {
+    if (measures()) {
         pieces_[piece].restVolume += sign * shares_[triangle].volume;
         pieces_[piece].restArea += sign * shares_[triangle].area;
     }
 }
 
-PieceLabels::Share PieceLabels::shareOf(const SurfaceMesh& mesh, int triangle) {
-    return {tetrahedron(mesh, mesh.triangle(triangle)), area(mesh, mesh.triangle(triangle))};
+PieceLabels::Share PieceLabels::shareOf(const SurfaceMesh& mesh, int triangle) const {
+    const Triangle& corners = mesh.triangle(triangle);
+    return {tetrahedron(mesh, corners),
+            measures_ == Measures::volumesAndAreas ? area(mesh, corners) : 0.0};
 }
 
 }  // namespace kerf

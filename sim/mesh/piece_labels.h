@@ -13,7 +13,7 @@ struct PieceContent {
     int triangles = 0;
     int vertices = 0;
     double restVolume = 0;  ///< signed [m^3]; 0 where nothing is measured
-    double restArea = 0;    ///< [m^2]; the same
+    double restArea = 0;    ///< [m^2]; 0 where areas are not measured
 };
 
 /// A vertex that went to another piece; -1 stands for none.
@@ -39,14 +39,14 @@ struct LabelChange {
 class PieceLabels {
   public:
     /// Whether volumes and areas are followed.
-    enum class Measures { none, volumesAndAreas };
+    enum class Measures { none, volumes, volumesAndAreas };
 
     /// Labels in the order of the pieces' lowest vertices. O(n).
     explicit PieceLabels(const SurfaceMesh& mesh, Measures measures = Measures::volumesAndAreas);
 
-    /// From now on volumes and areas are followed. O(n) the first time. The labels must be those of
+    /// From now on volumes are followed at least. O(n) the first time. The labels must be those of
     /// the mesh as it is.
-    void measure(const SurfaceMesh& mesh);
+    void measureVolumes(const SurfaceMesh& mesh);
 
     /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
     /// a corner or its rest position changed; each once. Where pieces were joined, or one
@@ -77,7 +77,7 @@ class PieceLabels {
     LabelChange labelAnew(const SurfaceMesh& mesh, const std::vector<int>& before);
     std::vector<int> touchedVertices(const SurfaceMesh& mesh, std::span<const int> triangles,
                                      std::vector<LabelMove>& moves);
-    void comeOff(const SurfaceMesh& mesh, const std::vector<int>& triangles,
+    void comeOff(const SurfaceMesh& mesh, const std::vector<int>& triangles, int from,
                  std::vector<LabelMove>& moves);
     void labelNewVertices(const std::vector<int>& vertices, int label,
                           std::vector<LabelMove>& moves);
@@ -85,12 +85,13 @@ class PieceLabels {
     void count(const SurfaceMesh& mesh, int triangle);
     void discount(int triangle);
     void addShare(int triangle, int piece, int sign);
-    static Share shareOf(const SurfaceMesh& mesh, int triangle);
+    Share shareOf(const SurfaceMesh& mesh, int triangle) const;
+    bool measures() const { return measures_ != Measures::none; }
 
     std::vector<int> ofVertex_;
     std::vector<PieceContent> pieces_;
     std::vector<Counted> counted_;  ///< by triangle slot
-    bool measures_ = false;
+    Measures measures_;
     std::vector<Share> shares_;  ///< by triangle slot; empty where nothing is measured
     // Room for searches, -1 between them.
     std::vector<int> placeOfVertex_;   ///< among those touched

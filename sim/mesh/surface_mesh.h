@@ -96,6 +96,8 @@ class SurfaceMesh {
     int target(int h) const { return triangles_[h / 3][cornerAfter(cornerOf(h))]; }
     int apex(int h) const { return triangles_[h / 3][cornerBefore(cornerOf(h))]; }
     int twin(int h) const { return twins_[h / 3][cornerOf(h)]; }
+    /// Those of the half-edges of a triangle.
+    const std::array<int, 3>& twins(int t) const { return twins_[t]; }
     /// Next outgoing half-edge of the same origin, counter-clockwise seen from outside.
     int rotate(int h) const { return twins_[h / 3][cornerBefore(cornerOf(h))]; }
     /// The half-edge u -> v, or -1.

@@ -5,32 +5,15 @@
 
 namespace kerf {
 
-namespace {
-
-constexpr double kRoom = 1 + 1e-9;  // for rounding
-
-}  // namespace
-
 TriangleTree::TriangleTree(const SurfaceMesh& mesh) : mesh_(mesh) {
     tree_ = LazyBoxTree(
         livingTriangles(mesh), [this](int t) { return boundsOf(t); },
         LazyBoxTree::Joining::divided);
 }
 
-Bounds TriangleTree::boundsOf(int triangle) const {
-    const Triangle& corners = mesh_.triangle(triangle);
-    const Vec3& p = mesh_.position(corners[0]);
-    const Vec3& q = mesh_.position(corners[1]);
-    const Vec3& r = mesh_.position(corners[2]);
-    return {p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
-}
-
 std::vector<int> TriangleTree::near(const OrientedBox& box) {
-    // Tells most boxes apart at less cost.
-    const Vec3 half = box.axes.cwiseAbs() * box.half;
-    const Bounds around{box.center - kRoom * half, box.center + kRoom * half};
-    return find(
-        [&](const Bounds& bounds) { return bounds.overlaps(around) && mayMeet(box, bounds); });
+    const MeetingBoxes boxes(box);
+    return find([&](const Bounds& bounds) { return boxes.mayMeet(bounds); });
 }
 
 void TriangleTree::catchUp() {

@@ -41,7 +41,13 @@ class TriangleTree : public TriangleFinder {
     }
 
   private:
-    Bounds boundsOf(int triangle) const;
+    Bounds boundsOf(int triangle) const {
+        const Triangle& corners = mesh_.triangle(triangle);
+        const Vec3& p = mesh_.position(corners[0]);
+        const Vec3& q = mesh_.position(corners[1]);
+        const Vec3& r = mesh_.position(corners[2]);
+        return {p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
+    }
     void catchUp();
 
     const SurfaceMesh& mesh_;

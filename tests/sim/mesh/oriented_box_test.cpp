@@ -73,6 +73,25 @@ TEST_F(OrientedBoxes, EdgesAcrossNeedTheAxisAcrossBoth) {
     EXPECT_TRUE(overlap(a, b));
 }
 
+TEST_F(OrientedBoxes, ThatMeetOneOfManyAreNotMissed) {
+    int found = 0;
+    int told = 0;
+    for (int i = 0; i < 50; ++i) {
+        const OrientedBox box = randomBox();
+        const MeetingBoxes meeting(box);
+        for (int k = 0; k < 200; ++k) {
+            const Vec3 low = randomPoint(2);
+            const Bounds bounds{low, low + randomPoint(0.5).cwiseAbs()};
+            const bool meets = meeting.mayMeet(bounds);
+            told += mayMeet(box, bounds);
+            found += meets;
+            EXPECT_TRUE(meets || !mayMeet(box, bounds)) << "pair " << i << ", " << k;
+        }
+    }
+    EXPECT_GT(told, 100);
+    EXPECT_LE(found, told + told / 100);
+}
+
 TEST_F(OrientedBoxes, ParallelOnesThatTouchOverlap) {
     const OrientedBox a{Vec3::Zero(), Eigen::Matrix3d::Identity(), Vec3(1, 1, 1)};
     OrientedBox b = a;

@@ -14,8 +14,9 @@ namespace kerf {
 namespace {
 
 /// Labels followed through a cut must name the same pieces as labels made anew.
-void expectSamePieces(const PieceLabels& followed, const SurfaceMesh& mesh) {
-    const PieceLabels fresh(mesh);
+void expectSamePieces(const PieceLabels& followed, const SurfaceMesh& mesh,
+                      PieceLabels::Measures measures = PieceLabels::Measures::volumesAndAreas) {
+    const PieceLabels fresh(mesh, measures);
     ASSERT_EQ(followed.pieces().size(), fresh.pieces().size());
     ASSERT_EQ(followed.ofVertex().size(), fresh.ofVertex().size());
     std::vector<int> partner(fresh.pieces().size(), -1);
@@ -51,18 +52,18 @@ TEST(PieceLabels, GoInTheOrderOfTheLowestVertices) {
     EXPECT_NEAR(labels.pieces()[1].restVolume, 0.2 * 0.3 * 0.4, 1e-12);
 }
 
-TEST(PieceLabels, MeasureOnceThatIsAskedForAndFollowFromThenOn) {
+TEST(PieceLabels, MeasureVolumesOnceThatIsAskedForAndFollowFromThenOn) {
     SurfaceMesh mesh = test::box(Vec3::Ones(), 8);
     PieceLabels early(mesh, PieceLabels::Measures::none);
     PieceLabels late = early;
     EXPECT_EQ(early.pieces()[0].restVolume, 0);
-    early.measure(mesh);
-    expectSamePieces(early, mesh);
+    early.measureVolumes(mesh);
+    expectSamePieces(early, mesh, PieceLabels::Measures::volumes);
     const CutDelta delta = test::HandCut(mesh).delta();
     for (PieceLabels* labels : {&early, &late}) {
         labels->update(mesh, changedTriangles(delta));
-        labels->measure(mesh);
-        expectSamePieces(*labels, mesh);
+        labels->measureVolumes(mesh);
+        expectSamePieces(*labels, mesh, PieceLabels::Measures::volumes);
     }
 }
 
