@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
@@ -11,7 +12,8 @@ namespace {
 
 constexpr int kMostBins = 4096;
 constexpr double kRotationRounding = 1e-6;  // of the bins: what turning into the frame may move
-constexpr double kFirstMargin = 0.25;       // of a bin: what is taken around the sweep at first
+// Of a bin: what is taken around the sweep at first. Older slits are looked for within 0.1.
+constexpr double kFirstMargin = 0.15;
 
 // The same as overlaps(). Along the sweep most boxes of a bin are told apart.
 bool meet(const Bounds& a, const Bounds& b) {
@@ -69,7 +71,9 @@ void BroadPhase::take(double margin) const {
             add(t);
         }
     }
-    fillBins();
+    std::vector<int> all(entries_.size());
+    std::iota(all.begin(), all.end(), 0);
+    bins_ = binsOf(all);
 }
 
 void BroadPhase::add(int triangle) const {
@@ -82,22 +86,24 @@ void BroadPhase::add(int triangle) const {
     }
 }
 
-void BroadPhase::fillBins() const {
-    firstOfBin_.assign(binOf(box_.high.x()) + 2, 0);
+BroadPhase::Bins BroadPhase::binsOf(std::span<const int> places) const {
+    Bins bins;
+    bins.first.assign(binOf(box_.high.x()) + 2, 0);
     const auto forEachBin = [this](const Entry& entry, auto&& visit) {
         for (int bin = entry.firstBin; bin <= binOf(entry.bounds.high.x()); ++bin) {
             visit(bin);
         }
     };
-    for (const Entry& entry : entries_) {
-        forEachBin(entry, [this](int bin) { ++firstOfBin_[bin + 1]; });
+    for (const int place : places) {
+        forEachBin(entries_[place], [&](int bin) { ++bins.first[bin + 1]; });
     }
-    std::partial_sum(firstOfBin_.begin(), firstOfBin_.end(), firstOfBin_.begin());
-    inBins_.resize(firstOfBin_.back());
-    std::vector<int> next(firstOfBin_.begin(), firstOfBin_.end() - 1);
-    for (int i = 0; i < static_cast<int>(entries_.size()); ++i) {
-        forEachBin(entries_[i], [&](int bin) { inBins_[next[bin]++] = i; });
+    std::partial_sum(bins.first.begin(), bins.first.end(), bins.first.begin());
+    bins.places.resize(bins.first.back());
+    std::vector<int> next(bins.first.begin(), bins.first.end() - 1);
+    for (const int place : places) {
+        forEachBin(entries_[place], [&](int bin) { bins.places[next[bin]++] = place; });
     }
+    return bins;
 }
 
 int BroadPhase::binOf(double x) const {
@@ -114,40 +120,53 @@ void BroadPhase::require(const Bounds& bounds) const {
     }
 }
 
-void BroadPhase::cover(std::span<const Vec3> points, double pad) const {
+std::vector<int> BroadPhase::cover(std::span<const Vec3> points, double pad) const {
+    const Bounds bounds = reachOf(points, pad);
+    require(bounds);
+    std::vector<int> places;
+    places.reserve(entries_.size());
+    for (int i = 0; i < static_cast<int>(entries_.size()); ++i) {
+        if (meet(entries_[i].bounds, bounds)) {
+            places.push_back(i);
+        }
+    }
+    return places;
+}
+
+Bounds BroadPhase::reachOf(std::span<const Vec3> points, double pad) const {
     Bounds bounds;
     for (const Vec3& p : points) {
         bounds.add(toFrame(p));
     }
     bounds.widen(pad + kRotationRounding * binSize_);
-    require(bounds);
+    return bounds;
 }
 
-void BroadPhase::findEntries(const Vec3& a, const Vec3& b, const Vec3& c, double pad,
-                             std::vector<int>& found) const {
-    Bounds bounds;
-    for (const Vec3& p : {a, b, c}) {
-        bounds.add(toFrame(p));
-    }
-    bounds.widen(pad + kRotationRounding * binSize_);
-    require(bounds);
+void BroadPhase::findIn(const Bounds& bounds, const Bins& bins, std::vector<int>& found) const {
     found.clear();
     const int first = binOf(bounds.low.x());
     const int last = binOf(bounds.high.x());
     for (int bin = first; bin <= last; ++bin) {
-        for (int i = firstOfBin_[bin]; i < firstOfBin_[bin + 1]; ++i) {
-            const Entry& entry = entries_[inBins_[i]];
+        for (int i = bins.first[bin]; i < bins.first[bin + 1]; ++i) {
+            const Entry& entry = entries_[bins.places[i]];
             if (bin == std::max(first, entry.firstBin) && meet(entry.bounds, bounds)) {
-                found.push_back(inBins_[i]);
+                found.push_back(bins.places[i]);
             }
         }
     }
     std::ranges::sort(found);
 }
 
+void BroadPhase::findEntries(const Vec3& a, const Vec3& b, const Vec3& c, double pad,
+                             const Bins& bins, std::vector<int>& found) const {
+    findIn(reachOf(std::array{a, b, c}, pad), bins, found);
+}
+
 std::vector<int> BroadPhase::query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const {
     std::vector<int> found;
-    findEntries(a, b, c, pad, found);
+    const Bounds bounds = reachOf(std::array{a, b, c}, pad);
+    require(bounds);
+    findIn(bounds, bins_, found);
     for (int& place : found) {
         place = entries_[place].triangle;
     }

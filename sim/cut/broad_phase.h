@@ -34,10 +34,19 @@ class BroadPhase {
         int firstBin;
     };
     const std::vector<Entry>& entries() const { return entries_; }
-    /// From now on queries between these points, up to `pad`, take no more entries.
-    void cover(std::span<const Vec3> points, double pad) const;
-    /// The same as query(), as places in entries().
-    void findEntries(const Vec3& a, const Vec3& b, const Vec3& c, double pad,
+    /// From now on queries between these points, up to `pad`, take no more entries. The places of
+    /// those that they may find in entries(), ascending.
+    std::vector<int> cover(std::span<const Vec3> points, double pad) const;
+    /// Some of entries(), by where they lie along the blade.
+    struct Bins {
+        std::vector<int> first;   ///< of each bin in `places`, and behind the last
+        std::vector<int> places;  ///< in entries(), bin after bin
+    };
+    /// Of these places, ascending. They hold until more entries are taken.
+    Bins binsOf(std::span<const int> places) const;
+    /// The same as query(), as places in entries(), of those in `bins`. Takes no more entries:
+    /// cover() does.
+    void findEntries(const Vec3& a, const Vec3& b, const Vec3& c, double pad, const Bins& bins,
                      std::vector<int>& found) const;
 
   private:
@@ -45,7 +54,8 @@ class BroadPhase {
     int binOf(double x) const;
     void take(double margin) const;
     void add(int triangle) const;
-    void fillBins() const;
+    Bounds reachOf(std::span<const Vec3> points, double pad) const;
+    void findIn(const Bounds& bounds, const Bins& bins, std::vector<int>& found) const;
     void require(const Bounds& bounds) const;
 
     const SurfaceMesh& mesh_;
@@ -59,8 +69,7 @@ class BroadPhase {
     mutable Bounds box_;
     mutable double binSize_ = 1;
     mutable std::vector<Entry> entries_;
-    mutable std::vector<int> firstOfBin_;  ///< in inBins_, and behind the last
-    mutable std::vector<int> inBins_;      ///< places of entries, bin after bin
+    mutable Bins bins_;  ///< of all entries
 };
 
 }  // namespace kerf::cut

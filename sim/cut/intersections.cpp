@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
+#include <utility>
 
+#include "sim/cut/front_profile.h"
 #include "sim/cut/predicates.h"
 #include "sim/sort_unique.h"
 
@@ -20,15 +21,30 @@ constexpr int kShared = 9;
 // Far more than what rounding does to the distance from a plane, as a share of all lengths in it.
 constexpr double kApartError = 1e-13;
 
+constexpr std::array<std::array<int, 2>, 3> kOtherCorners{{{1, 2}, {2, 0}, {0, 1}}};
+
+/// The corners of a triangle as rows, the last one twice: so many numbers go together.
+using ThreePoints = Eigen::Matrix<double, 4, 3>;
+
+ThreePoints rowsOf(const std::array<Vec3, 3>& at) {
+    ThreePoints rows;
+    for (int axis = 0; axis < 3; ++axis) {
+        rows.col(axis) << at[0][axis], at[1][axis], at[2][axis], at[2][axis];
+    }
+    return rows;
+}
+
 /// A triangle of the mesh as the predicates see it.
 struct Corners {
     Triangle ids{};
     std::array<Vec3, 3> at;
+    ThreePoints points;       ///< the same, but where it lies behind the front
     Vec3 sum = Vec3::Zero();  ///< of the three
-    /// Corner numbers in canonical order, and whether that order reverses the orientation.
+    /// Corner numbers in canonical order, and whether that order reverses the orientation; only
+    /// once they are `ordered`.
     std::array<int, 3> order{0, 1, 2};
     int parity = 1;
-    Bounds bounds{};
+    bool ordered = false;
 };
 
 /// Signs of the corners of one triangle against the plane of the other.
@@ -145,7 +161,7 @@ constexpr int kFringeRings = 5;
 class Intersector {
   public:
     Intersector(const StepInput& in, const Strip& strip, const PredicatePositions& positions)
-        : in_(in), mesh_(in.mesh), strip_(strip), positions_(positions) {
+        : in_(in), mesh_(in.mesh), strip_(strip), positions_(positions), front_(in.blade, strip) {
         for (const RungNode& node : in.rung) {
             if (node.vertex >= 0) {
                 rungVertices_.push_back(node.vertex);
@@ -173,9 +189,9 @@ class Intersector {
     struct StripCorners {
         int index = -1;
         std::array<Vec3, 3> at;
+        ThreePoints points;
         Vec3 sum = Vec3::Zero();
         double reach = 0;  ///< largest coordinate
-        Bounds bounds{};
     };
 
     /// The vertex that the two triangles share.
@@ -206,8 +222,20 @@ class Intersector {
         for (const StripNode& node : strip_.nodes) {
             points.push_back(node.position);
         }
-        in_.broadPhase.cover(points, predicateDrift());
-        corners_.resize(in_.broadPhase.entries().size());
+        std::vector<int> near = in_.broadPhase.cover(points, predicateDrift());
+        const std::vector<BroadPhase::Entry>& entries = in_.broadPhase.entries();
+        corners_.resize(entries.size());
+        std::erase_if(near, [&](int place) {
+            const int m = entries[place].triangle;
+            Corners& corners = corners_[place];
+            look(m, corners);
+            if (isOwnWall(m) && front_.isBehind(corners.ids, corners.at)) {
+                return true;
+            }
+            corners.points = rowsOf(corners.at);
+            return false;
+        });
+        ahead_ = in_.broadPhase.binsOf(near);
         curves_.nodes.reserve(2 * strip_.nodes.size());
     }
 
@@ -219,7 +247,6 @@ class Intersector {
             const StripNode& node = strip_.nodes[strip_.triangles[s][j]];
             strip.at[j] = node.position;
             strip.sum += node.position;
-            strip.bounds.add(node.position);
             strip.reach = std::max(strip.reach, node.position.cwiseAbs().maxCoeff());
             for (const std::vector<int>* vertices : {&node.vertices, &node.touching}) {
                 for (const int v : *vertices) {
@@ -227,7 +254,9 @@ class Intersector {
                 }
             }
         }
-        in_.broadPhase.findEntries(strip.at[0], strip.at[1], strip.at[2], predicateDrift(), found_);
+        strip.points = rowsOf(strip.at);
+        in_.broadPhase.findEntries(strip.at[0], strip.at[1], strip.at[2], predicateDrift(), ahead_,
+                                   found_);
         for (const int entry : found_) {
             intersectPair(entry, strip);
         }
@@ -242,17 +271,15 @@ class Intersector {
         return shares * in_.h + in_.opening.reach();
     }
 
-    // The walls that the blade has just made lie in its plane, where signs cost the most: most of
-    // them are told apart before.
+    // Walls of this stroke may lie in the plane of the blade, where signs cost the most: most of
+    // those that do not lie behind the front are told apart before.
     void intersectPair(int entry, const StripCorners& strip) {
-        const Corners& corners = cornersOfEntry(entry);
-        if (!corners.bounds.overlaps(strip.bounds)) {
-            return;
-        }
+        Corners& corners = corners_[entry];
         const SharedVertex shared = sharedVertex(corners.ids);
         if (shared.count >= 2 || areApart(strip, corners, shared)) {
             return;
         }
+        putInOrder(corners);
         const int m = in_.broadPhase.entries()[entry].triangle;
         Pair pair{m, strip.index, corners, strip.at, shared};
         if ((in_.attempt.ignoreFringe && isFringe(m)) || !signMeshCorners(pair) ||
@@ -277,22 +304,23 @@ class Intersector {
         curves_.segments.push_back({m, pair.s, pair.entry, pair.exit});
     }
 
-    const Corners& cornersOfEntry(int entry) {
-        std::optional<Corners>& known = corners_[entry];
-        if (!known) {
-            known = seenCorners(in_.broadPhase.entries()[entry].triangle);
-        }
-        return *known;
+    bool isOwnWall(int m) const {
+        return mesh_.kind(m) == SurfaceKind::wall && mesh_.wallLabel(m) / 2 == in_.stroke;
     }
 
-    Corners seenCorners(int m) const {
-        Corners corners;
+    void look(int m, Corners& corners) const {
         const Triangle& ids = corners.ids = mesh_.triangle(m);
         for (int i = 0; i < 3; ++i) {
             corners.at[i] = positions_.at(ids[i]);
             corners.sum += corners.at[i];
-            corners.bounds.add(corners.at[i]);
         }
+    }
+
+    static void putInOrder(Corners& corners) {
+        if (std::exchange(corners.ordered, true)) {
+            return;
+        }
+        const Triangle& ids = corners.ids;
         const auto sortPair = [&](int u, int v) {
             int& first = corners.order[u];
             int& second = corners.order[v];
@@ -304,7 +332,6 @@ class Intersector {
         sortPair(0, 1);
         sortPair(1, 2);
         sortPair(0, 1);
-        return corners;
     }
 
     SharedVertex sharedVertex(const Triangle& ids) const {
@@ -344,7 +371,7 @@ class Intersector {
     /// A wall of this pass beside its front. Those of earlier passes of the stroke may be crossed;
     /// what a cut leaves of them has corners older than the pass.
     bool isFringe(int m) {
-        if (mesh_.kind(m) != SurfaceKind::wall || mesh_.wallLabel(m) / 2 != in_.stroke) {
+        if (!isOwnWall(m)) {
             return false;
         }
         const Triangle& ids = mesh_.triangle(m);
@@ -367,26 +394,24 @@ class Intersector {
     // Whether some plane, found without much ado, lies between the two; but for a shared vertex.
     static bool areApart(const StripCorners& strip, const Corners& mesh,
                          const SharedVertex& shared) {
-        const Vec3& origin = strip.at[shared.any() ? shared.stripCorner : 0];
-        if (shared.any() && mesh.at[shared.meshCorner] != origin) {
+        if (shared.any() && mesh.at[shared.meshCorner] != strip.at[shared.stripCorner]) {
             return false;
         }
         const Vec3 normal = strip.sum - mesh.sum;  // from the middle of one to that of the other
-        const auto height = [&](const Vec3& p) {
-            return normal.x() * (p.x() - origin.x()) + normal.y() * (p.y() - origin.y()) +
-                   normal.z() * (p.z() - origin.z());
-        };
-        double above = 1e300;
-        double below = -1e300;
-        for (int i = 0; i < 3; ++i) {
-            const double ofStrip = i == shared.stripCorner ? 1e300 : height(strip.at[i]);
-            const double ofMesh = i == shared.meshCorner ? -1e300 : height(mesh.at[i]);
-            above = std::min(above, ofStrip);
-            below = std::max(below, ofMesh);
-        }
+        const Eigen::Vector4d ofStrip = strip.points * normal;
+        const Eigen::Vector4d ofMesh = mesh.points * normal;
         const double length = normal.cwiseAbs().sum();
         const double error = kApartError * length * (strip.reach + length);
-        return shared.any() ? above > error && below < -error : above - below > error;
+        if (!shared.any()) {
+            return std::min({ofStrip[0], ofStrip[1], ofStrip[2]}) -
+                       std::max({ofMesh[0], ofMesh[1], ofMesh[2]}) >
+                   error;
+        }
+        const double origin = ofStrip[shared.stripCorner];
+        const auto [p, q] = kOtherCorners[shared.stripCorner];
+        const auto [u, v] = kOtherCorners[shared.meshCorner];
+        return std::min(ofStrip[p], ofStrip[q]) - origin > error &&
+               std::max(ofMesh[u], ofMesh[v]) - origin < -error;
     }
 
     bool signStripCorners(Pair& pair) const {
@@ -549,7 +574,10 @@ class Intersector {
     // In canonical order throughout: the mirrored node in the other wall of an older slit comes out
     // the same to the last bit, or the Delaunay criterion would divide the two walls differently.
     void placeOnFace(Node& node) const {
-        const std::array<int, 3> order = seenCorners(node.a).order;
+        Corners corners;
+        look(node.a, corners);
+        putInOrder(corners);
+        const std::array<int, 3>& order = corners.order;
         node.weights = node.weights.cwiseMax(kLeastParameter);
         node.weights /= node.weights[order[0]] + node.weights[order[1]] + node.weights[order[2]];
         const Triangle& ids = mesh_.triangle(node.a);
@@ -564,8 +592,10 @@ class Intersector {
     const SurfaceMesh& mesh_;
     const Strip& strip_;
     const PredicatePositions& positions_;
-    std::vector<int> rungVertices_;                ///< ascending
-    std::vector<std::optional<Corners>> corners_;  ///< by entry of the broad phase
+    FrontProfile front_;
+    std::vector<int> rungVertices_;  ///< ascending
+    std::vector<Corners> corners_;   ///< by entry of the broad phase
+    BroadPhase::Bins ahead_;         ///< entries that do not lie behind the front
     std::vector<int> found_;
     std::vector<std::pair<int, int>> stripVertices_;  ///< of the strip triangle in hand: corners
     std::set<int> fringe_;                            ///< empty until fringe() is asked
