@@ -267,7 +267,7 @@ ui::Overlay BladeHand::overlay(const ViewFrame& view, const Vec2& pixel, EditorS
     }
     if (way.size() > 1 && scene.simulation().report().triangles <= kMostPreviewTriangles) {
         const CutPreview& preview = scene.preview(way);
-        addTouched(view, scene.simulation().mesh(), preview.touched, overlay);
+        addTouched(view, scene.simulation().meshAsRead(), preview.touched, overlay);
         for (const auto& line : preview.wound) {
             addLine(view, line[0], line[1], overlay.wound);
         }

@@ -1,15 +1,18 @@
 #include "app/cut_preview.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/boxes.h"
+#include "sim/sort_unique.h"
 
 namespace kerf::app {
 namespace {
 
 constexpr double kParallel = 1e-14;  // of squared areas
 constexpr double kOnEdge = 1e-9;     // of squared areas: no ray slips between two triangles
+constexpr double kHair = 1e-6;       // of its length: no ray slips between two triangles
 const Vec3 kAside{0.61e-4, 0.35e-4, 0.71e-4};  // of the blade's length
 
 using Corners = std::array<Vec3, 3>;
@@ -121,12 +124,33 @@ std::optional<Vec3> meet(const Corners& c, const Vec3& origin, const Vec3& direc
     return shares / shares.sum();
 }
 
+/// What the normals at its corners take.
+void bringAround(const SurfaceMesh& mesh, int triangle) {
+    std::vector<int> vertices;
+    for (const int v : mesh.triangle(triangle)) {
+        mesh.forEachOutgoing(v, [&](int h) { vertices.push_back(mesh.target(h)); });
+    }
+    sortUnique(vertices);
+    mesh.bring(vertices);
+}
+
 }  // namespace
 
-CutPreview previewCut(const SurfaceMesh& mesh, std::span<const Blade> way) {
+OrientedBox boxAbout(std::span<const Blade> way) {
+    std::vector<Vec3> points;
+    for (const Blade& blade : way) {
+        points.insert(points.end(), {blade.a, blade.b});
+    }
+    OrientedBox box = orientedBoxOf(points);
+    box.widen(2 * kAside.norm() * (way[0].b - way[0].a).norm());
+    return box;
+}
+
+CutPreview previewCut(const SurfaceMesh& mesh, std::span<const int> triangles,
+                      std::span<const Blade> way) {
     const Strip strip(way);
     CutPreview preview;
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+    for (const int t : triangles) {
         if (!mesh.present(t)) {
             continue;
         }
@@ -150,11 +174,12 @@ CutPreview previewCut(const SurfaceMesh& mesh, std::span<const Blade> way) {
     return preview;
 }
 
-std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const render::Ray& ray) {
+std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, std::span<const int> triangles,
+                                        const render::Ray& ray) {
     SurfacePoint best;
     Vec3 shares = Vec3::Zero();
     double distance = 1e300;
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+    for (const int t : triangles) {
         if (!mesh.present(t)) {
             continue;
         }
@@ -167,6 +192,7 @@ std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const render::R
         return std::nullopt;
     }
     best.position = ray.origin + distance * ray.direction;
+    bringAround(mesh, best.triangle);
     Vec3 normal = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
         normal += shares[k] *
@@ -175,6 +201,18 @@ std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const render::R
     best.normal = normal.norm() > 0 ? Vec3(normal.normalized())
                                     : Vec3(areaVector(cornersOf(mesh, best.triangle)).normalized());
     return best;
+}
+
+OrientedBox boxAbout(const render::Ray& ray, const Bounds& bounds) {
+    const double reach = bounds.diagonal() + (bounds.center() - ray.origin).norm();
+    OrientedBox box;
+    box.axes.col(0) = ray.direction;
+    box.axes.col(1) = ray.direction.unitOrthogonal();
+    box.axes.col(2) = ray.direction.cross(box.axes.col(1));
+    box.center = ray.origin + 0.5 * reach * ray.direction;
+    box.half = Vec3(0.5 * reach, 0, 0);
+    box.widen(kHair * reach);
+    return box;
 }
 
 }  // namespace kerf::app

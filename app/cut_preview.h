@@ -7,6 +7,7 @@
 
 #include "render/camera.h"
 #include "sim/cut/blade.h"
+#include "sim/mesh/oriented_box.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::app {
@@ -16,8 +17,12 @@ struct CutPreview {
     std::vector<std::array<Vec3, 2>> wound;  ///< lines on the surface [m]
     std::vector<int> touched;                ///< triangles, ascending
 };
-/// The way goes from pose to pose in straight lines. O(triangles * poses), of boxes that meet.
-CutPreview previewCut(const SurfaceMesh& mesh, std::span<const Blade> way);
+/// The way goes from pose to pose in straight lines. `triangles`: those to look at, alive and
+/// ascending. O(triangles * poses), of boxes that meet.
+CutPreview previewCut(const SurfaceMesh& mesh, std::span<const int> triangles,
+                      std::span<const Blade> way);
+/// The box about all that it looks into; of at least one pose.
+OrientedBox boxAbout(std::span<const Blade> way);
 
 /// A point of the surface.
 struct SurfacePoint {
@@ -25,7 +30,10 @@ struct SurfacePoint {
     Vec3 position = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();  ///< outwards, smooth over the same kind of surface
 };
-/// The first one that a ray meets from outside. O(triangles).
-std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, const render::Ray& ray);
+/// The first one of `triangles`, alive and ascending, that a ray meets from outside. O(triangles).
+std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, std::span<const int> triangles,
+                                        const render::Ray& ray);
+/// A hair about the ray, as far as it can meet what lies in `bounds`.
+OrientedBox boxAbout(const render::Ray& ray, const Bounds& bounds);
 
 }  // namespace kerf::app

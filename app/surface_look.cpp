@@ -32,7 +32,8 @@ std::optional<SurfacePoint> SurfaceLook::pick(Simulation& simulation, const rend
     const int revision = simulation.bodyRevision();
     if (pick_.bodyRevision != revision || !sameRay(pick_.ray, ray)) {
         ++searches_;
-        pick_ = {revision, ray, pickSurface(simulation.mesh(), ray)};
+        const std::vector<int> near = simulation.trianglesIn(boxAbout(ray, simulation.bounds()));
+        pick_ = {revision, ray, pickSurface(simulation.meshAsRead(), near, ray)};
     }
     return pick_.point;
 }
@@ -41,7 +42,9 @@ const CutPreview& SurfaceLook::preview(Simulation& simulation, const std::vector
     const int revision = simulation.bodyRevision();
     if (preview_.bodyRevision != revision || !samePoses(preview_.way, way)) {
         ++searches_;
-        preview_ = {revision, way, previewCut(simulation.mesh(), way)};
+        const std::vector<int> near =
+            way.empty() ? std::vector<int>{} : simulation.trianglesIn(boxAbout(way));
+        preview_ = {revision, way, previewCut(simulation.meshAsRead(), near, way)};
     }
     return preview_.cut;
 }

@@ -45,15 +45,32 @@ void MeshSync::takeForeseen() {
         return;
     }
     known_ = box;
-    for (const shared::NearbyVertex& state : watched.records) {
-        mesh_.forEachOutgoing(static_cast<int>(state.vertex), [this](int h) {
+    const std::vector<int> around = trianglesAround(watched.records);
+    triangles_.insert(triangles_.end(), around.begin(), around.end());
+    sortUnique(triangles_);
+}
+
+std::vector<int> MeshSync::trianglesAround(const std::vector<shared::NearbyVertex>& states) const {
+    std::vector<int> found;
+    for (const shared::NearbyVertex& state : states) {
+        mesh_.forEachOutgoing(static_cast<int>(state.vertex), [&](int h) {
             if (std::ranges::none_of(mesh_.triangle(h / 3),
                                      [this](int v) { return mesh_.isOld(v); })) {
-                triangles_.push_back(h / 3);
+                found.push_back(h / 3);
             }
         });
     }
-    sortUnique(triangles_);
+    sortUnique(found);
+    return found;
+}
+
+std::vector<int> MeshSync::lookInto(const OrientedBox& box) {
+    if (mesh_.isWhole()) {
+        return livingTriangles(mesh_);
+    }
+    const VertexStates states = solver_.statesNear(box);
+    adopt(states.records);
+    return trianglesAround(states.records);
 }
 
 void MeshSync::forget() {

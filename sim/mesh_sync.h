@@ -31,6 +31,10 @@ class MeshSync final : public VertexSource, public TriangleFinder {
     /// How often all of the body came back.
     int wholeReads() const { return wholeReads_; }
 
+    /// Brings what lies in `box` back. Returns its triangles, ascending, and perhaps others; all
+    /// there are where nothing is old.
+    std::vector<int> lookInto(const OrientedBox& box);
+
     void bring(std::span<const int> vertices) override;
     void bringAll() override;
 
@@ -42,6 +46,8 @@ class MeshSync final : public VertexSource, public TriangleFinder {
 
   private:
     void adopt(const std::vector<shared::NearbyVertex>& states);
+    /// Those around the vertices of which nothing is old, ascending.
+    std::vector<int> trianglesAround(const std::vector<shared::NearbyVertex>& states) const;
     void lookAround(const OrientedBox& box);
 
     SurfaceMesh& mesh_;

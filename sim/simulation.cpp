@@ -251,6 +251,14 @@ const SurfaceMesh& Simulation::mesh() {
     return state_->body.mesh;
 }
 
+const SurfaceMesh& Simulation::meshAsRead() const {
+    return state_->body.mesh;
+}
+
+std::vector<int> Simulation::trianglesIn(const OrientedBox& box) {
+    return state_->body.sync.lookInto(box);
+}
+
 const PieceMap& Simulation::pieces() {
     return state_->body.pieces();
 }

@@ -95,6 +95,12 @@ class Simulation {
     const std::vector<Bounds>& pieceBounds() const;
     /// The mesh with current positions and velocities (waits for the GPU where they are newer).
     const SurfaceMesh& mesh();
+    /// The mesh with old numbers where nobody has looked since the last step; reading those waits
+    /// for all of the body.
+    const SurfaceMesh& meshAsRead() const;
+    /// Looks into a box: its triangles, ascending, and perhaps others, are as they are now in
+    /// meshAsRead(). Reads back what lies in the box alone; changes no result.
+    std::vector<int> trianglesIn(const OrientedBox& box);
     /// Per piece: triangles, volume, rest volume (waits for the GPU as mesh()).
     const PieceMap& pieces();
     /// 64-bit FNV-1a over topology, positions, velocities and boxes, as 16 hexadecimal digits.

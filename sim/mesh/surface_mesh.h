@@ -129,6 +129,8 @@ class SurfaceMesh {
     /// What the source brings for a vertex.
     void setState(int v, const Vec3& position, const Vec3& velocity);
     bool isOld(int v) const { return old_[v] != 0; }
+    /// Nothing is old.
+    bool isWhole() const { return source_ == nullptr; }
     /// Fetches what is old of these in one go; reading one that is old fetches all.
     void bring(std::span<const int> vertices) const;
     void bringAll() const;

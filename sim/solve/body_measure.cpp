@@ -103,6 +103,18 @@ VertexStates BodyMeasurer::statesOf(std::span<const int> vertices) {
     return collected_.take();
 }
 
+/// The kernel that measures finds them; what it measures besides is left where it is.
+VertexStates BodyMeasurer::statesNear(const OrientedBox& box, const ContactSolver& contacts) {
+    for (;;) {
+        nearby_.ask(box, {});
+        start(contacts);
+        VertexStates found = nearby_.take();
+        if (found.complete) {
+            return found;
+        }
+    }
+}
+
 void BodyMeasurer::collectAsked(const NearbyVertices& query) {
     if (query.asked() > 0) {
         query.bind();

@@ -58,6 +58,7 @@ class BodyMeasurer {
     }
     VertexStates takeWatched() { return nearby_.take(); }
     VertexStates statesOf(std::span<const int> vertices);
+    VertexStates statesNear(const OrientedBox& box, const ContactSolver& contacts);
 
   private:
     void bindConstraints() const;

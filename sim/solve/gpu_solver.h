@@ -138,6 +138,8 @@ class GpuSolver {
     VertexStates takeWatched() { return measurer_.takeWatched(); }
     /// Positions and velocities of these vertices; waits for the GPU.
     VertexStates statesOf(std::span<const int> vertices) { return measurer_.statesOf(vertices); }
+    /// Of all vertices of triangles that meet `box`; waits for the GPU. Between steps.
+    VertexStates statesNear(const OrientedBox& box) { return measurer_.statesNear(box, contacts_); }
     /// Looks for what may touch now, as the beginning of a step does.
     void searchContacts();
     const ContactSolver& contacts() const { return contacts_; }
