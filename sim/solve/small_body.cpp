@@ -136,9 +136,8 @@ void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::Bl
         std::max(blocks.size(), model.pieces.size()) <= shared::kSmallBodyBlocks) {
         const std::size_t turns = 1 + turnsOfSubstep(model, blocks.size(), groupSize());
         substepsAtOnce_ = static_cast<uint>(kMostTurns / turns);
-        parts_.resize(std::max<std::size_t>(blocks.size(), 1) * shared::kPageSize * 2 *
-                      sizeof(float));
     }
+    parts_.resize(std::max<std::size_t>(blocks.size(), 1) * shared::kPageSize * 2 * sizeof(float));
 }
 
 void SmallBodySolver::setSweeps(const BodyModel& model) {
