@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kParallel = 1e-14;  // of squared areas
 constexpr double kOnEdge = 1e-9;     // of squared areas: no ray slips between two triangles
-constexpr double kHair = 1e-6;       // of its length: no ray slips between two triangles
+constexpr double kHair = 1e-6;       // half the width of the box about a ray, of its length
 const Vec3 kAside{0.61e-4, 0.35e-4, 0.71e-4};  // of the blade's length
 
 using Corners = std::array<Vec3, 3>;

@@ -357,14 +357,19 @@ TEST_F(SimulationTest, RecoversFromNumbersThatAreNotFinite) {
     EXPECT_EQ(checkFinite(simulation.mesh()), "");
 }
 
-/// Of halves that fall on each other, on a box and on the floor.
-std::string hashOfACut() {
-    Params params = dropped(0.05);
-    params.contact = 1;
+/// Halves that fall on each other, on a box and on the floor.
+Simulation fallingHalves(const Params& params) {
     Simulation simulation(test::cubeSphere(6), params,
                           {{{0.1, -0.6, 0.3}, {0.3, 0.2, 0.3}, {0, 20, 10}}});
     cutDown(simulation, 0.7, -0.7, 25);
     run(simulation, 20);
+    return simulation;
+}
+
+std::string hashOfACut() {
+    Params params = dropped(0.05);
+    params.contact = 1;
+    Simulation simulation = fallingHalves(params);
     EXPECT_GT(simulation.report().contacts, 0);
     return simulation.stateHash();
 }
@@ -389,10 +394,7 @@ ParamValue draggedValue(const Params& params, const ParamInfo& info) {
 TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
     Params params = dropped(0.05);
     params.contactThickness = 0.1;
-    Simulation simulation(test::cubeSphere(6), params,
-                          {{{0.1, -0.6, 0.3}, {0.3, 0.2, 0.3}, {0, 20, 10}}});
-    cutDown(simulation, 0.7, -0.7, 25);
-    run(simulation, 20);
+    Simulation simulation = fallingHalves(params);
     const Moment moment = simulation.moment();
     run(simulation, 10);
     const std::string unchanged = simulation.stateHash();

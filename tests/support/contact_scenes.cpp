@@ -156,6 +156,22 @@ void cutLevel(Simulation& simulation, double height) {
 
 }  // namespace
 
+SurfaceMesh slitSphere() {
+    Params params;
+    params.contact = 1;
+    params.gravity.setZero();
+    params.floor.reset();
+    Simulation simulation(cubeSphere(8), params);
+    for (int i = 0; i <= 16; ++i) {
+        const double y = 0.6 - 0.04 * i;
+        simulation.execute(MoveBlade{{{-0.9, y, 0.03}, {0.9, y + 0.02, 0.05}}});
+        simulation.step();
+    }
+    simulation.execute(LiftBlade{});
+    simulation.step();
+    return simulation.mesh();
+}
+
 HalvesFigures restHalves(bool sphere, const Params& params, double seconds) {
     const SurfaceMesh body = placed(sphere ? cubeSphere(8) : box({0.9, 0.7, 0.8}, 6),
                                     Eigen::Matrix3d::Identity(), {0, sphere ? 0.5 : 0.35, 0});

@@ -12,6 +12,9 @@ namespace kerf::test {
 /// half, 0 elsewhere. [m]
 double depthInside(const SurfaceMesh& mesh, const Vec3& p);
 
+/// A weightless sphere with a slit half through it, whose walls still lie close together.
+SurfaceMesh slitSphere();
+
 /// Two halves of a body, cut apart level without gravity, that rest on each other.
 struct HalvesFigures {
     double separation = 0;   ///< of their centroids, as a share of that in the whole body at rest

@@ -49,19 +49,6 @@ SurfaceMesh bentRound() {
     return mesh;
 }
 
-/// A sphere with a slit that has opened a little.
-SurfaceMesh slitSphere() {
-    Simulation simulation(test::cubeSphere(8), weightless());
-    for (int i = 0; i <= 16; ++i) {
-        const double y = 0.6 - 0.04 * i;
-        simulation.execute(MoveBlade{{{-0.9, y, 0.03}, {0.9, y + 0.02, 0.05}}});
-        simulation.step();
-    }
-    simulation.execute(LiftBlade{});
-    simulation.step();
-    return simulation.mesh();
-}
-
 /// A body in motion on the GPU and as the reference has it.
 struct Pair {
     explicit Pair(const SurfaceMesh& mesh) : model(buildBodyModel(mesh)) {
@@ -108,7 +95,7 @@ struct Pair {
 class ContactSolverTest : public test::GlTest {};
 
 TEST_F(ContactSolverTest, FindsTheCandidatesOfTheReference) {
-    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), slitSphere()}) {
+    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), test::slitSphere()}) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices, seed " +
                      std::to_string(kSeed));
         Pair pair(mesh);
@@ -184,7 +171,7 @@ TEST_F(ContactSolverTest, KeptCandidatesMissNothing) {
 
 // Displacements are 1e-4 m: a step of the fixed point is 5e-11 m.
 TEST_F(ContactSolverTest, RespondsLikeTheReference) {
-    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), slitSphere()}) {
+    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), test::slitSphere()}) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices, seed " +
                      std::to_string(kSeed));
         Pair pair(mesh);

@@ -11,6 +11,7 @@
 #include "sim/solve/gpu_solver.h"
 #include "sim/solve/reference_solver.h"
 #include "sim/solve/solver_uniforms.h"
+#include "tests/support/contact_scenes.h"
 #include "tests/support/folds.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
@@ -178,22 +179,6 @@ TEST_F(UnfoldingTest, HoldsATriangleThatIsSquashedInItsPlane) {
     EXPECT_GT(pullAt(0.1f), pullAt(0.3f));
 }
 
-/// A sphere with a slit that is still closed.
-SurfaceMesh slitSphere() {
-    Params params;
-    params.gravity.setZero();
-    params.floor.reset();
-    Simulation simulation(test::cubeSphere(8), params);
-    for (int i = 0; i <= 16; ++i) {
-        const double y = 0.6 - 0.04 * i;
-        simulation.execute(MoveBlade{{{-0.9, y, 0.03}, {0.9, y + 0.02, 0.05}}});
-        simulation.step();
-    }
-    simulation.execute(LiftBlade{});
-    simulation.step();
-    return simulation.mesh();
-}
-
 /// What points touched in the last substep that lay closer to them at rest than contact keeps its
 /// whole thickness from: how often, and how often something of it was folded.
 struct TouchedWalls {
@@ -223,7 +208,7 @@ TouchedWalls touchedWalls(const Crumpled& body, const std::vector<double>& folds
 
 // A wall that has turned over would be caught behind the other one.
 TEST_F(UnfoldingTest, FoldedWallsDoNotTouch) {
-    Crumpled body(slitSphere(), 0.15f, 0.5f);
+    Crumpled body(test::slitSphere(), 0.15f, 0.5f);
     Params params;
     params.contact = 1;
     ContactSettings settings = contactSettings(params);
