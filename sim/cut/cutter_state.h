@@ -109,6 +109,11 @@ struct Cutter::State {
     CutResult cut(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep);
     bool findStep(const std::function<bool()>& find);
     bool climb(const Blade& to, const cut::RungPart& part, cut::Sweep& sweep, CutResult& result);
+    bool climbOpened(const Blade& to, const cut::RungPart& part, const cut::BroadPhase& candidates,
+                     cut::Sweep& sweep, CutResult& result);
+    bool tryLevels(const Blade& to, const cut::RungPart& part, const cut::BroadPhase& candidates,
+                   const cut::SlitOpening& opening, int levels, cut::Sweep& sweep,
+                   CutResult& result);
     bool resume(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
                 CutResult& result);
     bool attempt(const Blade& to, const cut::RungPart& part, const cut::BroadPhase& candidates,

@@ -35,9 +35,10 @@ struct BorderPoint {
 /// The walk of one piece of the body.
 class BorderWalk {
   public:
-    BorderWalk(const StepInput& in, const Strip& strip, const RestGuess& guess, int piece,
-               CutCurves& curves)
-        : in_(in), strip_(strip), guess_(guess), piece_(piece), curves_(curves) {}
+    /// `strip`: as the piece sees it; `whole`: with what belongs to others.
+    BorderWalk(const StepInput& in, const Strip& strip, const Strip& whole, const RestGuess& guess,
+               int piece, CutCurves& curves)
+        : in_(in), strip_(strip), whole_(whole), guess_(guess), piece_(piece), curves_(curves) {}
 
     Outline run() {
         collectSegments();
@@ -399,12 +400,13 @@ class BorderWalk {
         }
     }
 
-    // What lies behind the old rung is never swept: the body would stay connected there.
+    // What lies behind the old rung is never swept: the body would stay connected there. So would
+    // a piece on the other side of an older slit, into which the front runs on.
     void requireNoStub(int edge) const {
         const StripEdge& e = strip_.edges[edge];
         const bool onOldRung = strip_.isOld(e.a) && strip_.isOld(e.b);
         const bool besideFront =
-            !strip_.nodes[e.a].vertices.empty() || !strip_.nodes[e.b].vertices.empty();
+            !whole_.nodes[e.a].vertices.empty() || !whole_.nodes[e.b].vertices.empty();
         if (onOldRung && besideFront) {
             throw StepFailure{"a free piece beside the old front"};
         }
@@ -472,6 +474,7 @@ class BorderWalk {
 
     const StepInput& in_;
     const Strip& strip_;
+    const Strip& whole_;
     const RestGuess& guess_;
     int piece_;
     CutCurves& curves_;
@@ -554,10 +557,10 @@ Outline traceOutline(const StepInput& in, const Strip& strip, const RestGuess& g
     Outline outline;
     for (const int piece : pieces) {
         if (belongsTo(piece, strip, in.pieceOfVertex)) {
-            join(outline, BorderWalk(in, strip, guess, piece, curves).run());
+            join(outline, BorderWalk(in, strip, strip, guess, piece, curves).run());
         } else {
             const Strip seen = strip.seenBy(piece, in.pieceOfVertex);
-            join(outline, BorderWalk(in, seen, guess, piece, curves).run());
+            join(outline, BorderWalk(in, seen, strip, guess, piece, curves).run());
         }
     }
     if (pieces.size() > 1) {

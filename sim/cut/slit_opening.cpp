@@ -16,7 +16,6 @@ namespace {
 // Shares of h: walls nearer to the sweep are retraced, but none that lie beside the front, which is
 // inside the body there.
 constexpr double kRetraced = 0.1;
-constexpr double kOpening = 0.1;
 constexpr double kBesideFront = 0.25;
 constexpr double kAtFrontEnd = 1e-3;
 constexpr double kFarthest = 0.5;
@@ -92,12 +91,15 @@ class Opening {
         }
         step_.sides.merge(found);
         takeNeighboursAlong();
+        if (step_.takesSeamsAlong) {
+            takeSeamsAlong();
+        }
         std::map<int, Vec3> displacements;
         for (const auto& [v, inwards] : step_.sides) {
             if (opens(v, inwards) && fixed_.count(v) == 0) {
                 const Place place = placeOf(v);
                 const int side = inwards.dot(place.normal) > 0 ? 1 : -1;
-                const double way = kOpening * step_.h - side * place.distance;
+                const double way = step_.opening * step_.h - side * place.distance;
                 if (way > 0 && way < kFarthest * step_.h) {
                     displacements[v] = side * way * place.normal;
                 }
@@ -221,6 +223,32 @@ class Opening {
                 step_.sides.emplace(v, ways.front());
             }
         }
+    }
+
+    // Where the sweep leaves the slit at an angle, the walls around a new vertex no longer tell to
+    // which side they open. Seen closed, it lies exactly on the front that it faces.
+    void takeSeamsAlong() {
+        for (const int v : step_.onSeams) {
+            Vec3& way = step_.sides.try_emplace(v, Vec3::Zero()).first->second;
+            if (mesh_.outgoing(v) >= 0 && !opens(v, way) && mayMove(v) &&
+                !isBesideFront(step_, mesh_.position(v))) {
+                way = wayOfNeighbours(v);
+            }
+        }
+    }
+
+    /// In which all neighbours that open do so; zero where they differ or none does.
+    Vec3 wayOfNeighbours(int v) const {
+        Vec3 way = Vec3::Zero();
+        bool oneWay = true;
+        mesh_.forEachOutgoing(v, [&](int h) {
+            const auto side = step_.sides.find(mesh_.target(h));
+            if (side != step_.sides.end() && opens(side->first, side->second)) {
+                oneWay = oneWay && (way.isZero(0) || way.dot(side->second) > 0);
+                way = side->second;
+            }
+        });
+        return oneWay ? way : Vec3(Vec3::Zero());
     }
 
     bool touchesOldWall(int v) {

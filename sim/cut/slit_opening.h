@@ -21,6 +21,8 @@ struct SweepStep {
     /// By vertex: the way in which it opens, a unit vector; zero where it stays. Found when the
     /// sweep first comes near, and kept for the pass: what the front has left open stays open.
     std::map<int, Vec3>& sides;
+    double opening = 0;            ///< how far from the sweep walls are seen, share of h
+    bool takesSeamsAlong = false;  ///< new vertices in open walls (onSeams) open with them
 };
 
 /// Slits of earlier strokes along which the blade runs: the sweep lies within a tenth of an edge

@@ -1,6 +1,7 @@
 // A step of the blade through one group of pieces.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -30,6 +31,10 @@ constexpr double kBinSize = 1.0;
 constexpr double kMostVolumeChange = 5e-10;
 // Levels of the retry ladder that are tried for each way to go on after a refusal.
 constexpr int kAttemptsOfResumption = 2;
+// How far older slits are seen open (SweepStep), and the levels that are tried for each together
+// with what the pass has divided of them.
+constexpr std::array kOpenings{0.1, 0.2, 0.3};
+constexpr int kAttemptsOfOpening = 2;
 const cut::SlitOpening kNoOpening;
 
 bool isInAir(const std::vector<RungNode>& rung) {
@@ -209,36 +214,62 @@ bool Cutter::State::findStep(const std::function<bool()>& find) {
 // that once had to do without stays so.
 bool Cutter::State::climb(const Blade& to, const cut::RungPart& part, Sweep& sweep,
                           CutResult& result) {
-    const std::vector<RungNode>& from = part.rung;
-    const cut::BroadPhase candidates = findCandidates(to, sweep, from);
-    const auto tryAll = [&](const cut::SlitOpening& opening) {
-        cut::RungPart clear = part;
-        cut::AirTies ties;
-        cut::clearAirEdges(
-            mesh, candidates, opening, to, sweep.edgeLength,
-            [&]() -> const cut::AirTies& {
-                makeWaitingTies(sweep);
-                return ties = sweep.airTies.part(part.first, part.first + part.count - 1,
-                                                 part.beforeFirst);
-            },
-            clear.rung);
-        for (int i = 0; i < cut::attemptCount(); ++i) {
-            if (attempt(to, clear, candidates, opening, i, sweep, result)) {
-                return true;
-            }
-        }
-        return false;
+    const cut::BroadPhase candidates = findCandidates(to, sweep, part.rung);
+    if (sweep.opensSlits && climbOpened(to, part, candidates, sweep, result)) {
+        return true;
+    }
+    return !sweep.opensSlits &&
+           tryLevels(to, part, candidates, kNoOpening, cut::attemptCount(), sweep, result);
+}
+
+// A blade that leaves an older slit at an angle may meet walls again that it saw open before: they
+// are then seen open farther.
+bool Cutter::State::climbOpened(const Blade& to, const cut::RungPart& part,
+                                const cut::BroadPhase& candidates, Sweep& sweep,
+                                CutResult& result) {
+    const auto opened = [&](double opening, bool takesSeamsAlong) {
+        return cut::SlitOpening(mesh, candidates,
+                                {part.rung, to, sweep.edgeLength, stroke, sweep.firstVertexOfPass,
+                                 sweep.onSeams, sweep.sides, opening, takesSeamsAlong});
     };
-    if (sweep.opensSlits) {
-        const cut::SlitOpening opening(mesh, candidates,
-                                       {from, to, sweep.edgeLength, stroke, sweep.firstVertexOfPass,
-                                        sweep.onSeams, sweep.sides});
-        if (tryAll(opening)) {
+    const cut::SlitOpening first = opened(kOpenings.front(), false);
+    if (tryLevels(to, part, candidates, first, cut::attemptCount(), sweep, result)) {
+        return true;
+    }
+    if (first.empty()) {
+        return false;
+    }
+    const std::map<int, Vec3> sides = sweep.sides;
+    for (const double opening : kOpenings) {
+        if (tryLevels(to, part, candidates, opened(opening, true), kAttemptsOfOpening, sweep,
+                      result)) {
             return true;
         }
-        sweep.opensSlits = opening.empty();
+        sweep.sides = sides;
     }
-    return !sweep.opensSlits && tryAll(kNoOpening);
+    sweep.opensSlits = false;
+    return false;
+}
+
+bool Cutter::State::tryLevels(const Blade& to, const cut::RungPart& part,
+                              const cut::BroadPhase& candidates, const cut::SlitOpening& opening,
+                              int levels, Sweep& sweep, CutResult& result) {
+    cut::RungPart clear = part;
+    cut::AirTies ties;
+    cut::clearAirEdges(
+        mesh, candidates, opening, to, sweep.edgeLength,
+        [&]() -> const cut::AirTies& {
+            makeWaitingTies(sweep);
+            return ties = sweep.airTies.part(part.first, part.first + part.count - 1,
+                                             part.beforeFirst);
+        },
+        clear.rung);
+    for (int i = 0; i < levels; ++i) {
+        if (attempt(to, clear, candidates, opening, i, sweep, result)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // Lets go of the front, and sweeps anew across the walls behind it.

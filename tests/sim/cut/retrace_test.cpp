@@ -76,5 +76,14 @@ TEST(Retrace, FuzzedStrokesAreNeitherRefusedNorLoseTheirMirrors) {
     }
 }
 
+// On floats. Not seen open any more, the facing wall lay on the end of the front: the rung ran on
+// into it, and what lay behind stayed as a bridge of one edge.
+TEST(Retrace, ABladeThatLeavesAnOlderSlitAtAnAnglePartsTheBody) {
+    for (const test::FuzzFigures& figures : test::expectSoundStrokes(81756)) {
+        EXPECT_EQ(figures.slitEnds, 0);
+        EXPECT_EQ(figures.unmirrored, 0);
+    }
+}
+
 }  // namespace
 }  // namespace kerf
