@@ -13,6 +13,7 @@
 #include "sim/cut/edge_length_field.h"
 #include "sim/cut/patch/wound.h"
 #include "sim/cut/plan.h"
+#include "sim/cut/resume.h"
 #include "sim/cut/rung_parts.h"
 #include "sim/cut/slit_opening.h"
 #include "sim/cut/stroke_surface.h"
@@ -70,7 +71,8 @@ struct Cutter::State {
     bool groupsHold = false;  ///< since they were made nothing has moved or been cut
     int firstTriangle = 0;    ///< slot from which on the stroke made triangles
     Mirrors mirrors = Mirrors::wanted;
-    double restVolume = 0;  ///< of the body at the start of the stroke [m^3]
+    std::set<int> piecesToCross{};  ///< in which the step in hand must cross the stroke's walls
+    double restVolume = 0;          ///< of the body at the start of the stroke [m^3]
     cut::StrokeSurface surface{mesh};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
@@ -116,9 +118,12 @@ struct Cutter::State {
                    CutResult& result);
     bool resume(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
                 CutResult& result);
+    bool startAnew(const cut::Resumption& way, cut::Sweep& sweep, CutResult& result);
+    void sweepOn(const Blade& to, cut::Sweep& sweep, CutResult& result);
     bool attempt(const Blade& to, const cut::RungPart& part, const cut::BroadPhase& candidates,
                  const cut::SlitOpening& opening, int level, cut::Sweep& sweep, CutResult& result);
     void requireVolume(const cut::StepPlan& plan) const;
+    void requireCrossing(const cut::PlannedStep& step) const;
     void requireMirrors(const cut::StepPlan& plan, double edge);
     CutResult accept(const Blade& to, const cut::PlannedStep& step, const cut::RungPart& part,
                      cut::Sweep& sweep);

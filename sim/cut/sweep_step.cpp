@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/cut/air_edges.h"
+#include "sim/cut/bridges.h"
 #include "sim/cut/commit.h"
 #include "sim/cut/cut_change.h"
 #include "sim/cut/cutter_state.h"
@@ -272,31 +273,63 @@ bool Cutter::State::tryLevels(const Blade& to, const cut::RungPart& part,
     return false;
 }
 
-// Lets go of the front, and sweeps anew across the walls behind it.
+// Lets go of the front, and sweeps anew across the walls behind it: close beside them where the
+// body surely parts so, and then on to the blade; otherwise steeply.
 bool Cutter::State::resume(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
                            CutResult& result) {
-    for (const cut::Resumption& way : cut::resumptions(from, to, sweep.edgeLength)) {
-        Sweep anew = sweep;
-        startPass(anew);
-        cut::RungPart start{way.rung, {}, 0, cut::sizeOf(anew.rung)};
-        cut::reparametrize(way.blade, h, start.rung);
-        const cut::BroadPhase candidates = findCandidates(way.blade, anew, start.rung);
-        for (int i = 0; i < kAttemptsOfResumption; ++i) {
-            if (attempt(way.blade, start, candidates, kNoOpening, i, anew, result)) {
-                sweep = std::move(anew);
-                sweep.opensSlits = false;
-                result.statistics.resumed = 1;
-                return true;
-            }
+    const auto start = [&](const cut::Resumption& way) { return startAnew(way, sweep, result); };
+    piecesToCross = cut::piecesOfFront(from, pieces.ofVertex());
+    const bool crosses =
+        !piecesToCross.empty() &&
+        std::ranges::any_of(cut::crossings(from, to, std::min(h, sweep.edgeLength)), start);
+    piecesToCross.clear();
+    if (crosses) {
+        sweepOn(to, sweep, result);
+        return true;
+    }
+    return std::ranges::any_of(cut::resumptions(from, to, sweep.edgeLength), start);
+}
+
+bool Cutter::State::startAnew(const cut::Resumption& way, Sweep& sweep, CutResult& result) {
+    Sweep anew = sweep;
+    startPass(anew);
+    cut::RungPart start{way.rung, {}, 0, cut::sizeOf(anew.rung)};
+    cut::reparametrize(way.blade, h, start.rung);
+    const cut::BroadPhase candidates = findCandidates(way.blade, anew, start.rung);
+    for (int i = 0; i < kAttemptsOfResumption; ++i) {
+        if (attempt(way.blade, start, candidates, kNoOpening, i, anew, result)) {
+            sweep = std::move(anew);
+            sweep.opensSlits = false;
+            result.statistics.resumed = 1;
+            return true;
         }
     }
     return false;
+}
+
+// What can't be done now waits for the next step.
+void Cutter::State::sweepOn(const Blade& to, Sweep& sweep, CutResult& result) {
+    tie(sweep);
+    cut::RungPart whole{sweep.rung, {}, 0, cut::sizeOf(sweep.rung)};
+    cut::reparametrize(to, h, whole.rung);
+    CutResult more = outcome(CutOutcome::refused);
+    if (climb(to, whole, sweep, more)) {
+        addTo(result, more);
+        result.statistics.cutPieces = 1;
+    }
 }
 
 void Cutter::State::requireVolume(const cut::StepPlan& plan) const {
     const double allowed = kMostVolumeChange * restVolume;
     if (std::fabs(plan.volumeChange) > allowed || std::fabs(plan.restVolumeChange) > allowed) {
         throw cut::StepFailure{"the step would change the volume"};
+    }
+}
+
+void Cutter::State::requireCrossing(const cut::PlannedStep& step) const {
+    if (!piecesToCross.empty() &&
+        (step.air || cut::leavesBridge(mesh, stroke, piecesToCross, step.plan))) {
+        throw cut::StepFailure{"the new walls do not cross the old ones"};
     }
 }
 
@@ -339,6 +372,7 @@ bool Cutter::State::attempt(const Blade& to, const cut::RungPart& part,
     result.statistics.tries = tries;
     try {
         const cut::PlannedStep step = cut::planStep(in);
+        requireCrossing(step);
         requireVolume(step.plan);
         requireMirrors(step.plan, edge);
         result = accept(to, step, part, sweep);

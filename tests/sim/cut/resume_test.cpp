@@ -43,18 +43,41 @@ TEST(Resume, TheNewSweepCrossesTheOldWallsBehindTheFront) {
     }
 }
 
+TEST(Resume, ACrossingEndsAheadOfTheFrontAndCloseBesideTheBlade) {
+    for (const double way : {0.1 * kH, kH, 8 * kH}) {
+        SCOPED_TRACE(way);
+        const std::vector<Resumption> ways = crossings(rungAlongY(), bladeAhead(way), kH);
+        ASSERT_FALSE(ways.empty());
+        for (const Resumption& crossing : ways) {
+            const Vec3& start = crossing.rung.front().position;
+            const Vec3& end = crossing.blade.a;
+            ASSERT_LT(start.z() * end.z(), 0) << "one on each side";
+            const double share = start.z() / (start.z() - end.z());
+            EXPECT_NEAR(start.x() + share * (end.x() - start.x()), -0.35 * kH, 1e-12);
+            EXPECT_GT(end.x(), 0);
+            EXPECT_LT(end.x(), way + 1e-12);
+            EXPECT_LT(end.x(), 0.7 * kH);
+            EXPECT_LT(std::fabs(end.z()), 0.3 * kH);
+        }
+    }
+}
+
 TEST(Resume, TheNewRungHasNothingInCommonWithTheFront) {
-    for (const Resumption& resumption : resumptions(rungAlongY(), bladeAhead(kH), kH)) {
-        ASSERT_EQ(resumption.rung.size(), 4U) << "a crowd becomes one node";
-        for (const RungNode& node : resumption.rung) {
-            EXPECT_LT(node.vertex, 0);
-            EXPECT_FALSE(node.attached);
+    for (const auto& ways : {resumptions(rungAlongY(), bladeAhead(kH), kH),
+                             crossings(rungAlongY(), bladeAhead(kH), kH)}) {
+        for (const Resumption& resumption : ways) {
+            ASSERT_EQ(resumption.rung.size(), 4U) << "a crowd becomes one node";
+            for (const RungNode& node : resumption.rung) {
+                EXPECT_LT(node.vertex, 0);
+                EXPECT_FALSE(node.attached);
+            }
         }
     }
 }
 
 TEST(Resume, ABladeThatStandsHasNoWayOn) {
     EXPECT_TRUE(resumptions(rungAlongY(), bladeAhead(0), kH).empty());
+    EXPECT_TRUE(crossings(rungAlongY(), bladeAhead(0), kH).empty());
 }
 
 // Strokes of the fuzz whose fronts crumple where three cuts meet within a thousandth of an edge.
@@ -64,6 +87,18 @@ TEST(Resume, CrumpledFrontsAreCutAnewAndTheBodyParts) {
     for (const std::uint64_t seed : {201160, 300344, 300617, 300945, 302320}) {
         for (const test::FuzzFigures& figures : test::expectSoundStrokes(seed)) {
             EXPECT_EQ(figures.outside, 0) << "seed " << seed;
+            resumed += figures.resumed;
+        }
+    }
+    EXPECT_GT(resumed, 0);
+}
+
+// Cut steeply, the pieces reached 0.6 of an edge to the other side of the blade.
+TEST(Resume, WhatIsCutAnewStaysCloseToTheBlade) {
+    int resumed = 0;
+    for (const std::uint64_t seed : {81151, 401098}) {
+        for (const test::FuzzFigures& figures : test::expectSoundStrokes(seed)) {
+            EXPECT_EQ(figures.unmirrored, 0) << "seed " << seed;
             resumed += figures.resumed;
         }
     }
