@@ -27,6 +27,7 @@
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
+#include "sim/freed_memory.h"
 
 namespace kerf::app {
 
@@ -250,6 +251,7 @@ int endParsing(const Parser& parser, const CLI::ParseError& error) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
+    keepFreedMemory();
     setUpLog();
     readModelsWithThisProgram();
     Arguments arguments;

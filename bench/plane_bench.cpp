@@ -19,6 +19,7 @@
 #include "bench/cgal_plane_cut.h"
 #include "bench/timing.h"
 #include "sim/cut/cutter.h"
+#include "sim/freed_memory.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 
@@ -216,6 +217,7 @@ void repeatAlone(int subdivisions, int steps) {
 }  // namespace kerf
 
 int main(int count, char** arguments) {
+    kerf::keepFreedMemory();  // as the editor does, and for CGAL too
     try {
         if (count == 3) {
             kerf::repeatAlone(std::atoi(arguments[1]), std::atoi(arguments[2]));
