@@ -117,12 +117,6 @@ void LazyBoxTree::erase(std::span<const int> ids) {
     }
 }
 
-Bounds LazyBoxTree::widened(const Node& node) const {
-    Bounds bounds = node.bounds;
-    bounds.widen(motion_ - node.stamp);
-    return bounds;
-}
-
 Bounds LazyBoxTree::bounds() const {
     Bounds all;
     for (const int root : roots_) {

@@ -58,6 +58,10 @@ class LazyBoxTree {
     bool contains(int id) const {
         return id < static_cast<int>(placeOf_.size()) && placeOf_[id] >= 0;
     }
+    /// It is in the tree, and its box was the same when it was last asked for.
+    bool holds(int id, const Bounds& bounds) const {
+        return contains(id) && items_[placeOf_[id]].cube == itemOf(id, bounds).cube;
+    }
 
     /// Nothing has moved farther than `distance` [m] since the last call.
     void moved(double distance) { motion_ += distance; }
@@ -127,7 +131,15 @@ class LazyBoxTree {
     static Item itemOf(int id, const Bounds& bounds);
     void makeRoomFor(std::span<const int> ids);
     void plantFrom(int first);
-    Bounds widened(const Node& node) const;
+    Bounds widened(const Node& node) const {
+        Bounds bounds = node.bounds;
+        bounds.widen(motion_ - node.stamp);
+        return bounds;
+    }
+    bool isTooWide(const Node& node) const {
+        const double slack = motion_ - node.stamp;
+        return slack > 0 && slack > kSlack * node.bounds.diagonal();
+    }
     Bounds boundsOfPlaces(int first, int end) const;
     int divide(int index);
     int partition(const Node& node);
@@ -195,9 +207,8 @@ void LazyBoxTree::find(const BoundsOf& boundsOf, Meets&& meets, Visit&& visit) {
         if (nodes_[index].count == 0 || !meets(widened(nodes_[index]))) {
             continue;
         }
-        const double slack = motion_ - nodes_[index].stamp;
-        if (const double most = kSlack * nodes_[index].bounds.diagonal(); slack > most) {
-            refitWithin(index, most, boundsOf);
+        if (isTooWide(nodes_[index])) {
+            refitWithin(index, kSlack * nodes_[index].bounds.diagonal(), boundsOf);
             if (!meets(nodes_[index].bounds)) {
                 continue;
             }

@@ -1,5 +1,6 @@
 #include "sim/mesh/triangle_tree.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -22,12 +23,15 @@ void TriangleTree::catchUp() {
     }
 }
 
+// Where a cut gave a corner a vertex of its own the triangle has not moved, and stays.
 void TriangleTree::update(std::span<const int> triangles) {
-    tree_.erase(triangles);
-    std::vector<int> living;
-    std::ranges::copy_if(triangles, std::back_inserter(living),
-                         [this](int t) { return mesh_.alive(t); });
-    tree_.insert(living, [this](int t) { return boundsOf(t); });
+    std::vector<int> others;
+    others.reserve(triangles.size());
+    std::ranges::copy_if(triangles, std::back_inserter(others),
+                         [this](int t) { return !mesh_.alive(t) || !tree_.holds(t, boundsOf(t)); });
+    tree_.erase(others);
+    std::erase_if(others, [this](int t) { return !mesh_.alive(t); });
+    tree_.insert(others, [this](int t) { return boundsOf(t); });
 }
 
 }  // namespace kerf

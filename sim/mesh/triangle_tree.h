@@ -1,12 +1,13 @@
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "sim/mesh/lazy_box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_finder.h"
+#include "sim/sort_distinct.h"
 
 namespace kerf {
 
@@ -29,9 +30,11 @@ class TriangleTree : public TriangleFinder {
     std::vector<int> find(Meets&& meets) {
         catchUp();
         std::vector<int> found;
+        found.reserve(foundLast_);
         tree_.find([this](int t) { return boundsOf(t); }, meets,
                    [&](int t) { found.push_back(t); });
-        std::sort(found.begin(), found.end());
+        foundLast_ = found.size();
+        sorter_.sort(found);
         return found;
     }
 
@@ -53,6 +56,8 @@ class TriangleTree : public TriangleFinder {
     const SurfaceMesh& mesh_;
     LazyBoxTree tree_;
     bool lost_ = false;
+    std::size_t foundLast_ = 0;  ///< as many may be found again
+    DistinctSorter sorter_;
 };
 
 }  // namespace kerf

@@ -240,6 +240,18 @@ TEST_P(LazyBoxTreeTest, FindsAllWhileThingsMove) {
     }
 }
 
+TEST_P(LazyBoxTreeTest, HoldsWhatLiesWhereItLay) {
+    add(500);
+    tree.divideAll();
+    boxes[3] = cube(boxes[3].center() + Vec3(1e-3, 0, 0), 0.1);
+    EXPECT_FALSE(tree.holds(3, boxes[3]));
+    EXPECT_TRUE(tree.holds(4, boxes[4]));
+    tree.erase(std::vector<int>{4});
+    EXPECT_FALSE(tree.holds(4, boxes[4]));
+    tree.insert(std::vector<int>{4}, boundsOfId);
+    EXPECT_TRUE(tree.holds(4, boxes[4]));
+}
+
 TEST_P(LazyBoxTreeTest, FindsTheSameHoweverMuchIsDivided) {
     add(2000);
     LazyBoxTree divided = tree;
