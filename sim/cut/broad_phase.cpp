@@ -65,8 +65,10 @@ void BroadPhase::take(double margin) const {
     binSize_ = std::max(leastBinSize_, (box_.high.x() - box_.low.x()) / kMostBins);
     OrientedBox reach = orientedBoxAlong(frame_.transpose(), points_);
     reach.widen(margin + kRotationRounding * binSize_);
+    const std::vector<int> near = finder_.near(reach);
     entries_.clear();
-    for (const int t : finder_.near(reach)) {
+    entries_.reserve(near.size());
+    for (const int t : near) {
         if (counts_(t)) {
             add(t);
         }
@@ -138,8 +140,12 @@ Bounds BroadPhase::reachOf(std::span<const Vec3> points, double pad) const {
     for (const Vec3& p : points) {
         bounds.add(toFrame(p));
     }
-    bounds.widen(pad + kRotationRounding * binSize_);
-    return bounds;
+    return widened(bounds, pad);
+}
+
+Bounds BroadPhase::widened(Bounds box, double pad) const {
+    box.widen(pad + kRotationRounding * binSize_);
+    return box;
 }
 
 void BroadPhase::findIn(const Bounds& bounds, const Bins& bins, std::vector<int>& found) const {
@@ -157,9 +163,9 @@ void BroadPhase::findIn(const Bounds& bounds, const Bins& bins, std::vector<int>
     std::ranges::sort(found);
 }
 
-void BroadPhase::findEntries(const Vec3& a, const Vec3& b, const Vec3& c, double pad,
-                             const Bins& bins, std::vector<int>& found) const {
-    findIn(reachOf(std::array{a, b, c}, pad), bins, found);
+void BroadPhase::findEntries(const Bounds& box, double pad, const Bins& bins,
+                             std::vector<int>& found) const {
+    findIn(widened(box, pad), bins, found);
 }
 
 std::vector<int> BroadPhase::query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const {

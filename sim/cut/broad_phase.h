@@ -44,17 +44,19 @@ class BroadPhase {
     };
     /// Of these places, ascending. They hold until more entries are taken.
     Bins binsOf(std::span<const int> places) const;
-    /// The same as query(), as places in entries(), of those in `bins`. Takes no more entries:
-    /// cover() does.
-    void findEntries(const Vec3& a, const Vec3& b, const Vec3& c, double pad, const Bins& bins,
+    /// A point along the axes of the sweep.
+    Vec3 toFrame(const Vec3& p) const { return frame_ * p; }
+    /// The same as query(), as places in entries(), of those in `bins`; `box`: of what is looked
+    /// for, toFrame(). Takes no more entries: cover() does.
+    void findEntries(const Bounds& box, double pad, const Bins& bins,
                      std::vector<int>& found) const;
 
   private:
-    Vec3 toFrame(const Vec3& p) const { return frame_ * p; }
     int binOf(double x) const;
     void take(double margin) const;
     void add(int triangle) const;
     Bounds reachOf(std::span<const Vec3> points, double pad) const;
+    Bounds widened(Bounds box, double pad) const;
     void findIn(const Bounds& bounds, const Bins& bins, std::vector<int>& found) const;
     void require(const Bounds& bounds) const;
 

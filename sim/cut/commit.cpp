@@ -61,9 +61,9 @@ class Commit {
 
     void nameVertices() {
         vertexOfNode_.assign(plan_.curves.nodes.size(), -1);
-        std::vector<bool> seen(plan_.partners.size(), false);
+        std::vector<char> seen(plan_.partners.size(), 0);
         for (int h = 0; h < sizeOf(seen); ++h) {
-            if (seen[h]) {
+            if (seen[h] != 0) {
                 continue;
             }
             const int start = 3 * firstTriangle_ + h;
@@ -71,7 +71,7 @@ class Commit {
             int spoke = start;
             do {
                 if (spoke >= 3 * firstTriangle_) {
-                    seen[spoke - 3 * firstTriangle_] = true;
+                    seen[spoke - 3 * firstTriangle_] = 1;
                 } else if (mesh_.origin(spoke) != vertex) {
                     result_.delta.changedTriangles.push_back(spoke / 3);
                 }

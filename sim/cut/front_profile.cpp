@@ -49,6 +49,9 @@ FrontProfile::FrontProfile(const Blade& blade, const Strip& strip) : strip_(stri
         !std::ranges::all_of(strip.edges, [this](const StripEdge& e) { return isUnder(e); })) {
         front_.clear();
     }
+    if (sizeOf(front_) >= 2) {
+        nodesPerLength_ = (sizeOf(front_) - 1) / (front_.back().x() - front_.front().x());
+    }
 }
 
 bool FrontProfile::runsOn() const {
@@ -87,10 +90,18 @@ bool FrontProfile::isUnderLine(int node, const Vec2& end) const {
     return true;
 }
 
-/// The first node that does not come before x.
+/// The first node that does not come before x, which lies between the ends. Nodes are about evenly
+/// spaced.
 int FrontProfile::firstFrom(double x) const {
-    const auto first = std::ranges::lower_bound(front_, x, {}, [](const Vec2& p) { return p.x(); });
-    return static_cast<int>(first - front_.begin());
+    const int last = sizeOf(front_) - 1;
+    int first = std::min(last, static_cast<int>((x - front_.front().x()) * nodesPerLength_));
+    while (first > 0 && front_[first - 1].x() >= x) {
+        --first;
+    }
+    while (first < last && front_[first].x() < x) {
+        ++first;
+    }
+    return first;
 }
 
 bool FrontProfile::isSeenAt(int node, int vertex, const Vec3& at) const {

@@ -35,6 +35,7 @@ class FrontProfile {
     Vec3 ahead_;
     double room_ = 0;          ///< far more than rounding moves a height
     std::vector<Vec2> front_;  ///< the nodes of the old rung; empty where nothing is behind
+    double nodesPerLength_ = 0;
     double highest_ = -1e300;  ///< of the nodes
 };
 

@@ -1,10 +1,9 @@
 #include "sim/cut/glue.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 
 #include "sim/cut/directed_edges.h"
+#include "sim/cut/vertex_numbers.h"
 
 namespace kerf::cut {
 
@@ -22,12 +21,10 @@ class CornerNumbers {
   public:
     /// At most `mostOld` vertices are old.
     CornerNumbers(int vertexCount, std::size_t nodes, std::size_t mostOld)
-        : vertexCount_(vertexCount),
-          nodes_(static_cast<int>(nodes)),
-          places_(std::bit_ceil(2 * mostOld + 1)) {}
+        : vertexCount_(vertexCount), nodes_(static_cast<int>(nodes)), placeOfOld_(mostOld) {}
 
     int operator[](int corner) {
-        return corner >= vertexCount_ ? corner - vertexCount_ : nodes_ + placeOfOld(corner);
+        return corner >= vertexCount_ ? corner - vertexCount_ : numberOfOld(corner);
     }
     std::size_t count() const { return nodes_ + old_.size(); }
     bool isOld(int number) const { return number >= nodes_; }
@@ -35,27 +32,18 @@ class CornerNumbers {
     int vertex(int number) const { return old_[number - nodes_]; }
 
   private:
-    struct Place {
-        int vertex = -1;
-        int number = -1;
-    };
-
-    int placeOfOld(int vertex) {
-        const std::size_t mask = places_.size() - 1;
-        std::size_t at = static_cast<std::uint64_t>(vertex) * 0x9E3779B97F4A7C15ull >> 32 & mask;
-        while (places_[at].vertex >= 0 && places_[at].vertex != vertex) {
-            at = (at + 1) & mask;
+    int numberOfOld(int vertex) {
+        if (const int known = placeOfOld_.find(vertex); known >= 0) {
+            return nodes_ + known;
         }
-        if (places_[at].vertex < 0) {
-            places_[at] = {vertex, sizeOf(old_)};
-            old_.push_back(vertex);
-        }
-        return places_[at].number;
+        placeOfOld_.add(vertex, sizeOf(old_));
+        old_.push_back(vertex);
+        return nodes_ + sizeOf(old_) - 1;
     }
 
     int vertexCount_;
     int nodes_;
-    std::vector<Place> places_;  ///< a power of two of them
+    VertexNumbers placeOfOld_;
     std::vector<int> old_;
 };
 
@@ -122,10 +110,16 @@ class Gluing {
 
   private:
     void numberCorners() {
-        corners_.reserve(triangles_.size());
-        for (const NewTriangle& triangle : triangles_) {
-            const Triangle& c = triangle.corners;
-            corners_.push_back({numbers_[c[0]], numbers_[c[1]], numbers_[c[2]]});
+        corners_.resize(triangles_.size());
+        for (int t = 0; t < sizeOf(triangles_); ++t) {
+            if (t < firstPlus_ || t >= firstMinus_) {
+                const Triangle& c = triangles_[t].corners;
+                corners_[t] = {numbers_[c[0]], numbers_[c[1]], numbers_[c[2]]};
+            }
+        }
+        for (int t = firstPlus_; t < firstMinus_; ++t) {
+            const Triangle& c = corners_[t + firstMinus_ - firstPlus_];
+            corners_[t] = {c[0], c[2], c[1]};
         }
     }
 

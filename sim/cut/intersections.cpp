@@ -219,27 +219,50 @@ class Intersector {
 
     void gatherEntries() {
         std::vector<Vec3> points;
+        points.reserve(strip_.nodes.size());
+        inFrame_.reserve(strip_.nodes.size());
         for (const StripNode& node : strip_.nodes) {
             points.push_back(node.position);
+            inFrame_.push_back(in_.broadPhase.toFrame(node.position));
         }
-        std::vector<int> near = in_.broadPhase.cover(points, predicateDrift());
+        drift_ = predicateDrift();
+        std::vector<int> near = in_.broadPhase.cover(points, drift_);
         const std::vector<BroadPhase::Entry>& entries = in_.broadPhase.entries();
-        corners_.resize(entries.size());
+        cornersOf_.assign(entries.size(), -1);
         std::erase_if(near, [&](int place) {
             const int m = entries[place].triangle;
-            Corners& corners = corners_[place];
+            Corners corners;
             look(m, corners);
             if (isOwnWall(m) && front_.isBehind(corners.ids, corners.at)) {
                 return true;
             }
             corners.points = rowsOf(corners.at);
+            cornersOf_[place] = sizeOf(corners_);
+            corners_.push_back(corners);
             return false;
         });
         ahead_ = in_.broadPhase.binsOf(near);
         curves_.nodes.reserve(2 * strip_.nodes.size());
     }
 
+    // Most triangles of a strip lie inside the body, near nothing but walls behind the front.
     void intersectStripTriangle(int s) {
+        Bounds box;
+        for (const int node : strip_.triangles[s]) {
+            box.add(inFrame_[node]);
+        }
+        in_.broadPhase.findEntries(box, drift_, ahead_, found_);
+        if (found_.empty()) {
+            return;
+        }
+        const StripCorners strip = lookAtStrip(s);
+        for (const int entry : found_) {
+            intersectPair(entry, strip);
+        }
+    }
+
+    /// Makes it the triangle in hand.
+    StripCorners lookAtStrip(int s) {
         StripCorners strip;
         strip.index = s;
         stripVertices_.clear();
@@ -255,11 +278,7 @@ class Intersector {
             }
         }
         strip.points = rowsOf(strip.at);
-        in_.broadPhase.findEntries(strip.at[0], strip.at[1], strip.at[2], predicateDrift(), ahead_,
-                                   found_);
-        for (const int entry : found_) {
-            intersectPair(entry, strip);
-        }
+        return strip;
     }
 
     // How far from its real position a vertex may be seen.
@@ -274,7 +293,7 @@ class Intersector {
     // Walls of this stroke may lie in the plane of the blade, where signs cost the most: most of
     // those that do not lie behind the front are told apart before.
     void intersectPair(int entry, const StripCorners& strip) {
-        Corners& corners = corners_[entry];
+        Corners& corners = corners_[cornersOf_[entry]];
         const SharedVertex shared = sharedVertex(corners.ids);
         if (shared.count >= 2 || areApart(strip, corners, shared)) {
             return;
@@ -594,7 +613,10 @@ class Intersector {
     const PredicatePositions& positions_;
     FrontProfile front_;
     std::vector<int> rungVertices_;  ///< ascending
-    std::vector<Corners> corners_;   ///< by entry of the broad phase
+    double drift_ = 0;               ///< predicateDrift()
+    std::vector<Vec3> inFrame_;      ///< the nodes of the strip along the axes of the broad phase
+    std::vector<Corners> corners_;   ///< of the entries that do not lie behind the front
+    std::vector<int> cornersOf_;     ///< places there, by entry of the broad phase; -1 for others
     BroadPhase::Bins ahead_;         ///< entries that do not lie behind the front
     std::vector<int> found_;
     std::vector<std::pair<int, int>> stripVertices_;  ///< of the strip triangle in hand: corners
@@ -605,9 +627,8 @@ class Intersector {
 }  // namespace
 
 int CutCurves::vertexNode(const SurfaceMesh& mesh, int v, const Vec2& layout) {
-    const auto known = nodeOfVertex.find(v);
-    if (known != nodeOfVertex.end()) {
-        return known->second;
+    if (const int known = nodeOfVertex.find(v); known >= 0) {
+        return known;
     }
     Node node;
     node.kind = NodeKind::vertex;
@@ -617,7 +638,8 @@ int CutCurves::vertexNode(const SurfaceMesh& mesh, int v, const Vec2& layout) {
     node.rest = mesh.restPosition(v);
     node.velocity = mesh.velocity(v);
     nodes.push_back(node);
-    return nodeOfVertex[v] = sizeOf(nodes) - 1;
+    nodeOfVertex.add(v, sizeOf(nodes) - 1);
+    return sizeOf(nodes) - 1;
 }
 
 CutCurves intersect(const StepInput& in, const Strip& strip, const PredicatePositions& positions) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/cut/strip.h"
+#include "sim/cut/vertex_numbers.h"
 
 namespace kerf::cut {
 
@@ -56,7 +57,7 @@ struct CutCurves {
     std::map<int, std::vector<int>> faceNodesOfTriangle;
     /// The segments of each triangle that the step replaces.
     std::map<int, std::vector<int>> segmentsOfTriangle;
-    std::map<int, int> nodeOfVertex;
+    VertexNumbers nodeOfVertex;
 
     /// The V node of a mesh vertex, made where there is none yet.
     int vertexNode(const SurfaceMesh& mesh, int v, const Vec2& layout);

@@ -151,19 +151,19 @@ class BorderWalk {
         const StripNode& strip = strip_.nodes[v];
         for (int i = 0; i < sizeOf(strip.vertices); ++i) {
             const int node = ownNode(v, i);
-            const bool held = strip.attachedWithin[i] || (i > 0 && strip.attachedWithin[i - 1]);
+            const bool held = strip.joinsNext(i) || strip.joinsNext(i - 1);
             if (held || eventOf(node) != 0) {
-                points.push_back({node, v, eventOf(node),
-                                  strip.attachedWithin[i] ? Link::zeroFront : Link::none});
+                points.push_back(
+                    {node, v, eventOf(node), strip.joinsNext(i) ? Link::zeroFront : Link::none});
             }
         }
     }
 
     void addVertexPoints(int v, std::vector<BorderPoint>& points) const {
         for (const int vertex : strip_.nodes[v].vertices) {
-            const auto node = curves_.nodeOfVertex.find(vertex);
-            if (node != curves_.nodeOfVertex.end() && eventOf(node->second) != 0) {
-                points.push_back({node->second, v, eventOf(node->second), Link::none});
+            const int node = curves_.nodeOfVertex.find(vertex);
+            if (node >= 0 && eventOf(node) != 0) {
+                points.push_back({node, v, eventOf(node), Link::none});
             }
         }
     }
@@ -173,9 +173,9 @@ class BorderWalk {
     void addTouching(int v, std::vector<BorderPoint>& here) {
         std::vector<BorderPoint> touching;
         for (const int vertex : strip_.nodes[v].touching) {
-            const auto node = curves_.nodeOfVertex.find(vertex);
-            if (node != curves_.nodeOfVertex.end() && eventOf(node->second) != 0) {
-                touching.push_back({node->second, v, eventOf(node->second), Link::none});
+            const int node = curves_.nodeOfVertex.find(vertex);
+            if (node >= 0 && eventOf(node) != 0) {
+                touching.push_back({node, v, eventOf(node), Link::none});
             }
         }
         if (touching.empty()) {

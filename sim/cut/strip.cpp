@@ -60,9 +60,8 @@ void joinPrevious(const StepInput& in, const PredicatePositions& positions, Stri
     if (in.attempt.closing < kCloseDistance) {
         last.position = (last.position * count + seenPosition(positions, in.rung[i])) / (count + 1);
     }
-    last.attachedWithin.back() = in.rung[i - 1].attached;
+    last.attachedWithin.push_back(in.rung[i - 1].attached);
     last.vertices.push_back(in.rung[i].vertex);
-    last.attachedWithin.push_back(false);
     last.attached = in.rung[i].attached;
 }
 
@@ -74,7 +73,6 @@ StripNode oldNode(const StepInput& in, const PredicatePositions& positions, cons
     node.attached = from.attached;
     if (from.vertex >= 0) {
         node.vertices = {from.vertex};
-        node.attachedWithin = {false};
     }
     return node;
 }
@@ -431,6 +429,18 @@ bool Strip::onNewRung(int edge) const {
     return isNew(e.a) && isNew(e.b) && !(isOld(e.a) && isOld(e.b)) && !isRail(edge);
 }
 
+namespace {
+
+/// Front edges join vertices of one piece only, so what is left of a gap joins nothing.
+void dropGap(std::vector<char>& attachedWithin, int vertex) {
+    if (!attachedWithin.empty()) {
+        const int gap = std::min(vertex, sizeOf(attachedWithin) - 1);
+        attachedWithin.erase(attachedWithin.begin() + gap);
+    }
+}
+
+}  // namespace
+
 Strip Strip::seenBy(int piece, const std::vector<int>& pieceOfVertex) const {
     const auto isOther = [&](int v) { return pieceOfVertex[v] != piece; };
     Strip strip = *this;
@@ -440,7 +450,7 @@ Strip Strip::seenBy(int piece, const std::vector<int>& pieceOfVertex) const {
         for (int i = sizeOf(node.vertices) - 1; i >= 0; --i) {
             if (isOther(node.vertices[i])) {
                 node.vertices.erase(node.vertices.begin() + i);
-                node.attachedWithin.erase(node.attachedWithin.begin() + i);
+                dropGap(node.attachedWithin, i);
             }
         }
     }

@@ -36,7 +36,7 @@ struct StripNode {
     /// Mesh vertices that the node stands for: none in the air, several where the front crosses
     /// an older slit or where front vertices coincide.
     std::vector<int> vertices;
-    /// Parallel to `vertices`: the edge to the next of them is a front edge (of length zero).
+    /// Between each of them and the next: whether they are joined by a front edge (of length zero).
     std::vector<char> attachedWithin;
     /// Vertices of other pieces that lie here (Attempt::touching).
     std::vector<int> touching;
@@ -45,6 +45,10 @@ struct StripNode {
 
     /// Several vertices, joined by front edges of length zero.
     bool isCluster() const;
+    /// A front edge joins the vertices i and i + 1.
+    bool joinsNext(int i) const {
+        return i >= 0 && i < sizeOf(attachedWithin) && attachedWithin[i] != 0;
+    }
 };
 
 /// An edge of the strip between the nodes a and b.

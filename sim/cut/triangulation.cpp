@@ -16,10 +16,10 @@ constexpr int kMostWalkSteps = 400;
 constexpr double kInCircleMargin = 1e-12;
 
 int nextCorner(int i) {
-    return (i + 1) % 3;
+    return i == 2 ? 0 : i + 1;
 }
 int previousCorner(int i) {
-    return (i + 2) % 3;
+    return i == 0 ? 2 : i - 1;
 }
 
 bool inCircle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {

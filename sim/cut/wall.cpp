@@ -236,12 +236,15 @@ class SheetTriangulation {
 
     void constrainBorder() {
         border_ = DirectedEdges(borderVertices_);
+        border_.reserve(edges_.size());
+        edgesFrom_.assign(borderVertices_, 0);
         for (int i = 0; i < sizeOf(edges_); ++i) {
             const int a = vertexOfNode_[edges_[i].from];
             const int b = vertexOfNode_[edges_[i].to];
             if (a == b || !border_.add(a, b, i) || !plane_.constrain(a, b)) {
                 throw StepFailure{"the border of the wall crosses itself"};
             }
+            ++edgesFrom_[a];
         }
     }
 
@@ -505,6 +508,7 @@ class SheetTriangulation {
 
     std::vector<Triangle> collect() const {
         std::vector<Triangle> result;
+        result.reserve(plane_.size());
         for (int t = 0; t < plane_.size(); ++t) {
             if (plane_.marked(t)) {
                 result.push_back({nodeOfCorner(t, 0), nodeOfCorner(t, 1), nodeOfCorner(t, 2)});
@@ -513,10 +517,10 @@ class SheetTriangulation {
         return result;
     }
 
-    // Turns clockwise about the corner to the border edge that starts there.
+    // Where several border edges start at one vertex, turns clockwise about the corner to its own.
     int nodeOfCorner(int t, int corner) const {
         const int v = plane_.corners(t)[corner];
-        if (v >= borderVertices_) {
+        if (v >= borderVertices_ || edgesFrom_[v] == 1) {
             return nodeOfVertex_[v];
         }
         int current = t;
@@ -548,6 +552,7 @@ class SheetTriangulation {
     std::vector<int> nodeOfVertex_;  ///< -1 for the three enclosing ones; the border's come next
     int borderVertices_ = 0;         ///< vertices from here on are inner points
     DirectedEdges border_{0};        ///< places in edges_ by vertices
+    std::vector<int> edgesFrom_;     ///< how many border edges start at each vertex
     std::vector<double> reachOfTriangle_;
 };
 
@@ -566,6 +571,11 @@ std::vector<Triangle> triangulateSheet(const StepInput& in, const Strip& strip,
 void requireBorderOnce(const Outline& outline, const std::vector<WallSheet>& sheets,
                        std::size_t nodes) {
     DirectedEdges directed(nodes);
+    std::size_t triangles = 0;
+    for (const WallSheet& sheet : sheets) {
+        triangles += sheet.triangles.size();
+    }
+    directed.reserve(3 * triangles);
     for (const WallSheet& sheet : sheets) {
         for (const Triangle& t : sheet.triangles) {
             for (int e = 0; e < 3; ++e) {

@@ -69,8 +69,11 @@ class PieceLabels::Splitter {
 
   private:
     static constexpr int kInTurn = 32;
+    static constexpr std::size_t kAhead = 8;  // what is asked of memory before it is needed
+    static constexpr std::size_t kMostInTurn = 3 * kInTurn + 1;  // with room for one not taken
 
-    // Triangles with a common corner are one part from the start.
+    // Triangles with a common corner are one part from the start. Only where there are several
+    // parts, or one that is all new, anyone asks for their triangles.
     void sow(const std::vector<int>& seeds, std::span<const int> triangles) {
         for (std::size_t i = 0; i < seeds.size(); ++i) {
             placeOfVertex_[seeds[i]] = static_cast<int>(i);
@@ -93,14 +96,20 @@ class PieceLabels::Splitter {
             partOfSeed[i] = partOfSeed[root];
             add(seeds[i], parts_[partOfSeed[i]]);
         }
+        if (parts_.size() > 1 || (!parts_.empty() && parts_[0].label < 0)) {
+            handOut(triangles, partOfSeed);
+        }
+        for (const int v : seeds) {
+            placeOfVertex_[v] = -1;
+        }
+    }
+
+    void handOut(std::span<const int> triangles, const std::vector<int>& partOfSeed) {
         for (const int t : triangles) {
             if (mesh_.alive(t)) {
                 const int seed = placeOfVertex_[mesh_.triangle(t)[0]];
                 parts_[partOfSeed[seed]].triangles.push_back(t);
             }
-        }
-        for (const int v : seeds) {
-            placeOfVertex_[v] = -1;
         }
     }
 
@@ -152,29 +161,34 @@ class PieceLabels::Splitter {
     }
 
     // Looks at the neighbours of some triangles; parts that they meet become part of this one.
+    // Whether a neighbour is new can't be foreseen, so it is taken down without asking.
     void expand(std::vector<int>& group, std::size_t& index) {
         const int part = group[index];
         std::vector<int>& triangles = parts_[part].triangles;
-        std::size_t next = parts_[part].next;
-        for (int i = 0; i < kInTurn && next < triangles.size(); ++i) {
+        std::size_t& next = parts_[part].next;
+        std::size_t size = triangles.size();
+        triangles.resize(size + kMostInTurn);
+        for (int i = 0; i < kInTurn && next < size; ++i) {
             const int triangle = triangles[next++];
+            __builtin_prefetch(&mesh_.twins(triangles[std::min(next + kAhead, size - 1)]));
             for (const int twin : mesh_.twins(triangle)) {
-                const int other = twin / 3;
+                const int other = SurfaceMesh::triangleOf(twin);
                 const int owner = partOfTriangle_[other];
-                if (owner < 0) {
-                    partOfTriangle_[other] = part;
-                    triangles.push_back(other);
-                } else if (owner != part) {
-                    parts_[part].next = next;
+                if (owner >= 0 && owner != part) [[unlikely]] {
+                    triangles.resize(size);
                     absorb(part, owner);
-                    next = parts_[part].next;
+                    size = triangles.size();
+                    triangles.resize(size + kMostInTurn);
                     const auto gone = std::find(group.begin(), group.end(), owner);
                     index -= gone - group.begin() < static_cast<std::ptrdiff_t>(index) ? 1 : 0;
                     group.erase(gone);
                 }
+                partOfTriangle_[other] = part;
+                triangles[size] = other;
+                size += owner < 0 ? 1 : 0;
             }
         }
-        parts_[part].next = next;
+        triangles.resize(size);
     }
 
     // Triangles already looked at stay in front, so that `next` holds.
@@ -401,15 +415,27 @@ void PieceLabels::comeOff(const SurfaceMesh& mesh, const std::vector<int>& trian
                           std::vector<LabelMove>& moves) {
     const int label = static_cast<int>(pieces_.size());
     pieces_.emplace_back();
+    if (from >= 0) {
+        moveShares(triangles, from, label);
+    }
     for (const int t : triangles) {
-        if (counted_[t].counted) {
-            addShare(t, from, -1);
-            addShare(t, label, 1);
-        }
         for (const int v : mesh.triangle(t)) {
             setLabel(v, label, moves);
         }
     }
+}
+
+void PieceLabels::moveShares(const std::vector<int>& triangles, int from, int to) {
+    PieceContent less = pieces_[from];
+    PieceContent more = pieces_[to];
+    for (const int t : triangles) {
+        if (counted_[t].counted) {
+            addShare(t, -1, less);
+            addShare(t, 1, more);
+        }
+    }
+    pieces_[from] = less;
+    pieces_[to] = more;
 }
 
 void PieceLabels::labelNewVertices(const std::vector<int>& vertices, int label,
@@ -439,21 +465,21 @@ void PieceLabels::count(const SurfaceMesh& mesh, int triangle) {
     if (measures()) {
         shares_[triangle] = shareOf(mesh, triangle);
     }
-    addShare(triangle, ofVertex_[corners[0]], 1);
+    addShare(triangle, 1, pieces_[ofVertex_[corners[0]]]);
 }
 
 void PieceLabels::discount(int triangle) {
     Counted& counted = counted_[triangle];
     if (std::exchange(counted.counted, false)) {
-        addShare(triangle, ofVertex_[counted.corners[0]], -1);
+        addShare(triangle, -1, pieces_[ofVertex_[counted.corners[0]]]);
     }
 }
 
-void PieceLabels::addShare(int triangle, int piece, int sign) {
-    pieces_[piece].triangles += sign;
+void PieceLabels::addShare(int triangle, int sign, PieceContent& piece) const {
+    piece.triangles += sign;
     if (measures()) {
-        pieces_[piece].restVolume += sign * shares_[triangle].volume;
-        pieces_[piece].restArea += sign * shares_[triangle].area;
+        piece.restVolume += sign * shares_[triangle].volume;
+        piece.restArea += sign * shares_[triangle].area;
     }
 }
 

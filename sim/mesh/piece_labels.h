@@ -84,7 +84,8 @@ class PieceLabels {
     void setLabel(int vertex, int label, std::vector<LabelMove>& moves);
     void count(const SurfaceMesh& mesh, int triangle);
     void discount(int triangle);
-    void addShare(int triangle, int piece, int sign);
+    void moveShares(const std::vector<int>& triangles, int from, int to);
+    void addShare(int triangle, int sign, PieceContent& piece) const;
     Share shareOf(const SurfaceMesh& mesh, int triangle) const;
     bool measures() const { return measures_ != Measures::none; }
 

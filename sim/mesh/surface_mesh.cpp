@@ -74,13 +74,13 @@ SurfaceMesh SurfaceMesh::fromTriangles(const std::vector<Vec3>& positions,
 }
 
 int SurfaceMesh::findHalfEdge(int u, int v) const {
-    int found = -1;
-    forEachOutgoing(u, [&](int h) {
-        if (target(h) == v) {
-            found = h;
-        }
-    });
-    return found;
+    const int first = outgoing_[u];
+    int h = first;
+    while (h >= 0 && target(h) != v) {
+        h = rotate(h);
+        h = h == first ? -1 : h;
+    }
+    return h;
 }
 
 int SurfaceMesh::valence(int v) const {

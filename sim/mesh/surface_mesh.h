@@ -90,16 +90,18 @@ class SurfaceMesh {
     void setOpenStroke(int stroke) { openStroke_ = stroke; }
 
     // Half-edges.
+    /// Divides faster where the sign need not be looked at.
+    static int triangleOf(int h) { return static_cast<int>(static_cast<unsigned>(h) / 3); }
     static int next(int h) { return cornerOf(h) == 2 ? h - 2 : h + 1; }
     static int previous(int h) { return cornerOf(h) == 0 ? h + 2 : h - 1; }
-    int origin(int h) const { return triangles_[h / 3][cornerOf(h)]; }
-    int target(int h) const { return triangles_[h / 3][cornerAfter(cornerOf(h))]; }
-    int apex(int h) const { return triangles_[h / 3][cornerBefore(cornerOf(h))]; }
-    int twin(int h) const { return twins_[h / 3][cornerOf(h)]; }
+    int origin(int h) const { return triangles_[triangleOf(h)][cornerOf(h)]; }
+    int target(int h) const { return triangles_[triangleOf(h)][cornerAfter(cornerOf(h))]; }
+    int apex(int h) const { return triangles_[triangleOf(h)][cornerBefore(cornerOf(h))]; }
+    int twin(int h) const { return twins_[triangleOf(h)][cornerOf(h)]; }
     /// Those of the half-edges of a triangle.
     const std::array<int, 3>& twins(int t) const { return twins_[t]; }
     /// Next outgoing half-edge of the same origin, counter-clockwise seen from outside.
-    int rotate(int h) const { return twins_[h / 3][cornerBefore(cornerOf(h))]; }
+    int rotate(int h) const { return twins_[triangleOf(h)][cornerBefore(cornerOf(h))]; }
     /// The half-edge u -> v, or -1.
     int findHalfEdge(int u, int v) const;
 
@@ -143,7 +145,7 @@ class SurfaceMesh {
     void removeVertex(int v);
     void setCorner(int t, int corner, int v) { triangles_[t][corner] = v; }
     void setCorners(int t, const Triangle& corners) { triangles_[t] = corners; }
-    void setTwin(int h, int g) { twins_[h / 3][cornerOf(h)] = g; }
+    void setTwin(int h, int g) { twins_[triangleOf(h)][cornerOf(h)] = g; }
     /// Makes h and g each other's twins.
     void link(int h, int g) {
         setTwin(h, g);
@@ -166,7 +168,7 @@ class SurfaceMesh {
 
   private:
     // Without divisions by three but the one that tells the triangle.
-    static int cornerOf(int h) { return h - 3 * (h / 3); }
+    static int cornerOf(int h) { return h - 3 * triangleOf(h); }
     static int cornerAfter(int corner) { return corner == 2 ? 0 : corner + 1; }
     static int cornerBefore(int corner) { return corner == 0 ? 2 : corner - 1; }
 

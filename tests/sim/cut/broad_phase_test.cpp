@@ -6,6 +6,7 @@
 #include <random>
 
 #include "sim/cut/directed_edges.h"
+#include "sim/cut/vertex_numbers.h"
 #include "sim/mesh/triangle_tree.h"
 #include "tests/support/shapes.h"
 
@@ -81,6 +82,19 @@ TEST(DirectedEdges, KeepsTheFirstNumberOfAnEdge) {
     EXPECT_EQ(edges.find(2, 0), -1);
     EXPECT_EQ(edges.find(9, 0), -1);
     EXPECT_FALSE(edges.has(2, 1));
+}
+
+TEST(VertexNumbers, FindsWhatWasAddedBeyondItsFirstRoom) {
+    cut::VertexNumbers numbers(2);
+    for (int i = 0; i < 1000; ++i) {
+        EXPECT_EQ(numbers.find(64 * i), -1);
+        numbers.add(64 * i, i);
+    }
+    EXPECT_EQ(numbers.size(), 1000u);
+    for (int i = 0; i < 1000; ++i) {
+        EXPECT_EQ(numbers.find(64 * i), i);
+        EXPECT_EQ(numbers.find(64 * i + 1), -1);
+    }
 }
 
 }  // namespace
