@@ -34,8 +34,11 @@ class BroadPhase {
         int firstBin;
     };
     const std::vector<Entry>& entries() const { return entries_; }
-    /// From now on queries between these points, up to `pad`, take no more entries. The places of
-    /// those that they may find in entries(), ascending.
+    /// From now on queries between these points, up to `pad`, take no more entries.
+    void takeAround(std::span<const Vec3> points, double pad) const {
+        require(reachOf(points, pad));
+    }
+    /// The same; the places of those that they may find in entries(), ascending.
     std::vector<int> cover(std::span<const Vec3> points, double pad) const;
     /// Some of entries(), by where they lie along the blade.
     struct Bins {

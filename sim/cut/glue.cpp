@@ -90,6 +90,7 @@ class Gluing {
                 }
             }
         };
+        alone.reserve(partners.size());
         findWithin(0, firstPlus_);
         findWithin(firstMinus_, sizeOf(triangles_));
         for (int h = 3 * firstPlus_; h < 3 * firstMinus_; ++h) {
@@ -154,15 +155,18 @@ class Gluing {
     }
 
     Directed ends(int h) const {
-        const Triangle& corners = corners_[h / 3];
-        const int corner = h % 3;
+        const int triangle = SurfaceMesh::triangleOf(h);
+        const Triangle& corners = corners_[triangle];
+        const int corner = h - 3 * triangle;
         return {corners[corner], corners[corner == 2 ? 0 : corner + 1]};
     }
 
     /// The half-edge of the other wall that runs along a half-edge of a wall.
     int mirror(int h) const {
         const int walls = firstMinus_ - firstPlus_;
-        return 3 * (h / 3 + (h < 3 * firstMinus_ ? walls : -walls)) + 2 - h % 3;
+        const int triangle = SurfaceMesh::triangleOf(h);
+        const int corner = h - 3 * triangle;
+        return 3 * (triangle + (h < 3 * firstMinus_ ? walls : -walls)) + 2 - corner;
     }
 
     /// No edge of the outline, in either direction.

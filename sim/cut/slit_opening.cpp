@@ -23,16 +23,17 @@ const double kAlong = std::cos(5 * M_PI / 180);
 
 struct SweepTriangle {
     std::array<Vec3, 3> at;
-    Vec3 normal;
+    Vec3 normal;  ///< twice its area long
 };
 
 /// What the blade sweeps, without its offset and with the nodes of the rung alone.
 std::vector<SweepTriangle> sweptTriangles(const SweepStep& step) {
     std::vector<SweepTriangle> triangles;
+    triangles.reserve(2 * step.rung.size());
     const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         const Vec3 normal = (b - a).cross(c - a);
         if (normal.norm() > 1e-6 * step.h * step.h) {
-            triangles.push_back({{a, b, c}, normal.normalized()});
+            triangles.push_back({{a, b, c}, normal});
         }
     };
     const auto onBlade = [&](const RungNode& node) {
@@ -128,10 +129,11 @@ class Opening {
 
     bool comesNearOldWall() const {
         std::vector<Vec3> points;
+        points.reserve(3 * swept_.size());
         for (const SweepTriangle& s : swept_) {
             points.insert(points.end(), s.at.begin(), s.at.end());
         }
-        broadPhase_.cover(points, kRetraced * step_.h);
+        broadPhase_.takeAround(points, kRetraced * step_.h);
         return std::ranges::any_of(broadPhase_.entries(), [this](const BroadPhase::Entry& entry) {
             return isOldWall(entry.triangle);
         });
@@ -165,7 +167,8 @@ class Opening {
             const double distance = (w[0] * s.at[0] + w[1] * s.at[1] + w[2] * s.at[2] - p).norm();
             if (distance < least) {
                 least = distance;
-                place = {s.normal.dot(p - s.at[0]), s.normal};
+                const Vec3 normal = s.normal.normalized();
+                place = {normal.dot(p - s.at[0]), normal};
             }
         }
         return places_[v] = place;

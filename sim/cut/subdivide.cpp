@@ -1,10 +1,10 @@
 #include "sim/cut/subdivide.h"
 
 #include <algorithm>
-#include <map>
 
 #include "sim/cut/common_position.h"
 #include "sim/cut/triangulation.h"
+#include "sim/cut/vertex_numbers.h"
 
 namespace kerf::cut {
 
@@ -109,7 +109,7 @@ class TriangleSubdivision {
         const auto at = [&](int i) { return commonPosition(mesh, corners_[i], closeDistance); };
         plane_.setMetric(triangleMetric(at(0), at(1), at(2)));
         for (int i = 0; i < 3; ++i) {
-            vertexOf_[corners_[i]] = i;
+            vertexOf_.add(corners_[i], i);
         }
     }
 
@@ -148,7 +148,7 @@ class TriangleSubdivision {
             throw StepFailure{"two curve nodes coincide in a triangle"};
         }
         ids_.push_back(cornerId(mesh_, curves_, node));
-        vertexOf_[ids_.back()] = inserted.vertex;
+        vertexOf_.add(ids_.back(), inserted.vertex);
     }
 
     void addEdgeNodes() {
@@ -189,11 +189,10 @@ class TriangleSubdivision {
         std::array<int, 2> ends{};
         const std::array<int, 2> nodes{segment.from, segment.to};
         for (int i = 0; i < 2; ++i) {
-            const auto end = vertexOf_.find(cornerId(mesh_, curves_, nodes[i]));
-            if (end == vertexOf_.end()) {
+            ends[i] = vertexOf_.find(cornerId(mesh_, curves_, nodes[i]));
+            if (ends[i] < 0) {
                 throw StepFailure{"a curve ends outside its triangle"};
             }
-            ends[i] = end->second;
             count_.vertexNodes += curves_.nodes[nodes[i]].kind == NodeKind::vertex;
         }
         if (!plane_.constrain(ends[0], ends[1])) {
@@ -208,7 +207,7 @@ class TriangleSubdivision {
     Triangle corners_;
     Triangulation plane_;
     std::vector<int> ids_;
-    std::map<int, int> vertexOf_;
+    VertexNumbers vertexOf_;
     PatternCount count_;
 };
 

@@ -9,7 +9,6 @@
 #include "sim/cut/ears.h"
 #include "sim/cut/loops.h"
 #include "sim/cut/triangulation.h"
-#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 
@@ -220,17 +219,26 @@ class SheetTriangulation {
     /// of the blade those behind come first: rectangles get the same diagonals as around the
     /// border.
     std::vector<int> nodesAlongBlade() const {
-        std::vector<int> order;
-        order.reserve(edges_.size());
+        struct Place {
+            double x, y;
+            int node;
+        };
+        std::vector<Place> places;
+        places.reserve(edges_.size());
         for (const OutlineEdge& edge : edges_) {
-            order.push_back(edge.from);
+            const Vec2& at = nodes_[edge.from].layout;
+            places.push_back({at.x(), at.y(), edge.from});
         }
-        sortUnique(order);
-        std::ranges::stable_sort(order, [&](int a, int b) {
-            const Vec2& p = nodes_[a].layout;
-            const Vec2& q = nodes_[b].layout;
-            return p.x() != q.x() ? p.x() > q.x() : p.y() < q.y();
+        std::ranges::sort(places, [](const Place& p, const Place& q) {
+            return p.x != q.x ? p.x > q.x : p.y != q.y ? p.y < q.y : p.node < q.node;
         });
+        std::vector<int> order;
+        order.reserve(places.size());
+        for (const Place& place : places) {
+            if (order.empty() || order.back() != place.node) {
+                order.push_back(place.node);
+            }
+        }
         return order;
     }
 

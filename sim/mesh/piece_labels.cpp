@@ -418,6 +418,7 @@ void PieceLabels::comeOff(const SurfaceMesh& mesh, const std::vector<int>& trian
     if (from >= 0) {
         moveShares(triangles, from, label);
     }
+    moves.reserve(moves.size() + triangles.size());
     for (const int t : triangles) {
         for (const int v : mesh.triangle(t)) {
             setLabel(v, label, moves);

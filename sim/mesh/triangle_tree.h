@@ -7,7 +7,7 @@
 #include "sim/mesh/lazy_box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_finder.h"
-#include "sim/sort_distinct.h"
+#include "sim/sort_unique.h"
 
 namespace kerf {
 
@@ -34,7 +34,7 @@ class TriangleTree : public TriangleFinder {
         tree_.find([this](int t) { return boundsOf(t); }, meets,
                    [&](int t) { found.push_back(t); });
         foundLast_ = found.size();
-        sorter_.sort(found);
+        sortUnique(found);
         return found;
     }
 
@@ -57,7 +57,6 @@ class TriangleTree : public TriangleFinder {
     LazyBoxTree tree_;
     bool lost_ = false;
     std::size_t foundLast_ = 0;  ///< as many may be found again
-    DistinctSorter sorter_;
 };
 
 }  // namespace kerf
