@@ -62,6 +62,8 @@ class Commit {
     void nameVertices() {
         vertexOfNode_.assign(plan_.curves.nodes.size(), -1);
         std::vector<char> seen(plan_.partners.size(), 0);
+        umbrellas_.spokes.reserve(2 * seen.size());
+        umbrellas_.ends.reserve(seen.size() / 2);
         for (int h = 0; h < sizeOf(seen); ++h) {
             if (seen[h] != 0) {
                 continue;
@@ -76,8 +78,10 @@ class Commit {
                     result_.delta.changedTriangles.push_back(spoke / 3);
                 }
                 mesh_.setCorner(spoke / 3, spoke % 3, vertex);
+                umbrellas_.spokes.push_back(spoke);
                 spoke = mesh_.rotate(spoke);
             } while (spoke != start);
+            umbrellas_.ends.push_back(sizeOf(umbrellas_.spokes));
             mesh_.setOutgoing(vertex, start);
         }
     }
@@ -206,7 +210,7 @@ class Commit {
     }
 
     void repairDuplicateEdges() {
-        if (!hasDuplicateEdges(mesh_, firstTriangle_)) {
+        if (!hasDuplicateEdges(mesh_, umbrellas_)) {
             return;
         }
         std::set<Edge> frontEdges;
@@ -235,6 +239,7 @@ class Commit {
     int firstTriangle_ = 0;
     std::map<int, Triangle> replacedCorners_;
     std::vector<int> vertexOfNode_;
+    Umbrellas umbrellas_;  ///< of all vertices of the new triangles
     CommitResult result_;
 };
 

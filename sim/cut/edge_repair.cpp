@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <span>
+#include <utility>
 
 namespace kerf::cut {
 
@@ -13,27 +16,28 @@ bool intersects(const std::vector<int>& p, const std::vector<int>& q) {
 }
 
 // Most vertices have few neighbours with two bits each of their own.
-bool mayHaveParallels(const SurfaceMesh& mesh, int v) {
+bool mayHaveParallels(const SurfaceMesh& mesh, std::span<const int> spokes) {
     std::uint64_t seen = 0;
     std::uint64_t seenMixed = 0;
     bool may = false;
-    mesh.forEachOutgoing(v, [&](int h) {
+    for (const int h : spokes) {
         const auto target = static_cast<std::uint64_t>(mesh.target(h));
         const std::uint64_t bit = std::uint64_t{1} << (target % 64);
         const std::uint64_t mixed = std::uint64_t{1} << (target * 0x9E3779B97F4A7C15ull >> 58);
         may = may || ((seen & bit) != 0 && (seenMixed & mixed) != 0);
         seen |= bit;
         seenMixed |= mixed;
-    });
+    }
     return may;
 }
 
-bool hasParallels(const SurfaceMesh& mesh, int v) {
-    if (!mayHaveParallels(mesh, v)) {
+bool hasParallels(const SurfaceMesh& mesh, std::span<const int> spokes) {
+    if (!mayHaveParallels(mesh, spokes)) {
         return false;
     }
     std::vector<int> targets;
-    mesh.forEachOutgoing(v, [&](int h) { targets.push_back(mesh.target(h)); });
+    std::ranges::transform(spokes, std::back_inserter(targets),
+                           [&](int h) { return mesh.target(h); });
     std::ranges::sort(targets);
     return std::ranges::adjacent_find(targets) != targets.end();
 }
@@ -248,17 +252,13 @@ int splitEdgeAtMiddle(SurfaceMesh& mesh, int h) {
     return m;
 }
 
-// Looks at each vertex of the new triangles once.
-bool hasDuplicateEdges(const SurfaceMesh& mesh, int firstTriangle) {
-    for (int t = firstTriangle; t < mesh.triangleSlots(); ++t) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const int v = mesh.triangle(t)[corner];
-            if (mesh.outgoing(v) == 3 * t + corner && hasParallels(mesh, v)) {
-                return true;
-            }
-        }
-    }
-    return false;
+bool hasDuplicateEdges(const SurfaceMesh& mesh, const Umbrellas& umbrellas) {
+    const std::span<const int> spokes = umbrellas.spokes;
+    int first = 0;
+    return std::ranges::any_of(umbrellas.ends, [&](int end) {
+        const int begin = std::exchange(first, end);
+        return hasParallels(mesh, spokes.subspan(begin, end - begin));
+    });
 }
 
 std::vector<int> splitDuplicateEdges(SurfaceMesh& mesh, int firstTriangle, int stroke,

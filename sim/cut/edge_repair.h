@@ -7,8 +7,14 @@
 
 namespace kerf::cut {
 
-/// Whether two edges at the triangles from `firstTriangle` on have the same end points.
-bool hasDuplicateEdges(const SurfaceMesh& mesh, int firstTriangle);
+/// All half-edges that start at some vertices, one vertex after the other.
+struct Umbrellas {
+    std::vector<int> spokes;
+    std::vector<int> ends;  ///< behind those of each vertex
+};
+
+/// Whether two edges at one of these vertices have the same end points.
+bool hasDuplicateEdges(const SurfaceMesh& mesh, const Umbrellas& umbrellas);
 
 /// Keeps the mesh a simple complex (I3): where two edges have the same end points, copies are
 /// split at their midpoints until one is left. Edges of the skin go first and alone; edges of
