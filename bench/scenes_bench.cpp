@@ -3,7 +3,8 @@
 //     [--contact 0] [--push 1] [--after STEPS]
 // --more adds those beyond the six. Folds are counted 50 steps (soon) and STEPS, 300, after the
 // last stroke.
-// --index plays that stroke alone and prints its steps.
+// --index plays that stroke alone and prints its steps, and the folded edges every 50 steps after
+// it.
 
 #include <cstdio>
 #include <cstdlib>

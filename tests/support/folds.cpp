@@ -22,14 +22,20 @@ double angleBetween(const std::vector<Vec3>& at, const shared::BendConstraint& b
 
 }  // namespace
 
-int foldedEdges(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& pinned) {
+std::vector<Fold> foldsOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& pinned) {
     const auto holds = [&](std::uint32_t v) { return std::ranges::binary_search(pinned, v); };
-    int folds = 0;
+    std::vector<Fold> folds;
     for (const shared::BendConstraint& bend : buildBends(mesh, 1)) {
-        const double change = wrapAngle(angleBetween(mesh.positions(), bend) - bend.rest_angle);
-        folds += std::fabs(change) > kFold && !holds(bend.v0) && !holds(bend.v1);
+        const double turn = wrapAngle(angleBetween(mesh.positions(), bend) - bend.rest_angle);
+        if (std::fabs(turn) > kFold && !holds(bend.v0) && !holds(bend.v1)) {
+            folds.push_back({{bend.v0, bend.v1, bend.v2, bend.v3}, turn, bend.rest_angle});
+        }
     }
     return folds;
+}
+
+int foldedEdges(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& pinned) {
+    return static_cast<int>(foldsOf(mesh, pinned).size());
 }
 
 }  // namespace kerf::test

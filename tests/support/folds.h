@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -7,8 +8,17 @@
 
 namespace kerf::test {
 
-/// How many edges are bent by more than 90 degrees from rest; edges of slivers don't count, nor
-/// those with an end among `pinned` (ascending).
+/// An edge that is bent by more than 90 degrees from rest.
+struct Fold {
+    std::array<std::uint32_t, 4> corners;  ///< of the edge, then those opposite
+    double turn;                           ///< from rest [rad]
+    double restAngle;                      ///< [rad]
+};
+
+/// All folds but edges of slivers and those with an end among `pinned` (ascending).
+std::vector<Fold> foldsOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& pinned = {});
+
+/// How many these are.
 int foldedEdges(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& pinned = {});
 
 }  // namespace kerf::test

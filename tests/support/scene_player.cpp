@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <stdexcept>
 
 #include "tests/support/contact_scenes.h"
@@ -96,6 +97,10 @@ void ScenePlayer::watch(int steps) {
         simulation_.step();
         readMessages();
         figures_.speedAfter = std::max(figures_.speedAfter, topSpeed() / diagonal_);
+        if (run_.verbose && (i + 1) % kSoon == 0) {
+            std::printf("  %d steps after the stroke\n", i + 1);
+            describeFolds();
+        }
         if (i + 1 == kSoon) {
             countFolds();
             figures_.foldedSoon = figures_.folded;
@@ -141,6 +146,26 @@ void ScenePlayer::describeStep(double speed) {
     rungBefore_ = simulation_.rung();
     for (RungNode& node : rungBefore_) {
         node.position = node.vertex >= 0 ? mesh.position(node.vertex) : node.position;
+    }
+}
+
+void ScenePlayer::describeFolds() {
+    const std::vector<Vec3>& now = mesh().positions();
+    const std::vector<Vec3>& rest = mesh().restPositions();
+    const auto area = [](const std::vector<Vec3>& at, int a, int b, int c) {
+        return 0.5 * (at[b] - at[a]).cross(at[c] - at[a]).norm();
+    };
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    for (const Fold& fold : foldsOf(mesh(), simulation_.pinnedVertices())) {
+        const auto [v0, v1, v2, v3] = fold.corners;
+        const double left = area(rest, v0, v1, v2);
+        const double right = area(rest, v0, v1, v3);
+        std::printf(
+            "    fold %u-%u (%u %u) %4.0f from %4.0f degrees  edge %.4f of %.4f m  "
+            "areas %.2f of %.1e, %.2f of %.1e m^2\n",
+            v0, v1, v2, v3, fold.turn * kDegrees, fold.restAngle * kDegrees,
+            (now[v1] - now[v0]).norm(), (rest[v1] - rest[v0]).norm(), area(now, v0, v1, v2) / left,
+            left, area(now, v0, v1, v3) / right, right);
     }
 }
 

@@ -44,6 +44,7 @@ class ScenePlayer {
   private:
     void cutStep();
     void describeStep(double speed);
+    void describeFolds();
     /// Throws std::logic_error: where an end of the blade lies inside, the slit rightly ends there.
     void requireEndsOutside(const Blade& blade);
     void countOutcome(const CutResult& result);
