@@ -129,6 +129,7 @@ const gpu::Program& ContactSolver::detect() const {
         return kernels_.detect;
     }
     folds_->bindTexels(shared::kFoldsUnit, gpu::TexelFormat::uint32);
+    body_.links->bindStorage(shared::kContactLinksBinding);
     return *detectBesideFolds_;
 }
 

@@ -156,13 +156,13 @@ void cutLevel(Simulation& simulation, double height) {
 
 }  // namespace
 
-SurfaceMesh slitSphere() {
+SurfaceMesh slitSphere(int steps) {
     Params params;
     params.contact = 1;
     params.gravity.setZero();
     params.floor.reset();
     Simulation simulation(cubeSphere(8), params);
-    for (int i = 0; i <= 16; ++i) {
+    for (int i = 0; i <= steps; ++i) {
         const double y = 0.6 - 0.04 * i;
         simulation.execute(MoveBlade{{{-0.9, y, 0.03}, {0.9, y + 0.02, 0.05}}});
         simulation.step();

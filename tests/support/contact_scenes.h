@@ -12,8 +12,9 @@ namespace kerf::test {
 /// half, 0 elsewhere. [m]
 double depthInside(const SurfaceMesh& mesh, const Vec3& p);
 
-/// A weightless sphere with a slit half through it, whose walls still lie close together.
-SurfaceMesh slitSphere();
+/// A weightless sphere with a slit whose walls still lie close together: half through it, and right
+/// through it with 30 steps.
+SurfaceMesh slitSphere(int steps = 16);
 
 /// Two halves of a body, cut apart level without gravity, that rest on each other.
 struct HalvesFigures {

@@ -3,9 +3,9 @@
 // by the same weights and normal at X + d, after; see contact_answer.glsl. The triangle answers where
 // the line of the whole impulse meets its plane at X, so that no torque is left over, as far as the
 // vertex is no deeper than the thickness.
-// With UNFOLDS folded skin does not touch what was beside it at rest, see folds.glsl.
+// With UNFOLDS folded skin does not touch what was beside it at rest nor its own piece, see folds.glsl.
 //
-// Reads X, d, candidates, with UNFOLDS folds. Writes records, what contacts take of each vertex, and their number.
+// Reads X, d, candidates, with UNFOLDS folds and links. Writes records, what contacts take of each vertex, and their number.
 // One thread per listed point. A storage barrier follows, then respond.
 #include "bindings.h"
 #include "body_records.h"
@@ -22,6 +22,10 @@ layout(std430, binding = kContactPointsBinding) readonly buffer Points { uint po
 layout(std430, binding = kContactRecordsBinding) writeonly buffer Records { ContactRecord records[]; };
 layout(std430, binding = kContactSharesBinding) buffer Shares { uint shares[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
+
+#ifdef UNFOLDS
+layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLinks links[]; };
+#endif
 
 #include "closest_point.glsl"
 #include "sim/contact_answer.glsl"
@@ -84,6 +88,16 @@ float lateralDistance(Nearest near) {
     return length(near.offset - dot(normal, near.offset) * normal);
 }
 
+// Folded skin does not touch what was beside it at rest, nor its own piece: it would be caught there.
+bool passesFold(uint v, Nearest near) {
+#ifdef UNFOLDS
+    bool own = near.thickness < uniforms.thickness || links[v].piece == near.triangle.w >> 8;
+    return own && foldAt(uvec4(v, near.triangle.xyz)) > 0.0;
+#else
+    return false;
+#endif
+}
+
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= state.points) return;
@@ -106,8 +120,7 @@ void main() {
     ContactAnswer answer = answerTo(normal, before, slip, rule);
     float approach = dot(answer.impulse, normal);
     bool touches = (approach > 0.0 || answer.push > 0.0) &&
-        lateralDistance(near) <= kLateralSlack * uniforms.h && gap >= -uniforms.margin &&
-        (near.thickness >= uniforms.thickness || !(foldAt(uvec4(v, near.triangle.xyz)) > 0.0));
+        lateralDistance(near) <= kLateralSlack * uniforms.h && gap >= -uniforms.margin && !passesFold(v, near);
     if (approach > 0.0) {
         float lever = clamp(before, -uniforms.thickness, uniforms.thickness);
         vec3 aside = (-lever / approach) * (answer.impulse - approach * normal);

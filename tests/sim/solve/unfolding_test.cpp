@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
@@ -179,14 +180,15 @@ TEST_F(UnfoldingTest, HoldsATriangleThatIsSquashedInItsPlane) {
     EXPECT_GT(pullAt(0.1f), pullAt(0.3f));
 }
 
-/// What points touched in the last substep that lay closer to them at rest than contact keeps its
-/// whole thickness from: how often, and how often something of it was folded.
-struct TouchedWalls {
-    int all = 0, folded = 0;
+/// What points touched in the last substep, and how much of it was folded: what lay closer to them
+/// at rest than contact keeps its whole thickness from, other parts of their piece, other pieces.
+struct Touched {
+    int walls = 0, foldedWalls = 0;
+    int own = 0, foldedOwn = 0;
+    int others = 0, foldedOthers = 0;
 };
 
-TouchedWalls touchedWalls(const Crumpled& body, const std::vector<double>& folds,
-                          double thickness) {
+Touched countTouched(const Crumpled& body, const std::vector<double>& folds, double thickness) {
     const ContactSolver& contacts = body.gpu.contacts();
     const auto candidates = contacts.readCandidates();
     const auto isWall = [&](std::uint32_t point, std::uint32_t corner) {
@@ -194,21 +196,25 @@ TouchedWalls touchedWalls(const Crumpled& body, const std::vector<double>& folds
             return body.model.triangles[c.triangle][0] == corner && c.thickness < thickness;
         });
     };
-    TouchedWalls touched;
+    const std::vector<int>& pieces = body.model.pieceOfVertex;
+    Touched touched;
     for (const shared::ContactRecord& record :
          contacts.records().read<shared::ContactRecord>(0, contacts.readState().points)) {
-        if (record.v1 != shared::kNoVertex && isWall(record.v0, record.v1)) {
-            ++touched.all;
-            touched.folded += std::max({folds[record.v0], folds[record.v1], folds[record.v2],
-                                        folds[record.v3]}) > 0;
+        if (record.v1 == shared::kNoVertex) {
+            continue;
         }
+        const bool own = pieces[record.v0] == pieces[record.v1];
+        const bool folded =
+            std::max({folds[record.v0], folds[record.v1], folds[record.v2], folds[record.v3]}) > 0;
+        const bool wall = isWall(record.v0, record.v1);
+        (wall ? touched.walls : own ? touched.own : touched.others) += 1;
+        (wall ? touched.foldedWalls : own ? touched.foldedOwn : touched.foldedOthers) += folded;
     }
     return touched;
 }
 
-// A wall that has turned over would be caught behind the other one.
-TEST_F(UnfoldingTest, FoldedWallsDoNotTouch) {
-    Crumpled body(test::slitSphere(), 0.15f, 0.5f);
+/// One substep with contact.
+Touched touchedBy(Crumpled& body) {
     Params params;
     params.contact = 1;
     ContactSettings settings = contactSettings(params);
@@ -221,9 +227,48 @@ TEST_F(UnfoldingTest, FoldedWallsDoNotTouch) {
     EXPECT_GT(std::ranges::count_if(reference.folds, [](double fold) { return fold > 0; }), 20);
     body.play(1);
     const double thickness = 0.999 * settings.thickness * contactEdgeLength(body.model);
-    const TouchedWalls touched = touchedWalls(body, reference.folds, thickness);
-    EXPECT_GT(touched.all, 5);
-    EXPECT_EQ(touched.folded, 0);
+    return countTouched(body, reference.folds, thickness);
+}
+
+/// One side of the slit moved along the other, by so many edges that they face walls which lay far
+/// from them at rest.
+void slideWalls(Crumpled& body) {
+    const Vec3f way(static_cast<float>(2.5 * meanRestEdgeLength(body.mesh)), 0, 0);
+    std::set<int> side;
+    for (int t = 0; t < body.mesh.triangleSlots(); ++t) {
+        if (body.mesh.alive(t) && body.mesh.wallLabel(t) >= 0 && body.mesh.wallLabel(t) % 2 == 1) {
+            side.insert(body.mesh.triangle(t).begin(), body.mesh.triangle(t).end());
+        }
+    }
+    for (const int v : side) {
+        body.start.positions[v] += way;
+    }
+    body.gpu.setState(body.start);
+}
+
+// A wall that has turned over would be caught behind the other one.
+TEST_F(UnfoldingTest, FoldedWallsDoNotTouch) {
+    Crumpled body(test::slitSphere(), 0.15f, 0.5f);
+    const Touched touched = touchedBy(body);
+    EXPECT_GT(touched.walls, 5);
+    EXPECT_EQ(touched.foldedWalls, 0);
+}
+
+TEST_F(UnfoldingTest, FoldedSkinDoesNotTouchItsOwnPiece) {
+    Crumpled body(test::slitSphere(), 0.15f, 0.5f);
+    slideWalls(body);
+    const Touched touched = touchedBy(body);
+    EXPECT_GT(touched.own, 2);
+    EXPECT_EQ(touched.foldedOwn, 0);
+}
+
+// Else what lies on another piece would fall through it.
+TEST_F(UnfoldingTest, FoldedSkinTouchesOtherPieces) {
+    Crumpled body(test::slitSphere(30), 0.15f, 0.5f);
+    slideWalls(body);
+    const Touched touched = touchedBy(body);
+    EXPECT_GT(touched.others, 5);
+    EXPECT_GT(touched.foldedOthers, 5);
 }
 
 // A spring that gave energy would shake the body for ever.
