@@ -100,7 +100,8 @@ class ContactSolver {
     void forgetCandidates() { hasCandidates_ = false; }
 
     /// How far the skin at each vertex is folded, a float each, where the coming step unfolds; null
-    /// where it does not. What is folded does not touch what was beside it at rest.
+    /// where it does not. What is folded does not touch what was beside it at rest, nor its own
+    /// piece.
     void setFolds(const gpu::Buffer* folds);
 
     /// Before the first substep of a time step.

@@ -88,11 +88,12 @@ float lateralDistance(Nearest near) {
     return length(near.offset - dot(normal, near.offset) * normal);
 }
 
-// Folded skin does not touch what was beside it at rest, nor its own piece: it would be caught there.
+// Whether one of the two is folded and would be caught by the other.
 bool passesFold(uint v, Nearest near) {
 #ifdef UNFOLDS
-    bool own = near.thickness < uniforms.thickness || links[v].piece == near.triangle.w >> 8;
-    return own && foldAt(uvec4(v, near.triangle.xyz)) > 0.0;
+    bool wasBeside = near.thickness < uniforms.thickness;
+    bool ownPiece = links[v].piece == near.triangle.w >> 8;
+    return (wasBeside || ownPiece) && foldAt(uvec4(v, near.triangle.xyz)) > 0.0;
 #else
     return false;
 #endif
