@@ -170,9 +170,10 @@ class Cutter {
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);
     /// Sweeps from where the last successful step ended to `blade`. Where that lies behind the cut
-    /// the cut stays, and goes on once the blade is ahead of it again. After three refusals in a
-    /// row the front in that piece is let go, stays as a slit, and the sweep starts anew at the
-    /// blade.
+    /// the cut stays, and goes on once the blade is ahead of it again. Where a step does not
+    /// succeed the front in that piece is let go, and the sweep starts anew behind it (in a body
+    /// that moves only after two refusals in a row, since the next step may succeed); after three
+    /// refusals at the blade, and the front stays as a slit.
     CutResult advance(const Blade& blade);
     /// Ends the stroke: sweeps what the gate held back, lets go of the front, cleans up, closes the
     /// wounds of the open course, removes debris.

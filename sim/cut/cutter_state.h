@@ -116,6 +116,7 @@ struct Cutter::State {
     bool tryLevels(const Blade& to, const cut::RungPart& part, const cut::BroadPhase& candidates,
                    const cut::SlitOpening& opening, int levels, cut::Sweep& sweep,
                    CutResult& result);
+    bool mayWait(const cut::Sweep& sweep) const;
     bool resume(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep,
                 CutResult& result);
     bool startAnew(const cut::Resumption& way, cut::Sweep& sweep, CutResult& result);

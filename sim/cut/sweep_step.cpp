@@ -273,21 +273,36 @@ bool Cutter::State::tryLevels(const Blade& to, const cut::RungPart& part,
     return false;
 }
 
+// What a moving body does not let through now it often does in the next step.
+bool Cutter::State::mayWait(const Sweep& sweep) const {
+    return sweep.refusedInARow + 1 < kRefusalsBeforeDetach &&
+           std::ranges::any_of(sweep.rung, [&](const RungNode& node) {
+               return node.vertex >= 0 && !mesh.velocity(node.vertex).isZero(0);
+           });
+}
+
 // Lets go of the front, and sweeps anew across the walls behind it: close beside them where the
-// body surely parts so, and then on to the blade; otherwise steeply.
+// body surely parts so, and then on to the blade; otherwise steeply, and if need be without proof.
 bool Cutter::State::resume(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
                            CutResult& result) {
-    const auto start = [&](const cut::Resumption& way) { return startAnew(way, sweep, result); };
+    if (mayWait(sweep)) {
+        return false;
+    }
+    const auto startsBy = [&](const std::vector<cut::Resumption>& ways) {
+        return std::ranges::any_of(
+            ways, [&](const cut::Resumption& way) { return startAnew(way, sweep, result); });
+    };
     piecesToCross = cut::piecesOfFront(from, pieces.ofVertex());
-    const bool crosses =
-        !piecesToCross.empty() &&
-        std::ranges::any_of(cut::crossings(from, to, std::min(h, sweep.edgeLength)), start);
-    piecesToCross.clear();
-    if (crosses) {
+    const bool mayProve = !piecesToCross.empty();
+    if (mayProve && startsBy(cut::crossings(from, to, std::min(h, sweep.edgeLength)))) {
+        piecesToCross.clear();
         sweepOn(to, sweep, result);
         return true;
     }
-    return std::ranges::any_of(cut::resumptions(from, to, sweep.edgeLength), start);
+    const std::vector<cut::Resumption> steep = cut::resumptions(from, to, sweep.edgeLength);
+    const bool crosses = mayProve && startsBy(steep);
+    piecesToCross.clear();
+    return crosses || startsBy(steep);
 }
 
 bool Cutter::State::startAnew(const cut::Resumption& way, Sweep& sweep, CutResult& result) {

@@ -51,6 +51,15 @@ TEST_F(MovingScenes, RollingHalvesComeApart) {
     expectParted(play({"vi twice", 1e5, 0}));
 }
 
+// Walls crumple at the front for a step; cut anew at once it stayed whole.
+TEST_F(MovingScenes, TheBladeWaitsForWallsThatCrumple) {
+    const test::SceneFigures figures = play({"vi twice", 1e5, 2});
+    EXPECT_LE(figures.refused, 2) << "of " << figures.attempted << " steps";
+    EXPECT_EQ(figures.unseparated, 0);
+    EXPECT_EQ(figures.slitEdges, 0);
+    EXPECT_LT(figures.speedCutting, 3);
+}
+
 TEST_F(MovingScenes, AnArmAndTheHeadComeOff) {
     expectParted(play({"iii octopus", 1e5, 5}));
 }
