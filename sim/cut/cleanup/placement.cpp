@@ -3,7 +3,12 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
+#include <tuple>
+#include <utility>
 
+#include "sim/cut/cleanup/deformation_field.h"
 #include "sim/cut/cleanup/limits.h"
 
 namespace kerf::cut {
@@ -150,28 +155,114 @@ struct Shape {
     double tolerable;   ///< [m^3]
 };
 
-double placeIn(const Workspace& workspace, const Shape& shape, std::vector<Patch>& patches) {
-    const double h = workspace.edgeLength();
+VolumeEquation equationIn(const Workspace& workspace, const Shape& shape, const Patch& patch) {
+    return equationAt(workspace.mesh, shape.positions, patch, patch.*shape.place);
+}
+
+/// Moves patches that share their way. Returns the volume that remains.
+double placeTogether(const Workspace& workspace, const Shape& shape, std::vector<Patch>& patches) {
     std::vector<VolumeEquation> equations;
     equations.reserve(patches.size());
     for (const Patch& patch : patches) {
-        equations.push_back(equationAt(workspace.mesh, shape.positions, patch, patch.*shape.place));
+        equations.push_back(equationIn(workspace, shape, patch));
+    }
+    const Displacement together =
+        displaceTogether(equations, workspace.edgeLength(), shape.longestWay, shape.tolerable);
+    for (Patch& patch : patches) {
+        patch.*shape.place += together.way;
+    }
+    return together.defect;
+}
+
+double placeAlone(const Workspace& workspace, const Shape& shape, Patch& patch) {
+    const VolumeEquation equation = equationIn(workspace, shape, patch);
+    const Vec3 way =
+        shortened(shortestSolution({equation}, workspace.edgeLength()), shape.longestWay);
+    patch.*shape.place += way;
+    return residual({equation}, way);
+}
+
+double placeIn(const Workspace& workspace, const Shape& shape, std::vector<Patch>& patches) {
+    if (isClosed(shape.positions, patches, workspace.edgeLength())) {
+        return placeTogether(workspace, shape, patches);
     }
     double defect = 0;
-    if (isClosed(shape.positions, patches, h)) {
-        const Displacement together =
-            displaceTogether(equations, h, shape.longestWay, shape.tolerable);
-        for (Patch& patch : patches) {
-            patch.*shape.place += together.way;
-        }
-        return together.defect;
-    }
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-        const Vec3 way = shortened(shortestSolution({equations[k]}, h), shape.longestWay);
-        patches[k].*shape.place += way;
-        defect += residual({equations[k]}, way);
+    for (Patch& patch : patches) {
+        defect += placeAlone(workspace, shape, patch);
     }
     return defect;
+}
+
+DeformationField fieldBetween(const Shape& from, const Shape& to, const SurfaceMesh& mesh,
+                              std::span<const Patch> patches) {
+    DeformationField field(from.positions, to.positions);
+    for (const Patch& patch : patches) {
+        for (const int t : patch.before) {
+            field.add(mesh.triangle(t));
+        }
+    }
+    return field;
+}
+
+Vec3 meanOf(std::span<const Vec3> ways) {
+    const Vec3 sum = std::accumulate(ways.begin(), ways.end(), Vec3(Vec3::Zero()));
+    return sum / static_cast<double>(ways.size());
+}
+
+/// Takes `shape` along the ways of another one, so that its own volumes ask for little and both
+/// stay alike.
+void follow(const Workspace& workspace, const Shape& other, const std::vector<Vec3>& ways,
+            const Shape& shape, std::vector<Patch>& patches) {
+    if (isClosed(shape.positions, patches, workspace.edgeLength())) {
+        const Vec3 way = fieldBetween(other, shape, workspace.mesh, patches).along(meanOf(ways));
+        for (Patch& patch : patches) {
+            patch.*shape.place += shortened(way, shape.longestWay);
+        }
+        return;
+    }
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        const Vec3 way =
+            fieldBetween(other, shape, workspace.mesh, {&patches[k], 1}).along(ways[k]);
+        patches[k].*shape.place += shortened(way, shape.longestWay);
+    }
+}
+
+bool liesAtRest(const SurfaceMesh& mesh, const Patch& patch) {
+    return std::ranges::all_of(patch.before, [&](int t) {
+        return std::ranges::all_of(mesh.triangle(t),
+                                   [&](int v) { return mesh.restPosition(v) == mesh.position(v); });
+    });
+}
+
+std::vector<Vec3> placesIn(const Shape& shape, const std::vector<Patch>& patches) {
+    std::vector<Vec3> places;
+    for (const Patch& patch : patches) {
+        places.push_back(patch.*shape.place);
+    }
+    return places;
+}
+
+/// How far each patch's vertex has gone from its place before.
+std::vector<Vec3> waysFrom(std::vector<Vec3> places, const Shape& shape,
+                           const std::vector<Patch>& patches) {
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        places[k] = patches[k].*shape.place - places[k];
+    }
+    return places;
+}
+
+/// First in the shape that is at rest, where slits are closed and nothing is crumpled; the other
+/// one follows. Returns the volumes that remain.
+std::pair<double, double> placeAlike(const Workspace& workspace, const Shape& atRest,
+                                     const Shape& other, std::vector<Patch>& patches) {
+    const std::vector<Vec3> before = placesIn(atRest, patches);
+    const double defectAtRest = placeIn(workspace, atRest, patches);
+    // Else the equations are the same, to the last bit.
+    const auto liesThere = [&](const Patch& patch) { return liesAtRest(workspace.mesh, patch); };
+    if (!std::ranges::all_of(patches, liesThere)) {
+        follow(workspace, atRest, waysFrom(before, atRest, patches), other, patches);
+    }
+    return {defectAtRest, placeIn(workspace, other, patches)};
 }
 
 }  // namespace
@@ -183,7 +274,9 @@ VolumeDefect placeByVolume(const Workspace& workspace, std::vector<Patch>& patch
     const double stretch = std::min(kMostStretch, restStretch(mesh, patches.front().vertex));
     const Shape current{VertexPlaces::current(mesh), &Patch::position, longest, tolerable.current};
     const Shape rest{VertexPlaces::atRest(mesh), &Patch::rest, longest * stretch, tolerable.rest};
-    return {placeIn(workspace, current, patches), placeIn(workspace, rest, patches)};
+    VolumeDefect defect;
+    std::tie(defect.rest, defect.current) = placeAlike(workspace, rest, current, patches);
+    return defect;
 }
 
 VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/cut/cleanup/patch.h"
+#include "sim/cut/cleanup/vertex_places.h"
 #include "sim/cut/cleanup/workspace.h"
 
 namespace kerf::cut {
@@ -11,27 +12,12 @@ namespace kerf::cut {
 /// displacement d with g_k . d = r_k for every patch k, g_k being the gradient of its volume and
 /// r_k what the operation would change (Lindstrom and Turk, Fast and Memory Efficient Polygonal
 /// Simplification, 1998, here for all copies of a point together). Copies at one place share d;
-/// copies of an open slit are solved one by one. Returns what remains of the change.
+/// copies of an open slit are solved one by one. The current shape goes as the rest shape does, as
+/// far as its volumes let it, so that both stay alike. Returns what remains of the change.
 VolumeDefect placeByVolume(const Workspace& workspace, std::vector<Patch>& patches);
 
 /// The change of volume if every patch's vertex goes exactly where it is planned.
 VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<Patch>& patches);
-
-/// The current or the rest positions of a mesh, by vertex.
-class VertexPlaces {
-  public:
-    static VertexPlaces current(const SurfaceMesh& mesh) { return {mesh, false}; }
-    static VertexPlaces atRest(const SurfaceMesh& mesh) { return {mesh, true}; }
-    const Vec3& operator[](int v) const {
-        return atRest_ ? mesh_->restPosition(v) : mesh_->position(v);
-    }
-
-  private:
-    VertexPlaces(const SurfaceMesh& mesh, bool atRest) : mesh_(&mesh), atRest_(atRest) {}
-
-    const SurfaceMesh* mesh_;
-    bool atRest_;
-};
 
 /// Gradient of the volume by the position of a vertex, over `places` [m^2].
 Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPlaces& places, int vertex);

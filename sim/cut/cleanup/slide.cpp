@@ -1,10 +1,10 @@
 #include "sim/cut/cleanup/slide.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 
 #include "sim/cut/cleanup/acceptance.h"
+#include "sim/cut/cleanup/deformation_field.h"
 #include "sim/cut/cleanup/deviation.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/placement.h"
@@ -24,7 +24,6 @@ constexpr double kLeastStretch = 0.3;
 constexpr double kNoBase = 1e-9;
 constexpr double kNoEdge = 1e-6;
 constexpr double kRestReach = 4;  // times the way that rest edges allow
-constexpr double kRidge = 1e-6;   // of the trace, towards the identity
 
 class Slide {
   public:
@@ -81,7 +80,7 @@ class Slide {
 
     std::vector<Patch> patchesMovedBy(const Vec3& way) const {
         const Vec3 restWay = restWayOf(way);
-        const Vec3 velocityWay = mapped(way, [&](int v) { return mesh_.velocity(v); });
+        const Vec3 velocityWay = velocityWayOf(way);
         std::vector<Patch> patches;
         for (const int v : star_.copies) {
             patches.push_back(patchOfMove(mesh_, star_, v));
@@ -92,20 +91,16 @@ class Slide {
         return patches;
     }
 
-    // How a quantity at vertices changes along `way`, by the linear field that fits the edges best.
-    template <class Quantity>
-    Vec3 mapped(const Vec3& way, Quantity&& quantity) const {
-        Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-        Eigen::Matrix3d change = Eigen::Matrix3d::Zero();
+    Vec3 velocityWayOf(const Vec3& way) const {
+        LinearField velocity;
         for (const int v : star_.copies) {
             mesh_.forEachOutgoing(v, [&](int h) {
-                const Vec3 edge = mesh_.position(mesh_.target(h)) - mesh_.position(v);
-                spread += edge * edge.transpose();
-                change += (quantity(mesh_.target(h)) - quantity(v)) * edge.transpose();
+                const int u = mesh_.target(h);
+                velocity.add(mesh_.position(u) - mesh_.position(v),
+                             mesh_.velocity(u) - mesh_.velocity(v));
             });
         }
-        spread.diagonal().array() += kRidge * spread.trace() + 1e-300;
-        return change * spread.ldlt().solve(way);
+        return velocity.along(way);
     }
 
     bool liesAtRest() const {
@@ -123,9 +118,11 @@ class Slide {
         if (liesAtRest()) {
             return way;
         }
-        const Vec3 offset =
-            mapped(way, [&](int v) { return Vec3(mesh_.restPosition(v) - mesh_.position(v)); });
-        const Vec3 restWay = projectOnConstantVolume(restGradients_, way + offset);
+        DeformationField field(VertexPlaces::current(mesh_), VertexPlaces::atRest(mesh_));
+        for (const int v : star_.copies) {
+            mesh_.forEachOutgoing(v, [&](int h) { field.add(mesh_.triangle(h / 3)); });
+        }
+        const Vec3 restWay = projectOnConstantVolume(restGradients_, field.along(way));
         const double most = kRestReach * way.norm() * restStretch(mesh_, star_.copies[0]);
         return restWay.norm() > most ? Vec3(restWay * (most / restWay.norm())) : restWay;
     }

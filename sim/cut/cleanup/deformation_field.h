@@ -1,0 +1,38 @@
+#pragma once
+
+#include "sim/cut/cleanup/vertex_places.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf::cut {
+
+/// The linear field that fits best, by least squares, how a quantity changes along edges. Where no
+/// edge goes it is constant.
+class LinearField {
+  public:
+    void add(const Vec3& edge, const Vec3& change);
+    /// By how much the quantity changes along `way`.
+    Vec3 along(const Vec3& way) const;
+
+  private:
+    Eigen::Matrix3d spread_ = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d change_ = Eigen::Matrix3d::Zero();
+};
+
+/// How one shape of some triangles becomes another: their edges, and the normal of each as one
+/// more (Sumner and Popovic, Deformation Transfer for Triangle Meshes, 2004). Where both shapes are
+/// the same, ways are to the last bit.
+class DeformationField {
+  public:
+    DeformationField(const VertexPlaces& from, const VertexPlaces& to) : from_(from), to_(to) {}
+
+    void add(const Triangle& triangle);
+    /// The way in the shape `to` that a way in the shape `from` becomes [m].
+    Vec3 along(const Vec3& way) const { return way + offset_.along(way); }
+
+  private:
+    VertexPlaces from_;
+    VertexPlaces to_;
+    LinearField offset_;  ///< from `from` to `to`
+};
+
+}  // namespace kerf::cut
