@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/body/folded_triangles.h"
 #include "sim/run/front_hold.h"
 #include "sim/run/simulation_state.h"
 #include "sim/state_hash.h"
@@ -9,6 +10,11 @@
 #include "sim/text.h"
 
 namespace kerf {
+
+namespace {
+// Steps after which a body that is folded, and not being cut, is mended: most folds go by then.
+constexpr int kPatience = 10;
+}  // namespace
 
 Simulation::State::State(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver,
                          SimulationSetup with)
@@ -59,6 +65,7 @@ const StepReport& Simulation::State::step() {
     applyParameters();
     solve();
     cutAll();
+    mendFolds();
     ++stepsDone;
     time += params.timeStep;
     publish();
@@ -118,6 +125,26 @@ void Simulation::State::takeBackLostPieces() {
             stepsDone, counted(report.lostPieces, "piece", "pieces"), body.model().pieces.size());
     }
     body.bringLostPiecesBack();
+}
+
+/// What the solver can't unfold in kPatience steps lies at short edges that a cut left there: these
+/// are removed.
+void Simulation::State::mendFolds() {
+    if (body.cutter->inStroke()) {
+        body.foldedSteps = 0;
+    } else if (body.solver.unfolds()) {
+        ++body.foldedSteps;  // not in a row: much comes and goes
+    }
+    if (body.foldedSteps < kPatience) {
+        return;
+    }
+    body.foldedSteps = 0;
+    const Stopwatch watch;
+    const std::vector<int> triangles = foldedTriangles(body.mesh, body.uncut->mesh.triangleSlots());
+    if (!triangles.empty()) {
+        adopt(body.cutter->mend(triangles));
+    }
+    report.cutMs += watch.milliseconds();
 }
 
 void Simulation::State::publish() {

@@ -29,6 +29,7 @@ struct Snapshot {
     ContactMemory contact;
     bool closed = true;
     SubdivisionCounts subdivisions;
+    int foldedSteps = 0;
 };
 using SnapshotPointer = std::shared_ptr<const Snapshot>;
 

@@ -214,6 +214,17 @@ CutResult Cutter::finish() {
     return result;
 }
 
+CutDelta Cutter::mend(const std::vector<int>& triangles) {
+    assert(!state_->inStroke);
+    state_->noteMotion();
+    CutDelta delta;
+    delta.firstNewVertex = state_->mesh.vertexCount();
+    if (state_->settings.cleanUp) {
+        state_->mend(triangles, delta);
+    }
+    return delta;
+}
+
 void Cutter::prepare() {
     state_->surface.prepare();
     state_->pieces.measureVolumes(state_->mesh);

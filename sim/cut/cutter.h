@@ -179,6 +179,10 @@ class Cutter {
     /// wounds of the open course, removes debris.
     CutResult finish();
 
+    /// Between strokes: removes short edges of these triangles, where the body stays folded. They
+    /// are judged by how they rest, however crumpled they are. Nothing without clean-up.
+    CutDelta mend(const std::vector<int>& triangles);
+
     /// Between begin() and finish().
     bool inStroke() const;
     /// The old rungs of all pieces, each from A to B, one after the other: empty outside a stroke.

@@ -91,6 +91,7 @@ struct Cutter::State {
     int groupOfVertex(int v) const;
     void joinRungs();
     void cleanUpBehindFront(CutResult& result);
+    void mend(const std::vector<int>& triangles, CutDelta& delta);
     void cleanUpAtEnd(CutResult& result);
     void closeWounds(CutResult& result);
     void patch(const cut::Wound& wound, CutResult& result);

@@ -47,6 +47,13 @@ void Cutter::State::cleanUpAtEnd(CutResult& result) {
     cleanup.reset();
 }
 
+void Cutter::State::mend(const std::vector<int>& triangles, CutDelta& delta) {
+    cleanup.emplace(mesh, *edgeLengths);
+    cleanup->mend(triangles, delta);
+    followCleanUp({}, delta);
+    cleanup.reset();
+}
+
 /// Walls that no patch replaces are part of the body from now on.
 void Cutter::State::closeWounds(CutResult& result) {
     for (const cut::Wound& wound : cut::findWounds(mesh)) {

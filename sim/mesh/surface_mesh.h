@@ -64,6 +64,11 @@ class SurfaceMesh {
     void setPosition(int v, const Vec3& p) { positions_[v] = p; }
     void setRestPosition(int v, const Vec3& p) { restPositions_[v] = p; }
     void setVelocity(int v, const Vec3& u) { velocities_[v] = u; }
+    /// Current positions become rest positions and the other way round.
+    void exchangeShapes() {
+        bringAll();
+        positions_.swap(restPositions_);
+    }
     const std::vector<Vec3>& positions() const {
         bringAll();
         return positions_;

@@ -59,6 +59,7 @@ void RunningBody::beginAtRest() {
     hands = {};
     pins = {};
     subdivisions = {};
+    foldedSteps = 0;
     pieces_.reset();
 }
 
@@ -80,9 +81,9 @@ void RunningBody::apply(const Params& params) {
 
 SnapshotPointer RunningBody::capture() {
     mesh.bringAll();
-    return std::make_shared<const Snapshot>(Snapshot{mesh, *updater, *cutter, solver.pages(),
-                                                     volumeTargets, hands, pins, measure,
-                                                     solver.contactMemory(), closed, subdivisions});
+    return std::make_shared<const Snapshot>(
+        Snapshot{mesh, *updater, *cutter, solver.pages(), volumeTargets, hands, pins, measure,
+                 solver.contactMemory(), closed, subdivisions, foldedSteps});
 }
 
 void RunningBody::restore(const Snapshot& snapshot) {
@@ -98,6 +99,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
     sync.setBounds(measure.bounds);
     closed = snapshot.closed;
     subdivisions = snapshot.subdivisions;
+    foldedSteps = snapshot.foldedSteps;
     solver.restoreModel(model(), stateOf(mesh), snapshot.pages);
     solver.rememberContacts(snapshot.contact);
     solver.setVolumeTargets(volumeTargets.targets());

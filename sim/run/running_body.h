@@ -81,6 +81,7 @@ struct RunningBody {
     Pins pins;
     BodyMeasure measure;  ///< as of the last step
     SubdivisionCounts subdivisions{};
+    int foldedSteps = 0;  ///< without a stroke, since it was last mended
     bool closed = true;
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 

@@ -95,6 +95,7 @@ struct Simulation::State {
     double collideAsThePaper();
     void takeBackLostPieces();
     void cutAll();
+    void mendFolds();
     void publish();
 
     // The course of a stroke.
@@ -104,6 +105,7 @@ struct Simulation::State {
     void beginStroke();
     void endStroke();
     void accept(const CutResult& result);
+    void adopt(const CutDelta& delta);
     void putBladeAway();
     BladePush bladePush() const;
     std::optional<BladeMotion> bladeMotion() const;

@@ -67,11 +67,17 @@ void Simulation::State::accept(const CutResult& result) {
     for (std::string& sentence : sentencesAbout(result, stepsDone)) {
         messages.push_back(std::move(sentence));
     }
-    if (result.delta.empty()) {
+    if (!result.delta.empty()) {
+        tellOf(log.noteCut(time));
+        adopt(result.delta);
+    }
+}
+
+void Simulation::State::adopt(const CutDelta& delta) {
+    if (delta.empty()) {
         return;
     }
-    tellOf(log.noteCut(time));
-    const std::string defect = body.adopt(result.delta);
+    const std::string defect = body.adopt(delta);
     if (!defect.empty()) {
         say("step {}: the cut left the mesh open: {}", stepsDone, defect);
     }

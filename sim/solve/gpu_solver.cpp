@@ -112,6 +112,10 @@ void GpuSolver::setState(const BodyState& state) {
     masses_.compute();
 }
 
+bool GpuSolver::unfolds() const {
+    return motion_.folded && body_.active(shared::kUnfoldPart);
+}
+
 void GpuSolver::step() {
     masses_.refresh();
     contacts_.beginStep(motion_);
@@ -119,7 +123,7 @@ void GpuSolver::step() {
         body_.active(shared::kFloorPart) ? body_.uniforms.floor_height : BodyReach::kNoFloor;
     boxes_.beginStep(reach_);
     blade_.beginStep(reach_);
-    unfolds_ = motion_.folded && body_.active(shared::kUnfoldPart);
+    unfolds_ = unfolds();
     const gpu::Buffer* folds = unfolds_ ? &unfolding_.folds() : nullptr;
     phases_.setFolds(folds);
     smallBody_.setFolds(folds);

@@ -105,6 +105,9 @@ class GpuSolver {
     /// phase, in plain PBD on llvmpipe whichever is faster.
     bool solvesInOneGroup() const;
 
+    /// Whether the last measure saw a folded edge that the coming step unfolds (see Unfolding).
+    bool unfolds() const;
+
     // The phases of a substep, in their order; each ends with a storage barrier.
     void unfold();  ///< only where something is folded
     void predictAndStretch();

@@ -56,7 +56,7 @@ bool keepsOrientation(const SurfaceMesh& mesh, double h, const Patch& patch,
 
 }  // namespace
 
-double triangleScore(const std::array<Vec3, 3>& corners, double h) {
+double triangleScore(const std::array<Vec3, 3>& corners, double goodEdge) {
     const double longest = longestSquare(corners);
     if (longest <= 0) {
         return 0;
@@ -65,11 +65,11 @@ double triangleScore(const std::array<Vec3, 3>& corners, double h) {
         std::min({(corners[1] - corners[0]).squaredNorm(), (corners[2] - corners[1]).squaredNorm(),
                   (corners[0] - corners[2]).squaredNorm()});
     const double quality = crossOf(corners).norm() / longest;
-    return std::min({1.0, quality / kGoodQuality, std::sqrt(shortest) / (kGoodEdge * h)});
+    return std::min({1.0, quality / kGoodQuality, std::sqrt(shortest) / goodEdge});
 }
 
-double triangleScore(const SurfaceMesh& mesh, int triangle, double h) {
-    return triangleScore(cornersOf(mesh, triangle), h);
+double triangleScore(const SurfaceMesh& mesh, int triangle, double goodEdge) {
+    return triangleScore(cornersOf(mesh, triangle), goodEdge);
 }
 
 void Scores::add(double score) {
@@ -81,7 +81,7 @@ Scores scoresBefore(const Workspace& workspace, const std::vector<Patch>& patche
     Scores scores;
     for (const Patch& patch : patches) {
         for (const int t : patch.before) {
-            scores.add(triangleScore(workspace.mesh, t, workspace.edgeLength()));
+            scores.add(triangleScore(workspace.mesh, t, workspace.goodEdgeLength()));
         }
     }
     return scores;
@@ -92,7 +92,7 @@ Scores scoresAfter(const Workspace& workspace, const std::vector<Patch>& patches
     for (const Patch& patch : patches) {
         for (const PatchTriangle& t : patch.after) {
             scores.add(
-                triangleScore(cornersAfter(workspace.mesh, patch, t), workspace.edgeLength()));
+                triangleScore(cornersAfter(workspace.mesh, patch, t), workspace.goodEdgeLength()));
         }
     }
     return scores;

@@ -55,7 +55,7 @@ class SliverRemoval {
     }
 
   private:
-    double scoreOf(int t) const { return triangleScore(mesh_, t, workspace_.edgeLengthAt(t)); }
+    double scoreOf(int t) const { return triangleScore(mesh_, t, workspace_.goodEdgeLengthAt(t)); }
     bool isGood(int t) const { return scoreOf(t) >= 1; }
 
     /// The worst first.
@@ -101,8 +101,7 @@ class SliverRemoval {
     }
 
     double worth(const CollapsePlan& plan) const {
-        return plan.score -
-               kPriceOfDeviation * plan.deviation / (kMostDeviation * workspace_.edgeLength());
+        return plan.score - kPriceOfDeviation * plan.deviation / workspace_.mostDeviation();
     }
 
     std::optional<CollapsePlan> bestCollapse(int t) const {
@@ -169,6 +168,15 @@ CleanupStatistics Cleanup::atEnd(CutDelta& delta) {
     statistics.flips += partSurface(workspace_, triangles);
     workspace_.moveChangesTo(delta);
     statistics.volumeSpent = workspace_.volumeSpent();
+    return statistics;
+}
+
+CleanupStatistics Cleanup::mend(const std::vector<int>& triangles, CutDelta& delta) {
+    workspace_.keepAround({});
+    workspace_.setGoodEdge(kGoodEdgeOfFold);
+    workspace_.exchangeShapes();
+    const CleanupStatistics statistics = clean(triangles, delta);
+    workspace_.exchangeShapes();
     return statistics;
 }
 

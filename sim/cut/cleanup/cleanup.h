@@ -21,6 +21,9 @@ class Cleanup {
     CleanupStatistics behindFront(const std::vector<RungNode>& rung, CutDelta& delta);
     /// Cleans all that the stroke made, the end of the slit included.
     CleanupStatistics atEnd(CutDelta& delta);
+    /// Removes short edges at some triangles, without a stroke. All is judged in the rest shape,
+    /// however crumpled the body is.
+    CleanupStatistics mend(const std::vector<int>& triangles, CutDelta& delta);
     /// Makes the inside of the stroke's walls coarser by `factor` > 1 after atEnd(); see
     /// coarsenWalls(). Returns the number of collapses.
     int coarsen(double factor, CutDelta& delta);

@@ -53,8 +53,8 @@ class Collapse {
         if (!edge->isFeature()) {
             return false;
         }
-        return !from_.isCorner() || (target_ == CollapseTarget::end &&
-                                     edgeLength() <= kMostDeviation * workspace_.edgeLength());
+        return !from_.isCorner() ||
+               (target_ == CollapseTarget::end && edgeLength() <= workspace_.mostDeviation());
     }
 
     double edgeLength() const {
@@ -158,7 +158,7 @@ class Collapse {
         }
         plan_.deviation = moved + std::max(workspace_.deviationAt(from_.copies),
                                            workspace_.deviationAt(to_.copies));
-        return plan_.deviation <= kMostDeviation * workspace_.edgeLength();
+        return plan_.deviation <= workspace_.mostDeviation();
     }
 
     const Workspace& workspace_;

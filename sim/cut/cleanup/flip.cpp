@@ -170,12 +170,12 @@ class Flip {
     }
 
     void addScores(const Quad& quad, Scores& before, Scores& after) const {
-        const double h = workspace_.edgeLength();
+        const double goodEdge = workspace_.goodEdgeLength();
         const QuadShape q = shapeOf(quad);
-        before.add(triangleScore(mesh_, quad.halfEdge / 3, h));
-        before.add(triangleScore(mesh_, mesh_.twin(quad.halfEdge) / 3, h));
-        after.add(triangleScore({q.c, q.a, q.d}, h));
-        after.add(triangleScore({q.d, q.b, q.c}, h));
+        before.add(triangleScore(mesh_, quad.halfEdge / 3, goodEdge));
+        before.add(triangleScore(mesh_, mesh_.twin(quad.halfEdge) / 3, goodEdge));
+        after.add(triangleScore({q.c, q.a, q.d}, goodEdge));
+        after.add(triangleScore({q.d, q.b, q.c}, goodEdge));
     }
 
     void measure(const Quad& quad) {
@@ -198,7 +198,7 @@ class Flip {
     bool staysNear() {
         const Quad& q = quads_.front();
         deviation_ += workspace_.deviationAt({q.a, q.b, q.c, q.d});
-        return deviation_ <= kMostDeviation * workspace_.edgeLength();
+        return deviation_ <= workspace_.mostDeviation();
     }
 
     bool isWorth(const Scores& before, const Scores& after) const {

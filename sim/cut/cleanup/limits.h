@@ -7,18 +7,24 @@ namespace kerf::cut {
 
 /// Height over longest edge from which a triangle is good.
 inline constexpr double kGoodQuality = 0.05;
-/// Shortest edge from which a triangle is good.
+/// Shortest edge from which a triangle is good, and the same where skin stays folded.
 inline constexpr double kGoodEdge = 0.06;
+inline constexpr double kGoodEdgeOfFold = 0.3;
 /// Longest edge that is collapsed.
 inline constexpr double kLongestCollapse = 0.6;
 /// How far surface and rim may move, summed up over all operations at one place.
 inline constexpr double kMostDeviation = 0.014;
+/// The same where skin stays folded: still too little to see.
+inline constexpr double kMostDeviationOfFold = 0.05;
 /// Volume that one operation may change, as a share of the body; ten times that where it touches
 /// walls alone, whose two sides cancel.
 inline constexpr double kVolumePerOperation = 3e-9;
 inline constexpr double kWallsCancel = 10;
 /// Volume that a whole stroke may change, summed up by amount, as a share of the body.
 inline constexpr double kVolumePerStroke = 3e-7;
+/// Times as much of the current shape where the rest shape is judged: the body is crumpled there,
+/// and the volume constraint makes good for it.
+inline constexpr double kCrumpled = 100;
 /// Copies closer than this lie at one place and move together: the slit is closed, but for the
 /// noise of a solver.
 inline constexpr double kCoincident = 1e-3;

@@ -236,6 +236,7 @@ bool liesAtRest(const SurfaceMesh& mesh, const Patch& patch) {
 
 std::vector<Vec3> placesIn(const Shape& shape, const std::vector<Patch>& patches) {
     std::vector<Vec3> places;
+    places.reserve(patches.size());
     for (const Patch& patch : patches) {
         places.push_back(patch.*shape.place);
     }
@@ -270,12 +271,16 @@ std::pair<double, double> placeAlike(const Workspace& workspace, const Shape& at
 VolumeDefect placeByVolume(const Workspace& workspace, std::vector<Patch>& patches) {
     const SurfaceMesh& mesh = workspace.mesh;
     const VolumeDefect tolerable = workspace.mostPerOperation();
-    const double longest = kMostDeviation * workspace.edgeLength();
+    const double longest = workspace.mostDeviation();
     const double stretch = std::min(kMostStretch, restStretch(mesh, patches.front().vertex));
     const Shape current{VertexPlaces::current(mesh), &Patch::position, longest, tolerable.current};
     const Shape rest{VertexPlaces::atRest(mesh), &Patch::rest, longest * stretch, tolerable.rest};
     VolumeDefect defect;
-    std::tie(defect.rest, defect.current) = placeAlike(workspace, rest, current, patches);
+    if (workspace.judgesAtRest()) {
+        std::tie(defect.current, defect.rest) = placeAlike(workspace, current, rest, patches);
+    } else {
+        std::tie(defect.rest, defect.current) = placeAlike(workspace, rest, current, patches);
+    }
     return defect;
 }
 

@@ -67,7 +67,7 @@ class Slide {
         }
         const double deviation =
             deviationOf(mesh_, star_, star_, patches) + workspace_.deviationAt(star_.copies);
-        if (deviation > kMostDeviation * workspace_.edgeLength() || addsPiercings(mesh_, patches)) {
+        if (deviation > workspace_.mostDeviation() || addsPiercings(mesh_, patches)) {
             return false;
         }
         for (const Patch& patch : patches) {

@@ -52,8 +52,17 @@ Workspace::Workspace(SurfaceMesh& m, const EdgeLengthField& edgeLengths)
 
 double Workspace::edgeLengthAt(int triangle) const {
     const Triangle& c = mesh.triangle(triangle);
-    return edgeLengths_.localEdgeLength(
-        (mesh.restPosition(c[0]) + mesh.restPosition(c[1]) + mesh.restPosition(c[2])) / 3);
+    const auto atRest = [&](int v) -> const Vec3& {
+        return judgesAtRest_ ? mesh.position(v) : mesh.restPosition(v);
+    };
+    return edgeLengths_.localEdgeLength((atRest(c[0]) + atRest(c[1]) + atRest(c[2])) / 3);
+}
+
+void Workspace::exchangeShapes() {
+    judgesAtRest_ = !judgesAtRest_;
+    mesh.exchangeShapes();
+    std::swap(bodyVolume_, restVolume_);
+    std::swap(spent_.current, spent_.rest);
 }
 
 void Workspace::followMesh() {
@@ -112,16 +121,21 @@ void Workspace::setDeviation(const std::vector<int>& copies, double deviation) {
     }
 }
 
+VolumeDefect Workspace::most(double share) const {
+    const double ofOther = judgesAtRest_ ? kCrumpled : 1.0;
+    return {share * bodyVolume_, ofOther * share * restVolume_};
+}
+
 VolumeDefect Workspace::mostPerOperation() const {
-    return {kVolumePerOperation * bodyVolume_, kVolumePerOperation * restVolume_};
+    return most(kVolumePerOperation);
 }
 
 bool Workspace::allows(const VolumeDefect& defect, bool wallsOnly) const {
-    const double scale = wallsOnly ? kWallsCancel : 1.0;
-    const VolumeDefect most = mostPerOperation();
-    return defect.current <= scale * most.current && defect.rest <= scale * most.rest &&
-           spent_.current + defect.current <= kVolumePerStroke * bodyVolume_ &&
-           spent_.rest + defect.rest <= kVolumePerStroke * restVolume_;
+    const VolumeDefect once = most((wallsOnly ? kWallsCancel : 1.0) * kVolumePerOperation);
+    const VolumeDefect inAll = most(kVolumePerStroke);
+    return defect.current <= once.current && defect.rest <= once.rest &&
+           spent_.current + defect.current <= inAll.current &&
+           spent_.rest + defect.rest <= inAll.rest;
 }
 
 void Workspace::spend(const VolumeDefect& defect) {
@@ -134,7 +148,8 @@ double Workspace::volumeSpent() const {
 }
 
 void Workspace::moveVertex(const Patch& patch) {
-    restMotion_ += (patch.rest - mesh.restPosition(patch.vertex)).norm();
+    restMotion_ += judgesAtRest_ ? (patch.position - mesh.position(patch.vertex)).norm()
+                                 : (patch.rest - mesh.restPosition(patch.vertex)).norm();
     mesh.setPosition(patch.vertex, patch.position);
     mesh.setRestPosition(patch.vertex, patch.rest);
     mesh.setVelocity(patch.vertex, patch.velocity);

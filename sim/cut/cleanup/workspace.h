@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/patch.h"
 #include "sim/cut/cutter.h"
 #include "sim/cut/edge_length_field.h"
@@ -25,12 +26,24 @@ class Workspace {
 
     SurfaceMesh& mesh;
 
+    /// Exchanges current and rest positions of the mesh, until the same again: what is judged, and
+    /// must keep its volume, is the rest shape then.
+    void exchangeShapes();
+    bool judgesAtRest() const { return judgesAtRest_; }
     /// Of edges about a triangle [m].
     double edgeLengthAt(int triangle) const;
     /// What edgeLength() is from now on: that about a triangle.
     void workAt(int triangle) { edgeLength_ = edgeLengthAt(triangle); }
     /// The unit of all lengths of an operation [m].
     double edgeLength() const { return edgeLength_; }
+    /// How far surface and rim may move, all operations at one place together [m].
+    double mostDeviation() const {
+        return (judgesAtRest_ ? kMostDeviationOfFold : kMostDeviation) * edgeLength_;
+    }
+    /// The shortest edge of a good triangle, as a share of edgeLength().
+    void setGoodEdge(double share) { goodEdge_ = share; }
+    double goodEdgeLength() const { return goodEdge_ * edgeLength_; }
+    double goodEdgeLengthAt(int triangle) const { return goodEdge_ * edgeLengthAt(triangle); }
 
     /// Keeps the surroundings of the rung as they are, and of nothing else: where the body is cut
     /// next, and what the blade's air meets, must not move.
@@ -68,8 +81,12 @@ class Workspace {
     void followMesh();
 
   private:
+    VolumeDefect most(double share) const;
+
     const EdgeLengthField& edgeLengths_;
     double edgeLength_;
+    double goodEdge_ = kGoodEdge;
+    bool judgesAtRest_ = false;
     double bodyVolume_;
     double restVolume_;
     VolumeDefect spent_;

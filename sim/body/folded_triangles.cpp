@@ -1,0 +1,76 @@
+#include "sim/body/folded_triangles.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "sim/body/dihedral.h"
+#include "sim/sort_unique.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kFold = 0.5 * std::numbers::pi;
+
+template <class Places>
+Dihedral<double> dihedralAt(const SurfaceMesh& mesh, int h, const Places& places) {
+    const Vec3& x0 = places(mesh.origin(h));
+    return dihedral<double>(places(mesh.target(h)) - x0, places(mesh.apex(h)) - x0,
+                            places(mesh.apex(mesh.twin(h))) - x0);
+}
+
+bool isFolded(const SurfaceMesh& mesh, int h) {
+    const auto now = dihedralAt(mesh, h, [&](int v) -> const Vec3& { return mesh.position(v); });
+    const auto rest =
+        dihedralAt(mesh, h, [&](int v) -> const Vec3& { return mesh.restPosition(v); });
+    return now.valid && rest.valid && std::fabs(wrapAngle(now.angle - rest.angle)) > kFold;
+}
+
+/// Between both walls of a stroke: it opens without being folded.
+bool isSlitEnd(const SurfaceMesh& mesh, int h) {
+    const int label = mesh.wallLabel(h / 3);
+    const int other = mesh.wallLabel(mesh.twin(h) / 3);
+    return label >= 0 && other >= 0 && label != other && label / 2 == other / 2;
+}
+
+bool mayFold(const SurfaceMesh& mesh, int h) {
+    return mesh.present(h / 3) && mesh.present(mesh.twin(h) / 3) && !isSlitEnd(mesh, h);
+}
+
+void bringFrom(const SurfaceMesh& mesh, int first) {
+    std::vector<int> vertices;
+    for (int t = first; t < mesh.triangleSlots(); ++t) {
+        if (mesh.present(t)) {
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                vertices.insert(vertices.end(), {mesh.origin(h), mesh.apex(mesh.twin(h))});
+            }
+        }
+    }
+    sortUnique(vertices);
+    mesh.bring(vertices);
+}
+
+void addAround(const SurfaceMesh& mesh, int vertex, int first, std::vector<int>& triangles) {
+    mesh.forEachOutgoing(vertex, [&](int h) {
+        if (h / 3 >= first) {
+            triangles.push_back(h / 3);
+        }
+    });
+}
+
+}  // namespace
+
+std::vector<int> foldedTriangles(const SurfaceMesh& mesh, int first) {
+    bringFrom(mesh, first);
+    std::vector<int> triangles;
+    for (int h = 3 * first; h < 3 * mesh.triangleSlots(); ++h) {
+        if (mayFold(mesh, h) && isFolded(mesh, h)) {
+            addAround(mesh, mesh.origin(h), first, triangles);
+            addAround(mesh, mesh.target(h), first, triangles);
+        }
+    }
+    sortUnique(triangles);
+    return triangles;
+}
+
+}  // namespace kerf
