@@ -141,8 +141,9 @@ void Simulation::State::mendFolds() {
     body.foldedSteps = 0;
     const Stopwatch watch;
     const std::vector<int> triangles = foldedTriangles(body.mesh, body.uncut->mesh.triangleSlots());
-    if (!triangles.empty()) {
-        adopt(body.cutter->mend(triangles));
+    const CutDelta mended = triangles.empty() ? CutDelta{} : body.cutter->mend(triangles);
+    if (!mended.empty()) {
+        adopt(mended);
     }
     report.cutMs += watch.milliseconds();
 }

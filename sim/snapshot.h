@@ -29,7 +29,7 @@ struct Snapshot {
     ContactMemory contact;
     bool closed = true;
     SubdivisionCounts subdivisions;
-    int foldedSteps = 0;
+    int foldedSteps = 0;  ///< see RunningBody
 };
 using SnapshotPointer = std::shared_ptr<const Snapshot>;
 

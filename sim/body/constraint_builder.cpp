@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "sim/body/dihedral.h"
+#include "sim/body/edge_angle.h"
 #include "sim/body/rest_geometry.h"
 
 namespace kerf {
@@ -34,15 +34,6 @@ bool isSliver(const SurfaceMesh& mesh, int triangle) {
     return 2 * restArea(mesh, triangle) < kSliverHeight * longest;
 }
 
-std::optional<double> restAngle(const SurfaceMesh& mesh, int h) {
-    const Vec3& x0 = mesh.restPosition(mesh.origin(h));
-    const Vec3 edge = mesh.restPosition(mesh.target(h)) - x0;
-    const Vec3 left = mesh.restPosition(mesh.apex(h)) - x0;
-    const Vec3 right = mesh.restPosition(mesh.apex(mesh.twin(h))) - x0;
-    const Dihedral<double> rest = dihedral<double>(edge, left, right);
-    return rest.valid ? std::optional(rest.angle) : std::nullopt;
-}
-
 }  // namespace
 
 shared::EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int h, double thickness) {
@@ -63,7 +54,7 @@ std::optional<shared::BendConstraint> bendConstraint(const SurfaceMesh& mesh, in
     if (isSliver(mesh, h / 3) || isSliver(mesh, g / 3) || mesh.apex(h) == mesh.apex(g)) {
         return std::nullopt;
     }
-    const std::optional<double> angle = restAngle(mesh, h);
+    const std::optional<double> angle = restEdgeAngle(mesh, h);
     if (!angle) {
         return std::nullopt;
     }

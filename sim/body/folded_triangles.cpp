@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "sim/body/dihedral.h"
+#include "sim/body/edge_angle.h"
 #include "sim/sort_unique.h"
 
 namespace kerf {
@@ -12,18 +14,10 @@ namespace {
 
 constexpr double kFold = 0.5 * std::numbers::pi;
 
-template <class Places>
-Dihedral<double> dihedralAt(const SurfaceMesh& mesh, int h, const Places& places) {
-    const Vec3& x0 = places(mesh.origin(h));
-    return dihedral<double>(places(mesh.target(h)) - x0, places(mesh.apex(h)) - x0,
-                            places(mesh.apex(mesh.twin(h))) - x0);
-}
-
 bool isFolded(const SurfaceMesh& mesh, int h) {
-    const auto now = dihedralAt(mesh, h, [&](int v) -> const Vec3& { return mesh.position(v); });
-    const auto rest =
-        dihedralAt(mesh, h, [&](int v) -> const Vec3& { return mesh.restPosition(v); });
-    return now.valid && rest.valid && std::fabs(wrapAngle(now.angle - rest.angle)) > kFold;
+    const std::optional<double> now = edgeAngle(mesh, h);
+    const std::optional<double> rest = restEdgeAngle(mesh, h);
+    return now && rest && std::fabs(wrapAngle(*now - *rest)) > kFold;
 }
 
 /// Between both walls of a stroke: it opens without being folded.

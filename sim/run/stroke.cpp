@@ -74,9 +74,6 @@ void Simulation::State::accept(const CutResult& result) {
 }
 
 void Simulation::State::adopt(const CutDelta& delta) {
-    if (delta.empty()) {
-        return;
-    }
     const std::string defect = body.adopt(delta);
     if (!defect.empty()) {
         say("step {}: the cut left the mesh open: {}", stepsDone, defect);

@@ -2,24 +2,16 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
-#include "sim/simulation.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
 
+using test::weightless;
 using testing::HasSubstr;
 
 class HandlesTest : public test::GlTest {};
-
-Params weightless() {
-    Params params;
-    params.gravity = Vec3::Zero();
-    params.floor.reset();
-    params.iterations = 10;
-    return params;
-}
 
 void run(Simulation& simulation, int steps) {
     for (int i = 0; i < steps; ++i) {

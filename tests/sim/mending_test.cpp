@@ -1,13 +1,12 @@
 // Short edges that a cut left go where the body stays folded.
 #include <gtest/gtest.h>
 
-#include <optional>
+#include <stdexcept>
 
 #include "sim/body/folded_triangles.h"
 #include "sim/mesh/invariants.h"
-#include "sim/simulation.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
@@ -15,26 +14,18 @@ namespace {
 constexpr double kSize = 0.5;
 constexpr double kEdge = 0.1;  // about that of the sphere [m]
 
-Params weightless() {
-    Params params;
-    params.gravity = Vec3::Zero();
-    params.floor.reset();
-    params.iterations = 10;
-    return params;
-}
-
 struct ShortEdge {
     Vec3 from = Vec3::Zero();
     Vec3 to = Vec3::Zero();
 };
 
-class MendingTest : public test::GlTest {
+class MendingTest : public test::SimulationTest {
   protected:
     void SetUp() override {
-        GlTest::SetUp();
+        SimulationTest::SetUp();
         const SurfaceMesh mesh = test::cubeSphere(8, kSize);
         uncutTriangles = mesh.triangleSlots();
-        simulation.emplace(mesh, weightless());
+        simulation.emplace(mesh, test::weightless());
         for (int i = 0; i <= 40; ++i) {
             const double y = 0.7 - 1.4 * i / 40;
             simulation->execute(MoveBlade{{{0.02, y, -1}, {0.02, y, 1}}});
@@ -43,16 +34,7 @@ class MendingTest : public test::GlTest {
         simulation->execute(LiftBlade{});
         run(10);
     }
-    void TearDown() override {
-        simulation.reset();
-        GlTest::TearDown();
-    }
 
-    void run(int steps) {
-        for (int i = 0; i < steps; ++i) {
-            simulation->step();
-        }
-    }
     /// That the cut made and left.
     ShortEdge shortEdge() {
         const SurfaceMesh& mesh = simulation->mesh();
@@ -78,7 +60,6 @@ class MendingTest : public test::GlTest {
     bool isFolded() { return !foldedTriangles(simulation->mesh(), uncutTriangles).empty(); }
     int triangles() { return simulation->mesh().aliveTriangles(); }
 
-    std::optional<Simulation> simulation;
     int uncutTriangles = 0;
 };
 

@@ -51,8 +51,8 @@ TEST_F(MovingScenes, RollingHalvesComeApart) {
     expectParted(play({"vi twice", 1e5, 0}));
 }
 
-// Walls crumple at the front for a step; cut anew at once it stayed whole.
-TEST_F(MovingScenes, TheBladeWaitsForWallsThatCrumple) {
+// Cut anew as soon as walls crumpled at the front for a step, it stayed whole.
+TEST_F(MovingScenes, RollingHalvesThatStayedWholeComeApart) {
     const test::SceneFigures figures = play({"vi twice", 1e5, 2});
     EXPECT_LE(figures.refused, 2) << "of " << figures.attempted << " steps";
     EXPECT_EQ(figures.unseparated, 0);

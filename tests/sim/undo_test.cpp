@@ -2,9 +2,8 @@
 #include <gmock/gmock.h>
 #include <malloc.h>
 
-#include "sim/simulation.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
@@ -22,21 +21,12 @@ Blade bladeAt(double x, double y) {
     return {{x, y, -1}, {x, y, 1}};
 }
 
-class UndoTest : public test::GlTest {
+class UndoTest : public test::SimulationTest {
   protected:
     void SetUp() override {
-        GlTest::SetUp();
+        SimulationTest::SetUp();
         simulation.emplace(test::cubeSphere(6, 0.5), falling());
         simulation->setUndoBudget(kRoom);
-    }
-    void TearDown() override {
-        simulation.reset();
-        GlTest::TearDown();
-    }
-    void run(int steps) {
-        for (int i = 0; i < steps; ++i) {
-            simulation->step();
-        }
     }
     /// Down through the body at x; the first `steps` of 30 steps of it.
     void stroke(double x, int steps = 30) {
@@ -60,8 +50,6 @@ class UndoTest : public test::GlTest {
         }
         return names;
     }
-
-    std::optional<Simulation> simulation;
 };
 
 TEST_F(UndoTest, ACutIsTakenBackAndBroughtBackToTheBit) {

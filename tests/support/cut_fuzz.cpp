@@ -565,10 +565,14 @@ std::string FuzzReport::table() const {
     return out.str();
 }
 
-void fuzzOnce(std::uint64_t seed, FuzzReport& report, std::optional<FuzzMode> wanted) {
+void fuzzOnce(std::uint64_t seed, FuzzReport& report, std::optional<FuzzMode> wanted,
+              const Vec3& velocity) {
     Dice dice(seed);
     std::string body;
     SurfaceMesh mesh = randomBody(dice, seed, body);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setVelocity(v, velocity);
+    }
     const FuzzMode mode = randomMode(dice, wanted);
     const FuzzSetting setting = randomSetting(dice, seed);
     const bool rounded = setting == FuzzSetting::rounded;

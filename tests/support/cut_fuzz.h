@@ -84,7 +84,8 @@ struct FuzzReport {
 };
 
 /// One random body and its strokes; `seed` decides everything, but for the kind of stroke where one
-/// is `wanted`.
-void fuzzOnce(std::uint64_t seed, FuzzReport& report, std::optional<FuzzMode> wanted = {});
+/// is `wanted`. `velocity`: that of all vertices [m/s]; nothing goes anywhere by it.
+void fuzzOnce(std::uint64_t seed, FuzzReport& report, std::optional<FuzzMode> wanted = {},
+              const Vec3& velocity = Vec3::Zero());
 
 }  // namespace kerf::test

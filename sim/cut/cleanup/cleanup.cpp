@@ -173,7 +173,6 @@ CleanupStatistics Cleanup::atEnd(CutDelta& delta) {
 
 CleanupStatistics Cleanup::mend(const std::vector<int>& triangles, CutDelta& delta) {
     workspace_.keepAround({});
-    workspace_.setGoodEdge(kGoodEdgeOfFold);
     workspace_.exchangeShapes();
     const CleanupStatistics statistics = clean(triangles, delta);
     workspace_.exchangeShapes();

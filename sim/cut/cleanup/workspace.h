@@ -27,7 +27,7 @@ class Workspace {
     SurfaceMesh& mesh;
 
     /// Exchanges current and rest positions of the mesh, until the same again: what is judged, and
-    /// must keep its volume, is the rest shape then.
+    /// must keep its volume, is the rest shape then. Limits are those of folds.
     void exchangeShapes();
     bool judgesAtRest() const { return judgesAtRest_; }
     /// Of edges about a triangle [m].
@@ -40,10 +40,9 @@ class Workspace {
     double mostDeviation() const {
         return (judgesAtRest_ ? kMostDeviationOfFold : kMostDeviation) * edgeLength_;
     }
-    /// The shortest edge of a good triangle, as a share of edgeLength().
-    void setGoodEdge(double share) { goodEdge_ = share; }
-    double goodEdgeLength() const { return goodEdge_ * edgeLength_; }
-    double goodEdgeLengthAt(int triangle) const { return goodEdge_ * edgeLengthAt(triangle); }
+    /// The shortest edge of a good triangle [m].
+    double goodEdgeLength() const { return goodEdge() * edgeLength_; }
+    double goodEdgeLengthAt(int triangle) const { return goodEdge() * edgeLengthAt(triangle); }
 
     /// Keeps the surroundings of the rung as they are, and of nothing else: where the body is cut
     /// next, and what the blade's air meets, must not move.
@@ -82,10 +81,11 @@ class Workspace {
 
   private:
     VolumeDefect most(double share) const;
+    /// As a share of edgeLength().
+    double goodEdge() const { return judgesAtRest_ ? kGoodEdgeOfFold : kGoodEdge; }
 
     const EdgeLengthField& edgeLengths_;
     double edgeLength_;
-    double goodEdge_ = kGoodEdge;
     bool judgesAtRest_ = false;
     double bodyVolume_;
     double restVolume_;

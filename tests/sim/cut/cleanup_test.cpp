@@ -247,18 +247,20 @@ TEST(Cleanup, DeltaNamesAllThatChanged) {
     }
 }
 
-/// Cut with clean-up, and then somewhere else, with every material point moved by up to `noise`
-/// [m].
-SurfaceMesh crumpled(const Case& c, double noise, Cutter& cutter, SurfaceMesh& mesh) {
-    for (const Stroke& stroke : c.strokes) {
-        EXPECT_EQ(test::runStroke(cutter, mesh, stroke).problem, "");
-    }
+/// Somewhere else, with every material point moved by up to `noise` [m].
+void crumple(SurfaceMesh& mesh, double noise) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         const double phase = mesh.materialPoint(v);
         const Vec3 way(std::sin(7.1 * phase), std::sin(3.3 * phase + 1), std::cos(5.7 * phase));
         mesh.setPosition(v, mesh.restPosition(v) + Vec3(5, -3, 2) + noise * way);
     }
-    return mesh;
+}
+
+/// Triangle slots from `first` on.
+std::vector<int> slotsFrom(const SurfaceMesh& mesh, int first) {
+    std::vector<int> slots(mesh.triangleSlots() - first);
+    std::iota(slots.begin(), slots.end(), first);
+    return slots;
 }
 
 // Without a stroke, where the body stays folded: judged by the rest shape.
@@ -270,9 +272,12 @@ TEST(Cleanup, MendingRemovesShortEdgesOfACrumpledBody) {
         SurfaceMesh mesh = c.mesh;
         const int first = mesh.triangleSlots();
         Cutter cutter(mesh, settingsWith(true));
-        const SurfaceMesh cut = crumpled(c, 0.02 * kWallEdge, cutter, mesh);
-        std::vector<int> made(mesh.triangleSlots() - first);
-        std::iota(made.begin(), made.end(), first);
+        for (const Stroke& stroke : c.strokes) {
+            ASSERT_EQ(test::runStroke(cutter, mesh, stroke).problem, "");
+        }
+        crumple(mesh, 0.02 * kWallEdge);
+        const SurfaceMesh cut = mesh;
+        const std::vector<int> made = slotsFrom(mesh, first);
         before += countShort(cut, made, 0.2 * kWallEdge);
         const CutDelta delta = cutter.mend(made);
         after += countShort(mesh, made, 0.2 * kWallEdge);
@@ -291,9 +296,7 @@ TEST(Cleanup, MendingIsPartOfIt) {
     Cutter cutter(mesh, settingsWith(false));
     test::runStroke(cutter, mesh, incision());
     const std::string before = test::fingerprint(mesh);
-    std::vector<int> made(mesh.triangleSlots() - first);
-    std::iota(made.begin(), made.end(), first);
-    EXPECT_TRUE(cutter.mend(made).empty());
+    EXPECT_TRUE(cutter.mend(slotsFrom(mesh, first)).empty());
     EXPECT_EQ(test::fingerprint(mesh), before);
 }
 
@@ -359,8 +362,6 @@ TEST(Cleanup, SwitchedOffChangesNothing) {
     }
 }
 
-// Rest positions are moved by the same arithmetic as positions then, or a body at rest would begin
-// to move.
 /// Each piece turned and stretched, and moved by `gap` [m] against the first one.
 void deform(SurfaceMesh& mesh, const Eigen::Matrix3d& deformation, const Vec3& gap) {
     const PieceMap pieces = findPieces(mesh);
@@ -405,6 +406,8 @@ TEST(Cleanup, KeepsShapesAlikeWherePiecesLieApart) {
     }
 }
 
+// Rest positions are moved by the same arithmetic as positions then, or a body at rest would begin
+// to move.
 TEST(Cleanup, LeavesWhatLiesAtRestAtRestToTheLastBit) {
     for (const Vec3& along : {Vec3(1, 0, 0), Vec3(0.9, 0.1, -0.3), Vec3(0.2, 0.3, 1)}) {
         SurfaceMesh mesh = test::icosphere(3);

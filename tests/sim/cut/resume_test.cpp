@@ -93,6 +93,28 @@ TEST(Resume, CrumpledFrontsAreCutAnewAndTheBodyParts) {
     EXPECT_GT(resumed, 0);
 }
 
+// What moves may let the blade through in the next step.
+TEST(Resume, InABodyThatMovesTheBladeWaitsFirst) {
+    const auto played = [](const Vec3& velocity) {
+        test::FuzzReport report;
+        test::fuzzOnce(401098, report, {}, velocity);
+        test::FuzzFigures sum;
+        for (const test::FuzzSetting setting : test::kFuzzSettings) {
+            const test::FuzzFigures figures = report.total(setting);
+            EXPECT_EQ(figures.invalid, 0);
+            sum.refused += figures.refused;
+            sum.resumed += figures.resumed;
+        }
+        return sum;
+    };
+    const test::FuzzFigures still = played(Vec3::Zero());
+    const test::FuzzFigures moving = played({0, -1, 0});
+    EXPECT_GT(still.resumed, 0);
+    EXPECT_EQ(still.refused, 0);
+    EXPECT_GT(moving.refused, 0);
+    EXPECT_LE(moving.resumed, still.resumed);
+}
+
 // Cut steeply, the pieces reached 0.6 of an edge to the other side of the blade.
 TEST(Resume, WhatIsCutAnewStaysCloseToTheBlade) {
     int resumed = 0;

@@ -254,19 +254,22 @@ TEST_F(UnfoldingTest, FoldedWallsDoNotTouch) {
     EXPECT_EQ(touched.foldedWalls, 0);
 }
 
-TEST_F(UnfoldingTest, FoldedSkinDoesNotTouchItsOwnPiece) {
-    Crumpled body(test::slitSphere(), 0.15f, 0.5f);
+/// What a slit of so many steps touches (test::slitSphere) with its walls slid along each other.
+Touched touchedBySlidWalls(int steps) {
+    Crumpled body(test::slitSphere(steps), 0.15f, 0.5f);
     slideWalls(body);
-    const Touched touched = touchedBy(body);
+    return touchedBy(body);
+}
+
+TEST_F(UnfoldingTest, FoldedSkinDoesNotTouchItsOwnPiece) {
+    const Touched touched = touchedBySlidWalls(16);
     EXPECT_GT(touched.own, 2);
     EXPECT_EQ(touched.foldedOwn, 0);
 }
 
 // Else what lies on another piece would fall through it.
 TEST_F(UnfoldingTest, FoldedSkinTouchesOtherPieces) {
-    Crumpled body(test::slitSphere(30), 0.15f, 0.5f);
-    slideWalls(body);
-    const Touched touched = touchedBy(body);
+    const Touched touched = touchedBySlidWalls(30);
     EXPECT_GT(touched.others, 5);
     EXPECT_GT(touched.foldedOthers, 5);
 }
