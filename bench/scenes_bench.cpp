@@ -2,7 +2,7 @@
 //   kerf_scenes_bench [--scene NAME] [--modulus PA] [--index I] [--runs N] [--seed S] [--more]
 //     [--contact 0] [--push 1] [--after STEPS]
 // --more adds those beyond the six. Folds are counted 50 steps (soon) and STEPS, 300, after the
-// last stroke.
+// last stroke; "mean" is that of folds over the last 100 steps, all strokes of the row together.
 // --index plays that stroke alone and prints its steps, and the folded edges every 50 steps after
 // it.
 

@@ -398,6 +398,7 @@ void SceneFigures::add(const SceneFigures& other) {
     folded += other.folded;
     foldedSoon += other.foldedSoon;
     foldedAtPins += other.foldedAtPins;
+    foldsInView += other.foldsInView;
     chips += other.chips;
     speedCutting = std::max(speedCutting, other.speedCutting);
     speedAfter = std::max(speedAfter, other.speedAfter);
@@ -432,15 +433,17 @@ SceneFigures playScene(const SceneRun& run) {
 
 std::string sceneTableHead() {
     return "scene              E    runs  refused/steps  row retried whole slit-ends NaN open "
-           " soon folds at-pins chips  v cut/fall  v after d/s   s\n";
+           " soon folds  mean at-pins chips  v cut/fall  v after d/s   s\n";
 }
 
 std::string sceneTableRow(const SceneRun& run, const SceneFigures& f) {
     return formatted(
-        "%-18s %.0e %3d %8d/%-6d %4d %6d %5d %8d %4d %4d %5d %5d %7d %5d %9.2f %13.5f %5.0f\n",
+        "%-18s %.0e %3d %8d/%-6d %4d %6d %5d %8d %4d %4d %5d %5d %5.2f %7d %5d %9.2f %13.5f "
+        "%5.0f\n",
         run.scene.c_str(), run.youngsModulus, f.runs, f.refused, f.attempted, f.longestRefusal,
         f.retried, f.unseparated, f.slitEdges, f.nonFinite, f.open, f.foldedSoon, f.folded,
-        f.foldedAtPins, f.chips, f.speedCutting, f.speedAfter, f.seconds);
+        f.foldsInView / static_cast<double>(kInView), f.foldedAtPins, f.chips, f.speedCutting,
+        f.speedAfter, f.seconds);
 }
 
 }  // namespace kerf::test

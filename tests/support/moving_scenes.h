@@ -18,6 +18,9 @@ struct SceneRun {
     int stepsAfter = 50;   ///< that follow the last stroke
 };
 
+/// Steps at the end of which all folds are counted: many come and go within a step.
+constexpr int kInView = 100;
+
 /// What came of one run, or of several: counts add up, of speeds and rows the largest counts.
 struct SceneFigures {
     int runs = 0;
@@ -32,8 +35,9 @@ struct SceneFigures {
     int folded = 0;      ///< edges bent by more than 90 degrees from rest at the end, slivers apart
     int foldedSoon = 0;  ///< the same 50 steps after the last stroke
     int foldedAtPins =
-        0;          ///< the same at the end, of edges with a pinned end, which `folded` leaves out
-    int chips = 0;  ///< pieces below 1e-4 of the body
+        0;  ///< the same at the end, of edges with a pinned end, which `folded` leaves out
+    int foldsInView = 0;      ///< as `folded`, added up over the last kInView steps after a stroke
+    int chips = 0;            ///< pieces below 1e-4 of the body
     double speedCutting = 0;  ///< while cutting, in speeds of a fall through the body's height
     double speedAfter = 0;    ///< after a stroke [diagonals/s]
     double seconds = 0;       ///< wall time

@@ -93,6 +93,7 @@ void ScenePlayer::requireEndsOutside(const Blade& blade) {
 }
 
 void ScenePlayer::watch(int steps) {
+    figures_.foldsInView = 0;
     for (int i = 0; i < steps; ++i) {
         simulation_.step();
         readMessages();
@@ -101,9 +102,10 @@ void ScenePlayer::watch(int steps) {
             std::printf("  %d steps after the stroke\n", i + 1);
             describeFolds();
         }
-        if (i + 1 == kSoon) {
+        if (i + 1 == kSoon || steps - i <= kInView) {
             countFolds();
-            figures_.foldedSoon = figures_.folded;
+            figures_.foldsInView += steps - i <= kInView ? figures_.folded : 0;
+            figures_.foldedSoon = i + 1 == kSoon ? figures_.folded : figures_.foldedSoon;
         }
     }
 }
