@@ -102,6 +102,7 @@ void Simulation::State::foreseeCut() {
 void Simulation::State::moveBody() {
     FrontHold front(body, params.timeStep);
     body.solver.setBlade(bladeMotion());
+    body.solver.unfoldFirmly(!body.cutter->inStroke());
     body.solver.step();
     front.release();
 }

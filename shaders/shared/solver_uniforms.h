@@ -11,8 +11,9 @@ SHARED_CONST uint kBendPart = 2u;
 SHARED_CONST uint kIspcPart = 4u;
 SHARED_CONST uint kFloorPart = 8u;
 SHARED_CONST uint kVolumePart = 16u;
-SHARED_CONST uint kPullAsBeforePart = 32u;  // see pull_direction.glsl
-SHARED_CONST uint kUnfoldPart = 64u;        // see unfold/goals.comp
+SHARED_CONST uint kPullAsBeforePart = 32u;   // see pull_direction.glsl
+SHARED_CONST uint kUnfoldPart = 64u;         // see unfold/goals.comp
+SHARED_CONST uint kUnfoldFirmlyPart = 128u;  // see kFirmUnfoldDamping
 
 // |C| of a bend is clamped here [rad]: the form that comes back after a snap-through.
 SHARED_CONST float kMaxBendError = 0.3f;

@@ -17,12 +17,14 @@ SHARED_CONST float kSquashEnds = 0.2f;
 SHARED_CONST float kFoldCreep = 1.0f;
 
 // Of the spring that unfolds: its rate [1/s], and its damping, which is critical at 2 and more than
-// that here, so that what unfolds creeps.
+// that here, so that what unfolds creeps. While a blade cuts, and otherwise: a damping that is so
+// much firmer holds against loads, but made vertices beside the blade faster.
 SHARED_CONST float kUnfoldRate = 3000.0f;
 SHARED_CONST float kUnfoldDamping = 4.0f;
-// Of what it draws no vertex is farther from its goal than this, as far as the spring knows [m]: it
-// then creeps at 1 m/s.
-SHARED_CONST float kUnfoldReach = kUnfoldDamping / kUnfoldRate;
+SHARED_CONST float kFirmUnfoldDamping = 32.0f;
+// Of what it draws no vertex is farther from its goal, as far as the spring knows, than it comes at
+// this speed [m/s] within its time, damping / rate.
+SHARED_CONST float kUnfoldSpeed = 1.0f;
 
 // Where a vertex and its neighbours would lie as they do at rest, and how they would move as one
 // rigid body.

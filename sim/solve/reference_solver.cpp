@@ -189,7 +189,7 @@ void ReferenceSolver::substep(ReferenceState& state) const {
 
 void ReferenceSolver::unfold(ReferenceState& state) const {
     if (uniforms_.active_parts & shared::kUnfoldPart) {
-        unfoldAsReference(model_, inverseMass_, uniforms_.substep, state);
+        unfoldAsReference(model_, inverseMass_, uniforms_, state);
     }
 }
 

@@ -89,9 +89,16 @@ Matrix bestRotation(const Matrix& covariance) {
     return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
-/// `masses`: what each vertex lends to a goal, over the fold of it.
+/// Of the spring in this substep.
+double dampingOf(const shared::SolverUniforms& uniforms) {
+    const bool firm = (uniforms.active_parts & shared::kUnfoldFirmlyPart) != 0;
+    return firm ? shared::kFirmUnfoldDamping : shared::kUnfoldDamping;
+}
+
+/// `reach`: how far the spring knows [m]. `masses`: what each vertex lends to a goal, over the fold
+/// of it.
 Goal goalOf(const BodyModel& model, const std::vector<std::uint32_t>& members,
-            const std::vector<double>& masses, const ReferenceState& state) {
+            const std::vector<double>& masses, const ReferenceState& state, double reach) {
     Goal goal;
     double mass = 0;
     for (const std::uint32_t v : members) {
@@ -115,28 +122,29 @@ Goal goalOf(const BodyModel& model, const std::vector<std::uint32_t>& members,
     }
     goal.rotation = bestRotation(covariance);
     goal.spin = inertia.inverse() * angularMomentum;
-    double longest = shared::kUnfoldReach;
+    double longest = reach;
     for (const std::uint32_t v : members) {
         const Vec3 rest = model.restPositions[v].cast<double>();
         longest = std::max(longest, goal.wayOf(state.positions[v], rest).norm());
     }
-    goal.share = shared::kUnfoldReach / longest;
+    goal.share = reach / longest;
     return goal;
 }
 
-Vec3 pullOf(const Goal& goal, const Vec3& x, const Vec3& rest, const Vec3& velocity, double h) {
+Vec3 pullOf(const Goal& goal, const Vec3& x, const Vec3& rest, const Vec3& velocity,
+            const shared::SolverUniforms& uniforms) {
     const Vec3 way = goal.share * goal.wayOf(x, rest);
     const Vec3 slip = velocity - goal.velocity - goal.spin.cross(x - goal.center);
-    const double turn = shared::kUnfoldRate * h;
+    const double turn = shared::kUnfoldRate * uniforms.substep;
     return (slip + shared::kUnfoldRate * turn * way) /
-               (1 + shared::kUnfoldDamping * turn + turn * turn) -
+               (1 + dampingOf(uniforms) * turn + turn * turn) -
            slip;
 }
 
 }  // namespace
 
 void unfoldAsReference(const BodyModel& model, const std::vector<double>& inverseMass,
-                       double substep, ReferenceState& state) {
+                       const shared::SolverUniforms& uniforms, ReferenceState& state) {
     const std::size_t count = state.positions.size();
     state.folds = foldsOf(model, state.positions, inverseMass);
     const std::vector<double>& folds = state.folds;
@@ -148,6 +156,7 @@ void unfoldAsReference(const BodyModel& model, const std::vector<double>& invers
         }
         masses[v] = sums[v] > 0 && inverseMass[v] > 0 ? 1 / (inverseMass[v] * sums[v]) : 0.0;
     }
+    const double reach = shared::kUnfoldSpeed * dampingOf(uniforms) / shared::kUnfoldRate;
     std::vector<Vec3> changes(count, Vec3::Zero());
     for (std::size_t v = 0; v < count; ++v) {
         const std::vector<std::uint32_t> members = membersAt(model, v);
@@ -156,13 +165,13 @@ void unfoldAsReference(const BodyModel& model, const std::vector<double>& invers
         if (folds[v] <= 0 || !free) {
             continue;
         }
-        const Goal goal = goalOf(model, members, masses, state);
+        const Goal goal = goalOf(model, members, masses, state, reach);
         for (const std::uint32_t j : members) {
             if (inverseMass[j] > 0) {
                 changes[j] +=
                     folds[v] * folds[v] / sums[j] *
                     pullOf(goal, state.positions[j], model.restPositions[j].cast<double>(),
-                           state.velocities[j], substep);
+                           state.velocities[j], uniforms);
             }
         }
     }

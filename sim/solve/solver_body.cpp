@@ -35,7 +35,15 @@ void SolverBody::setParameters(const shared::SolverUniforms& parameters) {
     uniforms.triangle_count = counts.triangle_count;
     uniforms.piece_count = counts.piece_count;
     uniforms.pull_count = counts.pull_count;
+    uniforms.active_parts |= counts.active_parts & shared::kUnfoldFirmlyPart;
     uploadUniforms();
+}
+
+void SolverBody::unfoldFirmly(bool firmly) {
+    if (firmly != active(shared::kUnfoldFirmlyPart)) {
+        uniforms.active_parts ^= shared::kUnfoldFirmlyPart;
+        uploadUniforms();
+    }
 }
 
 void SolverBody::setCountsOf(const BodyModel& of) {

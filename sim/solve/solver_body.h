@@ -22,9 +22,11 @@ double runawaySpeed(double diagonal, double gravity);
 struct SolverBody {
     SolverBody();
 
-    /// Takes the parameters of `parameters`; its counts are ignored.
+    /// Takes the parameters of `parameters`; its counts, and how firmly it unfolds, are ignored.
     void setParameters(const shared::SolverUniforms& parameters);
     void setCountsOf(const BodyModel& of);
+    /// See GpuSolver.
+    void unfoldFirmly(bool firmly);
     void setPulls(const std::vector<shared::PullRecord>& records);
 
     bool active(shared::uint part) const { return (uniforms.active_parts & part) != 0; }

@@ -82,6 +82,25 @@ TEST_F(MendingTest, WhatLiesUnfoldedKeepsThem) {
     EXPECT_EQ(triangles(), before);
 }
 
+// Firm springs make what lies beside a blade fast. This one does not touch the body.
+TEST_F(MendingTest, BesideABladeFoldsGoMoreGently) {
+    const Moment unfolded = simulation->moment();
+    const auto folded = [&](bool bladeDown) {
+        simulation->goTo(unfolded);
+        for (const double x : {0.56, 0.52}) {
+            if (bladeDown) {
+                simulation->execute(MoveBlade{{{x, 0.2, -0.1}, {x, 0.2, 0.1}}});
+            }
+            simulation->step();
+        }
+        fold();
+        simulation->execute(Release{0});
+        run(3);
+        return simulation->mesh().positions();
+    };
+    EXPECT_NE(folded(true), folded(false));
+}
+
 TEST_F(MendingTest, AMomentKnowsHowLongTheBodyHasBeenFolded) {
     const int before = triangles();
     fold();

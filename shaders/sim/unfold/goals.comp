@@ -24,6 +24,7 @@ layout(binding = kUnfoldFoldSumsBinding) uniform usamplerBuffer foldSums;
 layout(std430, binding = kUnfoldGoalsBinding) writeonly buffer Goals { UnfoldGoal goals[]; };
 
 #include "sim/unfold/best_rotation.glsl"
+#include "sim/unfold/damping.glsl"
 #include "sim/unfold/members.glsl"
 
 struct Member {
@@ -103,7 +104,8 @@ UnfoldGoal goalOf(uint v, uvec2 range, uint count) {
     }
     vec4 spin = spinOf(angularMomentum, squares, mixed);
     vec4 rotation = bestRotation(sx, sy, sz);
-    float longest = kUnfoldReach;
+    float reach = kUnfoldSpeed * unfoldDamping() / kUnfoldRate;
+    float longest = reach;
     bool free = true;
     for (uint i = 0u; i < count; ++i) {
         Member m = memberFrom(origin, memberOf(v, range, i));
@@ -112,7 +114,7 @@ UnfoldGoal goalOf(uint v, uvec2 range, uint count) {
         free = free && m.mass > 0.0;
     }
     return UnfoldGoal(rotation, vec4(origin.x + mean.x, free ? spin.w : 0.0),
-                      vec4(origin.rest + mean.rest, free ? kUnfoldReach / longest : 0.0),
+                      vec4(origin.rest + mean.rest, free ? reach / longest : 0.0),
                       vec4(origin.velocity + mean.velocity, 0.0), vec4(spin.xyz, 0.0));
 }
 

@@ -23,6 +23,7 @@ layout(binding = kUnfoldFoldSumsBinding) uniform usamplerBuffer foldSums;
 layout(binding = kUnfoldGoalsBinding) uniform samplerBuffer goals;
 
 #include "sim/unfold/best_rotation.glsl"
+#include "sim/unfold/damping.glsl"
 #include "sim/unfold/members.glsl"
 
 UnfoldGoal goalAt(uint v) {
@@ -37,7 +38,7 @@ vec3 pullOf(UnfoldGoal goal, vec3 x, vec3 rest, vec3 velocity) {
     vec3 way = goal.rest_center.w * (toCenter + rotated(goal.rotation, rest - goal.rest_center.xyz));
     vec3 slip = goal.center.w * (velocity - goal.velocity.xyz + cross(goal.spin.xyz, toCenter));
     float turn = kUnfoldRate * uniforms.substep;
-    return (slip + kUnfoldRate * turn * way) / (1.0 + kUnfoldDamping * turn + turn * turn) - slip;
+    return (slip + kUnfoldRate * turn * way) / (1.0 + unfoldDamping() * turn + turn * turn) - slip;
 }
 
 void main() {

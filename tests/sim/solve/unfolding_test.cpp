@@ -41,6 +41,12 @@ struct Crumpled {
         gpu.setUniforms(uniforms);
     }
 
+    void unfoldFirmly(bool firmly) {
+        uniforms.active_parts &= ~shared::kUnfoldFirmlyPart;
+        uniforms.active_parts |= firmly ? shared::kUnfoldFirmlyPart : 0u;
+        gpu.unfoldFirmly(firmly);
+    }
+
     ReferenceState startInDoubles() const {
         ReferenceState state = restState(model);
         for (std::size_t v = 0; v < start.positions.size(); ++v) {
@@ -99,9 +105,14 @@ Difference differenceOf(const std::vector<Vec3f>& now, const std::vector<Vec3>& 
 
 class UnfoldingTest : public test::GlTest {};
 
-TEST_F(UnfoldingTest, DoesWhatTheReferenceDoes) {
+class FirmAndGentleUnfoldingTest : public UnfoldingTest,
+                                   public ::testing::WithParamInterface<bool> {};
+INSTANTIATE_TEST_SUITE_P(Firmly, FirmAndGentleUnfoldingTest, ::testing::Bool());
+
+TEST_P(FirmAndGentleUnfoldingTest, DoesWhatTheReferenceDoes) {
     for (const SurfaceMesh& mesh : {test::cubeSphere(8), test::torus(), test::bentTube()}) {
         Crumpled body(mesh, 0.4f, 1.0f);
+        body.unfoldFirmly(GetParam());
         EXPECT_GT(body.folds(), 10);
         ReferenceState reference = body.startInDoubles();
         ReferenceSolver(body.model, body.uniforms).unfold(reference);
@@ -134,8 +145,9 @@ TEST_F(UnfoldingTest, AStepIsThatOfTheReference) {
     }
 }
 
-TEST_F(UnfoldingTest, KeepsMomentum) {
+TEST_P(FirmAndGentleUnfoldingTest, KeepsMomentum) {
     Crumpled body(test::cubeSphere(8), 0.4f, 1.0f);
+    body.unfoldFirmly(GetParam());
     body.gpu.unfold();
     const BodyState now = body.gpu.readState();
     const std::vector<double> masses = unitMasses(body.model);
@@ -274,9 +286,31 @@ TEST_F(UnfoldingTest, FoldedSkinTouchesOtherPieces) {
     EXPECT_GT(touched.foldedOthers, 5);
 }
 
+TEST_F(UnfoldingTest, FirmlyItHoldsMoreOfALoad) {
+    const auto foldsUnderLoad = [](bool firmly) {
+        Crumpled body(test::cubeSphere(8), 0.0f, 0.0f);
+        body.uniforms.active_parts |= shared::kFloorPart;
+        body.uniforms.floor_height = -0.5f;
+        body.uniforms.gravity = {0, -400.0f, 0, 0};
+        body.gpu.setUniforms(body.uniforms);
+        body.unfoldFirmly(firmly);
+        int most = 0;
+        for (int i = 0; i < 60; ++i) {
+            body.play(1);
+            most += body.folds();
+        }
+        return most;
+    };
+    const int gently = foldsUnderLoad(false);
+    const int firmly = foldsUnderLoad(true);
+    EXPECT_GT(gently, 0);
+    EXPECT_LT(firmly, gently);
+}
+
 // A spring that gave energy would shake the body for ever.
-TEST_F(UnfoldingTest, BringsACrumpledBodyBackToItsShapeAndToRest) {
+TEST_P(FirmAndGentleUnfoldingTest, BringsACrumpledBodyBackToItsShapeAndToRest) {
     Crumpled body(test::cubeSphere(8), 0.8f, 0.0f);
+    body.unfoldFirmly(GetParam());
     EXPECT_GT(body.folds(), 100);
     body.play(300);
     EXPECT_EQ(body.folds(), 0);
