@@ -18,7 +18,7 @@ SHARED_CONST float kFoldCreep = 1.0f;
 
 // Of the spring that unfolds: its rate [1/s], and its damping, which is critical at 2 and more than
 // that here, so that what unfolds creeps. While a blade cuts, and otherwise: a damping that is so
-// much firmer holds against loads, but made vertices beside the blade faster.
+// much firmer holds against loads, but beside the blade it left ends of slits inside.
 SHARED_CONST float kUnfoldRate = 3000.0f;
 SHARED_CONST float kUnfoldDamping = 4.0f;
 SHARED_CONST float kFirmUnfoldDamping = 32.0f;

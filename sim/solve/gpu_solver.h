@@ -57,8 +57,8 @@ class GpuSolver {
     void setState(const BodyState& state);
     /// Takes the parameters of `uniforms` (see solverUniforms); its counts are ignored.
     void setUniforms(const shared::SolverUniforms& uniforms) { body_.setParameters(uniforms); }
-    /// How folds are unfolded from now on (see Unfolding): firmly, or, as at first, gently, so that
-    /// nothing beside a blade that cuts becomes fast.
+    /// How folds are unfolded from now on (see Unfolding): firmly, or, as at first, gently, as
+    /// beside a blade that cuts.
     void unfoldFirmly(bool firmly) { body_.unfoldFirmly(firmly); }
     /// Contact of the body with itself, off until then, and with boxes.
     void setContact(const ContactSettings& settings);

@@ -82,7 +82,7 @@ TEST_F(MendingTest, WhatLiesUnfoldedKeepsThem) {
     EXPECT_EQ(triangles(), before);
 }
 
-// Firm springs make what lies beside a blade fast. This one does not touch the body.
+// Firm springs beside a blade left ends of slits inside. This one does not touch the body.
 TEST_F(MendingTest, BesideABladeFoldsGoMoreGently) {
     const Moment unfolded = simulation->moment();
     const auto folded = [&](bool bladeDown) {

@@ -14,7 +14,7 @@ inline constexpr double kGoodEdgeOfFold = 0.3;
 inline constexpr double kLongestCollapse = 0.6;
 /// How far surface and rim may move, summed up over all operations at one place.
 inline constexpr double kMostDeviation = 0.014;
-/// The same where skin stays folded: still too little to see.
+/// The same where skin stays folded: less than the fold shows.
 inline constexpr double kMostDeviationOfFold = 0.1;
 /// Volume that one operation may change, as a share of the body; ten times that where it touches
 /// walls alone, whose two sides cancel.
