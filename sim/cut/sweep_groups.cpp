@@ -63,6 +63,11 @@ void Cutter::State::keepOwnNodes(std::vector<RungNode> nodes, Sweep& sweep) {
     std::erase_if(nodes, [&](const RungNode& node) {
         return node.vertex >= 0 && groupOfVertex(node.vertex) != sweep.group;
     });
+    if (nodes.size() < 2) {
+        // All of the front is in other pieces, both ends too: for this one the blade begins here.
+        placeRung(sweep.blade, sweep);
+        return;
+    }
     setRung(std::move(nodes), sweep);
 }
 

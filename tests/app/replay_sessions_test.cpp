@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <set>
 
+#include "app/replay.h"
 #include "app/session.h"
 #include "sim/body/shape_error.h"
 #include "sim/simulation.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
@@ -31,6 +33,19 @@ TEST(ShippedSessions, DropInIsASphereInTheMiddleOfTheDefaultView) {
     const Bounds bounds = meshBounds(loadSessionModel(session).mesh);
     const render::Camera camera = sessionCamera(session, bounds);
     EXPECT_LT((camera.target - bounds.center()).norm(), 1e-9);
+}
+
+class FoundSessions : public test::GlTest {};
+
+// Hands pull the body over both ends of the blade, and a piece parts in which nothing of its front
+// is.
+TEST_F(FoundSessions, AFrontThatIsAllInOtherPieces) {
+    const Session session = readSession(std::filesystem::path(KERF_SOURCE_DIR) /
+                                        "tests/sessions/front-in-other-pieces.kerf.json");
+    const test::TemporaryFolder out;
+    const ReplayResult result = replaySession(session, loadSessionModel(session), out.path(), {});
+    EXPECT_EQ(result.summary.failures, std::vector<std::string>{});
+    EXPECT_TRUE(result.summary.statistics.closedEveryStep);
 }
 
 /// The bars that a body must clear while it is cut and falls.
