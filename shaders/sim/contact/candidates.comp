@@ -122,58 +122,82 @@ void consider(uint v, vec3 p, uint index) {
 // Triangles that pass a first look wait for a second one. Where a branch costs as much as both of its
 // sides, a loop that ends early is what saves work: most vertices have none that wait.
 const uint kMostPending = 32u;
+// Of the margin: what floats may say of a box's distance against the triangle's.
+const float kSlack = 0.01;
 uint pending[kMostPending];
-uint passed;  // so far in this round, those of earlier rounds included
-uint firstOfRound;
+uint waiting;
+float farthest;  // from here no box holds one of the nearest [m]
 
 void look(vec3 p, uint index) {
     vec4 low = boxes[index].low;
     vec3 outside = max(max(low.xyz - p, p - boxes[index].high.xyz), vec3(0.0));
     bool mayOppose = (opposed >> (floatBitsToUint(low.w) - kFirstBin) & 1u) != 0u;
-    bool passes = mayOppose && dot(outside, outside) <= uniforms.margin * uniforms.margin;
-    if (passes && passed >= firstOfRound && passed < firstOfRound + kMostPending) {
-        pending[passed - firstOfRound] = index;
+    if (mayOppose && dot(outside, outside) <= farthest * farthest) {
+        pending[waiting] = index;
+        ++waiting;
     }
-    passed += passes ? 1u : 0u;
 }
 
-void searchCell(vec3 p, ivec3 cell, uint level) {
+// Where the search goes on once what waits has been looked at.
+struct Cursor {
+    uint levels;  // those still to search, a bit each
+    int cell;     // of the first of them
+    uint entry;   // of that cell's bucket
+};
+
+// Whether the end of the bucket was reached before too many waited.
+bool searchCell(vec3 p, ivec3 cell, uint level, inout uint entry) {
     uint bucket = bucketOf(cell, level);
     uint next = bucket + 1u;
     uint first = blocks[bucket / kGroupSize] + starts[bucket].start;
     uint end = next == uniforms.bucket_count ? uniforms.triangle_count
                                              : blocks[next / kGroupSize] + starts[next].start;
     if ((starts[bucket].directions & opposed) == 0u) end = first;
-    for (uint k = first; k < end; ++k) {
+    uint k = first + entry;
+    for (; k < end && waiting < kMostPending; ++k) {
         look(p, entries[k]);
     }
+    bool done = k >= end;
+    entry = done ? 0u : k - first;
+    return done;
 }
 
-void searchLevel(vec3 p, uint level) {
+bool searchLevel(vec3 p, uint level, inout Cursor cursor) {
     float size = cellSize(level);
     float range = 0.5 * min(size, uintBitsToFloat(state.largest[level])) + uniforms.margin;
     ivec3 low = ivec3(floor((p - range) / size));
     // Cells are at least two margins wide; a number that is not finite may say anything.
     ivec3 count = clamp(ivec3(floor((p + range) / size)) - low, 0, 2) + 1;
     int cells = count.x * count.y * count.z;
-    for (int i = 0; i < cells; ++i) {
-        searchCell(p, low + ivec3(i % count.x, (i / count.x) % count.y, i / (count.x * count.y)), level);
+    bool goesOn = true;
+    while (goesOn && cursor.cell < cells) {
+        int i = cursor.cell;
+        ivec3 cell = low + ivec3(i % count.x, (i / count.x) % count.y, i / (count.x * count.y));
+        goesOn = searchCell(p, cell, level, cursor.entry);
+        cursor.cell += goesOn ? 1 : 0;
     }
+    return goesOn;
 }
 
 void search(uint v, vec3 p) {
-    firstOfRound = 0u;
-    passed = 1u;
-    while (passed > firstOfRound) {
-        passed = 0u;
-        for (uint levels = state.levels; levels != 0u; levels &= levels - 1u) {
-            searchLevel(p, uint(findLSB(levels)));
+    Cursor cursor = Cursor(state.levels, 0, 0u);
+    farthest = uniforms.margin;
+    while (cursor.levels != 0u) {
+        waiting = 0u;
+        bool goesOn = true;
+        while (goesOn && cursor.levels != 0u) {
+            goesOn = searchLevel(p, uint(findLSB(cursor.levels)), cursor);
+            if (goesOn) {
+                cursor.levels &= cursor.levels - 1u;
+                cursor.cell = 0;
+            }
         }
-        uint waiting = min(passed, firstOfRound + kMostPending);
-        for (uint i = firstOfRound; i < waiting; ++i) {
-            consider(v, p, pending[i - firstOfRound]);
+        for (uint i = 0u; i < waiting; ++i) {
+            consider(v, p, pending[i]);
         }
-        firstOfRound += kMostPending;
+        if (found == kCandidatesPerPoint) {
+            farthest = uniforms.margin * min(1.0, bestKey[found - 1u] + kSlack);
+        }
     }
 }
 
