@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace kerf {
@@ -14,12 +15,18 @@ constexpr double kFastestFade = 2;  // rest volumes a second
 // Offsets below this share of the rest volume are float noise.
 constexpr double kNegligible = 1e-7;
 
-double faded(double offset, const PieceModel& piece, double time) {
-    const double least = std::abs(offset) - kFastestFade * piece.restVolume * time;
-    const double soon = offset * std::exp(-time / kFadeTime);
-    const bool tooSoon = piece.holdsVolume && std::abs(soon) < least;
-    const double rest = tooSoon ? std::copysign(least, offset) : soon;
-    return std::abs(rest) < kNegligible * std::abs(piece.restVolume) ? 0.0 : rest;
+// Of the rest volume of all: smaller pieces go at a pace of their own, so that a splinter that was
+// stretched far does not keep all others waiting.
+constexpr double kNoted = 0.01;
+
+/// What is left of `offset` after `time`, as a share: a piece that holds its volume takes back two
+/// rest volumes a second at most.
+double ownShare(double offset, const PieceModel& piece, double time) {
+    const double soon = std::exp(-time / kFadeTime);
+    if (!piece.holdsVolume || offset == 0.0) {
+        return soon;
+    }
+    return std::max(soon, 1 - kFastestFade * piece.restVolume * time / std::abs(offset));
 }
 
 }  // namespace
@@ -54,17 +61,37 @@ void VolumeTargets::startAt(std::span<const double> volumes) {
 }
 
 bool VolumeTargets::fade(double time) {
-    bool changed = false;
+    if (std::ranges::all_of(offsets_, [](double offset) { return offset == 0.0; })) {
+        return false;
+    }
+    const double common = commonShare(time);
     for (std::size_t p = 0; p < offsets_.size(); ++p) {
-        if (offsets_[p] != 0.0) {
-            offsets_[p] = faded(offsets_[p], pieces_[p], time);
-            changed = true;
+        const double share = isNoted(p) ? common : ownShare(offsets_[p], pieces_[p], time);
+        const double left = share * offsets_[p];
+        const bool negligible = std::abs(left) < kNegligible * std::abs(pieces_[p].restVolume);
+        offsets_[p] = negligible ? 0.0 : left;
+    }
+    rebuild();
+    return true;
+}
+
+// At a pace of its own for each, the sum that the parts of a crushed body begin with would not be
+// kept on the way.
+double VolumeTargets::commonShare(double time) const {
+    double share = 0;
+    for (std::size_t p = 0; p < offsets_.size(); ++p) {
+        if (isNoted(p)) {
+            share = std::max(share, ownShare(offsets_[p], pieces_[p], time));
         }
     }
-    if (changed) {
-        rebuild();
-    }
-    return changed;
+    return share;
+}
+
+bool VolumeTargets::isNoted(std::size_t piece) const {
+    const double all = std::accumulate(
+        pieces_.begin(), pieces_.end(), 0.0,
+        [](double sum, const PieceModel& one) { return sum + std::max(one.restVolume, 0.0); });
+    return pieces_[piece].holdsVolume && pieces_[piece].restVolume >= kNoted * all;
 }
 
 void VolumeTargets::rebuild() {

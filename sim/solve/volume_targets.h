@@ -10,9 +10,10 @@ namespace kerf {
 
 /// At which volume each piece is held. A piece that has just come off has a current volume up to a
 /// few per cent off its rest volume, which a rigid constraint would take as a jump; so its target
-/// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s), by 2 V0 a second at
-/// most, so that what has collapsed or turned inside out while volumes were not held is not shot
-/// off.
+/// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s). A piece comes back by
+/// 2 V0 a second at most, so that what has collapsed or turned inside out is not shot off. All
+/// pieces of at least a hundredth of the body wait for the slowest of them, so that the parts keep
+/// the body's volume on the way.
 class VolumeTargets {
   public:
     /// All pieces at their rest volumes.
@@ -32,6 +33,8 @@ class VolumeTargets {
     std::span<const VolumeTarget> targets() const { return targets_; }
 
   private:
+    double commonShare(double time) const;  ///< that is left of the offsets of noted pieces
+    bool isNoted(std::size_t piece) const;  ///< holds its volume and is no splinter
     void rebuild();
 
     std::vector<PieceModel> pieces_;

@@ -82,6 +82,35 @@ TEST(VolumeTargets, ComeBackFromAfarByTwoRestVolumesASecond) {
     EXPECT_EQ(targets.targets()[0].volume, 2);
 }
 
+// Parts of a body that is crushed where one of them lies: the sum is the body's volume all the way.
+TEST(VolumeTargets, OfPartsKeepTheirSumHoweverFarOneIsOff) {
+    VolumeTargets targets;
+    targets.reset(whole());
+    const double volumes[] = {0.2, 1.8, 1e-9};
+    targets.follow(kSplit, halves(), volumes);
+    double last = 0.2;
+    while (targets.fade(0.02)) {
+        const double first = targets.targets()[0].volume;
+        EXPECT_NEAR(first + targets.targets()[1].volume, 2, 1e-6);
+        EXPECT_LE(first - last, 2 * 1.2 * 0.02 + 1e-12);
+        last = first;
+    }
+    EXPECT_EQ(targets.targets()[0].volume, 1.2);
+    EXPECT_EQ(targets.targets()[1].volume, 0.8);
+}
+
+TEST(VolumeTargets, DoNotWaitForASplinter) {
+    BodyModel parts;
+    parts.pieces = {piece(1.2), piece(0.799), piece(1e-3)};
+    VolumeTargets targets;
+    targets.reset(parts);
+    const double volumes[] = {1.19, 0.799, 0.011};
+    targets.startAt(volumes);
+    EXPECT_TRUE(targets.fade(0.1));
+    EXPECT_NEAR(targets.targets()[0].volume, 1.2 - 0.01 * std::exp(-1), 1e-12);
+    EXPECT_NEAR(targets.targets()[2].volume, 0.011 - 2 * 1e-3 * 0.1, 1e-12);
+}
+
 TEST(VolumeTargets, OfChipsStayAtRest) {
     VolumeTargets targets;
     targets.reset(halves());
