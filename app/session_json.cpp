@@ -87,8 +87,9 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
     bool open(json container) {
         if (open_.size() >= kMaxJsonDepth) {
-            throw InputError(excerpt(keys_.front()) + ": nested deeper than " +
-                             std::to_string(kMaxJsonDepth) + " levels.");
+            const std::string key = keys_.front().empty() ? "" : excerpt(keys_.front()) + ": ";
+            throw InputError(key + "nested deeper than " + std::to_string(kMaxJsonDepth) +
+                             " levels.");
         }
         open_.push_back(insert(std::move(container)));
         keys_.emplace_back();

@@ -177,6 +177,7 @@ INSTANTIATE_TEST_SUITE_P(All, SessionErrors, ::testing::Values(
 TEST(SessionReader, DeepNestingIsRefusedWhileParsing) {
     const std::string deep = "{\"x\": " + std::string(200'000, '[');
     EXPECT_EQ(errorOf(deep), "x: nested deeper than 32 levels.");
+    EXPECT_EQ(errorOf(std::string(200'000, '[')), "nested deeper than 32 levels.");
 }
 
 TEST(SessionReader, ErrorsOfAFileNameIt) {
