@@ -102,6 +102,7 @@ struct Cutter::State {
     // Of one group.
     void startPass(cut::Sweep& sweep);
     void placeRung(const Blade& at, cut::Sweep& sweep);
+    void slideRung(const Blade& to, const std::vector<RungNode>& from, cut::Sweep& sweep);
     void setRung(std::vector<RungNode> next, cut::Sweep& sweep);
     void tie(cut::Sweep& sweep);
     void makeWaitingTies(cut::Sweep& sweep);

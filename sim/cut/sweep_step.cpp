@@ -24,7 +24,7 @@ namespace {
 
 // After so many refused steps in a row the front is let go; it stays as a slit.
 constexpr int kRefusalsBeforeDetach = 3;
-// Sliding along the axis in the air by more than this many times the advance restarts the rung.
+// Sliding along the axis in the air by more than this many times the advance takes the rung along.
 constexpr double kAxialSlide = 4;
 constexpr double kBinSize = 1.0;
 // Of the body at rest: a step that would change its volume by more is not done. The bar is 1e-9 for
@@ -63,6 +63,16 @@ void Cutter::State::placeRung(const Blade& at, Sweep& sweep) {
     setRung({end(at.a, 0), end(at.b, 1)}, sweep);
     sweep.blade = at;
     sweep.lastAdvance = Vec3::Zero();
+}
+
+/// `from`: the rung, measured along `to`. It stays as far behind the blade as it is: started anew,
+/// a blade that is drawn through the body along itself would never be far enough ahead to cut.
+void Cutter::State::slideRung(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep) {
+    const auto behind = [&](const RungNode& node) -> Vec3 {
+        return node.position - (to.a + (to.b - to.a) * node.s);
+    };
+    sweep.blade = {to.a + behind(from.front()), to.b + behind(from.back())};
+    setRung({{sweep.blade.a, 0, -1, false}, {sweep.blade.b, 1, -1, false}}, sweep);
 }
 
 void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
@@ -117,7 +127,7 @@ CutResult Cutter::State::advance(const Blade& to, Gate gate, Sweep& sweep) {
     if (motion.advance < std::max(least, kStandingStill * h)) {
         const bool slides = motion.axial > kAxialSlide * motion.advance && motion.axial > least;
         if (!motion.anyAttached && slides) {
-            placeRung(to, sweep);
+            slideRung(to, from, sweep);
         }
         return outcome(CutOutcome::waiting);
     }

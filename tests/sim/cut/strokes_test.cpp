@@ -175,6 +175,23 @@ TEST(Cut, PivotAboutTheTipAndSawing) {
     }
 }
 
+// Slicing: long along the blade, each step too short across it to be cut by itself.
+TEST(Cut, ABladeThatIsDrawnAlongItselfParts) {
+    for (const int turns : {1, 7}) {
+        SCOPED_TRACE(std::to_string(turns) + " ways to and fro");
+        SurfaceMesh mesh = test::icosphere(3);
+        Stroke stroke;
+        for (int i = 0; i <= 160; ++i) {
+            const double u = i / 160.0;
+            const double slide = 4 * std::sin(M_PI * turns * (u - 0.5));
+            const double y = 1.2 - 2.4 * u;
+            stroke.push_back({{slide - 6, y, 0.01}, {slide + 6, y, 0.01}});
+        }
+        expectSound(test::runStroke(mesh, test::exactSettings(), stroke));
+        EXPECT_EQ(piecesOf(mesh), 2);
+    }
+}
+
 TEST(Cut, CutsABodyThatDeformsSmoothly) {
     SurfaceMesh mesh = test::icosphere(3);
     Cutter cutter(mesh, CutSettings{});
