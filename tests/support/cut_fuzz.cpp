@@ -275,6 +275,22 @@ Stroke rockingStroke(Dice& dice, const Course& c) {
     return stroke;
 }
 
+/// Far along itself for each bit across, which is less than an edge and often less than the gate.
+Stroke slicingStroke(Dice& dice, Course c) {
+    const double reach = dice.uniform(0.5, 2) * c.diagonal;
+    const double turns = dice.uniform(0.5, 8);
+    const double phase = dice.uniform(0, 6);
+    c.steps =
+        std::clamp(static_cast<int>(2.3 * c.diagonal / (c.h * dice.uniform(0.05, 0.6))), 30, 600);
+    Stroke stroke = throughStroke(c, {});
+    for (int i = 0; i <= c.steps; ++i) {
+        const double slide = reach * std::sin(2 * M_PI * turns * i / c.steps + phase);
+        stroke[i].a += c.along * (slide - reach);
+        stroke[i].b += c.along * (slide + reach);
+    }
+    return stroke;
+}
+
 /// Three strokes through the line along `normal` at the centre.
 Stroke concurrentStroke(const Course& c, int index) {
     const double angle = 1.1 * index;
@@ -316,6 +332,8 @@ Stroke randomStroke(Dice& dice, const SurfaceMesh& mesh, FuzzMode mode, double h
             break;
         case FuzzMode::rocking:
             return rockingStroke(dice, course);
+        case FuzzMode::slicing:
+            return slicingStroke(dice, course);
         case FuzzMode::fast:
             course.steps = std::max(3, course.steps / 8);
             break;
@@ -517,12 +535,12 @@ CutSettings cutSettings(FuzzSetting setting, double meanEdge, std::uint64_t seed
 const char* nameOf(FuzzMode mode) {
     static const std::array<const char*, kFuzzModes> names{
         "straight", "curved", "twisted", "fast", "aligned", "crossing", "realigned", "concurrent",
-        "incision", "wander", "pivot",   "saw",  "reverse", "deform",   "rocking"};
+        "incision", "wander", "pivot",   "saw",  "reverse", "deform",   "rocking",   "slicing"};
     return names[static_cast<int>(mode)];
 }
 
 bool goesThrough(FuzzMode mode) {
-    return mode < FuzzMode::incision || mode == FuzzMode::rocking;
+    return mode < FuzzMode::incision || mode == FuzzMode::rocking || mode == FuzzMode::slicing;
 }
 
 bool leavesSlabs(FuzzMode mode) {

@@ -27,9 +27,10 @@ enum class FuzzMode {
     reverse,     ///< goes back and forth
     deform,      ///< the body moves smoothly while it is cut
     rocking,     ///< right through, one end of the blade going on while the other goes back
+    slicing,     ///< right through, drawn to and fro along itself, a little deeper each step
 };
-inline constexpr int kFuzzModes = 15;
-/// Of them, those that seeds draw: rocking only where KERF_FUZZ_MODE asks for it.
+inline constexpr int kFuzzModes = 16;
+/// Of them, those that seeds draw: the others only where KERF_FUZZ_MODE asks for them.
 inline constexpr int kModesDrawn = 14;
 const char* nameOf(FuzzMode mode);
 /// The stroke passes the whole body, so it must leave no slit that ends inside.

@@ -17,7 +17,8 @@ constexpr int kCrowd = 12;
 // KERF_FUZZ_SECONDS runs longer, KERF_FUZZ_SEED elsewhere (KERF_FUZZ_RUNS=1 repeats one seed),
 // KERF_FUZZ_TRACE tells what each step did;
 // KERF_FUZZ_NO_CLEANUP shows what the cut alone leaves, and fails on it; KERF_FUZZ_EVEN_WALLS gives
-// walls the mean edge length everywhere; KERF_FUZZ_MODE=rocking draws strokes of one kind.
+// walls the mean edge length everywhere; KERF_FUZZ_MODE=rocking or another draws strokes of one
+// kind.
 double environmentNumber(const char* name, double otherwise) {
     const char* text = std::getenv(name);
     return text == nullptr ? otherwise : std::atof(text);

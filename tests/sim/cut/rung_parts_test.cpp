@@ -137,12 +137,11 @@ TEST(RungParts, ARockingBladeMakesTheWallsOfAStraightOne) {
     EXPECT_TRUE(test::selfIntersections(test::opened(rocking, 1e-6 * kH)).empty());
 }
 
-TEST(RungParts, RandomRockingStrokesPart) {
-    constexpr std::uint64_t kFirstSeed = 500000;
-    constexpr int kRuns = 60;
+void expectAllPart(test::FuzzMode mode, std::uint64_t firstSeed, int runs) {
+    SCOPED_TRACE("first seed " + std::to_string(firstSeed));
     test::FuzzReport report;
-    for (int i = 0; i < kRuns; ++i) {
-        test::fuzzOnce(kFirstSeed + i, report, test::FuzzMode::rocking);
+    for (int i = 0; i < runs; ++i) {
+        test::fuzzOnce(firstSeed + i, report, mode);
     }
     for (const test::FuzzSetting setting : test::kFuzzSettings) {
         const test::FuzzFigures sum = report.total(setting);
@@ -153,6 +152,14 @@ TEST(RungParts, RandomRockingStrokesPart) {
         EXPECT_EQ(sum.invalid, 0);
         EXPECT_LE(sum.intersecting, 0.03 * sum.strokes);
     }
+}
+
+TEST(RungParts, RandomRockingStrokesPart) {
+    expectAllPart(test::FuzzMode::rocking, 500000, 60);
+}
+
+TEST(RungParts, RandomSlicingStrokesPart) {
+    expectAllPart(test::FuzzMode::slicing, 520000, 60);
 }
 
 }  // namespace
