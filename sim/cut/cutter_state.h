@@ -76,6 +76,7 @@ struct Cutter::State {
     cut::StrokeSurface surface{mesh};
     std::optional<cut::Cleanup> cleanup{};  ///< of this stroke, once it has cut
 
+    Blade nearBody(const Blade& whole);
     void start(const Blade& at);
     CutResult sweepAll(const Blade& to, Gate gate);
     double gateLength(Gate gate, double edge) const;

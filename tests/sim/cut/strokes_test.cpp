@@ -192,6 +192,27 @@ TEST(Cut, ABladeThatIsDrawnAlongItselfParts) {
     }
 }
 
+// Grows from 2 m to 200 km while it passes, and turns.
+TEST(Cut, AnEndlessBladeCutsLikeAnOrdinaryOne) {
+    const auto stroke = [](double most) {
+        Stroke blades;
+        for (int i = 0; i <= 20; ++i) {
+            const double length = std::min(most, std::pow(10, 0.25 * i));
+            const Vec3 along = Vec3(std::cos(0.02 * i), std::sin(0.02 * i), 0.3).normalized();
+            const Vec3 middle(0.01, 0.9 - 0.09 * i, 0.01);
+            blades.push_back({middle - along * length, middle + along * length});
+        }
+        return blades;
+    };
+    SurfaceMesh endless = test::icosphere(3);
+    expectSound(test::runStroke(endless, test::exactSettings(), stroke(1e5)));
+    EXPECT_EQ(piecesOf(endless), 2);
+    SurfaceMesh ordinary = test::icosphere(3);
+    expectSound(test::runStroke(ordinary, test::exactSettings(), stroke(3)));
+    const int vertices = ordinary.vertexCount();
+    EXPECT_NEAR(endless.vertexCount(), vertices, 0.05 * vertices);
+}
+
 TEST(Cut, CutsABodyThatDeformsSmoothly) {
     SurfaceMesh mesh = test::icosphere(3);
     Cutter cutter(mesh, CutSettings{});
