@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace kerf {
@@ -16,7 +15,7 @@ constexpr double kFastestFade = 2;  // rest volumes a second
 constexpr double kNegligible = 1e-7;
 
 // Of the rest volume of all: smaller pieces go at a pace of their own, so that a splinter that was
-// stretched far does not keep all others waiting.
+// stretched far keeps others waiting only for as much as it holds too much.
 constexpr double kNoted = 0.01;
 
 /// What is left of `offset` after `time`, as a share: a piece that holds its volume takes back two
@@ -65,9 +64,12 @@ bool VolumeTargets::fade(double time) {
         return false;
     }
     const double common = commonShare(time);
+    const double excess = excessOfSplinters(common, time);
+    const double waiting = shareAgainst(excess, common);
     for (std::size_t p = 0; p < offsets_.size(); ++p) {
-        const double share = isNoted(p) ? common : ownShare(offsets_[p], pieces_[p], time);
-        const double left = share * offsets_[p];
+        const double noted = offsets_[p] * excess < 0 ? waiting : common;
+        const double left =
+            offsets_[p] * (isNoted(p) ? noted : ownShare(offsets_[p], pieces_[p], time));
         const bool negligible = std::abs(left) < kNegligible * std::abs(pieces_[p].restVolume);
         offsets_[p] = negligible ? 0.0 : left;
     }
@@ -78,7 +80,7 @@ bool VolumeTargets::fade(double time) {
 // At a pace of its own for each, the sum that the parts of a crushed body begin with would not be
 // kept on the way.
 double VolumeTargets::commonShare(double time) const {
-    double share = 0;
+    double share = std::exp(-time / kFadeTime);
     for (std::size_t p = 0; p < offsets_.size(); ++p) {
         if (isNoted(p)) {
             share = std::max(share, ownShare(offsets_[p], pieces_[p], time));
@@ -87,18 +89,38 @@ double VolumeTargets::commonShare(double time) const {
     return share;
 }
 
+double VolumeTargets::excessOfSplinters(double common, double time) const {
+    double excess = 0;
+    for (std::size_t p = 0; p < offsets_.size(); ++p) {
+        if (pieces_[p].holdsVolume && !isNoted(p)) {
+            excess += (ownShare(offsets_[p], pieces_[p], time) - common) * offsets_[p];
+        }
+    }
+    return excess;
+}
+
+double VolumeTargets::shareAgainst(double excess, double common) const {
+    double against = 0;
+    for (std::size_t p = 0; p < offsets_.size(); ++p) {
+        if (isNoted(p) && offsets_[p] * excess < 0) {
+            against += offsets_[p];
+        }
+    }
+    return against == 0 ? common : std::min(1.0, common - excess / against);
+}
+
 bool VolumeTargets::isNoted(std::size_t piece) const {
-    const double all = std::accumulate(
-        pieces_.begin(), pieces_.end(), 0.0,
-        [](double sum, const PieceModel& one) { return sum + std::max(one.restVolume, 0.0); });
-    return pieces_[piece].holdsVolume && pieces_[piece].restVolume >= kNoted * all;
+    return pieces_[piece].holdsVolume && pieces_[piece].restVolume >= noted_;
 }
 
 void VolumeTargets::rebuild() {
     targets_.clear();
+    double restVolume = 0;
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
+        restVolume += pieces_[p].holdsVolume ? pieces_[p].restVolume : 0.0;
         targets_.push_back({pieces_[p].restVolume + offsets_[p], pieces_[p].holdsVolume});
     }
+    noted_ = kNoted * restVolume;
 }
 
 }  // namespace kerf

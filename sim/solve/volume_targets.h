@@ -11,9 +11,9 @@ namespace kerf {
 /// At which volume each piece is held. A piece that has just come off has a current volume up to a
 /// few per cent off its rest volume, which a rigid constraint would take as a jump; so its target
 /// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s). A piece comes back by
-/// 2 V0 a second at most, so that what has collapsed or turned inside out is not shot off. All
-/// pieces of at least a hundredth of the body wait for the slowest of them, so that the parts keep
-/// the body's volume on the way.
+/// 2 V0 a second at most, so that what has collapsed or turned inside out is not shot off. So that
+/// the parts keep the body's volume on the way, all of at least a hundredth of it wait for the
+/// slowest of them, and for splinters as far as those would change the sum.
 class VolumeTargets {
   public:
     /// All pieces at their rest volumes.
@@ -33,13 +33,19 @@ class VolumeTargets {
     std::span<const VolumeTarget> targets() const { return targets_; }
 
   private:
-    double commonShare(double time) const;  ///< that is left of the offsets of noted pieces
+    /// What may be left of the offsets of noted pieces.
+    double commonShare(double time) const;
+    /// By how much splinters will be off beyond that share, together [m^3].
+    double excessOfSplinters(double common, double time) const;
+    /// What is to be left of noted offsets of the other sign, so that the sum is kept.
+    double shareAgainst(double excess, double common) const;
     bool isNoted(std::size_t piece) const;  ///< holds its volume and is no splinter
     void rebuild();
 
     std::vector<PieceModel> pieces_;
     std::vector<double> offsets_;  ///< target minus rest volume, per piece [m^3]
     std::vector<VolumeTarget> targets_;
+    double noted_ = 0;  ///< rest volume of the smallest piece that is no splinter [m^3]
 };
 
 }  // namespace kerf

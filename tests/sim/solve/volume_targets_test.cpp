@@ -99,16 +99,36 @@ TEST(VolumeTargets, OfPartsKeepTheirSumHoweverFarOneIsOff) {
     EXPECT_EQ(targets.targets()[1].volume, 0.8);
 }
 
-TEST(VolumeTargets, DoNotWaitForASplinter) {
+TEST(VolumeTargets, DoNotWaitForASplinterThatHoldsLittle) {
     BodyModel parts;
     parts.pieces = {piece(1.2), piece(0.799), piece(1e-3)};
     VolumeTargets targets;
     targets.reset(parts);
-    const double volumes[] = {1.19, 0.799, 0.011};
+    const double volumes[] = {1.1, 0.897, 0.003};
     targets.startAt(volumes);
     EXPECT_TRUE(targets.fade(0.1));
-    EXPECT_NEAR(targets.targets()[0].volume, 1.2 - 0.01 * std::exp(-1), 1e-12);
-    EXPECT_NEAR(targets.targets()[2].volume, 0.011 - 2 * 1e-3 * 0.1, 1e-12);
+    EXPECT_NEAR(targets.targets()[0].volume, 1.2 - 0.1 * std::exp(-1), 0.002);
+    EXPECT_NEAR(targets.targets()[1].volume, 0.799 + 0.098 * std::exp(-1), 0.002);
+}
+
+// Hands have stretched it to thirty times what it held.
+TEST(VolumeTargets, OfPartsKeepTheirSumBesideSplinters) {
+    BodyModel parts;
+    parts.pieces = {piece(1.2), piece(0.799), piece(1e-3)};
+    VolumeTargets targets;
+    targets.reset(parts);
+    const double volumes[] = {1.15, 0.82, 0.03};
+    targets.startAt(volumes);
+    int steps = 0;
+    for (double last = 0.03; targets.fade(0.02); ++steps) {
+        const double splinter = targets.targets()[2].volume;
+        EXPECT_NEAR(targets.targets()[0].volume + targets.targets()[1].volume + splinter, 2, 1e-6);
+        EXPECT_LE(last - splinter, 2 * 1e-3 * 0.02 + 1e-12);
+        last = splinter;
+    }
+    EXPECT_GT(steps, 500);
+    EXPECT_EQ(targets.targets()[0].volume, 1.2);
+    EXPECT_EQ(targets.targets()[2].volume, 1e-3);
 }
 
 TEST(VolumeTargets, OfChipsStayAtRest) {
