@@ -115,6 +115,7 @@ void Buffer::reserve(std::size_t bytes, std::size_t keep) {
 }
 
 void Buffer::copyFrom(const Buffer& other) {
+    updateBarrier();
     resize(other.size_);
     glCopyNamedBufferSubData(other.id_, id_, 0, 0, static_cast<GLsizeiptr>(other.size_));
 }

@@ -7,6 +7,7 @@ SHARED_BEGIN
 
 SHARED_CONST uint kBladeRangesBinding = 8u;     // IncidenceRange per vertex: of
 SHARED_CONST uint kBladeIncidenceBinding = 9u;  // 4 * triangle + corner
+SHARED_CONST uint kBladeAroundBinding = 13u;    // vec4: X before the blade moves any vertex
 
 // The body of the blade in a substep. Its box has the axes along AB, to the back and across the
 // flat sides, holds what lies between the end of the bevel and the back, and is as it lies at X.

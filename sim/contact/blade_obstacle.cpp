@@ -43,7 +43,7 @@ shared::BladeRecord recordOf(const BladeMotion& motion, std::size_t substep) {
 }  // namespace
 
 ObstacleKind BladeObstacle::kind() {
-    return {{{"BLADE", "1"}}, "sim/boxes/blade.comp", false};
+    return {{{"BLADE", "1"}}, "sim/boxes/blade.comp", false, false, true};
 }
 
 std::unique_ptr<const Obstacles> BladeObstacle::of(std::optional<BladeMotion> motion) {

@@ -128,6 +128,10 @@ void ObstacleContact::respond(int substep) {
     runOver(kernels_->triangles, body_.triangleCount);
     runOver(kernels_->respond, body_.triangleCount);
     runOver(kernels_->apply, body_.vertexCount);
+    if (kind_.seesAround) {
+        around_.copyFrom(*body_.positions);
+        around_.bindStorage(shared::kBladeAroundBinding);
+    }
     runOver(kernels_->vertices, body_.vertexCount);
     if (keepsSides_) {
         runOver(*kernels_->planes, body_.triangleCount);

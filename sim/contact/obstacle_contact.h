@@ -68,6 +68,7 @@ class ObstacleContact {
     gpu::Buffer touches_, shares_, sums_;
     gpu::Buffer pieceBounds_;  ///< at the beginning of the step
     gpu::Buffer start_;        ///< X at the beginning of the substep
+    gpu::Buffer around_;       ///< X before an obstacle moves any vertex
 };
 
 }  // namespace kerf

@@ -17,6 +17,7 @@ struct ObstacleKind {
     std::string vertices;         ///< path of the kernel that keeps vertices out of them
     bool movesPiecesOut = false;  ///< as a whole: it wants the boxes of pieces
     bool keepsSides = false;      ///< no triangle crosses them: it wants X as the substep began
+    bool seesAround = false;      ///< vertices see others: it wants X before any has been moved
 };
 
 /// How near and how deep obstacles are touched [m].

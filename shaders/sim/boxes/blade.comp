@@ -6,8 +6,8 @@
 // The walls of the slit that the edge has just cut start in the middle of the plate: their outward
 // normals say to which of the flat sides they belong. Where walls of both sides meet, as at the
 // front and at the end of a slit, nothing is pushed. Skin belongs to the side that it is on.
-// Reads triangles around each vertex, the blade. Reads and writes X and d. One thread per vertex. A
-// storage barrier follows.
+// Reads triangles around each vertex, X before any was pushed (other threads push the vertices
+// around), the blade. Reads and writes X and d. One thread per vertex. A storage barrier follows.
 #include "body_records.h"
 #include "blade_records.h"
 layout(local_size_x = kGroupSize) in;
@@ -19,6 +19,7 @@ layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4
 layout(std430, binding = kBoxBoxesBinding) readonly buffer Blades { BladeRecord blades[]; };
 layout(std430, binding = kBladeRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
 layout(std430, binding = kBladeIncidenceBinding) readonly buffer Incidence { uint incidence[]; };
+layout(std430, binding = kBladeAroundBinding) readonly buffer Around { vec4 around[]; };
 
 #include "blade.glsl"
 #include "boxes.glsl"
@@ -56,8 +57,8 @@ vec4 wallNormal(uint v, bool wanted) {
     for (uint k = range.first; k < end; ++k) {
         uvec4 t = triangles[incidence[k] / 4u];
         if ((t.w & 1u) == 0u) continue;
-        vec3 a = positions[t.x].xyz;
-        vec3 area = cross(positions[t.y].xyz - a, positions[t.z].xyz - a);
+        vec3 a = around[t.x].xyz;
+        vec3 area = cross(around[t.y].xyz - a, around[t.z].xyz - a);
         sum += area;
         size += length(area);
     }
