@@ -123,7 +123,11 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
 }  // namespace
 
+// The parser takes a zero byte for the end of the text.
 json parseJson(std::string_view text) {
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+        throw InputError(lineAndColumn(text, zero) + ": a zero byte is not valid JSON.");
+    }
     DocumentBuilder builder(text);
     // Every error throws out of the builder, so the result needs no look.
     json::sax_parse(text, &builder);

@@ -180,6 +180,12 @@ TEST(SessionReader, DeepNestingIsRefusedWhileParsing) {
     EXPECT_EQ(errorOf(std::string(200'000, '[')), "nested deeper than 32 levels.");
 }
 
+TEST(SessionReader, NothingIsLeftUnreadAfterAZeroByte) {
+    const std::string text = sessionWith(R"("steps": 3)");
+    const std::string error = errorOf(text + std::string(1, '\0') + "more");
+    EXPECT_NE(error.find("a zero byte is not valid JSON."), std::string::npos) << error;
+}
+
 TEST(SessionReader, ErrorsOfAFileNameIt) {
     const TemporaryFolder folder;
     writeText(folder / "bad.kerf.json",
