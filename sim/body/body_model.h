@@ -67,6 +67,7 @@ struct BodyModel {
     // Fixed at load, carried along by cuts.
     double thickness = 0;        ///< shell thickness t = V0 / S of the uncut body [m]
     double edgeLength = 0;       ///< mean rest edge length of the uncut body [m]
+    double diagonal = 0;         ///< of the uncut body's box at rest [m]
     double uncutRestVolume = 0;  ///< [m^3]
 };
 

@@ -29,6 +29,16 @@ std::vector<std::uint32_t> merged(std::initializer_list<const std::vector<std::u
     return all;
 }
 
+Bounds boxOfUsedVertices(const BodyModel& model) {
+    Bounds box;
+    for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+        if (model.pieceOfVertex[v] >= 0) {
+            box.add(model.restPositions[v].cast<double>());
+        }
+    }
+    return box;
+}
+
 }  // namespace
 
 BodyModel buildBodyModel(const SurfaceMesh& mesh) {
@@ -51,6 +61,7 @@ void BodyUpdater::buildShell() {
         model_.pieceOfVertex.push_back(presentPieceOf(v));
         model_.restPositions.push_back(mesh_.restPosition(v).cast<float>());
     }
+    model_.diagonal = boxOfUsedVertices(model_).diagonal();
     skinNormals_ = SkinNormals(mesh_);
     model_.cutSkinNormals.assign(model_.restPositions.size(), Vec3f::Zero());
     model_.vertexAreas = restVertexAreas(mesh_);

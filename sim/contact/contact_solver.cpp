@@ -60,13 +60,7 @@ double fixedUnit(const ContactSettings& settings) {
 }
 
 double contactEdgeLength(const BodyModel& model) {
-    Bounds box;
-    for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
-        if (model.pieceOfVertex[v] >= 0) {
-            box.add(model.restPositions[v].cast<double>());
-        }
-    }
-    return wallEdgeFor(model.edgeLength, box.diagonal());
+    return wallEdgeFor(model.edgeLength, model.diagonal);
 }
 
 int contactSearches(const ContactSettings& settings, double edgeLength, double relativeSpeed) {

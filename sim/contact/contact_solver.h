@@ -48,7 +48,7 @@ ContactSettings contactSettings(const Params& params);
 double fixedUnit(const ContactSettings& settings);
 
 /// The edge length of walls, the unit of lengths in a contact: that of the skin, at most a twelfth
-/// of the body's diagonal (see CutSettings). [m]
+/// of the diagonal, both of the uncut body (see CutSettings). [m]
 double contactEdgeLength(const BodyModel& model);
 
 /// What the kernels get to know; counts are 0. `relativeSpeed` [m/s]: an upper bound of how fast

@@ -142,6 +142,32 @@ TEST_F(UndoTest, GoingToAMomentKeepsContacts) {
     EXPECT_GT(simulation->report().contacts, 0);
 }
 
+// There contact goes by the diagonal, and a cut may take the outermost vertices away.
+TEST_F(UndoTest, ACoarseBodyGoesOnWithTheSameBits) {
+    Params soft;
+    soft.floor = -0.6;
+    soft.youngsModulus = 2e4;
+    const auto hashAfter = [&](bool withUndo) {
+        simulation.emplace(test::builtin("sphere80"), soft);
+        simulation->setUndoBudget(kRoom);
+        run(5);
+        EXPECT_EQ(simulation->execute(MoveBlade{{{0.1, 0.8, -0.9}, {0.12, 0.8, 0.9}}}), "");
+        run(25);
+        EXPECT_EQ(simulation->execute(MoveBlade{{{-0.1, -0.9, -0.9}, {-0.08, -0.9, 0.9}}}), "");
+        simulation->step();
+        EXPECT_EQ(simulation->execute(LiftBlade{}), "");
+        simulation->step();
+        EXPECT_EQ(pieces(), 2);
+        if (withUndo) {
+            undo();
+            redo();
+        }
+        run(8);
+        return simulation->stateHash();
+    };
+    EXPECT_EQ(hashAfter(true), hashAfter(false));
+}
+
 TEST_F(UndoTest, SnapshotBytesAreAboutWhatTheHeapGives) {
     simulation.emplace(test::cubeSphere(40, 0.5), falling());
     simulation->setUndoBudget(kRoom);

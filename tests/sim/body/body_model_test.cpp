@@ -150,6 +150,7 @@ TEST_F(CutBox, HasTwoPiecesThatKeepMassThicknessAndScale) {
     EXPECT_NEAR(totalMass(after), totalMass(before), 1e-6);
     EXPECT_EQ(after.thickness, before.thickness);
     EXPECT_EQ(after.edgeLength, before.edgeLength);
+    EXPECT_EQ(after.diagonal, before.diagonal);
     EXPECT_EQ(after.uncutRestVolume, before.uncutRestVolume);
 }
 
