@@ -3,6 +3,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <iterator>
+#include <ranges>
 #include <utility>
 
 namespace kerf {
@@ -86,6 +88,22 @@ void UndoHistory::add(UndoEntry entry) {
     entries_.resize(done_);
     entries_.push_back(std::move(entry));
     ++done_;
+    keepToBudget();
+}
+
+void UndoHistory::followCut(const SurfaceMesh& mesh, const CutDelta& delta) {
+    const auto isOfBody = [](const UndoEntry& entry) {
+        return std::holds_alternative<UndoEntry::BodyChange>(entry.change);
+    };
+    const auto now = entries_.begin() + static_cast<std::ptrdiff_t>(done_);
+    const auto first = std::find_if(std::make_reverse_iterator(now), entries_.rend(), isOfBody);
+    const auto end = std::find_if(now, entries_.end(), isOfBody);
+    for (UndoEntry& entry : std::ranges::subrange(first.base(), end)) {
+        if (auto* pins = std::get_if<UndoEntry::PinChange>(&entry.change)) {
+            pins->before.follow(mesh, delta);
+            pins->after.follow(mesh, delta);
+        }
+    }
     keepToBudget();
 }
 

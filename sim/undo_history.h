@@ -18,7 +18,8 @@ struct UndoEntry {
         ParamValue before;
         ParamValue after;
     };
-    /// Vertices that were pinned or freed.
+    /// Vertices that were pinned or freed, of the mesh as it is between the changes of the body
+    /// before and after: see UndoHistory::followCut.
     struct PinChange {
         Pins before;
         Pins after;
@@ -66,6 +67,9 @@ class UndoHistory {
     Change* continued() {
         return canUndo() && !canRedo() ? std::get_if<Change>(&entries_[done_ - 1].change) : nullptr;
     }
+    /// After each step of a cut, which may go on behind other changes: pins that were changed, or
+    /// of which a change was undone, since the last change of the body follow it.
+    void followCut(const SurfaceMesh& mesh, const CutDelta& delta);
     void renameLast(std::string name) { entries_[done_ - 1].name = std::move(name); }
     /// Something was done that is not kept: it can't be taken back, nor what was before it.
     void forgetAll();

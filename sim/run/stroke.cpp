@@ -75,6 +75,7 @@ void Simulation::State::accept(const CutResult& result) {
 
 void Simulation::State::adopt(const CutDelta& delta) {
     const std::string defect = body.adopt(delta);
+    log.history().followCut(body.mesh, delta);
     if (!defect.empty()) {
         say("step {}: the cut left the mesh open: {}", stepsDone, defect);
     }

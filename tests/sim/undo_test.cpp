@@ -330,6 +330,37 @@ TEST_F(UndoTest, PinsOfOneGestureAreTakenBackTogether) {
     EXPECT_EQ(pinned(), all);
 }
 
+// The change of pins comes after that of the cut, which goes on: copies are pinned and freed too.
+TEST_F(UndoTest, PinsMadeInMidStrokeFollowTheRestOfIt) {
+    const auto pinned = [&] { return simulation->pinnedVertices(); };
+    stroke(0.03, 10);
+    ASSERT_EQ(simulation->execute(Pin{Ball{{0, 0, -0.5}, 0.3}}), "");
+    const auto first = pinned();
+    ASSERT_EQ(simulation->execute(Pin{Ball{{0, 0, 0.5}, 0.3}}), "");
+    for (int i = 11; i <= 30; ++i) {
+        ASSERT_EQ(simulation->execute(MoveBlade{bladeAt(0.03, 0.7 - 1.5 * i / 30)}), "");
+        simulation->step();
+    }
+    simulation->execute(LiftBlade{});
+    simulation->step();
+    ASSERT_EQ(pieces(), 2);
+    EXPECT_EQ(names(), (std::vector<std::string>{"Cut 1", "Pin", "Pin"}));
+    const std::string hash = simulation->stateHash();
+    const auto all = pinned();
+    undo();
+    const auto followed = pinned();
+    EXPECT_GT(followed.size(), first.size()) << "with copies";
+    EXPECT_TRUE(std::ranges::includes(followed, first));
+    EXPECT_LT(followed.size(), all.size());
+    undo();
+    EXPECT_TRUE(pinned().empty());
+    redo();
+    EXPECT_EQ(pinned(), followed);
+    redo();
+    EXPECT_EQ(pinned(), all);
+    EXPECT_EQ(simulation->stateHash(), hash);
+}
+
 TEST_F(UndoTest, APullIsTakenBackToWhereItTookHold) {
     run(3);
     const std::string before = simulation->stateHash();
