@@ -21,10 +21,12 @@ std::string Simulation::State::execute(const Undo&) {
 
 std::string Simulation::State::execute(const Redo&) {
     UndoHistory& history = log.history();
+    if (history.canRedo()) {
+        putBladeAway();  // the end of a stroke may be a change, after which nothing is undone
+    }
     if (!history.canRedo()) {
         return "There is nothing to redo.";
     }
-    putBladeAway();
     std::visit([this](const auto& change) { apply(change, true); }, history.firstUndone().change);
     history.markRedone();
     return "";

@@ -231,6 +231,21 @@ TEST_F(UndoTest, ParametersAndCutsFormOneRow) {
         << "a new change ends what was undone";
 }
 
+// Here what the blade has swept is cut where it is put away.
+TEST_F(UndoTest, AStrokeThatEndsForARedoIsAChangeOfItsOwn) {
+    simulation->execute(SetParam{"gravity", Vec3(Vec3::Zero())});
+    undo();
+    for (const double y : {0.1, 0.09}) {
+        simulation->execute(MoveBlade{bladeAt(0.03, y)});
+        simulation->step();
+    }
+    ASSERT_TRUE(simulation->history().canRedo());
+    EXPECT_EQ(simulation->execute(Redo{}), "There is nothing to redo.");
+    EXPECT_THAT(names(), ::testing::ElementsAre("Cut 1"));
+    undo();
+    EXPECT_EQ(simulation->report().triangles, 432);
+}
+
 TEST_F(UndoTest, ARestartCanBeTakenBackAndTimeGoesOn) {
     cutAt(0.03);
     const std::string cut = simulation->stateHash();
