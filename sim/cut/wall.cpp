@@ -20,6 +20,7 @@ constexpr double kTallSheet = 1.2;
 constexpr double kSteinerToNode = 0.6;
 constexpr double kSteinerToEdge = 0.4;
 constexpr int kMostSteinerPoints = 200000;
+constexpr double kFlat = 1e-5;   // h: faces that are no farther out of one plane are one
 constexpr double kLattices = 2;  // for each doubling of the edge length
 constexpr int kChordPasses = 4;
 // A point counts as inside a triangle of the strip a little beyond it (share of the blade).
@@ -73,6 +74,41 @@ bool shareFace(const SurfaceMesh& mesh, const Node& p, const Node& q) {
     const int h = mesh.findHalfEdge(first.a, first.b);
     return h >= 0 &&
            (liesOnFace(mesh, second, h / 3) || liesOnFace(mesh, second, mesh.twin(h) / 3));
+}
+
+double distanceToFace(const SurfaceMesh& mesh, int face, const Vec3& p) {
+    const Triangle& c = mesh.triangle(face);
+    const Vec3& a = mesh.position(c[0]);
+    const Vec3 normal = (mesh.position(c[1]) - a).cross(mesh.position(c[2]) - a);
+    return std::fabs(normal.dot(p - a)) / std::max(normal.norm(), 1e-300);
+}
+
+/// The two faces at a node on an edge, that around a node on a face twice; -1 for others.
+std::array<int, 2> facesAt(const SurfaceMesh& mesh, const Node& node) {
+    if (node.kind == NodeKind::face) {
+        return {node.a, node.a};
+    }
+    const int h = node.kind == NodeKind::edge ? mesh.findHalfEdge(node.a, node.b) : -1;
+    return h < 0 ? std::array{-1, -1} : std::array{h / 3, mesh.twin(h) / 3};
+}
+
+bool areNeighbors(const SurfaceMesh& mesh, int f, int g) {
+    return mesh.twin(3 * f) / 3 == g || mesh.twin(3 * f + 1) / 3 == g ||
+           mesh.twin(3 * f + 2) / 3 == g;
+}
+
+/// On two faces side by side, in one plane but for `tolerance`.
+bool shareFlatFaces(const SurfaceMesh& mesh, const Node& p, const Node& q, double tolerance) {
+    for (const int f : facesAt(mesh, p)) {
+        for (const int g : facesAt(mesh, q)) {
+            if (f >= 0 && g >= 0 && areNeighbors(mesh, f, g) &&
+                distanceToFace(mesh, f, q.position) < tolerance &&
+                distanceToFace(mesh, g, p.position) < tolerance) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 /// Finds points that lie within a tolerance of each other.
@@ -437,6 +473,12 @@ class SheetTriangulation {
         return p != nullptr && q != nullptr && shareFace(in_.mesh, *p, *q);
     }
 
+    bool isFlatChord(int a, int b) const {
+        const Node* p = borderNode(a);
+        const Node* q = borderNode(b);
+        return p != nullptr && q != nullptr && shareFlatFaces(in_.mesh, *p, *q, kFlat * in_.h);
+    }
+
     bool flipChord(int t, int e) {
         if (plane_.constrained(t, e) || plane_.neighbor(t, e) < 0) {
             return false;
@@ -481,7 +523,7 @@ class SheetTriangulation {
         const int a = plane_.corners(t)[e];
         const int b = plane_.corners(t)[(e + 1) % 3];
         const int neighbor = plane_.neighbor(t, e);
-        if (plane_.constrained(t, e) || neighbor < 0 || !isChord(a, b)) {
+        if (plane_.constrained(t, e) || neighbor < 0 || !(isChord(a, b) || isFlatChord(a, b))) {
             return false;
         }
         const bool wider = doubleArea(t) >= doubleArea(neighbor);
