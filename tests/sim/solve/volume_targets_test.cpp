@@ -28,6 +28,12 @@ BodyModel halves() {
     return model;
 }
 
+BodyModel halvesAndSplinter() {
+    BodyModel model;
+    model.pieces = {piece(1.2), piece(0.799), piece(1e-3)};
+    return model;
+}
+
 // Which old piece each comes from.
 constexpr std::array<int, 3> kSplit{0, 0, -1};
 constexpr std::array<int, 3> kUnchanged{0, 1, 2};
@@ -100,10 +106,8 @@ TEST(VolumeTargets, OfPartsKeepTheirSumHoweverFarOneIsOff) {
 }
 
 TEST(VolumeTargets, DoNotWaitForASplinterThatHoldsLittle) {
-    BodyModel parts;
-    parts.pieces = {piece(1.2), piece(0.799), piece(1e-3)};
     VolumeTargets targets;
-    targets.reset(parts);
+    targets.reset(halvesAndSplinter());
     const double volumes[] = {1.1, 0.897, 0.003};
     targets.startAt(volumes);
     EXPECT_TRUE(targets.fade(0.1));
@@ -113,10 +117,8 @@ TEST(VolumeTargets, DoNotWaitForASplinterThatHoldsLittle) {
 
 // Hands have stretched it to thirty times what it held.
 TEST(VolumeTargets, OfPartsKeepTheirSumBesideSplinters) {
-    BodyModel parts;
-    parts.pieces = {piece(1.2), piece(0.799), piece(1e-3)};
     VolumeTargets targets;
-    targets.reset(parts);
+    targets.reset(halvesAndSplinter());
     const double volumes[] = {1.15, 0.82, 0.03};
     targets.startAt(volumes);
     int steps = 0;
