@@ -28,6 +28,8 @@ class RayTree {
     /// `triangles`: living mesh slots. The mesh must outlive the tree and keep its rest shape.
     RayTree(const SurfaceMesh& mesh, std::span<const int> triangles);
 
+    /// What the first update does otherwise. O(n).
+    void prepareToUpdate() { tree_.prepareToEdit(); }
     /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
     /// a corner or its rest position changed; each once.
     void update(std::span<const int> triangles);

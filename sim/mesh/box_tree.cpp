@@ -98,7 +98,6 @@ class BoxTree::Builder {
         const int left = tree_.newPair();
         Node& node = tree_.nodes_[task.node];
         node.bounds = bounds;
-        node.stamp = tree_.motion_;
         node.count = task.count;
         node.child = left;
         tree_.nodes_[left].parent = task.node;
@@ -191,47 +190,6 @@ BoxTree::Item BoxTree::itemOf(int id, const BoundsOf& boundsOf) {
     return {id, bounds, bounds.center()};
 }
 
-Bounds BoxTree::widened(const Node& node) const {
-    Bounds bounds = node.bounds;
-    bounds.widen(motion_ - node.stamp);
-    return bounds;
-}
-
-Bounds BoxTree::boundsOfLeaf(const Node& leaf, const BoundsOf& boundsOf) const {
-    Bounds bounds;
-    for (const int id : idsOf(leaf)) {
-        bounds.add(boundsOf(id));
-    }
-    return bounds;
-}
-
-void BoxTree::refit(const BoundsOf& boundsOf) {
-    if (!nodes_.empty()) {
-        motion_ += 1;  // every stamp is too old
-        refitWithin(0, 0, boundsOf);
-    }
-}
-
-/// Leaves every box below at most `tolerance` too wide.
-void BoxTree::refitWithin(int index, double tolerance, const BoundsOf& boundsOf) {
-    if (motion_ - nodes_[index].stamp <= tolerance) {
-        return;
-    }
-    Bounds bounds;
-    if (const int child = nodes_[index].child; child < 0) {
-        bounds = boundsOfLeaf(nodes_[index], boundsOf);
-    } else {
-        for (const int c : {child, child + 1}) {
-            refitWithin(c, tolerance, boundsOf);
-            if (nodes_[c].count > 0) {
-                bounds.add(widened(nodes_[c]));
-            }
-        }
-    }
-    nodes_[index].bounds = bounds;
-    nodes_[index].stamp = motion_;
-}
-
 int BoxTree::newLeaf() {
     if (!freeLeaves_.empty()) {
         const int leaf = freeLeaves_.back();
@@ -258,17 +216,36 @@ int BoxTree::newPair() {
 void BoxTree::fillLeaf(int index, std::span<const Item> items) {
     Node& node = nodes_[index];
     node.bounds = {};
-    node.stamp = motion_;
     node.child = -1;
     node.leaf = newLeaf();
     node.count = static_cast<int>(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
         leaves_[node.leaf][i] = items[i].id;
         node.bounds.add(items[i].bounds);
-        if (items[i].id >= static_cast<int>(nodeOf_.size())) {
-            nodeOf_.resize(items[i].id + 1, -1);
+        noteLeaf(items[i].id, index);
+    }
+}
+
+void BoxTree::noteLeaf(int id, int node) {
+    if (!canEdit_) {
+        return;
+    }
+    if (id >= static_cast<int>(nodeOf_.size())) {
+        nodeOf_.resize(id + 1, -1);
+    }
+    nodeOf_[id] = node;
+}
+
+void BoxTree::prepareToEdit() {
+    if (std::exchange(canEdit_, true)) {
+        return;
+    }
+    for (int index = 0; index < static_cast<int>(nodes_.size()); ++index) {
+        if (nodes_[index].child < 0) {
+            for (const int id : idsOf(nodes_[index])) {
+                noteLeaf(id, index);
+            }
         }
-        nodeOf_[items[i].id] = index;
     }
 }
 
@@ -282,6 +259,7 @@ int BoxTree::chooseChild(const Node& node, const Bounds& bounds) const {
 }
 
 void BoxTree::insert(int id, const BoundsOf& boundsOf) {
+    prepareToEdit();
     assert(!contains(id));
     if (nodes_.empty()) {
         nodes_.emplace_back();
@@ -301,10 +279,7 @@ void BoxTree::insert(int id, const BoundsOf& boundsOf) {
     } else {
         leaf.bounds.add(bounds);
         leaves_[leaf.leaf][leaf.count++] = id;
-        if (id >= static_cast<int>(nodeOf_.size())) {
-            nodeOf_.resize(id + 1, -1);
-        }
-        nodeOf_[id] = index;
+        noteLeaf(id, index);
     }
     keepBalanced(index, depth, boundsOf);
 }
@@ -325,12 +300,12 @@ void BoxTree::splitLeaf(int index, int id, const BoundsOf& boundsOf) {
     Node& node = nodes_[index];
     node.bounds = nodes_[left].bounds;
     node.bounds.add(nodes_[left + 1].bounds);
-    node.stamp = motion_;
     node.count = static_cast<int>(items.size());
     node.child = left;
 }
 
 void BoxTree::erase(int id) {
+    prepareToEdit();
     if (!contains(id)) {
         return;
     }
@@ -363,7 +338,7 @@ void BoxTree::replaceBySibling(int emptyLeaf) {
         return;
     }
     for (const int id : idsOf(sibling)) {
-        nodeOf_[id] = parent;
+        noteLeaf(id, parent);
     }
 }
 

@@ -44,8 +44,7 @@ int NearestTriangle::findWithin(const Vec3& p, double reach) {
     around.widen(reach);
     double least = reach;
     int found = -1;
-    tree_.find([this](int id) { return boundsOf(id); },
-               [&](const Bounds& box) { return box.overlaps(around); },
+    tree_.find([&](const Bounds& box) { return box.overlaps(around); },
                [&](int id) {
                    const auto [a, b, c] = cornersOf_(id);
                    const Vec3 w = closestWeights(p, a, b, c);

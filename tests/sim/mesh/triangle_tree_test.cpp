@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "sim/cut/cut_change.h"
@@ -126,9 +127,8 @@ TEST_F(TriangleTreeTest, StaysShallowWhenThingsAreAddedInARow) {
         tree.erase(id);
     }
     std::vector<int> found;
-    tree.find(
-        boundsOfId, [&](const Bounds& b) { return b.overlaps(cube(Vec3(19500, 0, 0), 1)); },
-        [&](int id) { found.push_back(id); });
+    tree.find([&](const Bounds& b) { return b.overlaps(cube(Vec3(19500, 0, 0), 1)); },
+              [&](int id) { found.push_back(id); });
     EXPECT_TRUE(std::find(found.begin(), found.end(), 19500) != found.end());
     EXPECT_LT(found.size(), 40u);
     int deepest = 0;
@@ -140,6 +140,24 @@ TEST_F(TriangleTreeTest, StaysShallowWhenThingsAreAddedInARow) {
         deepest = std::max(deepest, depth);
     }
     EXPECT_LE(deepest, BoxTree::kMaxDepth);
+}
+
+TEST_F(TriangleTreeTest, WhatWasBuiltAtOnceCanBeEdited) {
+    const auto boundsOfId = [](int id) { return cube(Vec3(id, 0, 0), 0.4); };
+    std::vector<int> ids(100);
+    std::iota(ids.begin(), ids.end(), 0);
+    BoxTree tree(ids, boundsOfId);
+    for (int id = 0; id < 100; id += 2) {
+        tree.erase(id);
+    }
+    tree.insert(4, boundsOfId);
+    std::vector<int> found;
+    tree.find([](const Bounds&) { return true; }, [&](int id) { found.push_back(id); });
+    std::ranges::sort(found);
+    EXPECT_EQ(found.size(), 51u);
+    for (int id = 0; id < 100; ++id) {
+        EXPECT_EQ(std::ranges::binary_search(found, id), id % 2 == 1 || id == 4) << id;
+    }
 }
 
 /// Random boxes of which some come and go: what is found is what a look at all of them finds.
