@@ -31,6 +31,7 @@ std::vector<int> newWalls(const SurfaceMesh& mesh, std::span<const int> changed)
 
 IspcSet::IspcSet(const SurfaceMesh& mesh, BodyModel& model)
     : mesh_(mesh), tree_(mesh, livingTriangles(mesh)) {
+    tree_.prepareToUpdate();
     const int vertices = mesh.vertexCount();
     ofVertex_.assign(vertices, -1);
     next_.assign(vertices, -1);
@@ -173,18 +174,15 @@ void IspcSet::addSeparated(const BodyModel& model, const LabelChange& labels,
 void IspcSet::addCrossed(const BodyModel& model, std::span<const int> changed,
                          std::vector<int>& vertices) const {
     const std::vector<int> walls = newWalls(mesh_, changed);
-    std::vector<int> passing;
-    for (const int t : walls) {
-        Bounds box;
-        for (const int v : mesh_.triangle(t)) {
-            box.add(mesh_.restPosition(v));
+    std::vector<Bounds> boxes(walls.size());
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        for (const int v : mesh_.triangle(walls[i])) {
+            boxes[i].add(mesh_.restPosition(v));
         }
-        grid_.find(box, passing);
     }
-    sortUnique(passing);
     const RayTree wallTree(mesh_, walls);
     const auto known = static_cast<std::ptrdiff_t>(vertices.size());
-    for (const int v : passing) {
+    for (const int v : grid_.find(boxes)) {
         const int slot = ofVertex_[v];
         if (slot < 0 || std::binary_search(vertices.begin(), vertices.begin() + known, v)) {
             continue;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include "sim/sort_unique.h"
 
 namespace kerf {
 
@@ -29,16 +30,12 @@ SegmentGrid::Cell SegmentGrid::cellOf(const Vec3& p) const {
     return cell;
 }
 
-std::vector<int>& SegmentGrid::at(const Cell& cell) {
-    return cells_[(static_cast<std::size_t>(cell[2]) * perAxis_ + cell[1]) * perAxis_ + cell[0]];
-}
-
 // From cell to cell through the nearest side (Amanatides and Woo 1987).
 void SegmentGrid::add(int id, const Vec3& from, const Vec3& to) {
     Cell cell = cellOf(from);
     const Cell last = cellOf(to);
     const Vec3 along = to - from;
-    at(cell).push_back(id);
+    cells_[indexOf(cell)].push_back(id);
     ++entries_;
     for (int steps = 0; cell != last && steps < 3 * perAxis_; ++steps) {
         int axis = -1;
@@ -56,20 +53,33 @@ void SegmentGrid::add(int id, const Vec3& from, const Vec3& to) {
             }
         }
         cell[axis] += last[axis] > cell[axis] ? 1 : -1;
-        at(cell).push_back(id);
+        cells_[indexOf(cell)].push_back(id);
         ++entries_;
     }
 }
 
-void SegmentGrid::find(const Bounds& box, std::vector<int>& found) const {
+std::vector<int> SegmentGrid::find(std::span<const Bounds> boxes) const {
+    std::vector<int> cells;
+    for (const Bounds& box : boxes) {
+        addCells(box, cells);
+    }
+    sortUnique(cells);
+    std::vector<int> found;
+    for (const int cell : cells) {
+        found.insert(found.end(), cells_[cell].begin(), cells_[cell].end());
+    }
+    sortUnique(found);
+    return found;
+}
+
+/// Appends those that the box meets.
+void SegmentGrid::addCells(const Bounds& box, std::vector<int>& cells) const {
     const Cell low = cellOf(box.low - kPad * cellSize_);
     const Cell high = cellOf(box.high + kPad * cellSize_);
     for (int z = low[2]; z <= high[2]; ++z) {
         for (int y = low[1]; y <= high[1]; ++y) {
             for (int x = low[0]; x <= high[0]; ++x) {
-                const auto& cell =
-                    cells_[(static_cast<std::size_t>(z) * perAxis_ + y) * perAxis_ + x];
-                found.insert(found.end(), cell.begin(), cell.end());
+                cells.push_back(indexOf({x, y, z}));
             }
         }
     }

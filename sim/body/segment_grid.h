@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "sim/math.h"
@@ -16,8 +17,8 @@ class SegmentGrid {
     SegmentGrid(const Bounds& box, int count);
 
     void add(int id, const Vec3& from, const Vec3& to);
-    /// Appends the ids of segments that pass a cell of `box`, perhaps more than once.
-    void find(const Bounds& box, std::vector<int>& found) const;
+    /// The ids of segments that pass a cell of one of the boxes. Ascending.
+    std::vector<int> find(std::span<const Bounds> boxes) const;
     /// Whether so many were added since the start that a new grid would be much smaller.
     bool overfull() const { return entries_ > kMostGrowth * entriesExpected_; }
 
@@ -26,7 +27,10 @@ class SegmentGrid {
     static constexpr long kMostGrowth = 3;
 
     Cell cellOf(const Vec3& p) const;
-    std::vector<int>& at(const Cell& cell);
+    int indexOf(const Cell& cell) const {
+        return (cell[2] * perAxis_ + cell[1]) * perAxis_ + cell[0];
+    }
+    void addCells(const Bounds& box, std::vector<int>& cells) const;
 
     Bounds box_;
     int perAxis_ = 1;

@@ -45,6 +45,7 @@ std::vector<SurfaceSample> samplesAround(const StepInput& in, const std::vector<
 
 std::vector<Sample> ofPiece(const StepInput& in, const std::vector<SurfaceSample>& all, int piece) {
     std::vector<Sample> samples;
+    samples.reserve(all.size());
     for (const auto& [v, weight] : all) {
         if (in.pieceOfVertex[v] == piece) {
             const Vec3& position = in.mesh.position(v);

@@ -48,7 +48,7 @@ class SurfaceMesh {
     // Per vertex.
     /// Current [m].
     const Vec3& position(int v) const {
-        if (old_[v]) [[unlikely]] {
+        if (isOld(v)) [[unlikely]] {
             bringAll();
         }
         return positions_[v];
@@ -56,7 +56,7 @@ class SurfaceMesh {
     const Vec3& restPosition(int v) const { return restPositions_[v]; }  ///< [m]
     /// [m/s]
     const Vec3& velocity(int v) const {
-        if (old_[v]) [[unlikely]] {
+        if (isOld(v)) [[unlikely]] {
             bringAll();
         }
         return velocities_[v];
@@ -135,7 +135,7 @@ class SurfaceMesh {
     void leaveTo(VertexSource& source);
     /// What the source brings for a vertex.
     void setState(int v, const Vec3& position, const Vec3& velocity);
-    bool isOld(int v) const { return old_[v] != 0; }
+    bool isOld(int v) const { return source_ != nullptr && old_[v] != 0; }
     /// Nothing is old.
     bool isWhole() const { return source_ == nullptr; }
     /// Fetches what is old of these in one go; reading one that is old fetches all.

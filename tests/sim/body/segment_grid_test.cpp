@@ -33,9 +33,8 @@ TEST(SegmentGrid, FindsEverySegmentThatPassesABox) {
         Bounds around;
         around.add(from + (to - from) * (0.5 + 0.5 * uniform(random)));
         around.widen(1e-9);
-        std::vector<int> found;
-        grid.find(around, found);
-        EXPECT_TRUE(std::find(found.begin(), found.end(), id) != found.end()) << id;
+        const std::vector<int> found = grid.find({&around, 1});
+        EXPECT_TRUE(std::ranges::binary_search(found, id)) << id;
         passed += static_cast<int>(found.size());
     }
     EXPECT_LT(passed, count * count / 5) << "a cell holds few of them";
