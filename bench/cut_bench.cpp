@@ -1,6 +1,11 @@
 // Milliseconds of one step of a shallow cut into spheres of 1.3k to 328k triangles: the blade
 // scales with the edges, so that a step touches equally many triangles, while the body deforms
 // between the steps. A step costs what it touches where the figures do not grow with the body.
+//
+// Moving the body fills the processor's caches with it, which a small body does not notice. So
+// every cut is timed twice: as it comes, and with caches that are emptied before each step, as
+// solving and drawing a frame empty them in the editor. The sizes take turns, several rounds of
+// them, so that whatever else keeps the machine busy falls on all.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +36,10 @@ namespace {
 constexpr double kRadius = 0.5;
 constexpr int kFirstStep = 4;  // the blade is inside by then
 constexpr int kSteps = 28;
+constexpr int kRounds = 5;
 constexpr int kRebuilds = 3;
+constexpr std::size_t kMoreThanCaches = std::size_t(64) << 20;  // [bytes]
+constexpr std::size_t kCacheLine = 64;                          // [bytes]
 
 // The blade, in edges.
 constexpr double kDepth = 1.3;
@@ -42,6 +50,9 @@ constexpr double kAdvance = 0.6;
 constexpr double kWaveHeight = 0.02 * kRadius;
 constexpr double kWaveNumber = 3 / kRadius;
 constexpr double kWaveSpeed = 0.1;
+
+// The fall in a step stays below a fifth of the smallest edge.
+constexpr double kGravity = 1;  // [m/s^2]
 
 Vec3 deformed(const Vec3& p, int step) {
     const Vec3 phase =
@@ -71,6 +82,15 @@ Blade deformed(const Blade& blade, int step) {
     return {deformed(blade.a, step), deformed(blade.b, step)};
 }
 
+void emptyCaches() {
+    static std::vector<unsigned char> memory(kMoreThanCaches);
+    for (std::size_t i = 0; i < memory.size(); i += kCacheLine) {
+        ++memory[i];
+    }
+}
+
+enum class Caches { asTheyAre, emptied };
+
 /// Each phase of the cutting steps [ms].
 struct Times {
     std::vector<double> cutter;
@@ -80,13 +100,19 @@ struct Times {
     std::vector<double> touched;
 };
 
-struct Figures {
-    int triangles = 0;
-    double touched = 0;
+/// Medians [ms].
+struct Phases {
     double cutter = 0;
     double model = 0;
     double upload = 0;
     double step = 0;
+};
+
+struct Figures {
+    int triangles = 0;
+    double touched = 0;
+    Phases phases;
+    Phases fromMemory;      ///< with caches that are emptied before each step
     double simulation = 0;  ///< what Simulation takes for the cut, with reading back
     double rebuild = 0;     ///< model from scratch and upload of everything
 };
@@ -98,14 +124,16 @@ class LocalCut {
         solver_.measure();
     }
 
-    Times run() {
-        Times times;
+    /// Appends to `times`.
+    void run(Caches caches, Times& times) {
         cutter_.begin(deformed(bladeAt(0, body_.model().edgeLength), 0));
         for (int i = 1; i < kSteps; ++i) {
             cutter_.boundMotion(deform(mesh_, i));
+            if (caches == Caches::emptied) {
+                emptyCaches();
+            }
             step(i, times);
         }
-        return times;
     }
 
     double rebuild() {
@@ -126,8 +154,10 @@ class LocalCut {
         Stopwatch watch;
         const CutResult result = cutter_.advance(blade);
         const double cutter = 1000 * watch.restart();
+        if (result.outcome == CutOutcome::refused) {
+            std::fprintf(stderr, "step %d: %s\n", index, result.reason.c_str());
+        }
         if (result.outcome != CutOutcome::cut) {
-            std::fprintf(stderr, "step %d: no cut %s\n", index, result.reason.c_str());
             return;
         }
         const BodyChange change = body_.update(result.delta);
@@ -151,16 +181,18 @@ class LocalCut {
     GpuSolver solver_;
 };
 
-/// The same cut by the whole simulation, of a body that floats at rest.
+/// The same cut by the whole simulation, of a body that falls, and the blade with it.
 double simulatedCut(const SurfaceMesh& whole, double edge) {
     Params params;
     params.iterations = 1;
-    params.gravity = Vec3::Zero();
+    params.gravity = Vec3(0, -kGravity, 0);
     params.floor.reset();
     Simulation simulation(whole, params);
     std::vector<double> times;
     for (int i = 0; i < kSteps; ++i) {
-        simulation.execute(MoveBlade{bladeAt(i, edge)});
+        const Vec3 fallen = params.gravity * (params.timeStep * params.timeStep * i * (i + 1) / 2);
+        const Blade blade = bladeAt(i, edge);
+        simulation.execute(MoveBlade{{blade.a + fallen, blade.b + fallen}});
         const StepReport& report = simulation.step();
         if (i >= kFirstStep && simulation.lastCut().outcome == CutOutcome::cut) {
             times.push_back(report.cutMs);
@@ -169,29 +201,46 @@ double simulatedCut(const SurfaceMesh& whole, double edge) {
     return median(times);
 }
 
-Figures bench(int subdivisions) {
-    const SurfaceMesh whole = test::icosphere(subdivisions, kRadius);
-    LocalCut cut(whole);
-    const Times times = cut.run();
-    Figures out;
-    out.triangles = whole.triangleSlots();
-    out.touched = median(times.touched);
-    out.cutter = median(times.cutter);
-    out.model = median(times.model);
-    out.upload = median(times.upload);
-    out.step = median(times.step);
-    out.rebuild = cut.rebuild();
-    out.simulation = simulatedCut(whole, buildBodyModel(whole).edgeLength);
-    return out;
-}
+/// A sphere and how long its cuts took.
+class SphereBench {
+  public:
+    explicit SphereBench(int subdivisions) : whole_(test::icosphere(subdivisions, kRadius)) {}
+
+    void runRound() {
+        LocalCut(whole_).run(Caches::asTheyAre, asTheyAre_);
+        LocalCut(whole_).run(Caches::emptied, emptied_);
+    }
+
+    Figures figures() const {
+        Figures out;
+        out.triangles = whole_.triangleSlots();
+        out.touched = median(asTheyAre_.touched);
+        out.phases = mediansOf(asTheyAre_);
+        out.fromMemory = mediansOf(emptied_);
+        out.rebuild = LocalCut(whole_).rebuild();
+        out.simulation = simulatedCut(whole_, buildBodyModel(whole_).edgeLength);
+        return out;
+    }
+
+  private:
+    static Phases mediansOf(const Times& times) {
+        return {median(times.cutter), median(times.model), median(times.upload),
+                median(times.step)};
+    }
+
+    SurfaceMesh whole_;
+    Times asTheyAre_;
+    Times emptied_;
+};
 
 void print(const Figures& f) {
     const nlohmann::ordered_json line = {{"name", "cut/local/" + std::to_string(f.triangles)},
                                          {"touched_triangles", f.touched},
-                                         {"cutter", f.cutter},
-                                         {"model_update", f.model},
-                                         {"upload", f.upload},
-                                         {"step", f.step},
+                                         {"cutter", f.phases.cutter},
+                                         {"model_update", f.phases.model},
+                                         {"upload", f.phases.upload},
+                                         {"step", f.phases.step},
+                                         {"step_from_memory", f.fromMemory.step},
                                          {"simulation", f.simulation},
                                          {"full_rebuild", f.rebuild},
                                          {"unit", "ms"}};
@@ -204,12 +253,14 @@ void printRatios(const Figures& small, const Figures& large) {
         {"name", "cut/scaling"},
         {"from_triangles", small.triangles},
         {"to_triangles", large.triangles},
-        {"cutter", large.cutter / small.cutter},
-        {"model_update", large.model / small.model},
-        {"upload", large.upload / small.upload},
-        {"step", large.step / small.step},
+        {"cutter", large.phases.cutter / small.phases.cutter},
+        {"model_update", large.phases.model / small.phases.model},
+        {"upload", large.phases.upload / small.phases.upload},
+        {"step", large.phases.step / small.phases.step},
+        {"step_from_memory", large.fromMemory.step / small.fromMemory.step},
         {"simulation", large.simulation / small.simulation},
-        {"rebuild_over_update_and_upload", large.rebuild / (large.model + large.upload)}};
+        {"rebuild_over_update_and_upload",
+         large.rebuild / (large.phases.model + large.phases.upload)}};
     std::puts(line.dump().c_str());
 }
 
@@ -229,9 +280,18 @@ std::vector<int> subdivisionsOf(int count, char** words) {
 int main(int count, char** words) {
     try {
         const kerf::gpu::EglContext context;
-        std::vector<kerf::Figures> figures;
+        std::vector<kerf::SphereBench> spheres;
         for (const int subdivisions : kerf::subdivisionsOf(count, words)) {
-            figures.push_back(kerf::bench(subdivisions));
+            spheres.emplace_back(subdivisions);
+        }
+        for (int round = 0; round < kerf::kRounds; ++round) {
+            for (kerf::SphereBench& sphere : spheres) {
+                sphere.runRound();
+            }
+        }
+        std::vector<kerf::Figures> figures;
+        for (const kerf::SphereBench& sphere : spheres) {
+            figures.push_back(sphere.figures());
             kerf::print(figures.back());
         }
         kerf::printRatios(figures.front(), figures.back());
