@@ -56,6 +56,7 @@ TEST_F(MovingScenes, RollingHalvesThatStayedWholeComeApart) {
     const test::SceneFigures figures = play({"vi twice", 1e5, 2});
     // While it waits; the row of eight strokes in docs/benchmarks.md has 3 refused of 460.
     EXPECT_LE(figures.refused, 3) << "of " << figures.attempted << " steps";
+    EXPECT_LE(figures.longestRefusal, 2) << "in a row";
     EXPECT_EQ(figures.unseparated, 0);
     EXPECT_EQ(figures.slitEdges, 0);
     EXPECT_LT(figures.speedCutting, 3);
