@@ -10,16 +10,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/window_driver.sh"
 
 titleEnds() { [[ $(title) == *"$1" ]]; }
 hasFile() { compgen -G "$1" >/dev/null; }
-# Processor time of the editor so far, in hundredths of a second.
-ticks() { awk '{print $14 + $15}' "/proc/$editor/stat"; }
-# Nothing moves: a still picture costs nothing.
-isIdle() {
-    local before
-    before=$(ticks)
-    sleep 1
-    [ $(($(ticks) - before)) -le 1 ]
-}
-rest() { waitFor isIdle; }
 # Says the title once it ends like this.
 see() {
     waitFor titleEnds "$2"

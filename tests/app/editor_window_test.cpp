@@ -292,6 +292,66 @@ TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {
     EXPECT_EQ(report.triangles, 320);
 }
 
+/// What a virtual display keeps in a file: X11's XWDFile.h, 32 bits a pixel, blue first.
+render::Image readDisplay(const std::filesystem::path& file) {
+    const std::string bytes = test::readBytes(file);
+    const auto number = [&](std::size_t index) {  // of the header; the largest byte first
+        std::uint32_t sum = 0;
+        for (std::size_t i = 4 * index; i < 4 * index + 4; ++i) {
+            sum = sum << 8 | static_cast<std::uint8_t>(bytes.at(i));
+        }
+        return sum;
+    };
+    constexpr std::size_t kHeaderSize = 0, kWidth = 4, kHeight = 5, kBitsPerPixel = 11, kRow = 12;
+    constexpr std::size_t kColors = 19, kBytesPerColor = 12;
+    EXPECT_EQ(number(kBitsPerPixel), 32u);
+    render::Image image{static_cast<int>(number(kWidth)), static_cast<int>(number(kHeight)), {}};
+    const std::size_t first = number(kHeaderSize) + number(kColors) * kBytesPerColor;
+    for (std::size_t y = 0; y < number(kHeight); ++y) {
+        for (std::size_t x = 0; x < number(kWidth); ++x) {
+            const std::string_view pixel(&bytes.at(first + y * number(kRow) + 4 * x), 4);
+            for (const char channel : {pixel[2], pixel[1], pixel[0], '\xff'}) {
+                image.pixels.push_back(static_cast<std::uint8_t>(channel));
+            }
+        }
+    }
+    return image;
+}
+
+/// The upper left part.
+render::Image partOf(const render::Image& image, int width, int height) {
+    render::Image part{width, height, {}};
+    for (int y = 0; y < std::min(height, image.height); ++y) {
+        const auto row = image.pixels.begin() + std::ptrdiff_t(4) * y * image.width;
+        part.pixels.insert(part.pixels.end(), row, row + std::ptrdiff_t(4) * width);
+    }
+    return part;
+}
+
+// A software driver went on with the size that the window had had at first.
+TEST(EditorWindow, OfAnotherSizeTheDisplayShowsWhatWasDrawn) {
+    if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
+        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
+    }
+    const test::TemporaryFolder folder;
+    const std::string path = folder.path().string();
+    const std::string seen = outputOf(
+        "xvfb-run -a -s '-screen 0 1280x720x24 -fbdir " + path +
+        "' bash " KERF_SOURCE_DIR "/tests/app/editor_window_sizes.sh " KERF_BINARY_DIR "/kerf " +
+        path + " 2>&1");
+    SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
+    EXPECT_EQ(valuesIn(seen)["exit"], "0");
+    for (const char* name : {"smaller", "larger"}) {
+        const render::Image drawn = render::readPng(folder / (std::string(name) + ".png"));
+        const render::Image shown =
+            partOf(readDisplay(folder / (std::string(name) + ".xwd")), drawn.width, drawn.height);
+        const render::ImageDifference difference = render::compareImages(drawn, shown);
+        EXPECT_TRUE(difference.sameSize) << name;
+        // A message fades between the two, and a clock goes on.
+        EXPECT_LT(difference.differingPixels, 0.02 * drawn.width * drawn.height) << name;
+    }
+}
+
 TEST(EditorWindow, WithoutADisplayItSaysSoAndExits4) {
     const test::ProgramRun run = test::runKerf({}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
     EXPECT_EQ(run.exitCode, 4);

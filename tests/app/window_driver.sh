@@ -26,6 +26,16 @@ within() {
 }
 # Two minutes: the machine may be slow.
 waitFor() { within 120 "$@"; }
+# Processor time of the editor so far, in hundredths of a second.
+ticks() { awk '{print $14 + $15}' "/proc/$editor/stat"; }
+# Nothing moves: a still picture costs nothing.
+isIdle() {
+    local before
+    before=$(ticks)
+    sleep 1
+    [ $(($(ticks) - before)) -le 1 ]
+}
+rest() { waitFor isIdle; }
 hasLeft() { ! kill -0 "$editor" 2>/dev/null; }
 # A key that comes before the window has the keyboard back from a dialog is lost.
 leaves() {
