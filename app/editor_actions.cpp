@@ -6,6 +6,16 @@ namespace {
 
 const Vec3 kEarthGravity{0, -9.81, 0};
 
+/// The name of what an undo takes back next (else a redo brings back) where it is a parameter's
+/// change, else "".
+std::string parameterChange(const UndoHistory& history, bool back) {
+    if (back ? !history.canUndo() : !history.canRedo()) {
+        return "";
+    }
+    const UndoEntry& entry = back ? history.lastDone() : history.firstUndone();
+    return std::holds_alternative<UndoEntry::ParamChange>(entry.change) ? entry.name : "";
+}
+
 }  // namespace
 
 void Editor::State::apply(const ui::Action& action) {
@@ -106,6 +116,17 @@ void Editor::State::toggleRecording() {
     saveRecording();
 }
 
+/// Says which parameter that changes: many show in the model only later.
+void Editor::State::stepThroughHistory(const Command& undoOrRedo) {
+    releaseHands();
+    const bool back = std::holds_alternative<Undo>(undoOrRedo);
+    const std::string parameter = parameterChange(scene->simulation().history(), back);
+    execute(undoOrRedo);
+    if (!parameter.empty()) {
+        toast.show((back ? "Taken back: " : "Done again: ") + parameter + ".", false);
+    }
+}
+
 void Editor::State::goToChange(std::size_t done) {
     if (scene == nullptr) {
         return;
@@ -168,10 +189,10 @@ void Editor::State::performOnScene(ui::ActionId id) {
             scene->reset();
             return;
         case ui::ActionId::undo:
-            execute(Undo{});
+            stepThroughHistory(Undo{});
             return;
         case ui::ActionId::redo:
-            execute(Redo{});
+            stepThroughHistory(Redo{});
             return;
         case ui::ActionId::toolStroke:
             setTool(ui::Tool::stroke);

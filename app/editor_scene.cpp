@@ -69,7 +69,9 @@ void EditorScene::startAnew() {
         playback_.emplace(document_.session).loop = loop;
     }
     for (const SetParam& choice : choices_) {
-        perform(choice);
+        if (getParam(simulation_.params(), choice.name) != choice.value) {
+            perform(choice);
+        }
     }
     refreshPieces();
 }
@@ -94,8 +96,10 @@ std::string EditorScene::execute(const Command& command) {
     } else if (playback_) {
         playback_->changedAt(simulation_.stepCount());
     }
+    const Params before = simulation_.params();
     std::string problem = perform(command);
     if (problem.empty() && takesBodyElsewhere(command)) {
+        followUndo(before);
         releaseAllHands();
         readings_.addJump(timeNow(), simulation_);
         readings_.mark(timeNow(), markOf(command));
@@ -106,6 +110,16 @@ std::string EditorScene::execute(const Command& command) {
         choices_.push_back(*set);
     }
     return problem;
+}
+
+/// What an undo took back, or a redo brought back, is chosen no more, or again.
+void EditorScene::followUndo(const Params& before) {
+    for (SetParam& choice : choices_) {
+        const ParamValue now = getParam(simulation_.params(), choice.name);
+        if (now != getParam(before, choice.name)) {
+            choice.value = now;
+        }
+    }
 }
 
 std::string EditorScene::grab(const Vec3& at, double radius) {

@@ -101,6 +101,7 @@ class EditorScene {
 
   private:
     std::string perform(const Command& command);
+    void followUndo(const Params& before);
     void moveHand();
     void releaseAllHands();
     void playSessionEvents();

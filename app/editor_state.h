@@ -121,6 +121,7 @@ struct Editor::State {
     /// What came of something that was done to the body: "" or one sentence.
     void say(const std::string& problem);
     void placeBox();
+    void stepThroughHistory(const Command& undoOrRedo);
     void goToChange(std::size_t done);
     void seekTo(int step);
     void freePins();

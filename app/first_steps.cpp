@@ -12,16 +12,24 @@ void CutWatch::follow(bool cutting, int pieces, int triangles) {
     const Counts now{pieces, triangles};
     if (cutting) {
         before_ = before_.value_or(now);
+        met_ = met_ || now != *before_;
         outcome_ = CutOutcome::none;
     } else if (before_) {
-        outcome_ = now.pieces > before_->pieces ? CutOutcome::parted
-                   : now == *before_            ? CutOutcome::missed
-                                                : CutOutcome::incised;
+        outcome_ = outcomeOf(now);
         after_ = now;
         before_.reset();
+        met_ = false;
     } else if (!(now == after_)) {
         outcome_ = CutOutcome::none;
     }
+}
+
+/// Of the stroke that has just ended.
+CutOutcome CutWatch::outcomeOf(const Counts& now) const {
+    if (now == *before_) {
+        return met_ ? CutOutcome::none : CutOutcome::missed;
+    }
+    return now.pieces > before_->pieces ? CutOutcome::parted : CutOutcome::incised;
 }
 
 void FirstSteps::follow(const Situation& now) {
@@ -68,7 +76,7 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
                  {ActionId::showApart, "Show them apart"},
                  {ActionId::toolGrab, "Pull at one"}}};
     }
-    if (now.pieces > 1 && !wentOn_) {
+    if (now.pieces > 1 && !wentOn_ && now.tool == cutTool_) {
         return {"Drag to cut again, or:",
                 {{ActionId::undo, "Undo"},
                  {ActionId::reset, "Back to the start"},

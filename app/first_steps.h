@@ -28,7 +28,10 @@ class CutWatch {
         int triangles = 0;
         bool operator==(const Counts&) const = default;
     };
+    CutOutcome outcomeOf(const Counts& now) const;
+
     std::optional<Counts> before_;  ///< of the stroke that is under way
+    bool met_ = false;              ///< it changed the body, whatever became of that
     Counts after_;                  ///< of the last one
     CutOutcome outcome_ = CutOutcome::none;
 };

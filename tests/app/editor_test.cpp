@@ -148,6 +148,31 @@ TEST_F(EditorTest, OneUndoTakesBackAllOfASliderDrag) {
     EXPECT_EQ(panels().params.timeStep, before);
 }
 
+// A recording starts the body anew and had set again whatever a person had ever chosen.
+TEST_F(EditorTest, AParameterThatWasTakenBackStaysSoInARecording) {
+    const double before = panels().params.timeStep;
+    const auto tapControl = [&](Key key, bool shift) {
+        editor->post(ui::KeyChange{key, true, {.shift = shift, .control = true}});
+        settle();
+    };
+    dragSlider("param.time_step");
+    const double chosen = panels().params.timeStep;
+    ASSERT_NE(chosen, before);
+    tapControl(Key::z, false);
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Taken back: Time step"));
+    tapControl(Key::r, false);
+    EXPECT_EQ(panels().params.timeStep, before);
+    tapControl(Key::r, false);
+    dragSlider("param.time_step");
+    tapControl(Key::z, false);
+    tapControl(Key::z, true);
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Done again: Time step"));
+    const double again = panels().params.timeStep;
+    ASSERT_NE(again, before);
+    tapControl(Key::r, false);
+    EXPECT_EQ(panels().params.timeStep, again) << "what was brought back is chosen";
+}
+
 TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     const auto click = [&](const std::string& item) {
         const ui::Rect place = editor->places().at(item);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "app/model_source.h"
@@ -85,13 +86,22 @@ class Acts {
     }
     /// Until all that moves has come to rest.
     void rest() { shell_ += "rest\n"; }
+    /// Until a message is no longer shown.
+    void waitForMessage() {
+        shell_ += "sleep " + std::to_string(kMessageSeconds) + "\n";
+        events_.emplace_back(std::nullopt);
+    }
 
     const std::string& shell() const { return shell_; }
     /// Does it without a window.
     void feed(Editor& editor) const {
-        for (const ui::InputEvent& event : events_) {
-            editor.post(event);
-            settle(editor);
+        for (const std::optional<ui::InputEvent>& event : events_) {
+            if (event) {
+                editor.post(*event);
+                settle(editor);
+            } else {
+                pass(editor, kMessageSeconds);
+            }
         }
     }
     static void settle(Editor& editor) {
@@ -104,8 +114,16 @@ class Acts {
     }
 
   private:
+    static constexpr int kMessageSeconds = 6;
+
+    static void pass(Editor& editor, int seconds) {
+        for (int i = 0; i < 60 * seconds; ++i) {
+            editor.frame(1.0 / 60);
+        }
+    }
+
     std::string shell_;
-    std::vector<ui::InputEvent> events_;
+    std::vector<std::optional<ui::InputEvent>> events_;  ///< none: time passes
 };
 
 /// Cuts from top to bottom through the middle, changes a parameter, takes both back and brings them
@@ -179,6 +197,7 @@ void addGuillotine(Acts& acts, const GuillotinePlaces& places) {
 void addSaving(Acts& acts, int width) {
     acts.moveTo(Vec2(width / 2.0, 60));
     acts.rest();
+    acts.waitForMessage();
     acts.tap("F12", ui::Key::f12);
     acts.seeFile("picture", "kerf-*.png");
     acts.tap("ctrl+s", ui::Key::s, {.control = true});

@@ -35,6 +35,10 @@ TEST(CutWatch, TellsWhatCameOfAStroke) {
     EXPECT_EQ(watch.outcome(), CutOutcome::parted) << "until something else is done";
     watch.follow(false, 1, 100);
     EXPECT_EQ(watch.outcome(), CutOutcome::none) << "undone";
+    watch.follow(true, 1, 100);
+    watch.follow(true, 1, 120);
+    watch.follow(false, 1, 100);
+    EXPECT_EQ(watch.outcome(), CutOutcome::none) << "undone before it had ended: it met something";
 }
 
 TEST(FirstSteps, LeadThroughTheFirstCut) {
@@ -70,6 +74,9 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     now.playing = false;
     EXPECT_THAT(choicesOf(steps.hint(now)),
                 ::testing::ElementsAre(ActionId::undo, ActionId::reset, ActionId::help));
+    now.tool = ui::Tool::grab;
+    EXPECT_EQ(steps.hint(now).text, "") << "it would not cut";
+    now.tool = ui::Tool::stroke;
     now.cutting = true;
     steps.follow(now);
     now.cutting = false;
