@@ -6,16 +6,6 @@ namespace {
 
 const Vec3 kEarthGravity{0, -9.81, 0};
 
-/// The name of what an undo takes back next (else a redo brings back) where it is a parameter's
-/// change, else "".
-std::string parameterChange(const UndoHistory& history, bool back) {
-    if (back ? !history.canUndo() : !history.canRedo()) {
-        return "";
-    }
-    const UndoEntry& entry = back ? history.lastDone() : history.firstUndone();
-    return std::holds_alternative<UndoEntry::ParamChange>(entry.change) ? entry.name : "";
-}
-
 }  // namespace
 
 void Editor::State::apply(const ui::Action& action) {
@@ -62,14 +52,16 @@ void Editor::State::releaseHands() {
     bodyHand.cancel(*scene);
 }
 
-void Editor::State::execute(const Command& command) {
+bool Editor::State::execute(const Command& command) {
     if (scene == nullptr) {
-        return;
+        return false;
     }
     if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
         releaseHands();
     }
-    say(scene->execute(command));
+    const std::string problem = scene->execute(command);
+    say(problem);
+    return problem.empty();
 }
 
 void Editor::State::say(const std::string& problem) {
@@ -116,14 +108,19 @@ void Editor::State::toggleRecording() {
     saveRecording();
 }
 
-/// Says which parameter that changes: many show in the model only later.
+/// Says which parameter that changed: many show in the model only later.
 void Editor::State::stepThroughHistory(const Command& undoOrRedo) {
-    releaseHands();
+    if (!execute(undoOrRedo)) {
+        return;
+    }
+    const UndoHistory& history = scene->simulation().history();
     const bool back = std::holds_alternative<Undo>(undoOrRedo);
-    const std::string parameter = parameterChange(scene->simulation().history(), back);
-    execute(undoOrRedo);
-    if (!parameter.empty()) {
-        toast.show((back ? "Taken back: " : "Done again: ") + parameter + ".", false);
+    if (back ? !history.canRedo() : !history.canUndo()) {
+        return;  // it was forgotten to keep to the budget
+    }
+    const UndoEntry& entry = back ? history.firstUndone() : history.lastDone();
+    if (std::holds_alternative<UndoEntry::ParamChange>(entry.change)) {
+        toast.show((back ? "Taken back: " : "Done again: ") + entry.name + ".", false);
     }
 }
 

@@ -117,7 +117,8 @@ struct Editor::State {
     void perform(ui::ActionId id);
     void performOnScene(ui::ActionId id);
     void releaseHands();
-    void execute(const Command& command);
+    /// Whether it was done; says why not.
+    bool execute(const Command& command);
     /// What came of something that was done to the body: "" or one sentence.
     void say(const std::string& problem);
     void placeBox();

@@ -301,7 +301,6 @@ void Window::show(const gpu::Framebuffer& picture) {
     // Mesa's software drivers learn the window's new size when it is bound to draw into, and not
     // from a blit.
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, width(), height());
     glBlitNamedFramebuffer(picture.id(), 0, 0, 0, picture.width(), picture.height(), 0, 0, width(),
                            height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glfwSwapBuffers(state_->window);

@@ -101,18 +101,13 @@ struct Times {
     std::vector<double> touched;
 };
 
-/// Medians [ms].
-struct Phases {
+struct Figures {
+    int triangles = 0;
+    double touched = 0;
     double cutter = 0;
     double model = 0;
     double upload = 0;
     double step = 0;
-};
-
-struct Figures {
-    int triangles = 0;
-    double touched = 0;
-    Phases phases;
     double stepInCaches = 0;  ///< without emptying them
     double simulation = 0;    ///< what Simulation takes for the cut, with reading back
     double rebuild = 0;       ///< model from scratch and upload of everything
@@ -216,8 +211,10 @@ class SphereBench {
         Figures out;
         out.triangles = whole_.triangleSlots();
         out.touched = median(emptied_.touched);
-        out.phases = {median(emptied_.cutter), median(emptied_.model), median(emptied_.upload),
-                      median(emptied_.step)};
+        out.cutter = median(emptied_.cutter);
+        out.model = median(emptied_.model);
+        out.upload = median(emptied_.upload);
+        out.step = median(emptied_.step);
         out.stepInCaches = median(asTheyAre_.step);
         out.rebuild = LocalCut(whole_).rebuild();
         out.simulation = simulatedCut(whole_, buildBodyModel(whole_).edgeLength);
@@ -233,10 +230,10 @@ class SphereBench {
 void print(const Figures& f) {
     const nlohmann::ordered_json line = {{"name", "cut/local/" + std::to_string(f.triangles)},
                                          {"touched_triangles", f.touched},
-                                         {"cutter", f.phases.cutter},
-                                         {"model_update", f.phases.model},
-                                         {"upload", f.phases.upload},
-                                         {"step", f.phases.step},
+                                         {"cutter", f.cutter},
+                                         {"model_update", f.model},
+                                         {"upload", f.upload},
+                                         {"step", f.step},
                                          {"step_in_caches", f.stepInCaches},
                                          {"simulation", f.simulation},
                                          {"full_rebuild", f.rebuild},
@@ -250,14 +247,13 @@ void printRatios(const Figures& small, const Figures& large) {
         {"name", "cut/scaling"},
         {"from_triangles", small.triangles},
         {"to_triangles", large.triangles},
-        {"cutter", large.phases.cutter / small.phases.cutter},
-        {"model_update", large.phases.model / small.phases.model},
-        {"upload", large.phases.upload / small.phases.upload},
-        {"step", large.phases.step / small.phases.step},
+        {"cutter", large.cutter / small.cutter},
+        {"model_update", large.model / small.model},
+        {"upload", large.upload / small.upload},
+        {"step", large.step / small.step},
         {"step_in_caches", large.stepInCaches / small.stepInCaches},
         {"simulation", large.simulation / small.simulation},
-        {"rebuild_over_update_and_upload",
-         large.rebuild / (large.phases.model + large.phases.upload)}};
+        {"rebuild_over_update_and_upload", large.rebuild / (large.model + large.upload)}};
     std::puts(line.dump().c_str());
 }
 

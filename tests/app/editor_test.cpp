@@ -173,6 +173,24 @@ TEST_F(EditorTest, AParameterThatWasTakenBackStaysSoInARecording) {
     EXPECT_EQ(panels().params.timeStep, again) << "what was brought back is chosen";
 }
 
+// What the blade has swept is cut where it is put away, and then there is nothing to redo.
+TEST_F(EditorTest, ARedoThatEndsAStrokeClaimsNothing) {
+    dragSlider("param.time_step");
+    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
+    settle();
+    moveTo(kWidth / 2.0, kHeight / 2.0);
+    press(true);
+    moveTo(kWidth / 2.0, kHeight / 2.0 + 7);
+    settle();
+    ASSERT_EQ(panels().changes.done, 0U);
+    ASSERT_EQ(panels().changes.rows.size(), 1U) << "the stroke has cut nothing yet";
+    editor->post(ui::KeyChange{Key::z, true, {.shift = true, .control = true}});
+    settle();
+    ASSERT_EQ(panels().changes.done, 1U);
+    EXPECT_EQ(panels().changes.rows[0].name, "Cut 1");
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("nothing to redo"));
+}
+
 TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     const auto click = [&](const std::string& item) {
         const ui::Rect place = editor->places().at(item);
