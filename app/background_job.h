@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/work_progress.h"
-#include "sim/stopwatch.h"
+#include "sim/base/stopwatch.h"
 
 namespace kerf::app {
 

@@ -11,7 +11,7 @@
 #include "app/exit_codes.h"
 #include "app/progress_line.h"
 #include "gpu/context.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 

@@ -27,7 +27,7 @@
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
-#include "sim/freed_memory.h"
+#include "sim/base/freed_memory.h"
 
 namespace kerf::app {
 

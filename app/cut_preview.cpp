@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/boxes.h"
-#include "sim/sort_unique.h"
+#include "sim/base/boxes.h"
+#include "sim/base/sort_unique.h"
 
 namespace kerf::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/background_job.h"
 #include "app/editor_document.h"
 #include "render/depth_field.h"
-#include "sim/body_upload.h"
+#include "sim/run/body_upload.h"
 
 namespace kerf::app {
 

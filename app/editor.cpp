@@ -1,7 +1,7 @@
 #include "app/editor.h"
 
 #include "app/editor_state.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

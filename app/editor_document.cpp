@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "gpu/data_path.h"
+#include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
-#include "sim/text.h"
 
 namespace kerf::app {
 namespace {

@@ -3,7 +3,7 @@
 #include "app/editor_state.h"
 #include "app/file_io.h"
 #include "app/free_file.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "app/editor_state.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 #include "ui/shortcuts.h"
 
 namespace kerf::app {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "ui/history.h"
 #include "ui/panel_model.h"
 

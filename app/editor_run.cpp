@@ -7,7 +7,7 @@
 #include "app/settings_file.h"
 #include "app/window.h"
 #include "gpu/context.h"
-#include "sim/stopwatch.h"
+#include "sim/base/stopwatch.h"
 
 namespace kerf::app {
 namespace {

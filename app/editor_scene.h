@@ -11,7 +11,7 @@
 #include "app/session_playback.h"
 #include "app/surface_look.h"
 #include "render/renderer.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {

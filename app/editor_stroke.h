@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/camera.h"
-#include "sim/command.h"
+#include "sim/run/command.h"
 
 namespace kerf::app {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/editor_state.h"
-#include "sim/stopwatch.h"
+#include "sim/base/stopwatch.h"
 
 namespace kerf::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 

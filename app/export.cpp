@@ -10,7 +10,7 @@
 #include "app/export_gltf.h"
 #include "app/export_mesh.h"
 #include "app/file_io.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 

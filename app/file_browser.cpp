@@ -9,7 +9,7 @@
 
 #include "app/export.h"
 #include "app/model_source.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "app/model_source.h"
 #include "app/session.h"
+#include "sim/base/text.h"
 #include "sim/mesh/triangle_soup.h"
-#include "sim/text.h"
 #include "ui/file_dialog_state.h"
 
 namespace kerf::app {

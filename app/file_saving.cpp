@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/file_io.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

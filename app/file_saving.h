@@ -6,7 +6,7 @@
 #include "app/background_job.h"
 #include "app/editor_document.h"
 #include "app/export.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 

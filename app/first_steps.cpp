@@ -1,6 +1,6 @@
 #include "app/first_steps.h"
 
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 

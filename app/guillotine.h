@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "sim/base/math.h"
 #include "sim/cut/blade.h"
-#include "sim/math.h"
 
 namespace kerf::app {
 

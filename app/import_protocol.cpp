@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "app/model_source.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 

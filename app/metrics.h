@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/mesh/invariants.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 

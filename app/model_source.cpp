@@ -8,8 +8,8 @@
 #include "app/import_process.h"
 #include "app/import_protocol.h"
 #include "gpu/data_path.h"
+#include "sim/base/text.h"
 #include "sim/mesh/hole_filling.h"
-#include "sim/text.h"
 
 namespace kerf::app {
 

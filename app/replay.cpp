@@ -13,10 +13,10 @@
 #include "app/sweep_watch.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
+#include "sim/base/stopwatch.h"
+#include "sim/base/text.h"
 #include "sim/body/rest_geometry.h"
-#include "sim/simulation.h"
-#include "sim/stopwatch.h"
-#include "sim/text.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 

@@ -10,7 +10,7 @@
 #include "app/progress_line.h"
 #include "app/replay.h"
 #include "gpu/context.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf::app {
 

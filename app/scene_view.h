@@ -4,7 +4,7 @@
 
 #include "app/session.h"
 #include "render/renderer.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 

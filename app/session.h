@@ -9,8 +9,8 @@
 #include "app/model_source.h"
 #include "render/camera.h"
 #include "render/material.h"
-#include "sim/command.h"
-#include "sim/params.h"
+#include "sim/base/params.h"
+#include "sim/run/command.h"
 
 namespace kerf::app {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/session.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 

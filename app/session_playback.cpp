@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/session.h"
 #include "app/session_journal.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 

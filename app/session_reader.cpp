@@ -6,7 +6,7 @@
 #include "app/file_io.h"
 #include "app/session.h"
 #include "app/session_json.h"
-#include "sim/text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 

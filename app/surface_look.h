@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/cut_preview.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 

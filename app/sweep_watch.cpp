@@ -2,8 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "sim/base/text.h"
 #include "sim/solve/sweep_strength.h"
-#include "sim/text.h"
 
 namespace kerf::app {
 

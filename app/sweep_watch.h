@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/params.h"
+#include "sim/base/params.h"
 
 namespace kerf::app {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/mesh/box_surface.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 

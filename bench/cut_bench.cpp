@@ -22,13 +22,13 @@
 #include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
+#include "sim/base/float_rounding.h"
+#include "sim/base/stopwatch.h"
 #include "sim/body/body_updater.h"
 #include "sim/cut/cut_change.h"
 #include "sim/cut/cutter.h"
-#include "sim/float_rounding.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
-#include "sim/stopwatch.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

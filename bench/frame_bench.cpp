@@ -16,8 +16,8 @@
 #include "app/model_source.h"
 #include "app/scene_view.h"
 #include "gpu/context.h"
+#include "sim/base/stopwatch.h"
 #include "sim/mesh/invariants.h"
-#include "sim/stopwatch.h"
 
 namespace kerf {
 namespace {

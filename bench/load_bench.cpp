@@ -19,7 +19,7 @@
 #include "app/export.h"
 #include "app/file_io.h"
 #include "gpu/context.h"
-#include "sim/stopwatch.h"
+#include "sim/base/stopwatch.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -14,7 +14,7 @@
 #include "app/session.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace kerf {
 namespace {

@@ -15,7 +15,7 @@
 #include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
-#include "sim/stopwatch.h"
+#include "sim/base/stopwatch.h"
 #include "ui/interface.h"
 #include "ui/plots_panel.h"
 

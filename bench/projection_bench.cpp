@@ -14,9 +14,9 @@
 #include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/solve/gpu_solver.h"
-#include "sim/solve/solver_uniforms.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -10,9 +10,9 @@
 #include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
+#include "sim/body/solver_uniforms.h"
+#include "sim/reference/reference_solver.h"
 #include "sim/solve/gpu_solver.h"
-#include "sim/solve/reference_solver.h"
-#include "sim/solve/solver_uniforms.h"
 
 namespace kerf {
 namespace {

@@ -18,17 +18,18 @@ function(kerf_own_code target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
 endfunction()
 
-# kerf_library(FOLDER <link arguments>): every .cpp below FOLDER becomes the library kerf_FOLDER.
+# kerf_library(FOLDER <link arguments>): every .cpp below FOLDER becomes one library, named after it:
+# kerf_gpu, kerf_sim_mesh.
 function(kerf_library folder)
+  string(REPLACE / _ name kerf_${folder})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp
        ${PROJECT_SOURCE_DIR}/${folder}/*.h)
   list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/app/main.cpp)
-  add_library(kerf_${folder} STATIC ${sources})
-  set_target_properties(kerf_${folder} PROPERTIES LINKER_LANGUAGE CXX)
-  kerf_own_code(kerf_${folder})
-  target_include_directories(kerf_${folder} PUBLIC ${PROJECT_SOURCE_DIR}
-                             ${PROJECT_SOURCE_DIR}/shaders)
-  target_compile_definitions(kerf_${folder} PRIVATE KERF_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+  add_library(${name} STATIC ${sources})
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+  kerf_own_code(${name})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/shaders)
+  target_compile_definitions(${name} PRIVATE KERF_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                              KERF_VERSION="${PROJECT_VERSION}")
-  target_link_libraries(kerf_${folder} ${ARGN})
+  target_link_libraries(${name} ${ARGN})
 endfunction()

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf::render {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf::render {
 

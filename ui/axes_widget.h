@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 #include "ui/action.h"
 #include "ui/layout.h"
 

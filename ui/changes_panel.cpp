@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "sim/text.h"
+#include "sim/base/text.h"
 #include "ui/menu_bar.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/params.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/subdivision_pattern.h"
-#include "sim/params.h"
 #include "ui/action.h"
 #include "ui/axes_widget.h"
 #include "ui/display_settings.h"

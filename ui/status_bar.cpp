@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "sim/text.h"
+#include "sim/base/text.h"
 #include "ui/shortcuts.h"
 #include "ui/theme.h"
 

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <optional>
 
+#include "sim/base/sort_unique.h"
 #include "sim/body/dihedral.h"
 #include "sim/body/edge_angle.h"
-#include "sim/sort_unique.h"
 
 namespace kerf {
 

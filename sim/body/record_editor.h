@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/sort_unique.h"
 #include "sim/body/incidence.h"
-#include "sim/sort_unique.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/sort_unique.h"
+#include "sim/base/sort_unique.h"
 
 namespace kerf {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/math.h"
 #include "sim/cut/blade.h"
-#include "sim/math.h"
 
 namespace kerf {
 

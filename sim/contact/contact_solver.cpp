@@ -10,8 +10,8 @@
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/cut/wall_edge.h"
-#include "sim/solve/solver_uniforms.h"
 
 namespace kerf {
 

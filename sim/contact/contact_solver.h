@@ -7,8 +7,8 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "shaders/shared/contact_records.h"
+#include "sim/base/params.h"
 #include "sim/body/body_model.h"
-#include "sim/params.h"
 
 namespace kerf {
 

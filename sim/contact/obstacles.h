@@ -6,8 +6,8 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "shaders/shared/box_records.h"
+#include "sim/base/math.h"
 #include "sim/contact/contact_solver.h"
-#include "sim/math.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf {
 

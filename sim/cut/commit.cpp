@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
+#include "sim/base/sort_unique.h"
 #include "sim/cut/edge_repair.h"
-#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <set>
 
-#include "sim/sort_unique.h"
+#include "sim/base/sort_unique.h"
 
 namespace kerf {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/sort_unique.h"
 #include "sim/cut/cut_change.h"
 #include "sim/cut/cutter_state.h"
 #include "sim/cut/ladder.h"
 #include "sim/cut/piece_groups.h"
 #include "sim/cut/step_result.h"
-#include "sim/sort_unique.h"
 
 namespace kerf {
 

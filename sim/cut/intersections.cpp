@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "sim/base/sort_unique.h"
 #include "sim/cut/front_profile.h"
 #include "sim/cut/predicates.h"
-#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf::cut {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf::cut {
 

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "sim/base/sort_unique.h"
 #include "sim/mesh/closest_point.h"
-#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf::cut {
 

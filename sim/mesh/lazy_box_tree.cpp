@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/growth_room.h"
+#include "sim/base/growth_room.h"
 
 namespace kerf {
 

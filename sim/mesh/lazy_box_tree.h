@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/boxes.h"
+#include "sim/base/boxes.h"
 #include "sim/mesh/closest_point.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "sim/growth_room.h"
+#include "sim/base/growth_room.h"
 #include "sim/mesh/union_find.h"
 
 namespace kerf {

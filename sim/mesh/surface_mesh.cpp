@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "sim/growth_room.h"
+#include "sim/base/growth_room.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 #include "sim/mesh/vertex_source.h"
 
 namespace kerf {

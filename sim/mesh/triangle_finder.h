@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 #include "sim/mesh/oriented_box.h"
 
 namespace kerf {

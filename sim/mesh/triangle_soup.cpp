@@ -9,8 +9,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "sim/base/text.h"
 #include "sim/mesh/union_find.h"
-#include "sim/text.h"
 
 namespace kerf {
 

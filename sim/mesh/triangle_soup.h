@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 #include "sim/mesh/corner_uvs.h"
 
 namespace kerf {

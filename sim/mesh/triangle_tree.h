@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/sort_unique.h"
 #include "sim/mesh/lazy_box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_finder.h"
-#include "sim/sort_unique.h"
 
 namespace kerf {
 

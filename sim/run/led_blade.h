@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "sim/command.h"
 #include "sim/contact/blade_body.h"
 #include "sim/cut/cutter.h"
+#include "sim/run/command.h"
 
 namespace kerf {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/boxes.h"
+#include "sim/base/boxes.h"
+#include "sim/base/float_rounding.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/contact/paper_contact.h"
 #include "sim/cut/cut_change.h"
-#include "sim/float_rounding.h"
 #include "sim/mesh/oriented_box.h"
-#include "sim/solve/solver_uniforms.h"
 
 namespace kerf {
 

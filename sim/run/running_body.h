@@ -5,17 +5,17 @@
 #include <span>
 #include <string>
 
+#include "sim/base/params.h"
 #include "sim/body/body_updater.h"
 #include "sim/cut/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/mesh_sync.h"
-#include "sim/params.h"
-#include "sim/prepared_body.h"
-#include "sim/snapshot.h"
+#include "sim/run/hands.h"
+#include "sim/run/mesh_sync.h"
+#include "sim/run/pins.h"
+#include "sim/run/prepared_body.h"
+#include "sim/run/snapshot.h"
 #include "sim/solve/gpu_solver.h"
-#include "sim/solve/hands.h"
-#include "sim/solve/pins.h"
 #include "sim/solve/volume_targets.h"
 
 namespace kerf {

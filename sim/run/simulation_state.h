@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "sim/box_edit.h"
+#include "sim/run/box_edit.h"
 #include "sim/run/led_blade.h"
 #include "sim/run/running_body.h"
+#include "sim/run/simulation.h"
 #include "sim/run/undo_log.h"
-#include "sim/simulation.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 // The course of a stroke: it begins when the blade comes near the body, and ends when it has left
 // it.
+#include "sim/base/stopwatch.h"
 #include "sim/run/simulation_state.h"
-#include "sim/stopwatch.h"
 
 namespace kerf {
 

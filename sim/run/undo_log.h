@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "sim/box_edit.h"
-#include "sim/undo_history.h"
+#include "sim/run/box_edit.h"
+#include "sim/run/undo_history.h"
 
 namespace kerf {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gpu/program.h"
+#include "sim/base/math.h"
 #include "sim/contact/contact_solver.h"
-#include "sim/math.h"
 #include "sim/solve/nearby_vertices.h"
 #include "sim/solve/solver_body.h"
 

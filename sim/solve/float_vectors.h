@@ -6,7 +6,7 @@
 
 #include "gpu/buffer.h"
 #include "shaders/shared/shared_types.h"
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf {
 

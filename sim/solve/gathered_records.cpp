@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/sort_unique.h"
 #include "sim/body/incidence.h"
-#include "sim/sort_unique.h"
 
 namespace kerf {
 

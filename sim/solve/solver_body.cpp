@@ -4,8 +4,8 @@
 
 #include "gpu/context.h"
 #include "shaders/shared/bindings.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/solve/float_vectors.h"
-#include "sim/solve/solver_uniforms.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "sim/params.h"
+#include "sim/base/params.h"
 
 namespace kerf {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gpu/program.h"
-#include "sim/math.h"
+#include "sim/base/math.h"
 #include "sim/solve/solver_body.h"
 
 namespace kerf {

@@ -4,7 +4,7 @@
 #include "app/replay.h"
 #include "app/session.h"
 #include "sim/body/shape_error.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 

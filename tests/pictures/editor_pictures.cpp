@@ -10,7 +10,7 @@
 #include "app/settings_file.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
-#include "sim/stopwatch.h"
+#include "sim/base/stopwatch.h"
 #include "ui/layout.h"
 
 namespace kerf {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf {
 namespace {

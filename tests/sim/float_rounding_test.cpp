@@ -1,4 +1,4 @@
-#include "sim/float_rounding.h"
+#include "sim/base/float_rounding.h"
 
 #include <gtest/gtest.h>
 

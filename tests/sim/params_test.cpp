@@ -1,4 +1,4 @@
-#include "sim/params.h"
+#include "sim/base/params.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 
 #include <glad/gl.h>
 #include <gmock/gmock.h>

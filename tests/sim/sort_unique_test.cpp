@@ -1,4 +1,4 @@
-#include "sim/sort_unique.h"
+#include "sim/base/sort_unique.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "sim/state_hash.h"
+#include "sim/run/state_hash.h"
 
 #include <gtest/gtest.h>
 
-#include "sim/float_rounding.h"
+#include "sim/base/float_rounding.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

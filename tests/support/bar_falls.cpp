@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/mesh/invariants.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::test {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "sim/base/params.h"
 #include "sim/contact/static_box.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/params.h"
 
 namespace kerf::test {
 

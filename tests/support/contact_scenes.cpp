@@ -8,13 +8,13 @@
 #include <numeric>
 #include <vector>
 
+#include "sim/base/stopwatch.h"
 #include "sim/body/body_model.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/jitter.h"
 #include "sim/mesh/closest_point.h"
-#include "sim/simulation.h"
-#include "sim/stopwatch.h"
+#include "sim/run/simulation.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/base/params.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/params.h"
 
 namespace kerf::test {
 

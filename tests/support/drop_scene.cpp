@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "sim/body/shape_error.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "tests/support/folds.h"
 
 namespace kerf::test {

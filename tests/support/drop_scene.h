@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "sim/base/params.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/params.h"
 
 namespace kerf::test {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf::test {
 

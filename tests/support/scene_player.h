@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/cut/jitter.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "tests/support/moving_scenes.h"
 
 namespace kerf::test {

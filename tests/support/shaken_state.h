@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/solve/reference_solver.h"
+#include "sim/reference/reference_solver.h"
 
 namespace kerf::test {
 

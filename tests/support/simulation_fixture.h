@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 
 namespace kerf::test {

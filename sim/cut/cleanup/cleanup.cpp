@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/sort_unique.h"
 #include "sim/cut/cleanup/acceptance.h"
 #include "sim/cut/cleanup/coarsening.h"
 #include "sim/cut/cleanup/collapse.h"
@@ -13,7 +14,6 @@
 #include "sim/cut/cleanup/part_surface.h"
 #include "sim/cut/cleanup/self_piercing.h"
 #include "sim/cut/cleanup/slide.h"
-#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/sort_unique.h"
 #include "sim/cut/piercing.h"
 #include "sim/cut/predicates.h"
 #include "sim/mesh/closest_point.h"
-#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 

@@ -5,11 +5,11 @@
 #include <iterator>
 #include <utility>
 
+#include "sim/base/sort_unique.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/material.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"
-#include "sim/sort_unique.h"
 
 namespace kerf::cut {
 

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "sim/math.h"
+#include "sim/base/math.h"
 
 namespace kerf {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 

@@ -5,8 +5,8 @@
 
 #include "sim/body/shape_error.h"
 #include "sim/contact/box_obstacles.h"
-#include "sim/simulation.h"
-#include "sim/state_hash.h"
+#include "sim/run/simulation.h"
+#include "sim/run/state_hash.h"
 #include "tests/support/bar_falls.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gl_fixture.h"

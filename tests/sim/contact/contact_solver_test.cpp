@@ -4,10 +4,10 @@
 #include <random>
 
 #include "sim/body/piece_masses.h"
-#include "sim/contact/reference_contact.h"
-#include "sim/simulation.h"
+#include "sim/body/solver_uniforms.h"
+#include "sim/reference/reference_contact.h"
+#include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
-#include "sim/solve/solver_uniforms.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/self_intersections.h"

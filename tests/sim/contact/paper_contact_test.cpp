@@ -6,7 +6,7 @@
 #include <random>
 
 #include "sim/contact/octree.h"
-#include "sim/simulation.h"
+#include "sim/run/simulation.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
+#include "sim/base/float_rounding.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/cutter.h"
-#include "sim/float_rounding.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

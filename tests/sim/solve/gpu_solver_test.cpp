@@ -7,9 +7,9 @@
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
-#include "sim/solve/reference_energy.h"
-#include "sim/solve/reference_solver.h"
-#include "sim/solve/solver_uniforms.h"
+#include "sim/body/solver_uniforms.h"
+#include "sim/reference/reference_energy.h"
+#include "sim/reference/reference_solver.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "sim/solve/reference_constraints.h"
+#include "sim/reference/reference_constraints.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/solve/reference_solver.h"
+#include "sim/reference/reference_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "sim/body/shape_error.h"
-#include "sim/solve/solver_uniforms.h"
+#include "sim/body/solver_uniforms.h"
 #include "tests/support/shaken_state.h"
 #include "tests/support/shapes.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/solve/solver_uniforms.h"
+#include "sim/body/solver_uniforms.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

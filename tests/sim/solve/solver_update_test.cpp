@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "sim/body/solver_uniforms.h"
 #include "sim/cut/cut_change.h"
 #include "sim/cut/cutter.h"
 #include "sim/solve/gpu_solver.h"
-#include "sim/solve/solver_uniforms.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

@@ -1,0 +1,278 @@
+#include "sim/base/params.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "sim/base/text.h"
+
+namespace kerf {
+
+namespace {
+
+using Member = std::variant<double Params::*, int Params::*, Vec3 Params::*,
+                            std::optional<double> Params::*, SolverMode Params::*>;
+
+// In the order of SolverMode.
+constexpr std::array<std::string_view, 2> kSolverModes{"small_steps", "pbd"};
+
+struct Row {
+    ParamInfo info;
+    Member member;
+};
+
+const std::array kRows = {
+    Row{{"time_step", "Time step", "s", "Simulated time per step.", ParamType::real, 0.0005, 0.02,
+         true},
+        &Params::timeStep},
+    Row{{"iterations", "Iterations", "",
+         "Substeps per time step, each one sweep of the solver (with pbd: sweeps): more is firmer "
+         "and slower.",
+         ParamType::integer, 1, 60, false},
+        &Params::iterations},
+    Row{{"ispc_stiffness", "ISPC stiffness", "",
+         "How firmly the inside holds the skin apart: 0 is hollow and collapses, 0.5 the material "
+         "itself, 1 as firm as the solver gets.",
+         ParamType::real, 0, 1, false},
+        &Params::ispcStiffness},
+    Row{{"gravity", "Gravity", "m/s^2", "Acceleration of free fall along x, y (up) and z.",
+         ParamType::vector, -100, 100, false},
+        &Params::gravity},
+    Row{{"floor", "Floor", "m", "Height of the floor; none without a value.",
+         ParamType::optionalReal, -1000, 1000, false},
+        &Params::floor},
+    Row{{"youngs_modulus", "Young's modulus", "Pa",
+         "Stiffness of the material: 1e5 is a soft sponge, 1e7 rubber. Not used by pbd.",
+         ParamType::real, 1e3, 1e8, true},
+        &Params::youngsModulus},
+    Row{{"density", "Density", "kg/m^3", "Mass per volume: water has 1000.", ParamType::real, 10,
+         20000, true},
+        &Params::density},
+    Row{{"stretch_stiffness", "Stretch stiffness", "",
+         "Factor on how strongly the skin resists stretching; 0 switches that off. With pbd the "
+         "stiffness itself, up to 1.",
+         ParamType::real, 0, 10, false},
+        &Params::stretchStiffness},
+    Row{{"bending_stiffness", "Bending stiffness", "",
+         "Factor on how strongly the skin resists bending; 0 switches that off. With pbd the "
+         "stiffness itself, up to 1.",
+         ParamType::real, 0, 10, false},
+        &Params::bendingStiffness},
+    Row{{"air_drag", "Air drag", "1/s",
+         "Rate at which all motion fades, so that speed falls as exp(-rate * time).",
+         ParamType::real, 0, 20, false},
+        &Params::airDrag},
+    Row{{"damping", "Damping", "s",
+         "Inner friction: the time over which the material resists a change of shape. Not used by "
+         "pbd.",
+         ParamType::real, 0, 0.02, false},
+        &Params::damping},
+    Row{{"friction", "Friction", "", "Coulomb coefficient of everything that touches.",
+         ParamType::real, 0, 2, false},
+        &Params::friction},
+    Row{{"contact", "Contact", "",
+         "1: pieces, both sides of a slit and arms meet one another; 0: they pass through.",
+         ParamType::integer, 0, 1, false},
+        &Params::contact},
+    Row{{"paper_contact", "Paper's contact", "",
+         "1: instead of contact, pieces meet as in the paper, for comparison: once a time step, on "
+         "the CPU, triangles that meet lose their relative speed.",
+         ParamType::integer, 0, 1, false},
+        &Params::paperContact},
+    Row{{"contact_thickness", "Contact thickness", "",
+         "Distance kept between surfaces that were never one, as a share of the edge length of "
+         "walls.",
+         ParamType::real, 0, 0.3, false},
+        &Params::contactThickness},
+    Row{{"depenetration_speed", "Depenetration speed", "m/s",
+         "How fast surfaces that have got into one another come apart.", ParamType::real, 0.01, 10,
+         true},
+        &Params::depenetrationSpeed},
+    Row{{"blade_push", "Blade pushes", "",
+         "1: what lies behind the blade's edge is a plate that pushes: it holds a slit open, and "
+         "its "
+         "back and its sides move what they meet; 0: the blade only cuts.",
+         ParamType::integer, 0, 1, false},
+        &Params::bladePush},
+    Row{{"blade_width", "Blade width", "",
+         "How far the pushing blade reaches back from its edge, as a share of the model's "
+         "diagonal.",
+         ParamType::real, 0.02, 1, false},
+        &Params::bladeWidth},
+    Row{{"blade_thickness", "Blade thickness", "",
+         "How thick the pushing blade is, as a share of the model's diagonal: so wide it holds a "
+         "slit.",
+         ParamType::real, 0.001, 0.1, false},
+        &Params::bladeThickness},
+    Row{{"wall_coarsening", "Wall coarsening", "",
+         "How much coarser the inside of a cut gets when its stroke ends; 1 keeps it as it is.",
+         ParamType::real, 1, 10, false},
+        &Params::wallCoarsening},
+    Row{{"debris_volume", "Debris volume", "",
+         "When a stroke ends, pieces that it left with less than this share of the body's volume "
+         "are "
+         "removed; 0 keeps all.",
+         ParamType::real, 0, 0.001, false},
+        &Params::debrisVolume},
+    Row{{"open_cut", "Open cut", "",
+         "1: cut as the paper does, for comparison: the body is hollow while the blade is in it, "
+         "and "
+         "each wound is patched when the stroke ends. From the next stroke on.",
+         ParamType::integer, 0, 1, false},
+        &Params::openCut},
+    Row{{"solver", "Solver", "",
+         "small_steps: substeps and a material in pascals; pbd: the paper's sweeps and stiffness "
+         "factors, which lose volume.",
+         ParamType::choice, 0, 1, false, kSolverModes},
+        &Params::solver},
+};
+
+const Row* findRow(std::string_view name) {
+    const auto row = std::ranges::find_if(kRows, [&](const Row& r) { return r.info.name == name; });
+    return row == kRows.end() ? nullptr : &*row;
+}
+
+std::string quoted(std::string_view name) {
+    return "\"" + std::string(name) + "\"";
+}
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string unknownParam(std::string_view name) {
+    std::string known;
+    for (const Row& row : kRows) {
+        known += (known.empty() ? "" : ", ") + std::string(row.info.name);
+    }
+    return "there is no parameter " + quoted(name) + "; known are " + known;
+}
+
+std::string checkNumber(const ParamInfo& info, double value) {
+    if (!std::isfinite(value)) {
+        return quoted(info.name) + " must be a finite number";
+    }
+    if (value < info.low || value > info.high) {
+        return quoted(info.name) + " must lie between " + number(info.low) + " and " +
+               number(info.high) + (info.unit.empty() ? "" : " " + std::string(info.unit)) +
+               ", not " + number(value);
+    }
+    if (info.type == ParamType::integer && value != std::floor(value)) {
+        return quoted(info.name) + " must be a whole number, not " + number(value);
+    }
+    return "";
+}
+
+/// Writes a value of the wrong type as a sentence, of the right type into the parameters.
+struct Setter {
+    Params& params;
+    const ParamInfo& info;
+    const ParamValue& value;
+
+    std::string operator()(double Params::*member) const {
+        return setNumber([&](double x) { params.*member = x; });
+    }
+    std::string operator()(int Params::*member) const {
+        return setNumber([&](double x) { params.*member = static_cast<int>(x); });
+    }
+    std::string operator()(std::optional<double> Params::*member) const {
+        if (std::holds_alternative<std::monostate>(value)) {
+            params.*member = std::nullopt;
+            return "";
+        }
+        return setNumber([&](double x) { params.*member = x; });
+    }
+    std::string operator()(Vec3 Params::*member) const {
+        const Vec3* vector = std::get_if<Vec3>(&value);
+        if (!vector) {
+            return quoted(info.name) + " takes three numbers";
+        }
+        for (const double component : *vector) {
+            if (std::string problem = checkNumber(info, component); !problem.empty()) {
+                return problem;
+            }
+        }
+        params.*member = *vector;
+        return "";
+    }
+    std::string operator()(SolverMode Params::*member) const {
+        const std::string* name = std::get_if<std::string>(&value);
+        const auto choice = name ? std::ranges::find(info.choices, *name) : info.choices.end();
+        if (choice == info.choices.end()) {
+            return quoted(info.name) + " must be one of " + joined(info.choices, ", ");
+        }
+        params.*member = static_cast<SolverMode>(choice - info.choices.begin());
+        return "";
+    }
+
+    template <class Assign>
+    std::string setNumber(Assign&& assign) const {
+        const double* x = std::get_if<double>(&value);
+        if (!x) {
+            return quoted(info.name) + " takes one number" +
+                   (info.type == ParamType::optionalReal ? ", or none" : "");
+        }
+        std::string problem = checkNumber(info, *x);
+        if (problem.empty()) {
+            assign(*x);
+        }
+        return problem;
+    }
+};
+
+/// Reads a member as the value that sets it.
+struct Getter {
+    const Params& params;
+
+    ParamValue operator()(double Params::*member) const { return params.*member; }
+    ParamValue operator()(int Params::*member) const { return static_cast<double>(params.*member); }
+    ParamValue operator()(Vec3 Params::*member) const { return params.*member; }
+    ParamValue operator()(std::optional<double> Params::*member) const {
+        const std::optional<double>& x = params.*member;
+        return x ? ParamValue(*x) : ParamValue(std::monostate{});
+    }
+    ParamValue operator()(SolverMode Params::*member) const {
+        return std::string(kSolverModes[static_cast<std::size_t>(params.*member)]);
+    }
+};
+
+}  // namespace
+
+std::span<const ParamInfo> paramTable() {
+    static const std::vector<ParamInfo> table = [] {
+        std::vector<ParamInfo> infos;
+        infos.reserve(kRows.size());
+        for (const Row& row : kRows) {
+            infos.push_back(row.info);
+        }
+        return infos;
+    }();
+    return table;
+}
+
+const ParamInfo* findParam(std::string_view name) {
+    const Row* row = findRow(name);
+    return row ? &row->info : nullptr;
+}
+
+ParamValue getParam(const Params& params, std::string_view name) {
+    const Row* row = findRow(name);
+    return row ? std::visit(Getter{params}, row->member) : ParamValue(std::monostate{});
+}
+
+std::string setParam(Params& params, std::string_view name, const ParamValue& value) {
+    const Row* row = findRow(name);
+    return row ? std::visit(Setter{params, row->info, value}, row->member) : unknownParam(name);
+}
+
+bool operator==(const Params& a, const Params& b) {
+    return std::ranges::all_of(kRows, [&](const Row& row) {
+        return std::visit(Getter{a}, row.member) == std::visit(Getter{b}, row.member);
+    });
+}
+
+}  // namespace kerf

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "sim/base/math.h"
+
+namespace kerf {
+
+/// How the constraints are solved.
+enum class SolverMode {
+    smallSteps,  ///< XPBD, one sweep per substep (Macklin et al. 2019): stiffness in pascals
+    pbd,         ///< plain position-based dynamics, as in the paper: sweeps and stiffness factors
+};
+
+/// Everything that a person can tune. Names, ranges and meanings stand once, in paramTable().
+struct Params {
+    SolverMode solver = SolverMode::smallSteps;
+    double timeStep = 0.005;            ///< [s]
+    int iterations = 20;                ///< substeps of one sweep each, or sweeps of pbd
+    double ispcStiffness = 0.5;         ///< 0 (none) to 1 (firm)
+    Vec3 gravity = {0, -9.81, 0};       ///< [m/s^2]
+    std::optional<double> floor = 0.0;  ///< height [m]; none without a value
+    double youngsModulus = 1e5;         ///< [Pa]
+    double density = 1000;              ///< [kg/m^3]
+    double stretchStiffness = 1;        ///< factor on the edges' modulus; stiffness k in pbd
+    double bendingStiffness = 1;        ///< factor on the bends' modulus; stiffness k in pbd
+    double airDrag = 1;                 ///< velocity decay c in v exp(-c t) [1/s]
+    double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
+    double wallCoarsening = 1;          ///< edge length inside finished walls over that at the rim
+    double debrisVolume = 1e-5;         ///< share of the body below which what comes off goes
+    int openCut = 0;                    ///< 1: the paper's course, hollow until the stroke ends
+    double friction = 0.5;              ///< Coulomb coefficient of all contacts
+    int contact = 1;                    ///< 1: pieces, slits and arms meet one another; 0: not
+    int paperContact = 0;               ///< 1: the paper's response of pieces instead
+    double contactThickness = 0.05;     ///< distance kept, as a share of the edge length of walls
+    double depenetrationSpeed = 1;      ///< at which penetrations are taken back [m/s]
+    int bladePush = 0;                  ///< 1: the blunt body of the blade pushes; 0: it only cuts
+    double bladeWidth = 0.15;           ///< of that body, as a share of the uncut body's diagonal
+    double bladeThickness = 0.01;       ///< the same of its thickness
+};
+
+/// A number, a vector, nothing (for parameters that may be absent, as the floor), or a choice.
+using ParamValue = std::variant<double, Vec3, std::monostate, std::string>;
+
+/// Which kind of value a parameter takes.
+enum class ParamType { real, integer, vector, optionalReal, choice };
+
+/// One row of the table that the panels, the session file and the docs share.
+struct ParamInfo {
+    std::string_view name;     ///< as in a session: "time_step"
+    std::string_view label;    ///< as in the panel: "Time step"
+    std::string_view unit;     ///< "s", "" for none
+    std::string_view meaning;  ///< one sentence for the tooltip and the docs
+    ParamType type = ParamType::real;
+    double low = 0;                                  ///< smallest allowed value (of each component)
+    double high = 0;                                 ///< largest
+    bool logarithmic = false;                        ///< slider scale
+    std::span<const std::string_view> choices = {};  ///< what a choice may be
+};
+
+/// All parameters, in the order in which panels and sessions list them.
+std::span<const ParamInfo> paramTable();
+/// The row of a parameter, null for an unknown name.
+const ParamInfo* findParam(std::string_view name);
+/// The value that setParam would set it to; std::monostate for an unknown name.
+ParamValue getParam(const Params& params, std::string_view name);
+/// Sets a parameter. Returns "" or one clause without a full stop that says why not (unknown name,
+/// wrong type, not finite, out of range); the parameters are then unchanged.
+std::string setParam(Params& params, std::string_view name, const ParamValue& value);
+bool operator==(const Params& a, const Params& b);
+
+}  // namespace kerf

@@ -1,0 +1,120 @@
+#include "sim/body/solver_uniforms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kerf {
+
+namespace {
+
+using shared::uint;
+
+// An absent part gets compliance 0; its bit in active_parts is off.
+float complianceOverSquare(double modulus, double h) {
+    return modulus > 0 ? static_cast<float>(1 / (modulus * h * h)) : 0.0f;
+}
+
+// What is hollow or limp may fold.
+bool unfolds(const Params& params) {
+    return holdsVolume(params) && params.bendingStiffness > 0;
+}
+
+uint activeParts(const Params& params) {
+    uint parts = 0;
+    parts |= params.stretchStiffness > 0 ? shared::kStretchPart : 0u;
+    parts |= params.bendingStiffness > 0 ? shared::kBendPart : 0u;
+    parts |= params.ispcStiffness > 0 ? shared::kIspcPart : 0u;
+    parts |= holdsVolume(params) ? shared::kVolumePart : 0u;
+    parts |= unfolds(params) ? shared::kUnfoldPart : 0u;
+    parts |= params.floor.has_value() ? shared::kFloorPart : 0u;
+    // Plain PBD sweeps many times over a long step, towards where the gradients have turned.
+    parts |= params.solver == SolverMode::smallSteps ? shared::kPullAsBeforePart : 0u;
+    return parts;
+}
+
+}  // namespace
+
+bool holdsVolume(const Params& params) {
+    return params.solver == SolverMode::smallSteps && params.ispcStiffness > 0;
+}
+
+double ispcModulusFactor(double stiffness) {
+    if (stiffness >= 1) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double odds = stiffness / (1 - stiffness);
+    return odds * odds;
+}
+
+double sweepStiffness(double stiffness, int sweeps) {
+    return 1 - std::pow(1 - std::clamp(stiffness, 0.0, 1.0), 1.0 / sweeps);
+}
+
+namespace {
+
+/// What both modes share, for a substep h [s].
+shared::SolverUniforms commonUniforms(const Params& params, double h) {
+    shared::SolverUniforms u{};
+    u.gravity = {static_cast<float>(params.gravity.x()), static_cast<float>(params.gravity.y()),
+                 static_cast<float>(params.gravity.z()), 0.0f};
+    u.substep = static_cast<float>(h);
+    u.drag_factor = static_cast<float>(std::exp(-params.airDrag * h));
+    u.inverse_density = static_cast<float>(1 / params.density);
+    u.friction = static_cast<float>(params.friction);
+    u.lift_speed = static_cast<float>(params.depenetrationSpeed);
+    u.floor_height = static_cast<float>(params.floor.value_or(0.0));
+    u.active_parts = activeParts(params);
+    return u;
+}
+
+shared::SolverUniforms smallStepUniforms(const Params& params) {
+    const double h = params.timeStep / params.iterations;
+    const double modulus = params.youngsModulus;
+    shared::SolverUniforms u = commonUniforms(params, h);
+    u.substeps = static_cast<uint>(params.iterations);
+    u.sweeps = 1;
+    u.damping_ratio = static_cast<float>(params.damping / h);
+    u.stretch_compliance = complianceOverSquare(modulus * params.stretchStiffness, h);
+    u.bend_compliance = complianceOverSquare(modulus * params.bendingStiffness, h);
+    u.ispc_compliance = complianceOverSquare(modulus * ispcModulusFactor(params.ispcStiffness), h);
+    u.stretch_share = u.bend_share = u.ispc_share = 1;
+    return u;
+}
+
+/// Rigid constraints, of whose corrections each sweep applies a share.
+shared::SolverUniforms pbdUniforms(const Params& params) {
+    shared::SolverUniforms u = commonUniforms(params, params.timeStep);
+    const auto share = [&](double stiffness) {
+        return static_cast<float>(sweepStiffness(stiffness, params.iterations));
+    };
+    u.substeps = 1;
+    u.sweeps = static_cast<uint>(params.iterations);
+    u.stretch_share = share(params.stretchStiffness);
+    u.bend_share = share(params.bendingStiffness);
+    u.ispc_share = share(params.ispcStiffness);
+    return u;
+}
+
+}  // namespace
+
+shared::SolverUniforms solverUniforms(const Params& params) {
+    return params.solver == SolverMode::pbd ? pbdUniforms(params) : smallStepUniforms(params);
+}
+
+void setCounts(shared::SolverUniforms& uniforms, const BodyModel& model) {
+    uniforms.vertex_count = static_cast<uint>(model.restPositions.size());
+    uniforms.edge_count = static_cast<uint>(model.edges.size());
+    uniforms.bend_count = static_cast<uint>(model.bends.size());
+    uniforms.ispc_count = static_cast<uint>(model.ispcs.size());
+    uniforms.triangle_count = static_cast<uint>(model.triangles.size());
+    uniforms.piece_count = static_cast<uint>(model.pieces.size());
+}
+
+shared::SolverUniforms solverUniforms(const Params& params, const BodyModel& model) {
+    shared::SolverUniforms u = solverUniforms(params);
+    setCounts(u, model);
+    return u;
+}
+
+}  // namespace kerf

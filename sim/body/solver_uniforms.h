@@ -1,0 +1,34 @@
+#pragma once
+
+#include "shaders/shared/solver_uniforms.h"
+#include "sim/base/params.h"
+#include "sim/body/body_model.h"
+
+namespace kerf {
+
+/// Young's modulus of the ISPCs as a multiple of the body's: (s / (1 - s))^2 for a stiffness s.
+/// 0 at s = 0 (no ISPCs), 1 at 0.5 (the material itself), unbounded at 1 (rigid constraints, as
+/// firm as one solver iteration per substep gets). Rises strictly.
+double ispcModulusFactor(double stiffness);
+
+/// k' = 1 - (1 - k)^(1/n): the share of a correction that each of `sweeps` = n sweeps of plain PBD
+/// applies, so that a stiffness k means the same for any n (Mueller et al. 2007). k is clamped to
+/// 0..1.
+double sweepStiffness(double stiffness, int sweeps);
+
+/// Whether pieces are held at their volumes: not in the paper's solver, and not without ISPCs,
+/// where what is hollow can be squeezed flat.
+bool holdsVolume(const Params& params);
+
+/// What the parameters mean for the solver; counts are 0. SolverMode::smallSteps: `iterations`
+/// substeps of one sweep, with compliances. SolverMode::pbd: one substep of `iterations` sweeps,
+/// with stiffness factors and without a volume constraint.
+shared::SolverUniforms solverUniforms(const Params& params);
+
+/// Sets the counts to those of `model`.
+void setCounts(shared::SolverUniforms& uniforms, const BodyModel& model);
+
+/// solverUniforms(params) with the counts of `model`.
+shared::SolverUniforms solverUniforms(const Params& params, const BodyModel& model);
+
+}  // namespace kerf

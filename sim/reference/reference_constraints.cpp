@@ -1,0 +1,104 @@
+#include "sim/reference/reference_constraints.h"
+
+#include <algorithm>
+
+#include "sim/body/dihedral.h"
+#include "sim/body/incidence.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kShortestLength = 1e-12;  // [m]; a shorter segment has no direction
+
+/// X_i - X_j.
+Vec3 differenceBefore(const ReferenceState& s, std::uint32_t i, std::uint32_t j) {
+    return s.positions[i] - s.positions[j];
+}
+
+/// p_i - p_j as (X_i - X_j) + (d_i - d_j).
+Vec3 difference(const ReferenceState& s, std::uint32_t i, std::uint32_t j) {
+    return differenceBefore(s, i, j) + (s.displacements[i] - s.displacements[j]);
+}
+
+/// In the substep it turned by no more than 60 degrees and kept half of its size.
+bool turnedLittle(const Vec3& before, const Vec3& now) {
+    return before.dot(now) > 0.5 * std::max(before.squaredNorm(), now.squaredNorm());
+}
+
+/// Direction to pull in: as at the beginning of the substep where that still fits.
+Vec3 pullDirection(Pull pull, const Vec3& before, const Vec3& now) {
+    return pull == Pull::asBefore && turnedLittle(before, now) ? before.normalized()
+                                                               : now.normalized();
+}
+
+/// From x0 to the others.
+struct Wings {
+    Vec3 edge, left, right;
+
+    Dihedral<double> angle() const { return dihedral<double>(edge, left, right); }
+    bool turnedLittleTo(const Wings& now) const {
+        return turnedLittle(edge, now.edge) &&
+               turnedLittle(edge.cross(left), now.edge.cross(now.left)) &&
+               turnedLittle(right.cross(edge), now.right.cross(now.edge));
+    }
+};
+
+}  // namespace
+
+Linearized<2> linearize(const shared::EdgeConstraint& c, const ReferenceState& s, double compliance,
+                        Pull pull) {
+    Linearized<2> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
+    const Vec3 r = difference(s, c.a, c.b);
+    const double length = r.norm();
+    if (length > kShortestLength) {
+        const Vec3 n = pullDirection(pull, differenceBefore(s, c.a, c.b), r);
+        result.valid = true;
+        result.value = length - c.rest_length;
+        result.gradient = {n, -n};
+    }
+    return result;
+}
+
+Linearized<4> linearize(const shared::BendConstraint& c, const ReferenceState& s, double compliance,
+                        Pull pull) {
+    Linearized<4> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
+    const Wings before{differenceBefore(s, c.v1, c.v0), differenceBefore(s, c.v2, c.v0),
+                       differenceBefore(s, c.v3, c.v0)};
+    const Wings now{difference(s, c.v1, c.v0), difference(s, c.v2, c.v0),
+                    difference(s, c.v3, c.v0)};
+    const auto angle = now.angle();
+    const auto angleBefore = before.angle();
+    if (angle.valid) {
+        const double limit = shared::kMaxBendError;
+        result.valid = true;
+        result.value = std::clamp(wrapAngle(angle.angle - c.rest_angle), -limit, limit);
+        const bool asBefore =
+            pull == Pull::asBefore && angleBefore.valid && before.turnedLittleTo(now);
+        result.gradient = asBefore ? angleBefore.gradient : angle.gradient;
+    }
+    return result;
+}
+
+Linearized<4> linearize(const shared::IspcConstraint& c, const ReferenceState& s, double compliance,
+                        Pull pull) {
+    Linearized<4> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
+    const double b1 = c.b1;
+    const double b2 = c.b2;
+    const double b0 = 1 - b1 - b2;
+    const auto span = [&](const auto& difference) -> Vec3 {
+        return b0 * difference(s, c.vertex, c.t0) + b1 * difference(s, c.vertex, c.t1) +
+               b2 * difference(s, c.vertex, c.t2);
+    };
+    const Vec3 r = span(difference);
+    const double length = r.norm();
+    if (length > kShortestLength) {
+        const Vec3 n = pullDirection(pull, span(differenceBefore), r);
+        result.valid = true;
+        result.value = length - c.rest_length;
+        result.gradient = {n, -b0 * n, -b1 * n, -b2 * n};
+    }
+    return result;
+}
+
+}  // namespace kerf

@@ -1,0 +1,267 @@
+#include "sim/reference/reference_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "sim/mesh/closest_point.h"
+
+namespace kerf {
+
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+Corners cornersOf(const std::array<std::uint32_t, 4>& t, const std::vector<Vec3>& at) {
+    return {at[t[0]], at[t[1]], at[t[2]]};
+}
+
+Vec3 areaNormal(const Corners& c) {
+    return (c[1] - c[0]).cross(c[2] - c[0]);
+}
+
+Vec3 weighted(const Vec3& weights, const Corners& c) {
+    return weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2];
+}
+
+double longestEdge(const Corners& c) {
+    return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+}
+
+/// Weights of a point of the plane of the triangle, which may lie outside.
+Vec3 planeWeights(const Corners& c, const Vec3& p) {
+    const Vec3 normal = areaNormal(c);
+    const double scale = 1 / normal.squaredNorm();
+    const double second = (p - c[0]).cross(c[2] - c[0]).dot(normal) * scale;
+    const double third = (c[1] - c[0]).cross(p - c[0]).dot(normal) * scale;
+    return {1 - second - third, second, third};
+}
+
+/// Sum of the area normals around each vertex over the sum of their lengths.
+std::vector<Vec3> vertexNormals(const BodyModel& model, const std::vector<Vec3>& at) {
+    std::vector<Vec3> sums(at.size(), Vec3::Zero());
+    std::vector<double> areas(at.size(), 0.0);
+    for (const auto& t : model.triangles) {
+        const Vec3 normal = areaNormal(cornersOf(t, at));
+        for (int k = 0; k < 3; ++k) {
+            sums[t[k]] += normal;
+            areas[t[k]] += normal.norm();
+        }
+    }
+    for (std::size_t v = 0; v < at.size(); ++v) {
+        sums[v] = areas[v] > 0 ? Vec3(sums[v] / areas[v]) : Vec3::Zero();
+    }
+    return sums;
+}
+
+}  // namespace
+
+/// A vertex at a triangle in one substep.
+struct ReferenceContact::Contact {
+    std::array<std::uint32_t, 4> vertices;  ///< the vertex, then the corners
+    std::array<double, 4> gains;            ///< 1, then minus the weights of the touched point
+    Vec3 normal;
+    Vec3 impulse;      ///< so far [m]
+    double least = 0;  ///< change of the gap by displacements [m]
+    double push = 0;   ///< [m]
+
+    void setWeights(const Vec3& weights) { gains = {1, -weights[0], -weights[1], -weights[2]}; }
+};
+
+ReferenceContact::ReferenceContact(const BodyModel& model, const shared::ContactUniforms& uniforms,
+                                   std::vector<double> inverseMass)
+    : model_(model), uniforms_(uniforms), inverseMass_(std::move(inverseMass)) {
+    for (const Vec3f& p : model.restPositions) {
+        rest_.push_back(p.cast<double>());
+    }
+    restNormals_ = vertexNormals(model, rest_);
+    touchesWall_.assign(rest_.size(), false);
+    for (const auto& t : model.triangles) {
+        for (int k = 0; k < 3 && (t[3] & 1u) != 0; ++k) {
+            touchesWall_[t[k]] = true;
+        }
+    }
+}
+
+std::vector<std::vector<ReferenceCandidate>> ReferenceContact::findCandidates(
+    const ReferenceState& state) const {
+    const std::vector<Vec3> normals = vertexNormals(model_, state.positions);
+    std::vector<std::vector<ReferenceCandidate>> all(state.positions.size());
+    for (std::uint32_t v = 0; v < all.size(); ++v) {
+        const int piece = model_.pieceOfVertex[v];
+        if (piece < 0 || isChip(piece)) {
+            continue;
+        }
+        for (std::uint32_t t = 0; t < model_.triangles.size(); ++t) {
+            const Vec3 normal = areaNormal(cornersOf(model_.triangles[t], state.positions));
+            const bool opposed = normals[v].dot(normal) < shared::kOpposed * normal.norm();
+            ReferenceCandidate candidate;
+            if (opposed && consider(v, t, state, candidate)) {
+                all[v].push_back(candidate);
+            }
+        }
+        std::ranges::sort(
+            all[v], {}, [](const ReferenceCandidate& c) { return std::tuple(c.key, c.triangle); });
+        all[v].resize(std::min<std::size_t>(all[v].size(), shared::kCandidatesPerPoint));
+    }
+    return all;
+}
+
+bool ReferenceContact::consider(std::uint32_t vertex, std::uint32_t triangle,
+                                const ReferenceState& state, ReferenceCandidate& candidate) const {
+    const auto& t = model_.triangles[triangle];
+    const int piece = static_cast<int>(t[3] >> 8);
+    if (std::find(t.begin(), t.begin() + 3, vertex) != t.begin() + 3 || isChip(piece)) {
+        return false;
+    }
+    const Corners corners = cornersOf(t, state.positions);
+    const Vec3& p = state.positions[vertex];
+    const Vec3 speed = state.velocities[vertex] -
+                       weighted(Vec3::Constant(1.0 / 3), cornersOf(t, state.velocities));
+    const double range =
+        std::min<double>(uniforms_.margin, uniforms_.reach + uniforms_.interval * speed.norm());
+    const Vec3 weights = closestWeights(p, corners[0], corners[1], corners[2]);
+    const double away = (p - weighted(weights, corners)).norm();
+    if (away > range || (piece == model_.pieceOfVertex[vertex] && !mayTouch(vertex, triangle))) {
+        return false;
+    }
+    const Corners rest = cornersOf(t, rest_);
+    const Vec3 restWeights = closestWeights(rest_[vertex], rest[0], rest[1], rest[2]);
+    const double separation = (rest_[vertex] - weighted(restWeights, rest)).norm();
+    candidate = {triangle,
+                 uniforms_.thickness * std::clamp(separation / uniforms_.h - 0.5, 0.0, 1.0),
+                 away / range};
+    return true;
+}
+
+bool ReferenceContact::mayTouch(std::uint32_t vertex, std::uint32_t triangle) const {
+    const auto& t = model_.triangles[triangle];
+    const Corners rest = cornersOf(t, rest_);
+    const Vec3 normal = areaNormal(rest).normalized();
+    const Vec3 weights = closestWeights(rest_[vertex], rest[0], rest[1], rest[2]);
+    const double separation = (rest_[vertex] - weighted(weights, rest)).norm();
+    const double height = normal.dot(rest_[vertex] - rest[0]);
+    const bool opposed = restNormals_[vertex].dot(normal) < shared::kOpposed;
+    if (separation < shared::kNearInRest * std::max<double>(uniforms_.h, longestEdge(rest))) {
+        return (t[3] & 1u) != 0 && touchesWall_[vertex] && opposed &&
+               height >= -shared::kSlabDepth * uniforms_.h;
+    }
+    return !(opposed && height < -0.5 * separation && separation < shared::kArmWidth * uniforms_.h);
+}
+
+bool ReferenceContact::detect(std::uint32_t vertex,
+                              const std::vector<ReferenceCandidate>& candidates,
+                              const ReferenceState& state, Contact& contact) const {
+    const auto at = [&](std::uint32_t v) -> Vec3 {
+        return state.positions[v] + state.displacements[v];
+    };
+    double least = 1e300;
+    double thickness = 0;
+    double lateral = 0;
+    for (const ReferenceCandidate& candidate : candidates) {
+        const auto& t = model_.triangles[candidate.triangle];
+        const Corners corners{at(t[0]), at(t[1]), at(t[2])};
+        const Vec3 weights = closestWeights(at(vertex), corners[0], corners[1], corners[2]);
+        const Vec3 away = at(vertex) - weighted(weights, corners);
+        if (away.squaredNorm() < shared::kNearerBy * least) {
+            least = away.squaredNorm();
+            lateral = away.cross(areaNormal(corners).normalized()).norm();
+            thickness = candidate.thickness;
+            contact.vertices = {vertex, t[0], t[1], t[2]};
+        }
+    }
+    const Vec3& own = state.positions[vertex];
+    const Corners touched{state.positions[contact.vertices[1]],
+                          state.positions[contact.vertices[2]],
+                          state.positions[contact.vertices[3]]};
+    contact.normal = areaNormal(touched).normalized();
+    const double before = contact.normal.dot(own - touched[0]);
+    contact.setWeights(planeWeights(touched, own - before * contact.normal));
+    Vec3 slip = Vec3::Zero();
+    for (int k = 0; k < 4; ++k) {
+        slip += contact.gains[k] * state.displacements[contact.vertices[k]];
+    }
+    const double gap = before + contact.normal.dot(slip);
+    const double hair = shared::kHair * uniforms_.h;
+    const double lowest = std::min(before, std::max(thickness, hair));
+    contact.least = lowest - before;
+    const double reached = std::max(gap, lowest);
+    const double approach = std::max(lowest - gap, 0.0);
+    contact.push = std::clamp(std::max(std::min(approach, hair) - reached,
+                                       shared::kThicknessRate * (thickness - reached)),
+                              0.0, static_cast<double>(uniforms_.lift_speed) * uniforms_.substep);
+    const Vec3 along = slip - slip.dot(contact.normal) * contact.normal;
+    const double held = std::min(along.norm(), uniforms_.friction * approach);
+    contact.impulse = approach * contact.normal -
+                      (along.norm() > 0 ? Vec3(held / along.norm() * along) : Vec3::Zero());
+    if (approach > 0) {
+        const double lever = std::clamp<double>(before, -uniforms_.thickness, uniforms_.thickness);
+        const Vec3 aside = -lever / approach * (contact.impulse - approach * contact.normal);
+        contact.setWeights(planeWeights(touched, own - before * contact.normal + aside));
+    }
+    return (approach > 0 || contact.push > 0) && lateral <= shared::kLateralSlack * uniforms_.h &&
+           gap >= -uniforms_.margin;
+}
+
+int ReferenceContact::respond(const std::vector<std::vector<ReferenceCandidate>>& candidates,
+                              ReferenceState& state) const {
+    std::vector<Contact> contacts;
+    std::vector<double> taken(state.positions.size(), 0.0);
+    for (std::uint32_t v = 0; v < candidates.size(); ++v) {
+        Contact contact;
+        if (!candidates[v].empty() && detect(v, candidates[v], state, contact)) {
+            contacts.push_back(contact);
+            for (int k = 0; k < 4; ++k) {
+                taken[contact.vertices[k]] += std::fabs(contact.gains[k]);
+            }
+        }
+    }
+    std::vector<Vec3> changes;
+    for (const Contact& contact : contacts) {
+        changes.push_back(contact.impulse);
+        apply(contact, taken, contact.push * contact.normal, state.positions);
+    }
+    applyAll(contacts, taken, changes, state.displacements);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        changes[i] = goOn(contacts[i], state.displacements) - contacts[i].impulse;
+    }
+    applyAll(contacts, taken, changes, state.displacements);
+    return static_cast<int>(contacts.size());
+}
+
+void ReferenceContact::applyAll(const std::vector<Contact>& contacts,
+                                const std::vector<double>& taken, const std::vector<Vec3>& changes,
+                                std::vector<Vec3>& vectors) const {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        apply(contacts[i], taken, changes[i], vectors);
+    }
+}
+
+void ReferenceContact::apply(const Contact& contact, const std::vector<double>& taken,
+                             const Vec3& change, std::vector<Vec3>& vectors) const {
+    double weight = 0;
+    for (int k = 0; k < 4; ++k) {
+        const std::uint32_t v = contact.vertices[k];
+        weight += taken[v] * inverseMass_[v] * std::fabs(contact.gains[k]);
+    }
+    for (int k = 0; k < 4 && weight > 0; ++k) {
+        const std::uint32_t v = contact.vertices[k];
+        vectors[v] += contact.gains[k] * inverseMass_[v] / weight * change;
+    }
+}
+
+Vec3 ReferenceContact::goOn(const Contact& contact, const std::vector<Vec3>& displacements) const {
+    Vec3 wanted = contact.impulse;
+    for (int k = 0; k < 4; ++k) {
+        wanted -= contact.gains[k] * displacements[contact.vertices[k]];
+    }
+    const double pressed = std::max(contact.normal.dot(wanted) + contact.least, 0.0);
+    const Vec3 along = wanted - contact.normal.dot(wanted) * contact.normal;
+    const double held = std::min(along.norm(), uniforms_.friction * pressed);
+    return pressed * contact.normal +
+           (along.norm() > 0 ? Vec3(held / along.norm() * along) : Vec3::Zero());
+}
+
+}  // namespace kerf

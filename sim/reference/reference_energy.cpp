@@ -1,0 +1,58 @@
+#include "sim/reference/reference_energy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/body/dihedral.h"
+#include "sim/reference/reference_constraints.h"
+
+namespace kerf {
+
+namespace {
+
+double squareFor(const shared::BendConstraint& bend, const ReferenceState& state) {
+    const auto from = [&](std::uint32_t v) {
+        return Vec3(state.positions[v] + state.displacements[v] - state.positions[bend.v0] -
+                    state.displacements[bend.v0]);
+    };
+    const auto angle = dihedral<double>(from(bend.v1), from(bend.v2), from(bend.v3));
+    if (!angle.valid) {
+        return 0;
+    }
+    const double error = std::fabs(wrapAngle(angle.angle - bend.rest_angle));
+    const double elastic = std::min(error, static_cast<double>(shared::kMaxBendError));
+    return elastic * (2 * error - elastic);
+}
+
+template <class Spring>
+double squareFor(const Spring& spring, const ReferenceState& state) {
+    const double error = linearize(spring, state, 0, Pull::asNow).value;
+    return error * error;
+}
+
+template <class Constraint>
+double sumOver(const std::vector<Constraint>& constraints, double compliance,
+               const ReferenceState& state) {
+    double sum = 0;
+    for (const Constraint& constraint : constraints) {
+        const double alpha = constraint.geometry * compliance;
+        sum += alpha > 0 ? 0.5 * squareFor(constraint, state) / alpha : 0;
+    }
+    return sum;
+}
+
+}  // namespace
+
+double strainEnergy(const BodyModel& model, const shared::SolverUniforms& uniforms,
+                    const ReferenceState& state) {
+    const double square = static_cast<double>(uniforms.substep) * uniforms.substep;
+    const auto complianceOf = [&](std::uint32_t part, double overSquare) {
+        return (uniforms.active_parts & part) != 0 ? square * overSquare : 0.0;
+    };
+    return sumOver(model.edges, complianceOf(shared::kStretchPart, uniforms.stretch_compliance),
+                   state) +
+           sumOver(model.bends, complianceOf(shared::kBendPart, uniforms.bend_compliance), state) +
+           sumOver(model.ispcs, complianceOf(shared::kIspcPart, uniforms.ispc_compliance), state);
+}
+
+}  // namespace kerf

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "sim/body/body_state.h"
+#include "sim/run/prepared_body.h"
+#include "sim/solve/gpu_solver.h"
+
+namespace kerf {
+
+/// A prepared body on its way to the GPU, a portion at a time, so that pictures can be drawn in
+/// between. Then a Simulation takes it over.
+class BodyUpload {
+  public:
+    /// Compiles the kernels for the OpenGL context that is current. Throws gpu::ShaderError.
+    explicit BodyUpload(PreparedBody prepared);
+
+    bool done() const { return next_ == GpuSolver::kModelPortions; }
+    /// The next portion; not once it is done. Throws gpu::OutOfMemory.
+    void advance();
+    void finish();
+
+  private:
+    friend class Simulation;
+
+    PreparedBody prepared_;
+    BodyState state_;
+    std::unique_ptr<GpuSolver> solver_;
+    int next_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/run/command.h"
+
+namespace kerf {
+
+/// What a command makes of the boxes there are.
+struct BoxEdit {
+    std::string error;             ///< "" or one sentence; nothing else counts then
+    std::string name;              ///< as the history shows it: "Box 2 added"
+    std::vector<StaticBox> after;  ///< all boxes
+    int changed = -1;              ///< number of the box that was changed; -1 for none
+    bool continues = false;        ///< see ChangeBox
+};
+BoxEdit edited(const std::vector<StaticBox>& boxes, const AddBox& add);
+BoxEdit edited(const std::vector<StaticBox>& boxes, const ChangeBox& change);
+BoxEdit edited(const std::vector<StaticBox>& boxes, const RemoveBox& remove);
+
+}  // namespace kerf

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "sim/base/params.h"
+#include "sim/base/region.h"
+#include "sim/contact/static_box.h"
+#include "sim/cut/blade.h"
+
+namespace kerf {
+
+/// Everything that changes a simulation is a command, applied before a step: mouse, panels and
+/// session files all push the same ones, so a recording replays by construction.
+
+/// Moves the blade here during the coming step; the first one after the start or a lift places it
+/// without cutting.
+struct MoveBlade {
+    Blade blade;
+};
+/// Takes the blade away.
+struct LiftBlade {};
+/// Changes one parameter.
+struct SetParam {
+    std::string name;
+    ParamValue value;
+    /// Of the same gesture as the change of this parameter just before: one undo takes both back.
+    bool continues = false;
+};
+/// A hand takes hold, by springs, of all vertices that are now within `radius` of `at`. Hands are
+/// told apart by number; one that held something lets go of it.
+struct Grab {
+    int hand = 0;
+    Vec3 at = Vec3::Zero();
+    double radius = 0;  ///< [m]
+};
+/// Moves a hand here during the coming step, and what it holds along.
+struct Drag {
+    int hand = 0;
+    Vec3 to = Vec3::Zero();
+};
+/// A hand lets go.
+struct Release {
+    int hand = 0;
+};
+/// Pins the vertices that are now in the region: they stay where they are, until freed.
+struct Pin {
+    Region region;
+    bool pinned = true;  ///< false frees those in the region
+    /// Of the same gesture as the pin just before: one undo takes both back.
+    bool continues = false;
+};
+/// Puts up a box, behind those there are.
+struct AddBox {
+    StaticBox box;
+};
+/// Puts the box of this number, from 0, elsewhere or makes it another; what lies in its new place
+/// is pushed out.
+struct ChangeBox {
+    int index = 0;
+    StaticBox box;
+    /// Of the same gesture as the change of this box just before: one undo takes both back.
+    bool continues = false;
+};
+/// Takes the box of this number away; those behind it move up.
+struct RemoveBox {
+    int index = 0;
+};
+/// Brings back the uncut body at rest; parameters, boxes and the time go on.
+struct Restart {};
+/// Takes back the last change that is not undone: a cut or a grab (with all that the body did
+/// since), a restart, a parameter, pins or a box. A blade that is in the body is lifted first; time
+/// goes on.
+struct Undo {};
+/// Brings back what the last undo took.
+struct Redo {};
+
+using Command = std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, AddBox,
+                             ChangeBox, RemoveBox, Restart, Undo, Redo>;
+
+}  // namespace kerf

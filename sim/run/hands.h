@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shaders/shared/body_records.h"
+#include "sim/mesh/surface_mesh.h"
+#include "sim/run/command.h"
+
+namespace kerf {
+
+/// What a person holds: each hand pulls the vertices that it took hold of by springs, so that they
+/// keep their places around it.
+class Hands {
+  public:
+    struct Held {
+        int vertex = -1;
+        Vec3 offset = Vec3::Zero();  ///< from the hand, where it took hold [m]
+    };
+    struct Hand {
+        int number = 0;
+        Vec3 from = Vec3::Zero();  ///< at the start of the coming step [m]
+        Vec3 to = Vec3::Zero();    ///< at its end
+        std::vector<Held> held;
+    };
+
+    /// Each returns "" or one sentence; nothing changed then. A hand that held something lets go of
+    /// it; vertices that another hand holds stay with that.
+    std::string grab(const Grab& grab, const SurfaceMesh& mesh);
+    std::string drag(const Drag& drag);
+    std::string release(const Release& release);
+
+    /// By number.
+    const std::vector<Hand>& hands() const { return hands_; }
+    bool empty() const { return hands_.empty(); }
+
+    /// The springs of the coming step of `timeStep` [s]; the hands have arrived then.
+    std::vector<shared::PullRecord> advance(double timeStep);
+
+  private:
+    Hand* find(int number);
+    bool holds(int vertex) const;
+
+    std::vector<Hand> hands_;
+};
+
+}  // namespace kerf

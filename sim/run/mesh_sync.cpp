@@ -1,0 +1,130 @@
+#include "sim/run/mesh_sync.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "sim/base/sort_unique.h"
+
+namespace kerf {
+
+namespace {
+
+// Of its half size: how much wider than asked the box is within which triangles are collected once
+// one was asked for that nobody foresaw.
+constexpr double kWidening = 0.5;
+
+Bounds boundsOf(const SurfaceMesh& mesh, int t) {
+    Bounds bounds;
+    for (const int v : mesh.triangle(t)) {
+        bounds.add(mesh.position(v));
+    }
+    return bounds;
+}
+
+}  // namespace
+
+void MeshSync::foresee(const OrientedBox& box, std::span<const int> vertices) {
+    foreseen_ = box;
+    solver_.watch(box, vertices);
+}
+
+void MeshSync::outdate() {
+    forget();
+    mesh_.leaveTo(*this);
+}
+
+void MeshSync::takeForeseen() {
+    const std::optional<OrientedBox> box = std::exchange(foreseen_, std::nullopt);
+    if (!box) {
+        return;
+    }
+    const VertexStates watched = solver_.takeWatched();
+    adopt(watched.records);
+    if (!watched.complete) {
+        return;
+    }
+    known_ = box;
+    const std::vector<int> around = trianglesAround(watched.records);
+    triangles_.insert(triangles_.end(), around.begin(), around.end());
+    sortUnique(triangles_);
+}
+
+std::vector<int> MeshSync::trianglesAround(const std::vector<shared::NearbyVertex>& states) const {
+    std::vector<int> found;
+    for (const shared::NearbyVertex& state : states) {
+        mesh_.forEachOutgoing(static_cast<int>(state.vertex), [&](int h) {
+            if (std::ranges::none_of(mesh_.triangle(h / 3),
+                                     [this](int v) { return mesh_.isOld(v); })) {
+                found.push_back(h / 3);
+            }
+        });
+    }
+    sortUnique(found);
+    return found;
+}
+
+std::vector<int> MeshSync::lookInto(const OrientedBox& box) {
+    if (mesh_.isWhole()) {
+        return livingTriangles(mesh_);
+    }
+    const VertexStates states = solver_.statesNear(box);
+    adopt(states.records);
+    return trianglesAround(states.records);
+}
+
+void MeshSync::forget() {
+    known_.reset();
+    triangles_.clear();
+}
+
+void MeshSync::adopt(const std::vector<shared::NearbyVertex>& states) {
+    for (const shared::NearbyVertex& s : states) {
+        if (const int v = static_cast<int>(s.vertex); mesh_.isOld(v)) {
+            mesh_.setState(v, Vec3(s.x, s.y, s.z), Vec3(s.vx, s.vy, s.vz));
+        }
+    }
+}
+
+void MeshSync::bring(std::span<const int> vertices) {
+    std::vector<int> old;
+    std::ranges::copy_if(vertices, std::back_inserter(old),
+                         [this](int v) { return mesh_.isOld(v); });
+    adopt(solver_.statesOf(old).records);
+}
+
+void MeshSync::bringAll() {
+    ++wholeReads_;
+    const BodyState state = solver_.readState();
+    for (int v = 0; v < mesh_.vertexCount(); ++v) {
+        if (mesh_.isOld(v)) {
+            mesh_.setState(v, state.positions[v].cast<double>(),
+                           state.velocities[v].cast<double>());
+        }
+    }
+}
+
+std::vector<int> MeshSync::near(const OrientedBox& box) {
+    if (!known_ || !contains(*known_, box)) {
+        lookAround(box);
+    }
+    std::vector<int> found;
+    std::ranges::copy_if(triangles_, std::back_inserter(found),
+                         [&](int t) { return mesh_.alive(t) && mayMeet(box, boundsOf(mesh_, t)); });
+    return found;
+}
+
+/// O(n), of all vertices.
+void MeshSync::lookAround(const OrientedBox& box) {
+    known_ = box;
+    known_->half *= 1 + kWidening;
+    triangles_ = livingTriangles(mesh_);
+    std::erase_if(triangles_, [this](int t) { return !mayMeet(*known_, boundsOf(mesh_, t)); });
+}
+
+void MeshSync::update(std::span<const int> triangles) {
+    triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
+    sortUnique(triangles_);
+}
+
+}  // namespace kerf

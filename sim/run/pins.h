@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "sim/base/region.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf {
+
+/// Vertices that stay where they are.
+class Pins {
+  public:
+    /// Pins the free vertices in the region, or frees the pinned ones. Returns how many.
+    int change(const Region& region, bool pinned, const SurfaceMesh& mesh);
+    /// After a step of the cut: what died is forgotten, copies of pinned vertices are pinned too.
+    /// Returns whether anything changed.
+    bool follow(const SurfaceMesh& mesh, const CutDelta& delta);
+
+    /// Ascending.
+    const std::vector<std::uint32_t>& vertices() const { return vertices_; }
+
+  private:
+    using Place = std::array<double, 3>;
+    static Place placeOf(const SurfaceMesh& mesh, std::uint32_t vertex);
+    void collectPlaces(const SurfaceMesh& mesh);
+    bool holds(int vertex) const;
+
+    std::vector<std::uint32_t> vertices_;
+    std::set<Place> places_;  ///< rest positions of the vertices: copies share them, bit for bit
+};
+
+}  // namespace kerf

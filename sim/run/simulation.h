@@ -1,0 +1,114 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/params.h"
+#include "sim/contact/blade_body.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/invariants.h"
+#include "sim/mesh/surface_mesh.h"
+#include "sim/run/body_upload.h"
+#include "sim/run/command.h"
+#include "sim/run/moment.h"
+#include "sim/run/step_report.h"
+#include "sim/run/undo_history.h"
+#include "sim/solve/body_view.h"
+#include "sim/solve/constraint_view.h"
+
+namespace kerf {
+
+/// A soft body, a blade and the parameters: one step at a time, on the GPU context that is current
+/// when it is made. Equal commands at equal steps give equal bits.
+class Simulation {
+  public:
+    /// `mesh` at rest, in world units; `boxes` that checkBox() lets pass. Throws gpu::ShaderError,
+    /// gpu::OutOfMemory.
+    Simulation(SurfaceMesh mesh, const Params& params, std::vector<StaticBox> boxes = {});
+    /// Of a body that was prepared elsewhere; finishes its upload.
+    Simulation(BodyUpload body, const Params& params, std::vector<StaticBox> boxes = {});
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+
+    /// All of the body comes back from the GPU after each step, instead of what is read there; for
+    /// tests, since it changes no result.
+    void readAllBack(bool all);
+    /// How often all of the body came back.
+    int wholeReads() const;
+
+    /// Applies a command before the coming step. Returns "" or one sentence; nothing changed then.
+    std::string execute(const Command& command);
+    /// One time step: solve -> cut -> publish.
+    const StepReport& step();
+    /// Back to the uncut body at rest with the parameters and boxes it was made with; nothing can
+    /// be undone then, and time starts anew.
+    void reset();
+
+    /// How much memory the changes that can be undone may take [bytes]; 0, as at the start: none
+    /// can be. Does not change any result.
+    void setUndoBudget(std::size_t bytes);
+    const UndoHistory& history() const;
+
+    /// The present, to come back to with all that belongs to it: time, parameters, blade, history.
+    Moment moment();
+    void goTo(const Moment& moment);
+
+    int stepCount() const;  ///< steps done
+    /// Grows whenever the body may have moved or got another topology.
+    int bodyRevision() const;
+    const Params& params() const;
+    const StepReport& report() const;
+    /// Where the blade is now; none while lifted.
+    std::optional<Blade> blade() const;
+    /// The blade's body where it pushes; none while it only cuts, or has not moved since it was
+    /// placed.
+    std::optional<BladeMotion> bladeBody() const;
+    /// Where the blade last cut: see Cutter::rung().
+    const std::vector<RungNode>& rung() const;
+    /// How the surface was divided since the body was whole.
+    const SubdivisionCounts& subdivisions() const;
+    /// Outcome of the last step that the blade moved in.
+    const CutResult& lastCut() const;
+    /// Sentences about what went wrong in a step (refused cuts, non-finite values), since the last
+    /// call.
+    std::vector<std::string> takeMessages();
+
+    /// What the body collides with.
+    const std::vector<StaticBox>& boxes() const;
+    /// Vertices that stay where they are, ascending.
+    const std::vector<std::uint32_t>& pinnedVertices() const;
+    /// What hands hold, by their numbers.
+    const std::vector<Hands::Hand>& hands() const;
+
+    /// What the renderer draws from; valid until the next step or reset.
+    BodyView bodyView() const;
+    /// What overlays draw from; valid as bodyView().
+    ConstraintView constraintView() const;
+    /// Box around the body and what each piece holds, as of the last step, without reading anything
+    /// back. Pieces stand in the order in which they came off.
+    const Bounds& bounds() const;
+    std::vector<Piece> measuredPieces() const;
+    /// Boxes around these pieces [m], in their order.
+    const std::vector<Bounds>& pieceBounds() const;
+    /// The mesh with current positions and velocities (waits for the GPU where they are newer).
+    const SurfaceMesh& mesh();
+    /// The mesh with old numbers where nobody has looked since the last step; reading those waits
+    /// for all of the body.
+    const SurfaceMesh& meshAsRead() const;
+    /// Looks into a box: its triangles, ascending, and perhaps others, are as they are now in
+    /// meshAsRead(). Reads back what lies in the box alone; changes no result.
+    std::vector<int> trianglesIn(const OrientedBox& box);
+    /// Per piece: triangles, volume, rest volume (waits for the GPU as mesh()).
+    const PieceMap& pieces();
+    /// 64-bit FNV-1a over topology, positions, velocities and boxes, as 16 hexadecimal digits.
+    std::string stateHash();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "sim/body/body_updater.h"
+#include "sim/contact/contact_solver.h"
+#include "sim/cut/cutter.h"
+#include "sim/mesh/surface_mesh.h"
+#include "sim/run/hands.h"
+#include "sim/run/pins.h"
+#include "sim/solve/body_measure.h"
+#include "sim/solve/volume_targets.h"
+
+namespace kerf {
+
+/// The body of a simulation between two steps, and all that cutting and solving remember of it. One
+/// that is restored goes on bit for bit as it would have. Body, cutter and trees refer to the mesh
+/// of the simulation that made it, so it is of use to that one alone and must not outlive it.
+struct Snapshot {
+    SurfaceMesh mesh;  ///< with the positions and velocities of the GPU
+    BodyUpdater body;
+    Cutter cutter;
+    VertexPages pages;
+    VolumeTargets volumeTargets;
+    Hands hands;
+    Pins pins;
+    BodyMeasure measure;
+    ContactMemory contact;
+    bool closed = true;
+    SubdivisionCounts subdivisions;
+    int foldedSteps = 0;  ///< see RunningBody
+};
+using SnapshotPointer = std::shared_ptr<const Snapshot>;
+
+/// About how much memory a snapshot of such a body takes [bytes]: measured per vertex and triangle
+/// slot, the same on every machine.
+std::size_t snapshotBytes(const SurfaceMesh& mesh);
+
+}  // namespace kerf

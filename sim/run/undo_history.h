@@ -1,0 +1,99 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/base/params.h"
+#include "sim/contact/static_box.h"
+#include "sim/run/snapshot.h"
+
+namespace kerf {
+
+/// What a person changed, and how to take it back.
+struct UndoEntry {
+    /// A parameter that went from one value to another.
+    struct ParamChange {
+        std::string param;
+        ParamValue before;
+        ParamValue after;
+    };
+    /// Vertices that were pinned or freed, of the mesh as it is between the changes of the body
+    /// before and after: see UndoHistory::followCut.
+    struct PinChange {
+        Pins before;
+        Pins after;
+    };
+    /// Boxes that were added, changed or removed: all there were and are.
+    struct BoxesChange {
+        std::vector<StaticBox> before;
+        std::vector<StaticBox> after;
+        int changed = -1;  ///< number of the box that was changed; -1 for none
+    };
+    /// A cut, a grab or a restart. `after` is known while it is undone.
+    struct BodyChange {
+        SnapshotPointer before;
+        SnapshotPointer after;
+    };
+
+    std::string name;  ///< as people read it: "Cut 2", "Gravity: none"
+    double time = 0;   ///< simulated, when it happened [s]
+    std::variant<ParamChange, PinChange, BoxesChange, BodyChange> change;
+};
+
+/// The changes of a simulation in their order. The first done() of them are in force, the others
+/// undone. Where they need more than the budget the oldest changes are forgotten.
+class UndoHistory {
+  public:
+    /// 0, as at the start, keeps nothing at all.
+    void setBudget(std::size_t bytes);
+    bool keeps() const { return budget_ > 0; }
+    std::size_t budget() const { return budget_; }
+    /// Of all snapshots (shared ones once), pins and boxes [bytes].
+    std::size_t bytes() const { return bytesFrom(0); }
+    /// Changes that were forgotten to keep to the budget.
+    int forgotten() const { return forgotten_; }
+
+    const std::vector<UndoEntry>& entries() const { return entries_; }
+    std::size_t done() const { return done_; }
+    bool canUndo() const { return done_ > 0; }
+    bool canRedo() const { return done_ < entries_.size(); }
+
+    /// A change was made; those that were undone are lost.
+    void add(UndoEntry entry);
+    /// The last change where it is of this kind and nothing is undone: more of the same gesture may
+    /// give it a new end. Else null.
+    template <class Change>
+    Change* continued() {
+        return canUndo() && !canRedo() ? std::get_if<Change>(&entries_[done_ - 1].change) : nullptr;
+    }
+    /// After each step of a cut, which may go on behind other changes: pins that were changed, or
+    /// of which a change was undone, since the last change of the body follow it.
+    void followCut(const SurfaceMesh& mesh, const CutDelta& delta);
+    void renameLast(std::string name) { entries_[done_ - 1].name = std::move(name); }
+    /// Something was done that is not kept: it can't be taken back, nor what was before it.
+    void forgetAll();
+    void clear();
+
+    /// The change to take back next; markUndone() once that is done.
+    const UndoEntry& lastDone() const { return entries_[done_ - 1]; }
+    /// `after`: of a change of the body, as it was until now.
+    void markUndone(SnapshotPointer after);
+    /// The change to bring back next; markRedone() once that is done.
+    const UndoEntry& firstUndone() const { return entries_[done_]; }
+    void markRedone();
+
+  private:
+    std::size_t bytesFrom(std::size_t oldest) const;
+    void keepToBudget();
+
+    std::vector<UndoEntry> entries_;
+    std::size_t done_ = 0;
+    std::size_t budget_ = 0;
+    int forgotten_ = 0;
+};
+
+/// "Time step: 0.002 s", "Floor: none".
+std::string nameOfChange(const ParamInfo& info, const ParamValue& value);
+
+}  // namespace kerf
