@@ -11,7 +11,7 @@
 #include "sim/body/piece_masses.h"
 #include "sim/body/record_editor.h"
 #include "sim/body/skin_normals.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/mesh/piece_labels.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 
 #include "sim/cut/air_ties.h"
 #include "sim/cut/broad_phase.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/cut/slit_opening.h"
 
 namespace kerf::cut {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "sim/cut/broad_phase.h"
-#include "sim/cut/step.h"
 #include "sim/mesh/closest_point.h"
 
 namespace kerf::cut {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/mesh/triangle_finder.h"
 
 namespace kerf::cut {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 
 namespace kerf {
 

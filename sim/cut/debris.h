@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/mesh/piece_labels.h"
 #include "sim/mesh/surface_mesh.h"
 

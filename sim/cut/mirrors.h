@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/cut/commit.h"
+#include "sim/cut/step_plan.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/cut/commit.h"
+#include "sim/cut/step_plan.h"
 
 namespace kerf::cut {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/cut/blade.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 
 namespace kerf::cut {
 

@@ -6,7 +6,7 @@
 
 #include "sim/cut/blade.h"
 #include "sim/cut/broad_phase.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 
 namespace kerf::cut {
 

@@ -1,22 +1,16 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "sim/cut/blade.h"
 #include "sim/cut/broad_phase.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/cut/edge_length_field.h"
 #include "sim/cut/slit_opening.h"
 #include "sim/cut/stroke_surface.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
-
-/// Thrown inside one try of a step. Nothing has been changed by then.
-struct StepFailure {
-    const char* reason;
-};
 
 /// Which vertices predicates see on the undivided surface (StrokeSurface) instead of where they
 /// are.
@@ -75,16 +69,5 @@ struct StepInput {
 inline constexpr double kCloseDistance = 1.0;
 /// The same where only the noise of positions that were rounded is to go.
 inline constexpr double kCloseNoise = 1e-4;
-
-/// An undirected pair of ids, the lower one first.
-using Edge = std::pair<int, int>;
-inline Edge edgeOf(int a, int b) {
-    return a < b ? Edge{a, b} : Edge{b, a};
-}
-
-template <class Container>
-int sizeOf(const Container& container) {
-    return static_cast<int>(container.size());
-}
 
 }  // namespace kerf::cut

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/cut/air_ties.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 
 namespace kerf::cut {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/contact/blade_body.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/run/command.h"
 
 namespace kerf {

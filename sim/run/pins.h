@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/base/region.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {

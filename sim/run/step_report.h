@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/body/body_model.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/solve/body_measure.h"
 
 namespace kerf {

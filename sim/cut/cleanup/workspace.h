@@ -5,7 +5,7 @@
 
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/patch.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/cut/edge_length_field.h"
 #include "sim/mesh/surface_mesh.h"
 

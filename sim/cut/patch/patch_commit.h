@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/cut/patch/patch_plan.h"
 
 namespace kerf::cut {

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::test {

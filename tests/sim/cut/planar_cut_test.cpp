@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/cut_types.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/union_find.h"
 #include "tests/support/cut_strokes.h"
