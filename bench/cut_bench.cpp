@@ -26,7 +26,7 @@
 #include "sim/base/stopwatch.h"
 #include "sim/body/body_updater.h"
 #include "sim/cut/cut_change.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/shapes.h"

@@ -19,7 +19,7 @@
 #include "bench/cgal_plane_cut.h"
 #include "bench/timing.h"
 #include "sim/base/freed_memory.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "sim/body/body_updater.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/solve/vertex_pages.h"
 

@@ -7,7 +7,7 @@
 
 #include "sim/base/params.h"
 #include "sim/body/body_updater.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/run/hands.h"

@@ -5,7 +5,7 @@
 
 #include "sim/body/body_updater.h"
 #include "sim/contact/contact_solver.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/run/hands.h"
 #include "sim/run/pins.h"

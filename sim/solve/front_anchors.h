@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/cut/cut_types.h"
-#include "sim/cut/stroke_surface.h"
+#include "sim/cut/surface/stroke_surface.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {

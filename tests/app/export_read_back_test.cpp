@@ -10,7 +10,7 @@
 #include "app/export.h"
 #include "app/file_io.h"
 #include "app/model_source.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 

@@ -14,7 +14,7 @@
 #include "render/passes/normals_pass.h"
 #include "shaders/shared/shared_types.h"
 #include "sim/body/body_updater.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/body_upload.h"
 #include "tests/support/gl_fixture.h"

@@ -12,7 +12,7 @@
 #include "sim/body/body_model.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
-#include "sim/cut/jitter.h"
+#include "sim/cut/exact/jitter.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/run/simulation.h"
 #include "tests/support/self_intersections.h"

@@ -9,7 +9,7 @@
 
 #include "sim/base/float_rounding.h"
 #include "sim/body/rest_geometry.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"

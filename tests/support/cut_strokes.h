@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 

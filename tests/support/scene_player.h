@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/cut/jitter.h"
+#include "sim/cut/exact/jitter.h"
 #include "sim/run/simulation.h"
 #include "tests/support/moving_scenes.h"
 

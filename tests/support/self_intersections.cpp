@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "sim/cut/piercing.h"
+#include "sim/cut/exact/piercing.h"
 
 namespace kerf::test {
 

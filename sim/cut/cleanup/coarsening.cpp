@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "sim/cut/cleanup/collapse.h"
-#include "sim/cut/cleanup/patch.h"
+#include "sim/cut/cleanup/local_patch.h"
 #include "sim/cut/cleanup/self_piercing.h"
-#include "sim/cut/step.h"
+#include "sim/cut/plan/step.h"
 
 namespace kerf::cut {
 

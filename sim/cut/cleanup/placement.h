@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/cut/cleanup/patch.h"
+#include "sim/cut/cleanup/local_patch.h"
 #include "sim/cut/cleanup/vertex_places.h"
 #include "sim/cut/cleanup/workspace.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "sim/base/sort_unique.h"
-#include "sim/cut/piercing.h"
-#include "sim/cut/predicates.h"
+#include "sim/cut/exact/piercing.h"
+#include "sim/cut/exact/predicates.h"
 #include "sim/mesh/closest_point.h"
 
 namespace kerf::cut {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/cut/cleanup/patch.h"
+#include "sim/cut/cleanup/local_patch.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "sim/cut/cleanup/limits.h"
-#include "sim/cut/cleanup/patch.h"
+#include "sim/cut/cleanup/local_patch.h"
 #include "sim/cut/cut_types.h"
-#include "sim/cut/edge_length_field.h"
+#include "sim/cut/surface/edge_length_field.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "sim/cut/step.h"
+#include "sim/cut/plan/step.h"
 
 namespace kerf::cut {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "sim/cut/bridges.h"
+#include "sim/cut/plan/bridges.h"
 
 #include <gtest/gtest.h>
 

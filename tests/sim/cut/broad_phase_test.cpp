@@ -1,12 +1,12 @@
-#include "sim/cut/broad_phase.h"
+#include "sim/cut/surface/broad_phase.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "sim/cut/directed_edges.h"
-#include "sim/cut/vertex_numbers.h"
+#include "sim/cut/exact/directed_edges.h"
+#include "sim/cut/exact/vertex_numbers.h"
 #include "sim/mesh/triangle_tree.h"
 #include "tests/support/shapes.h"
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "sim/cut/cleanup/limits.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/cut/cleanup/material.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

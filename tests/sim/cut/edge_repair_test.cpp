@@ -1,4 +1,4 @@
-#include "sim/cut/edge_repair.h"
+#include "sim/cut/plan/edge_repair.h"
 
 #include <gtest/gtest.h>
 

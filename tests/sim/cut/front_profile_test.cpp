@@ -1,4 +1,4 @@
-#include "sim/cut/front_profile.h"
+#include "sim/cut/plan/front_profile.h"
 
 #include <gtest/gtest.h>
 

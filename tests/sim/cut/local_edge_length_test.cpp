@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sim/body/rest_geometry.h"
-#include "sim/cut/cutter.h"
-#include "sim/cut/edge_length_field.h"
+#include "sim/cut/stroke/cutter.h"
+#include "sim/cut/surface/edge_length_field.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/cut/cutter.h"
-#include "sim/cut/piece_groups.h"
+#include "sim/cut/stroke/cutter.h"
+#include "sim/cut/surface/piece_groups.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "sim/body/body_updater.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

@@ -1,4 +1,4 @@
-#include "sim/cut/piercing.h"
+#include "sim/cut/exact/piercing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/cut/predicates.h"
+#include "sim/cut/exact/predicates.h"
 
 #include <gtest/gtest.h>
 

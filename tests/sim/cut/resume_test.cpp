@@ -1,4 +1,4 @@
-#include "sim/cut/resume.h"
+#include "sim/cut/stroke/resume.h"
 
 #include <gtest/gtest.h>
 

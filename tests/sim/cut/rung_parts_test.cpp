@@ -1,4 +1,4 @@
-#include "sim/cut/rung_parts.h"
+#include "sim/cut/stroke/rung_parts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/cut/strip.h"
+#include "sim/cut/plan/strip.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "sim/cut/stroke_surface.h"
+#include "sim/cut/surface/stroke_surface.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "sim/cut/cut_change.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
 

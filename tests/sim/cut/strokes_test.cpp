@@ -5,7 +5,7 @@
 
 #include "sim/base/float_rounding.h"
 #include "sim/body/rest_geometry.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

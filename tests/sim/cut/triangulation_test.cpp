@@ -1,10 +1,10 @@
-#include "sim/cut/triangulation.h"
+#include "sim/cut/exact/triangulation.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "sim/cut/predicates.h"
+#include "sim/cut/exact/predicates.h"
 
 namespace kerf::cut {
 namespace {

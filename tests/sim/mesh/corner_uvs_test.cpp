@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

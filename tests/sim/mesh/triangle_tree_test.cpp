@@ -9,7 +9,7 @@
 #include <random>
 
 #include "sim/cut/cut_change.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/box_tree.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

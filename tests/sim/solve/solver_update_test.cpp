@@ -3,7 +3,7 @@
 
 #include "sim/body/solver_uniforms.h"
 #include "sim/cut/cut_change.h"
-#include "sim/cut/cutter.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/gl_fixture.h"

@@ -1,0 +1,132 @@
+#include "sim/cut/cleanup/local_patch.h"
+
+#include <algorithm>
+
+namespace kerf::cut {
+
+namespace {
+
+struct SectorTriangle {
+    int slot;
+    Vec3 reference;
+};
+
+bool isFeatureSpoke(const SurfaceMesh& mesh, const MaterialStar& star, int h) {
+    return star.edgeTo(mesh.materialPoint(mesh.target(h)))->isFeature();
+}
+
+/// The umbrella of a copy in sectors between features; without features it is a single one.
+std::vector<SectorTriangle> sectorsAround(const SurfaceMesh& mesh, const MaterialStar& star,
+                                          int vertex) {
+    std::vector<int> spokes;
+    mesh.forEachOutgoing(vertex, [&](int h) { spokes.push_back(h); });
+    std::vector<bool> starts;
+    starts.reserve(spokes.size());
+    for (const int h : spokes) {
+        starts.push_back(isFeatureSpoke(mesh, star, h));
+    }
+    const int n = static_cast<int>(spokes.size());
+    const auto firstFeature = std::find(starts.begin(), starts.end(), true);
+    const int first =
+        firstFeature == starts.end() ? 0 : static_cast<int>(firstFeature - starts.begin());
+    std::vector<SectorTriangle> sectors;
+    for (int i = 0; i < n;) {
+        const int begin = i;
+        Vec3 area = Vec3::Zero();
+        do {
+            area += crossOf(cornersOf(mesh, spokes[(first + i) % n] / 3));
+            ++i;
+        } while (i < n && !starts[(first + i) % n]);
+        for (int k = begin; k < i; ++k) {
+            sectors.push_back({spokes[(first + k) % n] / 3, area});
+        }
+    }
+    return sectors;
+}
+
+Triangle replaced(Triangle corners, int from, int to) {
+    std::replace(corners.begin(), corners.end(), from, to);
+    return corners;
+}
+
+bool hasCornerIn(const Triangle& corners, const std::vector<int>& vertices) {
+    return std::any_of(corners.begin(), corners.end(), [&](int v) {
+        return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
+    });
+}
+
+}  // namespace
+
+Patch patchOfMove(const SurfaceMesh& mesh, const MaterialStar& star, int vertex) {
+    Patch patch;
+    patch.vertex = vertex;
+    for (const SectorTriangle& sector : sectorsAround(mesh, star, vertex)) {
+        patch.before.push_back(sector.slot);
+        patch.after.push_back({mesh.triangle(sector.slot), sector.slot, sector.reference});
+    }
+    return patch;
+}
+
+Patch patchOfMerge(const SurfaceMesh& mesh, const MaterialStar& from, const MaterialStar& to,
+                   int vertex, std::vector<int> merged) {
+    Patch patch;
+    patch.vertex = vertex;
+    patch.merged = std::move(merged);
+    for (const SectorTriangle& sector : sectorsAround(mesh, to, vertex)) {
+        const Triangle& corners = mesh.triangle(sector.slot);
+        patch.before.push_back(sector.slot);
+        if (!hasCornerIn(corners, patch.merged)) {
+            patch.after.push_back({corners, sector.slot, sector.reference});
+        }
+    }
+    for (const int gone : patch.merged) {
+        for (const SectorTriangle& sector : sectorsAround(mesh, from, gone)) {
+            const Triangle& corners = mesh.triangle(sector.slot);
+            if (!hasCornerIn(corners, {vertex})) {
+                patch.before.push_back(sector.slot);
+                patch.after.push_back(
+                    {replaced(corners, gone, vertex), sector.slot, sector.reference});
+            }
+        }
+    }
+    return patch;
+}
+
+std::array<Vec3, 3> cornersAfter(const SurfaceMesh& mesh, const Patch& patch,
+                                 const PatchTriangle& triangle) {
+    std::array<Vec3, 3> corners;
+    for (int i = 0; i < 3; ++i) {
+        const int v = triangle.corners[i];
+        corners[i] = v == patch.vertex ? patch.position : mesh.position(v);
+    }
+    return corners;
+}
+
+std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, int triangle) {
+    const Triangle& t = mesh.triangle(triangle);
+    return {mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])};
+}
+
+double edgeLength(const SurfaceMesh& mesh, int h) {
+    return (mesh.position(mesh.target(h)) - mesh.position(mesh.origin(h))).norm();
+}
+
+std::array<int, 3> edgesByLength(const SurfaceMesh& mesh, int triangle) {
+    std::array<int, 3> edges{3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
+    std::stable_sort(edges.begin(), edges.end(),
+                     [&](int a, int b) { return edgeLength(mesh, a) < edgeLength(mesh, b); });
+    return edges;
+}
+
+Vec3 crossOf(const std::array<Vec3, 3>& corners) {
+    return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+}
+
+bool isWallOnly(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
+    return std::all_of(patches.begin(), patches.end(), [&](const Patch& patch) {
+        return std::all_of(patch.before.begin(), patch.before.end(),
+                           [&](int t) { return mesh.kind(t) == SurfaceKind::wall; });
+    });
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/cut_types.h"
+#include "sim/cut/plan/step_plan.h"
+
+namespace kerf::cut {
+
+/// What a step made of the mesh.
+struct CommitResult {
+    CutDelta delta;
+    std::vector<RungNode> rung;  ///< the new one, from A to B
+    int splitVertices = 0;       ///< copies of vertices that were made
+    std::vector<int> onSeams;    ///< new vertices on walls that were divided but not cut
+};
+
+/// Changes the mesh. Cannot fail. The front edges of `staying` are not the step's, and stay. Every
+/// umbrella of the new surface becomes one vertex; the first one keeps the old number, others
+/// become mates of it.
+CommitResult commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke,
+                    const std::vector<RungNode>& staying);
+
+}  // namespace kerf::cut

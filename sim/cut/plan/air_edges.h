@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/cut/cut_types.h"
+#include "sim/cut/plan/slit_opening.h"
+#include "sim/cut/surface/air_ties.h"
+#include "sim/cut/surface/broad_phase.h"
+
+namespace kerf::cut {
+
+/// Leads the rung around skin that has moved across its edges in the air: what lies behind the
+/// rung is never swept, and would stay as a bridge. Such an edge goes by the points that the skin
+/// carried along, farther out where that is needed; or, beside a front vertex, by a node above the
+/// skin. Edges without a clear way stay as they are. The mesh is seen with `opening`. `ties` are
+/// asked for where an edge is in the way.
+void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase,
+                   const SlitOpening& opening, const Blade& blade, double h,
+                   const std::function<const AirTies&()>& ties, std::vector<RungNode>& rung);
+
+}  // namespace kerf::cut

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "sim/cut/plan/step.h"
+
+namespace kerf::cut {
+
+/// All half-edges that start at some vertices, one vertex after the other.
+struct Umbrellas {
+    std::vector<int> spokes;
+    std::vector<int> ends;  ///< behind those of each vertex
+};
+
+/// Whether two edges at one of these vertices have the same end points.
+bool hasDuplicateEdges(const SurfaceMesh& mesh, const Umbrellas& umbrellas);
+
+/// Keeps the mesh a simple complex (I3): where two edges have the same end points, copies are
+/// split at their midpoints until one is left. Edges of the skin go first and alone; edges of
+/// walls are split together with their mirror copies, so that walls stay mirrored. Front edges
+/// stay. Looks at the triangles from `firstTriangle` on; returns the older ones that it divided.
+std::vector<int> splitDuplicateEdges(SurfaceMesh& mesh, int firstTriangle, int stroke,
+                                     const std::set<Edge>& frontEdges);
+
+/// Splits the edge of half-edge h at its middle, both triangles into two. Returns the new vertex.
+int splitEdgeAtMiddle(SurfaceMesh& mesh, int h);
+
+}  // namespace kerf::cut

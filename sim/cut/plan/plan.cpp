@@ -1,0 +1,155 @@
+#include "sim/cut/plan/plan.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "sim/cut/plan/seams.h"
+#include "sim/cut/plan/seeds.h"
+#include "sim/cut/plan/skin_map.h"
+#include "sim/cut/plan/wall.h"
+
+namespace kerf::cut {
+
+namespace {
+
+constexpr double kRoomAtFrontEnd = 0.3;  // share of the edge length at the end
+
+RungNode airNode(const Strip& strip, int node, double s) {
+    return {strip.nodes[node].position, s, -1, false};
+}
+
+// W+ turns the triangles of the layout plane over, W- keeps them.
+void addWalls(const StepInput& in, const std::vector<WallSheet>& sheets, StepPlan& plan) {
+    std::size_t count = plan.triangles.size();
+    for (const WallSheet& sheet : sheets) {
+        count += 2 * sheet.triangles.size();
+    }
+    plan.triangles.reserve(count);
+    for (const Sheet side : {Sheet::plus, Sheet::minus}) {
+        const int label = 2 * in.stroke + (side == Sheet::plus ? 0 : 1);
+        for (const WallSheet& sheet : sheets) {
+            for (const Triangle& t : sheet.triangles) {
+                Triangle c{};
+                for (int i = 0; i < 3; ++i) {
+                    c[i] = cornerId(in.mesh, plan.curves, t[i]);
+                }
+                if (side == Sheet::plus) {
+                    std::swap(c[1], c[2]);
+                }
+                plan.triangles.push_back({c, side, SurfaceKind::wall, label});
+            }
+        }
+    }
+}
+
+double signedVolume(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return a.dot(b.cross(c)) / 6;
+}
+
+/// `ofVertex` and `ofNode` give positions, current or at rest.
+template <class OfVertex, class OfNode>
+double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, const OfVertex& ofVertex,
+                    const OfNode& ofNode) {
+    const auto at = [&](int corner) -> const Vec3& {
+        return corner < mesh.vertexCount() ? ofVertex(corner)
+                                           : ofNode(plan.curves.nodes[corner - mesh.vertexCount()]);
+    };
+    double added = 0;
+    for (const NewTriangle& t : plan.triangles) {
+        added += signedVolume(at(t.corners[0]), at(t.corners[1]), at(t.corners[2]));
+    }
+    double removed = 0;
+    for (const int t : plan.subdivision.replaced) {
+        const Triangle& c = mesh.triangle(t);
+        removed += signedVolume(ofVertex(c[0]), ofVertex(c[1]), ofVertex(c[2]));
+    }
+    return added - removed;
+}
+
+void measureVolumeChange(const StepInput& in, StepPlan& plan) {
+    const SurfaceMesh& mesh = in.mesh;
+    plan.restVolumeChange = volumeChange(
+        mesh, plan, [&](int v) -> const Vec3& { return mesh.restPosition(v); },
+        [](const Node& node) -> const Vec3& { return node.rest; });
+    const auto lies = [](const Node& node) { return node.position == node.rest; };
+    if (in.atRest && std::ranges::all_of(plan.curves.nodes, lies)) {
+        plan.volumeChange = plan.restVolumeChange;
+        return;
+    }
+    plan.volumeChange = volumeChange(
+        mesh, plan, [&](int v) -> const Vec3& { return mesh.position(v); },
+        [](const Node& node) -> const Vec3& { return node.position; });
+}
+
+void requireFinite(const CutCurves& curves) {
+    for (const Node& node : curves.nodes) {
+        if (!node.position.allFinite() || !node.rest.allFinite() || !node.velocity.allFinite()) {
+            throw StepFailure{"a new vertex is not finite"};
+        }
+    }
+}
+
+// Strip, curves and outline. The new rung has no nodes at the parameters `skipped`.
+Strip layOut(const StepInput& in, const std::vector<double>& skipped, StepPlan& plan) {
+    PredicatePositions positions(in);
+    Strip strip = buildStrip(in, positions, skipped);
+    plan.endA = airNode(strip, strip.newRung.front(), in.span.from);
+    plan.endB = airNode(strip, strip.newRung.back(), in.span.to);
+    plan.curves = intersect(in, strip, positions);
+    plan.outline = traceOutline(in, strip, RestGuess(in, strip, plan.curves), plan.curves);
+    return strip;
+}
+
+// Of inner points of the new front that lie close to one of its ends on the surface. The material
+// could carry them out through the surface, which is only known roughly there.
+std::vector<double> crowdedParameters(const StepInput& in, const StepPlan& plan) {
+    std::vector<double> crowded;
+    const auto isEnd = [&](const FrontPoint& p) {
+        return plan.curves.nodes[p.node].kind != NodeKind::wall;
+    };
+    const std::vector<FrontPoint>& front = plan.outline.front;
+    for (std::size_t i = 0; i + 1 < front.size(); ++i) {
+        const double length = (plan.curves.nodes[front[i].node].position -
+                               plan.curves.nodes[front[i + 1].node].position)
+                                  .norm();
+        if (!front[i].attached || isEnd(front[i]) == isEnd(front[i + 1])) {
+            continue;
+        }
+        const FrontPoint& end = isEnd(front[i]) ? front[i] : front[i + 1];
+        const double edge = in.edgeLengths.localEdgeLength(plan.curves.nodes[end.node].rest);
+        if (length < kRoomAtFrontEnd * edge) {
+            crowded.push_back(isEnd(front[i]) ? front[i + 1].s : front[i].s);
+        }
+    }
+    return crowded;
+}
+
+}  // namespace
+
+PlannedStep planStep(const StepInput& in) {
+    PlannedStep step;
+    StepPlan& plan = step.plan;
+    Strip strip = layOut(in, {}, plan);
+    if (const std::vector<double> crowded = crowdedParameters(in, plan); !crowded.empty()) {
+        strip = layOut(in, crowded, plan);
+    }
+    if (plan.outline.edges.empty()) {
+        step.air = AirStep{plan.endA, plan.endB};
+        return step;
+    }
+    addSeams(in, plan.curves);
+    plan.subdivision = subdivide(in.mesh, plan.curves, kCloseNoise * in.h);
+    const std::vector<WallSheet> sheets = triangulateWall(in, strip, plan.outline, plan.curves);
+    mapFromSkin(in, sheets, plan.curves);
+    plan.retraces = !in.opening.empty();
+    plan.triangles = plan.subdivision.triangles;
+    addWalls(in, sheets, plan);
+    plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);
+    measureVolumeChange(in, plan);
+    requireFinite(plan.curves);
+    step.seeds = countSeeds(in.mesh, plan.subdivision.replaced);
+    step.wallTriangles = sizeOf(plan.triangles) - sizeOf(plan.subdivision.triangles);
+    return step;
+}
+
+}  // namespace kerf::cut

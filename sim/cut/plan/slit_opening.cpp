@@ -1,0 +1,286 @@
+#include "sim/cut/plan/slit_opening.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "sim/cut/plan/step.h"
+#include "sim/mesh/closest_point.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Shares of h: walls nearer to the sweep are retraced, but none that lie beside the front, which is
+// inside the body there.
+constexpr double kRetraced = 0.1;
+constexpr double kBesideFront = 0.25;
+constexpr double kAtFrontEnd = 1e-3;
+constexpr double kFarthest = 0.5;
+const double kAlong = std::cos(5 * M_PI / 180);
+
+struct SweepTriangle {
+    std::array<Vec3, 3> at;
+    Vec3 normal;  ///< twice its area long
+};
+
+/// What the blade sweeps, without its offset and with the nodes of the rung alone.
+std::vector<SweepTriangle> sweptTriangles(const SweepStep& step) {
+    std::vector<SweepTriangle> triangles;
+    triangles.reserve(2 * step.rung.size());
+    const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Vec3 normal = (b - a).cross(c - a);
+        if (normal.norm() > 1e-6 * step.h * step.h) {
+            triangles.push_back({{a, b, c}, normal});
+        }
+    };
+    const auto onBlade = [&](const RungNode& node) {
+        return Vec3(step.blade.a + (step.blade.b - step.blade.a) * std::clamp(node.s, 0.0, 1.0));
+    };
+    for (std::size_t i = 0; i + 1 < step.rung.size(); ++i) {
+        const Vec3& p = step.rung[i].position;
+        const Vec3& q = step.rung[i + 1].position;
+        add(p, q, onBlade(step.rung[i + 1]));
+        add(p, onBlade(step.rung[i + 1]), onBlade(step.rung[i]));
+    }
+    return triangles;
+}
+
+bool startsChain(const SweepStep& step, std::size_t i) {
+    return step.rung[i].attached && (i == 0 || !step.rung[i - 1].attached);
+}
+
+/// Whether p lies beside the inside of a chain of front edges, not beyond its ends.
+bool isBesideFront(const SweepStep& step, const Vec3& p) {
+    for (std::size_t i = 0; i + 1 < step.rung.size(); ++i) {
+        if (!step.rung[i].attached) {
+            continue;
+        }
+        const Vec3& a = step.rung[i].position;
+        const Vec3 along = step.rung[i + 1].position - a;
+        const double length = along.norm();
+        const double way = length > 0 ? (p - a).dot(along) / length : 0;
+        const double end = kAtFrontEnd * step.h;
+        const bool beforeChain = way <= end && startsChain(step, i);
+        const bool behindChain = way >= length - end && !step.rung[i + 1].attached;
+        const double part = length > 0 ? std::clamp(way / length, 0.0, 1.0) : 0;
+        const double distance = (p - a - along * part).norm();
+        if (!beforeChain && !behindChain && distance < kBesideFront * step.h) {
+            return true;
+        }
+    }
+    return false;
+}
+
+class Opening {
+  public:
+    Opening(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const SweepStep& step)
+        : mesh_(mesh), broadPhase_(broadPhase), step_(step), swept_(sweptTriangles(step)) {}
+
+    std::map<int, Vec3> run() {
+        if (step_.sides.empty() && !comesNearOldWall()) {
+            return {};
+        }
+        for (const RungNode& node : step_.rung) {
+            fixed_.insert(node.vertex);
+        }
+        std::map<int, Vec3> found;
+        for (const int v : oldWallVertices()) {
+            found[v] = intoMaterial(v);
+        }
+        step_.sides.merge(found);
+        takeNeighboursAlong();
+        if (step_.takesSeamsAlong) {
+            takeSeamsAlong();
+        }
+        std::map<int, Vec3> displacements;
+        for (const auto& [v, inwards] : step_.sides) {
+            if (opens(v, inwards) && fixed_.count(v) == 0) {
+                const Place place = placeOf(v);
+                const int side = inwards.dot(place.normal) > 0 ? 1 : -1;
+                const double way = step_.opening * step_.h - side * place.distance;
+                if (way > 0 && way < kFarthest * step_.h) {
+                    displacements[v] = side * way * place.normal;
+                }
+            }
+        }
+        return displacements;
+    }
+
+  private:
+    /// Where a vertex lies to the nearest part of the sweep.
+    struct Place {
+        double distance;  ///< to its plane, signed [m]
+        Vec3 normal;
+    };
+
+    // A stroke that comes back to where it has cut is often not done there.
+    bool isOldWall(int t) const {
+        return mesh_.kind(t) == SurfaceKind::wall && mesh_.wallLabel(t) / 2 != step_.stroke;
+    }
+
+    bool isOlderThanPass(int v) const {
+        return v < step_.firstVertexOfPass || step_.onSeams.count(v) > 0;
+    }
+
+    bool mayMove(int v) const { return isOlderThanPass(v) && fixed_.count(v) == 0; }
+
+    bool comesNearOldWall() const {
+        std::vector<Vec3> points;
+        points.reserve(3 * swept_.size());
+        for (const SweepTriangle& s : swept_) {
+            points.insert(points.end(), s.at.begin(), s.at.end());
+        }
+        broadPhase_.takeAround(points, kRetraced * step_.h);
+        return std::ranges::any_of(broadPhase_.entries(), [this](const BroadPhase::Entry& entry) {
+            return isOldWall(entry.triangle);
+        });
+    }
+
+    // Of walls that the sweep comes near.
+    std::set<int> oldWallVertices() {
+        std::set<int> vertices;
+        for (const SweepTriangle& s : swept_) {
+            const double reach = kRetraced * step_.h;
+            for (const int t : broadPhase_.query(s.at[0], s.at[1], s.at[2], reach)) {
+                if (isOldWall(t) && isRetraced(t)) {
+                    const Triangle& c = mesh_.triangle(t);
+                    vertices.insert(c.begin(), c.end());
+                }
+            }
+        }
+        return vertices;
+    }
+
+    const Place& placeOf(int v) {
+        const auto known = places_.find(v);
+        if (known != places_.end()) {
+            return known->second;
+        }
+        const Vec3& p = mesh_.position(v);
+        Place place{1e300, Vec3::Zero()};
+        double least = 1e300;
+        for (const SweepTriangle& s : swept_) {
+            const Vec3 w = closestWeights(p, s.at[0], s.at[1], s.at[2]);
+            const double distance = (w[0] * s.at[0] + w[1] * s.at[1] + w[2] * s.at[2] - p).norm();
+            if (distance < least) {
+                least = distance;
+                const Vec3 normal = s.normal.normalized();
+                place = {normal.dot(p - s.at[0]), normal};
+            }
+        }
+        return places_[v] = place;
+    }
+
+    bool isNear(int v) { return std::fabs(placeOf(v).distance) <= kRetraced * step_.h; }
+
+    bool isRetraced(int t) {
+        const Triangle& c = mesh_.triangle(t);
+        return std::all_of(c.begin(), c.end(), [&](int v) { return isNear(v); });
+    }
+
+    bool opens(int v, const Vec3& inwards) const {
+        return inwards.squaredNorm() > 0 && mesh_.outgoing(v) >= 0;
+    }
+
+    // The normal of the sweep that points into the material behind the retraced walls; zero where
+    // there is no telling: at the end of a slit.
+    Vec3 intoMaterial(int v) {
+        const Vec3& p = mesh_.position(v);
+        if (!mayMove(v) || isBesideFront(step_, p)) {
+            return Vec3::Zero();
+        }
+        Vec3 sum = Vec3::Zero();
+        double area = 0;
+        mesh_.forEachOutgoing(v, [&](int h) {
+            if (isOldWall(h / 3) && isRetraced(h / 3)) {
+                const Vec3 normal = (mesh_.position(mesh_.target(h)) - mesh_.position(v))
+                                        .cross(mesh_.position(mesh_.apex(h)) - mesh_.position(v));
+                sum += normal;
+                area += normal.norm();
+            }
+        });
+        const double across = sum.dot(placeOf(v).normal);
+        if (area == 0 || std::fabs(across) < kAlong * area) {
+            return Vec3::Zero();
+        }
+        return across < 0 ? placeOf(v).normal : Vec3(-placeOf(v).normal);
+    }
+
+    // Skin that lies so near goes with the rim of the slit beside it.
+    void takeNeighboursAlong() {
+        std::map<int, std::vector<Vec3>> ofNeighbour;
+        for (const auto& [v, inwards] : step_.sides) {
+            if (opens(v, inwards)) {
+                mesh_.forEachOutgoing(
+                    v, [&, way = inwards](int h) { ofNeighbour[mesh_.target(h)].push_back(way); });
+            }
+        }
+        for (const auto& [v, ways] : ofNeighbour) {
+            const bool oneWay =
+                std::all_of(ways.begin(), ways.end(),
+                            [&, &all = ways](const Vec3& w) { return w.dot(all.front()) > 0; });
+            if (oneWay && mayMove(v) && !touchesOldWall(v) && isNear(v)) {
+                step_.sides.emplace(v, ways.front());
+            }
+        }
+    }
+
+    // Where the sweep leaves the slit at an angle, the walls around a new vertex no longer tell to
+    // which side they open. Seen closed, it lies exactly on the front that it faces.
+    void takeSeamsAlong() {
+        for (const int v : step_.onSeams) {
+            Vec3& way = step_.sides.try_emplace(v, Vec3::Zero()).first->second;
+            if (mesh_.outgoing(v) >= 0 && !opens(v, way) && mayMove(v) &&
+                !isBesideFront(step_, mesh_.position(v))) {
+                way = wayOfNeighbours(v);
+            }
+        }
+    }
+
+    /// In which all neighbours that open do so; zero where they differ or none does.
+    Vec3 wayOfNeighbours(int v) const {
+        Vec3 way = Vec3::Zero();
+        bool oneWay = true;
+        mesh_.forEachOutgoing(v, [&](int h) {
+            const auto side = step_.sides.find(mesh_.target(h));
+            if (side != step_.sides.end() && opens(side->first, side->second)) {
+                oneWay = oneWay && (way.isZero(0) || way.dot(side->second) > 0);
+                way = side->second;
+            }
+        });
+        return oneWay ? way : Vec3(Vec3::Zero());
+    }
+
+    bool touchesOldWall(int v) {
+        bool touches = false;
+        mesh_.forEachOutgoing(v, [&](int h) { touches |= isOldWall(h / 3) && isRetraced(h / 3); });
+        return touches;
+    }
+
+    const SurfaceMesh& mesh_;
+    const BroadPhase& broadPhase_;
+    const SweepStep& step_;
+    std::vector<SweepTriangle> swept_;
+    std::set<int> fixed_;
+    std::map<int, Place> places_;
+};
+
+}  // namespace
+
+SlitOpening::SlitOpening(const SurfaceMesh& mesh, const BroadPhase& broadPhase,
+                         const SweepStep& step)
+    : displacements_(Opening(mesh, broadPhase, step).run()) {
+    for (const auto& [v, way] : displacements_) {
+        reach_ = std::max(reach_, way.norm());
+    }
+}
+
+Vec3 SlitOpening::displacement(int v) const {
+    const auto at = displacements_.find(v);
+    return at == displacements_.end() ? Vec3(Vec3::Zero()) : at->second;
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,540 @@
+#include "sim/cut/plan/strip.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "sim/cut/common_position.h"
+#include "sim/cut/exact/directed_edges.h"
+#include "sim/cut/exact/jitter.h"
+
+namespace kerf::cut {
+
+namespace {
+
+// Shares of h, the first of the edge length there.
+constexpr double kNewRungSpacing = 0.45;
+constexpr double kPinnedDistance = 0.05;
+constexpr double kLeastSpacing = 1e-7;
+constexpr double kShakeNoise = 0.3;  // of the shake: what is random of it
+constexpr double kShakeRoom = 0.3;   // of the distance to the next node: as far as an end may move
+constexpr double kOffsetTurn = 0.3;  // of the offset: how much it differs between A and B
+// At rest, a vertex nearer to the skin lies on it; and around the front's ends, vertices within the
+// reach are unfolded with them.
+constexpr double kOnSkin = 1e-3;
+constexpr double kUnfoldReach = 1.5;
+// More vertices than this at one node is not a crossing but a crumpled mesh.
+constexpr int kMostVerticesOfNode = 16;
+
+bool areMates(const SurfaceMesh& mesh, int a, int b) {
+    return mesh.mateGroup(a) >= 0 && mesh.mateGroup(a) == mesh.mateGroup(b);
+}
+
+double bladeLength(const StepInput& in) {
+    return (in.blade.b - in.blade.a).norm();
+}
+
+Vec3 seenPosition(const PredicatePositions& positions, const RungNode& node) {
+    return node.vertex >= 0 ? positions.ofMaterial(node.vertex) : node.position;
+}
+
+bool joinsPrevious(const StepInput& in, const PredicatePositions& positions, const Strip& strip,
+                   int i) {
+    const RungNode& node = in.rung[i];
+    if (i == 0 || node.vertex < 0 || in.rung[i - 1].vertex < 0 ||
+        sizeOf(strip.nodes.back().vertices) >= kMostVerticesOfNode) {
+        return false;
+    }
+    const double distance = (seenPosition(positions, node) - strip.nodes.back().position).norm();
+    if (in.rung[i - 1].attached) {
+        return distance < in.attempt.tolerance * in.h;
+    }
+    return distance < in.attempt.gap * in.h ||
+           (areMates(in.mesh, node.vertex, in.rung[i - 1].vertex) &&
+            distance < in.attempt.closing * in.h);
+}
+
+void joinPrevious(const StepInput& in, const PredicatePositions& positions, Strip& strip, int i) {
+    StripNode& last = strip.nodes.back();
+    const double count = sizeOf(last.vertices);
+    if (in.attempt.closing < kCloseDistance) {
+        last.position = (last.position * count + seenPosition(positions, in.rung[i])) / (count + 1);
+    }
+    last.attachedWithin.push_back(in.rung[i - 1].attached);
+    last.vertices.push_back(in.rung[i].vertex);
+    last.attached = in.rung[i].attached;
+}
+
+StripNode oldNode(const StepInput& in, const PredicatePositions& positions, const RungNode& from) {
+    StripNode node;
+    node.position = seenPosition(positions, from);
+    node.s = from.s;
+    node.layout = {from.s * bladeLength(in), 0};
+    node.attached = from.attached;
+    if (from.vertex >= 0) {
+        node.vertices = {from.vertex};
+    }
+    return node;
+}
+
+void placeOldRung(const StepInput& in, const PredicatePositions& positions, Strip& strip) {
+    strip.nodes.reserve(2 * in.rung.size() + 2);  // the new rung has no more
+    for (int i = 0; i < sizeOf(in.rung); ++i) {
+        if (joinsPrevious(in, positions, strip, i)) {
+            joinPrevious(in, positions, strip, i);
+        } else {
+            strip.nodes.push_back(oldNode(in, positions, in.rung[i]));
+        }
+    }
+    strip.oldCount = sizeOf(strip.nodes);
+    // Across the blade: a node that is led around skin may have the s of another place.
+    const Vec3 along = (in.blade.b - in.blade.a).normalized();
+    for (const RungNode& node : in.rung) {
+        const Vec3 fromA = node.position - in.blade.a;
+        strip.height = std::max(strip.height, (fromA - along * along.dot(fromA)).norm());
+    }
+}
+
+void pinVertices(const StripNode& node, PredicatePositions& positions) {
+    for (const int v : node.vertices) {
+        positions.pin(v, node.position);
+    }
+}
+
+// Front ends move outwards along the blade, everything a little at random: a sliver beside the
+// front that has flipped over lets go of it.
+void shakeFront(const StepInput& in, Strip& strip, PredicatePositions& positions) {
+    Jitter jitter(in.seed * 31 + static_cast<std::uint64_t>(in.stroke) * 7 +
+                  static_cast<std::uint64_t>(in.attempt.index) * 7919 +
+                  static_cast<std::uint64_t>(in.mesh.triangleSlots()));
+    const double length = in.attempt.shake * in.h;
+    const Vec3 along = (in.blade.b - in.blade.a).normalized();
+    for (int i = 0; i < strip.oldCount; ++i) {
+        StripNode& node = strip.nodes[i];
+        if (node.vertices.empty()) {
+            continue;
+        }
+        Vec3 move = jitter.direction() * (kShakeNoise * length);
+        const bool before = strip.attachedBefore(i);
+        if (sizeOf(node.vertices) == 1 && before != node.attached) {
+            const int beyond = before ? i + 1 : i - 1;
+            const bool exists = beyond >= 0 && beyond < strip.oldCount;
+            const double room =
+                exists ? (strip.nodes[beyond].position - node.position).norm() : 0.0;
+            move += along * ((before ? 1 : -1) * std::min(length, kShakeRoom * room));
+        }
+        node.position += move;
+        pinVertices(node, positions);
+    }
+}
+
+std::optional<Vec3> ifNear(const StepInput& in, int v, const std::optional<Vec3>& place) {
+    const bool near = place && (*place - in.mesh.position(v)).norm() < kCloseDistance * in.h;
+    return near ? place : std::nullopt;
+}
+
+/// Where predicates see a vertex that slipped over the surface: where it belongs.
+std::optional<Vec3> unfolded(const StepInput& in, int v) {
+    return ifNear(in, v, in.surface.flatPosition(v, kOnSkin * in.h));
+}
+
+/// Where they see an inner vertex of the front that came out through the surface.
+std::optional<Vec3> keptInside(const StepInput& in, int v) {
+    return ifNear(in, v,
+                  in.surface.insidePosition(in.mesh.restPosition(v), in.mesh.position(v),
+                                            kUnfoldReach * in.h));
+}
+
+void unfoldAround(const StepInput& in, const Vec3& p, PredicatePositions& positions) {
+    for (const int t : in.broadPhase.query(p, p, p, kUnfoldReach * in.h)) {
+        for (const int v : in.mesh.triangle(t)) {
+            if ((in.mesh.position(v) - p).norm() < kUnfoldReach * in.h) {
+                if (const auto flat = unfolded(in, v)) {
+                    positions.pin(v, *flat);
+                }
+            }
+        }
+    }
+}
+
+void unfoldFront(const StepInput& in, Strip& strip, PredicatePositions& positions) {
+    for (int i = 0; i < strip.oldCount; ++i) {
+        StripNode& node = strip.nodes[i];
+        for (const int v : node.vertices) {
+            const auto flat = unfolded(in, v);
+            if (flat && in.attempt.unfold == Unfold::around) {
+                unfoldAround(in, in.mesh.position(v), positions);
+            }
+            const bool inner = node.attached && strip.attachedBefore(i);
+            const auto inside = inner && !flat ? keptInside(in, v) : std::nullopt;
+            node.position = flat.value_or(inside.value_or(node.position));
+        }
+    }
+    for (int i = 0; i < strip.oldCount; ++i) {
+        pinVertices(strip.nodes[i], positions);
+    }
+}
+
+void joinTouchingVertices(const StepInput& in, Strip& strip, PredicatePositions& positions) {
+    std::set<int> ofRung;
+    for (const RungNode& node : in.rung) {
+        ofRung.insert(node.vertex);
+    }
+    const double radius = in.attempt.tolerance * in.h;
+    for (int i = 0; i < strip.oldCount; ++i) {
+        StripNode& node = strip.nodes[i];
+        if (node.vertices.empty()) {
+            continue;
+        }
+        const Vec3& p = node.position;
+        std::set<int> found;
+        for (const int t : in.broadPhase.query(p, p, p, radius)) {
+            for (const int v : in.mesh.triangle(t)) {
+                if (ofRung.count(v) == 0 && (in.mesh.position(v) - p).norm() < radius &&
+                    found.insert(v).second) {
+                    node.touching.push_back(v);
+                    positions.pin(v, p);
+                }
+            }
+        }
+        if (!node.touching.empty()) {
+            pinVertices(node, positions);
+        }
+    }
+}
+
+void separateParameters(const StepInput& in, Strip& strip) {
+    for (int i = 1; i < strip.oldCount; ++i) {
+        StripNode& node = strip.nodes[i];
+        if (node.s <= strip.nodes[i - 1].s) {
+            node.s = strip.nodes[i - 1].s + kLeastSpacing * in.h / bladeLength(in);
+            node.layout.x() = node.s * bladeLength(in);
+        }
+    }
+}
+
+// Between two ends that stay, the new rung must leave the old one somewhere.
+double middleOfFront(const StepInput& in, const Strip& strip) {
+    double first = in.span.to;
+    double last = in.span.from;
+    for (int i = 0; i + 1 < strip.oldCount; ++i) {
+        if (strip.nodes[i].attached) {
+            first = std::min(first, strip.nodes[i].s);
+            last = std::max(last, strip.nodes[i + 1].s);
+        }
+    }
+    return first < last ? 0.5 * (first + last) : 0.5 * (in.span.from + in.span.to);
+}
+
+/// A chain of front edges, by its first and its last node.
+struct Chain {
+    int first;
+    int last;
+};
+
+/// Those that end at the skin, not at an end of the rung.
+std::vector<Chain> chainsInside(const Strip& strip) {
+    std::vector<Chain> chains;
+    for (int i = 1; i + 1 < strip.oldCount; ++i) {
+        if (!strip.attachedBefore(i) && strip.nodes[i].attached) {
+            int last = i + 1;
+            while (last < strip.oldCount && strip.nodes[last].attached) {
+                ++last;
+            }
+            if (last + 1 < strip.oldCount) {
+                chains.push_back({i, last});
+            }
+        }
+    }
+    return chains;
+}
+
+/// Whether a triangle between the front edge from node `edge` on and the blade at s would lie on
+/// the walls behind that edge.
+bool foldsBack(const StepInput& in, const Strip& strip, int edge, double s) {
+    const StripNode& p = strip.nodes[edge];
+    const StripNode& q = strip.nodes[edge + 1];
+    const bool stays = s == in.span.from && in.span.holdsFrom;
+    const Vec3 apex = stays ? strip.nodes.front().position : bladePoint(in, s);
+    const Vec3 along = (q.position - p.position).stableNormalized();
+    const Vec3 ahead = bladePoint(in, 0.5 * (p.s + q.s)) - 0.5 * (p.position + q.position);
+    return (apex - p.position).dot(ahead - along * along.dot(ahead)) < 0;
+}
+
+// A short front leans as it likes: what joins it to the far end of the blade alone may fold back
+// onto its walls. A point ahead of its middle keeps the strip before it.
+void stayAheadOfShortFronts(const StepInput& in, const Strip& strip,
+                            std::vector<double>& parameters) {
+    for (const Chain& chain : chainsInside(strip)) {
+        const double first = strip.nodes[chain.first].s;
+        const double last = strip.nodes[chain.last].s;
+        const auto behind = std::ranges::upper_bound(parameters, last);
+        if (behind == parameters.begin() || behind == parameters.end() || *(behind - 1) >= first) {
+            continue;
+        }
+        bool folds = false;
+        for (int i = chain.first; i < chain.last; ++i) {
+            folds |= foldsBack(in, strip, i, *(behind - 1));
+        }
+        if (folds) {
+            parameters.insert(behind, 0.5 * (first + last));
+        }
+    }
+}
+
+// R1 has a point above every interior front node, never above a surface entry: for a straight
+// stroke that one would lie exactly in the surface.
+std::vector<double> newRungParameters(const StepInput& in, const Strip& strip,
+                                      const std::vector<double>& skipped) {
+    std::vector<double> result{in.span.from};
+    for (int i = 1; i < strip.oldCount - 1; ++i) {
+        const StripNode& node = strip.nodes[i];
+        const bool interior = node.attached && strip.attachedBefore(i) &&
+                              sizeOf(node.vertices) == 1 &&
+                              std::find(skipped.begin(), skipped.end(), node.s) == skipped.end();
+        if (!interior) {
+            continue;
+        }
+        const double edge =
+            in.edgeLengths.localEdgeLength(in.mesh.restPosition(node.vertices.front()));
+        const double spacing = kNewRungSpacing * edge / bladeLength(in);
+        if (node.s - result.back() > spacing && in.span.to - node.s > spacing) {
+            result.push_back(node.s);
+        }
+    }
+    if (result.size() == 1 && in.span.holdsFrom && in.span.holdsTo) {
+        result.push_back(middleOfFront(in, strip));
+    }
+    result.push_back(in.span.to);
+    stayAheadOfShortFronts(in, strip, result);
+    return result;
+}
+
+bool isPinned(const StepInput& in, const Strip& strip, const Vec3& bladeEnd, int oldEnd) {
+    return (bladeEnd - strip.nodes[oldEnd].position).norm() <
+           kPinnedDistance * std::min(in.h, strip.height);
+}
+
+void placeNewRung(const StepInput& in, const std::vector<double>& skipped, Strip& strip) {
+    const std::vector<double> parameters = newRungParameters(in, strip, skipped);
+    const int last = sizeOf(parameters) - 1;
+    for (int j = 0; j <= last; ++j) {
+        const Vec3 onBlade = bladePoint(in, parameters[j]);
+        const int oldEnd = j == 0 ? 0 : strip.oldCount - 1;
+        const bool held = (j == 0 && in.span.holdsFrom) || (j == last && in.span.holdsTo);
+        if (held || ((j == 0 || j == last) && isPinned(in, strip, onBlade, oldEnd))) {
+            strip.newRung.push_back(oldEnd);
+            continue;
+        }
+        StripNode node;
+        node.position = onBlade + bladeOffset(in, parameters[j]);
+        node.s = parameters[j];
+        node.layout = {node.s * bladeLength(in), strip.height};
+        strip.newRung.push_back(sizeOf(strip.nodes));
+        strip.nodes.push_back(node);
+    }
+}
+
+void zipRungs(const BladeSpan& span, Strip& strip) {
+    std::vector<int> lower(strip.oldCount);
+    std::vector<double> lowerS(strip.oldCount);
+    for (int i = 0; i < strip.oldCount; ++i) {
+        lower[i] = i;
+        lowerS[i] = strip.nodes[i].s;
+    }
+    std::vector<double> upperS;
+    for (const int node : strip.newRung) {
+        upperS.push_back(strip.nodes[node].s);
+    }
+    upperS.front() = span.from;  // a pinned end keeps its own s on the old rung
+    upperS.back() = span.to;
+    strip.triangles = zip(lower, lowerS, strip.newRung, upperS);
+    if (strip.triangles.empty()) {
+        throw StepFailure{"the blade swept no area"};
+    }
+}
+
+void connectEdges(const StepInput& in, Strip& strip) {
+    DirectedEdges known(strip.nodes.size());
+    const std::size_t edges = 2 * strip.triangles.size() + 1;  // of a band
+    known.reserve(edges);
+    strip.edges.reserve(edges);
+    strip.triangleEdges.reserve(strip.triangles.size());
+    for (int t = 0; t < sizeOf(strip.triangles); ++t) {
+        Triangle ids{};
+        for (int e = 0; e < 3; ++e) {
+            const int a = strip.triangles[t][e];
+            const int b = strip.triangles[t][(e + 1) % 3];
+            const auto [low, high] = edgeOf(a, b);
+            ids[e] = known.find(low, high);
+            if (ids[e] < 0) {
+                ids[e] = sizeOf(strip.edges);
+                known.add(low, high, ids[e]);
+                strip.edges.push_back({a, b, t});
+            } else {
+                strip.edges[ids[e]].second = t;
+            }
+        }
+        strip.triangleEdges.push_back(ids);
+    }
+    for (int i = 0; i + 1 < strip.oldCount; ++i) {
+        if (!strip.nodes[i].attached) {
+            continue;
+        }
+        const int edge = known.find(i, i + 1);
+        if (edge < 0) {
+            throw StepFailure{"a front edge is not in the strip"};
+        }
+        strip.edges[edge].frontOf = in.pieceOfVertex[strip.nodes[i].vertices.back()];
+    }
+}
+
+}  // namespace
+
+PredicatePositions::PredicatePositions(const StepInput& in)
+    : mesh_(in.mesh),
+      opening_(!in.opening.empty() ? &in.opening : nullptr),
+      closeDistance_(in.attempt.closing * in.h) {}
+
+Vec3 PredicatePositions::at(int v) const {
+    if (!pins_.empty()) {
+        const auto pin = pins_.find(v);
+        if (pin != pins_.end()) {
+            return pin->second;
+        }
+    }
+    return ofMaterial(v);
+}
+
+Vec3 PredicatePositions::ofMaterial(int v) const {
+    const Vec3 position = commonPosition(mesh_, v, closeDistance_);
+    return opening_ == nullptr ? position : Vec3(position + opening_->displacement(v));
+}
+
+bool StripNode::isCluster() const {
+    return std::any_of(attachedWithin.begin(), attachedWithin.end(), [](char c) { return c != 0; });
+}
+
+bool Strip::isNew(int node) const {
+    return !isOld(node) || node == newRung.front() || node == newRung.back();
+}
+
+bool Strip::isRail(int edge) const {
+    const Edge ends = edgeOf(edges[edge].a, edges[edge].b);
+    return ends == edgeOf(0, newRung.front()) || ends == edgeOf(oldCount - 1, newRung.back());
+}
+
+bool Strip::onNewRung(int edge) const {
+    const StripEdge& e = edges[edge];
+    return isNew(e.a) && isNew(e.b) && !(isOld(e.a) && isOld(e.b)) && !isRail(edge);
+}
+
+namespace {
+
+/// Front edges join vertices of one piece only, so what is left of a gap joins nothing.
+void dropGap(std::vector<char>& attachedWithin, int vertex) {
+    if (!attachedWithin.empty()) {
+        const int gap = std::min(vertex, sizeOf(attachedWithin) - 1);
+        attachedWithin.erase(attachedWithin.begin() + gap);
+    }
+}
+
+}  // namespace
+
+Strip Strip::seenBy(int piece, const std::vector<int>& pieceOfVertex) const {
+    const auto isOther = [&](int v) { return pieceOfVertex[v] != piece; };
+    Strip strip = *this;
+    for (StripNode& node : strip.nodes) {
+        node.attached = node.attached && !isOther(node.vertices.back());
+        std::erase_if(node.touching, isOther);
+        for (int i = sizeOf(node.vertices) - 1; i >= 0; --i) {
+            if (isOther(node.vertices[i])) {
+                node.vertices.erase(node.vertices.begin() + i);
+                dropGap(node.attachedWithin, i);
+            }
+        }
+    }
+    for (StripEdge& edge : strip.edges) {
+        edge.frontOf = edge.frontOf == piece ? piece : -1;
+    }
+    return strip;
+}
+
+Vec3 bladePoint(const StepInput& in, double s) {
+    return in.blade.a + (in.blade.b - in.blade.a) * s;
+}
+
+Vec3 bladeOffset(const StepInput& in, double s) {
+    return bladeOffset(in.offset * in.h, in.attempt.offsetScale, in.seed, in.pass, s);
+}
+
+Vec3 bladeOffset(double length, double scale, std::uint64_t seed, int pass, double s) {
+    // The pass is part of the seed: with equal offsets, strokes through one point and a blade that
+    // comes back the same way would meet the older slits exactly.
+    Jitter jitter(seed * 977 + static_cast<std::uint64_t>(pass) * 131 +
+                  static_cast<std::uint64_t>(scale));
+    const Vec3 atA = jitter.direction();
+    const Vec3 turn = jitter.direction() * kOffsetTurn;
+    return (atA + turn * s) * (length * scale);
+}
+
+std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<double>& lowerS,
+                          const std::vector<int>& upper, const std::vector<double>& upperS) {
+    std::vector<Triangle> triangles;
+    const auto emit = [&](int a, int b, int c) {
+        if (a != b && b != c && a != c) {
+            triangles.push_back({a, b, c});
+        }
+    };
+    const int lastLower = sizeOf(lower) - 1;
+    const int lastUpper = sizeOf(upper) - 1;
+    const bool pinnedStart = upper.front() == lower.front();
+    const bool pinnedEnd = upper.back() == lower.back();
+    int i = 0;
+    int j = 0;
+    while (i < lastLower || j < lastUpper) {
+        bool advanceLower = i < lastLower && (j == lastUpper || lowerS[i + 1] < upperS[j + 1]);
+        if (i == 0 && pinnedStart) {
+            advanceLower = j > 0;
+        } else if (pinnedEnd && j + 1 == lastUpper && i < lastLower) {
+            advanceLower = true;
+        } else if (pinnedEnd && i + 1 == lastLower && j + 1 < lastUpper) {
+            advanceLower = false;
+        }
+        if (advanceLower) {
+            emit(lower[i], lower[i + 1], upper[j]);
+            ++i;
+        } else {
+            emit(upper[j + 1], upper[j], lower[i]);
+            ++j;
+        }
+    }
+    return triangles;
+}
+
+Strip buildStrip(const StepInput& in, PredicatePositions& positions,
+                 const std::vector<double>& skipped) {
+    Strip strip;
+    placeOldRung(in, positions, strip);
+    for (int i = 0; i < strip.oldCount; ++i) {
+        if (sizeOf(strip.nodes[i].vertices) > 1) {
+            pinVertices(strip.nodes[i], positions);
+        }
+    }
+    if (in.attempt.unfold != Unfold::nothing) {
+        unfoldFront(in, strip, positions);
+    }
+    if (in.attempt.shake > 0) {
+        shakeFront(in, strip, positions);
+    }
+    if (in.attempt.touching) {
+        joinTouchingVertices(in, strip, positions);
+    }
+    separateParameters(in, strip);
+    placeNewRung(in, skipped, strip);
+    zipRungs(in.span, strip);
+    connectEdges(in, strip);
+    return strip;
+}
+
+}  // namespace kerf::cut

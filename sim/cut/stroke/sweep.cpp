@@ -1,0 +1,90 @@
+#include "sim/cut/stroke/sweep.h"
+
+#include <algorithm>
+
+namespace kerf::cut {
+
+namespace {
+
+constexpr double kLeastSpacing = 1e-7;   // share of h
+constexpr double kStandingStill = 1e-3;  // share of h
+constexpr double kBackwards = -0.5;      // cosine
+constexpr double kBackwardShare = 0.5;
+
+Vec3 withoutComponent(const Vec3& p, const Vec3& direction) {
+    return p - direction * (p.dot(direction) / direction.squaredNorm());
+}
+
+/// One front edge: its length, and whether the blade leaves it towards its own walls.
+struct FrontMotion {
+    double length = 0;
+    bool backwards = false;
+};
+
+FrontMotion frontMotion(const SurfaceMesh& mesh, const Blade& blade, double h,
+                        const Vec3& lastAdvance, const RungNode& from, const RungNode& to) {
+    const int edge = mesh.findHalfEdge(from.vertex, to.vertex);
+    const Vec3 along = to.position - from.position;
+    if (edge < 0 || along.squaredNorm() == 0) {
+        return {};
+    }
+    const Vec3 apexes =
+        0.5 * (mesh.position(mesh.apex(edge)) + mesh.position(mesh.apex(mesh.twin(edge))));
+    const Vec3 back = withoutComponent(apexes - from.position, along);
+    const double s = std::clamp(0.5 * (from.s + to.s), 0.0, 1.0);
+    const Vec3 target = blade.a + (blade.b - blade.a) * s;
+    const Vec3 move = withoutComponent(target - 0.5 * (from.position + to.position), along);
+    if (back.norm() < 1e-300) {
+        return {};
+    }
+    const bool moves = move.norm() >= kStandingStill * h && move.dot(lastAdvance) <= 0;
+    const double forward = -move.dot(back);
+    return {along.norm(), moves && forward < kBackwards * move.norm() * back.norm()};
+}
+
+}  // namespace
+
+void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung) {
+    for (RungNode& node : rung) {
+        if (node.vertex >= 0) {
+            node.position = mesh.position(node.vertex);
+        }
+    }
+}
+
+SweepMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung) {
+    const Vec3 along = blade.b - blade.a;
+    const double least = kLeastSpacing * h / along.norm();
+    SweepMotion motion;
+    double previous = -1e300;
+    for (RungNode& node : rung) {
+        node.s = (node.position - blade.a).dot(along) / along.squaredNorm();
+        if (node.s <= previous) {
+            node.s = previous + least;
+        }
+        previous = node.s;
+        const Vec3 onLine = blade.a + along * node.s;
+        motion.advance = std::max(motion.advance, (node.position - onLine).norm());
+        motion.anyAttached = motion.anyAttached || node.attached;
+    }
+    motion.axial =
+        std::max((rung.front().position - blade.a).norm(), (rung.back().position - blade.b).norm());
+    return motion;
+}
+
+bool isWithdrawing(const SurfaceMesh& mesh, const Blade& blade, double h, const Vec3& lastAdvance,
+                   const std::vector<RungNode>& rung) {
+    double total = 0;
+    double backwards = 0;
+    for (std::size_t i = 0; i + 1 < rung.size(); ++i) {
+        if (!rung[i].attached) {
+            continue;
+        }
+        const FrontMotion motion = frontMotion(mesh, blade, h, lastAdvance, rung[i], rung[i + 1]);
+        total += motion.length;
+        backwards += motion.backwards ? motion.length : 0;
+    }
+    return total > 0 && backwards > kBackwardShare * total;
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,182 @@
+#include "sim/cut/surface/broad_phase.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace kerf::cut {
+
+namespace {
+
+constexpr int kMostBins = 4096;
+constexpr double kRotationRounding = 1e-6;  // of the bins: what turning into the frame may move
+// Of a bin: what is taken around the sweep at first. Older slits are looked for within 0.1.
+constexpr double kFirstMargin = 0.15;
+
+// The same as overlaps(). Along the sweep most boxes of a bin are told apart.
+bool meet(const Bounds& a, const Bounds& b) {
+    return a.low.y() <= b.high.y() && b.low.y() <= a.high.y() && a.low.x() <= b.high.x() &&
+           b.low.x() <= a.high.x() && a.low.z() <= b.high.z() && b.low.z() <= a.high.z();
+}
+
+}  // namespace
+
+Eigen::Matrix3d sweepAxes(const Blade& blade, const std::vector<Vec3>& points) {
+    const Vec3 along = (blade.b - blade.a).normalized();
+    Vec3 sweep = Vec3::Zero();
+    for (const Vec3& p : points) {
+        const Vec3 fromBlade = p - blade.a;
+        const Vec3 aside = fromBlade - along * along.dot(fromBlade);
+        if (aside.squaredNorm() > sweep.squaredNorm()) {
+            sweep = aside;
+        }
+    }
+    sweep = sweep.squaredNorm() > 0 ? sweep.normalized() : along.unitOrthogonal();
+    Eigen::Matrix3d axes;
+    axes.col(0) = along;
+    axes.col(1) = sweep;
+    axes.col(2) = along.cross(sweep);
+    return axes;
+}
+
+BroadPhase::BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Blade& blade,
+                       const std::vector<Vec3>& points, double margin, double binSize,
+                       std::function<bool(int)> counts)
+    : mesh_(mesh),
+      finder_(finder),
+      counts_(std::move(counts)),
+      frame_(sweepAxes(blade, points).transpose()),
+      points_(points),
+      margin_(margin),
+      leastBinSize_(binSize) {
+    take(std::min(margin, kFirstMargin * binSize));
+}
+
+/// Everything within `margin` of the sweep, in place of what was taken before.
+void BroadPhase::take(double margin) const {
+    tookAll_ = margin >= margin_;
+    box_ = {};
+    for (const Vec3& p : points_) {
+        box_.add(toFrame(p));
+    }
+    box_.widen(margin);
+    binSize_ = std::max(leastBinSize_, (box_.high.x() - box_.low.x()) / kMostBins);
+    OrientedBox reach = orientedBoxAlong(frame_.transpose(), points_);
+    reach.widen(margin + kRotationRounding * binSize_);
+    const std::vector<int> near = finder_.near(reach);
+    entries_.clear();
+    entries_.reserve(near.size());
+    for (const int t : near) {
+        if (counts_(t)) {
+            add(t);
+        }
+    }
+    std::vector<int> all(entries_.size());
+    std::iota(all.begin(), all.end(), 0);
+    bins_ = binsOf(all);
+}
+
+void BroadPhase::add(int triangle) const {
+    Bounds bounds;
+    for (const int v : mesh_.triangle(triangle)) {
+        bounds.add(toFrame(mesh_.position(v)));
+    }
+    if (bounds.overlaps(box_)) {
+        entries_.push_back({triangle, bounds, binOf(bounds.low.x())});
+    }
+}
+
+BroadPhase::Bins BroadPhase::binsOf(std::span<const int> places) const {
+    Bins bins;
+    bins.first.assign(binOf(box_.high.x()) + 2, 0);
+    const auto forEachBin = [this](const Entry& entry, auto&& visit) {
+        for (int bin = entry.firstBin; bin <= binOf(entry.bounds.high.x()); ++bin) {
+            visit(bin);
+        }
+    };
+    for (const int place : places) {
+        forEachBin(entries_[place], [&](int bin) { ++bins.first[bin + 1]; });
+    }
+    std::partial_sum(bins.first.begin(), bins.first.end(), bins.first.begin());
+    bins.places.resize(bins.first.back());
+    std::vector<int> next(bins.first.begin(), bins.first.end() - 1);
+    for (const int place : places) {
+        forEachBin(entries_[place], [&](int bin) { bins.places[next[bin]++] = place; });
+    }
+    return bins;
+}
+
+int BroadPhase::binOf(double x) const {
+    const double inside = std::clamp(x, box_.low.x(), box_.high.x());
+    return static_cast<int>((inside - box_.low.x()) / binSize_);
+}
+
+/// What meets `bounds` is among the entries then, as far as it is within the margin.
+void BroadPhase::require(const Bounds& bounds) const {
+    const bool inside = (bounds.low.array() >= box_.low.array()).all() &&
+                        (bounds.high.array() <= box_.high.array()).all();
+    if (!inside && !tookAll_) {
+        take(margin_);
+    }
+}
+
+std::vector<int> BroadPhase::cover(std::span<const Vec3> points, double pad) const {
+    const Bounds bounds = reachOf(points, pad);
+    require(bounds);
+    std::vector<int> places;
+    places.reserve(entries_.size());
+    for (int i = 0; i < static_cast<int>(entries_.size()); ++i) {
+        if (meet(entries_[i].bounds, bounds)) {
+            places.push_back(i);
+        }
+    }
+    return places;
+}
+
+Bounds BroadPhase::reachOf(std::span<const Vec3> points, double pad) const {
+    Bounds bounds;
+    for (const Vec3& p : points) {
+        bounds.add(toFrame(p));
+    }
+    return widened(bounds, pad);
+}
+
+Bounds BroadPhase::widened(Bounds box, double pad) const {
+    box.widen(pad + kRotationRounding * binSize_);
+    return box;
+}
+
+void BroadPhase::findIn(const Bounds& bounds, const Bins& bins, std::vector<int>& found) const {
+    found.clear();
+    const int first = binOf(bounds.low.x());
+    const int last = binOf(bounds.high.x());
+    for (int bin = first; bin <= last; ++bin) {
+        for (int i = bins.first[bin]; i < bins.first[bin + 1]; ++i) {
+            const Entry& entry = entries_[bins.places[i]];
+            if (bin == std::max(first, entry.firstBin) && meet(entry.bounds, bounds)) {
+                found.push_back(bins.places[i]);
+            }
+        }
+    }
+    std::ranges::sort(found);
+}
+
+void BroadPhase::findEntries(const Bounds& box, double pad, const Bins& bins,
+                             std::vector<int>& found) const {
+    findIn(widened(box, pad), bins, found);
+}
+
+std::vector<int> BroadPhase::query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const {
+    std::vector<int> found;
+    const Bounds bounds = reachOf(std::array{a, b, c}, pad);
+    require(bounds);
+    findIn(bounds, bins_, found);
+    for (int& place : found) {
+        place = entries_[place].triangle;
+    }
+    return found;
+}
+
+}  // namespace kerf::cut

@@ -1,0 +1,62 @@
+#include "sim/cut/surface/piece_groups.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "sim/mesh/union_find.h"
+
+namespace kerf::cut {
+
+namespace {
+
+using PiecePair = std::pair<int, int>;
+
+/// Of each two pieces of one group with copies of one material point: whether all such lie
+/// together.
+std::map<PiecePair, bool> contacts(const SurfaceMesh& mesh, const std::vector<int>& piece,
+                                   const std::vector<int>& group, double tolerance) {
+    std::map<PiecePair, bool> together;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (piece[v] < 0 || mesh.mateGroup(v) < 0) {
+            continue;
+        }
+        for (const int mate : mesh.matesOfGroup(mesh.mateGroup(v))) {
+            if (mate > v && piece[mate] >= 0 && piece[mate] != piece[v] &&
+                group[piece[mate]] == group[piece[v]]) {
+                bool& lie =
+                    together.try_emplace(std::minmax(piece[v], piece[mate]), true).first->second;
+                lie = lie && (mesh.position(v) - mesh.position(mate)).norm() <= tolerance;
+            }
+        }
+    }
+    return together;
+}
+
+bool anyShared(std::vector<int> group) {
+    std::sort(group.begin(), group.end());
+    return std::adjacent_find(group.begin(), group.end()) != group.end();
+}
+
+}  // namespace
+
+std::vector<int> groupPieces(const SurfaceMesh& mesh, const PieceLabels& pieces, double tolerance,
+                             const std::vector<int>& before) {
+    const std::size_t count = pieces.pieces().size();
+    const std::vector<int> group = before.empty() ? std::vector<int>(count, 0) : before;
+    UnionFind groups(count);
+    if (anyShared(group)) {
+        for (const auto& [pair, lie] : contacts(mesh, pieces.ofVertex(), group, tolerance)) {
+            if (lie) {
+                groups.join(pair.first, pair.second);
+            }
+        }
+    }
+    std::vector<int> result(count);
+    for (std::size_t p = 0; p < count; ++p) {
+        result[p] = groups.root(static_cast<int>(p));
+    }
+    return result;
+}
+
+}  // namespace kerf::cut
