@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/model_source.h"
-#include "app/paper_experiments.h"
+#include "app/files/model_source.h"
+#include "app/session/paper_experiments.h"
 #include "gpu/context.h"
 #include "tests/support/drop_scene.h"
 #include "tests/support/shapes.h"

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "app/editor.h"
-#include "app/model_source.h"
-#include "app/scene_view.h"
+#include "app/editor/editor.h"
+#include "app/files/model_source.h"
+#include "app/session/scene_view.h"
 #include "gpu/context.h"
 #include "sim/base/stopwatch.h"
 #include "sim/mesh/invariants.h"

@@ -15,9 +15,9 @@
 #include <thread>
 #include <vector>
 
-#include "app/editor.h"
-#include "app/export.h"
-#include "app/file_io.h"
+#include "app/editor/editor.h"
+#include "app/files/export.h"
+#include "app/files/file_io.h"
 #include "gpu/context.h"
 #include "sim/base/stopwatch.h"
 #include "tests/support/shapes.h"

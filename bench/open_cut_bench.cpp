@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/model_source.h"
-#include "app/session.h"
+#include "app/files/model_source.h"
+#include "app/session/session.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "sim/run/simulation.h"

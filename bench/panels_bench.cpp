@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/editor.h"
+#include "app/editor/editor.h"
 #include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"

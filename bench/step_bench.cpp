@@ -6,7 +6,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
-#include "app/model_source.h"
+#include "app/files/model_source.h"
 #include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/program.h"

@@ -1,9 +1,9 @@
 // What leads the blade: the scalpel, the guillotine, and the preview of a cut.
 #include <gtest/gtest.h>
 
-#include "app/cut_preview.h"
-#include "app/guillotine.h"
-#include "app/scalpel.h"
+#include "app/scene/cut_preview.h"
+#include "app/tools/guillotine.h"
+#include "app/tools/scalpel.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 

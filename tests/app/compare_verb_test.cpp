@@ -1,4 +1,4 @@
-#include "app/compare_verb.h"
+#include "app/cli/compare_verb.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/file_io.h"
-#include "app/model_source.h"
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
 #include "render/image.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,8 +1,8 @@
-#include "app/editor_camera.h"
+#include "app/tools/editor_camera.h"
 
 #include <gtest/gtest.h>
 
-#include "app/camera_flight.h"
+#include "app/tools/camera_flight.h"
 
 namespace kerf::app {
 namespace {

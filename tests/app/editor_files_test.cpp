@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "app/file_io.h"
-#include "app/session.h"
+#include "app/files/file_io.h"
+#include "app/session/session.h"
 #include "tests/app/editor_fixture.h"
 #include "tests/support/slow_reader.h"
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "app/editor.h"
+#include "app/editor/editor.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

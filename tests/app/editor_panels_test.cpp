@@ -4,8 +4,8 @@
 #include <chrono>
 #include <thread>
 
-#include "app/editor.h"
-#include "app/settings_file.h"
+#include "app/editor/editor.h"
+#include "app/editor/settings_file.h"
 #include "gpu/data_path.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"

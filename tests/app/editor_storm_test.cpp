@@ -3,7 +3,7 @@
 #include <iostream>
 #include <random>
 
-#include "app/editor_scene.h"
+#include "app/scene/editor_scene.h"
 #include "tests/app/editor_fixture.h"
 #include "tests/app/replayed_session.h"
 #include "ui/shortcuts.h"

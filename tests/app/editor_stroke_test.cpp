@@ -1,4 +1,4 @@
-#include "app/editor_stroke.h"
+#include "app/scene/editor_stroke.h"
 
 #include <gmock/gmock.h>
 

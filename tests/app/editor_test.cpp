@@ -1,4 +1,4 @@
-#include "app/editor.h"
+#include "app/editor/editor.h"
 
 #include <gmock/gmock.h>
 

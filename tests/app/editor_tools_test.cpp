@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/body_hand.h"
-#include "app/editor_scene.h"
-#include "app/ruler.h"
+#include "app/scene/editor_scene.h"
+#include "app/tools/body_hand.h"
+#include "app/tools/ruler.h"
 #include "tests/app/editor_fixture.h"
 #include "tests/app/replayed_session.h"
 

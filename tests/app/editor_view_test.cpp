@@ -1,7 +1,7 @@
 // The camera, the axes in the corner, what is shown and how.
 #include <cstdlib>
 
-#include "app/session.h"
+#include "app/session/session.h"
 #include "tests/app/editor_fixture.h"
 
 namespace kerf::app {

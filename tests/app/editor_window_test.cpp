@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "app/model_source.h"
+#include "app/files/model_source.h"
 #include "render/image.h"
 #include "tests/app/editor_fixture.h"
 #include "tests/app/replayed_session.h"

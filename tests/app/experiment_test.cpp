@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/experiment_report.h"
-#include "app/session.h"
+#include "app/cli/experiment_report.h"
+#include "app/session/session.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/temporary_folder.h"
 

@@ -7,9 +7,9 @@
 #include <map>
 #include <string>
 
-#include "app/export.h"
-#include "app/file_io.h"
-#include "app/model_source.h"
+#include "app/files/export.h"
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
 #include "sim/cut/stroke/cutter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "app/first_steps.h"
+#include "app/editor/first_steps.h"
 
 #include <gmock/gmock.h>
 

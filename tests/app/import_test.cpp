@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
-#include "app/import_process.h"
-#include "app/import_protocol.h"
-#include "app/model_source.h"
+#include "app/files/import_process.h"
+#include "app/files/import_protocol.h"
+#include "app/files/model_source.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"

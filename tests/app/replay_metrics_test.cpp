@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/file_io.h"
-#include "app/metrics.h"
-#include "app/model_source.h"
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
+#include "app/session/metrics.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {

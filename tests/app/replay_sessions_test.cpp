@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <set>
 
-#include "app/replay.h"
-#include "app/session.h"
+#include "app/cli/replay.h"
+#include "app/session/session.h"
 #include "sim/body/shape_error.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"

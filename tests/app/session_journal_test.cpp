@@ -1,4 +1,4 @@
-#include "app/session_journal.h"
+#include "app/scene/session_journal.h"
 
 #include <gtest/gtest.h>
 

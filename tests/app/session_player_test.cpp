@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/session.h"
+#include "app/session/session.h"
 
 namespace kerf::app {
 namespace {

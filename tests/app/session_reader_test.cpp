@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "app/session.h"
-#include "app/sha256.h"
+#include "app/files/sha256.h"
+#include "app/session/session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {

@@ -1,8 +1,8 @@
-#include "app/settings_file.h"
+#include "app/editor/settings_file.h"
 
 #include <gmock/gmock.h>
 
-#include "app/model_source.h"
+#include "app/files/model_source.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {

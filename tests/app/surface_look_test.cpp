@@ -1,7 +1,7 @@
 // What is under the pointer while the body moves: the same as of the whole mesh, without reading
 // it.
 
-#include "app/surface_look.h"
+#include "app/scene/surface_look.h"
 
 #include <gtest/gtest.h>
 

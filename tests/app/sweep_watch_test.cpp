@@ -1,4 +1,4 @@
-#include "app/sweep_watch.h"
+#include "app/session/sweep_watch.h"
 
 #include <gtest/gtest.h>
 

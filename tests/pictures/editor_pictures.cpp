@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "app/editor.h"
-#include "app/file_io.h"
-#include "app/settings_file.h"
+#include "app/editor/editor.h"
+#include "app/editor/settings_file.h"
+#include "app/files/file_io.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "sim/base/stopwatch.h"

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "app/cli/bar_rig.h"
+#include "app/files/output_folder.h"
+
+namespace kerf::app {
+
+/// Name of the experiment, and of its folder.
+inline constexpr const char* kBarExperiment = "bar";
+
+/// A test that was run.
+struct BenchRun {
+    BenchSetting setting;
+    BenchResult result;
+};
+
+/// The text of report.md: the effective modulus over the parameter, by resolution and iterations.
+std::string formatBarReport(const std::vector<BenchRun>& runs);
+
+/// One sentence that names all specimens that did not settle; empty where all did.
+std::string stillMovingWarning(const std::vector<BenchRun>& runs);
+
+/// Writes report.md and summary.json into `folder`; prints the report, or with `json` the summary.
+/// Specimens that did not settle are named in one warning. Returns 0, or 1 where a specimen lost
+/// volume. Throws OutputError.
+int reportBarRuns(const std::vector<BenchRun>& runs, OutputFolder& folder, bool json,
+                  std::ostream& out, std::ostream& errors);
+
+/// `kerf experiment bar`: a hanging bar, the same bar and a slab bent, and a compressed block (see
+/// measureModulus) at four resolutions, three moduli and five numbers of iterations, reported by
+/// reportBarRuns in DIR/bar. Throws OutputError, gpu::ContextError.
+int runBarExperiment(const std::filesystem::path& folder, bool json, std::ostream& out,
+                     std::ostream& errors);
+
+}  // namespace kerf::app

@@ -1,0 +1,275 @@
+#include "app/cli/cli.h"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <string>
+
+#include "app/cli/bar_experiment.h"
+#include "app/cli/compare_verb.h"
+#include "app/cli/exit_codes.h"
+#include "app/cli/experiment_verb.h"
+#include "app/cli/inspect_verb.h"
+#include "app/cli/replay_verb.h"
+#include "app/editor/editor.h"
+#include "app/files/file_io.h"
+#include "app/files/import_process.h"
+#include "app/files/model_source.h"
+#include "app/session/paper_experiments.h"
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/program.h"
+#include "sim/base/freed_memory.h"
+
+namespace kerf::app {
+
+namespace {
+
+/// What the command line asks for.
+struct Arguments {
+    std::filesystem::path file;  ///< for the editor; empty for none
+    ReplayArguments replay;
+    ExperimentArguments experiment;
+    InspectArguments inspect;
+    CompareArguments compare;
+    std::filesystem::path workerFile;
+};
+
+/// The parser and its verbs.
+struct Parser {
+    CLI::App app{"Kerf cuts soft 3D models in real time. Without a verb it opens the editor."};
+    CLI::App* replay = nullptr;
+    CLI::App* experiment = nullptr;
+    CLI::App* inspect = nullptr;
+    CLI::App* compare = nullptr;
+    CLI::App* worker = nullptr;
+};
+
+/// An empty name is a mistake of the script that called, most often an unset variable.
+std::string refuseEmpty(const std::string& text) {
+    return text.empty() ? "the name is empty" : "";
+}
+
+/// CLI::Range lets NaN pass.
+std::string refuseOutsideOfOne(const std::string& text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    const bool valid = read.ec == std::errc() && read.ptr == end && value >= 0 && value <= 1;
+    return valid ? "" : "'" + text + "' is no number from 0 to 1";
+}
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 input missing or invalid,\n"
+    "4 no usable OpenGL 4.5, 5 out of memory or another limit.";
+
+void describeReplay(Parser& parser, Arguments& arguments) {
+    parser.replay = parser.app.add_subcommand(
+        "replay", "Run a session headless, as fast as it can, and write its results");
+    parser.replay->add_option("SESSION", arguments.replay.session, "A *.kerf.json file")
+        ->required()
+        ->check(refuseEmpty);
+    parser.replay->add_option("--out", arguments.replay.out, "Folder for the results")
+        ->required()
+        ->check(refuseEmpty)
+        ->type_name("DIR");
+    parser.replay->add_flag("--json", arguments.replay.json, "Print one JSON object");
+}
+
+/// "sphere20, ..., banana, bar, all".
+std::string experimentNames() {
+    std::string names;
+    for (const PaperExperiment& experiment : paperExperiments()) {
+        names += std::string(experiment.name) + ", ";
+    }
+    return names + kBarExperiment + ", all";
+}
+
+std::string refuseUnknownExperiment(const std::string& name) {
+    const bool known =
+        name == "all" || name == kBarExperiment || findPaperExperiment(name) != nullptr;
+    return known ? "" : "there is no experiment '" + name + "'; there are " + experimentNames();
+}
+
+void describeExperiment(Parser& parser, Arguments& arguments) {
+    parser.experiment = parser.app.add_subcommand(
+        "experiment",
+        "Run the paper's experiments, or the virtual test bench, headless and write a report");
+    parser.experiment->add_option("NAME", arguments.experiment.name, experimentNames())
+        ->required()
+        ->check(refuseUnknownExperiment);
+    parser.experiment->add_option("--out", arguments.experiment.out, "Folder for the results")
+        ->required()
+        ->check(refuseEmpty)
+        ->type_name("DIR");
+    parser.experiment->add_flag("--published", arguments.experiment.published,
+                                "Solve, answer contact and cut as the paper does");
+    parser.experiment->add_flag("--json", arguments.experiment.json, "Print one JSON object");
+}
+
+void describeInspect(Parser& parser, Arguments& arguments) {
+    parser.inspect =
+        parser.app.add_subcommand("inspect", "Say what a model is and whether it can be cut");
+    parser.inspect
+        ->add_option("MODEL", arguments.inspect.model, "A model file, or the name of a builtin one")
+        ->required()
+        ->check(refuseEmpty);
+    parser.inspect->add_flag("--json", arguments.inspect.json, "Print one JSON object");
+}
+
+void describeCompare(Parser& parser, Arguments& arguments) {
+    parser.compare = parser.app.add_subcommand("compare", "Compare two PNG pictures");
+    parser.compare->add_option("A", arguments.compare.a, "A PNG file")->required();
+    parser.compare->add_option("B", arguments.compare.b, "Another one")->required();
+    parser.compare
+        ->add_option("--threshold", arguments.compare.threshold,
+                     "Largest mean channel difference that passes")
+        ->check(refuseOutsideOfOne)
+        ->type_name("T");
+    parser.compare
+        ->add_option("--diff", arguments.compare.diff,
+                     "Picture of the difference, written only where they differ")
+        ->type_name("D.png");
+    parser.compare->add_flag("--json", arguments.compare.json, "Print one JSON object");
+}
+
+/// Not for people: model_source runs it to keep the file readers in a process of their own.
+void describeWorker(Parser& parser, Arguments& arguments) {
+    parser.worker = parser.app.add_subcommand("import-worker")->group("");
+    parser.worker->add_option("FILE", arguments.workerFile)->required();
+}
+
+void describe(Parser& parser, Arguments& arguments) {
+    parser.app.name("kerf");
+    parser.app.set_version_flag("--version", "kerf " KERF_VERSION);
+    parser.app.require_subcommand(0, 1);
+    parser.app.footer(kExitCodes);
+    parser.app.add_option("FILE", arguments.file, "A model or a session to open in the editor");
+    describeReplay(parser, arguments);
+    describeExperiment(parser, arguments);
+    describeInspect(parser, arguments);
+    describeCompare(parser, arguments);
+    describeWorker(parser, arguments);
+}
+
+/// Standard output carries results alone, so the log goes to standard error.
+void setUpLog() {
+    const char* noColor = std::getenv("NO_COLOR");
+    const bool plain = noColor != nullptr && *noColor != '\0';
+    const auto mode = plain ? spdlog::color_mode::never : spdlog::color_mode::automatic;
+    spdlog::set_default_logger(spdlog::stderr_color_mt("kerf", mode));
+    spdlog::set_pattern("%^%l%$: %v");
+}
+
+/// Names of files may hold anything; nothing of it may break the line or steer the terminal.
+std::string printable(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    return text;
+}
+
+int complain(const std::string& sentence, int exitCode) {
+    std::cerr << "kerf: " << printable(sentence) << "\n";
+    return exitCode;
+}
+
+/// A bare word that is no file was meant as a verb.
+bool looksLikeVerb(const std::filesystem::path& file) {
+    const std::string text = file.string();
+    const auto isWord = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-'; };
+    std::error_code error;
+    return std::all_of(text.begin(), text.end(), isWord) && !std::filesystem::exists(file, error);
+}
+
+int runEditorVerb(const std::filesystem::path& file) {
+    if (file.empty()) {
+        return runEditor(std::nullopt);
+    }
+    if (looksLikeVerb(file)) {
+        return complain("'" + file.string() + "' is neither a verb nor a file; see kerf --help.",
+                        kExitUsage);
+    }
+    return runEditor(file);
+}
+
+int runVerb(const Parser& parser, const Arguments& arguments) {
+    if (parser.replay->parsed()) return replayVerb(arguments.replay, std::cout, std::cerr);
+    if (parser.experiment->parsed()) {
+        return experimentVerb(arguments.experiment, std::cout, std::cerr);
+    }
+    if (parser.inspect->parsed()) return inspectVerb(arguments.inspect, std::cout);
+    if (parser.compare->parsed()) return compareVerb(arguments.compare, std::cout);
+    if (parser.worker->parsed()) return runImportWorker(arguments.workerFile);
+    return runEditorVerb(arguments.file);
+}
+
+/// A result that nobody got is no success: a full disk behind `kerf inspect MODEL --json > FILE`.
+int checkStandardOutput(int exitCode) {
+    std::cout.flush();
+    return std::cout
+               ? exitCode
+               : complain("Standard output could not be written; is the disk full?", kExitLimit);
+}
+
+/// runVerb with every error as a sentence and an exit code.
+int runVerbSafely(const Parser& parser, const Arguments& arguments) {
+    try {
+        return checkStandardOutput(runVerb(parser, arguments));
+    } catch (const InputError& error) {
+        return complain(error.what(), kExitInput);
+    } catch (const gpu::ContextError& error) {
+        return complain(error.what(), kExitNoOpenGl);
+    } catch (const gpu::ShaderError& error) {
+        return complain(error.what(), kExitNoOpenGl);
+    } catch (const gpu::OutOfMemory& error) {
+        return complain(error.what(), kExitLimit);
+    } catch (const OutputError& error) {
+        return complain(error.what(), kExitLimit);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return complain(error.path1().string() + ": " + error.code().message() + ".", kExitInput);
+    } catch (const std::bad_alloc&) {
+        return complain("Out of memory; try a smaller model.", kExitLimit);
+    }
+}
+
+/// Help and version go to standard output; a mistake is one sentence.
+int endParsing(const Parser& parser, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+        return parser.app.exit(error, std::cout, std::cerr);
+    }
+    return complain(std::string(error.what()) + "; see kerf --help.", kExitUsage);
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+    keepFreedMemory();
+    setUpLog();
+    readModelsWithThisProgram();
+    Arguments arguments;
+    Parser parser;
+    describe(parser, arguments);
+    try {
+        parser.app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return endParsing(parser, error);
+    }
+    if (!arguments.file.empty() && !parser.app.get_subcommands().empty()) {
+        return complain("A verb comes first and takes its own files; see kerf --help.", kExitUsage);
+    }
+    if (arguments.experiment.published && arguments.experiment.name == kBarExperiment) {
+        return complain("'bar' is none of the paper's experiments and takes no --published.",
+                        kExitUsage);
+    }
+    return runVerbSafely(parser, arguments);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,117 @@
+#include "app/cli/inspect_verb.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/cli/exit_codes.h"
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
+
+namespace kerf::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A report, and the sentence why the model is refused (empty where it is not).
+struct Inspection {
+    MeshReport report;
+    std::string refusal;
+};
+
+std::filesystem::path modelFile(const std::filesystem::path& model) {
+    const auto& names = builtinModels();
+    const bool builtin = std::find(names.begin(), names.end(), model.string()) != names.end();
+    return builtin && !std::filesystem::exists(model) ? builtinModelFile(model.string()) : model;
+}
+
+/// A file that can't be read at all has no report and throws.
+Inspection inspect(const std::filesystem::path& file) {
+    Inspection inspection;
+    try {
+        loadModel(file, &inspection.report);
+    } catch (const InputError& error) {
+        if (inspection.report.triangles == 0) {
+            throw;
+        }
+        inspection.refusal = error.what();
+    }
+    return inspection;
+}
+
+Json toJson(const Vec3& v) {
+    return Json::array({v.x(), v.y(), v.z()});
+}
+
+Json toJson(const MeshReport& report, const std::filesystem::path& file) {
+    return {{"file", file.string()},
+            {"vertices", report.vertices},
+            {"triangles", report.triangles},
+            {"bounds", {{"low", toJson(report.bounds.low)}, {"high", toJson(report.bounds.high)}}},
+            {"closed", report.closed},
+            {"manifold", report.manifold},
+            {"oriented", report.oriented},
+            {"pieces", report.pieces},
+            {"volume", report.volume},
+            {"open_edges", report.openEdges},
+            {"non_manifold_edges", report.nonManifoldEdges},
+            {"misoriented_edges", report.misorientedEdges},
+            {"non_manifold_vertices", report.nonManifoldVertices},
+            {"degenerate_triangles", report.degenerateTriangles},
+            {"non_finite_vertices", report.nonFiniteVertices},
+            {"out_of_range_indices", report.outOfRangeIndices},
+            {"repairs", report.repairs},
+            {"cuttable", report.cuttable},
+            {"problem", report.problem}};
+}
+
+std::string lengths(const Vec3& v) {
+    return formatNumber(static_cast<float>(v.x())) + " " + formatNumber(static_cast<float>(v.y())) +
+           " " + formatNumber(static_cast<float>(v.z()));
+}
+
+const char* yesNo(bool value) {
+    return value ? "yes" : "no";
+}
+
+void printForPeople(const Inspection& inspection, const std::filesystem::path& file,
+                    std::ostream& out) {
+    const MeshReport& report = inspection.report;
+    const auto line = [&out](const char* name) -> std::ostream& {
+        return out << std::left << std::setw(11) << name;
+    };
+    line("file") << file.string() << "\n";
+    line("vertices") << report.vertices << "\n";
+    line("triangles") << report.triangles << "\n";
+    line("bounds") << lengths(report.bounds.low) << " to " << lengths(report.bounds.high) << " m\n";
+    line("pieces") << report.pieces << "\n";
+    line("volume") << formatNumber(static_cast<float>(report.volume)) << " m^3\n";
+    line("closed") << yesNo(report.closed) << "\n";
+    line("manifold") << yesNo(report.manifold) << "\n";
+    line("oriented") << yesNo(report.oriented) << "\n";
+    for (const std::string& repair : report.repairs) {
+        line("repaired") << repair << "\n";
+    }
+    line("cuttable") << yesNo(inspection.refusal.empty()) << "\n";
+}
+
+}  // namespace
+
+int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
+    const std::filesystem::path file = modelFile(arguments.model);
+    const Inspection inspection = inspect(file);
+    if (arguments.json) {
+        out << toJson(inspection.report, file).dump(-1, ' ', false, Json::error_handler_t::replace)
+            << "\n";
+    } else {
+        printForPeople(inspection, file, out);
+    }
+    if (!inspection.refusal.empty()) {
+        throw InputError(inspection.refusal);
+    }
+    return kExitDone;
+}
+
+}  // namespace kerf::app

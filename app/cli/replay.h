@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/session/metrics.h"
+#include "app/session/session.h"
+
+namespace kerf::app {
+
+/// Who watches a replay; either may be missing.
+struct ReplayListener {
+    /// Called before each step with the steps done and the steps to do.
+    std::function<void(int done, int total)> progress;
+    /// Called after each step with its row of metrics.csv.
+    std::function<void(const MetricsRow& row)> row;
+};
+
+/// What came of a replay.
+struct ReplayResult {
+    RunSummary summary;
+    /// What was written, relative to the output folder, in the order of writing.
+    std::vector<std::string> files;
+};
+
+/// Runs a session as fast as it can on the OpenGL context that is current and writes metrics.csv,
+/// summary.json, final.ply, the session's screenshots and its exports into `folder` (made where it
+/// is missing) and nowhere else. Every file appears complete or not at all; results of an earlier
+/// run under these names are removed first, and summary.json comes last. Checks that fail do not
+/// stop the run: they stand in summary.failures. `model` is loadSessionModel(session).
+///
+/// Throws InputError naming the event that cannot happen (nothing to undo, no such box),
+/// OutputError, gpu::ShaderError, gpu::OutOfMemory.
+ReplayResult replaySession(const Session& session, ModelMesh model,
+                           const std::filesystem::path& folder, const ReplayListener& listener);
+
+}  // namespace kerf::app

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/scene/editor_document.h"
+#include "gpu/framebuffer.h"
+#include "render/image.h"
+#include "render/renderer.h"
+#include "ui/input.h"
+#include "ui/item_places.h"
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+class EditorScene;
+
+/// What surrounds the editor: its window or its test.
+struct EditorOptions {
+    int width = 1280;  ///< of the picture [px]
+    int height = 720;
+    float scale = 1;  ///< of the display, 1 = 96 dpi
+    render::Quality quality = render::Quality::full;
+    std::string device;  ///< what draws, for the status bar
+    /// Time runs by the clock where it can; otherwise every picture is one step, for tests.
+    bool byTheClock = true;
+    /// Where pictures go, and where files are looked for first.
+    std::filesystem::path screenshotFolder = ".";
+    /// Where the person's settings are kept; empty: nowhere, as in tests.
+    std::filesystem::path settingsFile;
+    std::filesystem::path recentFiles;  ///< see RecentFiles; empty keeps none
+};
+
+/// The editor behind a window or without one: events in, pictures out. It needs a current OpenGL
+/// 4.5 context with loaded functions. Each frame() takes the input in batches through the panels,
+/// drains what they and the keys ask for, steps the simulation and draws.
+class Editor {
+  public:
+    /// Throws gpu::ShaderError, gpu::OutOfMemory.
+    Editor(const EditorOptions& options, std::optional<Document> document);
+    ~Editor();
+    Editor(const Editor&) = delete;
+    Editor& operator=(const Editor&) = delete;
+
+    /// Puts input into the queue for the next frame.
+    void post(ui::InputEvent event);
+    /// Of the picture [px]; ignored where a side is 0, as of a hidden window.
+    void resize(int width, int height);
+    /// Of the display, as the window moves to another one; 1 = 96 dpi.
+    void setScale(float scale);
+    /// One picture; `elapsedSeconds` since the one before.
+    void frame(double elapsedSeconds);
+    /// How long nothing will change without input [s]; 0 while something moves.
+    double idleSeconds() const;
+
+    /// Whether a file is on its way in or out; what is open goes on meanwhile.
+    bool working() const;
+    /// Whether the person asked to leave and nothing is left to be saved.
+    bool closing() const;
+
+    /// Scene and panels, as the window shows them.
+    const gpu::Framebuffer& picture() const;
+    render::Image readPicture() const;
+    /// "Kerf - NAME - N pieces".
+    std::string title() const;
+    /// What the panels showed in the last frame.
+    const ui::PanelModel& panels() const;
+
+    /// Where the named items of the panels are.
+    const ui::ItemPlaces& places() const;
+    /// What is open, for tests that look into it; null while nothing is.
+    EditorScene* scene();
+
+    /// Begins to open a model or a session, which takes some frames. What cannot be opened is said
+    /// in the view and changes nothing.
+    void open(const std::filesystem::path& file);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The editor in a window, until it is closed; returns 0. Throws InputError where `file` cannot be
+/// opened, gpu::ContextError without a window or OpenGL 4.5.
+int runEditor(const std::optional<std::filesystem::path>& file);
+
+}  // namespace kerf::app

@@ -1,0 +1,126 @@
+#include <cstdlib>
+
+#include "app/editor/editor_state.h"
+#include "app/files/free_file.h"
+#include "gpu/data_path.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr std::size_t kMostRecentFolders = 5;
+
+/// Where a dialog begins that has no folder yet.
+std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder,
+                    const std::string& document) {
+    switch (purpose) {
+        case ui::FilePurpose::saveSession:
+            return freeFile(folder, document, ".kerf.json").filename().string();
+        case ui::FilePurpose::exportMesh:
+            return document + std::string(meshFormats().front().extension);
+        default:
+            return "";
+    }
+}
+
+/// Whether a newcomer would find nothing there: it is empty, or where Kerf itself lies.
+bool offersNothing(const std::filesystem::path& folder, const ui::FileDialogState& state) {
+    std::error_code error;
+    return state.rows.empty() || std::filesystem::equivalent(folder, gpu::dataPath("."), error);
+}
+
+}  // namespace
+
+void Editor::State::browse(ui::FilePurpose purpose) {
+    recent.look();
+    const std::filesystem::path& last = lastFolder(purpose);
+    const std::filesystem::path& folder = last.empty() ? options.screenshotFolder : last;
+    const std::string document = scene == nullptr ? "" : scene->document().name;
+    browser.emplace(purpose, folder, nameFor(purpose, folder, document), filePlaces(purpose));
+    if (purpose == ui::FilePurpose::open && last.empty() &&
+        offersNothing(folder, browser->state())) {
+        // The bookmarks lead back.
+        browser.emplace(purpose, gpu::dataPath("assets/models"), "", filePlaces(purpose));
+    }
+    preview.select({});
+    settlePasses = kSettlePasses;
+}
+
+std::vector<ui::FilePlace> Editor::State::filePlaces(ui::FilePurpose purpose) const {
+    std::vector<ui::FilePlace> places;
+    const auto add = [&](const std::string& label, const std::filesystem::path& folder) {
+        std::error_code error;
+        if (std::filesystem::is_directory(folder, error)) {
+            places.push_back({label, std::filesystem::absolute(folder).lexically_normal()});
+        }
+    };
+    add("Here", options.screenshotFolder);
+    if (const char* home = std::getenv("HOME")) {
+        add("Home", home);
+    }
+    if (purpose == ui::FilePurpose::open) {
+        add("Kerf's models", gpu::dataPath("assets/models"));
+        add("Kerf's sessions", gpu::dataPath("assets/sessions"));
+    }
+    std::vector<std::filesystem::path> folders = recent.folders();
+    folders.resize(std::min(folders.size(), kMostRecentFolders));
+    for (const std::filesystem::path& folder : folders) {
+        add(folder.filename().string(), folder);
+    }
+    return places;
+}
+
+void Editor::State::applyToFiles(const ui::FileAction& action) {
+    settlePasses = kSettlePasses;
+    if (const auto* wanted = std::get_if<ui::OpenFile>(&action)) {
+        open(wanted->file);
+    } else if (std::holds_alternative<ui::CloseFileDialog>(action)) {
+        browser.reset();
+        preview.select({});
+    } else if (browser) {
+        const std::optional<std::filesystem::path> taken = browser->take(action);
+        lastFolder(browser->state().purpose) = browser->state().folder;
+        if (taken) {
+            takeFile(*taken);
+        }
+    }
+}
+
+void Editor::State::takeFile(const std::filesystem::path& file) {
+    const ui::FileDialogState dialog = browser->state();
+    browser.reset();
+    preview.select({});
+    switch (dialog.purpose) {
+        case ui::FilePurpose::open:
+            open(file);
+            return;
+        case ui::FilePurpose::saveSession:
+            saveSession(file);
+            recent.add(file);
+            return;
+        default:
+            exportBody(file, dialog.filePerPiece);
+    }
+}
+
+void Editor::State::followPreview() {
+    if (browser && browser->state().purpose == ui::FilePurpose::open) {
+        preview.select(browser->selectedFile());
+    }
+    if (preview.advance()) {
+        settlePasses = kSettlePasses;
+    }
+}
+
+void Editor::State::answer(int choice) {
+    if (!fault) {
+        return;
+    }
+    const std::filesystem::path file = fault->file;
+    fault.reset();
+    settlePasses = kSettlePasses;
+    if (choice == 0) {
+        open(file, true);
+    }
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,198 @@
+#include <spdlog/spdlog.h>
+
+#include "app/editor/editor_state.h"
+#include "app/files/file_io.h"
+#include "app/files/free_file.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over sooner
+
+}  // namespace
+
+void Editor::State::saveSession(const std::filesystem::path& file) {
+    if (startsSaving()) {
+        saving = startSaving(
+            file, scene->recordedSession(cameraFlight.destination(camera), display.colors));
+    }
+}
+
+void Editor::State::saveRecording() {
+    saveSession(freeFile(options.screenshotFolder, scene->document().name, ".kerf.json"));
+}
+
+void Editor::State::exportBody(const std::filesystem::path& file, bool filePerPiece) {
+    if (startsSaving()) {
+        saving = startExport({file, filePerPiece}, scene->document(), scene->simulation());
+    }
+}
+
+/// One file after the other.
+bool Editor::State::startsSaving() {
+    if (saving != nullptr) {
+        toast.show(saving->title + " is not done yet; save again after it.", true);
+    }
+    return scene != nullptr && saving == nullptr;
+}
+
+void Editor::State::open(const std::filesystem::path& file, bool fillHoles) {
+    cancelLoading();
+    fault.reset();
+    loading = std::make_unique<DocumentLoading>(file, fillHoles);
+}
+
+void Editor::State::followWork() {
+    followLoading();
+    followSaving();
+    followSavings();
+    followPreview();
+}
+
+/// The scene stays as it is until the new one stands and the hand is free.
+void Editor::State::followLoading() {
+    std::erase_if(cancelledLoadings, [](const auto& cancelled) { return cancelled->ended(); });
+    if (loading == nullptr) {
+        return;
+    }
+    settlePasses = kSettlePasses;
+    try {
+        loading->advance();
+        if (loading->ready() && !handIsBusy()) {
+            show(loading->take());
+            recent.add(loading->file());
+            loading.reset();
+        }
+    } catch (const ModelFault& found) {
+        spdlog::error("{}", found.what());
+        askAboutHoles(found);
+        loading.reset();
+    } catch (const std::exception& error) {
+        spdlog::error("{}", error.what());
+        toast.show(error.what(), true);
+        loading.reset();
+    }
+}
+
+/// Only what would really help is offered.
+void Editor::State::askAboutHoles(const ModelFault& found) {
+    if (found.fillableHoles() == 0) {
+        toast.show(found.what(), true);
+        return;
+    }
+    std::string sentence = found.what();
+    if (const std::string whole = loading->file().string(); sentence.starts_with(whole)) {
+        sentence.replace(0, whole.size(), loading->file().filename().string());
+    }
+    const std::string holes = counted(found.fillableHoles(), "hole", "holes");
+    fault = {loading->file(),
+             {"This model can't be cut as it is",
+              sentence.substr(0, sentence.find(';')) + ". Filling " + holes +
+                  " would close it; the file stays as it is.",
+              {"Fill " + holes, "Cancel"}}};
+}
+
+void Editor::State::followSaving() {
+    std::erase_if(cancelledSavings, [](const auto& cancelled) { return cancelled->job.done(); });
+    if (saving == nullptr || !saving->job.done()) {
+        return;
+    }
+    settlePasses = kSettlePasses;
+    try {
+        const std::string sentence = saving->job.take();
+        spdlog::info("{}", sentence);
+        toast.show(sentence, false);
+    } catch (const std::exception& error) {
+        toast.show(error.what(), true);
+    }
+    saving.reset();
+}
+
+void Editor::State::cancelWork() {
+    if (loading != nullptr) {
+        cancelLoading();
+    } else if (saving != nullptr) {
+        saving->job.cancel();
+        cancelledSavings.push_back(std::move(saving));
+    }
+}
+
+void Editor::State::cancelLoading() {
+    if (loading != nullptr) {
+        loading->cancel();
+        cancelledLoadings.push_back(std::move(loading));
+    }
+}
+
+ui::WorkState Editor::State::workState() const {
+    ui::WorkState work;
+    if (loading != nullptr) {
+        work = {"Opening " + loading->file().filename().string(), loading->stage(),
+                loading->seconds()};
+    } else if (saving != nullptr) {
+        work = {saving->title, saving->job.stage(), saving->job.seconds()};
+    }
+    return work.seconds < kQuietSeconds ? ui::WorkState{} : work;
+}
+
+void Editor::State::show(UploadedDocument uploaded) {
+    const std::string note = uploaded.document.note;
+    // Either may fail for want of memory; what is open stays then.
+    auto next =
+        std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
+    renderer.setRestDepth(uploaded.depth);
+    scene = std::move(next);
+    landCamera();
+    camera = scene->document().camera;
+    display.colors = scene->document().session.colors;
+    hand.fitTo(scene->bounds());
+    bodyHand = {};
+    cameraControl.releaseAll();
+    cutWatch = {};
+    display.apart = 0;
+    pieceDisplay.clear();
+    plotView = {};
+    sceneChanged = true;
+    clock.stop();
+    if (!note.empty()) {
+        spdlog::info("{}: {}", scene->document().name, note);
+        toast.show(note, false);
+    }
+}
+
+void Editor::State::followSavings() {
+    for (const SavingQueue::Outcome& outcome : savings.takeOutcomes()) {
+        settlePasses = kSettlePasses;
+        if (outcome.failed) {
+            spdlog::error("{}", outcome.sentence);
+        } else {
+            spdlog::info("{}", outcome.sentence);
+        }
+        toast.show(outcome.sentence, outcome.failed);
+    }
+}
+
+void Editor::State::saveScreenshot() {
+    screenshotWanted = false;
+    savePicture({options.width, options.height, picture.readColor()}, "kerf");
+}
+
+void Editor::State::saveSceneScreenshot() {
+    render::SceneView view = sceneToDraw();
+    view.transparent = true;
+    renderer.draw(view, camera, options.width, options.height);
+    render::Image image = renderer.readPicture();
+    render::divideByAlpha(image);
+    savePicture(std::move(image), "kerf-scene");
+}
+
+void Editor::State::savePicture(render::Image image, const std::string& name) {
+    savings.add([image = std::move(image), name, folder = options.screenshotFolder] {
+        const std::filesystem::path file = freeFile(folder, name, ".png");
+        writePicture(image, file);
+        return "Saved " + file.string();
+    });
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,41 @@
+#include "app/editor/editor_toast.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kerf::app {
+namespace {
+
+constexpr double kNoticeSeconds = 5;
+constexpr double kErrorSeconds = 12;
+constexpr double kFadeSeconds = 0.5;
+constexpr std::size_t kMostLogLines = 200;
+
+}  // namespace
+
+void EditorToast::show(std::string text, bool isError) {
+    text_ = std::move(text);
+    isError_ = isError;
+    if (log_.size() == kMostLogLines) {
+        log_.erase(log_.begin());
+    }
+    log_.push_back({text_, isError});
+    remaining_ = isError ? kErrorSeconds : kNoticeSeconds;
+}
+
+void EditorToast::pass(double elapsedSeconds) {
+    remaining_ = std::max(0.0, remaining_ - elapsedSeconds);
+}
+
+double EditorToast::steadySeconds() const {
+    return std::max(0.0, remaining_ - kFadeSeconds);
+}
+
+void EditorToast::describe(ui::PanelModel& model) const {
+    model.toast = visible() ? text_ : "";
+    model.log = log_;
+    model.toastIsError = isError_;
+    model.toastOpacity = static_cast<float>(std::min(1.0, remaining_ / kFadeSeconds));
+}
+
+}  // namespace kerf::app

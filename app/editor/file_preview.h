@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/files/background_job.h"
+
+namespace kerf::app {
+
+/// A few lines about a model or a session: what it is, how large, how many triangles.
+std::vector<std::string> describeFile(const std::filesystem::path& file, WorkProgress& progress);
+
+/// Those lines about what is selected, found on a thread of its own. A file that is selected no
+/// longer is let go.
+class FilePreview {
+  public:
+    /// Empty shows nothing.
+    void select(const std::filesystem::path& file);
+    /// Whether the lines have changed since the last call; once a picture.
+    bool advance();
+    const std::vector<std::string>& lines() const { return lines_; }
+    bool working() const { return job_ != nullptr; }
+
+  private:
+    using Job = BackgroundJob<std::vector<std::string>>;
+
+    std::filesystem::path file_;
+    std::vector<std::string> lines_;
+    bool changed_ = false;
+    std::unique_ptr<Job> job_;
+    std::vector<std::unique_ptr<Job>> letGo_;  ///< until their threads end
+};
+
+}  // namespace kerf::app

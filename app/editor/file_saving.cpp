@@ -1,0 +1,59 @@
+#include "app/editor/file_saving.h"
+
+#include <utility>
+
+#include "app/files/file_io.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+/// What the thread works on: copies, so that the body may go on.
+struct ExportInput {
+    ExportTarget target;
+    SurfaceMesh uncut;
+    std::vector<CornerUvs> uvs;  ///< of it
+    SurfaceMesh mesh;
+};
+
+std::string exportBody(const ExportInput& input, WorkProgress& progress) {
+    progress.enter("Looking for the pieces");
+    const PieceMap pieces = findPieces(input.mesh);
+    progress.enter("Carrying the texture along");
+    const std::vector<CornerUvs> uvs = carryUvs(input.uncut, input.uvs, input.mesh);
+    progress.enter("Encoding");
+    const std::vector<ExportedFile> files = encodeExport(input.target, input.mesh, pieces, uvs);
+    progress.enter("Writing");
+    for (const ExportedFile& file : files) {
+        writeOutputFile(file.file, file.bytes);
+    }
+    const std::string& first = files.front().file.string();
+    return files.size() == 1
+               ? "Exported " + first
+               : "Exported " + counted(files.size(), "file", "files") + ", " + first + " the first";
+}
+
+}  // namespace
+
+std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
+                                        Simulation& simulation) {
+    const bool textured = !document.uvs.empty();
+    const std::string title = "Exporting " + target.file.filename().string();
+    auto input = std::make_shared<const ExportInput>(
+        ExportInput{std::move(target), textured ? document.mesh : SurfaceMesh{}, document.uvs,
+                    simulation.mesh()});
+    return std::make_unique<FileSaving>(
+        title, [input](WorkProgress& progress) { return exportBody(*input, progress); });
+}
+
+std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Session session) {
+    return std::make_unique<FileSaving>(
+        "Saving " + file.filename().string(),
+        [file, session = std::move(session)](WorkProgress& progress) {
+            progress.enter("Writing");
+            writeOutputFile(file, formatSession(session, file.parent_path()));
+            return "Saved " + file.string();
+        });
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/files/background_job.h"
+#include "app/files/export.h"
+#include "app/scene/editor_document.h"
+#include "sim/run/simulation.h"
+
+namespace kerf::app {
+
+/// Something on its way into files, on a thread of its own. Nothing is written once it was
+/// cancelled.
+struct FileSaving {
+    FileSaving(std::string what, BackgroundJob<std::string>::Work work)
+        : title(std::move(what)), job(std::move(work)) {}
+
+    std::string title;               ///< "Exporting slice.obj"
+    BackgroundJob<std::string> job;  ///< ends with a sentence for the person; throws OutputError
+};
+
+/// Exports the body as it is now.
+std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
+                                        Simulation& simulation);
+/// Writes a session.
+std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Session session);
+
+}  // namespace kerf::app

@@ -1,0 +1,137 @@
+#include "app/editor/first_steps.h"
+
+#include "sim/base/text.h"
+
+namespace kerf::app {
+
+using ui::ActionId;
+using ui::Hint;
+using ui::Tool;
+
+void CutWatch::follow(bool cutting, int pieces, int triangles) {
+    const Counts now{pieces, triangles};
+    if (cutting) {
+        before_ = before_.value_or(now);
+        met_ = met_ || now != *before_;
+        outcome_ = CutOutcome::none;
+    } else if (before_) {
+        outcome_ = outcomeOf(now);
+        after_ = now;
+        before_.reset();
+        met_ = false;
+    } else if (!(now == after_)) {
+        outcome_ = CutOutcome::none;
+    }
+}
+
+/// Of the stroke that has just ended.
+CutOutcome CutWatch::outcomeOf(const Counts& now) const {
+    if (now == *before_) {
+        return met_ ? CutOutcome::none : CutOutcome::missed;
+    }
+    return now.pieces > before_->pieces ? CutOutcome::parted : CutOutcome::incised;
+}
+
+void FirstSteps::follow(const Situation& now) {
+    if (now.cutting) {
+        cutTool_ = now.tool;
+    }
+    if (now.outcome == CutOutcome::incised || now.outcome == CutOutcome::parted) {
+        used_[static_cast<std::size_t>(cutTool_)] = true;
+    }
+    used_[static_cast<std::size_t>(now.tool)] |= now.touching;
+    parted_ |= now.outcome == CutOutcome::parted;
+    played_ |= now.playing && now.session;
+    const bool falls = now.playing && !now.weightless;
+    weighed_ |= falls;
+    wentOn_ |= fell_ && now.cutting;
+    fell_ |= falls && now.pieces > 1;
+}
+
+Hint FirstSteps::hint(const Situation& now) const {
+    if (!now.open) {
+        return {
+            "Drop a model (OBJ, PLY, STL) or a session here to open it, or choose an experiment "
+            "at the left.",
+            {{ActionId::openFile, "Open a file"}}};
+    }
+    if (now.touching || now.cutting) {
+        return {};
+    }
+    if (now.playing) {
+        const bool still = now.weightless && !now.session && !weighed_;
+        return still ? Hint{"Time runs, but nothing has weight here.",
+                            {{ActionId::toggleGravity, "Give it weight"}}}
+                     : Hint{};
+    }
+    const bool chosenSince = now.tool != cutTool_ && !hasUsed(now.tool);
+    Hint after = chosenSince ? Hint{} : afterStroke(now);
+    return after.text.empty() ? beforeStroke(now) : after;
+}
+
+Hint FirstSteps::afterStroke(const Situation& now) const {
+    if (now.pieces > 1 && !fell_) {
+        return {counted(now.pieces, "piece", "pieces") + " now. What next?",
+                {{ActionId::letFall, "Let them fall"},
+                 {ActionId::showApart, "Show them apart"},
+                 {ActionId::toolGrab, "Pull at one"}}};
+    }
+    if (now.pieces > 1 && !wentOn_ && now.tool == cutTool_) {
+        return {"Drag to cut again, or:",
+                {{ActionId::undo, "Undo"},
+                 {ActionId::reset, "Back to the start"},
+                 {ActionId::help, "All keys"}}};
+    }
+    const bool unsure = !parted_ && now.tool == Tool::stroke;
+    if (unsure && now.outcome == CutOutcome::missed) {
+        return {
+            "The blade met nothing. Drag right across the model, from one side of it to the "
+            "other.",
+            {}};
+    }
+    if (unsure && now.outcome == CutOutcome::incised) {
+        return {
+            "An incision: the blade began or ended inside. Drag from beside the model to beside "
+            "it, and it falls in two.",
+            {{ActionId::undo, "Undo"}}};
+    }
+    if (now.outcome == CutOutcome::incised && !hasUsed(Tool::grab)) {
+        return {"An incision. Pull it open:", {{ActionId::toolGrab, "Pull"}}};
+    }
+    return {};
+}
+
+Hint FirstSteps::beforeStroke(const Situation& now) const {
+    if (now.session && now.tool == Tool::stroke && !played_) {
+        return {"Press Space to play the session, or drag right across the model to cut it.",
+                {{ActionId::playPause, "Play"}}};
+    }
+    if (hasUsed(now.tool)) {
+        return {};
+    }
+    switch (now.tool) {
+        case Tool::stroke:
+            return {
+                "Drag with the left button right across the model to cut it, from one side to "
+                "the other.",
+                {}};
+        case Tool::scalpel:
+            return {
+                "Drag over the model: the scalpel cuts along its surface, as deep as its ring is "
+                "wide.",
+                {}};
+        case Tool::guillotine:
+            return {"Drag the four handles to pose the blade, then:",
+                    {{ActionId::bringDown, "Bring it down"}}};
+        case Tool::grab:
+            return {"Drag the model to pull at it: time runs while you hold it.", {}};
+        case Tool::pin:
+            return {
+                "Drag over the model and what is under the brush stays in place. Shift+drag "
+                "pins a box, Ctrl+drag frees.",
+                {}};
+    }
+    return {};
+}
+
+}  // namespace kerf::app

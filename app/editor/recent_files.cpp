@@ -1,0 +1,80 @@
+#include "app/editor/recent_files.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace kerf::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isThere(const fs::path& file) {
+    std::error_code error;
+    return fs::is_regular_file(file, error);
+}
+
+}  // namespace
+
+RecentFiles::RecentFiles(fs::path store) : store_(std::move(store)) {
+    std::ifstream in(store_);
+    for (std::string line; files_.size() < kMost && std::getline(in, line);) {
+        if (!line.empty()) {
+            files_.emplace_back(line);
+        }
+    }
+    look();
+}
+
+void RecentFiles::add(const fs::path& file) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(file, error).lexically_normal();
+    if (error || whole.string().find('\n') != std::string::npos) {
+        return;
+    }
+    std::erase(files_, whole);
+    files_.insert(files_.begin(), whole);
+    files_.resize(std::min(files_.size(), kMost));
+    look();
+    write();
+}
+
+void RecentFiles::write() const {
+    if (store_.empty()) {
+        return;
+    }
+    std::error_code error;
+    fs::create_directories(store_.parent_path(), error);
+    std::ofstream out(store_);
+    for (const fs::path& file : files_) {
+        out << file.string() << '\n';
+    }
+}
+
+void RecentFiles::look() {
+    there_.clear();
+    std::ranges::copy_if(files_, std::back_inserter(there_), isThere);
+}
+
+std::vector<fs::path> RecentFiles::folders() const {
+    std::vector<fs::path> folders;
+    for (const fs::path& file : files()) {
+        if (std::ranges::find(folders, file.parent_path()) == folders.end()) {
+            folders.push_back(file.parent_path());
+        }
+    }
+    return folders;
+}
+
+fs::path recentFilesStore() {
+    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && state[0] == '/') {
+        return fs::path(state) / "kerf" / "recent-files";
+    }
+    const char* const home = std::getenv("HOME");
+    return home == nullptr ? fs::path() : fs::path(home) / ".local/state/kerf/recent-files";
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,177 @@
+#include "app/editor/settings_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
+#include "app/session/session_json.h"
+
+namespace kerf::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using ui::Settings;
+
+constexpr std::uintmax_t kMostBytes = 1u << 20;
+constexpr std::size_t kMostNames = 64;
+
+struct NumberRow {
+    const char* key;
+    double Settings::*member;
+    double low;
+    double high;
+};
+constexpr std::array kNumbers{
+    NumberRow{"ui_scale", &Settings::uiScale, 0.5, 4},
+    NumberRow{"controls_width", &Settings::controlsWidth, Settings::kLeastWidth,
+              Settings::kMostWidth},
+    NumberRow{"readings_width", &Settings::readingsWidth, Settings::kLeastWidth,
+              Settings::kMostWidth},
+    NumberRow{"pieces_share", &Settings::piecesShare, 0, 1},
+    NumberRow{"plots_share", &Settings::plotsShare, 0, 1},
+};
+
+struct SwitchRow {
+    const char* key;
+    bool Settings::*member;
+};
+constexpr std::array kSwitches{
+    SwitchRow{"show_controls", &Settings::showControls},
+    SwitchRow{"show_readings", &Settings::showReadings},
+};
+
+struct NamesRow {
+    const char* key;
+    std::vector<std::string> Settings::*member;
+};
+constexpr std::array kNames{
+    NamesRow{"plots", &Settings::plots},
+    NamesRow{"folded", &Settings::folded},
+};
+
+[[noreturn]] void fail(const std::string& key, const std::string& problem) {
+    throw InputError(key + ": " + problem);
+}
+
+double readNumber(const NumberRow& row, const nlohmann::json& value) {
+    const double number = value.is_number() ? value.get<double>() : row.low - 1;
+    if (!(number >= row.low && number <= row.high)) {
+        fail(row.key, "expected a number from " + formatNumber(row.low) + " to " +
+                          formatNumber(row.high) + ".");
+    }
+    return number;
+}
+
+bool readSwitch(const char* key, const nlohmann::json& value) {
+    if (!value.is_boolean()) {
+        fail(key, "expected true or false.");
+    }
+    return value.get<bool>();
+}
+
+std::vector<std::string> readNames(const char* key, const nlohmann::json& value) {
+    const auto isName = [](const nlohmann::json& entry) { return entry.is_string(); };
+    if (!value.is_array() || value.size() > kMostNames || !std::ranges::all_of(value, isName)) {
+        fail(key, "expected a list of names.");
+    }
+    return value.get<std::vector<std::string>>();
+}
+
+ui::Theme readTheme(const nlohmann::json& value) {
+    if (value == "dark") {
+        return ui::Theme::dark;
+    }
+    if (value == "light") {
+        return ui::Theme::light;
+    }
+    fail("theme", "expected \"dark\" or \"light\".");
+}
+
+}  // namespace
+
+std::string formatSettings(const Settings& settings) {
+    Json json;
+    json["theme"] = settings.theme == ui::Theme::light ? "light" : "dark";
+    for (const NumberRow& row : kNumbers) {
+        json[row.key] = settings.*row.member;
+    }
+    for (const SwitchRow& row : kSwitches) {
+        json[row.key] = settings.*row.member;
+    }
+    for (const NamesRow& row : kNames) {
+        json[row.key] = settings.*row.member;
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Settings parseSettings(const std::string& text) {
+    const nlohmann::json json = parseJson(text);
+    if (!json.is_object()) {
+        throw InputError("expected an object in braces.");
+    }
+    Settings settings;
+    if (json.contains("theme")) {
+        settings.theme = readTheme(json["theme"]);
+    }
+    for (const NumberRow& row : kNumbers) {
+        if (json.contains(row.key)) {
+            settings.*row.member = readNumber(row, json[row.key]);
+        }
+    }
+    for (const SwitchRow& row : kSwitches) {
+        if (json.contains(row.key)) {
+            settings.*row.member = readSwitch(row.key, json[row.key]);
+        }
+    }
+    for (const NamesRow& row : kNames) {
+        if (json.contains(row.key)) {
+            settings.*row.member = readNames(row.key, json[row.key]);
+        }
+    }
+    return settings;
+}
+
+SettingsFile::SettingsFile(std::filesystem::path file) : file_(std::move(file)) {
+    std::error_code error;
+    if (!file_.empty() && std::filesystem::exists(file_, error)) {
+        try {
+            now = parseSettings(readInputFile(file_, kMostBytes));
+        } catch (const InputError& problem) {
+            problem_ = "The settings of " + file_.string() +
+                       " are not used until they are changed here: " + problem.what();
+        }
+    }
+    saved_ = now;
+}
+
+std::string SettingsFile::save() {
+    if (file_.empty() || now == saved_) {
+        return "";
+    }
+    saved_ = now;
+    try {
+        std::filesystem::create_directories(file_.parent_path());
+        writeOutputFile(file_, formatSettings(now));
+        return "";
+    } catch (const std::exception& problem) {
+        return std::string("The settings could not be kept: ") + problem.what();
+    }
+}
+
+std::filesystem::path defaultSettingsFile() {
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    std::filesystem::path folder;
+    // A relative path there means nothing, by the XDG base directory specification.
+    if (config != nullptr && std::filesystem::path(config).is_absolute()) {
+        folder = config;
+    } else if (home != nullptr && *home != '\0') {
+        folder = std::filesystem::path(home) / ".config";
+    }
+    return folder.empty() ? folder : folder / "kerf" / "settings.json";
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,36 @@
+#include "app/editor/step_clock.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kerf::app {
+namespace {
+
+constexpr double kMostDue = 4;  // steps, at speed 1
+constexpr double kRateSmoothing = 0.1;
+
+}  // namespace
+
+void StepClock::setSpeed(double factor) {
+    speed_ = std::clamp(factor, kSlowest, kFastest);
+}
+
+int StepClock::takeDue(double elapsedSeconds, double timeStep) {
+    const double more = byTheClock_ ? elapsedSeconds / timeStep : 1;
+    due_ = std::min(due_ + speed_ * more, kMostDue * std::max(1.0, speed_));
+    const int whole = static_cast<int>(due_);
+    due_ -= whole;
+    return whole;
+}
+
+bool StepClock::measure(double elapsedSeconds, bool ran) {
+    // Only between two pictures that both ran: a pause in between is no frame time.
+    const bool counts = std::exchange(ranBefore_, ran) && ran && elapsedSeconds > 0;
+    if (counts) {
+        const double now = 1 / elapsedSeconds;
+        rate_ = rate_ > 0 ? rate_ + kRateSmoothing * (now - rate_) : now;
+    }
+    return counts;
+}
+
+}  // namespace kerf::app

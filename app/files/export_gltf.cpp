@@ -1,0 +1,234 @@
+#include "app/files/export_gltf.h"
+
+#include <nettle/base64.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace kerf::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Numbers of the glTF 2.0 specification.
+constexpr int kFloat = 5126;
+constexpr int kUnsignedInt = 5125;
+constexpr int kArrayBuffer = 34962;
+constexpr int kElementArrayBuffer = 34963;
+constexpr std::uint32_t kGlbMagic = 0x46546C67;
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+
+static_assert(std::endian::native == std::endian::little, "buffers are written as they lie");
+
+/// Vertices of a primitive: a corner with another normal or texture coordinate is another one.
+struct Primitive {
+    std::vector<Vec3f> positions;
+    std::vector<Vec3f> normals;
+    std::vector<Eigen::Vector2f> uvs;  ///< empty where there are none
+    std::vector<std::uint32_t> indices;
+};
+
+Vec3f areaVector(const ExportMesh& mesh, const ExportFace& face) {
+    const auto [a, b, c] = face.corners;
+    return (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+}
+
+/// Of the faces of this part alone: sharp towards other parts.
+std::vector<Vec3f> normalsWithin(const ExportMesh& part) {
+    std::vector<Vec3f> sums(part.positions.size(), Vec3f::Zero());
+    for (const ExportFace& face : part.faces) {
+        for (const int v : face.corners) {
+            sums[v] += areaVector(part, face);
+        }
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        const bool cancels = sums[v].norm() < 1e-20F;  // both walls at the front of a slit
+        sums[v] = cancels ? part.normals[v] : Vec3f(sums[v].stableNormalized());
+    }
+    return sums;
+}
+
+Primitive primitiveOf(const ExportMesh& part) {
+    const std::vector<Vec3f> normals = normalsWithin(part);
+    Primitive out;
+    std::map<std::pair<int, int>, std::uint32_t> numbers;  // by position and texture coordinate
+    for (const ExportFace& face : part.faces) {
+        for (int i = 0; i < 3; ++i) {
+            const int v = face.corners[i];
+            const auto next = static_cast<std::uint32_t>(out.positions.size());
+            const auto [place, isNew] = numbers.try_emplace({v, face.uvs[i]}, next);
+            if (isNew) {
+                out.positions.push_back(part.positions[v]);
+                out.normals.push_back(normals[v]);
+                if (!part.uvs.empty()) {
+                    // v runs downwards in glTF.
+                    const Eigen::Vector2f& uv = part.uvs[face.uvs[i]];
+                    out.uvs.emplace_back(uv.x(), 1 - uv.y());
+                }
+            }
+            out.indices.push_back(place->second);
+        }
+    }
+    return out;
+}
+
+/// The JSON and the buffer of a file, as they grow.
+class GltfFile {
+  public:
+    GltfFile() {
+        json_["asset"] = {{"version", "2.0"}, {"generator", "Kerf"}};
+        json_["scene"] = 0;
+        json_["scenes"] = Json::array({{{"nodes", Json::array()}}});
+        json_["materials"] = Json::array(
+            {material("skin", {0.74, 0.07, 0.035, 1}), material("cut", {0.42, 0.46, 0.17, 1})});
+    }
+
+    void addPiece(const ExportMesh& mesh, int piece) {
+        Json primitives = Json::array();
+        for (const bool cut : {false, true}) {
+            const ExportMesh part = partOf(mesh, [&](const ExportFace& face) {
+                return face.piece == piece && face.cut == cut;
+            });
+            if (!part.faces.empty()) {
+                primitives.push_back(add(primitiveOf(part), cut ? 1 : 0));
+            }
+        }
+        const std::string name = "piece_" + std::to_string(piece + 1);
+        const std::size_t index = json_["meshes"].size();
+        json_["meshes"].push_back({{"name", name}, {"primitives", primitives}});
+        json_["nodes"].push_back({{"name", name}, {"mesh", index}});
+        json_["scenes"][0]["nodes"].push_back(index);
+    }
+
+    /// Where the buffer is; "" for the one beside the JSON.
+    std::string text(const std::string& uri) {
+        Json buffer = {{"byteLength", bytes_.size()}};
+        if (!uri.empty()) {
+            buffer["uri"] = uri;
+        }
+        json_["buffers"] = Json::array({buffer});
+        return json_.dump();
+    }
+    const std::string& bytes() const { return bytes_; }
+
+  private:
+    static Json material(const char* name, const std::array<double, 4>& color) {
+        return {{"name", name},
+                {"pbrMetallicRoughness",
+                 {{"baseColorFactor", color}, {"metallicFactor", 0}, {"roughnessFactor", 0.6}}}};
+    }
+
+    Json add(const Primitive& primitive, int material) {
+        Json attributes;
+        attributes["POSITION"] = addVectors(primitive.positions, "VEC3", true);
+        attributes["NORMAL"] = addVectors(primitive.normals, "VEC3", false);
+        if (!primitive.uvs.empty()) {
+            attributes["TEXCOORD_0"] = addVectors(primitive.uvs, "VEC2", false);
+        }
+        const int view = addView(primitive.indices, kElementArrayBuffer);
+        const int indices = addAccessor({{"bufferView", view},
+                                         {"componentType", kUnsignedInt},
+                                         {"count", primitive.indices.size()},
+                                         {"type", "SCALAR"}});
+        return {{"attributes", attributes}, {"indices", indices}, {"material", material}};
+    }
+
+    template <class Vector>
+    int addVectors(const std::vector<Vector>& vectors, const char* type, bool withBounds) {
+        static_assert(sizeof(Vector) == Vector::SizeAtCompileTime * sizeof(float));
+        Json accessor = {{"bufferView", addView(vectors, kArrayBuffer)},
+                         {"componentType", kFloat},
+                         {"count", vectors.size()},
+                         {"type", type}};
+        if (withBounds) {
+            Vector low = vectors.front();
+            Vector high = vectors.front();
+            for (const Vector& v : vectors) {
+                low = low.cwiseMin(v);
+                high = high.cwiseMax(v);
+            }
+            accessor["min"] = std::vector<float>(low.begin(), low.end());
+            accessor["max"] = std::vector<float>(high.begin(), high.end());
+        }
+        return addAccessor(std::move(accessor));
+    }
+
+    int addAccessor(Json accessor) {
+        json_["accessors"].push_back(std::move(accessor));
+        return static_cast<int>(json_["accessors"].size()) - 1;
+    }
+
+    /// All items are multiples of four bytes, as the format wants it.
+    template <class Item>
+    int addView(const std::vector<Item>& items, int target) {
+        static_assert(sizeof(Item) % 4 == 0);
+        const std::size_t length = items.size() * sizeof(Item);
+        json_["bufferViews"].push_back({{"buffer", 0},
+                                        {"byteOffset", bytes_.size()},
+                                        {"byteLength", length},
+                                        {"target", target}});
+        bytes_.append(reinterpret_cast<const char*>(items.data()), length);
+        return static_cast<int>(json_["bufferViews"].size()) - 1;
+    }
+
+    Json json_;
+    std::string bytes_;
+};
+
+GltfFile gather(const ExportMesh& mesh) {
+    int pieces = 0;
+    int first = mesh.faces.empty() ? 0 : mesh.faces.front().piece;
+    for (const ExportFace& face : mesh.faces) {
+        pieces = std::max(pieces, face.piece + 1);
+        first = std::min(first, face.piece);
+    }
+    GltfFile file;
+    for (int piece = first; piece < pieces; ++piece) {
+        file.addPiece(mesh, piece);
+    }
+    return file;
+}
+
+void append(std::string& bytes, std::uint32_t value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void appendChunk(std::string& bytes, std::uint32_t type, std::string content, char padding) {
+    content.resize((content.size() + 3) / 4 * 4, padding);
+    append(bytes, static_cast<std::uint32_t>(content.size()));
+    append(bytes, type);
+    bytes += content;
+}
+
+std::string base64(const std::string& bytes) {
+    std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+    base64_encode_raw(text.data(), bytes.size(),
+                      reinterpret_cast<const std::uint8_t*>(bytes.data()));
+    return text;
+}
+
+}  // namespace
+
+std::string encodeGlb(const ExportMesh& mesh) {
+    GltfFile file = gather(mesh);
+    std::string chunks;
+    appendChunk(chunks, kJsonChunk, file.text(""), ' ');
+    appendChunk(chunks, kBinaryChunk, file.bytes(), '\0');
+    std::string bytes;
+    append(bytes, kGlbMagic);
+    append(bytes, 2);
+    append(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
+    return bytes + chunks;
+}
+
+std::string encodeGltf(const ExportMesh& mesh) {
+    GltfFile file = gather(mesh);
+    return file.text("data:application/octet-stream;base64," + base64(file.bytes()));
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,149 @@
+#include "app/files/file_io.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+
+#include "app/files/model_source.h"
+
+namespace kerf::app {
+
+namespace {
+
+constexpr std::size_t kWriteBlock = 1 << 16;
+
+std::filesystem::path hiddenNameBeside(const std::filesystem::path& file) {
+    const std::string name =
+        "." + file.filename().string() + "." + std::to_string(::getpid()) + ".part";
+    return file.parent_path() / name;
+}
+
+void requireReadableSize(const std::filesystem::path& file, std::uintmax_t limit) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) {
+        throw InputError(file.string() + ": there is no such file; check the name.");
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+        throw InputError(file.string() + ": this is not a regular file; name one to read.");
+    }
+    const auto size = std::filesystem::file_size(file, error);
+    if (!error && size > limit) {
+        throw InputError(file.string() + ": " + std::to_string(size) +
+                         " bytes are more than the limit of " + std::to_string(limit) + ".");
+    }
+}
+
+/// A device or a pipe must not be replaced by a file.
+void requireReplaceable(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        throw OutputError(file.string() +
+                          ": there is something else than a file; choose another name.");
+    }
+}
+
+template <class T>
+std::string shortestText(T value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
+}  // namespace
+
+std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limit) {
+    requireReadableSize(file, limit);
+    std::ifstream stream(file, std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    if (!stream) {
+        throw InputError(file.string() + ": it could not be read; check its permissions.");
+    }
+    return bytes;
+}
+
+AtomicFile::AtomicFile(std::filesystem::path file)
+    : file_(std::move(file)), hidden_(hiddenNameBeside(file_)) {
+    requireReplaceable(file_);
+    descriptor_ = ::open(hidden_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+        fail();
+    }
+}
+
+AtomicFile::~AtomicFile() {
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
+        ::unlink(hidden_.c_str());
+    }
+}
+
+void AtomicFile::write(std::string_view bytes) {
+    pending_ += bytes;
+    if (pending_.size() >= kWriteBlock) {
+        flush();
+    }
+}
+
+void AtomicFile::commit() {
+    flush();
+    if (::fsync(descriptor_) != 0 || ::rename(hidden_.c_str(), file_.c_str()) != 0) {
+        fail();
+    }
+    ::close(descriptor_);
+    descriptor_ = -1;
+}
+
+void AtomicFile::flush() {
+    std::string_view rest = pending_;
+    while (!rest.empty()) {
+        const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+        if (written >= 0) {
+            rest.remove_prefix(static_cast<std::size_t>(written));
+        } else if (errno != EINTR) {
+            fail();
+        }
+    }
+    pending_.clear();
+}
+
+void AtomicFile::fail() {
+    throw OutputError(file_.string() + ": it could not be written (" + std::strerror(errno) + ").");
+}
+
+void writeOutputFile(const std::filesystem::path& file, std::string_view bytes) {
+    AtomicFile output(file);
+    output.write(bytes);
+    output.commit();
+}
+
+render::Image readPicture(const std::filesystem::path& file) {
+    try {
+        return render::readPng(file);
+    } catch (const std::runtime_error& error) {
+        throw InputError(error.what());
+    }
+}
+
+void writePicture(const render::Image& picture, const std::filesystem::path& file) {
+    try {
+        render::writePng(picture, file);
+    } catch (const std::runtime_error& error) {
+        throw OutputError(error.what());
+    }
+}
+
+std::string formatNumber(double value) {
+    return shortestText(value);
+}
+std::string formatNumber(float value) {
+    return shortestText(value);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,24 @@
+#include "app/files/free_file.h"
+
+#include <ctime>
+
+namespace kerf::app {
+
+std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
+                               const std::string& ending) {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    char moment[32];
+    std::strftime(moment, sizeof moment, "-%Y%m%d-%H%M%S", &local);
+    const std::string stem = name + moment;
+    std::filesystem::path file = folder / (stem + ending);
+    std::error_code unknown;  // a folder that can't be looked into: writing will say so
+    for (int n = 2; std::filesystem::exists(file, unknown); ++n) {
+        std::string numbered = stem;
+        file = folder / numbered.append("-").append(std::to_string(n)).append(ending);
+    }
+    return std::filesystem::absolute(file).lexically_normal();
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,226 @@
+#include "app/files/import_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "app/files/import_protocol.h"
+#include "app/files/model_source.h"
+
+namespace kerf::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr char kCpuVariable[] = "KERF_IMPORT_CPU_SECONDS";
+constexpr char kMemoryVariable[] = "KERF_IMPORT_ADDRESS_SPACE";
+constexpr std::size_t kMaxLog = 64 * 1024;
+constexpr std::chrono::milliseconds kCancelPoll{50};
+
+bool thisProgramReads = false;  // see readModelsWithThisProgram
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kLimitAddressSpace = false;  // AddressSanitizer reserves terabytes.
+#else
+constexpr bool kLimitAddressSpace = true;
+#endif
+
+/// A file descriptor that closes itself.
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int get() const { return number_; }
+    void close() {
+        if (number_ >= 0) {
+            ::close(number_);
+            number_ = -1;
+        }
+    }
+
+  private:
+    int number_;
+};
+
+struct Pipe {
+    static std::array<int, 2> open() {
+        std::array<int, 2> ends{};
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+            throw InputError(std::string("no pipe to the model reader: ") + std::strerror(errno));
+        }
+        return ends;
+    }
+    explicit Pipe(std::array<int, 2> ends = open()) : read(ends[0]), write(ends[1]) {}
+    Descriptor read;
+    Descriptor write;
+};
+
+/// This process's environment with the limits added.
+class ChildEnvironment {
+  public:
+    explicit ChildEnvironment(const ImportLimits& limits) {
+        for (char** entry = environ; *entry != nullptr; ++entry) {
+            lines_.emplace_back(*entry);
+        }
+        lines_.push_back(std::string(kCpuVariable) + "=" + std::to_string(limits.cpuSeconds));
+        lines_.push_back(std::string(kMemoryVariable) + "=" + std::to_string(limits.addressSpace));
+        for (std::string& line : lines_) {
+            pointers_.push_back(line.data());
+        }
+        pointers_.push_back(nullptr);
+    }
+    char** get() { return pointers_.data(); }
+
+  private:
+    std::vector<std::string> lines_;
+    std::vector<char*> pointers_;
+};
+
+pid_t spawnReader(const std::filesystem::path& program, const std::filesystem::path& file,
+                  const ImportLimits& limits, const Pipe& answer, const Pipe& log) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, answer.write.get(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, log.write.get(), STDERR_FILENO);
+    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+
+    std::array<std::string, 4> words{program.string(), "import-worker", "--", file.string()};
+    std::array<char*, 5> arguments{words[0].data(), words[1].data(), words[2].data(),
+                                   words[3].data(), nullptr};
+    ChildEnvironment environment(limits);
+    pid_t child = 0;
+    const int error = posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(),
+                                  environment.get());
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) {
+        throw InputError("the model reader " + program.string() + " can't be started (" +
+                         std::strerror(error) + "); rebuild Kerf");
+    }
+    return child;
+}
+
+/// Reads what is there into `bytes`, up to `limit`; closes at the end of the stream.
+void drain(Descriptor& from, std::string& bytes, std::size_t limit) {
+    std::array<char, 65536> block;
+    const ssize_t count = ::read(from.get(), block.data(), block.size());
+    if (count > 0) {
+        bytes.append(block.data(), std::min<std::size_t>(count, limit - bytes.size()));
+    } else if (count == 0 || errno != EINTR) {
+        from.close();
+    }
+}
+
+bool isCancelled(const WorkProgress* progress) {
+    return progress != nullptr && progress->cancelled();
+}
+
+/// Collects both streams until they end. False where the deadline passes, the answer grows past
+/// its limit, or nobody wants it any more.
+bool collect(Pipe& answer, Pipe& log, Clock::time_point deadline, const WorkProgress* progress,
+             ImportOutcome& outcome) {
+    while (answer.read.get() >= 0 || log.read.get() >= 0) {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+        outcome.tooSlow = left.count() <= 0;
+        outcome.tooLong = outcome.answer.size() > kMaxImportAnswer;
+        if (outcome.tooSlow || outcome.tooLong || isCancelled(progress)) {
+            return false;
+        }
+        std::array<pollfd, 2> waiting{
+            {{answer.read.get(), POLLIN, 0}, {log.read.get(), POLLIN, 0}}};
+        const auto pause = progress != nullptr ? std::min(left, kCancelPoll) : left;
+        ::poll(waiting.data(), waiting.size(), static_cast<int>(pause.count()));
+        if (waiting[0].revents != 0) {
+            drain(answer.read, outcome.answer, kMaxImportAnswer + 1);
+        }
+        if (waiting[1].revents != 0) {
+            drain(log.read, outcome.log, kMaxLog);
+        }
+    }
+    return true;
+}
+
+void waitFor(pid_t child, ImportOutcome& outcome) {
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status)) {
+        outcome.exitCode = WEXITSTATUS(status);
+    } else if (WIFSIGNALED(status)) {
+        outcome.signal = WTERMSIG(status);
+        outcome.tooSlow = outcome.tooSlow || outcome.signal == SIGXCPU;
+    }
+}
+
+void setLimit(__rlimit_resource resource, rlim_t value) {
+    rlimit limit{};
+    ::getrlimit(resource, &limit);
+    limit.rlim_cur = std::min(value, limit.rlim_max);
+    ::setrlimit(resource, &limit);
+}
+
+void setLimitFrom(const char* variable, __rlimit_resource resource) {
+    const char* text = std::getenv(variable);
+    if (text != nullptr) {
+        setLimit(resource, std::strtoull(text, nullptr, 10));
+    }
+}
+
+}  // namespace
+
+void readModelsWithThisProgram() {
+    thisProgramReads = true;
+}
+
+std::filesystem::path importProgram() {
+    if (const char* chosen = std::getenv("KERF_EXECUTABLE"); chosen != nullptr) {
+        return chosen;
+    }
+    const std::filesystem::path self = "/proc/self/exe";
+    return thisProgramReads ? self : std::filesystem::read_symlink(self).parent_path() / "kerf";
+}
+
+ImportOutcome runImportProcess(const std::filesystem::path& program,
+                               const std::filesystem::path& file, const ImportLimits& limits,
+                               const WorkProgress* progress) {
+    const auto deadline = Clock::now() + std::chrono::seconds(limits.wallSeconds);
+    Pipe answer;
+    Pipe log;
+    const pid_t child = spawnReader(program, file, limits, answer, log);
+    answer.write.close();
+    log.write.close();
+    ImportOutcome outcome;
+    if (!collect(answer, log, deadline, progress, outcome)) {
+        ::kill(child, SIGKILL);
+    }
+    waitFor(child, outcome);
+    if (isCancelled(progress)) {
+        throw WorkCancelled();
+    }
+    return outcome;
+}
+
+void applyImportLimits() {
+    setLimit(RLIMIT_CORE, 0);
+    setLimitFrom(kCpuVariable, RLIMIT_CPU);
+    if (kLimitAddressSpace) {
+        setLimitFrom(kMemoryVariable, RLIMIT_AS);
+    }
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "app/files/work_progress.h"
+
+namespace kerf::app {
+
+/// What a reader process may use. The defaults leave a real model of the largest size room.
+struct ImportLimits {
+    int cpuSeconds = 20;
+    int wallSeconds = 30;
+    std::uint64_t addressSpace = 4ull << 30;  ///< [bytes]
+};
+
+/// How a reader process ended. Its answer is complete only where it exited with 0.
+struct ImportOutcome {
+    std::string answer;  ///< what it wrote to standard output
+    std::string log;     ///< the beginning of what it wrote to standard error
+    int exitCode = -1;   ///< -1 where a signal ended it
+    int signal = 0;
+    bool tooSlow = false;  ///< it ran into the CPU or the wall limit
+    bool tooLong = false;  ///< the answer ran past kMaxImportAnswer
+};
+
+/// Says that this program has the verb `import-worker`, whatever its name; tests don't.
+void readModelsWithThisProgram();
+/// The program that has the verb `import-worker`: $KERF_EXECUTABLE where set, else this program
+/// where it said so, else kerf in the same folder.
+std::filesystem::path importProgram();
+
+/// Runs `program import-worker file` and collects what it says. The child inherits no open files,
+/// and is killed when the wall time is over. Throws InputError where it can't be started, and
+/// WorkCancelled soon after `progress` was cancelled; the child is gone then.
+ImportOutcome runImportProcess(const std::filesystem::path& program,
+                               const std::filesystem::path& file, const ImportLimits& limits,
+                               const WorkProgress* progress = nullptr);
+
+/// Takes the limits that the parent passed on to this process: CPU time, address space, no core
+/// file. Called first by the child.
+void applyImportLimits();
+
+}  // namespace kerf::app

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/files/work_progress.h"
+#include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf::app {
+
+/// An input (model, session, image) is missing or invalid: what() is one sentence with what, where
+/// and what to do. Exit code 3.
+class InputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A model whose triangles could be read but not be cut.
+class ModelFault : public InputError {
+  public:
+    ModelFault(const std::string& sentence, int holes) : InputError(sentence), holes_(holes) {}
+    /// So many holes, once filled, leave nothing that is wrong; 0 where filling is no help.
+    int fillableHoles() const { return holes_; }
+
+  private:
+    int holes_;
+};
+
+/// A model as it is cut, and what it keeps of its looks.
+struct ModelMesh {
+    // NOLINTNEXTLINE(google-explicit-constructor): a mesh is a model without texture
+    ModelMesh(SurfaceMesh surface, std::vector<CornerUvs> textured = {})
+        : mesh(std::move(surface)), uvs(std::move(textured)) {}
+
+    SurfaceMesh mesh;
+    std::vector<CornerUvs> uvs;  ///< by triangle slot, or none
+};
+
+/// Names of the builtin models: sphere20, sphere80, sphere768, banana, octopus.
+const std::vector<std::string>& builtinModels();
+/// The file of a builtin model below assets/models. Throws InputError for an unknown name.
+std::filesystem::path builtinModelFile(const std::string& name);
+
+/// Largest model file that is read [bytes].
+inline constexpr std::uintmax_t kMaxModelBytes = 1'000'000'000;
+
+struct ImportLimits;
+
+/// Whether the file's name ends like that of a model that importModel() reads.
+bool isModelFile(const std::filesystem::path& file);
+
+/// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, 3DS, DAE, FBX) through
+/// assimp, in a child process with limits, and welds them exactly. Throws InputError, and
+/// WorkCancelled where `progress` was cancelled, as all functions that take one.
+TriangleSoup importModel(const std::filesystem::path& file, WorkProgress* progress = nullptr);
+TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& limits,
+                         WorkProgress* progress = nullptr);
+/// importModel, then refuses with the sentence of the report what cannot be cut.
+/// An inside-out model is turned; that is named in report->repairs. The report is filled for a
+/// refused model as well.
+SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nullptr);
+
+/// How a model is read.
+struct ReadOptions {
+    bool fillHoles = false;        ///< see fillHoles(); named among the repairs
+    bool tryFilling = false;       ///< to tell in a ModelFault whether it would help
+    MeshReport* report = nullptr;  ///< filled for a refused model as well
+    WorkProgress* progress = nullptr;
+};
+/// loadModel() with the texture coordinates. Throws ModelFault where a model can't be cut.
+ModelMesh readModel(const std::filesystem::path& file, const ReadOptions& options);
+
+/// The hidden verb of the child process: reads `file`, writes the triangles to standard output.
+int runImportWorker(const std::filesystem::path& file);
+
+}  // namespace kerf::app

@@ -1,0 +1,61 @@
+#include "app/files/output_folder.h"
+
+#include "app/files/file_io.h"
+
+namespace kerf::app {
+
+OutputFolder::OutputFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    makeFolders(std::filesystem::absolute(folder, error));
+    folder_ = std::filesystem::canonical(folder, error);
+    if (error || !std::filesystem::is_directory(folder_)) {
+        throw OutputError(folder.string() + ": this folder could not be made; choose another.");
+    }
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code error;
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) {
+        std::filesystem::remove(*folder, error);  // refused where something lies in it
+    }
+}
+
+/// Those of its path that are missing. What could not be made is found out by who looks for it.
+void OutputFolder::makeFolders(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::path path;
+    for (const std::filesystem::path& part : folder) {
+        path /= part;
+        if (!part.empty() && std::filesystem::create_directory(path, error)) {
+            made_.push_back(path);
+        }
+    }
+}
+
+std::filesystem::path OutputFolder::place(const std::string& name) {
+    std::filesystem::path file = folder_ / name;
+    std::error_code error;
+    makeFolders(file.parent_path());
+    const auto parent = std::filesystem::canonical(file.parent_path(), error);
+    const auto relative = parent.lexically_relative(folder_);
+    if (error || relative.empty() || *relative.begin() == "..") {
+        throw OutputError(name + ": it would not lie inside the output folder.");
+    }
+    return file;
+}
+
+void OutputFolder::remove(const std::string& name) const {
+    std::error_code error;
+    std::filesystem::remove(folder_ / name, error);
+    if (error) {
+        throw OutputError(name + ": an older result could not be removed (" + error.message() +
+                          ").");
+    }
+}
+
+void OutputFolder::write(const std::string& name, std::string_view bytes) {
+    writeOutputFile(place(name), bytes);
+    written_.push_back(name);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/files/background_job.h"
+
+namespace kerf::app {
+
+/// Small files on their way to the disk behind the editor (pictures, plots): one after the other,
+/// in the order in which they were asked for. Nobody waits for them and nobody cancels them.
+class SavingQueue {
+  public:
+    /// Encodes and writes on a thread of its own. Returns a sentence for the person; may throw.
+    using Work = std::function<std::string()>;
+    /// What came of it.
+    struct Outcome {
+        std::string sentence;
+        bool failed = false;
+    };
+
+    void add(Work work);
+    /// What has ended since the last call, oldest first.
+    std::vector<Outcome> takeOutcomes();
+    /// Something is not written yet, or its outcome not taken.
+    bool busy() const { return running_ != nullptr; }
+    /// Waits until all is written.
+    void finish();
+
+  private:
+    void startNext();
+    void takeRunning();
+
+    std::deque<Work> waiting_;
+    std::unique_ptr<BackgroundJob<std::string>> running_;
+    std::vector<Outcome> outcomes_;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/files/background_job.h"
+#include "app/scene/editor_document.h"
+#include "render/depth_field.h"
+#include "sim/run/body_upload.h"
+
+namespace kerf::app {
+
+/// A document with all that takes long and needs no OpenGL.
+struct PreparedDocument {
+    Document document;
+    PreparedBody body;
+    render::DepthField depth;  ///< below the skin of the body at rest
+};
+
+/// On any thread. Throws WorkCancelled where `progress` was cancelled.
+PreparedDocument prepareDocument(Document document, WorkProgress* progress = nullptr);
+
+/// A document whose body is on its way to the GPU, or there.
+struct UploadedDocument {
+    explicit UploadedDocument(PreparedDocument prepared);
+
+    Document document;
+    BodyUpload body;
+    render::DepthField depth;
+};
+
+/// A file on its way into the editor: read and prepared on a thread of its own, then brought to the
+/// GPU a portion a picture. What is open goes on meanwhile.
+class DocumentLoading {
+  public:
+    explicit DocumentLoading(std::filesystem::path file, bool fillHoles = false);
+
+    /// Once a picture, on the thread of the context. Throws InputError where the file can't be
+    /// opened, gpu::ShaderError, gpu::OutOfMemory.
+    void advance();
+    /// take() may be called.
+    bool ready() const { return uploaded_ != nullptr && uploaded_->body.done(); }
+    UploadedDocument take() { return std::move(*uploaded_); }
+    /// The thread works; until then pictures need not follow each other closely.
+    bool preparing() const { return uploaded_ == nullptr; }
+
+    const std::filesystem::path& file() const { return file_; }
+    std::string stage() const;
+    double seconds() const { return job_.seconds(); }
+    /// The thread ends soon; what it has made is lost.
+    void cancel() { job_.cancel(); }
+    /// The thread has ended, so that nobody has to wait for it.
+    bool ended() const { return job_.done(); }
+
+  private:
+    std::filesystem::path file_;
+    BackgroundJob<PreparedDocument> job_;
+    std::unique_ptr<UploadedDocument> uploaded_;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene/editor_document.h"
+#include "app/scene/editor_readings.h"
+#include "app/scene/editor_stroke.h"
+#include "app/scene/session_journal.h"
+#include "app/scene/session_playback.h"
+#include "app/scene/surface_look.h"
+#include "render/renderer.h"
+#include "sim/run/simulation.h"
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+/// An open document as it runs: the simulation, the stroke that is being drawn, the session that
+/// is being played, what was done since the start, and what the plots remember.
+///
+/// A stroke needs steps to cut. While time is paused, each of its poses runs one step, so that the
+/// cut opens under the pointer; once the blade is lifted, time stands still again.
+class EditorScene {
+  public:
+    /// `body` is that of the document. Throws gpu::OutOfMemory.
+    EditorScene(Document document, BodyUpload body);
+    EditorScene(const EditorScene&) = delete;  // the playback points into the document
+    EditorScene& operator=(const EditorScene&) = delete;
+
+    /// What a person does apart from strokes. Returns "" or one sentence.
+    std::string execute(const Command& command);
+    /// One step with what is due before it: the session's events, or the next pose of the stroke.
+    void step();
+    /// Back to the uncut body, paused, with the parameters as they are. Where a session is open, it
+    /// will be played from its start, and what was done since cannot be undone.
+    void reset();
+
+    // The stroke.
+    /// A person takes the blade: what is left of a played session is off.
+    void takeBlade();
+    BladeStroke& stroke() { return stroke_; }
+    const BladeStroke& stroke() const { return stroke_; }
+    /// Steps that the stroke needs for the coming picture so as not to fall behind the hand.
+    int strokeSteps() const;
+
+    // A hand that pulls at the body. Time runs while it does.
+    /// Takes hold of what lies within `radius` of `at` [m]. Returns "" or one sentence.
+    std::string grab(const Vec3& at, double radius);
+    /// Where the hand is in the coming steps.
+    void dragTo(const Vec3& to) { dragTo_ = to; }
+    void letGo();
+    bool pulling() const { return pulling_; }
+
+    // The session that is played.
+    bool playing = false;
+    /// Whether the session's own events are still to come.
+    bool playingBack() const;
+    /// Goes to a step of it, at once where it is a keyframe; otherwise seekSteps() are left to do.
+    void seek(int step);
+    int seekSteps() const;
+    void toggleLoop();
+
+    // Recording.
+    /// Starts anew and adds a check of the state now and then.
+    void startRecording();
+    void stopRecording() { recording_ = false; }
+    bool recording() const { return recording_; }
+    /// All that was done since the start, as a session that ends here with a check of the state.
+    Session recordedSession(const render::Camera& camera, const render::ChosenColors& colors);
+
+    /// Notes a picture while time runs: how long after the one before it came [s], and how long it
+    /// took to draw [ms].
+    void recordPicture(double elapsedSeconds, double renderMs);
+    const EditorReadings& readings() const { return readings_; }
+
+    const Document& document() const { return document_; }
+    Simulation& simulation() { return simulation_; }
+    const Simulation& simulation() const { return simulation_; }
+    /// What a ray meets of the body as it is.
+    std::optional<SurfacePoint> pick(const render::Ray& ray) {
+        return look_.pick(simulation_, ray);
+    }
+    /// What a blade would meet of it.
+    const CutPreview& preview(const std::vector<Blade>& way) {
+        return look_.preview(simulation_, way);
+    }
+    /// How often these two had to search the triangles, for tests.
+    int surfaceSearches() const { return look_.searches(); }
+    /// As a number of the last report: 1 for an uncut body.
+    int pieceCount() const { return simulation_.report().pieces; }
+    /// Bounds of the body as it is.
+    const Bounds& bounds() const { return simulation_.bounds(); }
+    /// Sentences for the person: those of the simulation, and what came out differently.
+    std::vector<std::string> takeMessages();
+
+    /// What the renderer shows.
+    render::SceneView view();
+    /// What the panels show of it.
+    void describe(ui::PanelModel& model);
+
+  private:
+    std::string perform(const Command& command);
+    void followUndo(const Params& before);
+    void moveHand();
+    void releaseAllHands();
+    void playSessionEvents();
+    void keepKeyframe();
+    void goTo(int step, const Keyframe& keyframe);
+    void endPlayback();
+    void wrapPlayback();
+    void startAnew();
+    void putUp(const std::vector<StaticBox>& boxes);
+    void followBlade();
+    void checkNowAndThen();
+    void refreshPieces();
+    void describeChanges(ui::ChangeList& list) const;
+    void describePlayback(ui::PlaybackState& state) const;
+    double timeNow() const { return simulation_.report().time - start_.time; }
+
+    Document document_;
+    double edgeLength_;  ///< mean of the uncut body at rest [m]
+    Simulation simulation_;
+    std::optional<SessionPlayback> playback_;  ///< of a session with events, until a person cuts
+    std::optional<int> seekTarget_;
+    BladeStroke stroke_;
+    std::vector<Blade> sweep_;       ///< poses of the running stroke, drawn or played
+    std::vector<SetParam> choices_;  ///< of a person, one per name; a played session keeps them
+    bool pulling_ = false;
+    std::optional<Vec3> dragTo_;  ///< where the hand has not been told to go yet
+    SessionJournal journal_;
+    bool recording_ = false;
+    /// The last restart: what the panels count from.
+    struct Start {
+        int step = 0;
+        double time = 0;  ///< [s]
+    } start_;
+    SurfaceLook look_;
+    EditorReadings readings_;
+    std::vector<std::string> messages_;
+    std::vector<ui::PieceRow> pieces_;
+    int piecesStep_ = -1;  ///< step that pieces_ tells of
+    int piecesTriangles_ = -1;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,157 @@
+#include "app/scene/editor_stroke.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::app {
+namespace {
+
+constexpr double kMaxStepShare = 1.0 / 60;  // of the body's diagonal
+constexpr double kMinStepShare = 0.25;      // of the longest step: shorter moves are gathered
+constexpr double kOvershoot = 0.5;          // of the diagonal, beyond the body at both ends
+constexpr double kMinBladeShare = 0.01;     // of the diagonal
+constexpr double kLeastDiagonal = 1e-9;     // [m]
+constexpr double kNearestShare = 0.05;      // of the distance to the body: A stays before the eye
+
+}  // namespace
+
+double StrokeScale::distance(const Blade& from, const Blade& to) const {
+    const auto point = [&](const Blade& blade) {
+        return Vec3(blade.a + (blade.b - blade.a) * share);
+    };
+    return (point(to) - point(from)).norm();
+}
+
+double maxStrokeStep(const Bounds& bounds) {
+    return kMaxStepShare * std::max(bounds.diagonal(), kLeastDiagonal);
+}
+
+StrokeSpace::StrokeSpace(const render::Camera& camera, double aspect, const Bounds& bounds,
+                         std::optional<double> depth)
+    : camera_(camera), aspect_(aspect), forward_(camera.forward()) {
+    const double diagonal = std::max(bounds.diagonal(), kLeastDiagonal);
+    double middle = (bounds.center() - camera.eye).dot(forward_);
+    const double reach = (0.5 + kOvershoot) * diagonal;
+    nearDepth_ = middle - reach;
+    if (!camera.orthographic) {
+        middle = std::max(middle, 0.1 * diagonal);
+        nearDepth_ = std::max(middle - reach, kNearestShare * middle);
+    }
+    farDepth_ = depth ? nearestDepth(bounds) + *depth : middle + reach;
+    farDepth_ = std::max(farDepth_, nearDepth_ + kMinBladeShare * diagonal);
+    middleShare_ = std::min((middle - nearDepth_) / (farDepth_ - nearDepth_), 1.0);
+    maxStep_ = maxStrokeStep(bounds);
+}
+
+/// Where the ellipsoid in the bounds comes nearest to the eye, along the view direction [m]: bodies
+/// hardly fill the corners of their boxes.
+double StrokeSpace::nearestDepth(const Bounds& bounds) const {
+    const Vec3 half = 0.5 * (bounds.high - bounds.low);
+    return (bounds.center() - camera_.eye).dot(forward_) - half.cwiseProduct(forward_).norm();
+}
+
+Blade StrokeSpace::bladeAt(const Vec2& ndc) const {
+    return {camera_.pointAt(ndc, aspect_, nearDepth_), camera_.pointAt(ndc, aspect_, farDepth_)};
+}
+
+void BladeStroke::begin(const Blade& first, const StrokeScale& scale) {
+    space_.reset();
+    scale_ = scale;
+    queued_.reset();
+    first_ = latest_ = first;
+}
+
+void BladeStroke::begin(const StrokeSpace& space, const Vec2& ndc) {
+    begin(space.bladeAt(ndc), space.scale());
+    space_ = space;
+}
+
+void BladeStroke::moveTo(const Vec2& ndc) {
+    if (space_) {
+        moveTo(space_->bladeAt(ndc));
+    }
+}
+
+void BladeStroke::moveTo(const Blade& blade) {
+    if (!drawing()) {
+        return;
+    }
+    latest_ = blade;
+    const double gathered = scale_->distance(placed() ? *queued_ : first_, latest_);
+    if (gathered < kMinStepShare * scale_->maxStep) {
+        return;
+    }
+    if (!placed()) {
+        queue_.emplace_back(MoveBlade{first_});
+        queued_ = first_;
+    }
+    queueUpTo(latest_);
+}
+
+void BladeStroke::queueUpTo(const Blade& target) {
+    const Blade from = *queued_;
+    const double length = scale_->distance(from, target);
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / scale_->maxStep)));
+    for (int k = 1; k <= steps; ++k) {
+        queue_.emplace_back(
+            MoveBlade{k == steps ? target : interpolate(from, target, double(k) / steps)});
+    }
+    queued_ = target;
+}
+
+void BladeStroke::end() {
+    if (drawing() && placed()) {
+        if (scale_->distance(*queued_, latest_) > 0) {
+            queueUpTo(latest_);
+        }
+        queue_.emplace_back(LiftBlade{});
+    }
+    forgetPointer();
+}
+
+void BladeStroke::cancel() {
+    queue_.clear();
+    if (done_) {
+        queue_.emplace_back(LiftBlade{});
+    }
+    forgetPointer();
+}
+
+void BladeStroke::forgetPointer() {
+    space_.reset();
+    scale_.reset();
+    queued_.reset();
+}
+
+std::optional<Command> BladeStroke::next() {
+    if (queue_.empty()) {
+        return std::nullopt;
+    }
+    Command command = std::move(queue_.front());
+    queue_.pop_front();
+    const auto* move = std::get_if<MoveBlade>(&command);
+    done_ = move != nullptr ? std::optional(move->blade) : std::nullopt;
+    return command;
+}
+
+std::vector<Blade> BladeStroke::wayAhead() const {
+    std::vector<Blade> way;
+    if (done_) {
+        way.push_back(*done_);
+    } else if (drawing() && !placed()) {
+        way.push_back(first_);
+    }
+    for (const Command& command : queue_) {
+        const auto* move = std::get_if<MoveBlade>(&command);
+        if (move == nullptr) {
+            break;  // the next stroke
+        }
+        way.push_back(move->blade);
+    }
+    if (drawing()) {
+        way.push_back(latest_);
+    }
+    return way;
+}
+
+}  // namespace kerf::app

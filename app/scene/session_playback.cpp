@@ -1,0 +1,72 @@
+#include "app/scene/session_playback.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr int kKeyframes = 48;                        // over a session
+constexpr std::size_t kKeyframeBudget = 256'000'000;  // [bytes]
+
+}  // namespace
+
+SessionPlayback::SessionPlayback(const Session& session)
+    : session_(&session), player_(session), spacing_(std::max(1, session.steps / kKeyframes)) {}
+
+bool SessionPlayback::wantsKeyframe(int step) const {
+    return step % spacing_ == 0 && step < steps() && !keyframes_.contains(step) && !changed();
+}
+
+void SessionPlayback::keep(int step, Keyframe keyframe, std::size_t bytes) {
+    keyframes_.emplace(step, std::move(keyframe));
+    if (bytes * keyframes_.size() > kKeyframeBudget && keyframes_.size() > 2) {
+        thinOut();
+    }
+}
+
+/// The first one stays: a session can always be taken up from its start.
+void SessionPlayback::thinOut() {
+    spacing_ *= 2;
+    std::erase_if(keyframes_, [this](const auto& entry) { return entry.first % spacing_ != 0; });
+}
+
+int SessionPlayback::keyframeStepBefore(int step) const {
+    const auto after = keyframes_.upper_bound(step);
+    return after == keyframes_.begin() ? -1 : std::prev(after)->first;
+}
+
+const Keyframe* SessionPlayback::keyframeBefore(int step) const {
+    const int found = keyframeStepBefore(step);
+    return found < 0 ? nullptr : &keyframes_.at(found);
+}
+
+void SessionPlayback::changedAt(int step) {
+    changedAt_ = std::min(step, changedAt_.value_or(step));
+    keyframes_.erase(keyframes_.upper_bound(step), keyframes_.end());
+}
+
+void SessionPlayback::wentTo(int step) {
+    if (changedAt_ && step <= *changedAt_) {
+        changedAt_.reset();
+    }
+}
+
+std::string SessionPlayback::compare(const CheckEvent& check, Simulation& simulation) {
+    const int step = simulation.stepCount();
+    const int pieces = simulation.report().pieces;
+    const bool otherHash = check.hash && simulation.stateHash() != *check.hash;
+    const bool otherPieces = check.pieces && pieces != *check.pieces;
+    if (changed() || (divergedAt_ && *divergedAt_ <= step) || (!otherHash && !otherPieces)) {
+        return "";
+    }
+    divergedAt_ = step;
+    const std::string what = otherPieces ? counted(pieces, "piece", "pieces") + " instead of " +
+                                               std::to_string(*check.pieces)
+                                         : "the state hash is not the recorded one";
+    return "At step " + std::to_string(step) + " the session came out differently: " + what + ".";
+}
+
+}  // namespace kerf::app

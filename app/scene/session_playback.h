@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene/session_journal.h"
+#include "app/session/session.h"
+#include "sim/run/simulation.h"
+
+namespace kerf::app {
+
+/// Where a played session can be taken up again.
+struct Keyframe {
+    Moment moment;
+    SessionJournal::Mark journal;
+    std::vector<Blade> sweep;  ///< poses of the running stroke
+};
+
+/// An open session as it is played: what happens when, moments to scrub back to, and where it
+/// first came out differently from what its checks say.
+class SessionPlayback {
+  public:
+    /// The session must outlive it.
+    explicit SessionPlayback(const Session& session);
+
+    int steps() const { return session_->steps; }
+    bool loop = false;
+
+    std::vector<PlayedAction> actionsAt(int step) const { return player_.actionsAt(step); }
+
+    /// Whether a keyframe is due before the actions of the coming step.
+    bool wantsKeyframe(int step) const;
+    void keep(int step, Keyframe keyframe, std::size_t bytes);
+    /// The last keyframe at or before `step`; null where there is none.
+    const Keyframe* keyframeBefore(int step) const;
+    /// Of that keyframe; -1 where there is none.
+    int keyframeStepBefore(int step) const;
+    /// A person changed something before step `step`: what the session says of later ones no longer
+    /// holds.
+    void changedAt(int step);
+    bool changed() const { return changedAt_.has_value(); }
+    /// Time went back to `step`.
+    void wentTo(int step);
+
+    /// Compares with a check of the session. Returns "" or one sentence.
+    std::string compare(const CheckEvent& check, Simulation& simulation);
+    /// The first step at which a check failed.
+    std::optional<int> divergedAt() const { return divergedAt_; }
+
+  private:
+    void thinOut();
+
+    const Session* session_;
+    SessionPlayer player_;
+    std::map<int, Keyframe> keyframes_;  ///< by step
+    int spacing_ = 1;                    ///< steps between two keyframes
+    std::optional<int> changedAt_;
+    std::optional<int> divergedAt_;
+};
+
+}  // namespace kerf::app

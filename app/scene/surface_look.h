@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/scene/cut_preview.h"
+#include "sim/run/simulation.h"
+
+namespace kerf::app {
+
+/// Looks at the surface of a body for what is under the pointer and before the blade, and remembers
+/// the last answers: nothing is read back from the GPU nor searched again while neither the body
+/// nor the question has changed.
+class SurfaceLook {
+  public:
+    /// As pickSurface().
+    std::optional<SurfacePoint> pick(Simulation& simulation, const render::Ray& ray);
+    /// As previewCut().
+    const CutPreview& preview(Simulation& simulation, const std::vector<Blade>& way);
+
+    /// How often it had to search the triangles, for tests.
+    int searches() const { return searches_; }
+
+  private:
+    struct Pick {
+        int bodyRevision = -1;
+        render::Ray ray;
+        std::optional<SurfacePoint> point;
+    };
+    struct Preview {
+        int bodyRevision = -1;
+        std::vector<Blade> way;
+        CutPreview cut;
+    };
+
+    Pick pick_;
+    Preview preview_;
+    int searches_ = 0;
+};
+
+}  // namespace kerf::app

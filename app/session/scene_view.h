@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "app/session/session.h"
+#include "render/renderer.h"
+#include "sim/run/simulation.h"
+
+namespace kerf::app {
+
+/// The look of a session's model, in the session's colours.
+render::Material materialOf(const Session& session);
+
+/// What a picture shows of a simulation as it stands, in the window as in a replay.
+/// `restBounds`: of the uncut rest shape; `sweep`: poses of the running stroke.
+render::SceneView sceneOf(const Simulation& simulation, const render::Material& material,
+                          const Bounds& restBounds, const std::vector<Blade>& sweep);
+
+}  // namespace kerf::app

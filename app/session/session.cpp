@@ -1,0 +1,183 @@
+#include "app/session/session.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include "app/files/import_protocol.h"
+#include "app/files/sha256.h"
+#include "sim/mesh/invariants.h"
+
+namespace kerf::app {
+
+namespace {
+
+// The default view stands this much further away than the model alone needs: pieces fall and roll.
+constexpr double kRoomToFall = 1.25;
+
+// How far a model in the world may reach from the origin, of its longest side.
+constexpr double kMaxReachInLengths = 20000;
+
+void requireDigest(const std::filesystem::path& file, const std::string& expected) {
+    if (!expected.empty() && sha256OfFile(file) != expected) {
+        throw InputError(file.filename().string() +
+                         ": the model is not the one that the session was made with (its SHA-256 "
+                         "differs); restore it or take \"sha256\" out of the session.");
+    }
+}
+
+/// The solver and the pictures work in floats, whose steps grow with the distance from the origin.
+void requireRoomInFloats(const Bounds& bounds) {
+    const double length = (bounds.high - bounds.low).maxCoeff();
+    const double reach =
+        std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());
+    if (length < kMinImportExtent || reach > kMaxImportExtent ||
+        reach > kMaxReachInLengths * length) {
+        std::ostringstream message;
+        message << "placement: the model would be " << length << " m long and reach " << reach
+                << " m from the origin, but must be at least " << kMinImportExtent
+                << " m long and reach at most " << kMaxImportExtent << " m and "
+                << kMaxReachInLengths << " times its length; scale or move it.";
+        throw InputError(message.str());
+    }
+}
+
+}  // namespace
+
+Vec3 Placement::apply(const Vec3& point) const {
+    return turnOf(rotate) * (scale * point) + translate;
+}
+
+void place(SurfaceMesh& mesh, const Placement& placement) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 placed = placement.apply(mesh.restPosition(v));
+        mesh.setPosition(v, placed);
+        mesh.setRestPosition(v, placed);
+    }
+}
+
+std::filesystem::path ModelReference::file() const {
+    return builtin.empty() ? path : builtinModelFile(builtin);
+}
+
+std::string ModelReference::name() const {
+    return builtin.empty() ? path.stem().string() : builtin;
+}
+
+ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
+    const std::filesystem::path file = session.model.file();
+    requireDigest(file, session.model.sha256);
+    ReadOptions ours = options;
+    ours.fillHoles |= session.model.fillHoles;
+    ModelMesh model = readModel(file, ours);
+    place(model.mesh, session.placement);
+    requireRoomInFloats(meshBounds(model.mesh));
+    return model;
+}
+
+render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
+    if (session.view) {
+        return *session.view;
+    }
+    render::Camera camera;
+    camera.target = bounds.center();
+    camera.eye = camera.target + Vec3(3, 2, 4);
+    camera.frame(bounds);
+    camera.zoom(kRoomToFall, Vec2::Zero(), 1);
+    return camera;
+}
+
+bool takesBladeAway(const SessionAction& action) {
+    return std::holds_alternative<LiftBlade>(action) || std::holds_alternative<Restart>(action) ||
+           std::holds_alternative<Undo>(action) || std::holds_alternative<Redo>(action);
+}
+
+bool undoesAnything(const Session& session) {
+    return std::ranges::any_of(session.events, [](const SessionEvent& event) {
+        return std::holds_alternative<Undo>(event.action);
+    });
+}
+
+SessionPlayer::SessionPlayer(const Session& session) : session_(&session) {
+    collectSweeps();
+    collectHandMoves();
+}
+
+void SessionPlayer::collectSweeps() {
+    const SessionEvent* lastKey = nullptr;
+    for (const SessionEvent& event : session_->events) {
+        if (takesBladeAway(event.action)) {
+            lastKey = nullptr;
+        } else if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
+            if (lastKey != nullptr && lastKey->step < event.step) {
+                sweeps_.push_back({lastKey->step, event.step,
+                                   std::get<MoveBlade>(lastKey->action).blade, move->blade,
+                                   event.number});
+            }
+            lastKey = &event;
+        }
+    }
+}
+
+void SessionPlayer::collectHandMoves() {
+    struct Key {
+        int step = 0;
+        Vec3 at = Vec3::Zero();
+    };
+    std::map<int, Key> keys;  // by hand
+    for (const SessionEvent& event : session_->events) {
+        if (const auto* grab = std::get_if<Grab>(&event.action)) {
+            keys[grab->hand] = {event.step, grab->at};
+        } else if (const auto* drag = std::get_if<Drag>(&event.action)) {
+            const auto last = keys.find(drag->hand);
+            if (last != keys.end() && last->second.step + 1 < event.step) {
+                handMoves_.push_back({drag->hand, last->second.step, event.step, last->second.at,
+                                      drag->to, event.number});
+            }
+            keys[drag->hand] = {event.step, drag->to};
+        } else if (const auto* release = std::get_if<Release>(&event.action)) {
+            keys.erase(release->hand);
+        } else if (std::holds_alternative<Restart>(event.action)) {
+            keys.clear();
+        }
+    }
+}
+
+std::vector<PlayedAction> SessionPlayer::actionsAt(int step) const {
+    const auto byStep = [](const SessionEvent& event, int value) { return event.step < value; };
+    const auto& events = session_->events;
+    std::vector<PlayedAction> actions;
+    for (auto event = std::lower_bound(events.begin(), events.end(), step, byStep);
+         event != events.end() && event->step == step; ++event) {
+        actions.push_back({event->action, event->number});
+    }
+    if (const auto pose = poseBetweenKeys(step)) {
+        actions.push_back(*pose);
+    }
+    std::ranges::copy(dragsBetweenKeys(step), std::back_inserter(actions));
+    return actions;
+}
+
+std::vector<PlayedAction> SessionPlayer::dragsBetweenKeys(int step) const {
+    std::vector<PlayedAction> drags;
+    for (const HandMove& move : handMoves_) {
+        if (step > move.firstStep && step < move.lastStep) {
+            const double t = double(step - move.firstStep) / (move.lastStep - move.firstStep);
+            drags.push_back({Drag{move.hand, move.from + t * (move.to - move.from)}, move.number});
+        }
+    }
+    return drags;
+}
+
+std::optional<PlayedAction> SessionPlayer::poseBetweenKeys(int step) const {
+    const auto endsBefore = [](const Sweep& sweep, int value) { return sweep.lastStep <= value; };
+    const auto sweep = std::lower_bound(sweeps_.begin(), sweeps_.end(), step, endsBefore);
+    if (sweep == sweeps_.end() || step <= sweep->firstStep) {
+        return std::nullopt;
+    }
+    const double t = double(step - sweep->firstStep) / double(sweep->lastStep - sweep->firstStep);
+    return PlayedAction{MoveBlade{interpolate(sweep->from, sweep->to, t)}, sweep->number};
+}
+
+}  // namespace kerf::app

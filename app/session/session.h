@@ -1,0 +1,165 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/files/model_source.h"
+#include "render/camera.h"
+#include "render/material.h"
+#include "sim/base/params.h"
+#include "sim/run/command.h"
+
+namespace kerf::app {
+
+/// Limits of a session file; beyond them it is refused.
+inline constexpr std::uintmax_t kMaxSessionBytes = 64u << 20;
+inline constexpr int kMaxSteps = 1'000'000;
+inline constexpr int kMaxPictureSize = 8192;          ///< [pixels], each way
+inline constexpr double kMaxSessionCoordinate = 1e6;  ///< [m]
+
+/// What every replay writes into its output folder; a session's own files have other names.
+inline constexpr const char* kMetricsFile = "metrics.csv";
+inline constexpr const char* kSummaryFile = "summary.json";
+inline constexpr const char* kMeshFile = "final.ply";
+
+/// Scale, then rotate (about the world's x, then y, then z axis; degrees), then translate [m].
+struct Placement {
+    double scale = 1;
+    Vec3 rotate = Vec3::Zero();
+    Vec3 translate = Vec3::Zero();
+
+    Vec3 apply(const Vec3& point) const;
+};
+/// Moves a mesh at rest: positions and rest positions.
+void place(SurfaceMesh& mesh, const Placement& placement);
+
+/// Which model a session is about.
+struct ModelReference {
+    std::string builtin;         ///< name of a builtin model, or
+    std::filesystem::path path;  ///< absolute once read
+    std::string sha256;          ///< optional
+    bool fillHoles = false;      ///< see ReadOptions
+
+    /// The file that holds the model. Throws InputError for an unknown builtin name.
+    std::filesystem::path file() const;
+    /// How people call it: the builtin's name, or the file's without its extension.
+    std::string name() const;
+};
+
+/// A PNG of the scene, as it stands before the step. `file` is relative to the output folder.
+struct ScreenshotEvent {
+    std::string file;
+    int width = 1280;  ///< [pixels]
+    int height = 720;  ///< [pixels]
+};
+/// The mesh as it stands before the step: a file of meshFormats() below the output folder.
+struct ExportEvent {
+    std::string file;
+    bool filePerPiece = false;  ///< see pieceFile()
+};
+/// What must hold before the step.
+struct CheckEvent {
+    std::optional<std::string> hash;
+    std::optional<int> pieces;
+};
+
+/// A blade event is a key pose: between two of them the ends move linearly, a quad per step. So do
+/// hands from their grab or drag to their next drag.
+using SessionAction =
+    std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, AddBox, ChangeBox,
+                 RemoveBox, Restart, Undo, Redo, ScreenshotEvent, ExportEvent, CheckEvent>;
+
+/// Something that happens before a step.
+struct SessionEvent {
+    int step = 0;  ///< applied before this step; equal to Session::steps: after the last one
+    SessionAction action;
+    int number = -1;  ///< in the file's list, from 0; -1 where it stands in no file
+};
+
+/// A *.kerf.json file: start state, commands, checks. See docs/session-format.md.
+struct Session {
+    std::string fileName;  ///< without its folder, as errors name it; empty where it is no file
+    ModelReference model;
+    Placement placement;
+    Params params;
+    std::vector<StaticBox> boxes;  ///< at the start
+    int steps = 0;
+    std::vector<SessionEvent> events;  ///< by step, the file's order within one
+    std::optional<render::Camera> view;
+    render::ChosenColors colors;        ///< of the view, instead of the model's own
+    std::vector<std::string> warnings;  ///< unknown extra keys
+};
+
+/// Whether the blade is gone after it: the next pose places it anew.
+bool takesBladeAway(const SessionAction& action);
+
+/// How much memory a replay gives to what its undo events bring back: a run that a person made
+/// within the editor's budget must not fail here.
+inline constexpr std::size_t kReplayUndoBudget = std::size_t{4} << 30;
+/// Whether a session takes changes back, so that they must be kept.
+bool undoesAnything(const Session& session);
+
+/// Reads and checks a session. Throws InputError naming the file and the place in it
+/// ("first-cut.kerf.json: events[3].a: expected three numbers.").
+Session readSession(const std::filesystem::path& file);
+/// The same from text; model paths are relative to `baseFolder`. The sentences name the place.
+Session parseSession(const std::string& text, const std::filesystem::path& baseFolder);
+/// Text of a session file that lies in `baseFolder` (model paths become relative to it where it
+/// is given). Throws InputError rather than write what parseSession would refuse.
+std::string formatSession(const Session& session, const std::filesystem::path& baseFolder = {});
+
+/// The model of a session, placed in the world. Throws InputError, also where its sha256 differs
+/// or where it would be too small or too far from the origin for floats.
+ModelMesh loadSessionModel(const Session& session, const ReadOptions& options = {});
+
+/// The session's view, or the default one: from the front right above, `bounds` in the middle and
+/// room around it for what falls.
+render::Camera sessionCamera(const Session& session, const Bounds& bounds);
+
+/// What a session does before a step.
+struct PlayedAction {
+    SessionAction action;
+    int number = -1;  ///< SessionEvent::number; between two key poses, that of the later one
+};
+
+/// The commands of one step, blade poses interpolated between key poses.
+class SessionPlayer {
+  public:
+    /// The session must outlive the player.
+    explicit SessionPlayer(const Session& session);
+    /// Everything that happens before step `step`, in order; where the blade is between two key
+    /// poses, its pose of this step comes last. `step` equal to session.steps: after the run.
+    std::vector<PlayedAction> actionsAt(int step) const;
+
+  private:
+    /// The blade moves from one key pose to the next.
+    struct Sweep {
+        int firstStep = 0;
+        int lastStep = 0;
+        Blade from;
+        Blade to;
+        int number = -1;  ///< of the later key pose
+    };
+    /// A hand moves from one key pose to the next, with steps between.
+    struct HandMove {
+        int hand = 0;
+        int firstStep = 0;
+        int lastStep = 0;
+        Vec3 from = Vec3::Zero();
+        Vec3 to = Vec3::Zero();
+        int number = -1;  ///< of the later key pose
+    };
+    void collectSweeps();
+    void collectHandMoves();
+    std::optional<PlayedAction> poseBetweenKeys(int step) const;
+    std::vector<PlayedAction> dragsBetweenKeys(int step) const;
+
+    const Session* session_;
+    std::vector<Sweep> sweeps_;  ///< by step, not overlapping
+    std::vector<HandMove> handMoves_;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,137 @@
+#include "app/session/session_json.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "app/files/model_source.h"
+
+namespace kerf::app {
+
+namespace {
+
+using nlohmann::json;
+
+std::string lineAndColumn(std::string_view text, std::size_t position) {
+    const std::string_view before = text.substr(0, std::min(position, text.size()));
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const std::size_t lineStart = lines == 0 ? 0 : before.rfind('\n') + 1;
+    return "line " + std::to_string(lines + 1) + ", column " +
+           std::to_string(std::max<std::size_t>(before.size() - lineStart, 1));
+}
+
+/// What the parser stumbled over, short and printable.
+std::string excerpt(std::string token) {
+    const auto unprintable = [](unsigned char c) { return std::iscntrl(c) != 0 || c > 126; };
+    std::replace_if(token.begin(), token.end(), unprintable, '?');
+    constexpr std::size_t longest = 24;
+    return token.size() <= longest ? token : token.substr(token.size() - longest);
+}
+
+/// Builds the document while it is read, and stops at what must not be kept.
+class DocumentBuilder : public nlohmann::json_sax<json> {
+  public:
+    explicit DocumentBuilder(std::string_view text) : text_(text) {}
+    json take() { return std::move(root_); }
+
+    bool null() override { return put(nullptr); }
+    bool boolean(bool value) override { return put(value); }
+    bool number_integer(number_integer_t value) override { return put(value); }
+    bool number_unsigned(number_unsigned_t value) override { return put(value); }
+    bool number_float(number_float_t value, const string_t&) override { return put(value); }
+    bool string(string_t& value) override { return put(std::move(value)); }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(json::object()); }
+    bool start_array(std::size_t) override { return open(json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override {
+        if (open_.back()->contains(name)) {
+            throw InputError(place() + ": the key '" + excerpt(name) +
+                             "' stands there twice; keep one.");
+        }
+        keys_.back() = name;
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string& token,
+                     const nlohmann::detail::exception& error) override {
+        // out_of_range 406 is the only other error of this parser: a number such as 1e999.
+        const bool overflow = error.id == 406;
+        throw InputError(lineAndColumn(text_, position) + ": " +
+                         (overflow ? "the number '" + excerpt(token) + "' is too large."
+                                   : "this is not valid JSON near '" + excerpt(token) + "'."));
+    }
+
+  private:
+    bool put(json value) {
+        insert(std::move(value));
+        return true;
+    }
+
+    json* insert(json value) {
+        if (open_.empty()) {
+            root_ = std::move(value);
+            return &root_;
+        }
+        json& parent = *open_.back();
+        if (parent.is_array()) {
+            parent.push_back(std::move(value));
+            return &parent.back();
+        }
+        json& slot = parent[keys_.back()];
+        slot = std::move(value);
+        return &slot;
+    }
+
+    bool open(json container) {
+        if (open_.size() >= kMaxJsonDepth) {
+            const std::string key = keys_.front().empty() ? "" : excerpt(keys_.front()) + ": ";
+            throw InputError(key + "nested deeper than " + std::to_string(kMaxJsonDepth) +
+                             " levels.");
+        }
+        open_.push_back(insert(std::move(container)));
+        keys_.emplace_back();
+        return true;
+    }
+
+    bool close() {
+        open_.pop_back();
+        keys_.pop_back();
+        return true;
+    }
+
+    /// Where the container that is open now stands: "events[3]".
+    std::string place() const {
+        std::string text;
+        for (std::size_t level = 0; level + 1 < open_.size(); ++level) {
+            if (open_[level]->is_array()) {
+                text += "[" + std::to_string(open_[level]->size() - 1) + "]";
+            } else {
+                text += (text.empty() ? "" : ".") + excerpt(keys_[level]);
+            }
+        }
+        return text.empty() ? "top level" : text;
+    }
+
+    std::string_view text_;
+    json root_;
+    std::vector<json*> open_;
+    std::vector<std::string> keys_;  ///< the key being filled at each open level
+};
+
+}  // namespace
+
+// The parser takes a zero byte for the end of the text.
+json parseJson(std::string_view text) {
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+        throw InputError(lineAndColumn(text, zero) + ": a zero byte is not valid JSON.");
+    }
+    DocumentBuilder builder(text);
+    // Every error throws out of the builder, so the result needs no look.
+    json::sax_parse(text, &builder);
+    return builder.take();
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,294 @@
+#include "app/tools/blade_hand.h"
+
+#include <algorithm>
+
+#include "app/scene/cut_preview.h"
+
+namespace kerf::app {
+namespace {
+
+// Shares of the body's diagonal.
+constexpr double kStrokeDepth = 0.25;
+constexpr double kScalpelDepth = 0.06;
+constexpr double kGrabRadius = 0.12;
+constexpr double kPinRadius = 0.08;
+constexpr double kLongest = 2;
+
+constexpr double kHandleReach = 14;  // [px]
+constexpr std::size_t kMostPreviewPoses = 32;
+constexpr int kMostPreviewTriangles = 200'000;  // of the body: more would slow the pictures down
+
+/// At most so many poses, the ends among them.
+std::vector<Blade> thinned(const std::vector<Blade>& way) {
+    if (way.size() <= kMostPreviewPoses) {
+        return way;
+    }
+    std::vector<Blade> few;
+    for (std::size_t i = 0; i < kMostPreviewPoses; ++i) {
+        few.push_back(way[i * (way.size() - 1) / (kMostPreviewPoses - 1)]);
+    }
+    return few;
+}
+
+void addLine(const ViewFrame& view, const Vec3& from, const Vec3& to,
+             std::vector<ui::Overlay::Line>& lines) {
+    const auto a = view.toPixel(from);
+    const auto b = view.toPixel(to);
+    if (a && b) {
+        lines.push_back({*a, *b});
+    }
+}
+
+/// The outline of the way.
+void addSwept(const ViewFrame& view, const std::vector<Blade>& way, ui::Overlay& overlay) {
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        addLine(view, way[i - 1].a, way[i].a, overlay.swept);
+        addLine(view, way[i - 1].b, way[i].b, overlay.swept);
+    }
+    addLine(view, way.front().a, way.front().b, overlay.swept);
+    addLine(view, way.back().a, way.back().b, overlay.swept);
+}
+
+/// What faces the eye.
+void addTouched(const ViewFrame& view, const SurfaceMesh& mesh, const std::vector<int>& triangles,
+                ui::Overlay& overlay) {
+    for (const int t : triangles) {
+        const Triangle& c = mesh.triangle(t);
+        const Vec3& p = mesh.position(c[0]);
+        const Vec3 normal = (mesh.position(c[1]) - p).cross(mesh.position(c[2]) - p);
+        const auto a = view.toPixel(p);
+        const auto b = view.toPixel(mesh.position(c[1]));
+        const auto d = view.toPixel(mesh.position(c[2]));
+        if (normal.dot(view.camera.towardsEye(p)) > 0 && a && b && d) {
+            overlay.touched.push_back({*a, *b, *d});
+        }
+    }
+}
+
+}  // namespace
+
+void BladeHand::fitTo(const Bounds& bounds) {
+    const double diagonal = bounds.diagonal();
+    settings_.strokeDepth = kStrokeDepth * diagonal;
+    settings_.scalpelDepth = kScalpelDepth * diagonal;
+    settings_.grabRadius = kGrabRadius * diagonal;
+    settings_.pinRadius = kPinRadius * diagonal;
+    settings_.longest = kLongest * diagonal;
+    settings_.lowered = 0;
+    guillotine_ = Guillotine(bounds);
+    settings_.length = guillotine_.length();
+    settings_.drop = guillotine_.drop();
+    scalpel_.reset();
+    handle_.reset();
+    held_ = false;
+}
+
+void BladeHand::set(const ui::ToolSettings& settings, EditorScene& scene) {
+    const ui::ToolSettings before = settings_;
+    settings_ = settings;
+    if (settings.tool != before.tool) {
+        settings_.lowered = before.lowered;
+        cancel(scene);
+        return;
+    }
+    if (settings.length != before.length || settings.drop != before.drop) {
+        raise(scene);
+        guillotine_.setLength(settings.length);
+        guillotine_.setDrop(settings.drop);
+    } else if (settings.lowered != before.lowered) {
+        settings_.lowered = before.lowered;
+        lowerTo(settings.lowered, scene);
+    }
+}
+
+// --- The pointer -------------------------------------------------------------------------------
+
+void BladeHand::press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+    switch (settings_.tool) {
+        case ui::Tool::stroke:
+            pressStroke(view, pixel, scene);
+            return;
+        case ui::Tool::scalpel:
+            held_ = true;
+            scalpel_.reset();
+            moveScalpel(view, pixel, scene);
+            return;
+        case ui::Tool::guillotine:
+            handle_ = handleAt(view, pixel);
+            return;
+        case ui::Tool::grab:
+        case ui::Tool::pin:
+            return;  // see BodyHand
+    }
+}
+
+void BladeHand::pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+    const std::optional<double> depth =
+        settings_.throughAll ? std::nullopt : std::optional(settings_.strokeDepth);
+    scene.takeBlade();
+    // Where an earlier stroke is still being cut, this one's poses queue up behind it.
+    scene.stroke().begin(StrokeSpace(view.camera, view.aspect(), scene.bounds(), depth),
+                         view.toNdc(pixel));
+    ruler_.emplace(pixel);
+    held_ = true;
+}
+
+void BladeHand::move(const ViewFrame& view, const Vec2& pixel, bool straight, EditorScene& scene) {
+    if (handle_) {
+        raise(scene);
+        guillotine_.move(*handle_, view.onPlaneThrough(guillotine_.handles()[*handle_], pixel));
+        settings_.length = guillotine_.length();
+        settings_.drop = guillotine_.drop();
+    } else if (held_ && settings_.tool == ui::Tool::scalpel) {
+        moveScalpel(view, pixel, scene);
+    } else if (held_) {
+        const std::optional<Vec2> to = straight ? ruler_->along(pixel) : pixel;
+        if (to) {
+            scene.stroke().moveTo(view.toNdc(*to));
+        }
+    }
+}
+
+void BladeHand::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+    const auto point = scene.pick(view.rayThrough(pixel));
+    if (!point) {
+        scalpel_.reset();
+        scene.stroke().end();
+        return;
+    }
+    if (!scalpel_) {
+        scalpel_.emplace(settings_.scalpelDepth);
+    }
+    for (const Blade& pose : scalpel_->moveTo(*point)) {
+        if (scene.stroke().drawing()) {
+            scene.stroke().moveTo(pose);
+        } else {
+            scene.takeBlade();
+            scene.stroke().begin(pose, {0.5, maxStrokeStep(scene.bounds())});
+        }
+    }
+}
+
+void BladeHand::release(EditorScene& scene) {
+    handle_.reset();
+    scalpel_.reset();
+    if (held_) {
+        held_ = false;
+        scene.stroke().end();
+    }
+}
+
+void BladeHand::cancel(EditorScene& scene) {
+    handle_.reset();
+    scalpel_.reset();
+    held_ = false;
+    settings_.lowered = 0;
+    scene.stroke().cancel();
+}
+
+// --- The guillotine ----------------------------------------------------------------------------
+
+void BladeHand::bringDown(EditorScene& scene) {
+    if (settings_.tool == ui::Tool::guillotine) {
+        if (settings_.lowered >= 1) {
+            settings_.lowered = 0;
+        }
+        lowerTo(1, scene);
+    }
+}
+
+/// Down it cuts; pulled up it is out of the body and above it again.
+void BladeHand::lowerTo(double lowered, EditorScene& scene) {
+    if (lowered <= settings_.lowered) {
+        raise(scene);
+        return;
+    }
+    if (!scene.stroke().drawing()) {
+        scene.takeBlade();
+        scene.stroke().begin(guillotine_.at(settings_.lowered),
+                             {0.5, maxStrokeStep(scene.bounds())});
+    }
+    settings_.lowered = lowered;
+    scene.stroke().moveTo(guillotine_.at(lowered));
+    if (lowered >= 1) {
+        scene.stroke().end();
+    }
+}
+
+void BladeHand::raise(EditorScene& scene) {
+    if (settings_.lowered > 0) {
+        scene.stroke().end();
+        settings_.lowered = 0;
+    }
+}
+
+std::optional<Guillotine::Handle> BladeHand::handleAt(const ViewFrame& view,
+                                                      const Vec2& pixel) const {
+    std::optional<Guillotine::Handle> best;
+    double nearest = kHandleReach;
+    const auto handles = guillotine_.handles();
+    for (int i = 0; i < Guillotine::kHandles; ++i) {
+        if (const auto at = view.toPixel(handles[i])) {
+            const double distance = (Vec2(at->x, at->y) - pixel).norm();
+            if (distance < nearest) {
+                nearest = distance;
+                best = static_cast<Guillotine::Handle>(i);
+            }
+        }
+    }
+    return best;
+}
+
+// --- What the coming cut will do ---------------------------------------------------------------
+
+std::vector<Blade> BladeHand::wayAhead(const ViewFrame& view, const Vec2& pixel,
+                                       EditorScene& scene) const {
+    const BladeStroke& stroke = scene.stroke();
+    if (stroke.drawing() || stroke.pending() > 0) {
+        return stroke.wayAhead();
+    }
+    if (settings_.tool == ui::Tool::guillotine && settings_.lowered < 1) {
+        return {guillotine_.at(settings_.lowered), guillotine_.at(1)};
+    }
+    if (settings_.tool == ui::Tool::scalpel) {
+        const auto point = scene.pick(view.rayThrough(pixel));
+        if (point) {
+            return {Scalpel(settings_.scalpelDepth).at(*point)};
+        }
+    }
+    return {};
+}
+
+ui::Overlay BladeHand::overlay(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const {
+    ui::Overlay overlay;
+    const std::vector<Blade> way = thinned(wayAhead(view, pixel, scene));
+    if (!way.empty()) {
+        addSwept(view, way, overlay);
+    }
+    if (way.size() > 1 && scene.simulation().report().triangles <= kMostPreviewTriangles) {
+        const CutPreview& preview = scene.preview(way);
+        addTouched(view, scene.simulation().meshAsRead(), preview.touched, overlay);
+        for (const auto& line : preview.wound) {
+            addLine(view, line[0], line[1], overlay.wound);
+        }
+    }
+    if (settings_.tool == ui::Tool::guillotine) {
+        if (way.empty()) {
+            addSwept(view, {guillotine_.at(0), guillotine_.at(1)}, overlay);  // where it came down
+        }
+        addHandles(view, pixel, overlay);
+    }
+    return overlay;
+}
+
+void BladeHand::addHandles(const ViewFrame& view, const Vec2& pixel, ui::Overlay& overlay) const {
+    const std::optional<Guillotine::Handle> hot = handle_ ? handle_ : handleAt(view, pixel);
+    const auto handles = guillotine_.handles();
+    for (int i = 0; i < Guillotine::kHandles; ++i) {
+        if (const auto at = view.toPixel(handles[i])) {
+            overlay.handles.push_back({*at, hot == static_cast<Guillotine::Handle>(i)});
+        }
+    }
+}
+
+}  // namespace kerf::app

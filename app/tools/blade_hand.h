@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+
+#include "app/scene/editor_scene.h"
+#include "app/tools/guillotine.h"
+#include "app/tools/ruler.h"
+#include "app/tools/scalpel.h"
+#include "app/tools/view_frame.h"
+#include "ui/overlay.h"
+#include "ui/tool_settings.h"
+
+namespace kerf::app {
+
+/// Leads the blade by the pointer, in one of three ways, and shows what it will cut. It answers
+/// with poses in the scene's stroke.
+class BladeHand {
+  public:
+    /// Depths, radii and the guillotine's pose for another body.
+    void fitTo(const Bounds& bounds);
+
+    const ui::ToolSettings& settings() const { return settings_; }
+    /// Another tool, another depth; a guillotine that is lowered cuts.
+    void set(const ui::ToolSettings& settings, EditorScene& scene);
+
+    // The pointer in the view; positions in pixels of the picture.
+    void press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
+    /// `straight`: a stroke goes on along a straight line (see Ruler).
+    void move(const ViewFrame& view, const Vec2& pixel, bool straight, EditorScene& scene);
+    void release(EditorScene& scene);
+    /// Lets go of everything.
+    void cancel(EditorScene& scene);
+    /// Whether it holds the blade or a handle.
+    bool holds() const { return held_ || handle_.has_value(); }
+
+    /// The guillotine falls from where it is.
+    void bringDown(EditorScene& scene);
+
+    /// What the coming cut will do.
+    ui::Overlay overlay(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const;
+
+  private:
+    void pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
+    void moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
+    void lowerTo(double lowered, EditorScene& scene);
+    void raise(EditorScene& scene);
+    std::optional<Guillotine::Handle> handleAt(const ViewFrame& view, const Vec2& pixel) const;
+    std::vector<Blade> wayAhead(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const;
+    void addHandles(const ViewFrame& view, const Vec2& pixel, ui::Overlay& overlay) const;
+
+    ui::ToolSettings settings_;
+    Guillotine guillotine_;
+    std::optional<Scalpel> scalpel_;  ///< while it is on the surface
+    std::optional<Guillotine::Handle> handle_;
+    bool held_ = false;  ///< by the pointer
+    std::optional<Ruler> ruler_;
+};
+
+}  // namespace kerf::app

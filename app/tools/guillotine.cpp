@@ -1,0 +1,67 @@
+#include "app/tools/guillotine.h"
+
+#include <algorithm>
+
+namespace kerf::app {
+namespace {
+
+constexpr double kMargin = 0.15;    // of the diagonal, beyond the body on all sides
+constexpr double kShortest = 1e-3;  // of what a handle is pulled to, against zero [m]
+
+}  // namespace
+
+Guillotine::Guillotine(const Bounds& bounds) {
+    const double margin = kMargin * bounds.diagonal();
+    const Vec3 size = bounds.high - bounds.low;
+    center_ = bounds.center();
+    center_.y() = bounds.high.y() + margin;
+    // Across the shorter of the two sides, so that a long body is parted.
+    along_ = size.x() <= size.z() ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitZ());
+    halfLength_ = 0.5 * std::min(size.x(), size.z()) + margin;
+    drop_ = size.y() + 2 * margin;
+}
+
+Blade Guillotine::at(double lowered) const {
+    const Vec3 now = center_ + lowered * drop_ * down_;
+    return {now - halfLength_ * along_, now + halfLength_ * along_};
+}
+
+std::array<Vec3, Guillotine::kHandles> Guillotine::handles() const {
+    return {center_, center_ - halfLength_ * along_, center_ + halfLength_ * along_,
+            center_ + drop_ * down_};
+}
+
+void Guillotine::move(Handle handle, const Vec3& to) {
+    const Vec3 arm = to - center_;
+    switch (handle) {
+        case middle:
+            center_ = to;
+            return;
+        case endA:
+            turnTo(-arm);
+            return;
+        case endB:
+            turnTo(arm);
+            return;
+        case bottom: {
+            const Vec3 square = arm - arm.dot(along_) * along_;
+            if (square.norm() > kShortest) {
+                down_ = square.normalized();
+                drop_ = square.norm();
+            }
+            return;
+        }
+    }
+}
+
+void Guillotine::turnTo(const Vec3& along) {
+    const Vec3 unit = along.normalized();
+    const Vec3 square = down_ - down_.dot(unit) * unit;
+    if (along.norm() > kShortest && square.norm() > kShortest) {
+        along_ = unit;
+        halfLength_ = along.norm();
+        down_ = square.normalized();
+    }
+}
+
+}  // namespace kerf::app

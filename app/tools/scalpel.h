@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/scene/cut_preview.h"
+#include "sim/cut/blade.h"
+
+namespace kerf::app {
+
+/// Leads a blade over the surface: upright, a set depth below it. It swings in from the air above,
+/// so that it comes through the skin edge first, as a blade has to.
+class Scalpel {
+  public:
+    /// `depth` below the surface [m].
+    explicit Scalpel(double depth) : depth_(depth) {}
+
+    /// The poses that lead to another point of the surface, in order; none until the first two
+    /// points lie far enough apart to tell the direction.
+    std::vector<Blade> moveTo(const SurfacePoint& point);
+    /// Upright at a point of the surface.
+    Blade at(const SurfacePoint& point) const;
+
+  private:
+    double lift() const { return kLift * depth_; }
+
+    static constexpr double kLift = 0.4;   ///< what stands out of the body, of the depth
+    static constexpr double kTell = 0.15;  ///< least way that tells a direction, of the depth
+
+    double depth_;
+    std::optional<SurfacePoint> first_;
+    bool in_ = false;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,92 @@
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "app/editor/editor.h"
+#include "app/editor/recent_files.h"
+#include "app/editor/settings_file.h"
+#include "app/window/window.h"
+#include "gpu/context.h"
+#include "sim/base/stopwatch.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr double kLongestWait = 1;  // between two looks at what the system wants [s]
+
+/// So large a model is opened in the window, where its progress is seen.
+bool isLarge(const std::filesystem::path& file) {
+    constexpr std::uintmax_t kLarge = 8'000'000;  // [bytes]
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    return !error && size > kLarge;
+}
+
+/// The document of the command line, or the default one; without that the editor opens empty.
+std::optional<Document> firstDocument(const std::optional<std::filesystem::path>& file) {
+    if (file) {
+        return openDocument(*file);
+    }
+    try {
+        return openDefaultDocument();
+    } catch (const InputError& error) {
+        spdlog::warn("{}", error.what());
+        return std::nullopt;
+    }
+}
+
+EditorOptions optionsFor(const Window& window) {
+    const gpu::DeviceInfo device = gpu::queryDevice();
+    EditorOptions options;
+    options.width = std::max(1, window.width());
+    options.height = std::max(1, window.height());
+    options.scale = window.scale();
+    options.quality = device.software ? render::Quality::light : render::Quality::full;
+    options.settingsFile = defaultSettingsFile();
+    options.recentFiles = recentFilesStore();
+    options.device = device.renderer.substr(0, device.renderer.find(" ("));
+    return options;
+}
+
+/// Draws while something moves, and else waits: a still picture costs nothing.
+void runLoop(Window& window, Editor& editor) {
+    Stopwatch watch;
+    while (!window.closing() && !editor.closing()) {
+        window.waitEvents(std::min(editor.idleSeconds() - watch.seconds(), kLongestWait));
+        const bool damaged = window.takeDamage();
+        if (!damaged && editor.idleSeconds() > watch.seconds()) {
+            continue;
+        }
+        editor.resize(window.width(), window.height());
+        editor.setScale(window.scale());
+        editor.frame(watch.restart());
+        window.setTitle(editor.title());
+        window.show(editor.picture());
+    }
+}
+
+void openWindow(std::optional<Document> document,
+                const std::optional<std::filesystem::path>& stillToOpen) {
+    Window window("Kerf");
+    Editor editor(optionsFor(window), std::move(document));
+    if (stillToOpen) {
+        editor.open(*stillToOpen);
+    }
+    window.onInput([&editor](ui::InputEvent event) { editor.post(std::move(event)); });
+    runLoop(window, editor);
+    window.onInput(nullptr);
+}
+
+}  // namespace
+
+int runEditor(const std::optional<std::filesystem::path>& file) {
+    if (file && isLarge(*file)) {
+        openWindow(std::nullopt, file);
+        return 0;
+    }
+    // The file first: a wrong one is told without a window flashing up.
+    openWindow(firstDocument(file), std::nullopt);
+    return 0;
+}
+
+}  // namespace kerf::app
