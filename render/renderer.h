@@ -1,67 +1,18 @@
 #pragma once
 
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "gpu/framebuffer.h"
-#include "render/camera.h"
-#include "render/depth_field.h"
-#include "render/image.h"
-#include "render/material.h"
-#include "render/overlays.h"
-#include "sim/contact/blade_body.h"
-#include "sim/contact/static_box.h"
-#include "sim/cut/blade.h"
+#include "render/scene/camera.h"
+#include "render/scene/depth_field.h"
+#include "render/scene/image.h"
+#include "render/scene/scene_view.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/solve/body_view.h"
-#include "sim/solve/constraint_view.h"
 
 namespace kerf::render {
 
 /// What the light tier leaves out: multisampling, the soft edge of the shadow.
 enum class Quality { light, full };
-
-/// How a piece differs from the others of its body.
-struct PieceLook {
-    Eigen::Vector3f tint = Eigen::Vector3f::Zero();  ///< linear albedo
-    float strength = 0;                              ///< of the tint, 0 to 1
-    bool hidden = false;                             ///< neither drawn nor casting a shadow
-    Vec3 shift = Vec3::Zero();                       ///< from where it is to where it is drawn [m]
-};
-
-/// A rectangle of pixels, from the top left corner of the picture.
-struct PixelRect {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-    bool operator==(const PixelRect&) const = default;
-};
-
-/// All that a picture shows.
-struct SceneView {
-    BodyView body;
-    Material material;
-    Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
-    std::vector<StaticBox> boxes;
-    std::optional<double> floor;           ///< height of the grid floor [m]
-    std::optional<Blade> blade;            ///< steel with a bright edge
-    std::optional<BladeMotion> bladeBody;  ///< its true shape where it pushes; drawn as it ends
-    std::vector<Blade> sweep;              ///< poses of the running stroke: translucent quads
-    Bounds focus;                          ///< what the shadow map must cover (body, current)
-    bool wireframe = false;
-    bool cutLines = false;  ///< a dark line on the skin along the rim of each cut
-    /// Body, boxes and blade alone, on nothing: colours come out multiplied by their alpha.
-    bool transparent = false;
-    std::vector<PieceLook> pieces;   ///< by BodyView's pieces; those behind its end look as always
-    std::vector<PixelRect> covered;  ///< by panels: nothing is drawn there, which saves time
-    Overlays overlays;
-    ConstraintView constraints;         ///< what the overlays show
-    std::vector<Bounds> pieceBoxes;     ///< around the pieces [m]
-    std::vector<std::uint32_t> pinned;  ///< vertices that are marked as pinned
-};
 
 /// Draws a scene into an off-screen target: shadow pass, floor, surface, boxes, blade, overlays.
 /// The window and a headless run use the same path, so their pictures agree to the pixel.

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/material.h"
-#include "render/overlays.h"
 #include "render/renderer.h"
+#include "render/scene/material.h"
+#include "render/scene/overlays.h"
 
 namespace kerf::ui {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "render/image.h"
+#include "render/scene/image.h"
 #include "ui/panel_context.h"
 #include "ui/plot.h"
 

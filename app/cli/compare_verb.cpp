@@ -5,7 +5,7 @@
 
 #include "app/cli/exit_codes.h"
 #include "app/files/file_io.h"
-#include "render/image.h"
+#include "render/scene/image.h"
 
 namespace kerf::app {
 namespace {

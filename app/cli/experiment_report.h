@@ -5,7 +5,7 @@
 
 #include "app/session/metrics.h"
 #include "app/session/paper_experiments.h"
-#include "render/image.h"
+#include "render/scene/image.h"
 
 namespace kerf::app {
 

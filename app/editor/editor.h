@@ -7,8 +7,8 @@
 
 #include "app/scene/editor_document.h"
 #include "gpu/framebuffer.h"
-#include "render/image.h"
 #include "render/renderer.h"
+#include "render/scene/image.h"
 #include "ui/input.h"
 #include "ui/item_places.h"
 #include "ui/panel_model.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "render/image.h"
+#include "render/scene/image.h"
 
 namespace kerf::app {
 

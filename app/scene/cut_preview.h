@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "sim/cut/blade.h"
 #include "sim/mesh/oriented_box.h"
 #include "sim/mesh/surface_mesh.h"

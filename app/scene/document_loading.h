@@ -7,7 +7,7 @@
 
 #include "app/files/background_job.h"
 #include "app/scene/editor_document.h"
-#include "render/depth_field.h"
+#include "render/scene/depth_field.h"
 #include "sim/run/body_upload.h"
 
 namespace kerf::app {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/session/session.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::app {

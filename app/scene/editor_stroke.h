@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "sim/run/command.h"
 
 namespace kerf::app {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 namespace kerf::app {
 

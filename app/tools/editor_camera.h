@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "ui/input.h"
 
 namespace kerf::app {

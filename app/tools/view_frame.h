@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "ui/plot_math.h"
 
 namespace kerf::app {

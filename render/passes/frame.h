@@ -1,7 +1,8 @@
 #pragma once
 
 #include "gpu/program.h"
-#include "render/renderer.h"
+#include "render/scene/camera.h"
+#include "render/scene/scene_view.h"
 
 namespace kerf::render {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "gpu/program.h"
-#include "render/depth_field.h"
 #include "render/passes/frame.h"
+#include "render/scene/depth_field.h"
 
 namespace kerf::render {
 

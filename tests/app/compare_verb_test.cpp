@@ -8,7 +8,7 @@
 
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
-#include "render/image.h"
+#include "render/scene/image.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {

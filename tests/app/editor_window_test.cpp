@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/files/model_source.h"
-#include "render/image.h"
+#include "render/scene/image.h"
 #include "tests/app/editor_fixture.h"
 #include "tests/app/replayed_session.h"
 #include "tests/support/run_kerf.h"

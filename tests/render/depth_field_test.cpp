@@ -1,4 +1,4 @@
-#include "render/depth_field.h"
+#include "render/scene/depth_field.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/image.h"
+#include "render/scene/image.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 #include <algorithm>
 #include <cmath>

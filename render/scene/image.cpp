@@ -1,4 +1,4 @@
-#include "render/image.h"
+#include "render/scene/image.h"
 
 #include <stb_image.h>
 #include <stb_image_write.h>

@@ -1,4 +1,4 @@
-#include "render/material.h"
+#include "render/scene/material.h"
 
 #include <cmath>
 #include <map>

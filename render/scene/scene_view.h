@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/scene/material.h"
+#include "render/scene/overlays.h"
+#include "sim/base/boxes.h"
+#include "sim/contact/blade_body.h"
+#include "sim/contact/static_box.h"
+#include "sim/cut/blade.h"
+#include "sim/solve/body_view.h"
+#include "sim/solve/constraint_view.h"
+
+namespace kerf::render {
+
+/// How a piece differs from the others of its body.
+struct PieceLook {
+    Eigen::Vector3f tint = Eigen::Vector3f::Zero();  ///< linear albedo
+    float strength = 0;                              ///< of the tint, 0 to 1
+    bool hidden = false;                             ///< neither drawn nor casting a shadow
+    Vec3 shift = Vec3::Zero();                       ///< from where it is to where it is drawn [m]
+};
+
+/// A rectangle of pixels, from the top left corner of the picture.
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    bool operator==(const PixelRect&) const = default;
+};
+
+/// All that a picture shows.
+struct SceneView {
+    BodyView body;
+    Material material;
+    Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
+    std::vector<StaticBox> boxes;
+    std::optional<double> floor;           ///< height of the grid floor [m]
+    std::optional<Blade> blade;            ///< steel with a bright edge
+    std::optional<BladeMotion> bladeBody;  ///< its true shape where it pushes; drawn as it ends
+    std::vector<Blade> sweep;              ///< poses of the running stroke: translucent quads
+    Bounds focus;                          ///< what the shadow map must cover (body, current)
+    bool wireframe = false;
+    bool cutLines = false;  ///< a dark line on the skin along the rim of each cut
+    /// Body, boxes and blade alone, on nothing: colours come out multiplied by their alpha.
+    bool transparent = false;
+    std::vector<PieceLook> pieces;   ///< by BodyView's pieces; those behind its end look as always
+    std::vector<PixelRect> covered;  ///< by panels: nothing is drawn there, which saves time
+    Overlays overlays;
+    ConstraintView constraints;         ///< what the overlays show
+    std::vector<Bounds> pieceBoxes;     ///< around the pieces [m]
+    std::vector<std::uint32_t> pinned;  ///< vertices that are marked as pinned
+};
+
+}  // namespace kerf::render
