@@ -29,7 +29,5 @@ function(kerf_library folder)
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   kerf_own_code(${name})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/shaders)
-  target_compile_definitions(${name} PRIVATE KERF_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-                             KERF_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${name} ${ARGN})
 endfunction()

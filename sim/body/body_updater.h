@@ -13,6 +13,7 @@
 #include "sim/body/skin_normals.h"
 #include "sim/cut/cut_types.h"
 #include "sim/mesh/piece_labels.h"
+#include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
 

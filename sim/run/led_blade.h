@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/contact/blade_body.h"
+#include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/run/command.h"
 

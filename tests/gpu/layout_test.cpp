@@ -10,6 +10,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/constraints.h"
 #include "shaders/shared/solver_uniforms.h"
+#include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 
 namespace kerf::gpu {

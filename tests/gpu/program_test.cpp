@@ -5,6 +5,7 @@
 #include "gpu/buffer.h"
 #include "gpu/data_path.h"
 #include "gpu/shader_source.h"
+#include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 

@@ -4,6 +4,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
+#include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 
 namespace kerf::gpu {

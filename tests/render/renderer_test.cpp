@@ -16,6 +16,7 @@
 #include "sim/body/body_updater.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
+#include "tests/paths.h"
 #include "tests/support/body_upload.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "tests/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::test {

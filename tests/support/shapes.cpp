@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gpu/data_path.h"
+
 namespace kerf::test {
 
 namespace {
@@ -333,7 +335,7 @@ SurfaceMesh box(const Vec3& size, int n) {
 }
 
 TriangleSoup builtinSoup(const std::string& name) {
-    const std::string path = std::string(KERF_SOURCE_DIR) + "/assets/models/" + name + ".obj";
+    const std::string path = gpu::dataPath("assets/models/" + name + ".obj");
     std::ifstream file(path);
     TriangleSoup soup;
     for (std::string word; file >> word;) {

@@ -4,6 +4,7 @@
 
 #include "sim/cut/cleanup/workspace.h"
 #include "sim/cut/cut_types.h"
+#include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
 

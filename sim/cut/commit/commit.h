@@ -4,6 +4,7 @@
 
 #include "sim/cut/cut_types.h"
 #include "sim/cut/plan/step_plan.h"
+#include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
 

@@ -2,6 +2,7 @@
 
 #include "sim/cut/cut_types.h"
 #include "sim/cut/patch/patch_plan.h"
+#include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
 

@@ -3,10 +3,12 @@
 #include <functional>
 #include <vector>
 
+#include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/cut/plan/slit_opening.h"
 #include "sim/cut/surface/air_ties.h"
 #include "sim/cut/surface/broad_phase.h"
+#include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
 

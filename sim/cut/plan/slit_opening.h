@@ -7,6 +7,7 @@
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/cut/surface/broad_phase.h"
+#include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
 

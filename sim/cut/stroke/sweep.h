@@ -4,8 +4,10 @@
 #include <set>
 #include <vector>
 
+#include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/cut/surface/air_ties.h"
+#include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
 

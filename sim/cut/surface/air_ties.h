@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/cut/cut_types.h"
+#include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_finder.h"
 
 namespace kerf::cut {

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/union_find.h"

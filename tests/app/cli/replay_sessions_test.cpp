@@ -5,6 +5,7 @@
 #include "app/session/session.h"
 #include "sim/body/shape_error.h"
 #include "sim/run/simulation.h"
+#include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/app/editor_fixture.h"
-#include "tests/app/replayed_session.h"
+#include "tests/app/editor/editor_fixture.h"
+#include "tests/app/session/replayed_session.h"
 
 namespace kerf::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/app/editor_fixture.h"
+#include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {
 namespace {

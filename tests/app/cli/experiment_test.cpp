@@ -4,6 +4,7 @@
 
 #include "app/cli/experiment_report.h"
 #include "app/session/session.h"
+#include "tests/paths.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/params.h"
+#include "tests/paths.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"

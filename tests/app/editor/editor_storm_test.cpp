@@ -4,8 +4,8 @@
 #include <random>
 
 #include "app/scene/editor_scene.h"
-#include "tests/app/editor_fixture.h"
-#include "tests/app/replayed_session.h"
+#include "tests/app/editor/editor_fixture.h"
+#include "tests/app/session/replayed_session.h"
 #include "ui/shortcuts.h"
 
 namespace kerf::app {

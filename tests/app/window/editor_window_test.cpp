@@ -11,8 +11,9 @@
 
 #include "app/files/model_source.h"
 #include "render/scene/image.h"
-#include "tests/app/editor_fixture.h"
-#include "tests/app/replayed_session.h"
+#include "tests/app/editor/editor_fixture.h"
+#include "tests/app/session/replayed_session.h"
+#include "tests/paths.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -239,7 +240,7 @@ class EditorWindowTest : public test::GlTest {
     std::map<std::string, std::string> drive(const Acts& acts) {
         test::writeText(window / "acts.sh", acts.shell());
         seen = outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                        "/tests/app/editor_window.sh " KERF_BINARY_DIR "/kerf " +
+                        "/tests/app/window/editor_window.sh " KERF_BINARY_DIR "/kerf " +
                         window.path().string() + " " + (window / "acts.sh").string() + " 2>&1");
         return valuesIn(seen);
     }
@@ -297,7 +298,7 @@ TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {
     test::writeText(folder / "slow.obj", test::objText(test::icosphereSoup(1)));
     const std::string seen =
         outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                 "/tests/app/editor_window_files.sh " KERF_BINARY_DIR "/kerf " +
+                 "/tests/app/window/editor_window_files.sh " KERF_BINARY_DIR "/kerf " +
                  folder.path().string() + " 2>&1");
     SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
     std::map<std::string, std::string> values = valuesIn(seen);
@@ -354,10 +355,11 @@ TEST(EditorWindow, OfAnotherSizeTheDisplayShowsWhatWasDrawn) {
     }
     const test::TemporaryFolder folder;
     const std::string path = folder.path().string();
-    const std::string seen = outputOf(
-        "xvfb-run -a -s '-screen 0 1280x720x24 -fbdir " + path +
-        "' bash " KERF_SOURCE_DIR "/tests/app/editor_window_sizes.sh " KERF_BINARY_DIR "/kerf " +
-        path + " 2>&1");
+    const std::string seen =
+        outputOf("xvfb-run -a -s '-screen 0 1280x720x24 -fbdir " + path +
+                 "' bash " KERF_SOURCE_DIR
+                 "/tests/app/window/editor_window_sizes.sh " KERF_BINARY_DIR "/kerf " +
+                 path + " 2>&1");
     SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
     EXPECT_EQ(valuesIn(seen)["exit"], "0");
     for (const char* name : {"smaller", "larger"}) {

@@ -5,8 +5,8 @@
 #include "app/scene/editor_scene.h"
 #include "app/tools/body_hand.h"
 #include "app/tools/ruler.h"
-#include "tests/app/editor_fixture.h"
-#include "tests/app/replayed_session.h"
+#include "tests/app/editor/editor_fixture.h"
+#include "tests/app/session/replayed_session.h"
 
 namespace kerf::app {
 namespace {

@@ -1,0 +1,138 @@
+// Includes look back along the data flow only. Everybody may include shaders/shared; tests and
+// benchmarks may include everything.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/paths.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All rooms, each of which may include itself and what stands before it. A file belongs to the
+/// longest path that it lies below, so the words of a folder may stand before its rooms (sim/cut)
+/// and what runs them behind (render, app). The last one serves tests and benchmarks alone.
+const std::vector<fs::path> kRooms = {
+    "gpu",
+    "sim/base",
+    "sim/mesh",
+    "sim/cut",
+    "sim/cut/exact",
+    "sim/cut/surface",
+    "sim/cut/plan",
+    "sim/cut/commit",
+    "sim/cut/patch",
+    "sim/cut/cleanup",
+    "sim/cut/stroke",
+    "sim/body",
+    "sim/contact",
+    "sim/solve",
+    "sim/run",
+    "render/scene",
+    "render/passes",
+    "render",
+    "ui",
+    "app/files",
+    "app/session",
+    "app/scene",
+    "app/tools",
+    "app/editor",
+    "app/window",
+    "app/cli",
+    "app",
+    "sim/reference",
+};
+
+/// The place in kRooms of the folder of `path`, or nothing for files in none of them.
+std::optional<std::size_t> rankOf(const fs::path& path) {
+    for (fs::path folder = path.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+        const auto found = std::find(kRooms.begin(), kRooms.end(), folder);
+        if (found != kRooms.end()) {
+            return static_cast<std::size_t>(found - kRooms.begin());
+        }
+    }
+    return std::nullopt;
+}
+
+bool mayInclude(const fs::path& from, const fs::path& included) {
+    const std::optional<std::size_t> own = rankOf(from);
+    const std::optional<std::size_t> other = rankOf(included);
+    const bool testOnly = *included.begin() == "tests" || *included.begin() == "bench";
+    return !own || (!testOnly && (!other || *other <= *own));
+}
+
+std::vector<fs::path> ourSources() {
+    std::vector<fs::path> sources;
+    for (const char* folder : {"gpu", "sim", "render", "ui", "app"}) {
+        for (const auto& entry :
+             fs::recursive_directory_iterator(fs::path(KERF_SOURCE_DIR) / folder)) {
+            if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h") {
+                sources.push_back(entry.path().lexically_relative(KERF_SOURCE_DIR));
+            }
+        }
+    }
+    std::sort(sources.begin(), sources.end());
+    return sources;
+}
+
+/// What `source` includes in quotes, as paths from the top of the project.
+std::vector<fs::path> includesOf(const fs::path& source) {
+    static const std::regex kInclude("^\\s*#\\s*include\\s+\"([^\"]+)\".*");
+    std::ifstream in(fs::path(KERF_SOURCE_DIR) / source);
+    std::vector<fs::path> includes;
+    std::smatch match;
+    for (std::string line; std::getline(in, line);) {
+        if (std::regex_match(line, match, kInclude)) {
+            const fs::path beside = source.parent_path() / match[1].str();
+            const bool isBeside = fs::exists(fs::path(KERF_SOURCE_DIR) / beside);
+            includes.push_back((isBeside ? beside : fs::path(match[1].str())).lexically_normal());
+        }
+    }
+    return includes;
+}
+
+TEST(IncludeDirection, RuleLooksBackOnly) {
+    EXPECT_TRUE(mayInclude("sim/run/simulation.h", "gpu/buffer.h"));
+    EXPECT_TRUE(mayInclude("sim/run/simulation.h", "sim/base/math.h"));
+    EXPECT_TRUE(mayInclude("gpu/buffer.h", "shaders/shared/constraints.h"));
+    EXPECT_FALSE(mayInclude("gpu/buffer.h", "sim/base/math.h"));
+    EXPECT_FALSE(mayInclude("sim/mesh/surface_mesh.h", "sim/run/simulation.h"));
+    EXPECT_TRUE(mayInclude("sim/cut/plan/step.h", "sim/cut/cut_types.h"));
+    EXPECT_FALSE(mayInclude("sim/cut/cut_types.h", "sim/cut/plan/step.h"));
+    EXPECT_FALSE(mayInclude("ui/panel.h", "app/session/session.h"));
+    EXPECT_FALSE(mayInclude("app/main.cpp", "tests/support/gl_fixture.h"));
+    EXPECT_FALSE(mayInclude("app/main.cpp", "sim/reference/reference_solver.h"));
+    EXPECT_TRUE(mayInclude("tests/app/some_test.cpp", "app/session/session.h"));
+}
+
+TEST(IncludeDirection, EverySourceLiesInARoom) {
+    for (const fs::path& source : ourSources()) {
+        EXPECT_TRUE(rankOf(source)) << source << " lies in a folder without a place in kRooms";
+    }
+}
+
+TEST(IncludeDirection, EverySourceKeepsTheRule) {
+    std::size_t read = 0;
+    for (const fs::path& source : ourSources()) {
+        for (const fs::path& included : includesOf(source)) {
+            ++read;
+            EXPECT_TRUE(mayInclude(source, included))
+                << source << " includes " << included << ", which lies ahead of it";
+            EXPECT_TRUE(fs::exists(fs::path(KERF_SOURCE_DIR) / included) ||
+                        fs::exists(fs::path(KERF_SOURCE_DIR) / "shaders" / included))
+                << source << " includes " << included << ", whose path is not from the top";
+        }
+    }
+    EXPECT_GT(read, 1000u) << "hardly any #include found below " << KERF_SOURCE_DIR;
+}
+
+}  // namespace
+}  // namespace kerf
