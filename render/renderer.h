@@ -6,7 +6,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/depth_field.h"
 #include "render/scene/image.h"
-#include "render/scene/scene_view.h"
+#include "render/scene/scene.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::render {

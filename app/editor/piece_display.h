@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "render/scene/scene_view.h"
+#include "render/scene/scene.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/session/session.h"
-#include "render/scene/scene_view.h"
+#include "render/scene/scene.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {

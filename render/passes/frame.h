@@ -2,7 +2,7 @@
 
 #include "gpu/program.h"
 #include "render/scene/camera.h"
-#include "render/scene/scene_view.h"
+#include "render/scene/scene.h"
 
 namespace kerf::render {
 
