@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sim/body/body_model.h"
+#include "sim/cut/stroke/cutter.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
