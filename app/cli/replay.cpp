@@ -9,8 +9,8 @@
 #include "app/files/export.h"
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
+#include "app/session/iteration_watch.h"
 #include "app/session/scene_view.h"
-#include "app/session/sweep_watch.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
 #include "sim/base/stopwatch.h"
@@ -27,7 +27,7 @@ void removeExport(OutputFolder& folder, const ExportEvent& event) {
     folder.remove(event.file);
     for (int piece = 0; event.filePerPiece; ++piece) {
         const std::string name = pieceFile(event.file, piece).generic_string();
-        if (!std::filesystem::exists(folder.place(name))) {
+        if (!std::filesystem::exists(folder.pathOf(name))) {
             return;
         }
         folder.remove(name);
@@ -61,7 +61,7 @@ class Replay {
         : session_(session),
           folder_(folder),
           player_(session),
-          metrics_(folder.place(kMetricsFile)),
+          metrics_(folder.pathOf(kMetricsFile)),
           uncut_(std::move(model.mesh)),
           uvs_(std::move(model.uvs)),
           renderer_(render::Quality::full),
@@ -118,7 +118,7 @@ class Replay {
         const Stopwatch watch;
         renderer_.draw(sceneOf(simulation_, materialOf(session_), restBounds_, sweep_), camera_,
                        event.width, event.height);
-        writePicture(renderer_.readPicture(), folder_.place(event.file));
+        writePicture(renderer_.readPicture(), folder_.pathOf(event.file));
         folder_.noteWritten(event.file);
         renderMs_ += watch.milliseconds();
     }
@@ -255,7 +255,7 @@ class Replay {
     render::Renderer renderer_;
     Simulation simulation_;
     Bounds restBounds_;
-    SweepWatch sweeps_;
+    IterationWatch sweeps_;
     render::Camera camera_;
     std::vector<Blade> sweep_;  ///< poses of the running stroke
     RunSummary summary_;

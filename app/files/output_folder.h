@@ -18,12 +18,12 @@ class OutputFolder {
     OutputFolder& operator=(const OutputFolder&) = delete;
 
     /// Where `name` lies, its own folder made. Throws also where a link leads outside.
-    std::filesystem::path place(const std::string& name);
+    std::filesystem::path pathOf(const std::string& name);
     /// Removes an earlier result, if there is one.
     void remove(const std::string& name) const;
     /// Writes a whole file; it appears complete or not at all.
     void write(const std::string& name, std::string_view bytes);
-    /// Of a file that was written at its place() by others.
+    /// Of a file that was written at its pathOf() by others.
     void noteWritten(const std::string& name) { written_.push_back(name); }
     /// Names in the order of writing.
     const std::vector<std::string>& written() const { return written_; }

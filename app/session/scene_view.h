@@ -12,8 +12,8 @@ namespace kerf::app {
 render::Material materialOf(const Session& session);
 
 /// What a picture shows of a simulation as it stands, in the window as in a replay.
-/// `restBounds`: of the uncut rest shape; `sweep`: poses of the running stroke.
+/// `restBounds`: of the uncut rest shape; `strokePoses`: poses of the running stroke.
 render::SceneView sceneOf(const Simulation& simulation, const render::Material& material,
-                          const Bounds& restBounds, const std::vector<Blade>& sweep);
+                          const Bounds& restBounds, const std::vector<Blade>& strokePoses);
 
 }  // namespace kerf::app

@@ -66,11 +66,17 @@ struct CheckEvent {
     std::optional<int> pieces;
 };
 
-/// A blade event is a key pose: between two of them the ends move linearly, a quad per step. So do
-/// hands from their grab or drag to their next drag.
-using SessionAction =
-    std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, AddBox, ChangeBox,
-                 RemoveBox, Restart, Undo, Redo, ScreenshotEvent, ExportEvent, CheckEvent>;
+template <class Variant, class... More>
+struct Extended;
+template <class... Kinds, class... More>
+struct Extended<std::variant<Kinds...>, More...> {
+    using Type = std::variant<Kinds..., More...>;
+};
+
+/// What an event of a session does: a command, or something that concerns the files alone. A blade
+/// event is a key pose: between two of them the ends move linearly, a quad per step. So do hands
+/// from their grab or drag to their next drag. See event_table.h for their fields.
+using SessionAction = Extended<Command, ScreenshotEvent, ExportEvent, CheckEvent>::Type;
 
 /// Something that happens before a step.
 struct SessionEvent {
@@ -136,7 +142,7 @@ class SessionPlayer {
 
   private:
     /// The blade moves from one key pose to the next.
-    struct Sweep {
+    struct PoseSegment {
         int firstStep = 0;
         int lastStep = 0;
         Blade from;
@@ -152,13 +158,13 @@ class SessionPlayer {
         Vec3 to = Vec3::Zero();
         int number = -1;  ///< of the later key pose
     };
-    void collectSweeps();
+    void collectPoseSegments();
     void collectHandMoves();
     std::optional<PlayedAction> poseBetweenKeys(int step) const;
     std::vector<PlayedAction> dragsBetweenKeys(int step) const;
 
     const Session* session_;
-    std::vector<Sweep> sweeps_;  ///< by step, not overlapping
+    std::vector<PoseSegment> poseSegments_;  ///< by step, not overlapping
     std::vector<HandMove> handMoves_;
 };
 

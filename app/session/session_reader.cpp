@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <set>
 
-#include "app/files/export.h"
 #include "app/files/file_io.h"
-#include "app/session/session.h"
+#include "app/session/event_table.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"
 
@@ -20,19 +20,16 @@ constexpr double kLargestTurn = 36000;  // [degrees]
 constexpr double kLeastFieldOfView = 1;
 constexpr double kLargestFieldOfView = 150;  // [degrees]
 constexpr double kLeastSine = 1e-6;          // between the line of sight and the camera's up
-constexpr int kLargestHand = 99;
-constexpr double kLeastRadius = 1e-9;  // [m]
 constexpr std::size_t kSha256Digits = 64;
-constexpr std::size_t kStateHashDigits = 16;
 
 /// A value and where it stands in the file: "events[3].a".
 struct Node {
     const json* value = nullptr;
-    std::string place;
+    std::string path;
 };
 
-[[noreturn]] void fail(const std::string& place, const std::string& problem) {
-    throw InputError(place + ": " + problem);
+[[noreturn]] void fail(const std::string& path, std::string_view problem) {
+    throw InputError(path + ": " + std::string(problem));
 }
 
 std::string rangeText(double low, double high) {
@@ -41,19 +38,19 @@ std::string rangeText(double low, double high) {
 
 double readNumber(const Node& node, double low, double high) {
     if (!node.value->is_number()) {
-        fail(node.place, "expected a number" + rangeText(low, high) + ".");
+        fail(node.path, "expected a number" + rangeText(low, high) + ".");
     }
     const double number = node.value->get<double>();
     if (!(number >= low && number <= high)) {
-        fail(node.place, formatNumber(number) + " is out of range" + rangeText(low, high) + ".");
+        fail(node.path, formatNumber(number) + " is out of range" + rangeText(low, high) + ".");
     }
     return number;
 }
 
-int readInteger(const Node& node, int low, int high) {
+int readInteger(const Node& node, double low, double high) {
     const double number = readNumber(node, low, high);
     if (number != std::floor(number)) {
-        fail(node.place, "expected a whole number" + rangeText(low, high) + ".");
+        fail(node.path, "expected a whole number" + rangeText(low, high) + ".");
     }
     return static_cast<int>(number);
 }
@@ -61,29 +58,29 @@ int readInteger(const Node& node, int low, int high) {
 Vec3 readVector(const Node& node, double limit) {
     const json& value = *node.value;
     if (!value.is_array() || value.size() != 3) {
-        fail(node.place, "expected three numbers.");
+        fail(node.path, "expected three numbers.");
     }
     Vec3 vector;
     for (int i = 0; i < 3; ++i) {
         if (!value[i].is_number()) {
-            fail(node.place, "expected three numbers.");
+            fail(node.path, "expected three numbers.");
         }
         vector[i] =
-            readNumber({&value[i], node.place + "[" + std::to_string(i) + "]"}, -limit, limit);
+            readNumber({&value[i], node.path + "[" + std::to_string(i) + "]"}, -limit, limit);
     }
     return vector;
 }
 
 std::string readString(const Node& node) {
     if (!node.value->is_string()) {
-        fail(node.place, "expected a text in quotes.");
+        fail(node.path, "expected a text in quotes.");
     }
     return node.value->get<std::string>();
 }
 
 bool readBoolean(const Node& node) {
     if (!node.value->is_boolean()) {
-        fail(node.place, "expected true or false.");
+        fail(node.path, "expected true or false.");
     }
     return node.value->get<bool>();
 }
@@ -93,12 +90,16 @@ class ObjectReader {
   public:
     explicit ObjectReader(Node node) : node_(std::move(node)) {
         if (!node_.value->is_object()) {
-            fail(node_.place.empty() ? "top level" : node_.place, "expected an object in braces.");
+            fail(node_.path.empty() ? "top level" : node_.path, "expected an object in braces.");
         }
     }
 
-    std::string place(const std::string& key) const {
-        return node_.place.empty() ? key : node_.place + "." + key;
+    /// Of a key; of the object itself for "".
+    std::string path(const std::string& key) const {
+        if (key.empty()) {
+            return node_.path;
+        }
+        return node_.path.empty() ? key : node_.path + "." + key;
     }
 
     std::optional<Node> optional(const std::string& key) {
@@ -107,13 +108,13 @@ class ObjectReader {
         if (found == node_.value->end()) {
             return std::nullopt;
         }
-        return Node{&*found, place(key)};
+        return Node{&*found, path(key)};
     }
 
     Node required(const std::string& key) {
         const std::optional<Node> node = optional(key);
         if (!node) {
-            fail(place(key), "this key is missing; add it.");
+            fail(path(key), "this key is missing; add it.");
         }
         return *node;
     }
@@ -121,7 +122,7 @@ class ObjectReader {
     void warnAboutTheRest(std::vector<std::string>& warnings) const {
         for (const auto& item : node_.value->items()) {
             if (!known_.contains(item.key())) {
-                warnings.push_back(place(item.key()) + ": unknown key, ignored.");
+                warnings.push_back(path(item.key()) + ": unknown key, ignored.");
             }
         }
     }
@@ -134,15 +135,15 @@ class ObjectReader {
 void readFormat(ObjectReader& top) {
     const Node format = top.required("format");
     if (readString(format) != "kerf-session") {
-        fail(format.place, "expected \"kerf-session\"; this is some other file.");
+        fail(format.path, "expected \"kerf-session\"; this is some other file.");
     }
     const Node version = top.required("version");
     if (!version.value->is_number()) {
-        fail(version.place, "expected a number.");
+        fail(version.path, "expected a number.");
     }
     const double number = version.value->get<double>();
     if (std::floor(number) != 1) {
-        fail(version.place,
+        fail(version.path,
              "version " + formatNumber(number) + " is not supported; this kerf reads version 1.");
     }
 }
@@ -150,7 +151,7 @@ void readFormat(ObjectReader& top) {
 std::string readHexadecimal(const Node& node, std::size_t digits) {
     std::string text = readString(node);
     if (text.size() != digits || text.find_first_not_of("0123456789abcdef") != std::string::npos) {
-        fail(node.place, "expected " + std::to_string(digits) + " lower-case hexadecimal digits.");
+        fail(node.path, "expected " + std::to_string(digits) + " lower-case hexadecimal digits.");
     }
     return text;
 }
@@ -162,15 +163,15 @@ ModelReference readModel(const Node& node, const std::filesystem::path& baseFold
     const auto path = object.optional("path");
     const auto digest = object.optional("sha256");
     if (builtin.has_value() == path.has_value()) {
-        fail(node.place, "expected either \"builtin\" or \"path\".");
+        fail(node.path, "expected either \"builtin\" or \"path\".");
     }
     ModelReference model;
     if (builtin) {
         model.builtin = readString(*builtin);
         const auto& names = builtinModels();
         if (std::find(names.begin(), names.end(), model.builtin) == names.end()) {
-            fail(builtin->place, "there is no builtin model '" + model.builtin + "'; there are " +
-                                     joined(names, ", ") + ".");
+            fail(builtin->path, "there is no builtin model '" + model.builtin + "'; there are " +
+                                    joined(names, ", ") + ".");
         }
     } else {
         model.path = std::filesystem::absolute(baseFolder / readString(*path)).lexically_normal();
@@ -215,20 +216,20 @@ ParamValue readParamValue(const Node& node) {
     if (value.is_string()) {
         return value.get<std::string>();
     }
-    fail(node.place, "expected a number, three numbers, a text in quotes or null.");
+    fail(node.path, "expected a number, three numbers, a text in quotes or null.");
 }
 
-void requireKnownParam(const std::string& name, const std::string& place) {
+void requireKnownParam(const std::string& name, const std::string& path) {
     if (findParam(name) == nullptr) {
         Params scratch;
-        fail(place, setParam(scratch, name, std::monostate{}) + ".");
+        fail(path, setParam(scratch, name, std::monostate{}) + ".");
     }
 }
 
 void applyParam(Params& params, const std::string& name, const Node& node) {
     const std::string problem = setParam(params, name, readParamValue(node));
     if (!problem.empty()) {
-        fail(node.place, problem + ".");
+        fail(node.path, problem + ".");
     }
 }
 
@@ -236,125 +237,11 @@ Params readParams(const Node& node) {
     ObjectReader object(node);
     Params params;
     for (const auto& item : node.value->items()) {
-        const std::string place = object.place(item.key());
-        requireKnownParam(item.key(), place);
-        applyParam(params, item.key(), {&item.value(), place});
+        const std::string path = object.path(item.key());
+        requireKnownParam(item.key(), path);
+        applyParam(params, item.key(), {&item.value(), path});
     }
     return params;
-}
-
-MoveBlade readBlade(ObjectReader& object) {
-    MoveBlade move;
-    const Node a = object.required("a");
-    move.blade.a = readVector(a, kMaxSessionCoordinate);
-    move.blade.b = readVector(object.required("b"), kMaxSessionCoordinate);
-    if (move.blade.a == move.blade.b) {
-        fail(a.place, "a and b are the same point; a blade needs a length.");
-    }
-    return move;
-}
-
-SetParam readSet(ObjectReader& object) {
-    const Node name = object.required("name");
-    const Node value = object.required("value");
-    SetParam set{readString(name), {}};
-    requireKnownParam(set.name, name.place);
-    Params scratch;
-    applyParam(scratch, set.name, value);
-    set.value = getParam(scratch, set.name);
-    if (const auto continues = object.optional("continues")) {
-        set.continues = readBoolean(*continues);
-    }
-    return set;
-}
-
-int readHand(ObjectReader& object) {
-    const auto hand = object.optional("hand");
-    return hand ? readInteger(*hand, 0, kLargestHand) : 0;
-}
-
-Grab readGrab(ObjectReader& object) {
-    const int hand = readHand(object);
-    const Vec3 at = readVector(object.required("at"), kMaxSessionCoordinate);
-    return {hand, at, readNumber(object.required("radius"), kLeastRadius, kMaxSessionCoordinate)};
-}
-
-Drag readDrag(ObjectReader& object) {
-    const int hand = readHand(object);
-    return {hand, readVector(object.required("to"), kMaxSessionCoordinate)};
-}
-
-/// A ball ("center", "radius") or a box ("low", "high"), but not some of each.
-Region readRegion(ObjectReader& object, const Node& event) {
-    const bool ball = object.optional("center") || object.optional("radius");
-    const bool box = object.optional("low") || object.optional("high");
-    if (ball == box) {
-        fail(event.place,
-             "expected either a ball (\"center\", \"radius\") or a box (\"low\", \"high\").");
-    }
-    if (ball) {
-        const Vec3 at = readVector(object.required("center"), kMaxSessionCoordinate);
-        return Ball{at, readNumber(object.required("radius"), kLeastRadius, kMaxSessionCoordinate)};
-    }
-    const Node low = object.required("low");
-    const Bounds bounds{readVector(low, kMaxSessionCoordinate),
-                        readVector(object.required("high"), kMaxSessionCoordinate)};
-    if ((bounds.low.array() > bounds.high.array()).any()) {
-        fail(low.place, "a box needs low to be no higher than high, in each direction.");
-    }
-    return bounds;
-}
-
-Pin readPin(ObjectReader& object, const Node& event, bool pinned) {
-    Pin pin{readRegion(object, event), pinned};
-    if (const auto continues = object.optional("continues")) {
-        pin.continues = readBoolean(*continues);
-    }
-    return pin;
-}
-
-/// "center", "size" and, where the box is turned, "rotate".
-StaticBox readBox(ObjectReader& object) {
-    StaticBox box;
-    box.center = readVector(object.required("center"), kFarthestBox);
-    const Node size = object.required("size");
-    box.size = readVector(size, kLargestBoxSize);
-    if (box.size.minCoeff() < kLeastBoxSize) {
-        fail(size.place,
-             "each side of a box must be at least " + formatNumber(kLeastBoxSize) + " m long.");
-    }
-    if (const auto rotate = object.optional("rotate")) {
-        box.rotate = readVector(*rotate, kLargestBoxTurn);
-    }
-    return box;
-}
-
-std::vector<StaticBox> readBoxes(const Node& node, std::vector<std::string>& warnings) {
-    if (!node.value->is_array()) {
-        fail(node.place, "expected a list in brackets.");
-    }
-    if (node.value->size() > kMostBoxes) {
-        fail(node.place, "at most " + std::to_string(kMostBoxes) + " boxes.");
-    }
-    std::vector<StaticBox> boxes;
-    for (std::size_t i = 0; i < node.value->size(); ++i) {
-        ObjectReader object({&(*node.value)[i], node.place + "[" + std::to_string(i) + "]"});
-        boxes.push_back(readBox(object));
-        object.warnAboutTheRest(warnings);
-    }
-    return boxes;
-}
-
-int readBoxIndex(ObjectReader& object) {
-    return readInteger(object.required("box"), 0, static_cast<int>(kMostBoxes) - 1);
-}
-
-ChangeBox readChangeBox(ObjectReader& object) {
-    ChangeBox change{readBoxIndex(object), readBox(object)};
-    if (const auto continues = object.optional("continues")) {
-        change.continues = readBoolean(*continues);
-    }
-    return change;
 }
 
 /// A file below the output folder: never outside, and none of those that a replay writes itself.
@@ -364,97 +251,178 @@ std::string readOutputName(const Node& node) {
     const bool inside = !path.empty() && !path.is_absolute() && path.has_filename() &&
                         *path.begin() != ".." && *path.begin() != ".";
     if (!inside || name.find('\0') != std::string::npos) {
-        fail(node.place,
-             "'" + name + "' is not a file inside the output folder; use a plain name.");
+        fail(node.path, "'" + name + "' is not a file inside the output folder; use a plain name.");
     }
     for (const char* own : {kMetricsFile, kSummaryFile, kMeshFile}) {
         if (path == own) {
-            fail(node.place, "'" + name + "' is written by the replay itself; use another name.");
+            fail(node.path, "'" + name + "' is written by the replay itself; use another name.");
         }
     }
     return path.generic_string();
 }
 
-ScreenshotEvent readScreenshot(ObjectReader& object) {
-    const Node file = object.required("file");
-    ScreenshotEvent event;
-    event.file = readOutputName(file);
-    if (std::filesystem::path(event.file).extension() != ".png") {
-        fail(file.place, "'" + event.file + "' must end in .png.");
-    }
-    if (const auto width = object.optional("width")) {
-        event.width = readInteger(*width, 1, kMaxPictureSize);
-    }
-    if (const auto height = object.optional("height")) {
-        event.height = readInteger(*height, 1, kMaxPictureSize);
-    }
-    return event;
+void read(const Node& node, bool& flag) {
+    flag = readBoolean(node);
+}
+void read(const Node& node, int& number, const Limits& limits) {
+    number = readInteger(node, limits.low, limits.high);
+}
+void read(const Node& node, double& number, const Limits& limits) {
+    number = readNumber(node, limits.low, limits.high);
+}
+void read(const Node& node, Vec3& vector, const Limits& limits) {
+    vector = readVector(node, limits.high);
+}
+void read(const Node& node, std::string& text, const HexDigits& digits) {
+    text = readHexadecimal(node, digits.count);
+}
+void read(const Node& node, std::string& text, const OutputName&) {
+    text = readOutputName(node);
+}
+template <class Value, class... Limit>
+void read(const Node& node, std::optional<Value>& value, const Limit&... limit) {
+    read(node, value.emplace(), limit...);
 }
 
-ExportEvent readExport(ObjectReader& object) {
-    const Node file = object.required("file");
-    ExportEvent event{readOutputName(file), false};
-    if (!meshFormatOf(event.file)) {
-        fail(file.place, "'" + event.file + "' must end in .ply, .obj, .stl, .glb or .gltf.");
+/// Reads the fields of an event, or of a part of one, as describe() names them.
+class FieldReader {
+  public:
+    explicit FieldReader(ObjectReader& object) : object_(object) {}
+
+    template <class... Names>
+    void type(const Names&...) {}  // known by now
+
+    template <class Value, class... Limit>
+    void required(const char* key, Value& value, const Limit&... limit) {
+        read(object_.required(key), value, limit...);
     }
-    if (const auto perPiece = object.optional("per_piece")) {
-        event.filePerPiece = readBoolean(*perPiece);
+
+    template <class Value, class... Limit>
+    void optional(const char* key, Value& value, const Limit&... limit) {
+        if (const auto node = object_.optional(key)) {
+            read(*node, value, limit...);
+        }
     }
-    return event;
+
+    template <class First, class Second>
+    void either(std::variant<First, Second>& value, Keys keys, Keys otherKeys,
+                std::string_view problem) {
+        const bool first = hasAnyOf(keys);
+        check(first != hasAnyOf(otherKeys), "", problem);
+        if (first) {
+            value = First{};
+        } else {
+            value = Second{};
+        }
+    }
+
+    void param(const char* nameKey, std::string& name, const char* valueKey, ParamValue& value) {
+        const Node nameNode = object_.required(nameKey);
+        const Node valueNode = object_.required(valueKey);
+        name = readString(nameNode);
+        requireKnownParam(name, nameNode.path);
+        Params scratch;
+        applyParam(scratch, name, valueNode);
+        value = getParam(scratch, name);
+    }
+
+    void check(bool holds, const char* key, std::string_view problem) {
+        if (!holds) {
+            fail(object_.path(key), problem);
+        }
+    }
+
+  private:
+    bool hasAnyOf(Keys keys) {
+        return std::ranges::any_of(keys,
+                                   [this](auto key) { return object_.optional(key).has_value(); });
+    }
+
+    ObjectReader& object_;
+};
+
+std::vector<StaticBox> readBoxes(const Node& node, std::vector<std::string>& warnings) {
+    if (!node.value->is_array()) {
+        fail(node.path, "expected a list in brackets.");
+    }
+    if (node.value->size() > kMostBoxes) {
+        fail(node.path, "at most " + std::to_string(kMostBoxes) + " boxes.");
+    }
+    std::vector<StaticBox> boxes(node.value->size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        ObjectReader object({&(*node.value)[i], node.path + "[" + std::to_string(i) + "]"});
+        FieldReader fields(object);
+        describe(fields, boxes[i]);
+        object.warnAboutTheRest(warnings);
+    }
+    return boxes;
 }
 
-CheckEvent readCheck(ObjectReader& object, const std::string& place) {
-    CheckEvent event;
-    if (const auto hash = object.optional("hash")) {
-        event.hash = readHexadecimal(*hash, kStateHashDigits);
+/// What a type of events is called, and an event of it before its fields are read.
+struct EventType {
+    std::string name;
+    SessionAction blank;
+};
+
+/// Collects the types of one kind of event.
+template <class Event>
+struct TypeCollector {
+    Event& event;
+    std::vector<EventType>& types;
+
+    void type(const char* name) { types.push_back({name, event}); }
+    void type(const char* name, const char* otherwise, bool& flag) {
+        flag = true;
+        type(name);
+        flag = false;
+        type(otherwise);
     }
-    if (const auto pieces = object.optional("pieces")) {
-        event.pieces = readInteger(*pieces, 1, kMaxSteps);
-    }
-    if (!event.hash && !event.pieces) {
-        fail(place, "a check needs \"hash\" or \"pieces\".");
-    }
-    return event;
+    template <class... Rest>
+    void required(const Rest&...) {}
+    template <class... Rest>
+    void optional(const Rest&...) {}
+    void either(const Region&, Keys, Keys, std::string_view) {}
+    template <class... Rest>
+    void param(const Rest&...) {}
+    template <class... Rest>
+    void check(const Rest&...) {}
+};
+
+std::vector<EventType> collectTypes() {
+    std::vector<EventType> types;
+    forEachKind(std::type_identity<SessionAction>{}, [&](auto event) {
+        TypeCollector<decltype(event)> collector{event, types};
+        describe(collector, event);
+    });
+    return types;
 }
 
-SessionAction readAction(ObjectReader& object, const Node& event) {
+SessionAction readAction(ObjectReader& object) {
+    static const std::vector<EventType> types = collectTypes();
     const Node type = object.required("type");
     const std::string name = readString(type);
-    if (name == "blade") return readBlade(object);
-    if (name == "lift") return LiftBlade{};
-    if (name == "set") return readSet(object);
-    if (name == "screenshot") return readScreenshot(object);
-    if (name == "export") return readExport(object);
-    if (name == "check") return readCheck(object, event.place);
-    if (name == "grab") return readGrab(object);
-    if (name == "drag") return readDrag(object);
-    if (name == "release") return Release{readHand(object)};
-    if (name == "pin" || name == "unpin") {
-        return readPin(object, event, name == "pin");
+    const auto found = std::ranges::find(types, name, &EventType::name);
+    if (found == types.end()) {
+        fail(type.path, "there is no event type '" + name + "'; there are " +
+                            joined(types | std::views::transform(&EventType::name), ", ") + ".");
     }
-    if (name == "add_box") return AddBox{readBox(object)};
-    if (name == "change_box") return readChangeBox(object);
-    if (name == "remove_box") return RemoveBox{readBoxIndex(object)};
-    if (name == "restart") return Restart{};
-    if (name == "undo") return Undo{};
-    if (name == "redo") return Redo{};
-    fail(type.place, "there is no event type '" + name +
-                         "'; there are blade, lift, set, grab, drag, release, pin, unpin, add_box, "
-                         "change_box, remove_box, restart, undo, redo, screenshot, export, "
-                         "check.");
+    SessionAction action = found->blank;
+    FieldReader fields(object);
+    std::visit([&](auto& event) { describe(fields, event); }, action);
+    return action;
 }
 
 std::vector<SessionEvent> readEvents(const Node& node, int steps,
                                      std::vector<std::string>& warnings) {
     if (!node.value->is_array()) {
-        fail(node.place, "expected a list in brackets.");
+        fail(node.path, "expected a list in brackets.");
     }
     std::vector<SessionEvent> events;
     for (std::size_t i = 0; i < node.value->size(); ++i) {
-        const Node event{&(*node.value)[i], node.place + "[" + std::to_string(i) + "]"};
+        const Node event{&(*node.value)[i], node.path + "[" + std::to_string(i) + "]"};
         ObjectReader object(event);
         const int step = readInteger(object.required("step"), 0, steps);
-        events.push_back({step, readAction(object, event), static_cast<int>(i)});
+        events.push_back({step, readAction(object), static_cast<int>(i)});
         object.warnAboutTheRest(warnings);
     }
     const auto earlier = [](const SessionEvent& a, const SessionEvent& b) {
@@ -467,7 +435,7 @@ std::vector<SessionEvent> readEvents(const Node& node, int steps,
 Vec3 readColor(const Node& node) {
     Vec3 color = readVector(node, 1);
     if (color.minCoeff() < 0) {
-        fail(node.place, "expected red, green and blue from 0 to 1.");
+        fail(node.path, "expected red, green and blue from 0 to 1.");
     }
     return color;
 }
@@ -495,11 +463,11 @@ void readView(const Node& node, Session& session) {
     }
     const Vec3 forward = camera.target - camera.eye;
     if (forward.norm() == 0) {
-        fail(node.place, "eye and target are the same point.");
+        fail(node.path, "eye and target are the same point.");
     }
     if (forward.cross(camera.up).norm() < kLeastSine * forward.norm() * camera.up.norm() ||
         camera.up.norm() == 0) {
-        fail(object.place("up"), "up must not point along the line of sight.");
+        fail(object.path("up"), "up must not point along the line of sight.");
     }
     object.warnAboutTheRest(session.warnings);
     session.view = camera;

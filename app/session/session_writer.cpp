@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "app/session/session.h"
+#include "app/session/event_table.h"
 #include "app/session/session_json.h"
 
 namespace kerf::app {
@@ -13,6 +13,14 @@ Json toJson(double value) {
     if (!std::isfinite(value)) {
         throw InputError("A session can't hold a number that is not finite.");
     }
+    return value;
+}
+
+/// A value that JSON knows as it is.
+template <class Value>
+requires std::is_same_v<Value, bool> || std::is_same_v<Value, int> ||
+    std::is_same_v<Value, std::string>
+        Json toJson(const Value& value) {
     return value;
 }
 
@@ -59,11 +67,6 @@ Json toJson(const Params& params) {
     return json;
 }
 
-Json toJson(const StaticBox& box) {
-    return {
-        {"center", toJson(box.center)}, {"size", toJson(box.size)}, {"rotate", toJson(box.rotate)}};
-}
-
 Json toJson(const render::Camera& camera) {
     return {{"eye", toJson(camera.eye)},
             {"target", toJson(camera.target)},
@@ -84,89 +87,61 @@ Json viewOf(const Session& session) {
     return json;
 }
 
-/// Puts the keys of one action behind "step".
-struct ActionWriter {
-    Json& json;
+/// Writes the fields of an event, or of a part of one, as describe() names them.
+class FieldWriter {
+  public:
+    explicit FieldWriter(Json& json) : json_(json) {}
 
-    void operator()(const MoveBlade& move) const {
-        json["type"] = "blade";
-        json["a"] = toJson(move.blade.a);
-        json["b"] = toJson(move.blade.b);
+    void type(const char* name) { json_["type"] = name; }
+    void type(const char* name, const char* otherwise, bool flag) { type(flag ? name : otherwise); }
+
+    template <class Value, class... Limit>
+    void required(const char* key, const Value& value, const Limit&...) {
+        json_[key] = toJson(value);
     }
-    void operator()(const LiftBlade&) const { json["type"] = "lift"; }
-    void operator()(const SetParam& set) const {
-        json["type"] = "set";
-        json["name"] = set.name;
-        json["value"] = toJson(set.value);
-        if (set.continues) json["continues"] = true;
+
+    template <class Value, class... Limit>
+    void optional(const char* key, const Value& value, const Limit&...) {
+        json_[key] = toJson(value);
     }
-    void operator()(const Grab& grab) const {
-        json["type"] = "grab";
-        json["hand"] = grab.hand;
-        json["at"] = toJson(grab.at);
-        json["radius"] = toJson(grab.radius);
-    }
-    void operator()(const Drag& drag) const {
-        json["type"] = "drag";
-        json["hand"] = drag.hand;
-        json["to"] = toJson(drag.to);
-    }
-    void operator()(const Release& release) const {
-        json["type"] = "release";
-        json["hand"] = release.hand;
-    }
-    void operator()(const Pin& pin) const {
-        json["type"] = pin.pinned ? "pin" : "unpin";
-        if (const auto* ball = std::get_if<Ball>(&pin.region)) {
-            json["center"] = toJson(ball->center);
-            json["radius"] = toJson(ball->radius);
-        } else {
-            json["low"] = toJson(std::get<Bounds>(pin.region).low);
-            json["high"] = toJson(std::get<Bounds>(pin.region).high);
-        }
-        if (pin.continues) {
-            json["continues"] = true;
+    void optional(const char* key, bool flag) {
+        if (flag) {
+            json_[key] = true;
         }
     }
-    void operator()(const AddBox& add) const {
-        json["type"] = "add_box";
-        json.update(toJson(add.box));
+    template <class Value, class... Limit>
+    void optional(const char* key, const std::optional<Value>& value, const Limit&...) {
+        if (value) {
+            json_[key] = toJson(*value);
+        }
     }
-    void operator()(const ChangeBox& change) const {
-        json["type"] = "change_box";
-        json["box"] = change.index;
-        json.update(toJson(change.box));
-        if (change.continues) json["continues"] = true;
+
+    void either(const Region&, Keys, Keys, std::string_view) {}
+
+    void param(const char* nameKey, const std::string& name, const char* valueKey,
+               const ParamValue& value) {
+        json_[nameKey] = name;
+        json_[valueKey] = toJson(value);
     }
-    void operator()(const RemoveBox& remove) const {
-        json["type"] = "remove_box";
-        json["box"] = remove.index;
-    }
-    void operator()(const Restart&) const { json["type"] = "restart"; }
-    void operator()(const Undo&) const { json["type"] = "undo"; }
-    void operator()(const Redo&) const { json["type"] = "redo"; }
-    void operator()(const ScreenshotEvent& event) const {
-        json["type"] = "screenshot";
-        json["file"] = event.file;
-        json["width"] = event.width;
-        json["height"] = event.height;
-    }
-    void operator()(const ExportEvent& event) const {
-        json["type"] = "export";
-        json["file"] = event.file;
-        if (event.filePerPiece) json["per_piece"] = true;
-    }
-    void operator()(const CheckEvent& event) const {
-        json["type"] = "check";
-        if (event.hash) json["hash"] = *event.hash;
-        if (event.pieces) json["pieces"] = *event.pieces;
-    }
+
+    void check(bool, const char*, std::string_view) {}
+
+  private:
+    Json& json_;
 };
 
-Json toJson(const SessionEvent& event) {
+Json toJson(StaticBox box) {
+    Json json;
+    FieldWriter fields(json);
+    describe(fields, box);
+    return json;
+}
+
+Json toJson(SessionEvent event) {
     Json json;
     json["step"] = event.step;
-    std::visit(ActionWriter{json}, event.action);
+    FieldWriter fields(json);
+    std::visit([&](auto& action) { describe(fields, action); }, event.action);
     return json;
 }
 

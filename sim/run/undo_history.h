@@ -31,14 +31,14 @@ struct UndoEntry {
         int changed = -1;  ///< number of the box that was changed; -1 for none
     };
     /// A cut, a grab or a restart. `after` is known while it is undone.
-    struct BodyChange {
+    struct BodySnapshotChange {
         SnapshotPointer before;
         SnapshotPointer after;
     };
 
     std::string name;  ///< as people read it: "Cut 2", "Gravity: none"
     double time = 0;   ///< simulated, when it happened [s]
-    std::variant<ParamChange, PinChange, BoxesChange, BodyChange> change;
+    std::variant<ParamChange, PinChange, BoxesChange, BodySnapshotChange> change;
 };
 
 /// The changes of a simulation in their order. The first done() of them are in force, the others

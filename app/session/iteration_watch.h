@@ -8,10 +8,10 @@ namespace kerf::app {
 
 /// Watches over a run for steps with too few sweeps for the stiffness (sim/solve/sweep_strength.h),
 /// which make a body softer than its modulus without any other sign of it.
-class SweepWatch {
+class IterationWatch {
   public:
     /// `edgeLength`: mean of the uncut body at rest [m].
-    explicit SweepWatch(double edgeLength) : edgeLength_(edgeLength) {}
+    explicit IterationWatch(double edgeLength) : edgeLength_(edgeLength) {}
 
     /// A step is done with these.
     void add(int step, const Params& params);
