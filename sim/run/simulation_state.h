@@ -25,7 +25,7 @@ struct Moment::Content {
     StepReport report;
 };
 
-/// What a simulation was made with besides the body; constant.
+/// Parameters and boxes that a simulation was made with; constant.
 struct SimulationSetup {
     Params params;
     std::vector<StaticBox> boxes;
