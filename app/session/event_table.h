@@ -45,29 +45,25 @@ inline constexpr HexDigits kStateHashDigits{16};
 // - param(nameKey, name, valueKey, value): a parameter of the simulation and its value.
 // - check(holds, key, problem): more that must hold, with the key that is to blame ("": the event).
 
-template <class Fields>
-void describe(Fields& fields, Ball& ball) {
+void describe(auto& fields, Ball& ball) {
     fields.required("center", ball.center, kCoordinates);
     fields.required("radius", ball.radius, kRadii);
 }
 
-template <class Fields>
-void describe(Fields& fields, Bounds& box) {
+void describe(auto& fields, Bounds& box) {
     fields.required("low", box.low, kCoordinates);
     fields.required("high", box.high, kCoordinates);
     fields.check((box.low.array() <= box.high.array()).all(), "low",
                  "a box needs low to be no higher than high, in each direction.");
 }
 
-template <class Fields>
-void describe(Fields& fields, Region& region) {
+void describe(auto& fields, Region& region) {
     fields.either(region, {"center", "radius"}, {"low", "high"},
                   "expected either a ball (\"center\", \"radius\") or a box (\"low\", \"high\").");
     std::visit([&](auto& shape) { describe(fields, shape); }, region);
 }
 
-template <class Fields>
-void describe(Fields& fields, StaticBox& box) {
+void describe(auto& fields, StaticBox& box) {
     fields.required("center", box.center, within(kFarthestBox));
     fields.required("size", box.size, within(kLargestBoxSize));
     fields.check(box.size.minCoeff() >= kLeastBoxSize, "size",
@@ -75,10 +71,15 @@ void describe(Fields& fields, StaticBox& box) {
     fields.optional("rotate", box.rotate, within(kLargestBoxTurn));
 }
 
+void describe(auto& fields, Placement& placement) {
+    fields.optional("scale", placement.scale, Limits{1e-6, 1e6});
+    fields.optional("rotate", placement.rotate, within(kLargestBoxTurn));
+    fields.optional("translate", placement.translate, kCoordinates);
+}
+
 // The events, in the order of SessionAction.
 
-template <class Fields>
-void describe(Fields& fields, MoveBlade& move) {
+void describe(auto& fields, MoveBlade& move) {
     fields.type("blade");
     fields.required("a", move.blade.a, kCoordinates);
     fields.required("b", move.blade.b, kCoordinates);
@@ -86,83 +87,70 @@ void describe(Fields& fields, MoveBlade& move) {
                  "a and b are the same point; a blade needs a length.");
 }
 
-template <class Fields>
-void describe(Fields& fields, LiftBlade&) {
+void describe(auto& fields, LiftBlade&) {
     fields.type("lift");
 }
 
-template <class Fields>
-void describe(Fields& fields, SetParam& set) {
+void describe(auto& fields, SetParam& set) {
     fields.type("set");
     fields.param("name", set.name, "value", set.value);
     fields.optional("continues", set.continues);
 }
 
-template <class Fields>
-void describe(Fields& fields, Grab& grab) {
+void describe(auto& fields, Grab& grab) {
     fields.type("grab");
     fields.optional("hand", grab.hand, kHands);
     fields.required("at", grab.at, kCoordinates);
     fields.required("radius", grab.radius, kRadii);
 }
 
-template <class Fields>
-void describe(Fields& fields, Drag& drag) {
+void describe(auto& fields, Drag& drag) {
     fields.type("drag");
     fields.optional("hand", drag.hand, kHands);
     fields.required("to", drag.to, kCoordinates);
 }
 
-template <class Fields>
-void describe(Fields& fields, Release& release) {
+void describe(auto& fields, Release& release) {
     fields.type("release");
     fields.optional("hand", release.hand, kHands);
 }
 
-template <class Fields>
-void describe(Fields& fields, Pin& pin) {
+void describe(auto& fields, Pin& pin) {
     fields.type("pin", "unpin", pin.pinned);
     describe(fields, pin.region);
     fields.optional("continues", pin.continues);
 }
 
-template <class Fields>
-void describe(Fields& fields, AddBox& add) {
+void describe(auto& fields, AddBox& add) {
     fields.type("add_box");
     describe(fields, add.box);
 }
 
-template <class Fields>
-void describe(Fields& fields, ChangeBox& change) {
+void describe(auto& fields, ChangeBox& change) {
     fields.type("change_box");
     fields.required("box", change.index, kBoxNumbers);
     describe(fields, change.box);
     fields.optional("continues", change.continues);
 }
 
-template <class Fields>
-void describe(Fields& fields, RemoveBox& remove) {
+void describe(auto& fields, RemoveBox& remove) {
     fields.type("remove_box");
     fields.required("box", remove.index, kBoxNumbers);
 }
 
-template <class Fields>
-void describe(Fields& fields, Restart&) {
+void describe(auto& fields, Restart&) {
     fields.type("restart");
 }
 
-template <class Fields>
-void describe(Fields& fields, Undo&) {
+void describe(auto& fields, Undo&) {
     fields.type("undo");
 }
 
-template <class Fields>
-void describe(Fields& fields, Redo&) {
+void describe(auto& fields, Redo&) {
     fields.type("redo");
 }
 
-template <class Fields>
-void describe(Fields& fields, ScreenshotEvent& event) {
+void describe(auto& fields, ScreenshotEvent& event) {
     fields.type("screenshot");
     fields.required("file", event.file, OutputName{});
     fields.check(std::filesystem::path(event.file).extension() == ".png", "file",
@@ -171,8 +159,7 @@ void describe(Fields& fields, ScreenshotEvent& event) {
     fields.optional("height", event.height, kPictureSizes);
 }
 
-template <class Fields>
-void describe(Fields& fields, ExportEvent& event) {
+void describe(auto& fields, ExportEvent& event) {
     fields.type("export");
     fields.required("file", event.file, OutputName{});
     fields.check(meshFormatOf(event.file).has_value(), "file",
@@ -180,8 +167,7 @@ void describe(Fields& fields, ExportEvent& event) {
     fields.optional("per_piece", event.filePerPiece);
 }
 
-template <class Fields>
-void describe(Fields& fields, CheckEvent& event) {
+void describe(auto& fields, CheckEvent& event) {
     fields.type("check");
     fields.optional("hash", event.hash, kStateHashDigits);
     fields.optional("pieces", event.pieces, Limits{1, kMaxSteps});

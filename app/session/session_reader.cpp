@@ -14,9 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kLeastScale = 1e-6;
-constexpr double kLargestScale = 1e6;
-constexpr double kLargestTurn = 36000;  // [degrees]
 constexpr double kLeastFieldOfView = 1;
 constexpr double kLargestFieldOfView = 150;  // [degrees]
 constexpr double kLeastSine = 1e-6;          // between the line of sight and the camera's up
@@ -85,69 +82,6 @@ bool readBoolean(const Node& node) {
     return node.value->get<bool>();
 }
 
-/// The keys of one object; those that nobody asked for become warnings at the end.
-class ObjectReader {
-  public:
-    explicit ObjectReader(Node node) : node_(std::move(node)) {
-        if (!node_.value->is_object()) {
-            fail(node_.path.empty() ? "top level" : node_.path, "expected an object in braces.");
-        }
-    }
-
-    /// Of a key; of the object itself for "".
-    std::string path(const std::string& key) const {
-        if (key.empty()) {
-            return node_.path;
-        }
-        return node_.path.empty() ? key : node_.path + "." + key;
-    }
-
-    std::optional<Node> optional(const std::string& key) {
-        known_.insert(key);
-        const auto found = node_.value->find(key);
-        if (found == node_.value->end()) {
-            return std::nullopt;
-        }
-        return Node{&*found, path(key)};
-    }
-
-    Node required(const std::string& key) {
-        const std::optional<Node> node = optional(key);
-        if (!node) {
-            fail(path(key), "this key is missing; add it.");
-        }
-        return *node;
-    }
-
-    void warnAboutTheRest(std::vector<std::string>& warnings) const {
-        for (const auto& item : node_.value->items()) {
-            if (!known_.contains(item.key())) {
-                warnings.push_back(path(item.key()) + ": unknown key, ignored.");
-            }
-        }
-    }
-
-  private:
-    Node node_;
-    std::set<std::string> known_;
-};
-
-void readFormat(ObjectReader& top) {
-    const Node format = top.required("format");
-    if (readString(format) != "kerf-session") {
-        fail(format.path, "expected \"kerf-session\"; this is some other file.");
-    }
-    const Node version = top.required("version");
-    if (!version.value->is_number()) {
-        fail(version.path, "expected a number.");
-    }
-    const double number = version.value->get<double>();
-    if (std::floor(number) != 1) {
-        fail(version.path,
-             "version " + formatNumber(number) + " is not supported; this kerf reads version 1.");
-    }
-}
-
 std::string readHexadecimal(const Node& node, std::size_t digits) {
     std::string text = readString(node);
     if (text.size() != digits || text.find_first_not_of("0123456789abcdef") != std::string::npos) {
@@ -156,50 +90,21 @@ std::string readHexadecimal(const Node& node, std::size_t digits) {
     return text;
 }
 
-ModelReference readModel(const Node& node, const std::filesystem::path& baseFolder,
-                         std::vector<std::string>& warnings) {
-    ObjectReader object(node);
-    const auto builtin = object.optional("builtin");
-    const auto path = object.optional("path");
-    const auto digest = object.optional("sha256");
-    if (builtin.has_value() == path.has_value()) {
-        fail(node.path, "expected either \"builtin\" or \"path\".");
+/// A file below the output folder: never outside, and none of those that a replay writes itself.
+std::string readOutputName(const Node& node) {
+    const std::string name = readString(node);
+    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    const bool inside = !path.empty() && !path.is_absolute() && path.has_filename() &&
+                        *path.begin() != ".." && *path.begin() != ".";
+    if (!inside || name.find('\0') != std::string::npos) {
+        fail(node.path, "'" + name + "' is not a file inside the output folder; use a plain name.");
     }
-    ModelReference model;
-    if (builtin) {
-        model.builtin = readString(*builtin);
-        const auto& names = builtinModels();
-        if (std::find(names.begin(), names.end(), model.builtin) == names.end()) {
-            fail(builtin->path, "there is no builtin model '" + model.builtin + "'; there are " +
-                                    joined(names, ", ") + ".");
+    for (const char* own : {kMetricsFile, kSummaryFile, kMeshFile}) {
+        if (path == own) {
+            fail(node.path, "'" + name + "' is written by the replay itself; use another name.");
         }
-    } else {
-        model.path = std::filesystem::absolute(baseFolder / readString(*path)).lexically_normal();
     }
-    if (const auto fill = object.optional("fill_holes")) {
-        model.fillHoles = readBoolean(*fill);
-    }
-    if (digest) {
-        model.sha256 = readHexadecimal(*digest, kSha256Digits);
-    }
-    object.warnAboutTheRest(warnings);
-    return model;
-}
-
-Placement readPlacement(const Node& node, std::vector<std::string>& warnings) {
-    ObjectReader object(node);
-    Placement placement;
-    if (const auto scale = object.optional("scale")) {
-        placement.scale = readNumber(*scale, kLeastScale, kLargestScale);
-    }
-    if (const auto rotate = object.optional("rotate")) {
-        placement.rotate = readVector(*rotate, kLargestTurn);
-    }
-    if (const auto translate = object.optional("translate")) {
-        placement.translate = readVector(*translate, kMaxSessionCoordinate);
-    }
-    object.warnAboutTheRest(warnings);
-    return placement;
+    return path.generic_string();
 }
 
 ParamValue readParamValue(const Node& node) {
@@ -233,32 +138,15 @@ void applyParam(Params& params, const std::string& name, const Node& node) {
     }
 }
 
-Params readParams(const Node& node) {
-    ObjectReader object(node);
-    Params params;
-    for (const auto& item : node.value->items()) {
-        const std::string path = object.path(item.key());
-        requireKnownParam(item.key(), path);
-        applyParam(params, item.key(), {&item.value(), path});
+std::vector<Node> itemsOf(const Node& list) {
+    if (!list.value->is_array()) {
+        fail(list.path, "expected a list in brackets.");
     }
-    return params;
-}
-
-/// A file below the output folder: never outside, and none of those that a replay writes itself.
-std::string readOutputName(const Node& node) {
-    const std::string name = readString(node);
-    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
-    const bool inside = !path.empty() && !path.is_absolute() && path.has_filename() &&
-                        *path.begin() != ".." && *path.begin() != ".";
-    if (!inside || name.find('\0') != std::string::npos) {
-        fail(node.path, "'" + name + "' is not a file inside the output folder; use a plain name.");
+    std::vector<Node> items;
+    for (const json& item : *list.value) {
+        items.push_back({&item, list.path + "[" + std::to_string(items.size()) + "]"});
     }
-    for (const char* own : {kMetricsFile, kSummaryFile, kMeshFile}) {
-        if (path == own) {
-            fail(node.path, "'" + name + "' is written by the replay itself; use another name.");
-        }
-    }
-    return path.generic_string();
+    return items;
 }
 
 void read(const Node& node, bool& flag) {
@@ -279,46 +167,67 @@ void read(const Node& node, std::string& text, const HexDigits& digits) {
 void read(const Node& node, std::string& text, const OutputName&) {
     text = readOutputName(node);
 }
-template <class Value, class... Limit>
-void read(const Node& node, std::optional<Value>& value, const Limit&... limit) {
+template <class Value>
+void read(const Node& node, std::optional<Value>& value, const auto&... limit) {
     read(node, value.emplace(), limit...);
 }
 
-/// Reads the fields of an event, or of a part of one, as describe() names them.
-class FieldReader {
+/// The keys of one object, also as describe() names them; those that nobody asked for become
+/// warnings at the end.
+class ObjectReader {
   public:
-    explicit FieldReader(ObjectReader& object) : object_(object) {}
-
-    template <class... Names>
-    void type(const Names&...) {}  // known by now
-
-    template <class Value, class... Limit>
-    void required(const char* key, Value& value, const Limit&... limit) {
-        read(object_.required(key), value, limit...);
+    explicit ObjectReader(Node node) : node_(std::move(node)) {
+        if (!node_.value->is_object()) {
+            fail(node_.path.empty() ? "top level" : node_.path, "expected an object in braces.");
+        }
     }
 
-    template <class Value, class... Limit>
-    void optional(const char* key, Value& value, const Limit&... limit) {
-        if (const auto node = object_.optional(key)) {
+    /// Of a key; of the object itself for "".
+    std::string path(const std::string& key) const {
+        if (key.empty()) {
+            return node_.path;
+        }
+        return node_.path.empty() ? key : node_.path + "." + key;
+    }
+
+    std::optional<Node> optional(const std::string& key) {
+        known_.insert(key);
+        const auto found = node_.value->find(key);
+        if (found == node_.value->end()) {
+            return std::nullopt;
+        }
+        return Node{&*found, path(key)};
+    }
+
+    Node required(const std::string& key) {
+        const std::optional<Node> node = optional(key);
+        if (!node) {
+            fail(path(key), "this key is missing; add it.");
+        }
+        return *node;
+    }
+
+    void type(const auto&...) {}  // known by now
+
+    void required(const char* key, auto& value, const auto&... limit) {
+        read(required(key), value, limit...);
+    }
+
+    void optional(const char* key, auto& value, const auto&... limit) {
+        if (const auto node = optional(key)) {
             read(*node, value, limit...);
         }
     }
 
-    template <class First, class Second>
-    void either(std::variant<First, Second>& value, Keys keys, Keys otherKeys,
-                std::string_view problem) {
-        const bool first = hasAnyOf(keys);
-        check(first != hasAnyOf(otherKeys), "", problem);
-        if (first) {
-            value = First{};
-        } else {
-            value = Second{};
-        }
+    void either(Region& region, Keys ball, Keys box, std::string_view problem) {
+        const bool isBall = hasAnyOf(ball);
+        check(isBall != hasAnyOf(box), "", problem);
+        region = isBall ? Region(Ball{}) : Region(Bounds{});
     }
 
     void param(const char* nameKey, std::string& name, const char* valueKey, ParamValue& value) {
-        const Node nameNode = object_.required(nameKey);
-        const Node valueNode = object_.required(valueKey);
+        const Node nameNode = required(nameKey);
+        const Node valueNode = required(valueKey);
         name = readString(nameNode);
         requireKnownParam(name, nameNode.path);
         Params scratch;
@@ -326,33 +235,101 @@ class FieldReader {
         value = getParam(scratch, name);
     }
 
-    void check(bool holds, const char* key, std::string_view problem) {
+    void check(bool holds, const char* key, std::string_view problem) const {
         if (!holds) {
-            fail(object_.path(key), problem);
+            fail(path(key), problem);
+        }
+    }
+
+    void warnAboutTheRest(std::vector<std::string>& warnings) const {
+        for (const auto& item : node_.value->items()) {
+            if (!known_.contains(item.key())) {
+                warnings.push_back(path(item.key()) + ": unknown key, ignored.");
+            }
         }
     }
 
   private:
     bool hasAnyOf(Keys keys) {
-        return std::ranges::any_of(keys,
-                                   [this](auto key) { return object_.optional(key).has_value(); });
+        return std::ranges::any_of(keys, [this](auto key) { return optional(key).has_value(); });
     }
 
-    ObjectReader& object_;
+    Node node_;
+    std::set<std::string> known_;
 };
 
-std::vector<StaticBox> readBoxes(const Node& node, std::vector<std::string>& warnings) {
-    if (!node.value->is_array()) {
-        fail(node.path, "expected a list in brackets.");
+void readFormat(ObjectReader& top) {
+    const Node format = top.required("format");
+    if (readString(format) != "kerf-session") {
+        fail(format.path, "expected \"kerf-session\"; this is some other file.");
     }
-    if (node.value->size() > kMostBoxes) {
+    const Node version = top.required("version");
+    if (!version.value->is_number()) {
+        fail(version.path, "expected a number.");
+    }
+    const double number = version.value->get<double>();
+    if (std::floor(number) != 1) {
+        fail(version.path,
+             "version " + formatNumber(number) + " is not supported; this kerf reads version 1.");
+    }
+}
+
+ModelReference readModel(const Node& node, const std::filesystem::path& baseFolder,
+                         std::vector<std::string>& warnings) {
+    ObjectReader object(node);
+    const auto builtin = object.optional("builtin");
+    const auto path = object.optional("path");
+    const auto digest = object.optional("sha256");
+    if (builtin.has_value() == path.has_value()) {
+        fail(node.path, "expected either \"builtin\" or \"path\".");
+    }
+    ModelReference model;
+    if (builtin) {
+        model.builtin = readString(*builtin);
+        const auto& names = builtinModels();
+        if (std::find(names.begin(), names.end(), model.builtin) == names.end()) {
+            fail(builtin->path, "there is no builtin model '" + model.builtin + "'; there are " +
+                                    joined(names, ", ") + ".");
+        }
+    } else {
+        model.path = std::filesystem::absolute(baseFolder / readString(*path)).lexically_normal();
+    }
+    object.optional("fill_holes", model.fillHoles);
+    if (digest) {
+        model.sha256 = readHexadecimal(*digest, kSha256Digits);
+    }
+    object.warnAboutTheRest(warnings);
+    return model;
+}
+
+Placement readPlacement(const Node& node, std::vector<std::string>& warnings) {
+    ObjectReader object(node);
+    Placement placement;
+    describe(object, placement);
+    object.warnAboutTheRest(warnings);
+    return placement;
+}
+
+Params readParams(const Node& node) {
+    ObjectReader object(node);
+    Params params;
+    for (const auto& item : node.value->items()) {
+        const std::string path = object.path(item.key());
+        requireKnownParam(item.key(), path);
+        applyParam(params, item.key(), {&item.value(), path});
+    }
+    return params;
+}
+
+std::vector<StaticBox> readBoxes(const Node& node, std::vector<std::string>& warnings) {
+    const std::vector<Node> items = itemsOf(node);
+    if (items.size() > kMostBoxes) {
         fail(node.path, "at most " + std::to_string(kMostBoxes) + " boxes.");
     }
-    std::vector<StaticBox> boxes(node.value->size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        ObjectReader object({&(*node.value)[i], node.path + "[" + std::to_string(i) + "]"});
-        FieldReader fields(object);
-        describe(fields, boxes[i]);
+    std::vector<StaticBox> boxes;
+    for (const Node& item : items) {
+        ObjectReader object(item);
+        describe(object, boxes.emplace_back());
         object.warnAboutTheRest(warnings);
     }
     return boxes;
@@ -377,15 +354,11 @@ struct TypeCollector {
         flag = false;
         type(otherwise);
     }
-    template <class... Rest>
-    void required(const Rest&...) {}
-    template <class... Rest>
-    void optional(const Rest&...) {}
+    void required(const auto&...) {}
+    void optional(const auto&...) {}
     void either(const Region&, Keys, Keys, std::string_view) {}
-    template <class... Rest>
-    void param(const Rest&...) {}
-    template <class... Rest>
-    void check(const Rest&...) {}
+    void param(const auto&...) {}
+    void check(const auto&...) {}
 };
 
 std::vector<EventType> collectTypes() {
@@ -407,22 +380,17 @@ SessionAction readAction(ObjectReader& object) {
                             joined(types | std::views::transform(&EventType::name), ", ") + ".");
     }
     SessionAction action = found->blank;
-    FieldReader fields(object);
-    std::visit([&](auto& event) { describe(fields, event); }, action);
+    std::visit([&](auto& event) { describe(object, event); }, action);
     return action;
 }
 
 std::vector<SessionEvent> readEvents(const Node& node, int steps,
                                      std::vector<std::string>& warnings) {
-    if (!node.value->is_array()) {
-        fail(node.path, "expected a list in brackets.");
-    }
     std::vector<SessionEvent> events;
-    for (std::size_t i = 0; i < node.value->size(); ++i) {
-        const Node event{&(*node.value)[i], node.path + "[" + std::to_string(i) + "]"};
-        ObjectReader object(event);
+    for (const Node& item : itemsOf(node)) {
+        ObjectReader object(item);
         const int step = readInteger(object.required("step"), 0, steps);
-        events.push_back({step, readAction(object), static_cast<int>(i)});
+        events.push_back({step, readAction(object), static_cast<int>(events.size())});
         object.warnAboutTheRest(warnings);
     }
     const auto earlier = [](const SessionEvent& a, const SessionEvent& b) {
@@ -444,17 +412,11 @@ Vec3 readColor(const Node& node) {
 void readView(const Node& node, Session& session) {
     ObjectReader object(node);
     render::Camera camera;
-    camera.eye = readVector(object.required("eye"), kMaxSessionCoordinate);
-    camera.target = readVector(object.required("target"), kMaxSessionCoordinate);
-    if (const auto up = object.optional("up")) {
-        camera.up = readVector(*up, kMaxSessionCoordinate);
-    }
-    if (const auto fov = object.optional("fov_y")) {
-        camera.fovY = readNumber(*fov, kLeastFieldOfView, kLargestFieldOfView);
-    }
-    if (const auto orthographic = object.optional("orthographic")) {
-        camera.orthographic = readBoolean(*orthographic);
-    }
+    object.required("eye", camera.eye, kCoordinates);
+    object.required("target", camera.target, kCoordinates);
+    object.optional("up", camera.up, kCoordinates);
+    object.optional("fov_y", camera.fovY, Limits{kLeastFieldOfView, kLargestFieldOfView});
+    object.optional("orthographic", camera.orthographic);
     if (const auto skin = object.optional("skin")) {
         session.colors.skin = readColor(*skin);
     }

@@ -53,12 +53,6 @@ Json toJson(const ModelReference& model, const std::filesystem::path& baseFolder
     return json;
 }
 
-Json toJson(const Placement& placement) {
-    return {{"scale", toJson(placement.scale)},
-            {"rotate", toJson(placement.rotate)},
-            {"translate", toJson(placement.translate)}};
-}
-
 Json toJson(const Params& params) {
     Json json;
     for (const ParamInfo& info : paramTable()) {
@@ -87,62 +81,48 @@ Json viewOf(const Session& session) {
     return json;
 }
 
-/// Writes the fields of an event, or of a part of one, as describe() names them.
-class FieldWriter {
-  public:
-    explicit FieldWriter(Json& json) : json_(json) {}
+/// Writes the fields of an object as describe() names them.
+struct FieldWriter {
+    Json json;
 
-    void type(const char* name) { json_["type"] = name; }
+    void type(const char* name) { json["type"] = name; }
     void type(const char* name, const char* otherwise, bool flag) { type(flag ? name : otherwise); }
-
-    template <class Value, class... Limit>
-    void required(const char* key, const Value& value, const Limit&...) {
-        json_[key] = toJson(value);
-    }
-
-    template <class Value, class... Limit>
-    void optional(const char* key, const Value& value, const Limit&...) {
-        json_[key] = toJson(value);
-    }
+    void required(const char* key, const auto& value, const auto&...) { json[key] = toJson(value); }
+    void optional(const char* key, const auto& value, const auto&...) { json[key] = toJson(value); }
     void optional(const char* key, bool flag) {
         if (flag) {
-            json_[key] = true;
+            json[key] = true;
         }
     }
-    template <class Value, class... Limit>
-    void optional(const char* key, const std::optional<Value>& value, const Limit&...) {
+    template <class Value>
+    void optional(const char* key, const std::optional<Value>& value, const auto&...) {
         if (value) {
-            json_[key] = toJson(*value);
+            json[key] = toJson(*value);
         }
     }
-
     void either(const Region&, Keys, Keys, std::string_view) {}
-
     void param(const char* nameKey, const std::string& name, const char* valueKey,
                const ParamValue& value) {
-        json_[nameKey] = name;
-        json_[valueKey] = toJson(value);
+        json[nameKey] = name;
+        json[valueKey] = toJson(value);
     }
-
     void check(bool, const char*, std::string_view) {}
-
-  private:
-    Json& json_;
 };
 
-Json toJson(StaticBox box) {
-    Json json;
-    FieldWriter fields(json);
-    describe(fields, box);
-    return json;
+template <class Described>
+requires requires(FieldWriter fields, Described item) {
+    describe(fields, item);
+}
+Json toJson(Described item) {
+    FieldWriter fields;
+    describe(fields, item);
+    return std::move(fields.json);
 }
 
 Json toJson(SessionEvent event) {
-    Json json;
-    json["step"] = event.step;
-    FieldWriter fields(json);
+    FieldWriter fields{{{"step", event.step}}};
     std::visit([&](auto& action) { describe(fields, action); }, event.action);
-    return json;
+    return std::move(fields.json);
 }
 
 /// A list with one line each.
