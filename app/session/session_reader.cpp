@@ -44,14 +44,6 @@ double readNumber(const Node& node, double low, double high) {
     return number;
 }
 
-int readInteger(const Node& node, double low, double high) {
-    const double number = readNumber(node, low, high);
-    if (number != std::floor(number)) {
-        fail(node.path, "expected a whole number" + rangeText(low, high) + ".");
-    }
-    return static_cast<int>(number);
-}
-
 Vec3 readVector(const Node& node, double limit) {
     const json& value = *node.value;
     if (!value.is_array() || value.size() != 3) {
@@ -73,38 +65,6 @@ std::string readString(const Node& node) {
         fail(node.path, "expected a text in quotes.");
     }
     return node.value->get<std::string>();
-}
-
-bool readBoolean(const Node& node) {
-    if (!node.value->is_boolean()) {
-        fail(node.path, "expected true or false.");
-    }
-    return node.value->get<bool>();
-}
-
-std::string readHexadecimal(const Node& node, std::size_t digits) {
-    std::string text = readString(node);
-    if (text.size() != digits || text.find_first_not_of("0123456789abcdef") != std::string::npos) {
-        fail(node.path, "expected " + std::to_string(digits) + " lower-case hexadecimal digits.");
-    }
-    return text;
-}
-
-/// A file below the output folder: never outside, and none of those that a replay writes itself.
-std::string readOutputName(const Node& node) {
-    const std::string name = readString(node);
-    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
-    const bool inside = !path.empty() && !path.is_absolute() && path.has_filename() &&
-                        *path.begin() != ".." && *path.begin() != ".";
-    if (!inside || name.find('\0') != std::string::npos) {
-        fail(node.path, "'" + name + "' is not a file inside the output folder; use a plain name.");
-    }
-    for (const char* own : {kMetricsFile, kSummaryFile, kMeshFile}) {
-        if (path == own) {
-            fail(node.path, "'" + name + "' is written by the replay itself; use another name.");
-        }
-    }
-    return path.generic_string();
 }
 
 ParamValue readParamValue(const Node& node) {
@@ -150,23 +110,54 @@ std::vector<Node> itemsOf(const Node& list) {
 }
 
 void read(const Node& node, bool& flag) {
-    flag = readBoolean(node);
+    if (!node.value->is_boolean()) {
+        fail(node.path, "expected true or false.");
+    }
+    flag = node.value->get<bool>();
 }
-void read(const Node& node, int& number, const Limits& limits) {
-    number = readInteger(node, limits.low, limits.high);
-}
+
 void read(const Node& node, double& number, const Limits& limits) {
     number = readNumber(node, limits.low, limits.high);
 }
+
+void read(const Node& node, int& number, const Limits& limits) {
+    const double read = readNumber(node, limits.low, limits.high);
+    if (read != std::floor(read)) {
+        fail(node.path, "expected a whole number" + rangeText(limits.low, limits.high) + ".");
+    }
+    number = static_cast<int>(read);
+}
+
 void read(const Node& node, Vec3& vector, const Limits& limits) {
     vector = readVector(node, limits.high);
 }
+
 void read(const Node& node, std::string& text, const HexDigits& digits) {
-    text = readHexadecimal(node, digits.count);
+    text = readString(node);
+    if (text.size() != digits.count ||
+        text.find_first_not_of("0123456789abcdef") != std::string::npos) {
+        fail(node.path,
+             "expected " + std::to_string(digits.count) + " lower-case hexadecimal digits.");
+    }
 }
+
+/// Never a file outside the output folder, and none of those that a replay writes itself.
 void read(const Node& node, std::string& text, const OutputName&) {
-    text = readOutputName(node);
+    const std::string name = readString(node);
+    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    const bool inside = !path.empty() && !path.is_absolute() && path.has_filename() &&
+                        *path.begin() != ".." && *path.begin() != ".";
+    if (!inside || name.find('\0') != std::string::npos) {
+        fail(node.path, "'" + name + "' is not a file inside the output folder; use a plain name.");
+    }
+    for (const char* own : {kMetricsFile, kSummaryFile, kMeshFile}) {
+        if (path == own) {
+            fail(node.path, "'" + name + "' is written by the replay itself; use another name.");
+        }
+    }
+    text = path.generic_string();
 }
+
 template <class Value>
 void read(const Node& node, std::optional<Value>& value, const auto&... limit) {
     read(node, value.emplace(), limit...);
@@ -279,7 +270,6 @@ ModelReference readModel(const Node& node, const std::filesystem::path& baseFold
     ObjectReader object(node);
     const auto builtin = object.optional("builtin");
     const auto path = object.optional("path");
-    const auto digest = object.optional("sha256");
     if (builtin.has_value() == path.has_value()) {
         fail(node.path, "expected either \"builtin\" or \"path\".");
     }
@@ -295,9 +285,7 @@ ModelReference readModel(const Node& node, const std::filesystem::path& baseFold
         model.path = std::filesystem::absolute(baseFolder / readString(*path)).lexically_normal();
     }
     object.optional("fill_holes", model.fillHoles);
-    if (digest) {
-        model.sha256 = readHexadecimal(*digest, kSha256Digits);
-    }
+    object.optional("sha256", model.sha256, HexDigits{kSha256Digits});
     object.warnAboutTheRest(warnings);
     return model;
 }
@@ -389,8 +377,10 @@ std::vector<SessionEvent> readEvents(const Node& node, int steps,
     std::vector<SessionEvent> events;
     for (const Node& item : itemsOf(node)) {
         ObjectReader object(item);
-        const int step = readInteger(object.required("step"), 0, steps);
-        events.push_back({step, readAction(object), static_cast<int>(events.size())});
+        SessionEvent& event = events.emplace_back();
+        object.required("step", event.step, Limits{0, double(steps)});
+        event.action = readAction(object);
+        event.number = static_cast<int>(events.size()) - 1;
         object.warnAboutTheRest(warnings);
     }
     const auto earlier = [](const SessionEvent& a, const SessionEvent& b) {
@@ -452,7 +442,7 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
     if (const auto boxes = top.optional("boxes")) {
         session.boxes = readBoxes(*boxes, session.warnings);
     }
-    session.steps = readInteger(top.required("steps"), 1, kMaxSteps);
+    top.required("steps", session.steps, Limits{1, kMaxSteps});
     if (const auto events = top.optional("events")) {
         session.events = readEvents(*events, session.steps, session.warnings);
     }

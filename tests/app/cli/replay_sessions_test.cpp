@@ -2,7 +2,7 @@
 #include <set>
 
 #include "app/cli/replay.h"
-#include "app/session/session.h"
+#include "app/session/session_runner.h"
 #include "sim/body/shape_error.h"
 #include "sim/run/simulation.h"
 #include "tests/paths.h"
