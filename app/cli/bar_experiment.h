@@ -31,9 +31,9 @@ std::string stillMovingWarning(const std::vector<BenchRun>& runs);
 int reportBarRuns(const std::vector<BenchRun>& runs, OutputFolder& folder, bool json,
                   std::ostream& out, std::ostream& errors);
 
-/// `kerf experiment bar`: a hanging bar, the same bar and a slab bent, and a compressed block (see
-/// measureModulus) at four resolutions, three moduli and five numbers of iterations, reported by
-/// reportBarRuns in DIR/bar. Throws OutputError, gpu::ContextError.
+/// Runs `kerf experiment bar`: a hanging bar, the same bar and a slab bent, and a compressed block
+/// (see measureModulus) at four resolutions, three moduli and five numbers of iterations, reported
+/// by reportBarRuns in DIR/bar. Throws OutputError, gpu::ContextError.
 int runBarExperiment(const std::filesystem::path& folder, bool json, std::ostream& out,
                      std::ostream& errors);
 

@@ -2,7 +2,7 @@
 
 namespace kerf::app {
 
-/// What is loaded on the virtual test bench, and how.
+/// A specimen on the virtual test bench, and how it is loaded.
 enum class SpecimenKind {
     hangingBar,       ///< 0.1 x 0.4 x 0.1 m, its top pinned, pulled by its own weight
     bentBar,          ///< the same bar, its weight acting sideways
@@ -19,7 +19,7 @@ struct BenchSetting {
     double ispcStiffness = 0.5;
 };
 
-/// What came of it.
+/// The result of a run on the test bench.
 struct BenchResult {
     int triangles = 0;
     double strain = 0;            ///< how far the end went, over the specimen's length

@@ -5,7 +5,7 @@
 
 namespace kerf::app {
 
-/// `kerf compare A.png B.png [--threshold T] [--diff D.png] [--json]`, parsed.
+/// The arguments of `kerf compare A.png B.png [--threshold T] [--diff D.png] [--json]`, parsed.
 struct CompareArguments {
     std::filesystem::path a;
     std::filesystem::path b;

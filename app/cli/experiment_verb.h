@@ -6,7 +6,7 @@
 
 namespace kerf::app {
 
-/// `kerf experiment NAME|all --out DIR [--published] [--json]`, parsed.
+/// The arguments of `kerf experiment NAME|all --out DIR [--published] [--json]`, parsed.
 struct ExperimentArguments {
     std::string name;        ///< of an experiment, "bar" or "all"
     bool published = false;  ///< with the paper's solver, contact and course of the cut; not "bar"

@@ -5,7 +5,7 @@
 
 namespace kerf::app {
 
-/// `kerf inspect MODEL [--json]`, parsed.
+/// The arguments of `kerf inspect MODEL [--json]`, parsed.
 struct InspectArguments {
     std::filesystem::path model;  ///< a file, or the name of a builtin model
     bool json = false;

@@ -3,14 +3,14 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/files/export.h"
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
+#include "app/session/iteration_watch.h"
 #include "app/session/scene_view.h"
-#include "app/session/sweep_watch.h"
+#include "app/session/session_runner.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
 #include "sim/base/stopwatch.h"
@@ -27,7 +27,7 @@ void removeExport(OutputFolder& folder, const ExportEvent& event) {
     folder.remove(event.file);
     for (int piece = 0; event.filePerPiece; ++piece) {
         const std::string name = pieceFile(event.file, piece).generic_string();
-        if (!std::filesystem::exists(folder.place(name))) {
+        if (!std::filesystem::exists(folder.pathOf(name))) {
             return;
         }
         folder.remove(name);
@@ -61,13 +61,14 @@ class Replay {
         : session_(session),
           folder_(folder),
           player_(session),
-          metrics_(folder.place(kMetricsFile)),
+          metrics_(folder.pathOf(kMetricsFile)),
           uncut_(std::move(model.mesh)),
           uvs_(std::move(model.uvs)),
           renderer_(render::Quality::full),
           simulation_(uncut_, session.params, session.boxes),
           restBounds_(meshBounds(simulation_.mesh())),
-          sweeps_(meanRestEdgeLength(uncut_)),
+          runner_(simulation_),
+          iterations_(meanRestEdgeLength(uncut_)),
           camera_(sessionCamera(session, restBounds_)) {
         summary_.model = session.model.name();
         summary_.renderer = gpu::queryDevice().renderer;
@@ -93,36 +94,29 @@ class Replay {
             }
         }
         applyActions(session_.steps);
-        remark(sweeps_.sentence());
+        remark(iterations_.sentence());
         writeResults();
     }
 
     RunSummary takeSummary() { return std::move(summary_); }
 
-    // What happens before a step.
-    void operator()(const MoveBlade& move) { execute(move); }
-    void operator()(const LiftBlade& lift) { execute(lift); }
-    void operator()(const SetParam& set) { execute(set); }
-    void operator()(const Grab& grab) { execute(grab); }
-    void operator()(const Drag& drag) { execute(drag); }
-    void operator()(const Release& release) { execute(release); }
-    void operator()(const Pin& pin) { execute(pin); }
-    void operator()(const AddBox& add) { execute(add); }
-    void operator()(const ChangeBox& change) { execute(change); }
-    void operator()(const RemoveBox& remove) { execute(remove); }
-    void operator()(const Restart& restart) { execute(restart); }
-    void operator()(const Undo& undo) { execute(undo); }
-    void operator()(const Redo& redo) { execute(redo); }
-
-    void operator()(const ScreenshotEvent& event) {
+    // What happens before a step: see SessionRunner::applyActions.
+    void perform(const Command& command, int event) {
+        const std::string problem = simulation_.execute(command);
+        if (!problem.empty()) {
+            throw InputError(placeInFile(event) + ": " + problem);
+        }
+    }
+    void take(const ScreenshotEvent& event) {
         const Stopwatch watch;
-        renderer_.draw(sceneOf(simulation_, materialOf(session_), restBounds_, sweep_), camera_,
-                       event.width, event.height);
-        writePicture(renderer_.readPicture(), folder_.place(event.file));
+        renderer_.draw(
+            sceneOf(simulation_, materialOf(session_), restBounds_, runner_.strokePoses()), camera_,
+            event.width, event.height);
+        writePicture(renderer_.readPicture(), folder_.pathOf(event.file));
         folder_.noteWritten(event.file);
         renderMs_ += watch.milliseconds();
     }
-    void operator()(const ExportEvent& event) {
+    void take(const ExportEvent& event) {
         const SurfaceMesh& mesh = simulation_.mesh();
         for (const ExportedFile& file :
              encodeExport({event.file, event.filePerPiece}, mesh, simulation_.pieces(),
@@ -130,9 +124,16 @@ class Replay {
             folder_.write(file.file.generic_string(), file.bytes);
         }
     }
-    void operator()(const CheckEvent& event) {
-        checkHash(event);
-        checkPieces(event);
+    void take(const CheckEvent& event) {
+        const CheckDifference other = runner_.compare(event);
+        if (other.hash) {
+            fail("the state hash is " + *other.hash + " where the session expects " + *event.hash +
+                 "; the replay has diverged");
+        }
+        if (other.pieces) {
+            fail("the model is in " + counted(*other.pieces, "piece", "pieces") +
+                 " where the session expects " + std::to_string(*event.pieces));
+        }
     }
 
   private:
@@ -140,76 +141,31 @@ class Replay {
         const Stopwatch watch;
         renderMs_ = 0;
         applyActions(step);
-        sweeps_.add(step, simulation_.params());
-        const StepReport& report = simulation_.step();
+        iterations_.add(step, simulation_.params());
+        const StepReport& report = runner_.step();
         const MetricsRow row{report, renderMs_, watch.milliseconds()};
         metrics_.write(formatMetrics(row));
         summary_.statistics.add(row);
-        checkInvariants(report);
-        followBlade();
+        for (const std::string& problem : runner_.newlyBroken(report)) {
+            fail(problem);
+        }
         logMessages();
         return row;
     }
 
-    void followBlade() {
-        if (const std::optional<Blade> blade = simulation_.blade()) {
-            sweep_.push_back(*blade);
-        } else {
-            sweep_.clear();
-        }
-    }
-
     void applyActions(int step) {
         step_ = step;
-        for (const PlayedAction& played : player_.actionsAt(step)) {
-            event_ = played.number;
-            std::visit(*this, played.action);
-        }
-    }
-
-    void execute(const Command& command) {
-        const std::string problem = simulation_.execute(command);
-        if (!problem.empty()) {
-            throw InputError(placeInFile() + ": " + problem);
-        }
+        runner_.applyActions(player_, *this);
     }
 
     /// "first-cut.kerf.json: events[3] at step 12", as far as it is known.
-    std::string placeInFile() const {
-        const std::string event = event_ < 0 ? "" : "events[" + std::to_string(event_) + "] at ";
-        return filePrefix() + event + "step " + std::to_string(step_);
+    std::string placeInFile(int event) const {
+        const std::string place = event < 0 ? "" : "events[" + std::to_string(event) + "] at ";
+        return filePrefix() + place + "step " + std::to_string(step_);
     }
 
     std::string filePrefix() const {
         return session_.fileName.empty() ? "" : session_.fileName + ": ";
-    }
-
-    void checkHash(const CheckEvent& event) {
-        const std::string hash = event.hash ? simulation_.stateHash() : "";
-        if (event.hash && hash != *event.hash) {
-            fail("the state hash is " + hash + " where the session expects " + *event.hash +
-                 "; the replay has diverged");
-        }
-    }
-
-    void checkPieces(const CheckEvent& event) {
-        const int pieces = static_cast<int>(simulation_.pieces().pieces.size());
-        if (event.pieces && pieces != *event.pieces) {
-            fail("the model is in " + counted(pieces, "piece", "pieces") +
-                 " where the session expects " + std::to_string(*event.pieces));
-        }
-    }
-
-    /// Only the first break of an invariant is worth a sentence: later steps inherit it.
-    void checkInvariants(const StepReport& report) {
-        if (!report.closed && !report.open && !reportedOpen_) {
-            reportedOpen_ = true;
-            fail("the mesh is no closed, oriented 2-manifold any more");
-        }
-        if (!std::isfinite(report.volume) && !reportedNotFinite_) {
-            reportedNotFinite_ = true;
-            fail("the volume is not finite any more");
-        }
     }
 
     void fail(const std::string& problem) {
@@ -255,15 +211,12 @@ class Replay {
     render::Renderer renderer_;
     Simulation simulation_;
     Bounds restBounds_;
-    SweepWatch sweeps_;
+    SessionRunner runner_;
+    IterationWatch iterations_;
     render::Camera camera_;
-    std::vector<Blade> sweep_;  ///< poses of the running stroke
     RunSummary summary_;
     int step_ = 0;
-    int event_ = -1;  ///< SessionEvent::number of what happens now
     double renderMs_ = 0;
-    bool reportedOpen_ = false;
-    bool reportedNotFinite_ = false;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace kerf::app {
 
-/// Who watches a replay; either may be missing.
+/// Functions of one who watches a replay; either may be missing.
 struct ReplayListener {
     /// Called before each step with the steps done and the steps to do.
     std::function<void(int done, int total)> progress;
@@ -18,10 +18,10 @@ struct ReplayListener {
     std::function<void(const MetricsRow& row)> row;
 };
 
-/// What came of a replay.
+/// The result of a replay.
 struct ReplayResult {
     RunSummary summary;
-    /// What was written, relative to the output folder, in the order of writing.
+    /// The files that were written, relative to the output folder, in the order of writing.
     std::vector<std::string> files;
 };
 

@@ -5,7 +5,7 @@
 
 namespace kerf::app {
 
-/// `kerf replay SESSION --out DIR [--json]`, parsed.
+/// The arguments of `kerf replay SESSION --out DIR [--json]`, parsed.
 struct ReplayArguments {
     std::filesystem::path session;
     std::filesystem::path out;

@@ -21,9 +21,9 @@ struct MeshFormatInfo {
     std::string_view extension;  ///< ".obj"
     std::string_view name;       ///< as people call it
 };
-/// All of them; what is offered first stands first.
+/// All formats; the one that is offered first stands first.
 std::span<const MeshFormatInfo> meshFormats();
-/// By the file's extension; none for any other.
+/// The format of a file's extension; none for any other extension.
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file);
 
 /// The living triangles at their current positions and the vertices that they use, as the bytes of
@@ -39,7 +39,7 @@ std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file);
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
                        const std::vector<CornerUvs>& uvs = {});
 
-/// Where a body goes, by the extension of a format.
+/// The file, or the files, that a body is exported to; its extension names the format.
 struct ExportTarget {
     std::filesystem::path file;
     bool filePerPiece = false;  ///< named by pieceFile()
@@ -52,7 +52,7 @@ struct ExportedFile {
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
                                        const PieceMap& pieces, const std::vector<CornerUvs>& uvs);
 
-/// Where a piece goes if each gets a file: "slice.obj" becomes "slice-1.obj" for piece 0.
+/// The file of a piece where each piece gets one: "slice.obj" becomes "slice-1.obj" for piece 0.
 std::filesystem::path pieceFile(const std::filesystem::path& file, int piece);
 
 }  // namespace kerf::app

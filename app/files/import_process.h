@@ -8,14 +8,15 @@
 
 namespace kerf::app {
 
-/// What a reader process may use. The defaults leave a real model of the largest size room.
+/// Limits of what a reader process may use. The defaults leave a real model of the largest size
+/// room.
 struct ImportLimits {
     int cpuSeconds = 20;
     int wallSeconds = 30;
     std::uint64_t addressSpace = 4ull << 30;  ///< [bytes]
 };
 
-/// How a reader process ended. Its answer is complete only where it exited with 0.
+/// The end of a reader process. Its answer is complete only where it exited with 0.
 struct ImportOutcome {
     std::string answer;  ///< what it wrote to standard output
     std::string log;     ///< the beginning of what it wrote to standard error

@@ -15,9 +15,10 @@ inline constexpr std::uint64_t kMaxImportTriangles = 20'000'000;
 inline constexpr double kMinImportExtent = 1e-6;
 inline constexpr double kMaxImportExtent = 1e6;
 
-/// What a reader process answers: an ImportHeader in the machine's own byte order, then either
-/// `vertices` positions of three doubles, `triangles` of three 32-bit indices and, where `textured`
-/// is 1, six floats for each triangle, or, where `failed` is 1, `messageLength` bytes that say why.
+/// Head of the answer of a reader process, which is an ImportHeader in the machine's own byte
+/// order, then either `vertices` positions of three doubles, `triangles` of three 32-bit indices
+/// and, where `textured` is 1, six floats for each triangle, or, where `failed` is 1,
+/// `messageLength` bytes that say why.
 struct ImportHeader {
     char magic[8];
     std::uint64_t failed;

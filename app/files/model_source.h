@@ -49,7 +49,7 @@ inline constexpr std::uintmax_t kMaxModelBytes = 1'000'000'000;
 
 struct ImportLimits;
 
-/// Whether the file's name ends like that of a model that importModel() reads.
+/// Tells whether the file's name ends like that of a model that importModel() reads.
 bool isModelFile(const std::filesystem::path& file);
 
 /// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, 3DS, DAE, FBX) through
@@ -63,7 +63,7 @@ TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& 
 /// refused model as well.
 SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nullptr);
 
-/// How a model is read.
+/// Options for reading a model.
 struct ReadOptions {
     bool fillHoles = false;        ///< see fillHoles(); named among the repairs
     bool tryFilling = false;       ///< to tell in a ModelFault whether it would help

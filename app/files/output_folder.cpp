@@ -32,7 +32,7 @@ void OutputFolder::makeFolders(const std::filesystem::path& folder) {
     }
 }
 
-std::filesystem::path OutputFolder::place(const std::string& name) {
+std::filesystem::path OutputFolder::pathOf(const std::string& name) {
     std::filesystem::path file = folder_ / name;
     std::error_code error;
     makeFolders(file.parent_path());
@@ -54,7 +54,7 @@ void OutputFolder::remove(const std::string& name) const {
 }
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
-    writeOutputFile(place(name), bytes);
+    writeOutputFile(pathOf(name), bytes);
     written_.push_back(name);
 }
 

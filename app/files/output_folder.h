@@ -12,20 +12,20 @@ class OutputFolder {
   public:
     /// Makes the folder where it is missing. Throws OutputError, as all functions here.
     explicit OutputFolder(const std::filesystem::path& folder);
-    /// What was made here and is empty still goes again.
+    /// Removes the folders that were made here and are still empty.
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    /// Where `name` lies, its own folder made. Throws also where a link leads outside.
-    std::filesystem::path place(const std::string& name);
+    /// Path of the file `name`, whose own folder is made. Throws also where a link leads outside.
+    std::filesystem::path pathOf(const std::string& name);
     /// Removes an earlier result, if there is one.
     void remove(const std::string& name) const;
     /// Writes a whole file; it appears complete or not at all.
     void write(const std::string& name, std::string_view bytes);
-    /// Of a file that was written at its place() by others.
+    /// Takes note of a file that others wrote at its pathOf().
     void noteWritten(const std::string& name) { written_.push_back(name); }
-    /// Names in the order of writing.
+    /// Names of the files in the order of writing.
     const std::vector<std::string>& written() const { return written_; }
 
   private:

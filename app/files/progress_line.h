@@ -9,7 +9,7 @@ namespace kerf::app {
 /// is no terminal.
 class ProgressLine {
   public:
-    /// `what` stands in front: "sphere20: ".
+    /// Makes a line with `what` in front: "sphere20: ".
     explicit ProgressLine(std::string what = "");
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;

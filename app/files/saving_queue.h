@@ -16,14 +16,14 @@ class SavingQueue {
   public:
     /// Encodes and writes on a thread of its own. Returns a sentence for the person; may throw.
     using Work = std::function<std::string()>;
-    /// What came of it.
+    /// The end of a saving.
     struct Outcome {
         std::string sentence;
         bool failed = false;
     };
 
     void add(Work work);
-    /// What has ended since the last call, oldest first.
+    /// Savings that have ended since the last call, oldest first.
     std::vector<Outcome> takeOutcomes();
     /// Something is not written yet, or its outcome not taken.
     bool busy() const { return running_ != nullptr; }

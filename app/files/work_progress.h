@@ -9,7 +9,7 @@ namespace kerf::app {
 /// Ends a piece of work that the person has cancelled. No error, so not a std::exception.
 struct WorkCancelled {};
 
-/// What a long piece of work tells of itself, and how it is asked to stop. For two threads: the one
+/// The progress of a long piece of work, which can also be asked to stop. For two threads: the one
 /// that works, and the one that waits.
 class WorkProgress {
   public:
@@ -26,7 +26,7 @@ class WorkProgress {
     std::string stage_;
 };
 
-/// Where nobody watches, null stands for it.
+/// Enters a stage of the work, unless nobody watches: `progress` is null then.
 inline void enter(WorkProgress* progress, std::string stage) {
     if (progress != nullptr) {
         progress->enter(std::move(stage));

@@ -12,7 +12,7 @@
 
 namespace kerf::app {
 
-/// Where a blade would meet the surface of a mesh on its way.
+/// The places where a blade would meet the surface of a mesh on its way.
 struct CutPreview {
     std::vector<std::array<Vec3, 2>> wound;  ///< lines on the surface [m]
     std::vector<int> touched;                ///< triangles, ascending

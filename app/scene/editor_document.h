@@ -9,7 +9,7 @@
 
 namespace kerf::app {
 
-/// What is open in the editor: the start state, ready to be simulated.
+/// A model or session that is open in the editor: the start state, ready to be simulated.
 struct Document {
     std::string name;            ///< of the file, without folder and extension
     Session session;             ///< a model file makes one without events
@@ -28,7 +28,8 @@ inline constexpr double kModelDiagonal = 1.5;
 /// WorkCancelled where the progress of `options` was cancelled.
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// What the editor opens without a file: assets/sessions/drop-in.kerf.json. Throws InputError.
+/// Opens what the editor shows without a file, assets/sessions/drop-in.kerf.json. Throws
+/// InputError.
 Document openDefaultDocument();
 
 /// Scale and translation that bring `bounds` to `diagonal` [m], centred over the origin, the

@@ -1,7 +1,6 @@
 #include "app/scene/editor_scene.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "app/session/scene_view.h"
@@ -16,18 +15,6 @@ constexpr std::size_t kUndoBudget = 512'000'000;  // [bytes]
 constexpr int kPersonsHand = 0;                   // its number among the hands
 constexpr int kCheckEvery = 50;                   // steps of a recording
 constexpr int kPiecesEvery = 10;                  // steps between two looks at the pieces' volumes
-
-/// The command of an event that has one; pictures, exports and checks have none.
-std::optional<Command> commandOf(const SessionAction& action) {
-    const auto convert = [](const auto& event) -> std::optional<Command> {
-        if constexpr (std::is_constructible_v<Command, decltype(event)>) {
-            return Command(event);
-        } else {
-            return std::nullopt;
-        }
-    };
-    return std::visit(convert, action);
-}
 
 bool takesBodyElsewhere(const Command& command) {
     return std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command) ||
@@ -58,7 +45,7 @@ void EditorScene::startAnew() {
     pulling_ = false;
     dragTo_.reset();
     stroke_.clear();
-    sweep_.clear();
+    runner_.setStrokePoses({});
     journal_.clear();
     readings_.clear();
     start_ = {};
@@ -92,7 +79,7 @@ std::string EditorScene::execute(const Command& command) {
         takeBlade();
         letGo();
         stroke_.clear();
-        sweep_.clear();
+        runner_.setStrokePoses({});
     } else if (playback_) {
         playback_->changedAt(simulation_.stepCount());
     }
@@ -171,7 +158,7 @@ void EditorScene::reset() {
     playing = false;
     letGo();
     stroke_.clear();
-    sweep_.clear();
+    runner_.setStrokePoses({});
     perform(Restart{});
     start_ = {simulation_.stepCount(), simulation_.report().time};
     readings_.clear();
@@ -187,23 +174,13 @@ void EditorScene::step() {
     }
     moveHand();
     const int piecesBefore = pieceCount();
-    const StepReport& report = simulation_.step();
-    followBlade();
+    const StepReport& report = runner_.step();
     if (report.pieces != piecesBefore) {
         readings_.mark(timeNow(), "cut");
     }
     readings_.addStep(timeNow(), simulation_);
     checkNowAndThen();
     wrapPlayback();
-}
-
-/// As Replay does, so that a played session shows the same.
-void EditorScene::followBlade() {
-    if (const std::optional<Blade> blade = simulation_.blade()) {
-        sweep_.push_back(*blade);
-    } else {
-        sweep_.clear();
-    }
 }
 
 int EditorScene::strokeSteps() const {
@@ -217,25 +194,33 @@ bool EditorScene::playingBack() const {
     return playback_.has_value() && simulation_.stepCount() < playback_->steps();
 }
 
-void EditorScene::playSessionEvents() {
-    // Screenshots and exports are the replay's business: a person only watches here.
-    for (const auto& [action, number] : playback_->actionsAt(simulation_.stepCount())) {
-        std::string message;
-        if (const auto* check = std::get_if<CheckEvent>(&action)) {
-            message = playback_->compare(*check, simulation_);
-        } else if (const std::optional<Command> command = commandOf(action)) {
-            message = perform(*command);
-        }
+/// What the events of a played session do here: what goes wrong is a message.
+struct EditorScene::PlaybackHost {
+    EditorScene& scene;
+
+    void perform(const Command& command, int) { tell(scene.perform(command)); }
+    void take(const CheckEvent& check) {
+        tell(scene.playback_->compare(check, scene.runner_.compare(check),
+                                      scene.simulation_.stepCount()));
+    }
+    template <class Event>
+    void take(const Event&) {}  // pictures and exports are a replay's: a person only watches
+
+    void tell(std::string message) {
         if (!message.empty()) {
-            messages_.push_back(message);
+            scene.messages_.push_back(std::move(message));
         }
     }
+};
+
+void EditorScene::playSessionEvents() {
+    runner_.applyActions(playback_->player(), PlaybackHost{*this});
 }
 
 void EditorScene::keepKeyframe() {
     const int step = simulation_.stepCount();
     if (playback_ && playback_->wantsKeyframe(step)) {
-        playback_->keep(step, {simulation_.moment(), journal_.mark(), sweep_},
+        playback_->keep(step, {simulation_.moment(), journal_.mark(), runner_.strokePoses()},
                         snapshotBytes(simulation_.mesh()));
     }
 }
@@ -256,7 +241,7 @@ void EditorScene::seek(int step) {
 void EditorScene::goTo(int step, const Keyframe& keyframe) {
     simulation_.goTo(keyframe.moment);
     journal_.goBackTo(keyframe.journal);
-    sweep_ = keyframe.sweep;
+    runner_.setStrokePoses(keyframe.strokePoses);
     stroke_.clear();
     pulling_ = false;
     dragTo_.reset();
@@ -353,7 +338,8 @@ void EditorScene::recordPicture(double elapsedSeconds, double renderMs) {
 }
 
 render::SceneView EditorScene::view() {
-    return sceneOf(simulation_, materialOf(document_.session), document_.restBounds, sweep_);
+    return sceneOf(simulation_, materialOf(document_.session), document_.restBounds,
+                   runner_.strokePoses());
 }
 
 void EditorScene::refreshPieces() {

@@ -10,6 +10,7 @@
 #include "app/scene/session_journal.h"
 #include "app/scene/session_playback.h"
 #include "app/scene/surface_look.h"
+#include "app/session/session_runner.h"
 #include "render/renderer.h"
 #include "sim/run/simulation.h"
 #include "ui/panel_model.h"
@@ -23,12 +24,12 @@ namespace kerf::app {
 /// cut opens under the pointer; once the blade is lifted, time stands still again.
 class EditorScene {
   public:
-    /// `body` is that of the document. Throws gpu::OutOfMemory.
+    /// Opens `document`, whose body `body` is. Throws gpu::OutOfMemory.
     EditorScene(Document document, BodyUpload body);
     EditorScene(const EditorScene&) = delete;  // the playback points into the document
     EditorScene& operator=(const EditorScene&) = delete;
 
-    /// What a person does apart from strokes. Returns "" or one sentence.
+    /// Executes a command of a person, apart from strokes. Returns "" or one sentence.
     std::string execute(const Command& command);
     /// One step with what is due before it: the session's events, or the next pose of the stroke.
     void step();
@@ -47,14 +48,14 @@ class EditorScene {
     // A hand that pulls at the body. Time runs while it does.
     /// Takes hold of what lies within `radius` of `at` [m]. Returns "" or one sentence.
     std::string grab(const Vec3& at, double radius);
-    /// Where the hand is in the coming steps.
+    /// Moves the hand to where it is in the coming steps [m].
     void dragTo(const Vec3& to) { dragTo_ = to; }
     void letGo();
     bool pulling() const { return pulling_; }
 
     // The session that is played.
     bool playing = false;
-    /// Whether the session's own events are still to come.
+    /// Tells whether events of the session are still to come.
     bool playingBack() const;
     /// Goes to a step of it, at once where it is a keyframe; otherwise seekSteps() are left to do.
     void seek(int step);
@@ -66,7 +67,8 @@ class EditorScene {
     void startRecording();
     void stopRecording() { recording_ = false; }
     bool recording() const { return recording_; }
-    /// All that was done since the start, as a session that ends here with a check of the state.
+    /// Writes down all that was done since the start, as a session that ends here with a check of
+    /// the state.
     Session recordedSession(const render::Camera& camera, const render::ChosenColors& colors);
 
     /// Notes a picture while time runs: how long after the one before it came [s], and how long it
@@ -77,29 +79,30 @@ class EditorScene {
     const Document& document() const { return document_; }
     Simulation& simulation() { return simulation_; }
     const Simulation& simulation() const { return simulation_; }
-    /// What a ray meets of the body as it is.
+    /// The point at which a ray meets the body as it is.
     std::optional<SurfacePoint> pick(const render::Ray& ray) {
         return look_.pick(simulation_, ray);
     }
-    /// What a blade would meet of it.
+    /// The places where a blade would meet the body on its way.
     const CutPreview& preview(const std::vector<Blade>& way) {
         return look_.preview(simulation_, way);
     }
-    /// How often these two had to search the triangles, for tests.
+    /// Number of searches through the triangles that pick() and preview() needed, for tests.
     int surfaceSearches() const { return look_.searches(); }
-    /// As a number of the last report: 1 for an uncut body.
+    /// Number of pieces after the last step: 1 for an uncut body.
     int pieceCount() const { return simulation_.report().pieces; }
     /// Bounds of the body as it is.
     const Bounds& bounds() const { return simulation_.bounds(); }
     /// Sentences for the person: those of the simulation, and what came out differently.
     std::vector<std::string> takeMessages();
 
-    /// What the renderer shows.
+    /// The scene for the renderer.
     render::SceneView view();
-    /// What the panels show of it.
+    /// Fills in what the panels show of the scene.
     void describe(ui::PanelModel& model);
 
   private:
+    struct PlaybackHost;
     std::string perform(const Command& command);
     void followUndo(const Params& before);
     void moveHand();
@@ -111,7 +114,6 @@ class EditorScene {
     void wrapPlayback();
     void startAnew();
     void putUp(const std::vector<StaticBox>& boxes);
-    void followBlade();
     void checkNowAndThen();
     void refreshPieces();
     void describeChanges(ui::ChangeList& list) const;
@@ -121,13 +123,13 @@ class EditorScene {
     Document document_;
     double edgeLength_;  ///< mean of the uncut body at rest [m]
     Simulation simulation_;
+    SessionRunner runner_{simulation_};
     std::optional<SessionPlayback> playback_;  ///< of a session with events, until a person cuts
     std::optional<int> seekTarget_;
     BladeStroke stroke_;
-    std::vector<Blade> sweep_;       ///< poses of the running stroke, drawn or played
     std::vector<SetParam> choices_;  ///< of a person, one per name; a played session keeps them
     bool pulling_ = false;
-    std::optional<Vec3> dragTo_;  ///< where the hand has not been told to go yet
+    std::optional<Vec3> dragTo_;  ///< where the hand is to go, until it is told
     SessionJournal journal_;
     bool recording_ = false;
     /// The last restart: what the panels count from.

@@ -9,15 +9,15 @@
 
 namespace kerf::app {
 
-/// How finely the way of a blade is divided into steps.
+/// The fineness with which the way of a blade is divided into steps.
 struct StrokeScale {
     double share = 0.5;  ///< the point of the blade that is measured: 0 at A, 1 at B
     double maxStep = 0;  ///< the farthest that it may move in one step [m]
 
-    /// How far that point is apart in two blades [m].
+    /// Distance between that point of one blade and of another [m].
     double distance(const Blade& from, const Blade& to) const;
 };
-/// For a body of these bounds.
+/// The farthest that a blade may move in a step, for a body of these bounds [m].
 double maxStrokeStep(const Bounds& bounds);
 
 /// Turns points of the view into blades: A on a plane before the body, B on a plane behind it, both
@@ -25,15 +25,15 @@ double maxStrokeStep(const Bounds& bounds);
 /// a plane. The view it was made with stays.
 class StrokeSpace {
   public:
-    /// `bounds`: of the body as it is [m]; `aspect`: width over height of the view. `depth`: how
-    /// far behind the nearest point of the body B lies [m]; without one, behind the body.
+    /// `bounds` are those of the body as it is [m], `aspect` is width over height of the view, and
+    /// B lies `depth` behind the nearest point of the body [m]; without it, behind the body.
     StrokeSpace(const render::Camera& camera, double aspect, const Bounds& bounds,
                 std::optional<double> depth = std::nullopt);
 
-    /// `ndc`: -1..1, y up.
+    /// The blade that is seen as the point `ndc` (-1..1, y up).
     Blade bladeAt(const Vec2& ndc) const;
     StrokeScale scale() const { return {middleShare_, maxStep_}; }
-    /// How far two blades are apart in the middle of the body [m].
+    /// Distance of two blades in the middle of the body [m].
     double distance(const Blade& from, const Blade& to) const { return scale().distance(from, to); }
     /// The farthest that the blade may move in one step [m].
     double maxStep() const { return maxStep_; }
@@ -58,7 +58,7 @@ class BladeStroke {
     /// The pointer went down. The blade appears once it moves: a mere click does nothing.
     void begin(const Blade& first, const StrokeScale& scale);
     void moveTo(const Blade& blade);
-    /// Both by points of the view.
+    /// Begins a stroke, and goes on with it, by points of the view.
     void begin(const StrokeSpace& space, const Vec2& ndc);
     void moveTo(const Vec2& ndc);
     /// The pointer went up.

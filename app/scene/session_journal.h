@@ -14,12 +14,12 @@ namespace kerf::app {
 /// session that replays to the same bits.
 class SessionJournal {
   public:
-    /// `command` is executed before step `step`, which never falls.
+    /// Notes a command that is executed before step `step`, which never falls.
     void note(int step, const Command& command);
     void note(int step, CheckEvent check) { events_.push_back({step, std::move(check)}); }
     void clear() { *this = SessionJournal{}; }
 
-    /// How far it is written, to come back to.
+    /// A state of the journal, to come back to.
     struct Mark {
         std::size_t events = 0;
         std::optional<SessionEvent> lastPose;

@@ -54,18 +54,16 @@ void SessionPlayback::wentTo(int step) {
     }
 }
 
-std::string SessionPlayback::compare(const CheckEvent& check, Simulation& simulation) {
-    const int step = simulation.stepCount();
-    const int pieces = simulation.report().pieces;
-    const bool otherHash = check.hash && simulation.stateHash() != *check.hash;
-    const bool otherPieces = check.pieces && pieces != *check.pieces;
-    if (changed() || (divergedAt_ && *divergedAt_ <= step) || (!otherHash && !otherPieces)) {
+std::string SessionPlayback::compare(const CheckEvent& check, const CheckDifference& difference,
+                                     int step) {
+    const bool asExpected = !difference.hash && !difference.pieces;
+    if (changed() || (divergedAt_ && *divergedAt_ <= step) || asExpected) {
         return "";
     }
     divergedAt_ = step;
-    const std::string what = otherPieces ? counted(pieces, "piece", "pieces") + " instead of " +
-                                               std::to_string(*check.pieces)
-                                         : "the state hash is not the recorded one";
+    const std::string what = difference.pieces ? counted(*difference.pieces, "piece", "pieces") +
+                                                     " instead of " + std::to_string(*check.pieces)
+                                               : "the state hash is not the recorded one";
     return "At step " + std::to_string(step) + " the session came out differently: " + what + ".";
 }
 

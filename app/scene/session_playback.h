@@ -6,16 +6,15 @@
 #include <vector>
 
 #include "app/scene/session_journal.h"
-#include "app/session/session.h"
-#include "sim/run/simulation.h"
+#include "app/session/session_runner.h"
 
 namespace kerf::app {
 
-/// Where a played session can be taken up again.
+/// A moment at which a played session can be taken up again.
 struct Keyframe {
     Moment moment;
     SessionJournal::Mark journal;
-    std::vector<Blade> sweep;  ///< poses of the running stroke
+    std::vector<Blade> strokePoses;  ///< poses of the running stroke
 };
 
 /// An open session as it is played: what happens when, moments to scrub back to, and where it
@@ -28,14 +27,14 @@ class SessionPlayback {
     int steps() const { return session_->steps; }
     bool loop = false;
 
-    std::vector<PlayedAction> actionsAt(int step) const { return player_.actionsAt(step); }
+    const SessionPlayer& player() const { return player_; }
 
-    /// Whether a keyframe is due before the actions of the coming step.
+    /// Tells whether a keyframe is due before the actions of the coming step.
     bool wantsKeyframe(int step) const;
     void keep(int step, Keyframe keyframe, std::size_t bytes);
     /// The last keyframe at or before `step`; null where there is none.
     const Keyframe* keyframeBefore(int step) const;
-    /// Of that keyframe; -1 where there is none.
+    /// Step of the last keyframe at or before `step`; -1 where there is none.
     int keyframeStepBefore(int step) const;
     /// A person changed something before step `step`: what the session says of later ones no longer
     /// holds.
@@ -44,8 +43,8 @@ class SessionPlayback {
     /// Time went back to `step`.
     void wentTo(int step);
 
-    /// Compares with a check of the session. Returns "" or one sentence.
-    std::string compare(const CheckEvent& check, Simulation& simulation);
+    /// Takes note of how a check before step `step` came out. Returns "" or one sentence.
+    std::string compare(const CheckEvent& check, const CheckDifference& difference, int step);
     /// The first step at which a check failed.
     std::optional<int> divergedAt() const { return divergedAt_; }
 

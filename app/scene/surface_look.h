@@ -13,12 +13,12 @@ namespace kerf::app {
 /// nor the question has changed.
 class SurfaceLook {
   public:
-    /// As pickSurface().
+    /// Finds the point at which a ray meets the body, as pickSurface().
     std::optional<SurfacePoint> pick(Simulation& simulation, const render::Ray& ray);
-    /// As previewCut().
+    /// Finds where a blade would meet the body on its way, as previewCut().
     const CutPreview& preview(Simulation& simulation, const std::vector<Blade>& way);
 
-    /// How often it had to search the triangles, for tests.
+    /// Number of searches through the triangles so far, for tests.
     int searches() const { return searches_; }
 
   private:

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <ranges>
 
 #include "app/files/file_io.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
@@ -37,6 +39,77 @@ Json toJson(const SubdivisionCounts& counts) {
     return json;
 }
 
+std::string textOf(double value) {
+    return formatNumber(value);
+}
+std::string textOf(int value) {
+    return std::to_string(value);
+}
+std::string textOf(bool value) {
+    return value ? "1" : "0";
+}
+std::string textOf(const std::optional<double>& value) {
+    return value ? textOf(*value) : "";
+}
+
+/// A column of metrics.csv.
+struct Column {
+    std::string_view name;
+    std::string (*text)(const MetricsRow& row);
+};
+
+template <auto member>
+std::string reported(const MetricsRow& row) {
+    return textOf(row.report.*member);
+}
+template <auto member>
+std::string measured(const MetricsRow& row) {
+    return textOf(row.*member);
+}
+template <auto member>
+std::string removed(const MetricsRow& row) {
+    return textOf(row.report.debris.*member);
+}
+template <SubdivisionPattern pattern>
+std::string divided(const MetricsRow& row) {
+    return textOf(row.report.subdivisions[static_cast<std::size_t>(pattern)]);
+}
+std::string dividedOtherwise(const MetricsRow& row) {
+    return textOf(otherPatterns(row.report.subdivisions));
+}
+
+/// The columns in their order (docs/session-format.md).
+constexpr Column kColumns[] = {
+    {"step", reported<&StepReport::step>},
+    {"time", reported<&StepReport::time>},
+    {"volume", reported<&StepReport::volume>},
+    {"volume_ratio", reported<&StepReport::volumeRatio>},
+    {"pieces", reported<&StepReport::pieces>},
+    {"vertices", reported<&StepReport::vertices>},
+    {"triangles", reported<&StepReport::triangles>},
+    {"ispcs", reported<&StepReport::ispcs>},
+    {"touched_triangles", reported<&StepReport::touchedTriangles>},
+    {"closed", reported<&StepReport::closed>},
+    {"deform_ms", reported<&StepReport::deformMs>},
+    {"collide_ms", reported<&StepReport::collideMs>},
+    {"cut_ms", reported<&StepReport::cutMs>},
+    {"render_ms", measured<&MetricsRow::renderMs>},
+    {"frame_ms", measured<&MetricsRow::frameMs>},
+    {"contacts", reported<&StepReport::contacts>},
+    {"one_to_four", divided<SubdivisionPattern::oneToFour>},
+    {"one_to_three_a", divided<SubdivisionPattern::oneToThreeA>},
+    {"one_to_two", divided<SubdivisionPattern::oneToTwo>},
+    {"one_to_three_b", divided<SubdivisionPattern::oneToThreeB>},
+    {"other_patterns", dividedOtherwise},
+    {"seeds", reported<&StepReport::seeds>},
+    {"kinetic_energy", reported<&StepReport::kineticEnergy>},
+    {"potential_energy", reported<&StepReport::potentialEnergy>},
+    {"debris_pieces", removed<&Debris::pieces>},
+    {"debris_volume", removed<&Debris::volume>},
+    {"strain_energy", reported<&StepReport::strainEnergy>},
+    {"lost_pieces", reported<&StepReport::lostPieces>},
+};
+
 }  // namespace
 
 void Range::add(double value) {
@@ -47,39 +120,15 @@ void Range::add(double value) {
 }
 
 std::string metricsHeader() {
-    return "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
-           "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts,one_to_four,one_to_"
-           "three_a,"
-           "one_to_two,one_to_three_b,other_patterns,seeds,kinetic_energy,potential_energy,"
-           "debris_pieces,debris_volume,strain_energy,lost_pieces\n";
+    return joined(kColumns | std::views::transform(&Column::name), ",") + "\n";
 }
 
 std::string formatMetrics(const MetricsRow& row) {
-    const StepReport& r = row.report;
-    std::string line = std::to_string(r.step);
-    for (const double value : {r.time, r.volume, r.volumeRatio}) {
-        line += "," + formatNumber(value);
+    std::string line;
+    for (const Column& column : kColumns) {
+        line += (line.empty() ? "" : ",") + column.text(row);
     }
-    for (const int value : {r.pieces, r.vertices, r.triangles, r.ispcs, r.touchedTriangles,
-                            static_cast<int>(r.closed)}) {
-        line += "," + std::to_string(value);
-    }
-    for (const double value : {r.deformMs, r.collideMs, r.cutMs, row.renderMs, row.frameMs}) {
-        line += "," + formatNumber(value);
-    }
-    line += "," + std::to_string(r.contacts);
-    for (int i = 0; i < kPaperPatterns; ++i) {
-        line += "," + std::to_string(r.subdivisions[i]);
-    }
-    for (const int value : {otherPatterns(r.subdivisions), r.seeds}) {
-        line += "," + std::to_string(value);
-    }
-    for (const double value : {r.kineticEnergy, r.potentialEnergy}) {
-        line += "," + formatNumber(value);
-    }
-    line += "," + std::to_string(r.debris.pieces) + "," + formatNumber(r.debris.volume);
-    line += "," + (r.strainEnergy ? formatNumber(*r.strainEnergy) : "");
-    return line + "," + std::to_string(r.lostPieces) + "\n";
+    return line + "\n";
 }
 
 void RunStatistics::add(const MetricsRow& row) {

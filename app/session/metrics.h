@@ -35,7 +35,7 @@ struct MetricsRow {
 std::string metricsHeader();
 std::string formatMetrics(const MetricsRow& row);
 
-/// What is counted before and after a run.
+/// The numbers that are counted before and after a run.
 struct Counts {
     int vertices = 0;
     int triangles = 0;
@@ -62,7 +62,7 @@ struct RunStatistics {
     double meanFps() const { return frameMs.mean() > 0 ? 1000 / frameMs.mean() : 0; }
 };
 
-/// All of summary.json but the paths.
+/// The contents of summary.json but for the paths.
 struct RunSummary {
     std::string model;
     std::string renderer;  ///< GL_RENDERER
@@ -73,7 +73,7 @@ struct RunSummary {
     RunStatistics statistics;
     std::vector<std::string>
         failures;  ///< checks and invariants that did not hold, one sentence each
-    std::vector<std::string> remarks;  ///< what else the figures are to be read with
+    std::vector<std::string> remarks;  ///< sentences that the figures are to be read with
 };
 
 /// The keys of summary.json (docs/session-format.md).

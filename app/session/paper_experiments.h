@@ -7,8 +7,8 @@
 
 namespace kerf::app {
 
-/// What the paper (docs/architecture.md, Sources) says of one of its five experiments. Its tables
-/// 2 (counts) and 3 (stage times) are only known to us as far as its text repeats them.
+/// One of the paper's five experiments as the paper (docs/architecture.md, Sources) tells of it.
+/// Its tables 2 (counts) and 3 (stage times) are only known to us as far as its text repeats them.
 struct PaperExperiment {
     const char* name;         ///< of the builtin model and of the session
     const char* label;        ///< as the paper writes it
@@ -20,9 +20,9 @@ struct PaperExperiment {
     const char* volumeAfter;  ///< how the volume recovers, section 3.2 on figure 10
 };
 
-/// In the paper's order.
+/// The experiments in the paper's order.
 std::span<const PaperExperiment> paperExperiments();
-/// Null for an unknown name.
+/// The experiment of a name; null for an unknown one.
 const PaperExperiment* findPaperExperiment(std::string_view name);
 
 }  // namespace kerf::app

@@ -7,7 +7,7 @@ render::Material materialOf(const Session& session) {
 }
 
 render::SceneView sceneOf(const Simulation& simulation, const render::Material& material,
-                          const Bounds& restBounds, const std::vector<Blade>& sweep) {
+                          const Bounds& restBounds, const std::vector<Blade>& strokePoses) {
     render::SceneView scene;
     scene.body = simulation.bodyView();
     scene.material = material;
@@ -16,7 +16,7 @@ render::SceneView sceneOf(const Simulation& simulation, const render::Material& 
     scene.floor = simulation.params().floor;
     scene.blade = simulation.blade();
     scene.bladeBody = simulation.bladeBody();
-    scene.sweep = sweep;
+    scene.strokePoses = strokePoses;
     scene.focus = simulation.bounds();
     return scene;
 }

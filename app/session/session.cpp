@@ -100,20 +100,20 @@ bool undoesAnything(const Session& session) {
 }
 
 SessionPlayer::SessionPlayer(const Session& session) : session_(&session) {
-    collectSweeps();
+    collectPoseSegments();
     collectHandMoves();
 }
 
-void SessionPlayer::collectSweeps() {
+void SessionPlayer::collectPoseSegments() {
     const SessionEvent* lastKey = nullptr;
     for (const SessionEvent& event : session_->events) {
         if (takesBladeAway(event.action)) {
             lastKey = nullptr;
         } else if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
             if (lastKey != nullptr && lastKey->step < event.step) {
-                sweeps_.push_back({lastKey->step, event.step,
-                                   std::get<MoveBlade>(lastKey->action).blade, move->blade,
-                                   event.number});
+                poseSegments_.push_back({lastKey->step, event.step,
+                                         std::get<MoveBlade>(lastKey->action).blade, move->blade,
+                                         event.number});
             }
             lastKey = &event;
         }
@@ -171,13 +171,17 @@ std::vector<PlayedAction> SessionPlayer::dragsBetweenKeys(int step) const {
 }
 
 std::optional<PlayedAction> SessionPlayer::poseBetweenKeys(int step) const {
-    const auto endsBefore = [](const Sweep& sweep, int value) { return sweep.lastStep <= value; };
-    const auto sweep = std::lower_bound(sweeps_.begin(), sweeps_.end(), step, endsBefore);
-    if (sweep == sweeps_.end() || step <= sweep->firstStep) {
+    const auto endsBefore = [](const PoseSegment& segment, int value) {
+        return segment.lastStep <= value;
+    };
+    const auto segment =
+        std::lower_bound(poseSegments_.begin(), poseSegments_.end(), step, endsBefore);
+    if (segment == poseSegments_.end() || step <= segment->firstStep) {
         return std::nullopt;
     }
-    const double t = double(step - sweep->firstStep) / double(sweep->lastStep - sweep->firstStep);
-    return PlayedAction{MoveBlade{interpolate(sweep->from, sweep->to, t)}, sweep->number};
+    const double t =
+        double(step - segment->firstStep) / double(segment->lastStep - segment->firstStep);
+    return PlayedAction{MoveBlade{interpolate(segment->from, segment->to, t)}, segment->number};
 }
 
 }  // namespace kerf::app

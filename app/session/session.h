@@ -20,7 +20,7 @@ inline constexpr int kMaxSteps = 1'000'000;
 inline constexpr int kMaxPictureSize = 8192;          ///< [pixels], each way
 inline constexpr double kMaxSessionCoordinate = 1e6;  ///< [m]
 
-/// What every replay writes into its output folder; a session's own files have other names.
+/// Files that every replay writes into its output folder; a session's own ones have other names.
 inline constexpr const char* kMetricsFile = "metrics.csv";
 inline constexpr const char* kSummaryFile = "summary.json";
 inline constexpr const char* kMeshFile = "final.ply";
@@ -36,7 +36,7 @@ struct Placement {
 /// Moves a mesh at rest: positions and rest positions.
 void place(SurfaceMesh& mesh, const Placement& placement);
 
-/// Which model a session is about.
+/// The model that a session is about.
 struct ModelReference {
     std::string builtin;         ///< name of a builtin model, or
     std::filesystem::path path;  ///< absolute once read
@@ -45,7 +45,7 @@ struct ModelReference {
 
     /// The file that holds the model. Throws InputError for an unknown builtin name.
     std::filesystem::path file() const;
-    /// How people call it: the builtin's name, or the file's without its extension.
+    /// The name by which people call it: the builtin's, or the file's without its extension.
     std::string name() const;
 };
 
@@ -60,17 +60,23 @@ struct ExportEvent {
     std::string file;
     bool filePerPiece = false;  ///< see pieceFile()
 };
-/// What must hold before the step.
+/// A check of the state before the step: what is set must hold.
 struct CheckEvent {
     std::optional<std::string> hash;
     std::optional<int> pieces;
 };
 
-/// A blade event is a key pose: between two of them the ends move linearly, a quad per step. So do
-/// hands from their grab or drag to their next drag.
-using SessionAction =
-    std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, AddBox, ChangeBox,
-                 RemoveBox, Restart, Undo, Redo, ScreenshotEvent, ExportEvent, CheckEvent>;
+template <class Variant, class... More>
+struct Extended;
+template <class... Kinds, class... More>
+struct Extended<std::variant<Kinds...>, More...> {
+    using Type = std::variant<Kinds..., More...>;
+};
+
+/// The action of a session event: a command, or something that changes no simulation. A blade
+/// event is a key pose: between two of them the ends move linearly, a quad per step. So do hands
+/// from their grab or drag to their next drag. See event_table.h for their fields.
+using SessionAction = Extended<Command, ScreenshotEvent, ExportEvent, CheckEvent>::Type;
 
 /// Something that happens before a step.
 struct SessionEvent {
@@ -93,19 +99,20 @@ struct Session {
     std::vector<std::string> warnings;  ///< unknown extra keys
 };
 
-/// Whether the blade is gone after it: the next pose places it anew.
+/// Tells whether the blade is gone after an action, so that the next pose places it anew.
 bool takesBladeAway(const SessionAction& action);
 
-/// How much memory a replay gives to what its undo events bring back: a run that a person made
-/// within the editor's budget must not fail here.
+/// The memory that a replay gives to what its undo events bring back [bytes]: a run that a person
+/// made within the editor's budget must not fail here.
 inline constexpr std::size_t kReplayUndoBudget = std::size_t{4} << 30;
-/// Whether a session takes changes back, so that they must be kept.
+/// Tells whether a session takes changes back, so that they must be kept.
 bool undoesAnything(const Session& session);
 
 /// Reads and checks a session. Throws InputError naming the file and the place in it
 /// ("first-cut.kerf.json: events[3].a: expected three numbers.").
 Session readSession(const std::filesystem::path& file);
-/// The same from text; model paths are relative to `baseFolder`. The sentences name the place.
+/// Reads and checks the text of a session, whose model paths are relative to `baseFolder`. Throws
+/// InputError naming the place in it.
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder);
 /// Text of a session file that lies in `baseFolder` (model paths become relative to it where it
 /// is given). Throws InputError rather than write what parseSession would refuse.
@@ -119,7 +126,7 @@ ModelMesh loadSessionModel(const Session& session, const ReadOptions& options = 
 /// room around it for what falls.
 render::Camera sessionCamera(const Session& session, const Bounds& bounds);
 
-/// What a session does before a step.
+/// An action that a session takes before a step.
 struct PlayedAction {
     SessionAction action;
     int number = -1;  ///< SessionEvent::number; between two key poses, that of the later one
@@ -136,7 +143,7 @@ class SessionPlayer {
 
   private:
     /// The blade moves from one key pose to the next.
-    struct Sweep {
+    struct PoseSegment {
         int firstStep = 0;
         int lastStep = 0;
         Blade from;
@@ -152,13 +159,13 @@ class SessionPlayer {
         Vec3 to = Vec3::Zero();
         int number = -1;  ///< of the later key pose
     };
-    void collectSweeps();
+    void collectPoseSegments();
     void collectHandMoves();
     std::optional<PlayedAction> poseBetweenKeys(int step) const;
     std::vector<PlayedAction> dragsBetweenKeys(int step) const;
 
     const Session* session_;
-    std::vector<Sweep> sweeps_;  ///< by step, not overlapping
+    std::vector<PoseSegment> poseSegments_;  ///< by step, not overlapping
     std::vector<HandMove> handMoves_;
 };
 

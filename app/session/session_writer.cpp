@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "app/session/session.h"
+#include "app/session/event_table.h"
 #include "app/session/session_json.h"
 
 namespace kerf::app {
@@ -13,6 +13,14 @@ Json toJson(double value) {
     if (!std::isfinite(value)) {
         throw InputError("A session can't hold a number that is not finite.");
     }
+    return value;
+}
+
+/// A value that JSON knows as it is.
+template <class Value>
+requires std::is_same_v<Value, bool> || std::is_same_v<Value, int> ||
+    std::is_same_v<Value, std::string>
+        Json toJson(const Value& value) {
     return value;
 }
 
@@ -45,23 +53,12 @@ Json toJson(const ModelReference& model, const std::filesystem::path& baseFolder
     return json;
 }
 
-Json toJson(const Placement& placement) {
-    return {{"scale", toJson(placement.scale)},
-            {"rotate", toJson(placement.rotate)},
-            {"translate", toJson(placement.translate)}};
-}
-
 Json toJson(const Params& params) {
     Json json;
     for (const ParamInfo& info : paramTable()) {
         json[std::string(info.name)] = toJson(getParam(params, info.name));
     }
     return json;
-}
-
-Json toJson(const StaticBox& box) {
-    return {
-        {"center", toJson(box.center)}, {"size", toJson(box.size)}, {"rotate", toJson(box.rotate)}};
 }
 
 Json toJson(const render::Camera& camera) {
@@ -84,90 +81,48 @@ Json viewOf(const Session& session) {
     return json;
 }
 
-/// Puts the keys of one action behind "step".
-struct ActionWriter {
-    Json& json;
+/// Writes the fields of an object as describe() names them.
+struct FieldWriter {
+    Json json;
 
-    void operator()(const MoveBlade& move) const {
-        json["type"] = "blade";
-        json["a"] = toJson(move.blade.a);
-        json["b"] = toJson(move.blade.b);
-    }
-    void operator()(const LiftBlade&) const { json["type"] = "lift"; }
-    void operator()(const SetParam& set) const {
-        json["type"] = "set";
-        json["name"] = set.name;
-        json["value"] = toJson(set.value);
-        if (set.continues) json["continues"] = true;
-    }
-    void operator()(const Grab& grab) const {
-        json["type"] = "grab";
-        json["hand"] = grab.hand;
-        json["at"] = toJson(grab.at);
-        json["radius"] = toJson(grab.radius);
-    }
-    void operator()(const Drag& drag) const {
-        json["type"] = "drag";
-        json["hand"] = drag.hand;
-        json["to"] = toJson(drag.to);
-    }
-    void operator()(const Release& release) const {
-        json["type"] = "release";
-        json["hand"] = release.hand;
-    }
-    void operator()(const Pin& pin) const {
-        json["type"] = pin.pinned ? "pin" : "unpin";
-        if (const auto* ball = std::get_if<Ball>(&pin.region)) {
-            json["center"] = toJson(ball->center);
-            json["radius"] = toJson(ball->radius);
-        } else {
-            json["low"] = toJson(std::get<Bounds>(pin.region).low);
-            json["high"] = toJson(std::get<Bounds>(pin.region).high);
-        }
-        if (pin.continues) {
-            json["continues"] = true;
+    void type(const char* name) { json["type"] = name; }
+    void type(const char* name, const char* otherwise, bool flag) { type(flag ? name : otherwise); }
+    void required(const char* key, const auto& value, const auto&...) { json[key] = toJson(value); }
+    void optional(const char* key, const auto& value, const auto&...) { json[key] = toJson(value); }
+    void optional(const char* key, bool flag) {
+        if (flag) {
+            json[key] = true;
         }
     }
-    void operator()(const AddBox& add) const {
-        json["type"] = "add_box";
-        json.update(toJson(add.box));
+    template <class Value>
+    void optional(const char* key, const std::optional<Value>& value, const auto&...) {
+        if (value) {
+            json[key] = toJson(*value);
+        }
     }
-    void operator()(const ChangeBox& change) const {
-        json["type"] = "change_box";
-        json["box"] = change.index;
-        json.update(toJson(change.box));
-        if (change.continues) json["continues"] = true;
+    void either(const Region&, Keys, Keys, std::string_view) {}
+    void param(const char* nameKey, const std::string& name, const char* valueKey,
+               const ParamValue& value) {
+        json[nameKey] = name;
+        json[valueKey] = toJson(value);
     }
-    void operator()(const RemoveBox& remove) const {
-        json["type"] = "remove_box";
-        json["box"] = remove.index;
-    }
-    void operator()(const Restart&) const { json["type"] = "restart"; }
-    void operator()(const Undo&) const { json["type"] = "undo"; }
-    void operator()(const Redo&) const { json["type"] = "redo"; }
-    void operator()(const ScreenshotEvent& event) const {
-        json["type"] = "screenshot";
-        json["file"] = event.file;
-        json["width"] = event.width;
-        json["height"] = event.height;
-    }
-    void operator()(const ExportEvent& event) const {
-        json["type"] = "export";
-        json["file"] = event.file;
-        if (event.filePerPiece) json["per_piece"] = true;
-    }
-    void operator()(const CheckEvent& event) const {
-        json["type"] = "check";
-        if (event.hash) json["hash"] = *event.hash;
-        if (event.pieces) json["pieces"] = *event.pieces;
-    }
+    void check(bool, const char*, std::string_view) {}
 };
 
-Json toJson(const SessionEvent& event) {
-    Json json;
-    json["step"] = event.step;
-    std::visit(ActionWriter{json}, event.action);
-    return json;
+template <class Described>
+requires requires(FieldWriter fields, Described item) {
+    describe(fields, item);
+}
+Json toJson(Described item) {
+    FieldWriter fields;
+    describe(fields, item);
+    return std::move(fields.json);
+}
+
+Json toJson(SessionEvent event) {
+    FieldWriter fields{{{"step", event.step}}};
+    std::visit([&](auto& action) { describe(fields, action); }, event.action);
+    return std::move(fields.json);
 }
 
 /// A list with one line each.

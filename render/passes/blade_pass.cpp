@@ -39,8 +39,9 @@ Vec3 middle(const Blade& blade) {
 Vec3 spineDirection(const SceneView& scene) {
     const Vec3 along = (scene.blade->b - scene.blade->a).normalized();
     Vec3 spine = Vec3::UnitY();
-    if (scene.sweep.size() >= 2) {
-        const Vec3 came = middle(scene.sweep[scene.sweep.size() - 2]) - middle(scene.sweep.back());
+    if (scene.strokePoses.size() >= 2) {
+        const Vec3 came = middle(scene.strokePoses[scene.strokePoses.size() - 2]) -
+                          middle(scene.strokePoses.back());
         spine = came.norm() > 1e-9 ? Vec3(came.normalized()) : spine;
     }
     for (const Vec3& candidate : {spine, Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX())}) {
@@ -149,13 +150,13 @@ std::vector<vec4> outline(const SceneView& scene) {
         segments.push_back(packed(p, 1));
         segments.push_back(packed(q, 1));
     };
-    for (std::size_t i = 0; i + 1 < scene.sweep.size(); ++i) {
-        add(scene.sweep[i].a, scene.sweep[i + 1].a);
-        add(scene.sweep[i].b, scene.sweep[i + 1].b);
+    for (std::size_t i = 0; i + 1 < scene.strokePoses.size(); ++i) {
+        add(scene.strokePoses[i].a, scene.strokePoses[i + 1].a);
+        add(scene.strokePoses[i].b, scene.strokePoses[i + 1].b);
     }
-    if (scene.sweep.size() >= 2) {
-        add(scene.sweep.front().a, scene.sweep.front().b);
-        add(scene.sweep.back().a, scene.sweep.back().b);
+    if (scene.strokePoses.size() >= 2) {
+        add(scene.strokePoses.front().a, scene.strokePoses.front().b);
+        add(scene.strokePoses.back().a, scene.strokePoses.back().b);
     } else if (scene.blade) {
         add(scene.blade->a, scene.blade->b);
     }
@@ -191,10 +192,10 @@ void BladePass::drawBlade(const SceneView& scene, const Frame& frame) {
 }
 
 void BladePass::drawSweep(const SceneView& scene, const Frame& frame) {
-    if (scene.sweep.size() < 2) {
+    if (scene.strokePoses.size() < 2) {
         return;
     }
-    poses_.assign(poseEnds(scene.sweep));
+    poses_.assign(poseEnds(scene.strokePoses));
     poses_.bindStorage(shared::kBindSegments);
     sheet_.use();
     sheet_.set("viewProjection", frame.viewProjection);
@@ -202,7 +203,7 @@ void BladePass::drawSweep(const SceneView& scene, const Frame& frame) {
     glDepthFunc(GL_LESS);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
-    glDrawArrays(GL_TRIANGLES, 0, GLsizei(6 * (scene.sweep.size() - 1)));
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(6 * (scene.strokePoses.size() - 1)));
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 }

@@ -12,7 +12,7 @@ class BladePass {
     BladePass();
     void drawBlade(const SceneView& scene, const Frame& frame);
     void drawSweep(const SceneView& scene, const Frame& frame);
-    /// The cutting edge and the outline of the sweep: bright in the open, faint inside the body.
+    /// The cutting edge and the outline of the stroke: bright in the open, faint inside the body.
     void drawEdges(const SceneView& scene, const Frame& frame);
 
   private:

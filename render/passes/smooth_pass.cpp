@@ -76,7 +76,7 @@ PictureRectangle covered(const SceneView& scene, const Frame& frame) {
     if (scene.blade) {
         rectangle.add(*scene.blade, bladeHeight(scene, frame.bodySize));
     }
-    for (const Blade& pose : scene.sweep) {
+    for (const Blade& pose : scene.strokePoses) {
         rectangle.add(pose, 0);
     }
     return rectangle;

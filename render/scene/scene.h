@@ -41,7 +41,7 @@ struct SceneView {
     std::optional<double> floor;           ///< height of the grid floor [m]
     std::optional<Blade> blade;            ///< steel with a bright edge
     std::optional<BladeMotion> bladeBody;  ///< its true shape where it pushes; drawn as it ends
-    std::vector<Blade> sweep;              ///< poses of the running stroke: translucent quads
+    std::vector<Blade> strokePoses;        ///< poses of the running stroke: translucent quads
     Bounds focus;                          ///< what the shadow map must cover (body, current)
     bool wireframe = false;
     bool cutLines = false;  ///< a dark line on the skin along the rim of each cut

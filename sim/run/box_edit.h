@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// What a command makes of the boxes there are.
+/// The change of the boxes that a command makes.
 struct BoxEdit {
     std::string error;             ///< "" or one sentence; nothing else counts then
     std::string name;              ///< as the history shows it: "Box 2 added"

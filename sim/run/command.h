@@ -13,8 +13,8 @@ namespace kerf {
 /// Everything that changes a simulation is a command, applied before a step: mouse, panels and
 /// session files all push the same ones, so a recording replays by construction.
 
-/// Moves the blade here during the coming step; the first one after the start or a lift places it
-/// without cutting.
+/// Moves the blade to a pose during the coming step; the first pose after the start or a lift
+/// places it without cutting.
 struct MoveBlade {
     Blade blade;
 };
@@ -24,7 +24,8 @@ struct LiftBlade {};
 struct SetParam {
     std::string name;
     ParamValue value;
-    /// Of the same gesture as the change of this parameter just before: one undo takes both back.
+    /// Belongs to the gesture of the change of this parameter just before: one undo takes both
+    /// back.
     bool continues = false;
 };
 /// A hand takes hold, by springs, of all vertices that are now within `radius` of `at`. Hands are
@@ -34,7 +35,7 @@ struct Grab {
     Vec3 at = Vec3::Zero();
     double radius = 0;  ///< [m]
 };
-/// Moves a hand here during the coming step, and what it holds along.
+/// Moves a hand to a point during the coming step, and what it holds along.
 struct Drag {
     int hand = 0;
     Vec3 to = Vec3::Zero();
@@ -47,7 +48,7 @@ struct Release {
 struct Pin {
     Region region;
     bool pinned = true;  ///< false frees those in the region
-    /// Of the same gesture as the pin just before: one undo takes both back.
+    /// Belongs to the gesture of the pin just before: one undo takes both back.
     bool continues = false;
 };
 /// Puts up a box, behind those there are.
@@ -59,7 +60,7 @@ struct AddBox {
 struct ChangeBox {
     int index = 0;
     StaticBox box;
-    /// Of the same gesture as the change of this box just before: one undo takes both back.
+    /// Belongs to the gesture of the change of this box just before: one undo takes both back.
     bool continues = false;
 };
 /// Takes the box of this number away; those behind it move up.

@@ -1,9 +1,10 @@
-// Commands that take effect at once.
+// How each kind of command is carried out.
 #include "sim/run/simulation_state.h"
 
 namespace kerf {
 
-std::string Simulation::State::execute(const MoveBlade& move) {
+template <>
+std::string Simulation::State::carryOut(const MoveBlade& move) {
     std::string error = checkBlade(move.blade);
     if (error.empty()) {
         blade.tell(move);
@@ -11,12 +12,14 @@ std::string Simulation::State::execute(const MoveBlade& move) {
     return error;
 }
 
-std::string Simulation::State::execute(const LiftBlade& lift) {
+template <>
+std::string Simulation::State::carryOut(const LiftBlade& lift) {
     blade.tell(lift);
     return "";
 }
 
-std::string Simulation::State::execute(const SetParam& set) {
+template <>
+std::string Simulation::State::carryOut(const SetParam& set) {
     const ParamValue before = getParam(params, set.name);
     if (std::string error = setParam(params, set.name, set.value); !error.empty()) {
         return error;
@@ -30,7 +33,8 @@ std::string Simulation::State::execute(const SetParam& set) {
     return "";
 }
 
-std::string Simulation::State::execute(const Grab& grab) {
+template <>
+std::string Simulation::State::carryOut(const Grab& grab) {
     const SnapshotPointer before = captureForUndo();
     touch();
     std::string error = body.hands.grab(grab, body.mesh);
@@ -40,17 +44,20 @@ std::string Simulation::State::execute(const Grab& grab) {
     return error;
 }
 
-std::string Simulation::State::execute(const Drag& drag) {
+template <>
+std::string Simulation::State::carryOut(const Drag& drag) {
     touch();
     return body.hands.drag(drag);
 }
 
-std::string Simulation::State::execute(const Release& release) {
+template <>
+std::string Simulation::State::carryOut(const Release& release) {
     touch();
     return body.hands.release(release);
 }
 
-std::string Simulation::State::execute(const Pin& pin) {
+template <>
+std::string Simulation::State::carryOut(const Pin& pin) {
     touch();
     Pins before = body.pins;
     if (body.pins.change(pin.region, pin.pinned, body.mesh) == 0) {
@@ -60,6 +67,21 @@ std::string Simulation::State::execute(const Pin& pin) {
     body.solver.setPinned(body.pins.vertices());
     log.notePins(std::move(before), body.pins, pin, time);
     return "";
+}
+
+template <>
+std::string Simulation::State::carryOut(const AddBox& add) {
+    return apply(edited(boxes, add));
+}
+
+template <>
+std::string Simulation::State::carryOut(const ChangeBox& change) {
+    return apply(edited(boxes, change));
+}
+
+template <>
+std::string Simulation::State::carryOut(const RemoveBox& remove) {
+    return apply(edited(boxes, remove));
 }
 
 std::string Simulation::State::apply(BoxEdit edit) {
@@ -76,11 +98,26 @@ void Simulation::State::setBoxes(std::vector<StaticBox> now) {
     body.solver.setBoxes(boxes);
 }
 
-std::string Simulation::State::execute(const Restart&) {
+template <>
+std::string Simulation::State::carryOut(const Restart&) {
     putBladeAway();
     tellOf(log.noteBody("Restart", captureForUndo(), time));
     startBody();
     return "";
+}
+
+template <>
+std::string Simulation::State::carryOut(const Undo&) {
+    return undo();
+}
+
+template <>
+std::string Simulation::State::carryOut(const Redo&) {
+    return redo();
+}
+
+std::string Simulation::State::execute(const Command& command) {
+    return std::visit([this](const auto& kind) { return carryOut(kind); }, command);
 }
 
 }  // namespace kerf

@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// What a person holds: each hand pulls the vertices that it took hold of by springs, so that they
-/// keep their places around it.
+/// The hands with which a person holds a body: each pulls the vertices that it took hold of by
+/// springs, so that they keep their places around it.
 class Hands {
   public:
     struct Held {
@@ -30,7 +30,7 @@ class Hands {
     std::string drag(const Drag& drag);
     std::string release(const Release& release);
 
-    /// By number.
+    /// The hands that hold something, by number.
     const std::vector<Hand>& hands() const { return hands_; }
     bool empty() const { return hands_.empty(); }
 

@@ -13,13 +13,13 @@
 
 namespace kerf {
 
-/// What a person may tell the blade to do in a step.
+/// An action that a person may tell the blade to take in a step.
 using BladeAction = std::variant<MoveBlade, LiftBlade>;
 
-/// "" or one sentence about why a blade can't lie there.
+/// Checks where a blade is to lie. Returns "" or one sentence about why it can't.
 std::string checkBlade(const Blade& blade);
 
-/// How the body of a blade is made, and how finely it moves.
+/// The body with which a blade pushes, and how finely it moves.
 struct BladePush {
     BladeSize size;
     double wallEdge = 0;  ///< edge length of walls [m]
@@ -32,21 +32,21 @@ class LedBlade {
   public:
     /// After what it was told before.
     void tell(BladeAction action) { coming_.push_back(std::move(action)); }
-    /// What it is to do, from first to last; it is told nothing more then.
+    /// Takes the actions that the blade was told, from first to last.
     std::vector<BladeAction> takeActions() { return std::exchange(coming_, {}); }
     void forgetActions() { coming_.clear(); }
     bool isTold() const { return !coming_.empty(); }
 
-    /// Where it is; none while lifted.
+    /// The pose of the blade; none while lifted.
     std::optional<Blade> pose() const;
     bool isPlaced() const { return course_.has_value(); }
     bool isAt(const Blade& pose) const;
-    /// To where it is led or placed. `width`: of its whole body, at which that trails [m].
+    /// Moves the blade to where it is led or placed. Its body trails at its whole `width` [m].
     void moveTo(const Blade& to, double width);
     /// Returns whether it was placed.
     bool lift() { return std::exchange(course_, std::nullopt).has_value(); }
 
-    /// Where it goes in the coming step, from where it stands.
+    /// The poses through which the blade goes in the coming step, from where it stands.
     std::vector<Blade> path() const;
     /// Its body where it stands; none where it has not come out.
     std::optional<BladeMotion> body(const BladePush& push) const;
@@ -63,7 +63,7 @@ class LedBlade {
     std::vector<BladeAction> coming_;
 };
 
-/// Whether a rung has a node in the material, and not all in the air.
+/// Tells whether a rung has a node in the material, and not all in the air.
 bool standsInMaterial(const std::vector<RungNode>& rung);
 
 }  // namespace kerf

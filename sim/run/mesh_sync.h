@@ -16,7 +16,7 @@ namespace kerf {
 /// of others. Whatever else is read is fetched then, so results never depend on what was foreseen.
 class MeshSync final : public VertexSource, public TriangleFinder {
   public:
-    /// Both must outlive it.
+    /// Mesh and solver must outlive the object.
     MeshSync(SurfaceMesh& mesh, GpuSolver& solver) : mesh_(mesh), solver_(solver) {}
 
     /// Before the measure of a step: the box that the blade will look into, and vertices that will
@@ -28,7 +28,7 @@ class MeshSync final : public VertexSource, public TriangleFinder {
     void takeForeseen();
     /// The mesh has become another one, of which nothing is old.
     void forget();
-    /// How often all of the body came back.
+    /// Number of times that all of the body came back.
     int wholeReads() const { return wholeReads_; }
 
     /// Brings what lies in `box` back. Returns its triangles, ascending, and perhaps others; all
@@ -39,22 +39,22 @@ class MeshSync final : public VertexSource, public TriangleFinder {
     void bringAll() override;
 
     std::vector<int> near(const OrientedBox& box) override;
-    /// As the last measure saw the body.
+    /// Bounds of the body as the last measure saw it [m].
     Bounds bounds() override { return bounds_; }
     void setBounds(const Bounds& bounds) { bounds_ = bounds; }
     void update(std::span<const int> triangles) override;
 
   private:
     void adopt(const std::vector<shared::NearbyVertex>& states);
-    /// Those around the vertices of which nothing is old, ascending.
+    /// Triangles around the vertices of which nothing is old, ascending.
     std::vector<int> trianglesAround(const std::vector<shared::NearbyVertex>& states) const;
     void lookAround(const OrientedBox& box);
 
     SurfaceMesh& mesh_;
     GpuSolver& solver_;
     std::optional<OrientedBox> foreseen_;
-    /// Where near() knows all triangles, by the vertices around which they lie and by those that
-    /// changed since.
+    /// The box in which near() knows all triangles, by the vertices around which they lie and by
+    /// those that changed since.
     std::optional<OrientedBox> known_;
     std::vector<int> triangles_;  ///< ascending; some may be dead, or far away
     Bounds bounds_;

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-/// All that a simulation is between two steps, the changes that can be undone included: what a
+/// A simulation between two steps, the changes that can be undone included: what a
 /// replay that is scrubbed goes back to. Of use to the simulation that made it alone, which must
 /// outlive it.
 class Moment {

@@ -13,7 +13,7 @@ namespace kerf {
 /// Told the name of each part of a long piece of work before it begins; may throw to end the work.
 using StageListener = std::function<void(const char* stage)>;
 
-/// What a body is before anything was done to it, to come back to. Body and cutter refer to the
+/// A body before anything was done to it, to come back to. Body and cutter refer to the
 /// mesh of the simulation that they are copied into.
 struct UncutBody {
     SurfaceMesh mesh;  ///< at rest
@@ -25,7 +25,7 @@ struct UncutBody {
 /// A body at rest with all that takes long and needs no GPU. Made on any thread; a BodyUpload takes
 /// it over. It owns the mesh at an address that stays, to which body and cutter refer.
 struct PreparedBody {
-    /// `atRest` in world units.
+    /// Prepares a mesh at rest, in world units.
     explicit PreparedBody(SurfaceMesh atRest, const StageListener& enter = {});
 
     std::unique_ptr<SurfaceMesh> mesh;

@@ -24,7 +24,7 @@ namespace kerf {
 /// is the truth about topology and fetches positions where they are read, and all that cutting and
 /// solving remember of it. What a Snapshot keeps.
 struct RunningBody {
-    /// Of an uncut body at rest that `loadedSolver` has been given.
+    /// Runs an uncut body at rest, which `loadedSolver` has been given.
     RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver);
 
     /// The uncut body at rest, nothing held or pinned. measureAtRest() once the parameters apply.
@@ -48,7 +48,7 @@ struct RunningBody {
     /// The solver's step is over, with lost pieces back.
     void endStep();
 
-    /// Whether what is swept between these points [m] comes near the body.
+    /// Tells whether what is swept between these points [m] comes near the body.
     bool isNear(std::span<const Vec3> sweep);
     /// The rung where the blade last cut, as it lies now.
     std::vector<RungNode> front() const;
@@ -59,7 +59,7 @@ struct RunningBody {
     void readAllBack(bool all);
 
     const BodyModel& model() const { return updater->model(); }
-    /// Whether walls of a stroke of the open course are absent.
+    /// Tells whether walls of a stroke of the open course are absent.
     bool isOpen() const;
     const PieceMap& pieces();
 

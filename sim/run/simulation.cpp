@@ -175,7 +175,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 std::string Simulation::execute(const Command& command) {
-    return std::visit([this](const auto& c) { return state_->execute(c); }, command);
+    return state_->execute(command);
 }
 
 void Simulation::readAllBack(bool all) {

@@ -24,19 +24,19 @@ namespace kerf {
 /// when it is made. Equal commands at equal steps give equal bits.
 class Simulation {
   public:
-    /// `mesh` at rest, in world units; `boxes` that checkBox() lets pass. Throws gpu::ShaderError,
-    /// gpu::OutOfMemory.
+    /// Begins with `mesh` at rest, in world units, and `boxes` that checkBox() lets pass. Throws
+    /// gpu::ShaderError, gpu::OutOfMemory.
     Simulation(SurfaceMesh mesh, const Params& params, std::vector<StaticBox> boxes = {});
-    /// Of a body that was prepared elsewhere; finishes its upload.
+    /// Begins with a body that was prepared elsewhere, and finishes its upload.
     Simulation(BodyUpload body, const Params& params, std::vector<StaticBox> boxes = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
 
-    /// All of the body comes back from the GPU after each step, instead of what is read there; for
-    /// tests, since it changes no result.
+    /// Lets all of the body come back from the GPU after each step, instead of what is read there;
+    /// for tests, since it changes no result.
     void readAllBack(bool all);
-    /// How often all of the body came back.
+    /// Number of times that all of the body came back.
     int wholeReads() const;
 
     /// Applies a command before the coming step. Returns "" or one sentence; nothing changed then.
@@ -47,8 +47,8 @@ class Simulation {
     /// be undone then, and time starts anew.
     void reset();
 
-    /// How much memory the changes that can be undone may take [bytes]; 0, as at the start: none
-    /// can be. Does not change any result.
+    /// Sets the memory that the changes that can be undone may take [bytes]; 0, as at the start:
+    /// none can be. Does not change any result.
     void setUndoBudget(std::size_t bytes);
     const UndoHistory& history() const;
 
@@ -61,14 +61,14 @@ class Simulation {
     int bodyRevision() const;
     const Params& params() const;
     const StepReport& report() const;
-    /// Where the blade is now; none while lifted.
+    /// The pose of the blade; none while lifted.
     std::optional<Blade> blade() const;
     /// The blade's body where it pushes; none while it only cuts, or has not moved since it was
     /// placed.
     std::optional<BladeMotion> bladeBody() const;
-    /// Where the blade last cut: see Cutter::rung().
+    /// The rung where the blade last cut: see Cutter::rung().
     const std::vector<RungNode>& rung() const;
-    /// How the surface was divided since the body was whole.
+    /// Divided triangles since the body was whole, by pattern.
     const SubdivisionCounts& subdivisions() const;
     /// Outcome of the last step that the blade moved in.
     const CutResult& lastCut() const;
@@ -76,16 +76,16 @@ class Simulation {
     /// call.
     std::vector<std::string> takeMessages();
 
-    /// What the body collides with.
+    /// The boxes that the body collides with, besides the floor.
     const std::vector<StaticBox>& boxes() const;
     /// Vertices that stay where they are, ascending.
     const std::vector<std::uint32_t>& pinnedVertices() const;
-    /// What hands hold, by their numbers.
+    /// The hands that hold something, by their numbers.
     const std::vector<Hands::Hand>& hands() const;
 
-    /// What the renderer draws from; valid until the next step or reset.
+    /// The buffers that the renderer draws from; valid until the next step or reset.
     BodyView bodyView() const;
-    /// What overlays draw from; valid as bodyView().
+    /// The buffers that overlays draw from; valid as bodyView().
     ConstraintView constraintView() const;
     /// Box around the body and what each piece holds, as of the last step, without reading anything
     /// back. Pieces stand in the order in which they came off.

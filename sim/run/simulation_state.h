@@ -25,7 +25,7 @@ struct Moment::Content {
     StepReport report;
 };
 
-/// What a simulation was made with besides the body; constant.
+/// Parameters and boxes that a simulation was made with; constant.
 struct SimulationSetup {
     Params params;
     std::vector<StaticBox> boxes;
@@ -39,20 +39,7 @@ struct Simulation::State {
     void start();
     const StepReport& step();
 
-    // Commands that take effect at once; each returns "" or one sentence.
-    std::string execute(const MoveBlade& move);
-    std::string execute(const LiftBlade& lift);
-    std::string execute(const SetParam& set);
-    std::string execute(const Grab& grab);
-    std::string execute(const Drag& drag);
-    std::string execute(const Release& release);
-    std::string execute(const Pin& pin);
-    std::string execute(const AddBox& add) { return apply(edited(boxes, add)); }
-    std::string execute(const ChangeBox& change) { return apply(edited(boxes, change)); }
-    std::string execute(const RemoveBox& remove) { return apply(edited(boxes, remove)); }
-    std::string execute(const Restart&);
-    std::string execute(const Undo&);
-    std::string execute(const Redo&);
+    std::string execute(const Command& command);
 
     Moment moment();
     void goTo(const Moment::Content& then);
@@ -98,6 +85,11 @@ struct Simulation::State {
     void mendFolds();
     void publish();
 
+    /// Carries a command out at once. Returns "" or one sentence; nothing changed then. Every kind
+    /// has a specialization in commands.cpp: without one nothing compiles.
+    template <class Kind>
+    std::string carryOut(const Kind& command) = delete;
+
     // The course of a stroke.
     void cut(const MoveBlade& move);
     void cut(const LiftBlade& lift);
@@ -111,13 +103,15 @@ struct Simulation::State {
     std::optional<BladeMotion> bladeMotion() const;
 
     // Undo.
+    std::string undo();
+    std::string redo();
     SnapshotPointer capture();
     SnapshotPointer captureForUndo();
     void restoreBody(const SnapshotPointer& snapshot);
     void tellOf(UndoLog::Noted noted);
     void apply(const UndoEntry::ParamChange& change, bool forward);
     void apply(const UndoEntry::PinChange& change, bool forward);
-    void apply(const UndoEntry::BodyChange& change, bool forward);
+    void apply(const UndoEntry::BodySnapshotChange& change, bool forward);
     void apply(const UndoEntry::BoxesChange& change, bool forward);
     std::string apply(BoxEdit edit);
     void setBoxes(std::vector<StaticBox> now);

@@ -35,13 +35,13 @@ struct StepReport {
     double collideMs = 0;
     double cutMs = 0;
 
-    /// What a movement of the blade did.
+    /// Adds what a movement of the blade did.
     void add(const CutStatistics& cut);
-    /// What the body has become; contacts as the measure knows them.
+    /// Describes what the body has become, with contacts as the measure knows them.
     void describe(const BodyModel& model, const BodyMeasure& measure);
 };
 
-/// What a person is told of a movement of the blade in a step.
+/// Sentences that tell a person of a movement of the blade in a step.
 std::vector<std::string> sentencesAbout(const CutResult& result, int step);
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 
 namespace kerf {
 
-std::string Simulation::State::execute(const Undo&) {
+std::string Simulation::State::undo() {
     putBladeAway();
     UndoHistory& history = log.history();
     if (!history.canUndo()) {
@@ -11,7 +11,7 @@ std::string Simulation::State::execute(const Undo&) {
     }
     SnapshotPointer after;
     const UndoEntry& entry = history.lastDone();
-    if (std::holds_alternative<UndoEntry::BodyChange>(entry.change)) {
+    if (std::holds_alternative<UndoEntry::BodySnapshotChange>(entry.change)) {
         after = capture();
     }
     std::visit([this](const auto& change) { apply(change, false); }, entry.change);
@@ -19,7 +19,7 @@ std::string Simulation::State::execute(const Undo&) {
     return "";
 }
 
-std::string Simulation::State::execute(const Redo&) {
+std::string Simulation::State::redo() {
     UndoHistory& history = log.history();
     if (history.canRedo()) {
         putBladeAway();  // the end of a stroke may be a change, after which nothing is undone
@@ -44,7 +44,7 @@ void Simulation::State::apply(const UndoEntry::PinChange& change, bool forward) 
     body.solver.setPinned(body.pins.vertices());
 }
 
-void Simulation::State::apply(const UndoEntry::BodyChange& change, bool forward) {
+void Simulation::State::apply(const UndoEntry::BodySnapshotChange& change, bool forward) {
     restoreBody(forward ? change.after : change.before);
 }
 

@@ -21,7 +21,7 @@ constexpr std::size_t kBytesPerPin = 84;
 /// Of what a change holds apart from snapshots, which several may share.
 struct OwnBytes {
     std::size_t operator()(const UndoEntry::ParamChange&) const { return 0; }
-    std::size_t operator()(const UndoEntry::BodyChange&) const { return 0; }
+    std::size_t operator()(const UndoEntry::BodySnapshotChange&) const { return 0; }
     std::size_t operator()(const UndoEntry::PinChange& pins) const {
         return kBytesPerPin * (pins.before.vertices().size() + pins.after.vertices().size());
     }
@@ -70,7 +70,7 @@ std::size_t UndoHistory::bytesFrom(std::size_t oldest) const {
     std::size_t sum = 0;
     for (std::size_t i = oldest; i < entries_.size(); ++i) {
         sum += std::visit(OwnBytes{}, entries_[i].change);
-        if (const auto* body = std::get_if<UndoEntry::BodyChange>(&entries_[i].change)) {
+        if (const auto* body = std::get_if<UndoEntry::BodySnapshotChange>(&entries_[i].change)) {
             collect(body->before, all);
             collect(body->after, all);
         }
@@ -93,7 +93,7 @@ void UndoHistory::add(UndoEntry entry) {
 
 void UndoHistory::followCut(const SurfaceMesh& mesh, const CutDelta& delta) {
     const auto isOfBody = [](const UndoEntry& entry) {
-        return std::holds_alternative<UndoEntry::BodyChange>(entry.change);
+        return std::holds_alternative<UndoEntry::BodySnapshotChange>(entry.change);
     };
     const auto now = entries_.begin() + static_cast<std::ptrdiff_t>(done_);
     const auto first = std::find_if(std::make_reverse_iterator(now), entries_.rend(), isOfBody);
@@ -121,14 +121,14 @@ void UndoHistory::clear() {
 
 void UndoHistory::markUndone(SnapshotPointer after) {
     --done_;
-    if (auto* body = std::get_if<UndoEntry::BodyChange>(&entries_[done_].change)) {
+    if (auto* body = std::get_if<UndoEntry::BodySnapshotChange>(&entries_[done_].change)) {
         body->after = std::move(after);
     }
     keepToBudget();
 }
 
 void UndoHistory::markRedone() {
-    if (auto* body = std::get_if<UndoEntry::BodyChange>(&entries_[done_].change)) {
+    if (auto* body = std::get_if<UndoEntry::BodySnapshotChange>(&entries_[done_].change)) {
         body->after.reset();
     }
     ++done_;

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// What a person changed, and how to take it back.
+/// A change that a person made, and how to take it back.
 struct UndoEntry {
     /// A parameter that went from one value to another.
     struct ParamChange {
@@ -31,25 +31,25 @@ struct UndoEntry {
         int changed = -1;  ///< number of the box that was changed; -1 for none
     };
     /// A cut, a grab or a restart. `after` is known while it is undone.
-    struct BodyChange {
+    struct BodySnapshotChange {
         SnapshotPointer before;
         SnapshotPointer after;
     };
 
     std::string name;  ///< as people read it: "Cut 2", "Gravity: none"
     double time = 0;   ///< simulated, when it happened [s]
-    std::variant<ParamChange, PinChange, BoxesChange, BodyChange> change;
+    std::variant<ParamChange, PinChange, BoxesChange, BodySnapshotChange> change;
 };
 
 /// The changes of a simulation in their order. The first done() of them are in force, the others
 /// undone. Where they need more than the budget the oldest changes are forgotten.
 class UndoHistory {
   public:
-    /// 0, as at the start, keeps nothing at all.
+    /// Sets the budget [bytes]; 0, as at the start, keeps nothing at all.
     void setBudget(std::size_t bytes);
     bool keeps() const { return budget_ > 0; }
     std::size_t budget() const { return budget_; }
-    /// Of all snapshots (shared ones once), pins and boxes [bytes].
+    /// Memory of all snapshots (shared ones once), pins and boxes [bytes].
     std::size_t bytes() const { return bytesFrom(0); }
     /// Changes that were forgotten to keep to the budget.
     int forgotten() const { return forgotten_; }
@@ -77,7 +77,7 @@ class UndoHistory {
 
     /// The change to take back next; markUndone() once that is done.
     const UndoEntry& lastDone() const { return entries_[done_ - 1]; }
-    /// `after`: of a change of the body, as it was until now.
+    /// Marks that change as undone. `after` is the body as it was until now, for a change of it.
     void markUndone(SnapshotPointer after);
     /// The change to bring back next; markRedone() once that is done.
     const UndoEntry& firstUndone() const { return entries_[done_]; }
@@ -93,7 +93,7 @@ class UndoHistory {
     int forgotten_ = 0;
 };
 
-/// "Time step: 0.002 s", "Floor: none".
+/// The name of a change of a parameter: "Time step: 0.002 s", "Floor: none".
 std::string nameOfChange(const ParamInfo& info, const ParamValue& value);
 
 }  // namespace kerf

@@ -44,7 +44,8 @@ void UndoLog::noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, doub
 
 UndoLog::Noted UndoLog::noteBody(std::string name, SnapshotPointer before, double time) {
     if (before) {
-        history_.add({std::move(name), time, UndoEntry::BodyChange{std::move(before), nullptr}});
+        history_.add(
+            {std::move(name), time, UndoEntry::BodySnapshotChange{std::move(before), nullptr}});
         return Noted::kept;
     }
     if (!history_.keeps()) {

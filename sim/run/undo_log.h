@@ -7,11 +7,11 @@
 
 namespace kerf {
 
-/// What a person changes, entry by entry: gestures that go on extend their entry, and a stroke is
+/// The changes of a person, entry by entry: gestures that go on extend their entry, and a stroke is
 /// one, however often it cuts.
 class UndoLog {
   public:
-    /// What became of a change of the body.
+    /// The fate of a change of the body.
     enum class Noted {
         kept,
         tooLarge,  ///< for the undo memory: neither it nor what was before can be taken back
@@ -20,7 +20,7 @@ class UndoLog {
 
     UndoHistory& history() { return history_; }
     const UndoHistory& history() const { return history_; }
-    /// As new, but for the budget.
+    /// Forgets everything but the budget.
     void clear();
 
     /// Changes from one value to another; `continues`: with the gesture of the last one. `time`:
@@ -29,7 +29,7 @@ class UndoLog {
                    bool continues, double time);
     void notePins(Pins before, Pins after, const Pin& pin, double time);
     void noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, double time);
-    /// `before`: null where no snapshot fits, or none is kept.
+    /// Notes a change of the body. `before` is null where no snapshot fits, or none is kept.
     Noted noteBody(std::string name, SnapshotPointer before, double time);
 
     /// A stroke counts from its first change of the body, back to where the blade came near it.

@@ -107,7 +107,7 @@ TEST_F(RendererTest, PictureIsOpaqueAndFreeOfBlackHoles) {
 TEST_F(RendererTest, TheSameSceneGivesTheSameBytes) {
     Stage stage(test::openedSphere(8, 0.05, 0.25));
     stage.scene.blade = Blade{Vec3(-1, 0.5, 0), Vec3(1, 0.5, 0)};
-    stage.scene.sweep = {{Vec3(-1, 1.2, 0), Vec3(1, 1.2, 0)}, *stage.scene.blade};
+    stage.scene.strokePoses = {{Vec3(-1, 1.2, 0), Vec3(1, 1.2, 0)}, *stage.scene.blade};
     const Image first = pictureOf(stage);
     // Another size, another scene and a foreign state in between must not matter.
     light_->draw(SceneView{}, Camera{}, 64, 64);
@@ -257,7 +257,7 @@ TEST_F(RendererTest, BladeAndSweepAreDrawn) {
     stage.scene.blade = Blade{Vec3(-0.7, 0.55, 0), Vec3(0.7, 0.55, 0)};
     const Image blade = pictureOf(stage);
     EXPECT_GT(compareImages(bare, blade).differingPixels, 100);
-    stage.scene.sweep = {{Vec3(-0.7, 0.8, 0), Vec3(0.7, 0.8, 0)}, *stage.scene.blade};
+    stage.scene.strokePoses = {{Vec3(-0.7, 0.8, 0), Vec3(0.7, 0.8, 0)}, *stage.scene.blade};
     EXPECT_GT(compareImages(blade, pictureOf(stage)).differingPixels, 300);
 }
 
@@ -306,7 +306,7 @@ TEST_F(RendererTest, WhatPanelsCoverIsLeftOutAndTheRestIsTheSame) {
 TEST_F(RendererTest, DegenerateBladeAndCameraAreHarmless) {
     Stage stage(test::cubeSphere(4));
     stage.scene.blade = Blade{Vec3(0, 1, 0), Vec3(0, 1, 0)};
-    stage.scene.sweep = {*stage.scene.blade, *stage.scene.blade};
+    stage.scene.strokePoses = {*stage.scene.blade, *stage.scene.blade};
     stage.camera.eye = Vec3(0, 3, 0);
     EXPECT_GT(countReddish(pictureOf(stage)), 100);
     stage.scene.blade = Blade{Vec3(0, -9, 0), Vec3(0, 9, 0)};
@@ -379,7 +379,7 @@ void expectGolden(const Image& picture, const std::string& name, double toleranc
 TEST_F(RendererTest, GoldenSphereUnderTheBlade) {
     Stage stage(test::cubeSphere(8));
     stage.scene.blade = Blade{Vec3(-0.7, 0.3, 0), Vec3(0.7, 0.3, 0)};
-    stage.scene.sweep = {{Vec3(-0.7, 0.8, 0), Vec3(0.7, 0.8, 0)}, *stage.scene.blade};
+    stage.scene.strokePoses = {{Vec3(-0.7, 0.8, 0), Vec3(0.7, 0.8, 0)}, *stage.scene.blade};
     expectGolden(pictureOf(stage), "sphere-under-the-blade", 0.004);
 }
 

@@ -8,14 +8,15 @@ namespace kerf::app {
 
 /// Watches over a run for steps with too few sweeps for the stiffness (sim/solve/sweep_strength.h),
 /// which make a body softer than its modulus without any other sign of it.
-class SweepWatch {
+class IterationWatch {
   public:
-    /// `edgeLength`: mean of the uncut body at rest [m].
-    explicit SweepWatch(double edgeLength) : edgeLength_(edgeLength) {}
+    /// `edgeLength` is the mean of the uncut body at rest [m].
+    explicit IterationWatch(double edgeLength) : edgeLength_(edgeLength) {}
 
-    /// A step is done with these.
+    /// Takes note of a step that runs with these parameters.
     void add(int step, const Params& params);
-    /// What is too few, where it is worst and what to do; "" where no step had too few.
+    /// One sentence on what is too few, where it is worst and what to do; "" where no step had too
+    /// few.
     std::string sentence() const;
 
   private:

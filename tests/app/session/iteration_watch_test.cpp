@@ -1,4 +1,4 @@
-#include "app/session/sweep_watch.h"
+#include "app/session/iteration_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +13,14 @@ Params withModulus(double modulus) {
     return params;
 }
 
-TEST(SweepWatch, SaysNothingWhereAllStepsHadEnough) {
-    SweepWatch watch(kEdge);
+TEST(IterationWatch, SaysNothingWhereAllStepsHadEnough) {
+    IterationWatch watch(kEdge);
     watch.add(0, Params{});
     EXPECT_EQ(watch.sentence(), "");
 }
 
-TEST(SweepWatch, NamesTheWorstStepAndWhatWouldDo) {
-    SweepWatch watch(kEdge);
+TEST(IterationWatch, NamesTheWorstStepAndWhatWouldDo) {
+    IterationWatch watch(kEdge);
     watch.add(0, Params{});
     watch.add(1, withModulus(2e6));
     watch.add(2, withModulus(1e7));
@@ -31,8 +31,8 @@ TEST(SweepWatch, NamesTheWorstStepAndWhatWouldDo) {
               "few).");
 }
 
-TEST(SweepWatch, AsksForASmallerTimeStepWhereNoNumberOfIterationsWouldDo) {
-    SweepWatch watch(kEdge);
+TEST(IterationWatch, AsksForASmallerTimeStepWhereNoNumberOfIterationsWouldDo) {
+    IterationWatch watch(kEdge);
     Params params = withModulus(1e8);
     params.stretchStiffness = 2;
     params.iterations = 1;
@@ -43,8 +43,8 @@ TEST(SweepWatch, AsksForASmallerTimeStepWhereNoNumberOfIterationsWouldDo) {
               "smaller time_step helps (1 of 1 steps have too few).");
 }
 
-TEST(SweepWatch, PlainPbdHasNoModulus) {
-    SweepWatch watch(kEdge);
+TEST(IterationWatch, PlainPbdHasNoModulus) {
+    IterationWatch watch(kEdge);
     Params params = withModulus(1e8);
     params.solver = SolverMode::pbd;
     watch.add(0, params);

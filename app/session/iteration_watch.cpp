@@ -1,4 +1,4 @@
-#include "app/session/sweep_watch.h"
+#include "app/session/iteration_watch.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -19,7 +19,7 @@ std::string stiffnessOf(const Params& params) {
 
 }  // namespace
 
-void SweepWatch::add(int step, const Params& params) {
+void IterationWatch::add(int step, const Params& params) {
     ++steps_;
     if (!hasTooFewSweeps(params, edgeLength_)) {
         return;
@@ -32,7 +32,7 @@ void SweepWatch::add(int step, const Params& params) {
     }
 }
 
-std::string SweepWatch::sentence() const {
+std::string IterationWatch::sentence() const {
     if (weakSteps_ == 0) {
         return "";
     }

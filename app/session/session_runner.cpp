@@ -1,0 +1,42 @@
+#include "app/session/session_runner.h"
+
+#include <cmath>
+#include <utility>
+
+namespace kerf::app {
+
+const StepReport& SessionRunner::step() {
+    const StepReport& report = simulation_.step();
+    if (const std::optional<Blade> blade = simulation_.blade()) {
+        strokePoses_.push_back(*blade);
+    } else {
+        strokePoses_.clear();
+    }
+    return report;
+}
+
+CheckDifference SessionRunner::compare(const CheckEvent& check) const {
+    CheckDifference difference;
+    std::string hash = check.hash ? simulation_.stateHash() : "";
+    if (check.hash && hash != *check.hash) {
+        difference.hash = std::move(hash);
+    }
+    const int pieces = simulation_.report().pieces;
+    if (check.pieces && pieces != *check.pieces) {
+        difference.pieces = pieces;
+    }
+    return difference;
+}
+
+std::vector<std::string> SessionRunner::newlyBroken(const StepReport& report) {
+    std::vector<std::string> broken;
+    if (!report.closed && !report.open && !std::exchange(toldOpen_, true)) {
+        broken.emplace_back("the mesh is no closed, oriented 2-manifold any more");
+    }
+    if (!std::isfinite(report.volume) && !std::exchange(toldNotFinite_, true)) {
+        broken.emplace_back("the volume is not finite any more");
+    }
+    return broken;
+}
+
+}  // namespace kerf::app

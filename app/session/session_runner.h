@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "app/session/session.h"
+#include "sim/run/simulation.h"
+
+namespace kerf::app {
+
+/// The values of a simulation that differ from those that a check expects; empty where none does.
+struct CheckDifference {
+    std::optional<std::string> hash;  ///< state hash of the simulation
+    std::optional<int> pieces;        ///< number of pieces
+};
+
+/// Leads a simulation through its steps and through what a session says before each of them, for a
+/// replay and for the editor alike.
+class SessionRunner {
+  public:
+    /// The simulation must outlive the runner.
+    explicit SessionRunner(Simulation& simulation) : simulation_(simulation) {}
+
+    /// Gives `host` what happens before the coming step, in its order: `host.perform(command,
+    /// number)` with the SessionEvent::number of a command, `host.take(event)` of any other event.
+    template <class Host>
+    void applyActions(const SessionPlayer& player, Host&& host) const {
+        for (const PlayedAction& played : player.actionsAt(simulation_.stepCount())) {
+            const auto apply = [&](const auto& action) {
+                if constexpr (std::is_constructible_v<Command, decltype(action)>) {
+                    host.perform(Command(action), played.number);
+                } else {
+                    host.take(action);
+                }
+            };
+            std::visit(apply, played.action);
+        }
+    }
+
+    /// Runs one step and follows the blade.
+    const StepReport& step();
+
+    /// Compares the simulation with a check, before the coming step.
+    CheckDifference compare(const CheckEvent& check) const;
+    /// The invariants that this step broke, as parts of a sentence. Each is told once: later steps
+    /// inherit the break.
+    std::vector<std::string> newlyBroken(const StepReport& report);
+
+    /// Poses of the blade after each step of the running stroke, drawn or played.
+    const std::vector<Blade>& strokePoses() const { return strokePoses_; }
+    void setStrokePoses(std::vector<Blade> poses) { strokePoses_ = std::move(poses); }
+
+  private:
+    Simulation& simulation_;
+    std::vector<Blade> strokePoses_;
+    bool toldOpen_ = false;
+    bool toldNotFinite_ = false;
+};
+
+}  // namespace kerf::app
