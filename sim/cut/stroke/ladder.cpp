@@ -1,10 +1,9 @@
-#include "sim/cut/stroke/ladder.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sim/cut/exact/jitter.h"
+#include "sim/cut/stroke/ladder.h"
 
 namespace kerf::cut {
 
@@ -17,16 +16,16 @@ struct Level {
     double tolerance;
     double shake;
     double gap;
-    Unfold unfold = Unfold::nothing;
+    SeenAt seenAt = SeenAt::ownPlace;
     bool ignoreFringe = false;
 };
 
 constexpr std::array<Level, 21> kLevels{{
     {1, false, false, 0, 0, 0},
-    {1, false, false, 0, 0, 0, Unfold::front},
-    {1, false, false, 0, 0, 0, Unfold::around},
-    {1, false, false, 0, 0, 0, Unfold::around, true},
-    {6, true, false, 0, 0, 0, Unfold::around, true},
+    {1, false, false, 0, 0, 0, SeenAt::frontOnSurface},
+    {1, false, false, 0, 0, 0, SeenAt::aroundOnSurface},
+    {1, false, false, 0, 0, 0, SeenAt::aroundOnSurface, true},
+    {6, true, false, 0, 0, 0, SeenAt::aroundOnSurface, true},
     {6, false, true, 0, 0, 0},
     {6, true, true, 0, 0, 0},
     {6, false, false, 0, 1e-4, 0},
@@ -75,7 +74,7 @@ Attempt attemptAt(int index, double tolerance, std::uint64_t seed) {
     attempt.index = index;
     attempt.offsetScale = level.offsetScale;
     attempt.closing = level.closed ? kCloseDistance : kCloseNoise;
-    attempt.unfold = level.unfold;
+    attempt.seenAt = level.seenAt;
     attempt.touching = level.touching;
     attempt.tolerance = std::max(level.tolerance, tolerance);
     attempt.shake = level.shake;
