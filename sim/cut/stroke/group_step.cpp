@@ -379,24 +379,26 @@ bool Cutter::State::attempt(const Blade& to, const cut::RungPart& part,
     const double scale = h / edge;  // shares that stay shares of h
     Bounds bodyBox = findTriangles().bounds();
     bodyBox.widen(kBroadPhaseMargin * edge);  // predicates may see vertices that far outside
-    const cut::StepInput in{mesh,
-                            candidates,
-                            pieces.ofVertex(),
-                            surface,
-                            opening,
-                            part.rung,
-                            to,
-                            part.span,
-                            edge,
-                            settings.offset * scale,
-                            *edgeLengths,
-                            settings.seed,
-                            stroke,
-                            group.transit,
-                            group.firstVertexOfTransit,
-                            cut::attemptAt(level, settings.tolerance * scale, retrySeed),
-                            bodyBox,
-                            atRest};
+    const cut::StepInput in{
+        .mesh = mesh,
+        .broadPhase = candidates,
+        .pieceOfVertex = pieces.ofVertex(),
+        .surface = surface,
+        .opening = opening,
+        .rung = part.rung,
+        .blade = to,
+        .span = part.span,
+        .h = edge,
+        .offset = settings.offset * scale,
+        .edgeLengths = *edgeLengths,
+        .seed = settings.seed,
+        .stroke = stroke,
+        .transit = group.transit,
+        .firstVertexOfTransit = group.firstVertexOfTransit,
+        .attempt = cut::attemptAt(level, settings.tolerance * scale, retrySeed),
+        .body = bodyBox,
+        .atRest = atRest,
+    };
     const int tries = result.statistics.tries + 1;
     const std::string reason = result.reason;
     result.statistics.tries = tries;
