@@ -97,7 +97,7 @@ void IspcSet::update(BodyModel& model, std::span<const int> changed, const Label
     previous_.resize(mesh_.vertexCount(), -1);
     firstOn_.resize(mesh_.triangleSlots(), -1);
     tree_.update(changed);
-    const std::vector<int> vertices = spoiled(model, changed, labels);
+    const std::vector<int> vertices = verticesToCast(model, changed, labels);
     for (const int v : vertices) {
         if (const int slot = ofVertex_[v]; slot >= 0) {
             forget(v, model.ispcMeshTriangle[slot]);
@@ -128,8 +128,8 @@ void IspcSet::update(BodyModel& model, std::span<const int> changed, const Label
 }
 
 /// Vertices whose ISPC must be cast, ascending.
-std::vector<int> IspcSet::spoiled(const BodyModel& model, std::span<const int> changed,
-                                  const LabelChange& labels) {
+std::vector<int> IspcSet::verticesToCast(const BodyModel& model, std::span<const int> changed,
+                                         const LabelChange& labels) {
     std::vector<int> vertices;
     if (mesh_.openStroke() < 0) {
         vertices = std::exchange(waiting_, {});

@@ -26,8 +26,8 @@ class IspcSet {
   private:
     using Editor = RecordEditor<shared::IspcConstraint>;
 
-    std::vector<int> spoiled(const BodyModel& model, std::span<const int> changed,
-                             const LabelChange& labels);
+    std::vector<int> verticesToCast(const BodyModel& model, std::span<const int> changed,
+                                    const LabelChange& labels);
     void addCrossed(const BodyModel& model, std::span<const int> changed,
                     std::vector<int>& vertices) const;
     void addSeparated(const BodyModel& model, const LabelChange& labels,

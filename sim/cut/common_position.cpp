@@ -7,22 +7,22 @@ namespace kerf::cut {
 
 Vec3 commonPosition(const SurfaceMesh& mesh, int v, double distance) {
     const Vec3& own = mesh.position(v);
-    const int group = mesh.mateGroup(v);
+    const int group = mesh.copyGroup(v);
     if (group < 0) {
         return own;
     }
-    const std::vector<int>& mates = mesh.matesOfGroup(group);
+    const std::vector<int>& copies = mesh.copiesOfGroup(group);
     // Rounding would move the mean of equal positions.
-    if (std::ranges::all_of(mates, [&](int mate) { return mesh.position(mate) == own; })) {
+    if (std::ranges::all_of(copies, [&](int copy) { return mesh.position(copy) == own; })) {
         return own;
     }
     Vec3 mean = Vec3::Zero();
-    for (const int mate : mates) {
-        mean += mesh.position(mate);
+    for (const int copy : copies) {
+        mean += mesh.position(copy);
     }
-    mean /= static_cast<double>(mates.size());
+    mean /= static_cast<double>(copies.size());
     const bool meet = std::ranges::all_of(
-        mates, [&](int mate) { return (mesh.position(mate) - mean).norm() <= distance; });
+        copies, [&](int copy) { return (mesh.position(copy) - mean).norm() <= distance; });
     return meet ? mean : own;
 }
 

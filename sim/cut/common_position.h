@@ -4,9 +4,9 @@
 
 namespace kerf::cut {
 
-/// Where all copies of the material point of v meet: their mean, where none lies farther from it
-/// than `distance` [m]; otherwise, and where there are no other copies, v's own position. The same
-/// to the last bit for all copies that meet.
+/// The position in which v and its copies meet: their mean, where none lies farther from it than
+/// `distance` [m]; otherwise, and where v has no copies, v's own position. All copies that meet get
+/// the same position to the last bit.
 Vec3 commonPosition(const SurfaceMesh& mesh, int v, double distance);
 
 }  // namespace kerf::cut

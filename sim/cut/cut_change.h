@@ -15,7 +15,7 @@ std::vector<int> changedTriangles(const CutDelta& delta);
 /// Ascending, each once.
 std::vector<std::uint32_t> rewrittenVertices(const SurfaceMesh& mesh, const CutDelta& delta);
 
-/// Notes that `triangles` and `vertices`, both ascending, are gone.
+/// Notes in `delta` that `triangles` and `vertices`, both ascending, are gone.
 void noteRemoved(const std::vector<int>& triangles, const std::vector<int>& vertices,
                  CutDelta& delta);
 

@@ -10,20 +10,20 @@
 
 namespace kerf {
 
-/// What one step did. Only `cut` changes the mesh; all other outcomes leave every byte of it. The
-/// end of a stroke may clean up in any outcome; the delta tells.
+/// The outcome of one step. Only `cut` changes the mesh; all other outcomes leave every byte of it.
+/// The end of a stroke may clean up in any outcome; the delta tells.
 enum class CutOutcome {
     air,          ///< the blade swept no material
-    waiting,      ///< it moved less than the gate; the sweep accumulates
+    waiting,      ///< it moved less than the gate; the next step starts from the same rung
     withdrawing,  ///< it moves backwards inside its own slit
-    cut,
-    refused,  ///< no valid result was found; `reason` says why, the next step sweeps further
+    cut,          ///< the mesh was cut
+    refused,      ///< no valid result was found; `reason` says why, the next step reaches farther
 };
 
 /// The change of the mesh: all that the solver, the attributes and the GPU need.
 struct CutDelta {
-    std::vector<int> removedTriangles;
-    std::vector<int> addedTriangles;
+    std::vector<int> removedTriangles;  ///< slots that are dead now
+    std::vector<int> addedTriangles;    ///< new slots
     /// Living old triangles of which a corner now is another vertex or lies elsewhere.
     std::vector<int> changedTriangles;
     /// Vertices from this index to mesh.vertexCount() are new; some may have no triangle.
@@ -33,36 +33,36 @@ struct CutDelta {
     /// Old vertices that the clean-up took out of all triangles.
     std::vector<int> deadVertices;
 
-    /// Nothing changed.
+    /// Whether no triangle changed.
     bool empty() const {
         return removedTriangles.empty() && addedTriangles.empty() && changedTriangles.empty();
     }
 };
 
-/// What the clean-up of slivers did.
+/// Counts of what the clean-up of slivers did.
 struct CleanupStatistics {
-    int collapses = 0;  ///< of material edges, all copies together
-    int flips = 0;
-    int slides = 0;
-    /// Upper bound of what the clean-up of the stroke has changed so far of the body's volume and
+    int collapses = 0;  ///< collapsed edges, all copies of an edge counted once
+    int flips = 0;      ///< flipped edges, all copies of an edge counted once
+    int slides = 0;     ///< vertices that slid, all copies of a vertex counted once
+    /// An upper bound of what the stroke's clean-up has changed so far of the body's volume and
     /// rest volume, both together, as a share.
     double volumeSpent = 0;
 };
 
 /// Pieces that were removed when a stroke ended (CutSettings::debrisVolume).
 struct Debris {
-    int pieces = 0;
-    double volume = 0;  ///< at rest [m^3]
+    int pieces = 0;     ///< their number
+    double volume = 0;  ///< their volume at rest [m^3]
 };
 
 /// How the wounds of a stroke of the open course were closed when it ended.
 struct WoundClosing {
     int patches = 0;         ///< wounds with a patch on either side
-    int patchTriangles = 0;  ///< of both sides
+    int patchTriangles = 0;  ///< triangles of all patches, both sides
     int removedWalls = 0;    ///< absent triangles that the patches replace
-    int slits = 0;           ///< where the stroke ended in the body: the walls of the closed course
-    int unpatched = 0;       ///< other wounds that got these walls, for `reason`
-    std::string reason;      ///< of the last of them
+    int slits = 0;           ///< wounds that end in the body; they keep the closed course's walls
+    int unpatched = 0;       ///< other wounds that keep these walls, for `reason`
+    std::string reason;      ///< why the last of the unpatched wounds has no patch
 };
 
 /// Counts of one step.
@@ -71,32 +71,32 @@ struct CutStatistics {
     int refusedPieces = 0;         ///< pieces whose step was refused
     int resumed = 0;               ///< pieces whose front was let go and cut anew from behind it
     int touchedTriangles = 0;      ///< surface triangles that the strip met
-    int wallTriangles = 0;         ///< new, both sides
+    int wallTriangles = 0;         ///< new wall triangles, both sides
     int splitVertices = 0;         ///< copies of vertices that were made
     int tries = 0;                 ///< levels of the retry ladder used
     SubdivisionCounts patterns{};  ///< surface triangles by how they were divided
     int seeds = 0;                 ///< groups of neighbours among the touched triangles
-    double volumeChange = 0;       ///< signed, of the step, before clean-up and rounding [m^3]
-    CleanupStatistics cleanup;
-    Debris debris;
-    WoundClosing closing;
+    double volumeChange = 0;       ///< signed, by the step before clean-up and rounding [m^3]
+    CleanupStatistics cleanup;     ///< the clean-up after the step, or after the stroke
+    Debris debris;                 ///< pieces removed when the stroke ended
+    WoundClosing closing;          ///< wounds closed when the stroke ended
 };
 
-/// What came of one movement of the blade.
+/// The result of one movement of the blade.
 struct CutResult {
-    CutOutcome outcome = CutOutcome::air;
-    CutDelta delta;
-    CutStatistics statistics;
+    CutOutcome outcome = CutOutcome::air;  ///< one for all pieces (addTo)
+    CutDelta delta;                        ///< the change of the mesh
+    CutStatistics statistics;              ///< sums over all pieces
     /// Why the last failed try of the step failed; empty where the first one succeeded.
     std::string reason;
 };
 
-/// One vertex (or air point) of the rung where the blade stands in the material.
+/// One node of the rung, the polyline where the blade last stood: a mesh vertex or an air point.
 struct RungNode {
-    Vec3 position = Vec3::Zero();
-    double s = 0;           ///< parameter along AB, 0 at A
-    int vertex = -1;        ///< mesh vertex, -1 in the air
-    bool attached = false;  ///< the edge to the next node is a front edge of the mesh
+    Vec3 position = Vec3::Zero();  ///< [m]
+    double s = 0;                  ///< parameter along AB, 0 at A
+    int vertex = -1;               ///< mesh vertex, -1 in the air
+    bool attached = false;         ///< the edge to the next node is a front edge of the mesh
 };
 
 /// How finely a cutter works.
@@ -107,15 +107,17 @@ struct CutSettings {
     double wallEdgeLength = 0;
     /// A step that advances less than this share of the edge length around waits.
     double gate = 0.5;
-    /// Fixed offset of the blade per pass, as a share of the mean edge length. 1e-3 is too small to
-    /// see and large enough for float positions; curves of several cuts stay that far apart. A cut
-    /// that must lie exactly in its plane takes less, down to about 1e-10 with double positions.
+    /// Fixed offset of the blade per transit, as a share of the mean edge length. 1e-3 is too small
+    /// to see and large enough for float positions; curves of several cuts stay that far apart. A
+    /// cut that must lie exactly in its plane takes less, down to about 1e-10 with double
+    /// positions.
     double offset = 1e-3;
     /// Nodes closer than this share of the mean edge length are one: 1e-9 for doubles, 1e-5 for
     /// floats.
     double tolerance = 1e-5;
-    std::uint64_t seed = 1;  ///< of the offsets and of the retries
-    /// Remove the slivers that a cut leaves, behind the front after each step and at the end.
+    std::uint64_t seed = 1;  ///< seed of the offsets and of the retries
+    /// Whether to remove the slivers that a cut leaves, behind the front after each step and at the
+    /// end.
     bool cleanUp = true;
     /// When a stroke has ended, and is cleaned up, edges inside its walls grow to this many times
     /// the edge length around; 1 leaves them. The outline of the wound stays as it is.
@@ -134,15 +136,17 @@ namespace kerf::cut {
 
 /// Thrown inside one try of a step. Nothing has been changed by then.
 struct StepFailure {
-    const char* reason;
+    const char* reason;  ///< why the try failed
 };
 
 /// An undirected pair of ids, the lower one first.
 using Edge = std::pair<int, int>;
+/// The undirected pair of a and b.
 inline Edge edgeOf(int a, int b) {
     return a < b ? Edge{a, b} : Edge{b, a};
 }
 
+/// The size of a container as an int.
 template <class Container>
 int sizeOf(const Container& container) {
     return static_cast<int>(container.size());

@@ -11,21 +11,25 @@ enum class SubdivisionPattern {
     oneToThreeA,  ///< two edge nodes, three triangles
     oneToTwo,     ///< from a vertex to the opposite edge, two triangles
     oneToThreeB,  ///< from a vertex to an inner node, three triangles
-    twoKinks,     ///< both ends inside
-    twoSegments,
-    more
+    twoKinks,     ///< the curve starts and ends inside the triangle
+    twoSegments,  ///< two segments of curves
+    more          ///< any other way
 };
+/// The number of enumerators of SubdivisionPattern.
 inline constexpr int kSubdivisionPatterns = 7;
-inline constexpr int kPaperPatterns = 4;  ///< the first ones
+/// How many of them are the paper's: the first ones.
+inline constexpr int kPaperPatterns = 4;
 
-/// Divided triangles by SubdivisionPattern.
+/// The number of divided triangles, by SubdivisionPattern.
 using SubdivisionCounts = std::array<int, kSubdivisionPatterns>;
 
-/// "1-to-4", "1-to-3a", "1-to-2", "1-to-3b" as in the paper; "two kinks", "two segments", "more".
+/// The name of a pattern: "1-to-4", "1-to-3a", "1-to-2", "1-to-3b" as in the paper; "two kinks",
+/// "two segments", "more".
 const char* nameOf(SubdivisionPattern pattern);
 
+/// Adds `part` to `sum`, pattern by pattern.
 void addTo(SubdivisionCounts& sum, const SubdivisionCounts& part);
-/// Those beyond the paper's four.
+/// The number of triangles whose pattern goes beyond the paper's four.
 int otherPatterns(const SubdivisionCounts& counts);
 
 }  // namespace kerf

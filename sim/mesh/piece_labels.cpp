@@ -48,7 +48,7 @@ class PieceLabels::Splitter {
     /// Finds the parts; joined() tells where they are not to be used. `seeds`: the corners of the
     /// living ones among `triangles`, each once.
     void run(const std::vector<int>& seeds, std::span<const int> triangles) {
-        sow(seeds, triangles);
+        placeSeeds(seeds, triangles);
         joined_ = std::ranges::any_of(parts_, &Part::joined);
         if (!joined_) {
             for (const auto& [label, group] : partsByLabel()) {
@@ -74,7 +74,7 @@ class PieceLabels::Splitter {
 
     // Triangles with a common corner are one part from the start. Only where there are several
     // parts, or one that is all new, anyone asks for their triangles.
-    void sow(const std::vector<int>& seeds, std::span<const int> triangles) {
+    void placeSeeds(const std::vector<int>& seeds, std::span<const int> triangles) {
         for (std::size_t i = 0; i < seeds.size(); ++i) {
             placeOfVertex_[seeds[i]] = static_cast<int>(i);
         }

@@ -29,7 +29,7 @@ void SurfaceMesh::reserve(std::size_t vertices, std::size_t triangles) {
     restPositions_.reserve(vertices);
     velocities_.reserve(vertices);
     outgoing_.reserve(vertices);
-    mateGroup_.reserve(vertices);
+    copyGroup_.reserve(vertices);
     triangles_.reserve(triangles);
     twins_.reserve(triangles);
     kinds_.reserve(triangles);
@@ -45,7 +45,7 @@ SurfaceMesh SurfaceMesh::fromTriangles(const std::vector<Vec3>& positions,
     mesh.velocities_.assign(mesh.positions_.size(), Vec3::Zero());
     mesh.old_.assign(mesh.positions_.size(), 0);
     mesh.outgoing_.assign(mesh.positions_.size(), -1);
-    mesh.mateGroup_.assign(mesh.positions_.size(), -1);
+    mesh.copyGroup_.assign(mesh.positions_.size(), -1);
     mesh.triangles_ = triangles;
     mesh.kinds_.assign(mesh.triangles_.size(), SurfaceKind::skin);
     mesh.wallLabels_.assign(mesh.triangles_.size(), -1);
@@ -104,7 +104,7 @@ int SurfaceMesh::addVertex(const Vec3& position, const Vec3& rest, const Vec3& v
     velocities_.push_back(velocity);
     old_.push_back(0);
     outgoing_.push_back(-1);
-    mateGroup_.push_back(-1);
+    copyGroup_.push_back(-1);
     return vertexCount() - 1;
 }
 
@@ -149,43 +149,43 @@ void SurfaceMesh::bringAll() const {
 
 void SurfaceMesh::removeVertex(int v) {
     bring({&v, 1});
-    leaveMates(v);
+    leaveCopies(v);
     outgoing_[v] = -1;
     velocities_[v] = Vec3::Zero();
 }
 
 int SurfaceMesh::groupOf(int v) {
-    if (mateGroup_[v] < 0) {
-        mateGroup_[v] = static_cast<int>(mateMembers_.size());
-        mateMembers_.emplace_back().reserve(2);
-        mateMembers_.back().push_back(v);
+    if (copyGroup_[v] < 0) {
+        copyGroup_[v] = static_cast<int>(copyMembers_.size());
+        copyMembers_.emplace_back().reserve(2);
+        copyMembers_.back().push_back(v);
     }
-    return mateGroup_[v];
+    return copyGroup_[v];
 }
 
-void SurfaceMesh::makeMates(int a, int b) {
+void SurfaceMesh::joinCopies(int a, int b) {
     const int keep = groupOf(a);
-    if (a != b && mateGroup_[b] < 0) {
-        mateGroup_[b] = keep;
-        mateMembers_[keep].push_back(b);
+    if (a != b && copyGroup_[b] < 0) {
+        copyGroup_[b] = keep;
+        copyMembers_[keep].push_back(b);
         return;
     }
-    const int join = mateGroup_[b];
+    const int join = copyGroup_[b];
     if (keep == join) {
         return;
     }
-    for (const int v : mateMembers_[join]) {
-        mateGroup_[v] = keep;
-        mateMembers_[keep].push_back(v);
+    for (const int v : copyMembers_[join]) {
+        copyGroup_[v] = keep;
+        copyMembers_[keep].push_back(v);
     }
-    mateMembers_[join].clear();
+    copyMembers_[join].clear();
 }
 
-void SurfaceMesh::leaveMates(int v) {
-    if (mateGroup_[v] >= 0) {
-        std::vector<int>& members = mateMembers_[mateGroup_[v]];
+void SurfaceMesh::leaveCopies(int v) {
+    if (copyGroup_[v] >= 0) {
+        std::vector<int>& members = copyMembers_[copyGroup_[v]];
         members.erase(std::find(members.begin(), members.end(), v));
-        mateGroup_[v] = -1;
+        copyGroup_[v] = -1;
     }
 }
 

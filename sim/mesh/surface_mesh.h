@@ -17,7 +17,8 @@ enum class SurfaceKind : std::uint8_t { skin = 0, wall = 1 };
 /// Half-edge h = 3 * triangle + corner runs from that corner to the next one. Every half-edge has
 /// a twin. Triangles are never moved: a removed one stays as a dead slot, so that indices held by
 /// the solver stay valid. Vertices carry current position, rest position and velocity.
-/// All copies of one material point that a cut made belong to one mate group.
+/// A cut makes copies of the vertices along it; those of one vertex form a group of copies, which
+/// stands for one point of the uncut body.
 ///
 /// While a stroke of the open course is unfinished (CutSettings::openCut), its walls are there for
 /// the cutter alone: they are absent from the body, which has an open surface of the present
@@ -146,7 +147,7 @@ class SurfaceMesh {
     int addVertex(const Vec3& position, const Vec3& rest, const Vec3& velocity);
     int addTriangle(const Triangle& corners, SurfaceKind kind, int wallLabel);
     void removeTriangle(int t);
-    /// Of a vertex without triangles: it leaves its mates and rests from now on.
+    /// Lets a vertex without triangles leave its copies and rest from now on.
     void removeVertex(int v);
     void setCorner(int t, int corner, int v) { triangles_[t][corner] = v; }
     void setCorners(int t, const Triangle& corners) { triangles_[t] = corners; }
@@ -158,18 +159,18 @@ class SurfaceMesh {
     }
     void setOutgoing(int v, int h) { outgoing_[v] = h; }
 
-    // Mates: copies of one material point.
-    void makeMates(int a, int b);
-    /// Makes v a material point of its own.
-    void leaveMates(int v);
-    /// Group id or -1 for a vertex without copies.
-    int mateGroup(int v) const { return mateGroup_[v]; }
-    /// The first of all copies of v's material point, which stands for it; v where there are none.
-    int materialPoint(int v) const {
-        return mateGroup_[v] < 0 ? v : mateMembers_[mateGroup_[v]].front();
+    /// Makes a and b, and all copies of either, copies of one point.
+    void joinCopies(int a, int b);
+    /// Makes v a point of its own.
+    void leaveCopies(int v);
+    /// The group of v and its copies, -1 for a vertex without copies.
+    int copyGroup(int v) const { return copyGroup_[v]; }
+    /// The first of v and its copies, which stands for all of them; v where there are no others.
+    int firstCopy(int v) const {
+        return copyGroup_[v] < 0 ? v : copyMembers_[copyGroup_[v]].front();
     }
     /// Members of a group, in the order in which they joined.
-    const std::vector<int>& matesOfGroup(int group) const { return mateMembers_[group]; }
+    const std::vector<int>& copiesOfGroup(int group) const { return copyMembers_[group]; }
 
   private:
     // Without divisions by three but the one that tells the triangle.
@@ -190,8 +191,8 @@ class SurfaceMesh {
     std::vector<std::array<int, 3>> twins_;
     std::vector<SurfaceKind> kinds_;
     std::vector<int> wallLabels_;
-    std::vector<int> mateGroup_;
-    std::vector<std::vector<int>> mateMembers_;
+    std::vector<int> copyGroup_;
+    std::vector<std::vector<int>> copyMembers_;
     int aliveTriangles_ = 0;
     int openStroke_ = -1;
 };

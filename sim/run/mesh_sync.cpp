@@ -24,18 +24,18 @@ Bounds boundsOf(const SurfaceMesh& mesh, int t) {
 
 }  // namespace
 
-void MeshSync::foresee(const OrientedBox& box, std::span<const int> vertices) {
-    foreseen_ = box;
+void MeshSync::prefetch(const OrientedBox& box, std::span<const int> vertices) {
+    prefetched_ = box;
     solver_.watch(box, vertices);
 }
 
-void MeshSync::outdate() {
+void MeshSync::invalidate() {
     forget();
     mesh_.leaveTo(*this);
 }
 
-void MeshSync::takeForeseen() {
-    const std::optional<OrientedBox> box = std::exchange(foreseen_, std::nullopt);
+void MeshSync::takePrefetched() {
+    const std::optional<OrientedBox> box = std::exchange(prefetched_, std::nullopt);
     if (!box) {
         return;
     }

@@ -12,8 +12,9 @@
 namespace kerf {
 
 /// Keeps a mesh up to date with the GPU where it is read. What a step of the blade will need comes
-/// back with the measure of the body: the vertices near the sweep, found by the kernel, and a list
-/// of others. Whatever else is read is fetched then, so results never depend on what was foreseen.
+/// back with the measure of the body: the vertices near the strip, found by the kernel, and a list
+/// of others. Whatever else is read is fetched then, so results never depend on what was
+/// prefetched.
 class MeshSync final : public VertexSource, public TriangleFinder {
   public:
     /// Mesh and solver must outlive the object.
@@ -21,11 +22,11 @@ class MeshSync final : public VertexSource, public TriangleFinder {
 
     /// Before the measure of a step: the box that the blade will look into, and vertices that will
     /// be read wherever they are.
-    void foresee(const OrientedBox& box, std::span<const int> vertices);
+    void prefetch(const OrientedBox& box, std::span<const int> vertices);
     /// The solver has moved the body.
-    void outdate();
-    /// After the measure: what was foreseen comes back.
-    void takeForeseen();
+    void invalidate();
+    /// After the measure: takes what prefetch() asked for.
+    void takePrefetched();
     /// The mesh has become another one, of which nothing is old.
     void forget();
     /// Number of times that all of the body came back.
@@ -52,7 +53,7 @@ class MeshSync final : public VertexSource, public TriangleFinder {
 
     SurfaceMesh& mesh_;
     GpuSolver& solver_;
-    std::optional<OrientedBox> foreseen_;
+    std::optional<OrientedBox> prefetched_;
     /// The box in which near() knows all triangles, by the vertices around which they lie and by
     /// those that changed since.
     std::optional<OrientedBox> known_;

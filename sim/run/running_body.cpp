@@ -55,7 +55,7 @@ void RunningBody::startAnew() {
 /// With updater, solver and cutter as new.
 void RunningBody::beginAtRest() {
     volumeTargets.reset(model());
-    sync.outdate();  // by the rounding to float
+    sync.invalidate();  // by the rounding to float
     hands = {};
     pins = {};
     subdivisions = {};
@@ -130,7 +130,7 @@ int RunningBody::collideAsThePaper(double timeStep) {
 /// What needs no result is done while the GPU measures.
 void RunningBody::measureStep() {
     solver.startMeasure();
-    sync.outdate();
+    sync.invalidate();
     pieces_.reset();
     measure = solver.takeMeasure();
 }
@@ -145,22 +145,22 @@ void RunningBody::endStep() {
         volumeTargets.startAt(measure.pieceVolumes);
     }
     solver.saveState();
-    sync.takeForeseen();
+    sync.takePrefetched();
     sync.setBounds(measure.bounds);
     if (readsAllBack) {
         mesh.bringAll();
     }
 }
 
-/// By the box of the body, which is at hand, and that of the sweep, then by what lies in the
+/// By the box of the body, which is at hand, and that of the strip, then by what lies in the
 /// latter.
-bool RunningBody::isNear(std::span<const Vec3> sweep) {
-    Bounds swept = boxOf(sweep);
+bool RunningBody::isNear(std::span<const Vec3> strip) {
+    Bounds swept = boxOf(strip);
     swept.widen(model().edgeLength);
     if (!swept.overlaps(measure.bounds)) {
         return false;
     }
-    OrientedBox sweptBox = orientedBoxOf(sweep);
+    OrientedBox sweptBox = orientedBoxOf(strip);
     sweptBox.widen(model().edgeLength);
     if (!overlap(sweptBox, oriented(measure.bounds))) {
         return false;

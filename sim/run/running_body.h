@@ -49,7 +49,7 @@ struct RunningBody {
     void endStep();
 
     /// Tells whether what is swept between these points [m] comes near the body.
-    bool isNear(std::span<const Vec3> sweep);
+    bool isNear(std::span<const Vec3> strip);
     /// The rung where the blade last cut, as it lies now.
     std::vector<RungNode> front() const;
     /// After a cut. Returns "" or what makes the mesh no closed manifold.

@@ -80,7 +80,7 @@ void Simulation::State::applyParameters() {
 
 void Simulation::State::solve() {
     body.prepareStep(params.timeStep);
-    foreseeCut();
+    prefetchCut();
     moveBody();
     const double paperContactMs = collideAsThePaper();
     body.measureStep();
@@ -90,12 +90,12 @@ void Simulation::State::solve() {
     report.collideMs = body.solver.takeCollideMilliseconds() + paperContactMs;
 }
 
-void Simulation::State::foreseeCut() {
+void Simulation::State::prefetchCut() {
     const bool looks = blade.isTold() || body.cutter->inStroke();
     const std::vector<Blade> path = blade.path();
     if (looks && !path.empty() && !body.readsAllBack) {
-        body.sync.foresee(body.cutter->reach(path, params.timeStep),
-                          body.cutter->followedVertices());
+        body.sync.prefetch(body.cutter->reach(path, params.timeStep),
+                           body.cutter->followedVertices());
     }
 }
 

@@ -77,7 +77,7 @@ struct Simulation::State {
     // The phases of a step.
     void applyParameters();
     void solve();
-    void foreseeCut();
+    void prefetchCut();
     void moveBody();
     double collideAsThePaper();
     void takeBackLostPieces();

@@ -42,11 +42,11 @@ void Simulation::State::cut(const LiftBlade&) {
 bool Simulation::State::mayTouch(const Blade& to) {
     const std::vector<RungNode>& rung = body.cutter->rung();
     const Blade from = *blade.pose();
-    std::vector<Vec3> sweep{from.a, from.b, to.a, to.b};
+    std::vector<Vec3> strip{from.a, from.b, to.a, to.b};
     for (const RungNode& node : rung) {
-        sweep.push_back(node.position);
+        strip.push_back(node.position);
     }
-    return standsInMaterial(rung) || body.isNear(sweep);
+    return standsInMaterial(rung) || body.isNear(strip);
 }
 
 void Simulation::State::beginStroke() {

@@ -110,12 +110,11 @@ Vec3 limited(const Vec3& velocity, const Vec3& material) {
                                     : velocity;
 }
 
-/// By piece, then copies of one material point together.
+/// By piece, then copies of one vertex together.
 std::vector<int> inOrderOfPieces(std::vector<int> vertices, const SurfaceMesh& mesh,
                                  const std::vector<int>& pieceOfVertex) {
-    std::ranges::sort(vertices, {}, [&](int v) {
-        return std::tuple(pieceOfVertex[v], mesh.materialPoint(v), v);
-    });
+    std::ranges::sort(vertices, {},
+                      [&](int v) { return std::tuple(pieceOfVertex[v], mesh.firstCopy(v), v); });
     return vertices;
 }
 
@@ -140,8 +139,8 @@ std::vector<Anchor> anchorsOf(const std::vector<int>& vertices, const AnchorFram
             continue;
         }
         const Vec3& rest = in.mesh.restPosition(v);
-        if (!ofSamePiece || in.mesh.materialPoint(v) != point) {
-            point = in.mesh.materialPoint(v);
+        if (!ofSamePiece || in.mesh.firstCopy(v) != point) {
+            point = in.mesh.firstCopy(v);
             now = mapFromRest(in.mesh, samples, rest, in.edgeLength);
         }
         const Vec3 free = now.position + in.timeStep * now.velocity;

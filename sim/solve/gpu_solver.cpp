@@ -86,7 +86,7 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     makeRoom(model);
     smallBody_.setBody(model, body_.pieces.blocks(), body_.plainPbd());
     body_.setCountsOf(model);
-    masses_.outdate();
+    masses_.invalidate();
     setContactBody();
 }
 

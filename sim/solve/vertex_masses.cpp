@@ -14,13 +14,13 @@ VertexMasses::VertexMasses(SolverBody& body)
     : body_(body), kernel_(gpu::Program::compute("sim/masses.comp")) {}
 
 void VertexMasses::refresh() {
-    if (outdated_) {
+    if (stale_) {
         compute();
     }
 }
 
 void VertexMasses::compute() {
-    outdated_ = false;
+    stale_ = false;
     body_.bind();
     body_.model.areaBuffer.bindStorage(shared::kAreasBinding);
     body_.run(kernel_, body_.uniforms.vertex_count);
@@ -42,7 +42,7 @@ void VertexMasses::holdPinned() {
 
 void VertexMasses::setPinned(std::vector<uint> vertices) {
     pinned_ = std::move(vertices);
-    outdated_ = true;
+    stale_ = true;
 }
 
 void VertexMasses::anchor(int vertex, const Vec3f& velocity) {

@@ -22,7 +22,7 @@ class VertexMasses {
     void compute();
     /// After a cut all masses of a piece change: that waits for the next step, which looks at every
     /// vertex anyway.
-    void outdate() { outdated_ = true; }
+    void invalidate() { stale_ = true; }
     void refresh();
 
     // See GpuSolver.
@@ -44,7 +44,7 @@ class VertexMasses {
     SolverBody& body_;
     gpu::Program kernel_;
     std::vector<std::uint32_t> pinned_;  ///< ascending
-    bool outdated_ = false;
+    bool stale_ = false;
 };
 
 }  // namespace kerf

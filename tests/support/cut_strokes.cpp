@@ -162,7 +162,7 @@ double volumeAbove(std::array<Vec3, 3> p, const Vec3& normal) {
     return volume;
 }
 
-/// To the part of the sweep that is nearest, positive on the side of along x travel.
+/// The distance to the nearest part of what was swept, positive on the side of along x travel.
 double signedDistance(const Stroke& stroke, const Vec3& p) {
     double least = 1e300;
     double side = 0;
@@ -295,7 +295,7 @@ std::string fingerprint(const SurfaceMesh& mesh) {
         append(bytes, mesh.restPosition(v));
         append(bytes, mesh.velocity(v));
         append(bytes, mesh.outgoing(v));
-        append(bytes, mesh.mateGroup(v));
+        append(bytes, mesh.copyGroup(v));
     }
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         append(bytes, mesh.triangle(t));
@@ -316,7 +316,7 @@ std::string checkMirroredWalls(const SurfaceMesh& mesh) {
         }
         std::array<int, 3> points{};
         for (int i = 0; i < 3; ++i) {
-            points[i] = mesh.materialPoint(mesh.triangle(t)[i]);
+            points[i] = mesh.firstCopy(mesh.triangle(t)[i]);
         }
         std::sort(points.begin(), points.end());
         balance[{mesh.wallLabel(t) / 2, points}] += mesh.wallLabel(t) % 2 == 0 ? 1 : -1;

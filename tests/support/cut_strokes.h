@@ -72,7 +72,8 @@ CutCheck runStroke(SurfaceMesh& mesh, const CutSettings& settings, const Stroke&
 /// Everything that a mesh holds, as text of bytes: equal exactly where the meshes are.
 std::string fingerprint(const SurfaceMesh& mesh);
 
-/// (I7) "" where every wall triangle has its mirror on the other side, compared by mate groups.
+/// (I7) "" where every wall triangle has its mirror on the other side, compared by groups of
+/// copies.
 std::string checkMirroredWalls(const SurfaceMesh& mesh);
 /// (I5) "" where every attached edge of the rung is an edge of the mesh between two walls.
 std::string checkFront(const SurfaceMesh& mesh, const std::vector<RungNode>& rung);

@@ -116,7 +116,7 @@ std::vector<std::pair<int, int>> selfIntersections(const SurfaceMesh& mesh) {
 SurfaceMesh opened(const SurfaceMesh& mesh, double distance) {
     SurfaceMesh result = mesh;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (mesh.outgoing(v) >= 0 && mesh.mateGroup(v) >= 0) {
+        if (mesh.outgoing(v) >= 0 && mesh.copyGroup(v) >= 0) {
             result.setPosition(v, mesh.position(v) + distance * inward(wallNormals(mesh, v)));
         }
     }

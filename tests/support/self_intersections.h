@@ -12,7 +12,7 @@ namespace kerf::test {
 /// count.
 std::vector<std::pair<int, int>> selfIntersections(const SurfaceMesh& mesh);
 
-/// The mesh with every slit opened: each copy of a material point moves by `distance` [m] into its
+/// The mesh with every slit opened: each copy of a vertex moves by `distance` [m] into its
 /// own side, along a direction that leads behind all walls at that copy where there is one.
 SurfaceMesh opened(const SurfaceMesh& mesh, double distance);
 

@@ -37,12 +37,12 @@ double heightOf(const std::array<Vec3, 3>& corners) {
     return square > 0 ? crossOf(corners).norm() / std::sqrt(square) : 0;
 }
 
-bool keepsOrientation(const SurfaceMesh& mesh, double h, const Patch& patch,
-                      const PatchTriangle& t) {
-    const Vec3 now = crossOf(cornersAfter(mesh, patch, t));
+bool keepsOrientation(const SurfaceMesh& mesh, double h, const OneRing& ring,
+                      const RingTriangle& t) {
+    const Vec3 now = crossOf(cornersAfter(mesh, ring, t));
     const Vec3 before = crossOf(cornersOf(mesh, t.slot));
     const double sliver = kSliverArea * h * h;
-    if (heightOf(cornersAfter(mesh, patch, t)) < kFlat * h) {
+    if (heightOf(cornersAfter(mesh, ring, t)) < kFlat * h) {
         return true;
     }
     const bool sectorTells = t.reference.norm() > sliver;
@@ -77,22 +77,22 @@ void Scores::add(double score) {
     bad += score < 1;
 }
 
-Scores scoresBefore(const Workspace& workspace, const std::vector<Patch>& patches) {
+Scores scoresBefore(const Workspace& workspace, const std::vector<OneRing>& rings) {
     Scores scores;
-    for (const Patch& patch : patches) {
-        for (const int t : patch.before) {
+    for (const OneRing& ring : rings) {
+        for (const int t : ring.before) {
             scores.add(triangleScore(workspace.mesh, t, workspace.goodEdgeLength()));
         }
     }
     return scores;
 }
 
-Scores scoresAfter(const Workspace& workspace, const std::vector<Patch>& patches) {
+Scores scoresAfter(const Workspace& workspace, const std::vector<OneRing>& rings) {
     Scores scores;
-    for (const Patch& patch : patches) {
-        for (const PatchTriangle& t : patch.after) {
+    for (const OneRing& ring : rings) {
+        for (const RingTriangle& t : ring.after) {
             scores.add(
-                triangleScore(cornersAfter(workspace.mesh, patch, t), workspace.goodEdgeLength()));
+                triangleScore(cornersAfter(workspace.mesh, ring, t), workspace.goodEdgeLength()));
         }
     }
     return scores;
@@ -103,10 +103,10 @@ bool improves(const Scores& before, const Scores& after) {
     return fewer || after.bad == 0 || after.worst > kClearlyBetter * before.worst + 1e-15;
 }
 
-bool keepsOrientation(const Workspace& workspace, const std::vector<Patch>& patches) {
-    return std::all_of(patches.begin(), patches.end(), [&](const Patch& patch) {
-        return std::all_of(patch.after.begin(), patch.after.end(), [&](const PatchTriangle& t) {
-            return keepsOrientation(workspace.mesh, workspace.edgeLength(), patch, t);
+bool keepsOrientation(const Workspace& workspace, const std::vector<OneRing>& rings) {
+    return std::all_of(rings.begin(), rings.end(), [&](const OneRing& ring) {
+        return std::all_of(ring.after.begin(), ring.after.end(), [&](const RingTriangle& t) {
+            return keepsOrientation(workspace.mesh, workspace.edgeLength(), ring, t);
         });
     });
 }

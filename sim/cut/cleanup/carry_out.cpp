@@ -19,14 +19,14 @@ void mergeVertices(const CollapsePlan& plan, Workspace& workspace) {
 
 // What is left of the point that goes consists of copies of the one that stays.
 void joinMates(const CollapsePlan& plan, SurfaceMesh& mesh) {
-    for (const Patch& patch : plan.patches) {
-        if (patch.joins) {
-            mesh.leaveMates(patch.vertex);
+    for (const OneRing& ring : plan.rings) {
+        if (ring.joins) {
+            mesh.leaveCopies(ring.vertex);
         }
     }
-    for (const Patch& patch : plan.patches) {
-        if (patch.joins) {
-            mesh.makeMates(plan.to, patch.vertex);
+    for (const OneRing& ring : plan.rings) {
+        if (ring.joins) {
+            mesh.joinCopies(plan.to, ring.vertex);
         }
     }
 }
@@ -37,9 +37,9 @@ void carryOut(const CollapsePlan& plan, Workspace& workspace) {
     mergeVertices(plan, workspace);
     joinMates(plan, workspace.mesh);
     std::vector<int> copies;
-    for (const Patch& patch : plan.patches) {
-        workspace.moveVertex(patch);
-        copies.push_back(patch.vertex);
+    for (const OneRing& ring : plan.rings) {
+        workspace.moveVertex(ring);
+        copies.push_back(ring.vertex);
     }
     workspace.setDeviation(copies, plan.deviation);
     workspace.spend(plan.defect);

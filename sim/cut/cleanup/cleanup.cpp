@@ -19,7 +19,7 @@ namespace kerf::cut {
 
 namespace {
 
-constexpr int kMostPasses = 10;
+constexpr int kMostRounds = 10;
 // Of two collapses the better is the one with the better worst triangle, less this for the whole
 // of the allowed deviation; one that reaches kGoodEnough ends the search.
 constexpr double kPriceOfDeviation = 0.2;
@@ -39,13 +39,13 @@ class SliverRemoval {
     explicit SliverRemoval(Workspace& workspace) : workspace_(workspace), mesh_(workspace.mesh) {}
 
     CleanupStatistics run(std::vector<int> triangles) {
-        for (int pass = 0; pass < kMostPasses; ++pass) {
+        for (int round = 0; round < kMostRounds; ++round) {
             const std::vector<Sliver> slivers = findSlivers(std::move(triangles));
             if (!improveAll(slivers)) {
                 break;
             }
             triangles = workspace_.takeChanged();
-            if (pass == 0) {  // what failed may succeed beside what changed
+            if (round == 0) {  // what failed may succeed beside what changed
                 for (const Sliver& sliver : slivers) {
                     triangles.push_back(sliver.triangle);
                 }
@@ -106,15 +106,15 @@ class SliverRemoval {
 
     std::optional<CollapsePlan> bestCollapse(int t) const {
         const Triangle& corners = mesh_.triangle(t);
-        const std::array<MaterialStar, 3> stars{
-            starOf(mesh_, corners[0]), starOf(mesh_, corners[1]), starOf(mesh_, corners[2])};
+        const std::array<SharedStar, 3> stars{starOf(mesh_, corners[0]), starOf(mesh_, corners[1]),
+                                              starOf(mesh_, corners[2])};
         std::optional<CollapsePlan> best;
         for (const int h : edgesByLength(mesh_, t)) {
             if (edgeLength(mesh_, h) > kLongestCollapse * workspace_.edgeLength()) {
                 break;
             }
-            const MaterialStar& u = stars[h % 3];
-            const MaterialStar& v = stars[(h + 1) % 3];
+            const SharedStar& u = stars[h % 3];
+            const SharedStar& v = stars[(h + 1) % 3];
             if (u.point == v.point) {
                 continue;
             }
@@ -127,12 +127,12 @@ class SliverRemoval {
         return best;
     }
 
-    void consider(const MaterialStar& from, const MaterialStar& to,
+    void consider(const SharedStar& from, const SharedStar& to,
                   std::optional<CollapsePlan>& best) const {
         for (const CollapseTarget target : {CollapseTarget::end, CollapseTarget::middle}) {
             std::optional<CollapsePlan> plan = planCollapse(workspace_, from, to, target);
             if (plan && (!best || worth(*plan) > worth(*best)) &&
-                !addsPiercings(mesh_, plan->patches)) {
+                !addsPiercings(mesh_, plan->rings)) {
                 best = std::move(plan);
             }
         }

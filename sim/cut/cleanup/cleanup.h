@@ -9,12 +9,12 @@
 namespace kerf::cut {
 
 /// Removes the slivers that a stroke leaves: collapses, flips and slides that treat all copies of
-/// a material point alike, so that walls stay mirrored. Each keeps the volume of every piece,
+/// a vertex alike, so that walls stay mirrored. Each keeps the volume of every piece,
 /// current and at rest, to kVolumePerOperation of the body, and moves skin and rims by no more
 /// than kMostDeviation of an edge, summed up over the stroke.
 class Cleanup {
   public:
-    /// For one stroke on `mesh`; both must outlive it.
+    /// Prepares for one stroke on `mesh`; both arguments must outlive the object.
     Cleanup(SurfaceMesh& mesh, const EdgeLengthField& edgeLengths);
 
     /// Cleans what the last two steps made, but nothing beside the rung. `delta` is that of the
@@ -29,7 +29,7 @@ class Cleanup {
     /// coarsenWalls(). Returns the number of collapses.
     int coarsen(double factor, CutDelta& delta);
 
-    /// How far a vertex was moved at rest at most since the last call [m].
+    /// An upper bound of how far any vertex was moved at rest since the last call [m].
     double takeRestMotion() { return workspace_.takeRestMotion(); }
 
   private:
@@ -37,7 +37,7 @@ class Cleanup {
     CleanupStatistics clean(const std::vector<int>& triangles, CutDelta& delta);
 
     Workspace workspace_;
-    int firstTriangle_;          ///< of the stroke
+    int firstTriangle_;          ///< the first slot of the stroke
     std::vector<int> lastStep_;  ///< triangles of the step before
 };
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sim/cut/cleanup/collapse.h"
-#include "sim/cut/cleanup/local_patch.h"
+#include "sim/cut/cleanup/one_ring.h"
 #include "sim/cut/cleanup/self_piercing.h"
 #include "sim/cut/plan/step.h"
 
@@ -19,18 +19,18 @@ constexpr double kShort = 4.0 / 5.0;
 constexpr double kLong = 4.0 / 3.0;
 // Height over longest edge that a collapse may leave, unless it was worse before.
 constexpr double kLeastQuality = 0.3;
-constexpr int kMostPasses = 8;
+constexpr int kMostRounds = 8;
 
 struct ShortEdge {
     double length;
-    Edge ends;  ///< material points
+    Edge ends;  ///< the first copies of both
     int halfEdge;
     auto key() const { return std::tuple(length, ends, halfEdge); }
 };
 
-bool isInsideWall(const MaterialStar& star) {
+bool isInsideWall(const SharedStar& star) {
     return std::ranges::all_of(
-        star.edges, [](const MaterialEdge& edge) { return edge.type() == MaterialEdgeType::wall; });
+        star.edges, [](const SharedEdge& edge) { return edge.type() == SharedEdgeType::wall; });
 }
 
 double longestOf(const std::array<Vec3, 3>& corners) {
@@ -50,7 +50,7 @@ class WallCoarsening {
 
     int run(const std::vector<int>& triangles) {
         int collapses = 0;
-        for (int pass = 0; pass < kMostPasses; ++pass) {
+        for (int round = 0; round < kMostRounds; ++round) {
             const int before = collapses;
             for (const ShortEdge& edge : findShortEdges(triangles)) {
                 collapses += collapse(edge);
@@ -67,10 +67,10 @@ class WallCoarsening {
     bool isWall(int t) const { return mesh_.alive(t) && mesh_.kind(t) == SurfaceKind::wall; }
 
     Edge endsOf(int h) const {
-        return edgeOf(mesh_.materialPoint(mesh_.origin(h)), mesh_.materialPoint(mesh_.target(h)));
+        return edgeOf(mesh_.firstCopy(mesh_.origin(h)), mesh_.firstCopy(mesh_.target(h)));
     }
 
-    /// Each material edge once, the shortest first.
+    /// Each shared edge once, the shortest first.
     std::vector<ShortEdge> findShortEdges(const std::vector<int>& triangles) const {
         std::vector<ShortEdge> edges;
         for (const int t : triangles) {
@@ -104,8 +104,8 @@ class WallCoarsening {
         if (!stillThere(edge)) {
             return false;
         }
-        const MaterialStar from = starOf(mesh_, edge.ends.first);
-        const MaterialStar to = starOf(mesh_, edge.ends.second);
+        const SharedStar from = starOf(mesh_, edge.ends.first);
+        const SharedStar to = starOf(mesh_, edge.ends.second);
         if (!isInsideWall(from) || !isInsideWall(to)) {
             return false;
         }
@@ -119,7 +119,7 @@ class WallCoarsening {
                 continue;
             }
             if (const double quality = qualityAfter(*plan);
-                quality > bestQuality && !addsPiercings(mesh_, plan->patches)) {
+                quality > bestQuality && !addsPiercings(mesh_, plan->rings)) {
                 bestQuality = quality;
                 best = std::move(plan);
             }
@@ -134,12 +134,12 @@ class WallCoarsening {
     double qualityAfter(const CollapsePlan& plan) const {
         double before = kLeastQuality;
         double after = 1;
-        for (const Patch& patch : plan.patches) {
-            for (const int t : patch.before) {
+        for (const OneRing& ring : plan.rings) {
+            for (const int t : ring.before) {
                 before = std::min(before, qualityOf(cornersOf(mesh_, t)));
             }
-            for (const PatchTriangle& t : patch.after) {
-                const std::array<Vec3, 3> corners = cornersAfter(mesh_, patch, t);
+            for (const RingTriangle& t : ring.after) {
+                const std::array<Vec3, 3> corners = cornersAfter(mesh_, ring, t);
                 after = std::min(after, qualityOf(corners));
                 if (longestOf(corners) > kLong * factor_ * workspace_.edgeLength()) {
                     return 0;

@@ -20,12 +20,12 @@ bool haveOnePlace(const SurfaceMesh& mesh, const std::vector<int>& vertices, dou
 
 class Collapse {
   public:
-    Collapse(const Workspace& workspace, const MaterialStar& from, const MaterialStar& to,
+    Collapse(const Workspace& workspace, const SharedStar& from, const SharedStar& to,
              CollapseTarget target)
         : workspace_(workspace), mesh_(workspace.mesh), from_(from), to_(to), target_(target) {}
 
     std::optional<CollapsePlan> run() {
-        if (!keepsFeatures() || !keepsMaterialComplex(from_, to_)) {
+        if (!keepsFeatures() || !keepsSharedComplex(from_, to_)) {
             return std::nullopt;
         }
         std::optional<CopyPairing> pairing = pairCopies(mesh_, from_, to_);
@@ -33,8 +33,8 @@ class Collapse {
             return std::nullopt;
         }
         makePatches(*pairing);
-        if (workspace_.touchesRung(plan_.patches) || !movesOnlyOneCorner() || !place() ||
-            !improves() || !keepsOrientation(workspace_, plan_.patches) || !staysNear()) {
+        if (workspace_.touchesRung(plan_.rings) || !movesOnlyOneCorner() || !place() ||
+            !improves() || !keepsOrientation(workspace_, plan_.rings) || !staysNear()) {
             return std::nullopt;
         }
         plan_.from = from_.copies[0];
@@ -49,7 +49,7 @@ class Collapse {
         if (from_.featureCount() == 0) {
             return true;
         }
-        const MaterialEdge* edge = from_.edgeTo(to_.point);
+        const SharedEdge* edge = from_.edgeTo(to_.point);
         if (!edge->isFeature()) {
             return false;
         }
@@ -87,42 +87,42 @@ class Collapse {
                     merged.push_back(gone);
                 }
             }
-            plan_.patches.push_back(patchOfMerge(mesh_, from_, to_, v, std::move(merged)));
-            aim(plan_.patches.back());
+            plan_.rings.push_back(ringOfMerge(mesh_, from_, to_, v, std::move(merged)));
+            aim(plan_.rings.back());
         }
         for (const int u : pairing.unpaired) {
-            plan_.patches.push_back(patchOfMove(mesh_, from_, u));
-            plan_.patches.back().joins = true;
-            aimJoining(plan_.patches.back());
+            plan_.rings.push_back(ringOfMove(mesh_, from_, u));
+            plan_.rings.back().joins = true;
+            aimJoining(plan_.rings.back());
         }
     }
 
-    void aim(Patch& patch) const {
-        const int v = patch.vertex;
-        patch.position = mesh_.position(v);
-        patch.rest = mesh_.restPosition(v);
-        patch.velocity = mesh_.velocity(v);
+    void aim(OneRing& ring) const {
+        const int v = ring.vertex;
+        ring.position = mesh_.position(v);
+        ring.rest = mesh_.restPosition(v);
+        ring.velocity = mesh_.velocity(v);
         if (target_ == CollapseTarget::middle) {
-            const int u = patch.merged.front();
-            patch.position = 0.5 * (patch.position + mesh_.position(u));
-            patch.rest = 0.5 * (patch.rest + mesh_.restPosition(u));
-            patch.velocity = 0.5 * (patch.velocity + mesh_.velocity(u));
+            const int u = ring.merged.front();
+            ring.position = 0.5 * (ring.position + mesh_.position(u));
+            ring.rest = 0.5 * (ring.rest + mesh_.restPosition(u));
+            ring.velocity = 0.5 * (ring.velocity + mesh_.velocity(u));
         }
     }
 
     // In a closed slit all copies meet at one place; in an open one each goes the same way.
-    void aimJoining(Patch& patch) const {
+    void aimJoining(OneRing& ring) const {
         const int v = to_.copies[0];
-        patch.rest = mesh_.restPosition(v);
-        patch.position = mesh_.position(v);
-        patch.velocity = mesh_.velocity(v);
+        ring.rest = mesh_.restPosition(v);
+        ring.position = mesh_.position(v);
+        ring.velocity = mesh_.velocity(v);
         if (!closed_) {
             const auto count = static_cast<double>(plan_.merges.size());
-            patch.position = mesh_.position(patch.vertex);
-            patch.velocity = mesh_.velocity(patch.vertex);
+            ring.position = mesh_.position(ring.vertex);
+            ring.velocity = mesh_.velocity(ring.vertex);
             for (const auto& [gone, kept] : plan_.merges) {
-                patch.position += (mesh_.position(kept) - mesh_.position(gone)) / count;
-                patch.velocity += (mesh_.velocity(kept) - mesh_.velocity(gone)) / count;
+                ring.position += (mesh_.position(kept) - mesh_.position(gone)) / count;
+                ring.velocity += (mesh_.velocity(kept) - mesh_.velocity(gone)) / count;
             }
         }
     }
@@ -130,29 +130,29 @@ class Collapse {
     // Volumes are linear in the place of the point only where a triangle meets it once.
     bool movesOnlyOneCorner() const {
         const auto isMoving = [&](int v) {
-            const int point = mesh_.materialPoint(v);
+            const int point = mesh_.firstCopy(v);
             return point == from_.point || point == to_.point;
         };
-        return std::all_of(plan_.patches.begin(), plan_.patches.end(), [&](const Patch& patch) {
-            return std::all_of(patch.after.begin(), patch.after.end(), [&](const PatchTriangle& t) {
+        return std::all_of(plan_.rings.begin(), plan_.rings.end(), [&](const OneRing& ring) {
+            return std::all_of(ring.after.begin(), ring.after.end(), [&](const RingTriangle& t) {
                 return std::count_if(t.corners.begin(), t.corners.end(), isMoving) == 1;
             });
         });
     }
 
     bool place() {
-        plan_.defect = placeByVolume(workspace_, plan_.patches);
-        return workspace_.allows(plan_.defect, isWallOnly(mesh_, plan_.patches));
+        plan_.defect = placeByVolume(workspace_, plan_.rings);
+        return workspace_.allows(plan_.defect, isWallOnly(mesh_, plan_.rings));
     }
 
     bool improves() {
-        const Scores after = scoresAfter(workspace_, plan_.patches);
+        const Scores after = scoresAfter(workspace_, plan_.rings);
         plan_.score = after.worst;
-        return cut::improves(scoresBefore(workspace_, plan_.patches), after);
+        return cut::improves(scoresBefore(workspace_, plan_.rings), after);
     }
 
     bool staysNear() {
-        double moved = deviationOf(mesh_, from_, to_, plan_.patches);
+        double moved = deviationOf(mesh_, from_, to_, plan_.rings);
         if (from_.isCorner()) {
             moved = std::max(moved, edgeLength());
         }
@@ -163,8 +163,8 @@ class Collapse {
 
     const Workspace& workspace_;
     const SurfaceMesh& mesh_;
-    const MaterialStar& from_;
-    const MaterialStar& to_;
+    const SharedStar& from_;
+    const SharedStar& to_;
     CollapseTarget target_;
     bool closed_ = false;
     CollapsePlan plan_;
@@ -172,8 +172,8 @@ class Collapse {
 
 }  // namespace
 
-std::optional<CollapsePlan> planCollapse(const Workspace& workspace, const MaterialStar& from,
-                                         const MaterialStar& to, CollapseTarget target) {
+std::optional<CollapsePlan> planCollapse(const Workspace& workspace, const SharedStar& from,
+                                         const SharedStar& to, CollapseTarget target) {
     return Collapse(workspace, from, to, target).run();
 }
 

@@ -4,33 +4,34 @@
 #include <utility>
 #include <vector>
 
-#include "sim/cut/cleanup/local_patch.h"
+#include "sim/cut/cleanup/one_ring.h"
 #include "sim/cut/cleanup/workspace.h"
 
 namespace kerf::cut {
 
-/// The collapse of a material edge, all copies together, ready to be carried out.
+/// The collapse of a shared edge, all copies together, ready to be carried out.
 struct CollapsePlan {
     int from = -1;  ///< a copy of the point that goes
     int to = -1;    ///< a copy of the point that stays
-    /// Vertices of the one that merge into vertices of the other, along an edge each.
+    /// Copies of the point that goes and copies of the one that stays into which they merge, along
+    /// an edge each.
     std::vector<std::pair<int, int>> merges;
-    std::vector<Patch> patches;
-    double score = 0;      ///< of the worst triangle after it
-    double deviation = 0;  ///< summed up with that of earlier operations [m]
-    VolumeDefect defect;
+    std::vector<OneRing> rings;  ///< changes around each copy that stays
+    double score = 0;            ///< score of the worst triangle after the collapse
+    double deviation = 0;        ///< summed up with that of earlier operations [m]
+    VolumeDefect defect;         ///< the volume that changes
 };
 
-/// Where the remaining point goes.
+/// The place to which the remaining point goes: the end that stays, or the edge's middle.
 enum class CollapseTarget { end, middle };
 
-/// Whether and how `from` may collapse into `to`: see the design of each test in the source.
-/// Whether the surface would pass through itself, which takes longer, is left to ask of the plan
-/// that is chosen.
-std::optional<CollapsePlan> planCollapse(const Workspace& workspace, const MaterialStar& from,
-                                         const MaterialStar& to, CollapseTarget target);
+/// Plans how `from` collapses into `to`; nothing where it may not (each test says why in the
+/// source). Whether the surface would pass through itself (addsPiercings) takes longer to tell and
+/// is left to ask of the plan that is chosen.
+std::optional<CollapsePlan> planCollapse(const Workspace& workspace, const SharedStar& from,
+                                         const SharedStar& to, CollapseTarget target);
 
-/// Merges the vertices, moves the copies, updates mates.
+/// Carries out a plan: merges the vertices, joins and moves the copies.
 void carryOut(const CollapsePlan& plan, Workspace& workspace);
 
 }  // namespace kerf::cut

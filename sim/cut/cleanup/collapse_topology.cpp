@@ -22,8 +22,8 @@ bool contains(const std::vector<int>& list, int value) {
 
 }  // namespace
 
-std::optional<CopyPairing> pairCopies(const SurfaceMesh& mesh, const MaterialStar& from,
-                                      const MaterialStar& to) {
+std::optional<CopyPairing> pairCopies(const SurfaceMesh& mesh, const SharedStar& from,
+                                      const SharedStar& to) {
     CopyPairing pairing;
     for (const int u : from.copies) {
         std::vector<int> edges;
@@ -44,11 +44,10 @@ std::optional<CopyPairing> pairCopies(const SurfaceMesh& mesh, const MaterialSta
     return pairing.edges.empty() ? std::nullopt : std::optional(std::move(pairing));
 }
 
-bool keepsMaterialComplex(const MaterialStar& from, const MaterialStar& to) {
-    const MaterialEdge& between = *from.edgeTo(to.point);
-    return std::all_of(from.edges.begin(), from.edges.end(), [&](const MaterialEdge& edge) {
-        const MaterialEdge* other =
-            edge.neighbour == to.point ? nullptr : to.edgeTo(edge.neighbour);
+bool keepsSharedComplex(const SharedStar& from, const SharedStar& to) {
+    const SharedEdge& between = *from.edgeTo(to.point);
+    return std::all_of(from.edges.begin(), from.edges.end(), [&](const SharedEdge& edge) {
+        const SharedEdge* other = edge.neighbour == to.point ? nullptr : to.edgeTo(edge.neighbour);
         return other == nullptr ||
                (between.hasApex(edge.neighbour) && !(edge.isFeature() && other->isFeature()));
     });

@@ -5,12 +5,13 @@
 
 namespace kerf::cut {
 
-/// The linear field that fits best, by least squares, how a quantity changes along edges. Where no
-/// edge goes it is constant.
+/// The linear field that fits best, by least squares, how a quantity changes along edges. Along
+/// directions that no edge takes it is constant.
 class LinearField {
   public:
+    /// Adds an edge along which the quantity changes by `change`.
     void add(const Vec3& edge, const Vec3& change);
-    /// By how much the quantity changes along `way`.
+    /// The change of the quantity along `way`.
     Vec3 along(const Vec3& way) const;
 
   private:
@@ -18,13 +19,15 @@ class LinearField {
     Eigen::Matrix3d change_ = Eigen::Matrix3d::Zero();
 };
 
-/// How one shape of some triangles becomes another: their edges, and the normal of each as one
-/// more (Sumner and Popovic, Deformation Transfer for Triangle Meshes, 2004). Where both shapes are
-/// the same, ways are to the last bit.
+/// Maps ways in one shape of some triangles to another shape: fitted to their edges, and the normal
+/// of each as one more (Sumner and Popovic, Deformation Transfer for Triangle Meshes, 2004). Where
+/// both shapes are the same, ways are to the last bit.
 class DeformationField {
   public:
+    /// Maps from the shape `from` to the shape `to`; triangles are yet to be added.
     DeformationField(const VertexPlaces& from, const VertexPlaces& to) : from_(from), to_(to) {}
 
+    /// Adds the edges and the normal of a triangle.
     void add(const Triangle& triangle);
     /// The way in the shape `to` that a way in the shape `from` becomes [m].
     Vec3 along(const Vec3& way) const { return way + offset_.along(way); }
@@ -32,7 +35,7 @@ class DeformationField {
   private:
     VertexPlaces from_;
     VertexPlaces to_;
-    LinearField offset_;  ///< from `from` to `to`
+    LinearField offset_;  ///< what ways gain from `from` to `to`
 };
 
 }  // namespace kerf::cut

@@ -36,34 +36,34 @@ double distanceToFan(const Vec3& p, const Vec3& center, const std::vector<Vec3>&
     return least;
 }
 
-struct PatchShape {
+struct RingShape {
     std::vector<Corners> before;
     std::vector<Corners> after;
 };
 
-PatchShape shapeOf(const SurfaceMesh& mesh, const Patch& patch, bool ofSkin) {
-    PatchShape shape;
-    for (const int t : patch.before) {
+RingShape shapeOf(const SurfaceMesh& mesh, const OneRing& ring, bool ofSkin) {
+    RingShape shape;
+    for (const int t : ring.before) {
         if (!ofSkin || mesh.kind(t) == SurfaceKind::skin) {
             shape.before.push_back(cornersOf(mesh, t));
         }
     }
-    for (const PatchTriangle& t : patch.after) {
+    for (const RingTriangle& t : ring.after) {
         if (!ofSkin || mesh.kind(t.slot) == SurfaceKind::skin) {
-            shape.after.push_back(cornersAfter(mesh, patch, t));
+            shape.after.push_back(cornersAfter(mesh, ring, t));
         }
     }
     return shape;
 }
 
-double skinDeviation(const SurfaceMesh& mesh, const Patch& patch) {
-    const PatchShape skin = shapeOf(mesh, patch, true);
+double skinDeviation(const SurfaceMesh& mesh, const OneRing& ring) {
+    const RingShape skin = shapeOf(mesh, ring, true);
     if (skin.before.empty()) {
         return 0;
     }
-    double most = std::max(distanceToAny(mesh.position(patch.vertex), skin.after),
-                           distanceToAny(patch.position, skin.before));
-    for (const int v : patch.merged) {
+    double most = std::max(distanceToAny(mesh.position(ring.vertex), skin.after),
+                           distanceToAny(ring.position, skin.before));
+    for (const int v : ring.merged) {
         most = std::max(most, distanceToAny(mesh.position(v), skin.after));
     }
     for (const Corners& t : skin.after) {
@@ -72,65 +72,64 @@ double skinDeviation(const SurfaceMesh& mesh, const Patch& patch) {
     return most;
 }
 
-double wallDeviation(const SurfaceMesh& mesh, const Patch& patch) {
-    const PatchShape walls = shapeOf(mesh, patch, false);
-    double most = distanceToAny(patch.position, walls.before);
-    for (const int v : patch.merged) {
+double wallDeviation(const SurfaceMesh& mesh, const OneRing& ring) {
+    const RingShape walls = shapeOf(mesh, ring, false);
+    double most = distanceToAny(ring.position, walls.before);
+    for (const int v : ring.merged) {
         most = std::max(most, distanceToAny(mesh.position(v), walls.after));
     }
     return most;
 }
 
 /// Where the rim goes on from a copy, leaving out the way to `except`.
-std::vector<Vec3> rimEnds(const SurfaceMesh& mesh, const MaterialStar& star, int vertex,
-                          int except) {
+std::vector<Vec3> rimEnds(const SurfaceMesh& mesh, const SharedStar& star, int vertex, int except) {
     std::vector<Vec3> ends;
     mesh.forEachOutgoing(vertex, [&](int h) {
-        const int target = mesh.materialPoint(mesh.target(h));
-        if (target != except && star.edgeTo(target)->type() == MaterialEdgeType::rim) {
+        const int target = mesh.firstCopy(mesh.target(h));
+        if (target != except && star.edgeTo(target)->type() == SharedEdgeType::rim) {
             ends.push_back(mesh.position(mesh.target(h)));
         }
     });
     return ends;
 }
 
-double rimDeviation(const SurfaceMesh& mesh, const MaterialStar& from, const MaterialStar& to,
-                    const Patch& patch) {
-    const Vec3& place = mesh.position(patch.vertex);
-    const MaterialEdge* between = from.edgeTo(to.point);
-    const bool along = between != nullptr && between->type() == MaterialEdgeType::rim;
-    std::vector<Vec3> ends = patch.joins ? rimEnds(mesh, from, patch.vertex, to.point)
-                                         : rimEnds(mesh, to, patch.vertex, from.point);
-    double most = distanceToFan(patch.position, place, ends);
+double rimDeviation(const SurfaceMesh& mesh, const SharedStar& from, const SharedStar& to,
+                    const OneRing& ring) {
+    const Vec3& place = mesh.position(ring.vertex);
+    const SharedEdge* between = from.edgeTo(to.point);
+    const bool along = between != nullptr && between->type() == SharedEdgeType::rim;
+    std::vector<Vec3> ends = ring.joins ? rimEnds(mesh, from, ring.vertex, to.point)
+                                        : rimEnds(mesh, to, ring.vertex, from.point);
+    double most = distanceToFan(ring.position, place, ends);
     std::vector<Vec3> gone;
     if (along) {
-        for (const int v : patch.merged) {
+        for (const int v : ring.merged) {
             const std::vector<Vec3> further = rimEnds(mesh, from, v, to.point);
-            most = std::min({most, distanceToFan(patch.position, mesh.position(v), further),
-                             distanceToSegment(patch.position, place, mesh.position(v))});
+            most = std::min({most, distanceToFan(ring.position, mesh.position(v), further),
+                             distanceToSegment(ring.position, place, mesh.position(v))});
             ends.insert(ends.end(), further.begin(), further.end());
             gone.push_back(mesh.position(v));
         }
     }
     if (ends.empty()) {
-        return along ? (patch.position - place).norm() : 0;
+        return along ? (ring.position - place).norm() : 0;
     }
-    most = std::max(most, distanceToFan(place, patch.position, ends));
+    most = std::max(most, distanceToFan(place, ring.position, ends));
     for (const Vec3& v : gone) {
-        most = std::max(most, distanceToFan(v, patch.position, ends));
+        most = std::max(most, distanceToFan(v, ring.position, ends));
     }
     return most;
 }
 
 }  // namespace
 
-double deviationOf(const SurfaceMesh& mesh, const MaterialStar& from, const MaterialStar& to,
-                   const std::vector<Patch>& patches) {
-    const bool wallsOnly = isWallOnly(mesh, patches);
+double deviationOf(const SurfaceMesh& mesh, const SharedStar& from, const SharedStar& to,
+                   const std::vector<OneRing>& rings) {
+    const bool wallsOnly = isWallOnly(mesh, rings);
     double most = 0;
-    for (const Patch& patch : patches) {
-        most = std::max({most, wallsOnly ? wallDeviation(mesh, patch) : skinDeviation(mesh, patch),
-                         rimDeviation(mesh, from, to, patch)});
+    for (const OneRing& ring : rings) {
+        most = std::max({most, wallsOnly ? wallDeviation(mesh, ring) : skinDeviation(mesh, ring),
+                         rimDeviation(mesh, from, to, ring)});
     }
     return most;
 }

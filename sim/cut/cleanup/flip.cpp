@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/cut/cleanup/acceptance.h"
+#include "sim/cut/cleanup/copies.h"
 #include "sim/cut/cleanup/limits.h"
-#include "sim/cut/cleanup/material.h"
 #include "sim/cut/cleanup/self_piercing.h"
 
 namespace kerf::cut {
@@ -95,22 +95,22 @@ class Flip {
     }
 
   private:
-    // Smooth in the material, with two different points opposite to it.
+    // Smooth where slits are closed, with two different points opposite to it.
     bool isFlippable() {
-        const MaterialEdge* edge = from_.edgeTo(mesh_.materialPoint(mesh_.target(h_)));
-        if (edge == nullptr || edge->isFeature() || edge->sides[0].apex == edge->sides[1].apex) {
+        const SharedEdge* edge = from_.edgeTo(mesh_.firstCopy(mesh_.target(h_)));
+        if (edge == nullptr || edge->isFeature() || edge->faces[0].apex == edge->faces[1].apex) {
             return false;
         }
-        onWalls_ = edge->type() == MaterialEdgeType::wall;
+        onWalls_ = edge->type() == SharedEdgeType::wall;
         return true;
     }
 
     // One copy in the skin, two in walls.
     bool findCopies() {
-        const int to = mesh_.materialPoint(mesh_.target(h_));
+        const int to = mesh_.firstCopy(mesh_.target(h_));
         for (const int v : from_.copies) {
             mesh_.forEachOutgoing(v, [&](int h) {
-                if (mesh_.materialPoint(mesh_.target(h)) == to) {
+                if (mesh_.firstCopy(mesh_.target(h)) == to) {
                     quads_.push_back(
                         {h, v, mesh_.target(h), mesh_.apex(h), mesh_.apex(mesh_.twin(h))});
                 }
@@ -133,7 +133,7 @@ class Flip {
 
     bool keepsComplex() const {
         const Quad& first = quads_.front();
-        if (starOf(mesh_, first.c).edgeTo(mesh_.materialPoint(first.d)) != nullptr) {
+        if (starOf(mesh_, first.c).edgeTo(mesh_.firstCopy(first.d)) != nullptr) {
             return false;
         }
         const Quad& last = quads_.back();
@@ -238,7 +238,7 @@ class Flip {
     FlipGoal goal_;
     const SurfaceMesh& mesh_;
     int h_;
-    MaterialStar from_;
+    SharedStar from_;
     bool onWalls_ = false;
     std::vector<Quad> quads_;
     VolumeDefect net_;  ///< signed; walls that noise has moved apart don't cancel

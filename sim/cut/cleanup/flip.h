@@ -4,12 +4,12 @@
 
 namespace kerf::cut {
 
-/// Flips the material edge of half-edge h on all its copies, if that improves the triangles beside
-/// it, keeps the volume, and neither a feature nor a locked edge is in the way. Returns whether.
+/// Flips the shared edge of half-edge h, all its copies, if that improves the triangles beside it,
+/// keeps the volume, and neither a feature nor a locked edge is in the way. Returns whether.
 bool flipEdge(Workspace& workspace, int h);
 
-/// Flips it likewise, if then the surface passes through itself in fewer places. Triangles beside
-/// it may become worse, but no slivers.
+/// Flips the shared edge of half-edge h, all its copies, if then the surface passes through itself
+/// in fewer places. Triangles beside it may become worse, but no slivers. Returns whether.
 bool flipEdgeApart(Workspace& workspace, int h);
 
 }  // namespace kerf::cut

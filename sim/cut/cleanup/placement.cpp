@@ -36,17 +36,17 @@ double tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c) {
     return a.dot(b.cross(c)) / 6;
 }
 
-/// Of moving the patch's vertex from `place`, with all else where `positions` has it.
+/// Of moving the ring's vertex from `place`, with all else where `positions` has it.
 VolumeEquation equationAt(const SurfaceMesh& mesh, const VertexPlaces& positions,
-                          const Patch& patch, const Vec3& place) {
+                          const OneRing& ring, const Vec3& place) {
     VolumeEquation equation;
-    for (const int t : patch.before) {
+    for (const int t : ring.before) {
         const Triangle& c = mesh.triangle(t);
         equation.change +=
             tetrahedron(positions[c[0]] - place, positions[c[1]] - place, positions[c[2]] - place);
     }
-    for (const PatchTriangle& t : patch.after) {
-        const auto at = std::find(t.corners.begin(), t.corners.end(), patch.vertex);
+    for (const RingTriangle& t : ring.after) {
+        const auto at = std::find(t.corners.begin(), t.corners.end(), ring.vertex);
         const auto corner = at - t.corners.begin();
         equation.gradient += (positions[t.corners[(corner + 1) % 3]] - place)
                                  .cross(positions[t.corners[(corner + 2) % 3]] - place) /
@@ -137,12 +137,12 @@ bool haveOnePlace(const VertexPlaces& positions, const std::vector<int>& vertice
 }
 
 /// Whether all copies that stay, and all that go, lie at one place each.
-bool isClosed(const VertexPlaces& positions, const std::vector<Patch>& patches, double h) {
+bool isClosed(const VertexPlaces& positions, const std::vector<OneRing>& rings, double h) {
     std::vector<int> staying;
     std::vector<int> going;
-    for (const Patch& patch : patches) {
-        (patch.joins ? going : staying).push_back(patch.vertex);
-        going.insert(going.end(), patch.merged.begin(), patch.merged.end());
+    for (const OneRing& ring : rings) {
+        (ring.joins ? going : staying).push_back(ring.vertex);
+        going.insert(going.end(), ring.merged.begin(), ring.merged.end());
     }
     return haveOnePlace(positions, staying, h) && haveOnePlace(positions, going, h);
 }
@@ -150,54 +150,54 @@ bool isClosed(const VertexPlaces& positions, const std::vector<Patch>& patches, 
 /// The current or the rest shape.
 struct Shape {
     VertexPlaces positions;
-    Vec3 Patch::*place;
+    Vec3 OneRing::*place;
     double longestWay;  ///< [m]
     double tolerable;   ///< [m^3]
 };
 
-VolumeEquation equationIn(const Workspace& workspace, const Shape& shape, const Patch& patch) {
-    return equationAt(workspace.mesh, shape.positions, patch, patch.*shape.place);
+VolumeEquation equationIn(const Workspace& workspace, const Shape& shape, const OneRing& ring) {
+    return equationAt(workspace.mesh, shape.positions, ring, ring.*shape.place);
 }
 
-/// Moves patches that share their way. Returns the volume that remains.
-double placeTogether(const Workspace& workspace, const Shape& shape, std::vector<Patch>& patches) {
+/// Moves rings that share their way. Returns the volume that remains.
+double placeTogether(const Workspace& workspace, const Shape& shape, std::vector<OneRing>& rings) {
     std::vector<VolumeEquation> equations;
-    equations.reserve(patches.size());
-    for (const Patch& patch : patches) {
-        equations.push_back(equationIn(workspace, shape, patch));
+    equations.reserve(rings.size());
+    for (const OneRing& ring : rings) {
+        equations.push_back(equationIn(workspace, shape, ring));
     }
     const Displacement together =
         displaceTogether(equations, workspace.edgeLength(), shape.longestWay, shape.tolerable);
-    for (Patch& patch : patches) {
-        patch.*shape.place += together.way;
+    for (OneRing& ring : rings) {
+        ring.*shape.place += together.way;
     }
     return together.defect;
 }
 
-double placeAlone(const Workspace& workspace, const Shape& shape, Patch& patch) {
-    const VolumeEquation equation = equationIn(workspace, shape, patch);
+double placeAlone(const Workspace& workspace, const Shape& shape, OneRing& ring) {
+    const VolumeEquation equation = equationIn(workspace, shape, ring);
     const Vec3 way =
         shortened(shortestSolution({equation}, workspace.edgeLength()), shape.longestWay);
-    patch.*shape.place += way;
+    ring.*shape.place += way;
     return residual({equation}, way);
 }
 
-double placeIn(const Workspace& workspace, const Shape& shape, std::vector<Patch>& patches) {
-    if (isClosed(shape.positions, patches, workspace.edgeLength())) {
-        return placeTogether(workspace, shape, patches);
+double placeIn(const Workspace& workspace, const Shape& shape, std::vector<OneRing>& rings) {
+    if (isClosed(shape.positions, rings, workspace.edgeLength())) {
+        return placeTogether(workspace, shape, rings);
     }
     double defect = 0;
-    for (Patch& patch : patches) {
-        defect += placeAlone(workspace, shape, patch);
+    for (OneRing& ring : rings) {
+        defect += placeAlone(workspace, shape, ring);
     }
     return defect;
 }
 
 DeformationField fieldBetween(const Shape& from, const Shape& to, const SurfaceMesh& mesh,
-                              std::span<const Patch> patches) {
+                              std::span<const OneRing> rings) {
     DeformationField field(from.positions, to.positions);
-    for (const Patch& patch : patches) {
-        for (const int t : patch.before) {
+    for (const OneRing& ring : rings) {
+        for (const int t : ring.before) {
             field.add(mesh.triangle(t));
         }
     }
@@ -212,42 +212,41 @@ Vec3 meanOf(std::span<const Vec3> ways) {
 /// Takes `shape` along the ways of another one, so that its own volumes ask for little and both
 /// stay alike.
 void follow(const Workspace& workspace, const Shape& other, const std::vector<Vec3>& ways,
-            const Shape& shape, std::vector<Patch>& patches) {
-    if (isClosed(shape.positions, patches, workspace.edgeLength())) {
-        const Vec3 way = fieldBetween(other, shape, workspace.mesh, patches).along(meanOf(ways));
-        for (Patch& patch : patches) {
-            patch.*shape.place += shortened(way, shape.longestWay);
+            const Shape& shape, std::vector<OneRing>& rings) {
+    if (isClosed(shape.positions, rings, workspace.edgeLength())) {
+        const Vec3 way = fieldBetween(other, shape, workspace.mesh, rings).along(meanOf(ways));
+        for (OneRing& ring : rings) {
+            ring.*shape.place += shortened(way, shape.longestWay);
         }
         return;
     }
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-        const Vec3 way =
-            fieldBetween(other, shape, workspace.mesh, {&patches[k], 1}).along(ways[k]);
-        patches[k].*shape.place += shortened(way, shape.longestWay);
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+        const Vec3 way = fieldBetween(other, shape, workspace.mesh, {&rings[k], 1}).along(ways[k]);
+        rings[k].*shape.place += shortened(way, shape.longestWay);
     }
 }
 
-bool liesAtRest(const SurfaceMesh& mesh, const Patch& patch) {
-    return std::ranges::all_of(patch.before, [&](int t) {
+bool liesAtRest(const SurfaceMesh& mesh, const OneRing& ring) {
+    return std::ranges::all_of(ring.before, [&](int t) {
         return std::ranges::all_of(mesh.triangle(t),
                                    [&](int v) { return mesh.restPosition(v) == mesh.position(v); });
     });
 }
 
-std::vector<Vec3> placesIn(const Shape& shape, const std::vector<Patch>& patches) {
+std::vector<Vec3> placesIn(const Shape& shape, const std::vector<OneRing>& rings) {
     std::vector<Vec3> places;
-    places.reserve(patches.size());
-    for (const Patch& patch : patches) {
-        places.push_back(patch.*shape.place);
+    places.reserve(rings.size());
+    for (const OneRing& ring : rings) {
+        places.push_back(ring.*shape.place);
     }
     return places;
 }
 
-/// How far each patch's vertex has gone from its place before.
+/// How far each ring's vertex has gone from its place before.
 std::vector<Vec3> waysFrom(std::vector<Vec3> places, const Shape& shape,
-                           const std::vector<Patch>& patches) {
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-        places[k] = patches[k].*shape.place - places[k];
+                           const std::vector<OneRing>& rings) {
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+        places[k] = rings[k].*shape.place - places[k];
     }
     return places;
 }
@@ -255,42 +254,43 @@ std::vector<Vec3> waysFrom(std::vector<Vec3> places, const Shape& shape,
 /// First in the shape that is at rest, where slits are closed and nothing is crumpled; the other
 /// one follows. Returns the volumes that remain.
 std::pair<double, double> placeAlike(const Workspace& workspace, const Shape& atRest,
-                                     const Shape& other, std::vector<Patch>& patches) {
-    const std::vector<Vec3> before = placesIn(atRest, patches);
-    const double defectAtRest = placeIn(workspace, atRest, patches);
+                                     const Shape& other, std::vector<OneRing>& rings) {
+    const std::vector<Vec3> before = placesIn(atRest, rings);
+    const double defectAtRest = placeIn(workspace, atRest, rings);
     // Else the equations are the same, to the last bit.
-    const auto liesThere = [&](const Patch& patch) { return liesAtRest(workspace.mesh, patch); };
-    if (!std::ranges::all_of(patches, liesThere)) {
-        follow(workspace, atRest, waysFrom(before, atRest, patches), other, patches);
+    const auto liesThere = [&](const OneRing& ring) { return liesAtRest(workspace.mesh, ring); };
+    if (!std::ranges::all_of(rings, liesThere)) {
+        follow(workspace, atRest, waysFrom(before, atRest, rings), other, rings);
     }
-    return {defectAtRest, placeIn(workspace, other, patches)};
+    return {defectAtRest, placeIn(workspace, other, rings)};
 }
 
 }  // namespace
 
-VolumeDefect placeByVolume(const Workspace& workspace, std::vector<Patch>& patches) {
+VolumeDefect placeByVolume(const Workspace& workspace, std::vector<OneRing>& rings) {
     const SurfaceMesh& mesh = workspace.mesh;
     const VolumeDefect tolerable = workspace.mostPerOperation();
     const double longest = workspace.mostDeviation();
-    const double stretch = std::min(kMostStretch, restStretch(mesh, patches.front().vertex));
-    const Shape current{VertexPlaces::current(mesh), &Patch::position, longest, tolerable.current};
-    const Shape rest{VertexPlaces::atRest(mesh), &Patch::rest, longest * stretch, tolerable.rest};
+    const double stretch = std::min(kMostStretch, restStretch(mesh, rings.front().vertex));
+    const Shape current{VertexPlaces::current(mesh), &OneRing::position, longest,
+                        tolerable.current};
+    const Shape rest{VertexPlaces::atRest(mesh), &OneRing::rest, longest * stretch, tolerable.rest};
     VolumeDefect defect;
     if (workspace.judgesAtRest()) {
-        std::tie(defect.current, defect.rest) = placeAlike(workspace, current, rest, patches);
+        std::tie(defect.current, defect.rest) = placeAlike(workspace, current, rest, rings);
     } else {
-        std::tie(defect.rest, defect.current) = placeAlike(workspace, rest, current, patches);
+        std::tie(defect.rest, defect.current) = placeAlike(workspace, rest, current, rings);
     }
     return defect;
 }
 
-VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
+VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<OneRing>& rings) {
     VolumeDefect defect;
-    for (const Patch& patch : patches) {
+    for (const OneRing& ring : rings) {
         defect.current +=
-            std::fabs(equationAt(mesh, VertexPlaces::current(mesh), patch, patch.position).change);
+            std::fabs(equationAt(mesh, VertexPlaces::current(mesh), ring, ring.position).change);
         defect.rest +=
-            std::fabs(equationAt(mesh, VertexPlaces::atRest(mesh), patch, patch.rest).change);
+            std::fabs(equationAt(mesh, VertexPlaces::atRest(mesh), ring, ring.rest).change);
     }
     return defect;
 }

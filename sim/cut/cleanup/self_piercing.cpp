@@ -14,7 +14,8 @@ namespace kerf::cut {
 
 namespace {
 
-// Stands for a material point that an operation moves or merges: all of them end at one place.
+// Stands for the copies of a vertex that an operation moves or merges: all of them end at one
+// place.
 constexpr int kMovedPoint = -2;
 
 // Sine of the angle between two triangles at an edge below which they lie on each other.
@@ -52,8 +53,7 @@ Placed placed(const Triangle& vertices, const Triangle& points, const std::array
 }
 
 Triangle pointsOf(const SurfaceMesh& mesh, const Triangle& corners) {
-    return {mesh.materialPoint(corners[0]), mesh.materialPoint(corners[1]),
-            mesh.materialPoint(corners[2])};
+    return {mesh.firstCopy(corners[0]), mesh.firstCopy(corners[1]), mesh.firstCopy(corners[2])};
 }
 
 int strokeOf(const SurfaceMesh& mesh, int slot) {
@@ -258,31 +258,31 @@ bool addsPiercings(const SurfaceMesh& mesh, Exchange exchange) {
     return after > 0 && after > piercingsBefore(mesh, exchange, around);
 }
 
-std::vector<int> movedPoints(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
+std::vector<int> movedPoints(const SurfaceMesh& mesh, const std::vector<OneRing>& rings) {
     std::vector<int> points;
-    for (const Patch& patch : patches) {
-        points.push_back(mesh.materialPoint(patch.vertex));
-        for (const int v : patch.merged) {
-            points.push_back(mesh.materialPoint(v));
+    for (const OneRing& ring : rings) {
+        points.push_back(mesh.firstCopy(ring.vertex));
+        for (const int v : ring.merged) {
+            points.push_back(mesh.firstCopy(v));
         }
     }
     sortUnique(points);
     return points;
 }
 
-Exchange exchangeOf(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
-    const std::vector<int> moved = movedPoints(mesh, patches);
+Exchange exchangeOf(const SurfaceMesh& mesh, const std::vector<OneRing>& rings) {
+    const std::vector<int> moved = movedPoints(mesh, rings);
     Exchange exchange;
-    for (const Patch& patch : patches) {
-        exchange.slots.insert(exchange.slots.end(), patch.before.begin(), patch.before.end());
-        for (const PatchTriangle& t : patch.after) {
+    for (const OneRing& ring : rings) {
+        exchange.slots.insert(exchange.slots.end(), ring.before.begin(), ring.before.end());
+        for (const RingTriangle& t : ring.after) {
             exchange.vertices.insert(exchange.vertices.end(), t.corners.begin(), t.corners.end());
             Triangle points = pointsOf(mesh, t.corners);
             for (int& point : points) {
                 point = std::ranges::binary_search(moved, point) ? kMovedPoint : point;
             }
             exchange.after.push_back(
-                placed(t.corners, points, cornersAfter(mesh, patch, t), strokeOf(mesh, t.slot)));
+                placed(t.corners, points, cornersAfter(mesh, ring, t), strokeOf(mesh, t.slot)));
         }
     }
     return exchange;
@@ -300,8 +300,8 @@ Exchange exchangeOf(const SurfaceMesh& mesh, const ChangedTriangles& changed) {
 
 }  // namespace
 
-bool addsPiercings(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
-    return addsPiercings(mesh, exchangeOf(mesh, patches));
+bool addsPiercings(const SurfaceMesh& mesh, const std::vector<OneRing>& rings) {
+    return addsPiercings(mesh, exchangeOf(mesh, rings));
 }
 
 bool addsPiercings(const SurfaceMesh& mesh, const ChangedTriangles& changed) {

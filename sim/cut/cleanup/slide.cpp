@@ -46,7 +46,7 @@ class Slide {
     /// Area vector of the sector that holds a triangle.
     Vec3 sectorOf(int triangle) const {
         for (const int v : star_.copies) {
-            for (const PatchTriangle& t : patchOfMove(mesh_, star_, v).after) {
+            for (const RingTriangle& t : ringOfMove(mesh_, star_, v).after) {
                 if (t.slot == triangle) {
                     return t.reference;
                 }
@@ -57,38 +57,38 @@ class Slide {
 
   private:
     bool moveBy(const Vec3& way) {
-        const std::vector<Patch> patches = patchesMovedBy(way);
-        const VolumeDefect defect = volumeDefect(mesh_, patches);
-        if (workspace_.touchesRung(patches) ||
-            !improves(scoresBefore(workspace_, patches), scoresAfter(workspace_, patches)) ||
-            !keepsOrientation(workspace_, patches) ||
-            !workspace_.allows(defect, isWallOnly(mesh_, patches))) {
+        const std::vector<OneRing> rings = ringsMovedBy(way);
+        const VolumeDefect defect = volumeDefect(mesh_, rings);
+        if (workspace_.touchesRung(rings) ||
+            !improves(scoresBefore(workspace_, rings), scoresAfter(workspace_, rings)) ||
+            !keepsOrientation(workspace_, rings) ||
+            !workspace_.allows(defect, isWallOnly(mesh_, rings))) {
             return false;
         }
         const double deviation =
-            deviationOf(mesh_, star_, star_, patches) + workspace_.deviationAt(star_.copies);
-        if (deviation > workspace_.mostDeviation() || addsPiercings(mesh_, patches)) {
+            deviationOf(mesh_, star_, star_, rings) + workspace_.deviationAt(star_.copies);
+        if (deviation > workspace_.mostDeviation() || addsPiercings(mesh_, rings)) {
             return false;
         }
-        for (const Patch& patch : patches) {
-            workspace_.moveVertex(patch);
+        for (const OneRing& ring : rings) {
+            workspace_.moveVertex(ring);
         }
         workspace_.setDeviation(star_.copies, deviation);
         workspace_.spend(defect);
         return true;
     }
 
-    std::vector<Patch> patchesMovedBy(const Vec3& way) const {
+    std::vector<OneRing> ringsMovedBy(const Vec3& way) const {
         const Vec3 restWay = restWayOf(way);
         const Vec3 velocityWay = velocityWayOf(way);
-        std::vector<Patch> patches;
+        std::vector<OneRing> rings;
         for (const int v : star_.copies) {
-            patches.push_back(patchOfMove(mesh_, star_, v));
-            patches.back().position = mesh_.position(v) + way;
-            patches.back().rest = mesh_.restPosition(v) + restWay;
-            patches.back().velocity = mesh_.velocity(v) + velocityWay;
+            rings.push_back(ringOfMove(mesh_, star_, v));
+            rings.back().position = mesh_.position(v) + way;
+            rings.back().rest = mesh_.restPosition(v) + restWay;
+            rings.back().velocity = mesh_.velocity(v) + velocityWay;
         }
-        return patches;
+        return rings;
     }
 
     Vec3 velocityWayOf(const Vec3& way) const {
@@ -129,7 +129,7 @@ class Slide {
 
     Workspace& workspace_;
     const SurfaceMesh& mesh_;
-    MaterialStar star_;
+    SharedStar star_;
     std::vector<Vec3> gradients_;
     std::vector<Vec3> restGradients_;
 };

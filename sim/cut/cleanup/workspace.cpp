@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "sim/base/sort_unique.h"
+#include "sim/cut/cleanup/copies.h"
 #include "sim/cut/cleanup/limits.h"
-#include "sim/cut/cleanup/material.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"
 
@@ -102,9 +102,9 @@ bool Workspace::trianglesTouchRung(const std::vector<int>& triangles) const {
     return false;
 }
 
-bool Workspace::touchesRung(const std::vector<Patch>& patches) const {
-    return std::any_of(patches.begin(), patches.end(),
-                       [&](const Patch& patch) { return trianglesTouchRung(patch.before); });
+bool Workspace::touchesRung(const std::vector<OneRing>& rings) const {
+    return std::any_of(rings.begin(), rings.end(),
+                       [&](const OneRing& ring) { return trianglesTouchRung(ring.before); });
 }
 
 double Workspace::deviationAt(const std::vector<int>& copies) const {
@@ -147,14 +147,14 @@ double Workspace::volumeSpent() const {
     return spent_.current / bodyVolume_ + spent_.rest / restVolume_;
 }
 
-void Workspace::moveVertex(const Patch& patch) {
-    restMotion_ += judgesAtRest_ ? (patch.position - mesh.position(patch.vertex)).norm()
-                                 : (patch.rest - mesh.restPosition(patch.vertex)).norm();
-    mesh.setPosition(patch.vertex, patch.position);
-    mesh.setRestPosition(patch.vertex, patch.rest);
-    mesh.setVelocity(patch.vertex, patch.velocity);
-    moved_.push_back(patch.vertex);
-    mesh.forEachOutgoing(patch.vertex, [&](int spoke) { noteChanged(spoke / 3); });
+void Workspace::moveVertex(const OneRing& ring) {
+    restMotion_ += judgesAtRest_ ? (ring.position - mesh.position(ring.vertex)).norm()
+                                 : (ring.rest - mesh.restPosition(ring.vertex)).norm();
+    mesh.setPosition(ring.vertex, ring.position);
+    mesh.setRestPosition(ring.vertex, ring.rest);
+    mesh.setVelocity(ring.vertex, ring.velocity);
+    moved_.push_back(ring.vertex);
+    mesh.forEachOutgoing(ring.vertex, [&](int spoke) { noteChanged(spoke / 3); });
 }
 
 void Workspace::removeTriangle(int triangle) {

@@ -24,10 +24,10 @@ class Commit {
         removeReplaced();
         addTriangles();
         nameVertices();
-        joinMatesOfCurves();
+        joinCopiesOfCurves();
         buildRung();
         if (!plan_.retraces) {
-            joinMatesOfRung();
+            joinCopiesOfRung();
         }
         repairDuplicateEdges();
         finishDelta();
@@ -97,13 +97,13 @@ class Commit {
         }
         const int copy = mesh_.addVertex(Vec3(mesh_.position(v)), Vec3(mesh_.restPosition(v)),
                                          Vec3(mesh_.velocity(v)));
-        mesh_.makeMates(v, copy);
+        mesh_.joinCopies(v, copy);
         ++result_.splitVertices;
         return copy;
     }
 
     int addNode(int id) {
-        const Node& node = plan_.curves.nodes[id];
+        const CutNode& node = plan_.curves.nodes[id];
         const int vertex = mesh_.addVertex(node.position, node.rest, node.velocity);
         if (node.onSeam) {
             result_.onSeams.push_back(vertex);
@@ -111,14 +111,14 @@ class Commit {
         if (vertexOfNode_[id] < 0) {
             vertexOfNode_[id] = vertex;
         } else {
-            mesh_.makeMates(vertexOfNode_[id], vertex);
+            mesh_.joinCopies(vertexOfNode_[id], vertex);
             ++result_.splitVertices;
         }
         return vertex;
     }
 
     int vertexOf(int node) const {
-        const Node& n = plan_.curves.nodes[node];
+        const CutNode& n = plan_.curves.nodes[node];
         return n.kind == NodeKind::vertex ? n.a : vertexOfNode_[node];
     }
 
@@ -129,19 +129,18 @@ class Commit {
         }
         const auto [at, isNew] = known.emplace(key, vertex);
         if (!isNew) {
-            mesh_.makeMates(at->second, vertex);
+            mesh_.joinCopies(at->second, vertex);
         }
     }
 
-    // Where the strip crosses an older slit it meets both walls in the same material points; the
+    // Where the strip crosses an older slit it meets both walls in copies of the same vertices; the
     // vertices at the tip of the slit have no copies and stand for themselves.
-    void joinMatesOfCurves() {
+    void joinCopiesOfCurves() {
         std::map<std::array<int, 3>, int> onEdge;
         for (const auto& [edge, hits] : plan_.curves.onEdge) {
-            const Edge material =
-                edgeOf(mesh_.materialPoint(edge.first), mesh_.materialPoint(edge.second));
+            const Edge points = edgeOf(mesh_.firstCopy(edge.first), mesh_.firstCopy(edge.second));
             for (const EdgeHit& hit : hits) {
-                joinByKey(onEdge, {material.first, material.second, hit.stripTriangle},
+                joinByKey(onEdge, {points.first, points.second, hit.stripTriangle},
                           vertexOfNode_[hit.node]);
             }
         }
@@ -149,7 +148,7 @@ class Commit {
         for (const auto& [key, node] : plan_.curves.onFace) {
             std::array<int, 3> corners = replacedCorners_.at(key.second);
             for (int& corner : corners) {
-                corner = mesh_.materialPoint(corner);
+                corner = mesh_.firstCopy(corner);
             }
             std::sort(corners.begin(), corners.end());
             joinByKey(onFace, {corners[0], corners[1], corners[2], key.first}, vertexOfNode_[node]);
@@ -177,7 +176,7 @@ class Commit {
     }
 
     // The front leaves one wall of an older slit and enters the other.
-    void joinMatesOfRung() {
+    void joinCopiesOfRung() {
         const std::set<int> onOldWalls = frontVerticesOnWalls();
         const std::vector<RungNode>& rung = result_.rung;
         for (int k = 0; k + 1 < sizeOf(rung); ++k) {
@@ -185,7 +184,7 @@ class Commit {
             const int v = rung[k + 1].vertex;
             if (!rung[k].attached && u != v && onOldWalls.count(u) > 0 && onOldWalls.count(v) > 0 &&
                 (rung[k].position - rung[k + 1].position).norm() < kCloseDistance * h_) {
-                mesh_.makeMates(u, v);
+                mesh_.joinCopies(u, v);
             }
         }
     }
@@ -193,7 +192,7 @@ class Commit {
     std::set<int> frontVerticesOnWalls() const {
         std::set<int> result;
         for (const FrontPoint& point : plan_.outline.front) {
-            const Node& node = plan_.curves.nodes[point.node];
+            const CutNode& node = plan_.curves.nodes[point.node];
             if (node.kind == NodeKind::face && mesh_.kind(node.a) == SurfaceKind::wall) {
                 result.insert(vertexOf(point.node));
             }

@@ -8,17 +8,17 @@
 
 namespace kerf::cut {
 
-/// What a step made of the mesh.
+/// The change that a step made to the mesh.
 struct CommitResult {
-    CutDelta delta;
-    std::vector<RungNode> rung;  ///< the new one, from A to B
+    CutDelta delta;              ///< the change itself
+    std::vector<RungNode> rung;  ///< the new rung's part, from A to B
     int splitVertices = 0;       ///< copies of vertices that were made
     std::vector<int> onSeams;    ///< new vertices on walls that were divided but not cut
 };
 
-/// Changes the mesh. Cannot fail. The front edges of `staying` are not the step's, and stay. Every
-/// umbrella of the new surface becomes one vertex; the first one keeps the old number, others
-/// become mates of it.
+/// Carries out a planned step. Cannot fail. The front edges of `staying` are not the step's, and
+/// stay. Every umbrella of the new surface becomes one vertex; the first one keeps the old number,
+/// others become copies of it. `h`: edge length about the rung [m].
 CommitResult commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke,
                     const std::vector<RungNode>& staying);
 

@@ -4,12 +4,13 @@
 
 namespace kerf::cut {
 
-/// Numbers by directed edges between ends from 0 on, of which few leave one end.
+/// A table of numbers by directed edges between ends 0, 1, ...; few edges leave one end.
 class DirectedEdges {
   public:
+    /// An empty table for edges between so many ends.
     explicit DirectedEdges(std::size_t ends) : first_(ends, -1) {}
 
-    /// False where the edge has a number already, which it keeps. `value` >= 0.
+    /// Gives an edge the number `value` >= 0. False where it has one already, which it keeps.
     bool add(int from, int to, int value) {
         if (find(from, to) >= 0) {
             return false;
@@ -18,7 +19,7 @@ class DirectedEdges {
         first_[from] = static_cast<int>(entries_.size()) - 1;
         return true;
     }
-    /// -1 where there is none, also from ends that do not exist.
+    /// The number of an edge, -1 where it has none, also from ends that do not exist.
     int find(int from, int to) const {
         int entry = from < static_cast<int>(first_.size()) ? first_[from] : -1;
         while (entry >= 0 && entries_[entry].to != to) {
@@ -26,14 +27,16 @@ class DirectedEdges {
         }
         return entry < 0 ? -1 : entries_[entry].value;
     }
+    /// Whether the edge has a number.
     bool has(int from, int to) const { return find(from, to) >= 0; }
+    /// Makes room for so many edges.
     void reserve(std::size_t edges) { entries_.reserve(edges); }
 
   private:
     struct Entry {
         int to;
         int value;
-        int next;  ///< from the same end, -1 for none
+        int next;  ///< the next entry from the same end, -1 for none
     };
     std::vector<int> first_;
     std::vector<Entry> entries_;

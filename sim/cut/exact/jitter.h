@@ -9,16 +9,19 @@ namespace kerf::cut {
 /// Reproducible pseudo-random numbers (xorshift64) for the blade's offset and for retries.
 class Jitter {
   public:
+    /// Starts the sequence that `seed` decides.
     explicit Jitter(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull + 1) {
         for (int i = 0; i < 5; ++i) {
             next();
         }
     }
 
-    /// In [0, 1).
+    /// The next number, uniform in [0, 1).
     double uniform() { return static_cast<double>(next() >> 11) * (1.0 / 9007199254740992.0); }
+    /// The next number, uniform in [low, high).
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
+    /// A random unit vector, uniform over all directions.
     Vec3 direction() {
         while (true) {
             const double x = uniform(-1, 1);

@@ -6,29 +6,30 @@
 
 namespace kerf::cut {
 
-/// Sign of a determinant, exact, and its value as far as doubles carry it.
+/// A determinant: its exact sign, and its value as far as doubles carry it.
 struct Orientation {
-    int sign = 0;
-    double value = 0;
+    int sign = 0;      ///< -1, 0 or 1
+    double value = 0;  ///< rounded; its sign may be wrong
 };
 
-/// Of ((b - a) x (c - a)) . (p - a), six times a signed volume: positive where p lies on the side
-/// that the normal of abc points to. A static filter decides almost every call; the rest is
-/// evaluated with expansions (Shewchuk 1997). Needs -ffp-contract=off.
+/// The determinant ((b - a) x (c - a)) . (p - a), six times a signed volume: positive where p lies
+/// on the side that the normal of abc points to. A static filter decides almost every call; the
+/// rest is evaluated with expansions (Shewchuk 1997). Needs -ffp-contract=off.
 Orientation orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
 
-/// A determinant in doubles and the sum of the sizes of its terms.
+/// The estimate of a determinant in doubles.
 struct Estimate3d {
-    double determinant;
-    double magnitude;
-    /// 0 where doubles do not tell. The error bound is (7 + 56 e) e with e = 2^-53, rounded up.
+    double determinant;  ///< its rounded value
+    double magnitude;    ///< the sum of the sizes of its terms
+    /// The sign of the determinant, 0 where doubles do not tell. The error bound is (7 + 56 e) e
+    /// with e = 2^-53, rounded up.
     int sign() const {
         const double error = 8e-16 * magnitude;
         return determinant > error ? 1 : determinant < -error ? -1 : 0;
     }
 };
 
-/// Of orient3d.
+/// The estimate of orient3d's determinant.
 inline Estimate3d estimate3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
     const double ux = b.x() - a.x(), uy = b.y() - a.y(), uz = b.z() - a.z();
     const double vx = c.x() - a.x(), vy = c.y() - a.y(), vz = c.z() - a.z();
@@ -41,7 +42,8 @@ inline Estimate3d estimate3d(const Vec3& a, const Vec3& b, const Vec3& c, const 
     return {determinant, magnitude};
 }
 
-/// What estimate3d leaves: twice the precision decides most, the rest is exact.
+/// The exact sign of orient3d where estimate3d does not tell it: twice the precision decides most,
+/// expansions the rest. `magnitude`: Estimate3d's.
 int preciseSign3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, double magnitude);
 
 /// The sign of orient3d alone, at a fraction of the time where p lies almost in the plane.
@@ -51,10 +53,10 @@ inline int orientSign3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
     return sign != 0 ? sign : preciseSign3d(a, b, c, p, estimate.magnitude);
 }
 
-/// What the filter of orient2d leaves.
+/// The exact sign of orient2d where its filter does not tell it.
 int exactOrient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 
-/// Exact sign of twice the signed area of abc: +1 where it runs counter-clockwise.
+/// The exact sign of twice the signed area of abc: +1 where it runs counter-clockwise.
 inline int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
     const double left = (b.x() - a.x()) * (c.y() - a.y());
     const double right = (b.y() - a.y()) * (c.x() - a.x());
@@ -64,7 +66,7 @@ inline int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
     return area > error ? 1 : area < -error ? -1 : exactOrient2d(a, b, c);
 }
 
-/// Lexicographic order of two points; where they coincide, the order of their ids. Mates then
+/// The lexicographic order of two points; where they coincide, the order of their ids. Copies then
 /// give their arguments in the same order and get bit-identical results.
 bool comesBefore(const Vec3& p, int idP, const Vec3& q, int idQ);
 

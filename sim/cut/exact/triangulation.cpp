@@ -433,7 +433,7 @@ bool Triangulation::flipAway(int a, int b, std::vector<std::array<int, 2>> cross
 
 void Triangulation::restoreDelaunay(std::vector<std::array<int, 2>>& edges) {
     bool changed = true;
-    for (int pass = 0; pass < 3 && changed; ++pass) {
+    for (int round = 0; round < 3 && changed; ++round) {
         changed = false;
         for (auto& ends : edges) {
             const EdgeRef edge = findEdge(ends[0], ends[1]);

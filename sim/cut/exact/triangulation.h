@@ -24,47 +24,55 @@ class Triangulation {
         faceOfVertex_.reserve(faceOfVertex_.size() + points);
         faces_.reserve(faces_.size() + 2 * points);
     }
-    /// The Delaunay criterion is applied to metric * point.
+    /// Applies the Delaunay criterion to metric * point from now on.
     void setMetric(const Eigen::Matrix2d& metric) {
         metric_ = metric;
         hasMetric_ = true;
     }
 
-    /// What became of an inserted point.
+    /// The result of the insertion of a point.
     struct Insertion {
-        int vertex = -1;       ///< -1 for a point outside
+        int vertex = -1;       ///< its number, -1 for a point outside
         bool existed = false;  ///< a vertex already lies exactly there
     };
+    /// Inserts a point and restores the Delaunay criterion around it.
     Insertion insert(const Vec2& p);
     /// Makes ab a constrained edge. False where that would cross another constraint or a vertex.
     bool constrain(int a, int b);
 
-    /// Where a point lies: in the closed triangle `triangle`, or outside all.
+    /// The part of a triangle on which a point lies; `outside` for none.
     enum class Where { outside, inside, onEdge, onVertex };
+    /// The place of a point in the triangulation.
     struct Location {
-        Where where = Where::outside;
-        int triangle = -1;
-        int index = -1;  ///< edge or corner of the triangle
+        Where where = Where::outside;  ///< the part of `triangle`
+        int triangle = -1;             ///< the closed triangle that holds the point
+        int index = -1;                ///< edge or corner of the triangle
     };
+    /// Finds the place of a point.
     Location locate(const Vec2& p);
-    /// The same as insert(p) where `at` is where p was just located.
+    /// Inserts p as insert(p) does, where `at` is what locate(p) has just returned.
     Insertion insert(const Vec2& p, const Location& at);
 
+    /// The number of triangles.
     int size() const { return static_cast<int>(faces_.size()); }
+    /// The position of vertex v.
     const Vec2& point(int v) const { return points_[v]; }
+    /// The vertices of triangle t, counter-clockwise.
     const Triangle& corners(int t) const { return faces_[t].corners; }
-    /// -1 at the outer border.
+    /// The triangle across edge e of t, -1 at the outer border.
     int neighbor(int t, int e) const { return faces_[t].neighbors[e]; }
+    /// Whether edge e of t is a constraint.
     bool constrained(int t, int e) const { return faces_[t].constrained[e]; }
-    /// A mark of the caller's, handed down when a triangle is divided. Constraints bound it.
+    /// The caller's mark of triangle t, handed down when it is divided. Constraints bound it.
     bool marked(int t) const { return faces_[t].marked; }
+    /// Sets or clears the mark of triangle t.
     void setMarked(int t, bool on) { faces_[t].marked = on; }
 
     /// The edge of the neighbour across (t, e) that is the same edge.
     int mirrorEdge(int t, int e) const;
     /// The corner of the neighbour across (t, e) that is not on the edge.
     int oppositeVertex(int t, int e) const;
-    /// The two triangles at (t, e) form a strictly convex quadrilateral.
+    /// Whether the two triangles at (t, e) form a strictly convex quadrilateral.
     bool convex(int t, int e) const;
     /// Replaces the edge by the other diagonal; the quadrilateral must be convex.
     void flip(int t, int e);

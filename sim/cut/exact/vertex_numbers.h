@@ -8,21 +8,22 @@
 
 namespace kerf::cut {
 
-/// Numbers of some of the vertices of a mesh.
+/// A table of numbers of some of the vertices of a mesh.
 class VertexNumbers {
   public:
-    /// With room for so many.
+    /// An empty table with room for `most` vertices.
     explicit VertexNumbers(std::size_t most = 8) : places_(std::bit_ceil(2 * most + 1)) {}
 
-    /// -1 for a vertex without one.
+    /// The number of a vertex, -1 where it has none.
     int find(int vertex) const { return places_[placeFor(vertex)].number; }
-    /// Of a vertex without one; `number` >= 0.
+    /// Gives a vertex that has none the number `number` >= 0.
     void add(int vertex, int number) {
         if (2 * ++count_ > places_.size()) {
             grow();
         }
         places_[placeFor(vertex)] = {vertex, number};
     }
+    /// How many vertices have a number.
     std::size_t size() const { return count_; }
 
   private:
@@ -31,7 +32,7 @@ class VertexNumbers {
         int number = -1;
     };
 
-    /// Where it is, or where it would go.
+    /// The place where the vertex is, or where it would go.
     std::size_t placeFor(int vertex) const {
         const std::size_t mask = places_.size() - 1;
         std::size_t at = static_cast<std::uint64_t>(vertex) * 0x9E3779B97F4A7C15ull >> 32 & mask;

@@ -86,7 +86,7 @@ class PatchCommit {
             for (OneSide* side : {&plus_, &minus_}) {
                 side->vertices.push_back(addMean(plan_.nodes[i].from, side->vertices));
             }
-            mesh_.makeMates(plus_.vertices[i], minus_.vertices[i]);
+            mesh_.joinCopies(plus_.vertices[i], minus_.vertices[i]);
         }
     }
 

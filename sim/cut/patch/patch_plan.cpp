@@ -220,7 +220,7 @@ class PatchPlanner {
     std::vector<WoundEdge> rim_;
     std::vector<int> firstOfLoop_;
     std::vector<PatchNode> nodes_;
-    std::vector<Node> layout_;
+    std::vector<CutNode> layout_;
     Vec3 normal_ = Vec3::Zero();
 };
 

@@ -7,19 +7,19 @@
 
 namespace kerf::cut {
 
-/// What is to close a wound on both of its sides alike.
+/// A patch that is to close a wound on both of its sides alike.
 struct PatchPlan {
-    std::vector<WoundEdge> rim;  ///< node i lies where edge i of W+ starts
-    std::vector<PatchNode> nodes;
-    std::vector<Triangle> triangles;  ///< as on W+
+    std::vector<WoundEdge> rim;       ///< node i lies where edge i of W+ starts
+    std::vector<PatchNode> nodes;     ///< all nodes, the rim's first
+    std::vector<Triangle> triangles;  ///< nodes, in the orientation of W+
 };
 
-/// The paper's patch, in the rest shape: the loops of the wound, laid out in their mean plane, are
-/// joined to one polygon (the largest is the outer one, the others are holes in it), ears are cut
-/// off it, and the triangles refined until they match the edges around the rim (Liepa, "Filling
-/// Holes in Meshes", 2003). Edges that the surface has already are divided. Throws StepFailure
-/// where the wound has no such patch: it ends in the body, has no mirror, or is so curved that the
-/// patch would fold. `h`: edge length of walls [m].
+/// Plans the paper's patch, in the rest shape: the loops of the wound, laid out in their mean
+/// plane, are joined to one polygon (the largest is the outer one, the others are holes in it),
+/// ears are cut off it, and the triangles refined until they match the edges around the rim (Liepa,
+/// "Filling Holes in Meshes", 2003). Edges that the surface has already are divided. Throws
+/// StepFailure where the wound has no such patch: it ends in the body, has no mirror, or is so
+/// curved that the patch would fold. `h`: edge length of walls [m].
 PatchPlan planPatch(const SurfaceMesh& mesh, const Wound& wound, double h);
 
 }  // namespace kerf::cut

@@ -13,26 +13,34 @@ namespace kerf::cut {
 struct PatchNode {
     std::vector<int> from;       ///< earlier nodes that it is the mean of; none on the rim
     Vec3 rest = Vec3::Zero();    ///< [m]
-    Vec2 layout = Vec2::Zero();  ///< in the plane of the wound [m]
-    double size = 0;             ///< edge length that is wanted there [m]
+    Vec2 layout = Vec2::Zero();  ///< place in the plane of the wound [m]
+    double size = 0;             ///< edge length wanted there [m]
 };
 
 /// The triangles of a patch while it is refined, with half-edges as those of SurfaceMesh;
 /// half-edges along the rim have no twin (-1).
 class PatchSurface {
   public:
-    /// Throws StepFailure where an edge is used twice in one direction.
+    /// Links the triangles. Throws StepFailure where an edge is used twice in one direction.
     PatchSurface(std::vector<PatchNode> nodes, std::vector<Triangle> triangles);
 
+    /// All nodes, those on the rim first.
     const std::vector<PatchNode>& nodes() const { return nodes_; }
+    /// All triangles, by nodes.
     const std::vector<Triangle>& triangles() const { return triangles_; }
+    /// The other half-edge of h's edge, -1 along the rim.
     int twin(int h) const { return twins_[h / 3][h % 3]; }
+    /// The node at which h starts.
     int origin(int h) const { return triangles_[h / 3][h % 3]; }
+    /// The node at which h ends.
     int target(int h) const { return triangles_[h / 3][(h % 3 + 1) % 3]; }
+    /// The node opposite to h in its triangle.
     int apex(int h) const { return triangles_[h / 3][(h % 3 + 2) % 3]; }
+    /// Whether the node lies on the rim of the wound.
     bool onRim(int node) const { return nodes_[node].from.empty(); }
 
-    /// Twice the area in the layout, positive where the patch is not folded over.
+    /// Twice the area of a triangle of nodes in the layout [m^2], positive where the patch is not
+    /// folded over.
     double doubleArea(int a, int b, int c) const;
 
     /// Puts a node into the middle of a triangle.

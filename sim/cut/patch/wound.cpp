@@ -34,7 +34,7 @@ class WoundFinder {
     Triangle pointsOf(int t) const {
         Triangle points = mesh_.triangle(t);
         for (int& point : points) {
-            point = mesh_.materialPoint(point);
+            point = mesh_.firstCopy(point);
         }
         std::sort(points.begin(), points.end());
         return points;
@@ -143,8 +143,8 @@ class WoundFinder {
     int mirrorOfEdge(int h) const {
         const int t = mirrorOf_.at(h / 3);
         for (int g = 3 * t; g < 3 * t + 3; ++g) {
-            if (mesh_.materialPoint(mesh_.origin(g)) == mesh_.materialPoint(mesh_.target(h)) &&
-                mesh_.materialPoint(mesh_.target(g)) == mesh_.materialPoint(mesh_.origin(h))) {
+            if (mesh_.firstCopy(mesh_.origin(g)) == mesh_.firstCopy(mesh_.target(h)) &&
+                mesh_.firstCopy(mesh_.target(g)) == mesh_.firstCopy(mesh_.origin(h))) {
                 return g;
             }
         }

@@ -66,7 +66,7 @@ class AirEdges {
         std::vector<RungNode> path{from};
         const double share = 1.0 / (static_cast<double>(carried.size()) + 1);
         for (std::size_t i = 0; i < carried.size(); ++i) {
-            RungNode node = airNode(carried[i].position + lift * inSweep(carried[i]));
+            RungNode node = airNode(carried[i].position + lift * inSweptSurface(carried[i]));
             node.s = from.s + (to.s - from.s) * share * (static_cast<double>(i) + 1);
             path.push_back(node);
         }
@@ -74,8 +74,8 @@ class AirEdges {
         return path;
     }
 
-    // Outwards, but not out of the surface that the blade sweeps.
-    Vec3 inSweep(const CarriedPoint& point) const {
+    // Outwards, but not out of the surface that the blade has swept.
+    Vec3 inSweptSurface(const CarriedPoint& point) const {
         const Vec3 along = (blade_.b - blade_.a).normalized();
         const Vec3 across = along.cross(point.position - blade_.a).stableNormalized();
         return (point.outward - across * across.dot(point.outward)).stableNormalized();

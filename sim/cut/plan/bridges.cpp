@@ -17,7 +17,7 @@ struct Reach {
     bool endsAtOldWall() const { return !front && oldWalls.size() == 1; }
 };
 
-bool liesOnOldRung(const OutlineEdge& edge, const std::vector<Node>& nodes) {
+bool liesOnOldRung(const OutlineEdge& edge, const std::vector<CutNode>& nodes) {
     return edge.kind == OutlineKind::free && nodes[edge.from].layout.y() == 0 &&
            nodes[edge.to].layout.y() == 0;
 }
@@ -37,7 +37,7 @@ std::set<int> piecesOfFront(const std::vector<RungNode>& rung,
 
 bool leavesBridge(const SurfaceMesh& mesh, int stroke, const std::set<int>& pieces,
                   const StepPlan& plan) {
-    const std::vector<Node>& nodes = plan.curves.nodes;
+    const std::vector<CutNode>& nodes = plan.curves.nodes;
     UnionFind parts(nodes.size());
     for (const OutlineEdge& edge : plan.outline.edges) {
         parts.join(edge.from, edge.to);

@@ -15,7 +15,7 @@ constexpr double kBlockedEarPenalty = 5;
 
 class EarCutter {
   public:
-    EarCutter(const std::vector<Node>& nodes, double h) : nodes_(nodes), h_(h) {}
+    EarCutter(const std::vector<CutNode>& nodes, double h) : nodes_(nodes), h_(h) {}
 
     std::vector<Triangle> run(const Sheet2d& sheet) {
         polygon_ = nodesOf(sheet.outer);
@@ -188,7 +188,7 @@ class EarCutter {
         }
     }
 
-    const std::vector<Node>& nodes_;
+    const std::vector<CutNode>& nodes_;
     double h_;
     std::vector<int> polygon_;
     std::vector<Ear> ears_;  ///< by place in the polygon
@@ -198,7 +198,7 @@ class EarCutter {
 
 }  // namespace
 
-std::vector<Triangle> cutEars(const Sheet2d& sheet, const std::vector<Node>& nodes, double h) {
+std::vector<Triangle> cutEars(const Sheet2d& sheet, const std::vector<CutNode>& nodes, double h) {
     return EarCutter(nodes, h).run(sheet);
 }
 

@@ -10,6 +10,6 @@ namespace kerf::cut {
 /// nodes. Overlap in the layout plane is tolerated, no edge is used twice in one direction. The
 /// fallback where the constrained Delaunay triangulation finds no valid polygon. Throws
 /// StepFailure for a loop of two edges and where no ear is left.
-std::vector<Triangle> cutEars(const Sheet2d& sheet, const std::vector<Node>& nodes, double h);
+std::vector<Triangle> cutEars(const Sheet2d& sheet, const std::vector<CutNode>& nodes, double h);
 
 }  // namespace kerf::cut

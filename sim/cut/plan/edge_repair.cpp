@@ -109,16 +109,16 @@ class DuplicateEdges {
     }
 
     std::vector<int> copiesOf(int v) const {
-        const int group = mesh_.mateGroup(v);
-        return group < 0 ? std::vector<int>{v} : mesh_.matesOfGroup(group);
+        const int group = mesh_.copyGroup(v);
+        return group < 0 ? std::vector<int>{v} : mesh_.copiesOfGroup(group);
     }
 
-    // The material points opposite to an edge in the walls beside it: mirrored edges share them.
+    // The first copies of the apexes of an edge in the walls beside it: mirrored edges share them.
     std::vector<int> wallApexes(int h) const {
         std::vector<int> result;
         for (const int side : {h, mesh_.twin(h)}) {
             if (isWall(side / 3)) {
-                result.push_back(mesh_.materialPoint(mesh_.apex(side)));
+                result.push_back(mesh_.firstCopy(mesh_.apex(side)));
             }
         }
         return result;
@@ -133,7 +133,7 @@ class DuplicateEdges {
         return result;
     }
 
-    // Copies of the edge between other mates of u and v, in the mirror of the same walls.
+    // Copies of the edge between other copies of u and v, in the mirror of the same walls.
     std::vector<int> mirrorsOf(int u, int v, const std::vector<int>& edges,
                                const std::vector<int>& parallel) const {
         std::set<int> known;
@@ -189,7 +189,7 @@ class DuplicateEdges {
             middle.vertex = split(edges[i]);
             for (std::size_t j = 0; j < i; ++j) {
                 if (middles[j].vertex >= 0 && intersects(middles[j].apexes, middle.apexes)) {
-                    mesh_.makeMates(middles[j].vertex, middle.vertex);
+                    mesh_.joinCopies(middles[j].vertex, middle.vertex);
                 }
             }
         }

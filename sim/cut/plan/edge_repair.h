@@ -9,8 +9,8 @@ namespace kerf::cut {
 
 /// All half-edges that start at some vertices, one vertex after the other.
 struct Umbrellas {
-    std::vector<int> spokes;
-    std::vector<int> ends;  ///< behind those of each vertex
+    std::vector<int> spokes;  ///< half-edges
+    std::vector<int> ends;    ///< place in `spokes` behind the last one of each vertex
 };
 
 /// Whether two edges at one of these vertices have the same end points.

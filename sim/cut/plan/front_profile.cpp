@@ -37,7 +37,7 @@ FrontProfile::FrontProfile(const Blade& blade, const Strip& strip) : strip_(stri
         points.push_back(node.position);
         room_ = std::max(room_, kRoom * node.position.cwiseAbs().maxCoeff());
     }
-    const Eigen::Matrix3d axes = sweepAxes(blade, points);
+    const Eigen::Matrix3d axes = sweptAxes(blade, points);
     along_ = axes.col(0);
     ahead_ = -axes.col(1);
     front_.reserve(strip.oldCount);

@@ -7,14 +7,13 @@
 
 namespace kerf::cut {
 
-/// The old rung as a line of heights over the blade, in the plane of the sweep. What lies under it
-/// there meets no triangle of the strip, which lies above, but in the nodes and front edges of its
-/// own: so walls behind the front are told apart once, not from one triangle of the strip after
-/// the other.
+/// The old rung as a line of heights over the blade, in the plane of the strip. Triangles under
+/// that line meet none of the strip, which lies above, but in its own nodes and front edges: so
+/// walls behind the front are told apart once, not from one triangle of the strip after the other.
 class FrontProfile {
   public:
-    /// Nothing is behind where the old rung does not run on along the blade, or where the strip
-    /// goes back under it.
+    /// Takes the profile of the strip's old rung. Nothing counts as behind where that rung does not
+    /// run on along the blade, or where the strip goes back under it.
     FrontProfile(const Blade& blade, const Strip& strip);
 
     /// Whether a triangle of the mesh with these corners, as the predicates see it, lies under the
@@ -36,7 +35,7 @@ class FrontProfile {
     double room_ = 0;          ///< far more than rounding moves a height
     std::vector<Vec2> front_;  ///< the nodes of the old rung; empty where nothing is behind
     double nodesPerLength_ = 0;
-    double highest_ = -1e300;  ///< of the nodes
+    double highest_ = -1e300;  ///< height of the highest node
 };
 
 }  // namespace kerf::cut

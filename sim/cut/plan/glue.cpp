@@ -174,7 +174,7 @@ class Gluing {
         return onOutline_[edge.from] == 0 || onOutline_[edge.to] == 0;
     }
 
-    /// Of the surface and W-: gives two half-edges within one sheet to each other.
+    /// Gives two half-edges within the surface, or within W-, to each other.
     bool joinInside(int h, std::vector<GluePartner>& partners) const {
         const Directed edge = ends(h);
         const int other =
@@ -188,24 +188,24 @@ class Gluing {
 
     GluePartner partnerOf(int h) const {
         const Directed edge = ends(h);
-        switch (triangles_[h / 3].sheet) {
-            case Sheet::surface:
+        switch (triangles_[h / 3].side) {
+            case CutSide::surface:
                 return ofSurface(edge);
-            case Sheet::minus:
-                return ofWall(edge, edge, Sheet::minus, Sheet::plus);
-            case Sheet::plus:
+            case CutSide::minus:
+                return ofWall(edge, edge, CutSide::minus, CutSide::plus);
+            case CutSide::plus:
                 break;
         }
-        return ofWall(edge, edge.reversed(), Sheet::plus, Sheet::minus);
+        return ofWall(edge, edge.reversed(), CutSide::plus, CutSide::minus);
     }
 
     GluePartner ofSurface(const Directed& edge) const {
         const Directed back = edge.reversed();
         if (has(cut_, edge) || isOldFront(edge)) {
-            return in(Sheet::plus, back);
+            return in(CutSide::plus, back);
         }
         if (has(cut_, back) || isOldFront(back)) {
-            return in(Sheet::minus, back);
+            return in(CutSide::minus, back);
         }
         return inSurfaceOrMesh(back);
     }
@@ -216,11 +216,11 @@ class Gluing {
     }
 
     // `outlineEdge`: the direction in which the outline would have it.
-    GluePartner ofWall(const Directed& edge, const Directed& outlineEdge, Sheet own,
-                       Sheet other) const {
+    GluePartner ofWall(const Directed& edge, const Directed& outlineEdge, CutSide own,
+                       CutSide other) const {
         const Directed back = edge.reversed();
         if (has(cut_, outlineEdge)) {
-            return in(Sheet::surface, back);
+            return in(CutSide::surface, back);
         }
         if (has(free_, outlineEdge)) {
             return in(other, back);
@@ -231,8 +231,8 @@ class Gluing {
         return in(own, back);
     }
 
-    GluePartner in(Sheet sheet, const Directed& edge) const {
-        const int h = find(sheet, edge);
+    GluePartner in(CutSide side, const Directed& edge) const {
+        const int h = find(side, edge);
         if (h < 0) {
             throw StepFailure{"a new half-edge has no partner"};
         }
@@ -240,16 +240,16 @@ class Gluing {
     }
 
     /// -1 where there is none.
-    int find(Sheet sheet, const Directed& edge) const {
-        if (sheet != Sheet::plus) {
-            return (sheet == Sheet::surface ? surface_ : minus_).find(edge.from, edge.to);
+    int find(CutSide side, const Directed& edge) const {
+        if (side != CutSide::plus) {
+            return (side == CutSide::surface ? surface_ : minus_).find(edge.from, edge.to);
         }
         const int mirrored = minus_.find(edge.to, edge.from);
         return mirrored < 0 ? -1 : mirror(mirrored);
     }
 
     GluePartner inSurfaceOrMesh(const Directed& edge) const {
-        const int h = find(Sheet::surface, edge);
+        const int h = find(CutSide::surface, edge);
         if (h >= 0) {
             return {h, -1};
         }

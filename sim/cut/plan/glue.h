@@ -10,14 +10,14 @@ namespace kerf::cut {
 /// The partner of a half-edge 3 * i + e of the new triangles: another one of them, or a half-edge
 /// of the mesh that stays.
 struct GluePartner {
-    int newHalfEdge = -1;
-    int meshHalfEdge = -1;
+    int newHalfEdge = -1;   ///< 3 * triangle + edge, -1 for none
+    int meshHalfEdge = -1;  ///< half-edge of the mesh, -1 for none
 };
 
 /// Finds the partner of every new half-edge by a table. Topology comes from it alone, never from
 /// geometry; a partner that is missing or double refuses the step (throws StepFailure).
-/// `triangles`: those of the subdivision, then W+, then W- with the same triangles turned over (the
-/// last two corners exchanged).
+/// `triangles`: the subdivision's, then W+, then W- with the same triangles turned over (the last
+/// two corners exchanged).
 std::vector<GluePartner> glue(const SurfaceMesh& mesh, const CutCurves& curves,
                               const Outline& outline, const Subdivision& subdivision,
                               const std::vector<NewTriangle>& triangles);

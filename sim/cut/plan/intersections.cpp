@@ -178,7 +178,7 @@ class Intersector {
         for (auto& [edge, hits] : curves_.onEdge) {
             orderAlongEdge(hits);
         }
-        for (Node& node : curves_.nodes) {
+        for (CutNode& node : curves_.nodes) {
             place(node);
         }
         return std::move(curves_);
@@ -284,8 +284,8 @@ class Intersector {
     // How far from its real position a vertex may be seen.
     double predicateDrift() const {
         const Attempt& attempt = in_.attempt;
-        const bool unfolded = attempt.unfold != Unfold::nothing;
-        const double closing = unfolded ? kCloseDistance : attempt.closing;
+        const bool onSurface = attempt.seenAt != SeenAt::ownPlace;
+        const double closing = onSurface ? kCloseDistance : attempt.closing;
         const double shares = closing + 2 * attempt.shake + attempt.tolerance + attempt.gap;
         return shares * in_.h + in_.opening.reach();
     }
@@ -387,15 +387,15 @@ class Intersector {
         return fringe_;
     }
 
-    /// A wall of this pass beside its front. Those of earlier passes of the stroke may be crossed;
-    /// what a cut leaves of them has corners older than the pass.
+    /// A wall of this transit beside its front. Those of earlier transits of the stroke may be
+    /// crossed; what a cut leaves of them has corners older than the transit.
     bool isFringe(int m) {
         if (!isOwnWall(m)) {
             return false;
         }
         const Triangle& ids = mesh_.triangle(m);
         return std::all_of(ids.begin(), ids.end(),
-                           [&](int v) { return v >= in_.firstVertexOfPass; }) &&
+                           [&](int v) { return v >= in_.firstVertexOfTransit; }) &&
                std::any_of(ids.begin(), ids.end(), [&](int v) { return fringe().count(v) > 0; });
     }
 
@@ -480,7 +480,7 @@ class Intersector {
                 return hit.node;
             }
         }
-        Node node;
+        CutNode node;
         node.kind = NodeKind::edge;
         node.a = from;
         node.b = to;
@@ -526,7 +526,7 @@ class Intersector {
         if (known != curves_.onFace.end()) {
             return known->second;
         }
-        Node node;
+        CutNode node;
         node.kind = NodeKind::face;
         node.a = pair.m;
         node.stripEdge = edge;
@@ -553,13 +553,13 @@ class Intersector {
         count(pair, pair.exit < 0, curves_.vertexNode(mesh_, pair.shared.vertex, corner.layout));
     }
 
-    int addNode(const Node& node) {
+    int addNode(const CutNode& node) {
         curves_.nodes.push_back(node);
         return sizeOf(curves_.nodes) - 1;
     }
 
     void orderAlongEdge(std::vector<EdgeHit>& hits) {
-        std::vector<Node>& nodes = curves_.nodes;
+        std::vector<CutNode>& nodes = curves_.nodes;
         std::sort(hits.begin(), hits.end(), [&](const EdgeHit& p, const EdgeHit& q) {
             return nodes[p.node].t != nodes[q.node].t ? nodes[p.node].t < nodes[q.node].t
                                                       : p.stripTriangle < q.stripTriangle;
@@ -575,7 +575,7 @@ class Intersector {
     }
 
     // Positions come from the real edges and triangles, also where predicates saw them elsewhere.
-    void place(Node& node) const {
+    void place(CutNode& node) const {
         if (node.kind == NodeKind::edge) {
             placeOnEdge(node);
         } else if (node.kind == NodeKind::face) {
@@ -583,7 +583,7 @@ class Intersector {
         }
     }
 
-    void placeOnEdge(Node& node) const {
+    void placeOnEdge(CutNode& node) const {
         const auto lerp = [&](const Vec3& p, const Vec3& q) { return Vec3(p + (q - p) * node.t); };
         node.position = lerp(mesh_.position(node.a), mesh_.position(node.b));
         node.rest = lerp(mesh_.restPosition(node.a), mesh_.restPosition(node.b));
@@ -592,7 +592,7 @@ class Intersector {
 
     // In canonical order throughout: the mirrored node in the other wall of an older slit comes out
     // the same to the last bit, or the Delaunay criterion would divide the two walls differently.
-    void placeOnFace(Node& node) const {
+    void placeOnFace(CutNode& node) const {
         Corners corners;
         look(node.a, corners);
         putInOrder(corners);
@@ -630,7 +630,7 @@ int CutCurves::vertexNode(const SurfaceMesh& mesh, int v, const Vec2& layout) {
     if (const int known = nodeOfVertex.find(v); known >= 0) {
         return known;
     }
-    Node node;
+    CutNode node;
     node.kind = NodeKind::vertex;
     node.a = v;
     node.layout = layout;

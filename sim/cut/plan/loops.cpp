@@ -20,7 +20,7 @@ double angleTo(const Vec2& from, const Vec2& to) {
 
 class LoopNesting {
   public:
-    LoopNesting(const StepInput& in, const Outline& outline, const std::vector<Node>& nodes)
+    LoopNesting(const StepInput& in, const Outline& outline, const std::vector<CutNode>& nodes)
         : in_(in), edges_(outline.edges), nodes_(nodes) {}
 
     std::vector<Sheet2d> run() {
@@ -183,7 +183,7 @@ class LoopNesting {
 
     const StepInput& in_;
     const std::vector<OutlineEdge>& edges_;
-    const std::vector<Node>& nodes_;
+    const std::vector<CutNode>& nodes_;
     std::vector<int> nextLeaving_;  ///< of each edge: the next one from the same node, or -1
     std::vector<int> nextEdge_;
     std::vector<Loop> loops_;
@@ -194,7 +194,7 @@ class LoopNesting {
 }  // namespace
 
 std::vector<Sheet2d> nestLoops(const StepInput& in, const Outline& outline,
-                               const std::vector<Node>& nodes) {
+                               const std::vector<CutNode>& nodes) {
     return LoopNesting(in, outline, nodes).run();
 }
 

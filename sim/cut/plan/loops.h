@@ -9,15 +9,15 @@ namespace kerf::cut {
 /// A closed chain of outline edges.
 using Loop = std::vector<OutlineEdge>;
 
-/// An outer loop and the holes in it.
+/// A connected part of the wall by its border in the layout plane.
 struct Sheet2d {
-    Loop outer;
-    std::vector<Loop> holes;
+    Loop outer;               ///< counter-clockwise
+    std::vector<Loop> holes;  ///< clockwise
 };
 
 /// Chains the outline into loops and nests them: counter-clockwise loops are outer ones, others
 /// are holes of the smallest outer loop around them. Throws StepFailure.
 std::vector<Sheet2d> nestLoops(const StepInput& in, const Outline& outline,
-                               const std::vector<Node>& nodes);
+                               const std::vector<CutNode>& nodes);
 
 }  // namespace kerf::cut

@@ -9,12 +9,12 @@ namespace kerf::cut {
 
 namespace {
 
-/// What copies of one material point have in common. Of a vertex: the material point. Of a node:
-/// the material points of its edge or face, and the strip's triangle or edge that meets it there.
+/// The key that copies have in common. A vertex has its first copy; a node has the first copies of
+/// its edge's or face's corners, and the strip's triangle or edge that meets it there.
 using PointKey = std::array<int, 4>;
 constexpr int kNothing = -1;
 
-/// Of a wall triangle: stroke and corners.
+/// The stroke and the corners of a wall triangle.
 using WallKey = std::pair<int, std::array<PointKey, 3>>;
 /// By how many the triangles of W+ outnumber those of W-.
 using Balance = std::map<WallKey, int>;
@@ -48,18 +48,18 @@ class MirrorCheck {
     }
 
     bool isClosed(int v) const {
-        const int group = mesh_.mateGroup(v);
+        const int group = mesh_.copyGroup(v);
         if (group < 0) {
             return true;
         }
-        const std::vector<int>& mates = mesh_.matesOfGroup(group);
-        const Vec3& first = mesh_.position(mates.front());
-        return std::ranges::all_of(mates, [&](int mate) {
-            return (mesh_.position(mate) - first).norm() <= closeDistance_;
+        const std::vector<int>& copies = mesh_.copiesOfGroup(group);
+        const Vec3& first = mesh_.position(copies.front());
+        return std::ranges::all_of(copies, [&](int copy) {
+            return (mesh_.position(copy) - first).norm() <= closeDistance_;
         });
     }
 
-    /// The wall triangle in the same material points on the other side, -1 where there is none.
+    /// The wall triangle between copies of the same vertices on the other side, -1 for none.
     int mirrorOf(int t) const {
         const Triangle points = pointsOf(t);
         const int corner = mesh_.triangle(t)[0];
@@ -72,10 +72,10 @@ class MirrorCheck {
                 }
             });
         };
-        if (mesh_.mateGroup(corner) < 0) {
+        if (mesh_.copyGroup(corner) < 0) {
             lookAround(corner);
         } else {
-            std::ranges::for_each(mesh_.matesOfGroup(mesh_.mateGroup(corner)), lookAround);
+            std::ranges::for_each(mesh_.copiesOfGroup(mesh_.copyGroup(corner)), lookAround);
         }
         return found;
     }
@@ -84,7 +84,7 @@ class MirrorCheck {
     Triangle pointsOf(int t) const {
         Triangle points = mesh_.triangle(t);
         for (int& point : points) {
-            point = mesh_.materialPoint(point);
+            point = mesh_.firstCopy(point);
         }
         std::ranges::sort(points);
         return points;
@@ -106,10 +106,9 @@ class MirrorCheck {
         const CutCurves& curves = plan_.curves;
         nodes_.assign(curves.nodes.size(), {kNothing, kNothing, kNothing, kNothing});
         for (const auto& [edge, hits] : curves.onEdge) {
-            const Edge material =
-                edgeOf(mesh_.materialPoint(edge.first), mesh_.materialPoint(edge.second));
+            const Edge points = edgeOf(mesh_.firstCopy(edge.first), mesh_.firstCopy(edge.second));
             for (const EdgeHit& hit : hits) {
-                nodes_[hit.node] = {material.first, material.second, kNothing, hit.stripTriangle};
+                nodes_[hit.node] = {points.first, points.second, kNothing, hit.stripTriangle};
             }
         }
         for (const auto& [place, node] : curves.onFace) {
@@ -127,7 +126,7 @@ class MirrorCheck {
 
     PointKey keyOf(int corner) const {
         return corner < mesh_.vertexCount()
-                   ? PointKey{mesh_.materialPoint(corner), kNothing, kNothing, kNothing}
+                   ? PointKey{mesh_.firstCopy(corner), kNothing, kNothing, kNothing}
                    : nodes_[corner - mesh_.vertexCount()];
     }
 

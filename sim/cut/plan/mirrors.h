@@ -6,7 +6,7 @@
 namespace kerf::cut {
 
 /// Whether both walls of every older slit that lies closed come out of the step as each other's
-/// mirror: the plan divides both or neither, in the same material points. Slits count as closed
+/// mirror: the plan divides both or neither, in copies of the same points. Slits count as closed
 /// where all copies of their corners lie within `closeDistance` [m]. Looks at the triangles alone
 /// that the step replaces.
 bool keepsMirrors(const SurfaceMesh& mesh, const StepPlan& plan, double closeDistance);

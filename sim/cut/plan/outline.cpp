@@ -421,14 +421,14 @@ class BorderWalk {
         return from + (strip_.nodes[edge.b].s - from) * point.u;
     }
 
-    Vec3 restOf(const Node& node) const {
+    Vec3 restOf(const CutNode& node) const {
         return node.kind == NodeKind::wall ? guess_.at(node.position) : node.rest;
     }
 
     // Samples a free piece at the spacing of the edges around.
     void addFreePiece(int from, int to, double sFrom, double sTo, bool newRung) {
-        const Node start = curves_.nodes[from];
-        const Node end = curves_.nodes[to];
+        const CutNode start = curves_.nodes[from];
+        const CutNode end = curves_.nodes[to];
         const double length = (end.position - start.position).norm();
         int previous = from;
         double at = 0;
@@ -436,7 +436,7 @@ class BorderWalk {
              divideByEdgeLength(in_.edgeLengths, restOf(start), restOf(end), length)) {
             int next = to;
             if (share < 1) {
-                Node node;
+                CutNode node;
                 node.position = start.position + (end.position - start.position) * share;
                 node.layout = start.layout + (end.layout - start.layout) * share;
                 curves_.nodes.push_back(node);
@@ -464,7 +464,7 @@ class BorderWalk {
             point.node = ownNode(point.stripNode, 0);
             return point.node;
         }
-        Node node;
+        CutNode node;
         node.position = at.position;
         node.layout = at.layout;
         curves_.nodes.push_back(node);
@@ -534,7 +534,7 @@ void sortRuns(std::vector<FrontPoint>& front) {
     }
 }
 
-void requireClosed(const std::vector<OutlineEdge>& edges, const std::vector<Node>& nodes) {
+void requireClosed(const std::vector<OutlineEdge>& edges, const std::vector<CutNode>& nodes) {
     std::vector<int> out(nodes.size(), 0);
     std::vector<int> in(nodes.size(), 0);
     for (const OutlineEdge& edge : edges) {

@@ -7,7 +7,7 @@
 
 namespace kerf::cut {
 
-/// What lies across a border edge of the new wall.
+/// The kind of a border edge of the new wall: what lies across it.
 enum class OutlineKind {
     cut,    ///< a curve segment: surface on both sides opens here
     free,   ///< inside the body: the new front, the path of the tip, the start of a stroke
@@ -16,25 +16,25 @@ enum class OutlineKind {
 
 /// A directed border edge of the new wall, wall on its left in the layout plane.
 struct OutlineEdge {
-    int from;
-    int to;
-    OutlineKind kind;
-    int piece;  ///< of the body
+    int from;          ///< node of CutCurves
+    int to;            ///< node of CutCurves
+    OutlineKind kind;  ///< kind of what lies across
+    int piece;         ///< piece of the body in which the wall lies
 };
 
 /// A node of the new rung, in the order from B to A.
 struct FrontPoint {
-    double s;
-    int node;
+    double s;       ///< parameter along the blade
+    int node;       ///< node of CutCurves
     bool attached;  ///< the edge to the next point lies inside the body
 };
 
 /// The border of that part of the strip that lies inside the body.
 struct Outline {
-    std::vector<OutlineEdge> edges;
-    std::vector<FrontPoint> front;
-    bool endAInside = false;  ///< the blade's end A, at which the front then starts
-    bool endBInside = false;
+    std::vector<OutlineEdge> edges;  ///< all border edges; empty where the blade met only air
+    std::vector<FrontPoint> front;   ///< the new rung inside the body, from B to A
+    bool endAInside = false;         ///< the blade's end A lies inside: the front starts there
+    bool endBInside = false;         ///< the blade's end B lies inside: the front ends there
 };
 
 /// Walks the border of the strip, tells inside from outside, and collects the border of the wall;

@@ -25,15 +25,15 @@ void addWalls(const StepInput& in, const std::vector<WallSheet>& sheets, StepPla
         count += 2 * sheet.triangles.size();
     }
     plan.triangles.reserve(count);
-    for (const Sheet side : {Sheet::plus, Sheet::minus}) {
-        const int label = 2 * in.stroke + (side == Sheet::plus ? 0 : 1);
+    for (const CutSide side : {CutSide::plus, CutSide::minus}) {
+        const int label = 2 * in.stroke + (side == CutSide::plus ? 0 : 1);
         for (const WallSheet& sheet : sheets) {
             for (const Triangle& t : sheet.triangles) {
                 Triangle c{};
                 for (int i = 0; i < 3; ++i) {
                     c[i] = cornerId(in.mesh, plan.curves, t[i]);
                 }
-                if (side == Sheet::plus) {
+                if (side == CutSide::plus) {
                     std::swap(c[1], c[2]);
                 }
                 plan.triangles.push_back({c, side, SurfaceKind::wall, label});
@@ -70,19 +70,19 @@ void measureVolumeChange(const StepInput& in, StepPlan& plan) {
     const SurfaceMesh& mesh = in.mesh;
     plan.restVolumeChange = volumeChange(
         mesh, plan, [&](int v) -> const Vec3& { return mesh.restPosition(v); },
-        [](const Node& node) -> const Vec3& { return node.rest; });
-    const auto lies = [](const Node& node) { return node.position == node.rest; };
+        [](const CutNode& node) -> const Vec3& { return node.rest; });
+    const auto lies = [](const CutNode& node) { return node.position == node.rest; };
     if (in.atRest && std::ranges::all_of(plan.curves.nodes, lies)) {
         plan.volumeChange = plan.restVolumeChange;
         return;
     }
     plan.volumeChange = volumeChange(
         mesh, plan, [&](int v) -> const Vec3& { return mesh.position(v); },
-        [](const Node& node) -> const Vec3& { return node.position; });
+        [](const CutNode& node) -> const Vec3& { return node.position; });
 }
 
 void requireFinite(const CutCurves& curves) {
-    for (const Node& node : curves.nodes) {
+    for (const CutNode& node : curves.nodes) {
         if (!node.position.allFinite() || !node.rest.allFinite() || !node.velocity.allFinite()) {
             throw StepFailure{"a new vertex is not finite"};
         }

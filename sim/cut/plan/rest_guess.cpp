@@ -16,7 +16,7 @@ struct Place {
 
 std::vector<Place> knownPlaces(const StepInput& in, const Strip& strip, const CutCurves& curves) {
     std::vector<Place> places;
-    for (const Node& node : curves.nodes) {
+    for (const CutNode& node : curves.nodes) {
         if (node.kind != NodeKind::wall) {
             places.push_back({node.position, node.rest - node.position});
         }

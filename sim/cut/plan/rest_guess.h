@@ -6,12 +6,14 @@
 
 namespace kerf::cut {
 
-/// Roughly where a place of the strip inside the body rests, for looking up edge lengths: by the
-/// affine map that fits the curves and the old front best. Where new wall vertices rest is another
-/// matter (mapFromSkin).
+/// A rough guess of where places of the strip inside the body rest, for looking up edge lengths:
+/// the affine map that fits the curves and the old front best. New wall vertices get their rest
+/// positions by mapFromSkin.
 class RestGuess {
   public:
+    /// Fits the map.
     RestGuess(const StepInput& in, const Strip& strip, const CutCurves& curves);
+    /// The guessed rest position of a place [m].
     Vec3 at(const Vec3& position) const {
         return position + offset_ + change_ * (position - center_);
     }

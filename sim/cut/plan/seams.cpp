@@ -11,7 +11,7 @@ class Seams {
   public:
     Seams(const StepInput& in, CutCurves& curves) : mesh_(in.mesh), curves_(curves) {
         for (const auto& [v, way] : in.opening.displacements()) {
-            opened_.insert(mesh_.materialPoint(v));
+            opened_.insert(mesh_.firstCopy(v));
         }
     }
 
@@ -37,12 +37,12 @@ class Seams {
     }
 
   private:
-    bool isOpened(int v) const { return opened_.count(mesh_.materialPoint(v)) > 0; }
+    bool isOpened(int v) const { return opened_.count(mesh_.firstCopy(v)) > 0; }
     bool isOpened(const Edge& edge) const { return isOpened(edge.first) || isOpened(edge.second); }
 
     std::vector<int> copiesOf(int v) const {
-        return mesh_.mateGroup(v) < 0 ? std::vector<int>{v}
-                                      : mesh_.matesOfGroup(mesh_.mateGroup(v));
+        return mesh_.copyGroup(v) < 0 ? std::vector<int>{v}
+                                      : mesh_.copiesOfGroup(mesh_.copyGroup(v));
     }
 
     bool isWallEdge(int h) const {
@@ -70,7 +70,7 @@ class Seams {
         std::vector<EdgeHit>& facing = curves_.onEdge[edgeOf(u, v)];
         for (const EdgeHit& hit : hits) {
             const bool forwards = curves_.nodes[hit.node].a == first;
-            const Node node = facingEdgeNode(hit.node, forwards ? u : v, forwards ? v : u);
+            const CutNode node = facingEdgeNode(hit.node, forwards ? u : v, forwards ? v : u);
             const auto known = std::find_if(facing.begin(), facing.end(), [&](const EdgeHit& k) {
                 return k.stripTriangle == hit.stripTriangle;
             });
@@ -85,13 +85,13 @@ class Seams {
         curves_.segmentsOfTriangle[mesh_.twin(h) / 3];
     }
 
-    int addSeamNode(Node node) {
+    int addSeamNode(CutNode node) {
         node.onSeam = true;
         curves_.nodes.push_back(node);
         return sizeOf(curves_.nodes) - 1;
     }
 
-    static void moveTo(const Node& place, Node& node) {
+    static void moveTo(const CutNode& place, CutNode& node) {
         node.a = place.a;
         node.b = place.b;
         node.t = place.t;
@@ -101,8 +101,8 @@ class Seams {
         node.velocity = place.velocity;
     }
 
-    Node facingEdgeNode(int source, int a, int b) const {
-        Node node = curves_.nodes[source];
+    CutNode facingEdgeNode(int source, int a, int b) const {
+        CutNode node = curves_.nodes[source];
         const auto shift = [&](auto&& quantity) {
             return Vec3((1 - node.t) * (quantity(a) - quantity(node.a)) +
                         node.t * (quantity(b) - quantity(node.b)));
@@ -119,7 +119,7 @@ class Seams {
     void orderAlong(std::vector<EdgeHit>& hits) {
         const int start = curves_.nodes[hits.front().node].a;
         for (const EdgeHit& hit : hits) {
-            Node& node = curves_.nodes[hit.node];
+            CutNode& node = curves_.nodes[hit.node];
             if (node.a != start) {
                 std::swap(node.a, node.b);
                 node.t = 1 - node.t;
@@ -135,7 +135,7 @@ class Seams {
     /// The corner of triangle t that is a copy of v, -1 where there is none.
     int copyIn(int t, int v) const {
         for (const int corner : mesh_.triangle(t)) {
-            if (mesh_.materialPoint(corner) == mesh_.materialPoint(v)) {
+            if (mesh_.firstCopy(corner) == mesh_.firstCopy(v)) {
                 return corner;
             }
         }
@@ -173,7 +173,7 @@ class Seams {
     }
 
     void faceNode(int stripEdge, int t, int facing, int source) {
-        Node node = curves_.nodes[source];
+        CutNode node = curves_.nodes[source];
         const Vec3 weights = node.weights;
         node.a = facing;
         for (int i = 0; i < 3; ++i) {
@@ -210,7 +210,7 @@ class Seams {
 
     /// What stands for the end of a segment in the facing triangle.
     int nodeIn(int facing, const Segment& segment, int id) {
-        const Node node = curves_.nodes[id];
+        const CutNode node = curves_.nodes[id];
         if (node.kind == NodeKind::vertex) {
             const int copy = copyIn(facing, node.a);
             return curves_.vertexNode(mesh_, copy, node.layout);
@@ -232,7 +232,7 @@ class Seams {
 
     const SurfaceMesh& mesh_;
     CutCurves& curves_;
-    std::set<int> opened_;  ///< material points of which a copy is seen elsewhere
+    std::set<int> opened_;  ///< first copies of vertices of which a copy is seen elsewhere
 };
 
 }  // namespace

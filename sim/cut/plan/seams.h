@@ -4,9 +4,9 @@
 
 namespace kerf::cut {
 
-/// Where the blade enters or leaves the gap of an older slit, it cuts one of its walls alone. The
-/// facing wall is divided along the same lines without being cut, so that walls stay mirrored: adds
-/// such nodes and segments to `curves`, whose outline must have been traced before. Throws
+/// Adds the seams of a step to `curves`, whose outline must have been traced before. The blade cuts
+/// one wall alone where it enters or leaves the gap of an older slit; along a seam the facing wall
+/// is divided by the same nodes and segments without being cut, so that walls stay mirrored. Throws
 /// StepFailure.
 void addSeams(const StepInput& in, CutCurves& curves);
 

@@ -6,10 +6,10 @@
 
 namespace kerf::cut {
 
-/// The paper finds one triangle that the blade meets and goes on from there over the adjacency;
-/// what hangs together with no seed it misses, such as a second arm. Here all triangles come out of
-/// the tree, so this only counts how many seeds that walk would need: the first triangle of each
-/// group of neighbours. `touched`: ascending. O(k log k).
+/// Counts the groups of neighbours among `touched` triangles, ascending. The paper finds one such
+/// triangle, its seed, and goes on from there over the adjacency, so it misses what hangs together
+/// with no seed, such as a second arm. Here all triangles come out of the tree; this only tells how
+/// many seeds that walk would need. O(k log k).
 int countSeeds(const SurfaceMesh& mesh, const std::vector<int>& touched);
 
 }  // namespace kerf::cut

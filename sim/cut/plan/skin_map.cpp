@@ -20,7 +20,7 @@ struct Sample {
 
 /// Calls visit(node) for each corner of the sheets on the surface or on the old front.
 template <class Visit>
-void forEachRimNode(const std::vector<WallSheet>& sheets, const std::vector<Node>& nodes,
+void forEachRimNode(const std::vector<WallSheet>& sheets, const std::vector<CutNode>& nodes,
                     Visit&& visit) {
     for (const WallSheet& sheet : sheets) {
         for (const Triangle& t : sheet.triangles) {
@@ -34,9 +34,9 @@ void forEachRimNode(const std::vector<WallSheet>& sheets, const std::vector<Node
 }
 
 std::vector<SurfaceSample> samplesAround(const StepInput& in, const std::vector<WallSheet>& sheets,
-                                         const std::vector<Node>& nodes) {
+                                         const std::vector<CutNode>& nodes) {
     std::vector<Vec3> places;
-    forEachRimNode(sheets, nodes, [&](const Node& node) { places.push_back(node.rest); });
+    forEachRimNode(sheets, nodes, [&](const CutNode& node) { places.push_back(node.rest); });
     if (places.empty()) {  // a cut that begins inside: nothing says yet where that rests
         places.push_back(nodes[sheets.front().triangles.front()[0]].position);
     }
@@ -57,9 +57,9 @@ std::vector<Sample> ofPiece(const StepInput& in, const std::vector<SurfaceSample
 }
 
 // For chips without any skin vertex of their own.
-std::vector<Sample> rimSamples(const WallSheet& sheet, const std::vector<Node>& nodes) {
+std::vector<Sample> rimSamples(const WallSheet& sheet, const std::vector<CutNode>& nodes) {
     std::vector<Sample> samples;
-    forEachRimNode({sheet}, nodes, [&](const Node& node) {
+    forEachRimNode({sheet}, nodes, [&](const CutNode& node) {
         samples.push_back({1, node.position, node.rest - node.position, node.velocity});
     });
     return samples;
@@ -100,7 +100,7 @@ bool areAtRest(const std::vector<Sample>& samples) {
         samples, [](const Sample& s) { return s.offset.isZero(0) && s.velocity.isZero(0); });
 }
 
-void mapNode(const std::vector<Sample>& samples, double h, Node& node) {
+void mapNode(const std::vector<Sample>& samples, double h, CutNode& node) {
     const Moments m = momentsAbout(node.position, samples, h);
     const Vec3 center = m.position / m.weight;
     const Vec3 offset = m.offset / m.weight;
@@ -113,7 +113,7 @@ void mapNode(const std::vector<Sample>& samples, double h, Node& node) {
     node.velocity = velocity + (m.velocityByPosition - m.velocity * center.transpose()) * lever;
 }
 
-void keepNode(Node& node) {
+void keepNode(CutNode& node) {
     node.rest = node.position;
     node.velocity = Vec3::Zero();
 }
@@ -122,7 +122,7 @@ void keepNode(Node& node) {
 
 void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutCurves& curves) {
     if (in.atRest) {
-        for (Node& node : curves.nodes) {
+        for (CutNode& node : curves.nodes) {
             if (node.kind == NodeKind::wall) {
                 keepNode(node);
             }
@@ -139,7 +139,7 @@ void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutC
         const bool atRest = areAtRest(samples);
         for (const Triangle& t : sheet.triangles) {
             for (const int id : t) {
-                Node& node = curves.nodes[id];
+                CutNode& node = curves.nodes[id];
                 if (node.kind == NodeKind::wall && !mapped[id]) {
                     atRest ? keepNode(node) : mapNode(samples, in.h, node);
                     mapped[id] = true;

@@ -13,7 +13,7 @@ namespace kerf::cut {
 
 namespace {
 
-// Shares of h: walls nearer to the sweep are retraced, but none that lie beside the front, which is
+// Shares of h: walls nearer to the strip are retraced, but none that lie beside the front, which is
 // inside the body there.
 constexpr double kRetraced = 0.1;
 constexpr double kBesideFront = 0.25;
@@ -21,14 +21,14 @@ constexpr double kAtFrontEnd = 1e-3;
 constexpr double kFarthest = 0.5;
 const double kAlong = std::cos(5 * M_PI / 180);
 
-struct SweepTriangle {
+struct SweptTriangle {
     std::array<Vec3, 3> at;
     Vec3 normal;  ///< twice its area long
 };
 
-/// What the blade sweeps, without its offset and with the nodes of the rung alone.
-std::vector<SweepTriangle> sweptTriangles(const SweepStep& step) {
-    std::vector<SweepTriangle> triangles;
+/// The strip of the step, without the blade's offset and with the nodes of the rung alone.
+std::vector<SweptTriangle> sweptTriangles(const OpeningInput& step) {
+    std::vector<SweptTriangle> triangles;
     triangles.reserve(2 * step.rung.size());
     const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         const Vec3 normal = (b - a).cross(c - a);
@@ -48,12 +48,12 @@ std::vector<SweepTriangle> sweptTriangles(const SweepStep& step) {
     return triangles;
 }
 
-bool startsChain(const SweepStep& step, std::size_t i) {
+bool startsChain(const OpeningInput& step, std::size_t i) {
     return step.rung[i].attached && (i == 0 || !step.rung[i - 1].attached);
 }
 
 /// Whether p lies beside the inside of a chain of front edges, not beyond its ends.
-bool isBesideFront(const SweepStep& step, const Vec3& p) {
+bool isBesideFront(const OpeningInput& step, const Vec3& p) {
     for (std::size_t i = 0; i + 1 < step.rung.size(); ++i) {
         if (!step.rung[i].attached) {
             continue;
@@ -76,7 +76,7 @@ bool isBesideFront(const SweepStep& step, const Vec3& p) {
 
 class Opening {
   public:
-    Opening(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const SweepStep& step)
+    Opening(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const OpeningInput& step)
         : mesh_(mesh), broadPhase_(broadPhase), step_(step), swept_(sweptTriangles(step)) {}
 
     std::map<int, Vec3> run() {
@@ -110,7 +110,7 @@ class Opening {
     }
 
   private:
-    /// Where a vertex lies to the nearest part of the sweep.
+    /// Where a vertex lies to the nearest part of the strip.
     struct Place {
         double distance;  ///< to its plane, signed [m]
         Vec3 normal;
@@ -121,16 +121,16 @@ class Opening {
         return mesh_.kind(t) == SurfaceKind::wall && mesh_.wallLabel(t) / 2 != step_.stroke;
     }
 
-    bool isOlderThanPass(int v) const {
-        return v < step_.firstVertexOfPass || step_.onSeams.count(v) > 0;
+    bool isOlderThanTransit(int v) const {
+        return v < step_.firstVertexOfTransit || step_.onSeams.count(v) > 0;
     }
 
-    bool mayMove(int v) const { return isOlderThanPass(v) && fixed_.count(v) == 0; }
+    bool mayMove(int v) const { return isOlderThanTransit(v) && fixed_.count(v) == 0; }
 
     bool comesNearOldWall() const {
         std::vector<Vec3> points;
         points.reserve(3 * swept_.size());
-        for (const SweepTriangle& s : swept_) {
+        for (const SweptTriangle& s : swept_) {
             points.insert(points.end(), s.at.begin(), s.at.end());
         }
         broadPhase_.takeAround(points, kRetraced * step_.h);
@@ -139,10 +139,10 @@ class Opening {
         });
     }
 
-    // Of walls that the sweep comes near.
+    // Of walls that the strip comes near.
     std::set<int> oldWallVertices() {
         std::set<int> vertices;
-        for (const SweepTriangle& s : swept_) {
+        for (const SweptTriangle& s : swept_) {
             const double reach = kRetraced * step_.h;
             for (const int t : broadPhase_.query(s.at[0], s.at[1], s.at[2], reach)) {
                 if (isOldWall(t) && isRetraced(t)) {
@@ -162,7 +162,7 @@ class Opening {
         const Vec3& p = mesh_.position(v);
         Place place{1e300, Vec3::Zero()};
         double least = 1e300;
-        for (const SweepTriangle& s : swept_) {
+        for (const SweptTriangle& s : swept_) {
             const Vec3 w = closestWeights(p, s.at[0], s.at[1], s.at[2]);
             const double distance = (w[0] * s.at[0] + w[1] * s.at[1] + w[2] * s.at[2] - p).norm();
             if (distance < least) {
@@ -185,7 +185,7 @@ class Opening {
         return inwards.squaredNorm() > 0 && mesh_.outgoing(v) >= 0;
     }
 
-    // The normal of the sweep that points into the material behind the retraced walls; zero where
+    // The normal of the strip that points into the material behind the retraced walls; zero where
     // there is no telling: at the end of a slit.
     Vec3 intoMaterial(int v) {
         const Vec3& p = mesh_.position(v);
@@ -228,7 +228,7 @@ class Opening {
         }
     }
 
-    // Where the sweep leaves the slit at an angle, the walls around a new vertex no longer tell to
+    // Where the strip leaves the slit at an angle, the walls around a new vertex no longer tell to
     // which side they open. Seen closed, it lies exactly on the front that it faces.
     void takeSeamsAlong() {
         for (const int v : step_.onSeams) {
@@ -262,8 +262,8 @@ class Opening {
 
     const SurfaceMesh& mesh_;
     const BroadPhase& broadPhase_;
-    const SweepStep& step_;
-    std::vector<SweepTriangle> swept_;
+    const OpeningInput& step_;
+    std::vector<SweptTriangle> swept_;
     std::set<int> fixed_;
     std::map<int, Place> places_;
 };
@@ -271,7 +271,7 @@ class Opening {
 }  // namespace
 
 SlitOpening::SlitOpening(const SurfaceMesh& mesh, const BroadPhase& broadPhase,
-                         const SweepStep& step)
+                         const OpeningInput& step)
     : displacements_(Opening(mesh, broadPhase, step).run()) {
     for (const auto& [v, way] : displacements_) {
         reach_ = std::max(reach_, way.norm());

@@ -11,34 +11,37 @@
 
 namespace kerf::cut {
 
-/// The part of a step that does not change from try to try: how the blade moves from the rung.
-struct SweepStep {
+/// All that SlitOpening reads of a step: the blade's way from the rung, and what the transit keeps.
+struct OpeningInput {
     const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
-    Blade blade;
-    double h = 0;  ///< edge length of walls [m]
-    int stroke = 0;
-    int firstVertexOfPass = 0;     ///< vertices from here on were made in the pass
-    const std::set<int>& onSeams;  ///< those of them on walls that it did not make (addSeams)
-    /// By vertex: the way in which it opens, a unit vector; zero where it stays. Found when the
-    /// sweep first comes near, and kept for the pass: what the front has left open stays open.
+    Blade blade;                        ///< the blade to which the step goes
+    double h = 0;                       ///< edge length of walls [m]
+    int stroke = 0;                     ///< number of the stroke, as in wall labels
+    int firstVertexOfTransit = 0;       ///< vertices from here on were made in the transit
+    const std::set<int>& onSeams;       ///< those of them on walls that it did not make (addSeams)
+    /// The way in which each vertex opens, a unit vector; zero where it stays. Found when the strip
+    /// first comes near, and kept for the transit: what the front has left open stays open.
     std::map<int, Vec3>& sides;
-    double opening = 0;            ///< how far from the sweep walls are seen, share of h
+    double opening = 0;            ///< distance from the strip at which walls are seen, share of h
     bool takesSeamsAlong = false;  ///< new vertices in open walls (onSeams) open with them
 };
 
-/// Slits of earlier strokes along which the blade runs: the sweep lies within a tenth of an edge
-/// and five degrees of their walls. Cut again, they would leave a slab thinner than any useful
+/// The slits of earlier strokes along which the blade runs: the strip lies within a tenth of an
+/// edge and five degrees of their walls. Cut again, they would leave a slab thinner than any useful
 /// triangle; instead the predicates see them open, and the blade runs in their gap. Nothing real
 /// moves.
 class SlitOpening {
   public:
+    /// Opens nothing.
     SlitOpening() = default;
-    SlitOpening(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const SweepStep& step);
+    /// Finds the slits near the strip and the side to which each of their vertices opens.
+    SlitOpening(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const OpeningInput& step);
 
+    /// Whether no vertex is seen elsewhere.
     bool empty() const { return displacements_.empty(); }
-    /// By vertex: how far it is seen away from where it is [m].
+    /// The vertices that are seen elsewhere, and the way from where each of them is [m].
     const std::map<int, Vec3>& displacements() const { return displacements_; }
-    /// That of v, zero where it has none.
+    /// The displacement of v [m], zero where it is seen where it is.
     Vec3 displacement(int v) const;
     /// The largest displacement [m].
     double reach() const { return reach_; }

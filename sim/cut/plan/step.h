@@ -12,62 +12,62 @@
 
 namespace kerf::cut {
 
-/// Which vertices predicates see on the undivided surface (StrokeSurface) instead of where they
-/// are.
-enum class Unfold {
-    nothing,
-    front,  ///< those of the old rung
-    around  ///< also those around the front's ends
+/// The places at which the predicates of a try see vertices that may have slipped over the skin:
+/// where they are, or where they belong on the surface as it was before the stroke divided it
+/// (StrokeSurface).
+enum class SeenAt {
+    ownPlace,         ///< every vertex where it is
+    frontOnSurface,   ///< the vertices of the old rung where they belong
+    aroundOnSurface,  ///< also the vertices around the front's ends
 };
 
 /// One level of the retry ladder. Lengths are shares of h.
 struct Attempt {
-    int index = 0;
+    int index = 0;           ///< place in the ladder, 0 for the first try
     double offsetScale = 1;  ///< length of the blade's offset, in units of the setting
-    /// Predicates see mates that lie within this of their mean there (commonPosition).
+    /// Predicates see copies that lie within this of their mean there (commonPosition).
     double closing = 0;
-    Unfold unfold = Unfold::nothing;
-    bool touching = false;      ///< vertices of other pieces on a front node belong to it
-    double tolerance = 0;       ///< nodes closer than this are one
-    double shake = 0;           ///< virtual displacement of the front in the predicates
-    double gap = 0;             ///< front ends closer than this across a slit are one node
-    bool ignoreFringe = false;  ///< walls next to the front are not cut
+    SeenAt seenAt = SeenAt::ownPlace;  ///< place at which vertices that slipped are seen
+    bool touching = false;             ///< vertices of other pieces on a front node belong to it
+    double tolerance = 0;              ///< nodes closer than this are one
+    double shake = 0;                  ///< virtual displacement of the front in the predicates
+    double gap = 0;                    ///< front ends closer than this across a slit are one node
+    bool ignoreFringe = false;         ///< walls next to the front are not cut
 };
 
-/// Which part of the blade goes on, by its parameters.
+/// The part of the blade that goes on, by the parameters of its ends.
 struct BladeSpan {
-    double from = 0;
-    double to = 1;
-    /// The ends stay where the old rung ends: beyond them the front stays.
-    bool holdsFrom = false;
-    bool holdsTo = false;
+    double from = 0;         ///< parameter of the first end
+    double to = 1;           ///< parameter of the last end
+    bool holdsFrom = false;  ///< the first end stays on the old rung: beyond it the front stays
+    bool holdsTo = false;    ///< the last end stays on the old rung: beyond it the front stays
 };
 
 /// All that one try of a step reads; nothing here changes during the try.
 struct StepInput {
-    const SurfaceMesh& mesh;
-    const BroadPhase& broadPhase;
-    const std::vector<int>& pieceOfVertex;
-    const StrokeSurface& surface;
-    const SlitOpening& opening;
-    const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
-    Blade blade;
-    BladeSpan span;
-    double h = 0;       ///< edge length about the rung [m]
-    double offset = 0;  ///< length of the blade's offset at scale 1, share of h
-    const EdgeLengthField& edgeLengths;
-    std::uint64_t seed = 0;
-    int stroke = 0;
-    int pass = 0;               ///< of the blade through the body, counted over all strokes
-    int firstVertexOfPass = 0;  ///< vertices from here on were made in the pass
-    Attempt attempt;
+    const SurfaceMesh& mesh;                ///< the body
+    const BroadPhase& broadPhase;           ///< finds the triangles near the strip
+    const std::vector<int>& pieceOfVertex;  ///< piece of the body by vertex
+    const StrokeSurface& surface;           ///< the surface before the stroke
+    const SlitOpening& opening;             ///< older slits that the predicates see open
+    const std::vector<RungNode>& rung;      ///< positions up to date, s along `blade`
+    Blade blade;                            ///< the blade to which the step goes
+    BladeSpan span;                         ///< the part of the blade that goes on
+    double h = 0;                           ///< edge length about the rung [m]
+    double offset = 0;                      ///< length of the blade's offset at scale 1, share of h
+    const EdgeLengthField& edgeLengths;     ///< edge lengths by rest position
+    std::uint64_t seed = 0;                 ///< decides the blade's offset
+    int stroke = 0;                         ///< number of the stroke, as in wall labels
+    int transit = 0;               ///< number of the blade's way from air to air, over all strokes
+    int firstVertexOfTransit = 0;  ///< vertices from here on were made in the transit
+    Attempt attempt;               ///< the level of the retry ladder
     Bounds body{};  ///< what lies outside of this box is in the air; empty where nothing is known
     bool atRest = false;  ///< every vertex lies still where it rests
 };
 
-/// Attempt::closing where older slits are to close, share of h.
+/// The value of Attempt::closing where older slits are to close, share of h.
 inline constexpr double kCloseDistance = 1.0;
-/// The same where only the noise of positions that were rounded is to go.
+/// The value of Attempt::closing where only the noise of rounded positions is to go, share of h.
 inline constexpr double kCloseNoise = 1e-4;
 
 }  // namespace kerf::cut

@@ -20,14 +20,14 @@ constexpr double kShakeNoise = 0.3;  // of the shake: what is random of it
 constexpr double kShakeRoom = 0.3;   // of the distance to the next node: as far as an end may move
 constexpr double kOffsetTurn = 0.3;  // of the offset: how much it differs between A and B
 // At rest, a vertex nearer to the skin lies on it; and around the front's ends, vertices within the
-// reach are unfolded with them.
+// reach are seen on the surface with them.
 constexpr double kOnSkin = 1e-3;
-constexpr double kUnfoldReach = 1.5;
+constexpr double kReachAround = 1.5;
 // More vertices than this at one node is not a crossing but a crumpled mesh.
 constexpr int kMostVerticesOfNode = 16;
 
-bool areMates(const SurfaceMesh& mesh, int a, int b) {
-    return mesh.mateGroup(a) >= 0 && mesh.mateGroup(a) == mesh.mateGroup(b);
+bool areCopies(const SurfaceMesh& mesh, int a, int b) {
+    return mesh.copyGroup(a) >= 0 && mesh.copyGroup(a) == mesh.copyGroup(b);
 }
 
 double bladeLength(const StepInput& in) {
@@ -35,7 +35,7 @@ double bladeLength(const StepInput& in) {
 }
 
 Vec3 seenPosition(const PredicatePositions& positions, const RungNode& node) {
-    return node.vertex >= 0 ? positions.ofMaterial(node.vertex) : node.position;
+    return node.vertex >= 0 ? positions.withoutPins(node.vertex) : node.position;
 }
 
 bool joinsPrevious(const StepInput& in, const PredicatePositions& positions, const Strip& strip,
@@ -50,7 +50,7 @@ bool joinsPrevious(const StepInput& in, const PredicatePositions& positions, con
         return distance < in.attempt.tolerance * in.h;
     }
     return distance < in.attempt.gap * in.h ||
-           (areMates(in.mesh, node.vertex, in.rung[i - 1].vertex) &&
+           (areCopies(in.mesh, node.vertex, in.rung[i - 1].vertex) &&
             distance < in.attempt.closing * in.h);
 }
 
@@ -134,7 +134,7 @@ std::optional<Vec3> ifNear(const StepInput& in, int v, const std::optional<Vec3>
 }
 
 /// Where predicates see a vertex that slipped over the surface: where it belongs.
-std::optional<Vec3> unfolded(const StepInput& in, int v) {
+std::optional<Vec3> onSurface(const StepInput& in, int v) {
     return ifNear(in, v, in.surface.flatPosition(v, kOnSkin * in.h));
 }
 
@@ -142,14 +142,14 @@ std::optional<Vec3> unfolded(const StepInput& in, int v) {
 std::optional<Vec3> keptInside(const StepInput& in, int v) {
     return ifNear(in, v,
                   in.surface.insidePosition(in.mesh.restPosition(v), in.mesh.position(v),
-                                            kUnfoldReach * in.h));
+                                            kReachAround * in.h));
 }
 
-void unfoldAround(const StepInput& in, const Vec3& p, PredicatePositions& positions) {
-    for (const int t : in.broadPhase.query(p, p, p, kUnfoldReach * in.h)) {
+void seeAroundOnSurface(const StepInput& in, const Vec3& p, PredicatePositions& positions) {
+    for (const int t : in.broadPhase.query(p, p, p, kReachAround * in.h)) {
         for (const int v : in.mesh.triangle(t)) {
-            if ((in.mesh.position(v) - p).norm() < kUnfoldReach * in.h) {
-                if (const auto flat = unfolded(in, v)) {
+            if ((in.mesh.position(v) - p).norm() < kReachAround * in.h) {
+                if (const auto flat = onSurface(in, v)) {
                     positions.pin(v, *flat);
                 }
             }
@@ -157,13 +157,13 @@ void unfoldAround(const StepInput& in, const Vec3& p, PredicatePositions& positi
     }
 }
 
-void unfoldFront(const StepInput& in, Strip& strip, PredicatePositions& positions) {
+void seeFrontOnSurface(const StepInput& in, Strip& strip, PredicatePositions& positions) {
     for (int i = 0; i < strip.oldCount; ++i) {
         StripNode& node = strip.nodes[i];
         for (const int v : node.vertices) {
-            const auto flat = unfolded(in, v);
-            if (flat && in.attempt.unfold == Unfold::around) {
-                unfoldAround(in, in.mesh.position(v), positions);
+            const auto flat = onSurface(in, v);
+            if (flat && in.attempt.seenAt == SeenAt::aroundOnSurface) {
+                seeAroundOnSurface(in, in.mesh.position(v), positions);
             }
             const bool inner = node.attached && strip.attachedBefore(i);
             const auto inside = inner && !flat ? keptInside(in, v) : std::nullopt;
@@ -335,7 +335,7 @@ void placeNewRung(const StepInput& in, const std::vector<double>& skipped, Strip
     }
 }
 
-void zipRungs(const BladeSpan& span, Strip& strip) {
+void stitchRungs(const BladeSpan& span, Strip& strip) {
     std::vector<int> lower(strip.oldCount);
     std::vector<double> lowerS(strip.oldCount);
     for (int i = 0; i < strip.oldCount; ++i) {
@@ -348,7 +348,7 @@ void zipRungs(const BladeSpan& span, Strip& strip) {
     }
     upperS.front() = span.from;  // a pinned end keeps its own s on the old rung
     upperS.back() = span.to;
-    strip.triangles = zip(lower, lowerS, strip.newRung, upperS);
+    strip.triangles = stitch(lower, lowerS, strip.newRung, upperS);
     if (strip.triangles.empty()) {
         throw StepFailure{"the blade swept no area"};
     }
@@ -403,10 +403,10 @@ Vec3 PredicatePositions::at(int v) const {
             return pin->second;
         }
     }
-    return ofMaterial(v);
+    return withoutPins(v);
 }
 
-Vec3 PredicatePositions::ofMaterial(int v) const {
+Vec3 PredicatePositions::withoutPins(int v) const {
     const Vec3 position = commonPosition(mesh_, v, closeDistance_);
     return opening_ == nullptr ? position : Vec3(position + opening_->displacement(v));
 }
@@ -465,21 +465,21 @@ Vec3 bladePoint(const StepInput& in, double s) {
 }
 
 Vec3 bladeOffset(const StepInput& in, double s) {
-    return bladeOffset(in.offset * in.h, in.attempt.offsetScale, in.seed, in.pass, s);
+    return bladeOffset(in.offset * in.h, in.attempt.offsetScale, in.seed, in.transit, s);
 }
 
-Vec3 bladeOffset(double length, double scale, std::uint64_t seed, int pass, double s) {
-    // The pass is part of the seed: with equal offsets, strokes through one point and a blade that
-    // comes back the same way would meet the older slits exactly.
-    Jitter jitter(seed * 977 + static_cast<std::uint64_t>(pass) * 131 +
+Vec3 bladeOffset(double length, double scale, std::uint64_t seed, int transit, double s) {
+    // The transit is part of the seed: with equal offsets, strokes through one point and a blade
+    // that comes back the same way would meet the older slits exactly.
+    Jitter jitter(seed * 977 + static_cast<std::uint64_t>(transit) * 131 +
                   static_cast<std::uint64_t>(scale));
     const Vec3 atA = jitter.direction();
     const Vec3 turn = jitter.direction() * kOffsetTurn;
     return (atA + turn * s) * (length * scale);
 }
 
-std::vector<Triangle> zip(const std::vector<int>& lower, const std::vector<double>& lowerS,
-                          const std::vector<int>& upper, const std::vector<double>& upperS) {
+std::vector<Triangle> stitch(const std::vector<int>& lower, const std::vector<double>& lowerS,
+                             const std::vector<int>& upper, const std::vector<double>& upperS) {
     std::vector<Triangle> triangles;
     const auto emit = [&](int a, int b, int c) {
         if (a != b && b != c && a != c) {
@@ -521,8 +521,8 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions,
             pinVertices(strip.nodes[i], positions);
         }
     }
-    if (in.attempt.unfold != Unfold::nothing) {
-        unfoldFront(in, strip, positions);
+    if (in.attempt.seenAt != SeenAt::ownPlace) {
+        seeFrontOnSurface(in, strip, positions);
     }
     if (in.attempt.shake > 0) {
         shakeFront(in, strip, positions);
@@ -532,7 +532,7 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions,
     }
     separateParameters(in, strip);
     placeNewRung(in, skipped, strip);
-    zipRungs(in.span, strip);
+    stitchRungs(in.span, strip);
     connectEdges(in, strip);
     return strip;
 }

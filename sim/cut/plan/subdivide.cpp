@@ -70,7 +70,7 @@ Eigen::Matrix2d triangleMetric(const Vec3& a, const Vec3& b, const Vec3& c) {
     return metric;
 }
 
-/// The corners of a triangle, ordered by material points. Where an older slit is cut again, both
+/// The corners of a triangle, ordered by first copies. Where an older slit is cut again, both
 /// of its walls are then divided by the same arithmetic and stay mirrored, also where the
 /// Delaunay criterion has ties.
 struct CanonicalTriangle {
@@ -83,7 +83,7 @@ CanonicalTriangle canonicalTriangle(const SurfaceMesh& mesh, int m) {
     const Triangle& in = mesh.triangle(m);
     CanonicalTriangle out{in};
     const auto sortPair = [&](int i, int j) {
-        if (mesh.materialPoint(out.corners[j]) < mesh.materialPoint(out.corners[i])) {
+        if (mesh.firstCopy(out.corners[j]) < mesh.firstCopy(out.corners[i])) {
             std::swap(out.corners[i], out.corners[j]);
             std::swap(out.order[i], out.order[j]);
             out.mirrored = !out.mirrored;
@@ -134,7 +134,7 @@ class TriangleSubdivision {
                 std::swap(c[1], c[2]);
             }
             result.triangles.push_back({{ids_[c[0]], ids_[c[1]], ids_[c[2]]},
-                                        Sheet::surface,
+                                        CutSide::surface,
                                         mesh_.kind(m_),
                                         mesh_.wallLabel(m_)});
             result.parents.push_back(m_);
@@ -162,7 +162,7 @@ class TriangleSubdivision {
                 std::reverse(along.begin(), along.end());
             }
             for (const EdgeHit& hit : along) {
-                const Node& node = curves_.nodes[hit.node];
+                const CutNode& node = curves_.nodes[hit.node];
                 addPoint(hit.node, pointOnEdge(e, node.a == corners_[e] ? node.t : 1 - node.t));
                 ++count_.edgeNodes;
             }

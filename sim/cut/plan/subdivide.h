@@ -6,26 +6,27 @@
 
 namespace kerf::cut {
 
-/// On which side of the cut a new triangle lies.
-enum class Sheet { surface, plus, minus };
+/// The part of the new surface to which a new triangle belongs: divided old surface, or the wall on
+/// the side W+ or W- of the cut.
+enum class CutSide { surface, plus, minus };
 
-/// A new triangle. Corners are vertices of the mesh, or mesh.vertexCount() + node.
+/// A triangle that a step makes.
 struct NewTriangle {
-    Triangle corners;
-    Sheet sheet;
-    SurfaceKind kind;
-    int wallLabel;
+    Triangle corners;  ///< vertices of the mesh, or mesh.vertexCount() + node
+    CutSide side;      ///< the part of the new surface
+    SurfaceKind kind;  ///< skin or wall
+    int wallLabel;     ///< as SurfaceMesh::wallLabel
 };
 
-/// The new number of a node: a V node is its mesh vertex.
+/// The corner that stands for a node (NewTriangle::corners): a V node is its mesh vertex.
 int cornerId(const SurfaceMesh& mesh, const CutCurves& curves, int node);
 
 /// All triangles that a step puts in the place of those that the strip meets.
 struct Subdivision {
-    std::vector<NewTriangle> triangles;
-    std::vector<int> parents;   ///< by triangle: the one that it is a part of
-    std::vector<int> replaced;  ///< ascending
-    SubdivisionCounts patterns{};
+    std::vector<NewTriangle> triangles;  ///< parent after parent
+    std::vector<int> parents;            ///< slot of which each triangle is a part
+    std::vector<int> replaced;           ///< slots of all parents, ascending
+    SubdivisionCounts patterns{};        ///< parents by how they are divided
 };
 
 /// Divides every surface triangle that the strip meets along its curve segments. The four

@@ -22,7 +22,7 @@ constexpr double kSteinerToEdge = 0.4;
 constexpr int kMostSteinerPoints = 200000;
 constexpr double kFlat = 1e-5;   // h: faces that are no farther out of one plane are one
 constexpr double kLattices = 2;  // for each doubling of the edge length
-constexpr int kChordPasses = 4;
+constexpr int kChordRounds = 4;
 // A point counts as inside a triangle of the strip a little beyond it (share of the blade).
 constexpr double kRoomInStrip = 1e-6;
 
@@ -43,7 +43,7 @@ bool triangleHas(const SurfaceMesh& mesh, int t, int v) {
     return std::find(corners.begin(), corners.end(), v) != corners.end();
 }
 
-bool liesOnFace(const SurfaceMesh& mesh, const Node& node, int t) {
+bool liesOnFace(const SurfaceMesh& mesh, const CutNode& node, int t) {
     switch (node.kind) {
         case NodeKind::face:
             return node.a == t;
@@ -59,15 +59,15 @@ bool liesOnFace(const SurfaceMesh& mesh, const Node& node, int t) {
 
 // A wall edge between two nodes of one surface face would lie IN the surface and close a chip of
 // no thickness.
-bool shareFace(const SurfaceMesh& mesh, const Node& p, const Node& q) {
+bool shareFace(const SurfaceMesh& mesh, const CutNode& p, const CutNode& q) {
     if (p.kind == NodeKind::wall || q.kind == NodeKind::wall) {
         return false;
     }
     if (p.kind == NodeKind::vertex && q.kind == NodeKind::vertex) {
         return mesh.findHalfEdge(p.a, q.a) >= 0;
     }
-    const Node& first = p.kind == NodeKind::vertex ? q : p;
-    const Node& second = p.kind == NodeKind::vertex ? p : q;
+    const CutNode& first = p.kind == NodeKind::vertex ? q : p;
+    const CutNode& second = p.kind == NodeKind::vertex ? p : q;
     if (first.kind == NodeKind::face) {
         return liesOnFace(mesh, second, first.a);
     }
@@ -84,7 +84,7 @@ double distanceToFace(const SurfaceMesh& mesh, int face, const Vec3& p) {
 }
 
 /// The two faces at a node on an edge, that around a node on a face twice; -1 for others.
-std::array<int, 2> facesAt(const SurfaceMesh& mesh, const Node& node) {
+std::array<int, 2> facesAt(const SurfaceMesh& mesh, const CutNode& node) {
     if (node.kind == NodeKind::face) {
         return {node.a, node.a};
     }
@@ -98,7 +98,7 @@ bool areNeighbors(const SurfaceMesh& mesh, int f, int g) {
 }
 
 /// On two faces side by side, in one plane but for `tolerance`.
-bool shareFlatFaces(const SurfaceMesh& mesh, const Node& p, const Node& q, double tolerance) {
+bool shareFlatFaces(const SurfaceMesh& mesh, const CutNode& p, const CutNode& q, double tolerance) {
     for (const int f : facesAt(mesh, p)) {
         for (const int g : facesAt(mesh, q)) {
             if (f >= 0 && g >= 0 && areNeighbors(mesh, f, g) &&
@@ -358,7 +358,7 @@ class SheetTriangulation {
     Range edgeLengthsAtBorder() const {
         Range range{0, 1e300};
         for (const OutlineEdge& edge : edges_) {
-            const Node& node = nodes_[edge.from];
+            const CutNode& node = nodes_[edge.from];
             const double length = in_.edgeLengths.localEdgeLength(
                 node.kind == NodeKind::wall ? guess_.at(node.position) : node.rest);
             range = {std::max(range.most, length), std::min(range.least, length)};
@@ -402,7 +402,7 @@ class SheetTriangulation {
     }
 
     void insertInside(const Vec2& layout, const Vec3& position, const Triangulation::Location& at) {
-        Node node;
+        CutNode node;
         node.layout = layout;
         node.position = position;
         nodes_.push_back(node);
@@ -463,19 +463,19 @@ class SheetTriangulation {
     }
 
     // Null for an inner point.
-    const Node* borderNode(int vertex) const {
+    const CutNode* borderNode(int vertex) const {
         return vertex < 3 || vertex >= borderVertices_ ? nullptr : &nodes_[nodeOfVertex_[vertex]];
     }
 
     bool isChord(int a, int b) const {
-        const Node* p = borderNode(a);
-        const Node* q = borderNode(b);
+        const CutNode* p = borderNode(a);
+        const CutNode* q = borderNode(b);
         return p != nullptr && q != nullptr && shareFace(in_.mesh, *p, *q);
     }
 
     bool isFlatChord(int a, int b) const {
-        const Node* p = borderNode(a);
-        const Node* q = borderNode(b);
+        const CutNode* p = borderNode(a);
+        const CutNode* q = borderNode(b);
         return p != nullptr && q != nullptr && shareFlatFaces(in_.mesh, *p, *q, kFlat * in_.h);
     }
 
@@ -494,7 +494,7 @@ class SheetTriangulation {
 
     void flipChords() {
         bool flipped = true;
-        for (int pass = 0; pass < kChordPasses && flipped; ++pass) {
+        for (int round = 0; round < kChordRounds && flipped; ++round) {
             flipped = false;
             for (int t = 0; t < plane_.size(); ++t) {
                 for (int e = 0; e < 3 && plane_.marked(t); ++e) {
@@ -594,7 +594,7 @@ class SheetTriangulation {
     const StepInput& in_;
     const Strip& strip_;
     const RestGuess& guess_;
-    std::vector<Node>& nodes_;
+    std::vector<CutNode>& nodes_;
     std::vector<OutlineEdge> edges_;
     Box bounds_;
     Triangulation plane_;

@@ -10,8 +10,8 @@ namespace kerf::cut {
 /// counter-clockwise in the layout plane; both walls use them, so their shape never touches the
 /// volume.
 struct WallSheet {
-    std::vector<Triangle> triangles;
-    int piece = -1;
+    std::vector<Triangle> triangles;  ///< triples of nodes of CutCurves
+    int piece = -1;                   ///< piece of the body
 };
 
 /// Triangulates the inside of the outline. Each outer loop with its holes is one sheet: sheets of

@@ -15,18 +15,19 @@
 
 namespace kerf {
 
-using cut::Sweep;
+using cut::GroupStroke;
 
 namespace {
 
-// Boxes of a step's searches may be turned against the box that was foreseen, and lie aside of it.
+// Boxes of a step's searches may be turned against the box that was prefetched, and lie aside of
+// it.
 constexpr double kRoomForReach = 1.6;
 // A blade is taken for as long as two diagonals of the body to both sides. Walls are at most a
 // twelfth of one long, so no shorter blade needs a look at the body.
 constexpr double kBladeReach = 2;  // diagonals
 constexpr double kLongBlade = 24;  // h
-// Keeps passes apart from those of strokes that an earlier cutter made.
-constexpr int kPassesPerStroke = 1000;
+// Keeps transits apart from those of strokes that an earlier cutter made.
+constexpr int kTransitsPerStroke = 1000;
 
 cut::EdgeLengthField edgeLengthsOf(const SurfaceMesh& mesh, const CutSettings& settings) {
     return settings.wallEdgeLength > 0 ? cut::EdgeLengthField(settings.wallEdgeLength)
@@ -65,17 +66,17 @@ void Cutter::State::start(const Blade& at) {
     }
     surface.beginStroke();
     cleanup.reset();
-    sweeps.clear();
+    groups.clear();
     groupOfPiece = cut::groupPieces(mesh, pieces, kParted * h, {});
     groupsHold = true;
     pieces.measureVolumes(mesh);
     restVolume = sumOfRestVolumes(pieces);
     mesh.setOpenStroke(settings.openCut ? stroke : -1);
     for (const int v : lowestVertices({groupOfPiece.begin(), groupOfPiece.end()})) {
-        Sweep& sweep = sweeps.emplace_back();
-        sweep.vertex = v;
-        sweep.group = groupOfVertex(v);
-        placeRung(at, sweep);
+        GroupStroke& group = groups.emplace_back();
+        group.vertex = v;
+        group.number = groupOfVertex(v);
+        placeRung(at, group);
     }
     joinRungs();
 }
@@ -88,9 +89,9 @@ bool Cutter::State::liesAtRest(int v) const {
 void Cutter::State::noteMotion() {
     const std::optional<double> most = std::exchange(moved, std::nullopt);
     const bool still = most == 0;
-    for (Sweep& sweep : sweeps) {
+    for (GroupStroke& group : groups) {
         if (!still) {
-            makeWaitingTies(sweep);
+            makeWaitingTies(group);
         }
     }
     atRest = atRest && still;
@@ -175,18 +176,18 @@ Blade Cutter::State::nearBody(const Blade& whole) {
             to < length ? Vec3(whole.a + way * (to / length)) : whole.b};
 }
 
-CutResult Cutter::State::sweepAll(const Blade& to, Gate gate) {
+CutResult Cutter::State::advanceAll(const Blade& to, Gate gate) {
     if ((to.b - to.a).norm() <= kStandingStill * h) {
         return outcome(CutOutcome::waiting);
     }
-    for (Sweep& sweep : sweeps) {
-        cut::followMesh(mesh, sweep.rung);
-        sweep.airTies.follow(mesh, sweep.rung);
+    for (GroupStroke& group : groups) {
+        cut::followMesh(mesh, group.rung);
+        group.airTies.follow(mesh, group.rung);
     }
-    divideSweeps();
+    divideGroups();
     CutResult sum;
-    for (Sweep& sweep : sweeps) {
-        addTo(sum, advance(to, gate, sweep));
+    for (GroupStroke& group : groups) {
+        addTo(sum, advance(to, gate, group));
     }
     joinRungs();
     if (sum.outcome == CutOutcome::cut) {
@@ -200,7 +201,7 @@ Cutter::Cutter(SurfaceMesh& mesh, const CutSettings& settings)
     : state_(std::make_unique<State>(State{
           mesh, settings, std::make_shared<cut::EdgeLengthField>(edgeLengthsOf(mesh, settings))})) {
     state_->stroke = strokesSoFar(mesh);
-    state_->pass = kPassesPerStroke * state_->stroke;
+    state_->transit = kTransitsPerStroke * state_->stroke;
 }
 
 Cutter::~Cutter() = default;
@@ -217,16 +218,16 @@ CutResult Cutter::advance(const Blade& blade) {
     assert(state_->inStroke);
     state_->noteMotion();
     state_->blade = state_->nearBody(blade);
-    return state_->sweepAll(state_->blade, Gate::shareOfEdge);
+    return state_->advanceAll(state_->blade, Gate::shareOfEdge);
 }
 
 CutResult Cutter::finish() {
     State& state = *state_;
     assert(state.inStroke);
     state.noteMotion();
-    CutResult result = state.sweepAll(state.blade, Gate::flush);
+    CutResult result = state.advanceAll(state.blade, Gate::flush);
     state.inStroke = false;
-    state.sweeps.clear();
+    state.groups.clear();
     state.rung.clear();
     if (result.outcome != CutOutcome::cut) {
         result.delta.firstNewVertex = state.mesh.vertexCount();
@@ -254,8 +255,8 @@ void Cutter::prepare() {
 }
 
 void Cutter::useFinder(TriangleFinder* finder) {
-    for (Sweep& sweep : state_->sweeps) {
-        state_->makeWaitingTies(sweep);
+    for (GroupStroke& group : state_->groups) {
+        state_->makeWaitingTies(group);
     }
     state_->finder = finder;
     state_->tree.reset();
@@ -284,11 +285,11 @@ OrientedBox Cutter::reach(std::span<const Blade> path, double time) const {
     std::vector<Vec3> points;
     const SurfaceMesh& mesh = state_->mesh;
     double edge = state_->h;
-    for (const Sweep& sweep : state_->sweeps) {
-        edge = std::max(edge, sweep.edgeLength);
-        std::vector<RungNode> rung = sweep.rung;
+    for (const GroupStroke& group : state_->groups) {
+        edge = std::max(edge, group.edgeLength);
+        std::vector<RungNode> rung = group.rung;
         cut::followMesh(mesh, rung);
-        sweep.airTies.follow(mesh, rung);
+        group.airTies.follow(mesh, rung);
         for (const RungNode& node : rung) {
             const bool moves = node.vertex >= 0;
             points.push_back(moves ? Vec3(node.position + time * mesh.velocity(node.vertex))
@@ -298,16 +299,16 @@ OrientedBox Cutter::reach(std::span<const Blade> path, double time) const {
     for (const Blade& blade : path) {
         points.insert(points.end(), {blade.a, blade.b});
     }
-    OrientedBox box = orientedBoxAlong(cut::sweepAxes(path.back(), points), points);
+    OrientedBox box = orientedBoxAlong(cut::sweptAxes(path.back(), points), points);
     box.widen(kRoomForReach * state_->margin(edge));
     return box;
 }
 
 std::vector<int> Cutter::followedVertices() const {
     std::vector<int> vertices;
-    for (const Sweep& sweep : state_->sweeps) {
-        sweep.airTies.addVertices(vertices);
-        for (const RungNode& node : sweep.rung) {
+    for (const GroupStroke& group : state_->groups) {
+        group.airTies.addVertices(vertices);
+        for (const RungNode& node : group.rung) {
             if (node.vertex >= 0) {
                 vertices.push_back(node.vertex);
             }

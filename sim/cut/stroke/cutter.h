@@ -35,44 +35,45 @@ class Cutter {
     /// long. O(n log n).
     void prepare();
     /// Looks triangles up by `finder`, which must outlive the cutter and its copies and know how
-    /// the mesh moves; null: by a tree of its own, as at the start.
+    /// the mesh moves. Null: by a tree of the cutter's own, as at the start.
     void useFinder(TriangleFinder* finder);
     /// Promises that since the previous call of this, begin(), advance() or finish() no vertex has
     /// moved farther than `distance` [m]. A step that was promised nothing looks at the whole mesh.
     void boundMotion(double distance);
-    /// CutSettings::wallCoarsening from now on, >= 1.
+    /// Sets CutSettings::wallCoarsening, >= 1, from now on.
     void setWallCoarsening(double factor);
-    /// CutSettings::debrisVolume from now on, >= 0.
+    /// Sets CutSettings::debrisVolume, >= 0, from now on.
     void setDebrisVolume(double share);
 
-    /// CutSettings::openCut from the next stroke on.
+    /// Sets CutSettings::openCut from the next stroke on.
     void setOpenCut(bool open);
 
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);
-    /// Sweeps from where the last successful step ended to `blade`. Where that lies behind the cut
+    /// Cuts from where the last successful step ended to `blade`. Where that lies behind the cut
     /// the cut stays, and goes on once the blade is ahead of it again. Where a step does not
-    /// succeed the front in that piece is let go, and the sweep starts anew behind it (in a body
+    /// succeed the front in that piece is let go, and the cut starts anew behind it (in a body
     /// that moves only after two refusals in a row, since the next step may succeed); after three
-    /// refusals at the blade, and the front stays as a slit.
+    /// refusals it starts anew at the blade, and the front stays as a slit.
     CutResult advance(const Blade& blade);
-    /// Ends the stroke: sweeps what the gate held back, lets go of the front, cleans up, closes the
+    /// Ends the stroke: cuts what the gate held back, lets go of the front, cleans up, closes the
     /// wounds of the open course, removes debris.
     CutResult finish();
 
-    /// Between strokes: removes short edges of these triangles, where the body stays folded. They
-    /// are judged by how they rest, however crumpled they are. Nothing without clean-up.
+    /// Removes short edges of these triangles, where the body stays folded; between strokes only.
+    /// They are judged by how they rest, however crumpled they are. Does nothing without
+    /// CutSettings::cleanUp.
     CutDelta mend(const std::vector<int>& triangles);
 
-    /// Between begin() and finish().
+    /// Whether a stroke has begun and not finished.
     bool inStroke() const;
     /// The old rungs of all pieces, each from A to B, one after the other: empty outside a stroke.
     /// Positions are those after the last step that moved them; vertices follow the mesh.
     const std::vector<RungNode>& rung() const;
-    /// Where a step to the poses of `path` (at least one) will look, if what the rung is tied to
-    /// goes on for `time` [s] as it moves now; with room for what goes otherwise.
+    /// The box into which a step to the poses of `path` (at least one) will look, if what the rung
+    /// is tied to goes on for `time` [s] as it moves now; with room for what goes otherwise.
     OrientedBox reach(std::span<const Blade> path, double time) const;
-    /// What a step reads of the body's state besides.
+    /// The vertices that a step reads wherever they are, besides those in reach().
     std::vector<int> followedVertices() const;
     /// The body's surface as it was when the stroke began.
     const cut::StrokeSurface& strokeSurface() const;

@@ -8,15 +8,15 @@ namespace kerf::cut {
 
 namespace {
 
-// Shares of h: how far behind the front the new sweep starts, and how far aside of the blade it
+// Shares of h: how far behind the front the new strip starts, and how far aside of the blade it
 // ends. The steepest first: walls beside a crumpled front stray by half an edge themselves, and
-// where a flatter sweep misses them a bridge is left.
+// where a flatter strip misses them a bridge is left.
 struct Detour {
     double behind;
     double aside;
 };
 constexpr Detour kDetours[] = {{1.5, 0.6}, {1.0, 0.4}, {1.0, 0.2}, {0.5, 0.1}, {0.5, 0.03}};
-// The same for sweeps that end ahead of the front by another share of h: so short, they cross the
+// Shares of h for strips that end a little ahead of the front: so short, they cross the
 // old walls as steeply without going far aside.
 struct ShortDetour {
     double behind;

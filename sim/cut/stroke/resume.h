@@ -7,12 +7,12 @@
 
 namespace kerf::cut {
 
-/// A sweep that takes the place of one that was refused: it starts in the material behind the
+/// A strip that takes the place of one that was refused: it starts in the material behind the
 /// front, on one side of the walls there, and ends on the other, so that the new walls cross the
 /// old ones. It has nothing in common with the old front, which stays as the end of a slit.
 struct Resumption {
-    std::vector<RungNode> rung;  ///< without vertices
-    Blade blade;                 ///< moved aside by a share of h
+    std::vector<RungNode> rung;  ///< the start, without vertices
+    Blade blade;                 ///< the end, moved aside by a share of h
 };
 
 /// Ways to start that lead just across the old walls, close beside them, and end a little ahead of

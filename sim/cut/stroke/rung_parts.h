@@ -6,17 +6,17 @@
 
 namespace kerf::cut {
 
-/// What of a rung goes on in one step.
+/// The part of a rung that goes on in one step.
 struct RungPart {
-    std::vector<RungNode> rung;
-    BladeSpan span;
-    /// Which nodes of the whole rung it takes the place of.
-    int first = 0;
-    int count = 0;
+    std::vector<RungNode> rung;  ///< its nodes, with those added where it ends in the air
+    BladeSpan span;              ///< the part of the blade ahead of it
+    int first = 0;               ///< the first node of the whole rung that belongs to it
+    int count = 0;               ///< how many nodes of the whole rung belong to it
     int beforeFirst = 0;  ///< nodes of `rung` before these: 1 where the part begins in the air
 };
 
-/// Where the blade is behind the rung, seen in the direction `heading` in which the cut goes on.
+/// Whether the blade is behind the rung somewhere, seen in the direction `heading` in which the cut
+/// goes on. `h`: edge length about the rung [m].
 bool isPartlyBehind(const Blade& blade, double h, const Vec3& heading,
                     const std::vector<RungNode>& rung);
 
@@ -26,7 +26,7 @@ bool isPartlyBehind(const Blade& blade, double h, const Vec3& heading,
 std::vector<RungPart> partsAhead(const Blade& blade, double h, double least, const Vec3& heading,
                                  const std::vector<RungNode>& rung);
 
-/// The same of a rung in the air, which has no heading: on both sides of where the blade crosses
+/// The parts of a rung in the air, which has no heading, on both sides of where the blade crosses
 /// it. None where it does not.
 std::vector<RungPart> partsInAir(const Blade& blade, double h, const std::vector<RungNode>& rung);
 
@@ -37,8 +37,8 @@ std::vector<RungNode> replaced(const std::vector<RungNode>& rung, const RungPart
 /// The rung without the front edges of the part.
 std::vector<RungNode> stayingFront(const std::vector<RungNode>& rung, const RungPart& part);
 
-/// How the blade went on from the old rung where the new one has mesh vertices. Zero where there
-/// are none, or where the way is too short to tell its direction.
+/// The sum of the blade's ways from the old rung to the mesh vertices of the new one [m]. Zero
+/// where there are none, or where the way is too short to tell its direction.
 Vec3 advanceOf(const Blade& blade, double h, const std::vector<RungNode>& from,
                const std::vector<RungNode>& next);
 

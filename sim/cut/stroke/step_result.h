@@ -4,11 +4,11 @@
 
 namespace kerf {
 
-/// A result that holds nothing else.
+/// The result of a step that changed nothing and has this outcome.
 CutResult outcome(CutOutcome what);
 
-/// One outcome for several pieces: the later one in the list of CutOutcome, but a cut before a
-/// refusal, since it changed the mesh.
+/// Adds the result for one piece to the sum over several. The outcome becomes the later one in the
+/// list of CutOutcome, but a cut goes before a refusal, since it changed the mesh.
 void addTo(CutResult& sum, const CutResult& part);
 
 }  // namespace kerf

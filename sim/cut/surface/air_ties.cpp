@@ -35,7 +35,7 @@ Vec3 pointOn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& weights) {
 OrientedBox boxAround(const Vec3& p, const Vec3& q, double reach) {
     const bool isPoint = p == q;
     const Eigen::Matrix3d axes =
-        isPoint ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : sweepAxes({p, q}, {});
+        isPoint ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : sweptAxes({p, q}, {});
     OrientedBox box = orientedBoxAlong(axes, std::array{p, q});
     box.widen(reach);
     return box;

@@ -11,46 +11,47 @@ namespace kerf::cut {
 
 /// A point of the rung in the air, carried along by the skin beside it.
 struct CarriedPoint {
-    Vec3 position = Vec3::Zero();
-    Vec3 outward = Vec3::Zero();  ///< normal of that skin; zero where there is none near
+    Vec3 position = Vec3::Zero();  ///< [m]
+    Vec3 outward = Vec3::Zero();   ///< normal of that skin; zero where there is none near
 };
 
-/// In which shape of the body a rung is tied.
+/// The shape of the body in which a rung is tied.
 enum class SkinShape { current, rest };
 
 /// Holds the rung's edges in the air to the skin beside them. The skin moves between two steps of
-/// the blade, and what lies behind the rung is never swept: where the skin came across an edge
-/// that stayed in space, a bridge would stay.
+/// the blade, and material behind the rung is never cut: where the skin came across an edge that
+/// stayed in space, a bridge would stay.
 class AirTies {
   public:
+    /// Holds nothing.
     AirTies() = default;
     /// Remembers where points on the edges of `rung` in the air are as seen from the skin. Edges
     /// between two mesh vertices are left out: there the front crosses an older slit.
-    /// `isSkin` tells which triangles count: those of the piece, without the walls of the stroke.
-    /// `finder` finds them in the shape `shape`.
+    /// `isSkin` tells which triangles count: the piece's, without the walls of the stroke. `finder`
+    /// finds them in the shape `shape`. `h`: edge length about the rung [m].
     AirTies(const SurfaceMesh& mesh, TriangleFinder& finder, const std::function<bool(int)>& isSkin,
             double h, const std::vector<RungNode>& rung, SkinShape shape);
 
     /// Moves the ends of the same rung that are in the air along with the skin. No triangle may
     /// have gone since.
     void follow(const SurfaceMesh& mesh, std::vector<RungNode>& rung) const;
-    /// Appends the vertices that it holds to.
+    /// Appends the vertices of the skin to which the rung is tied.
     void addVertices(std::vector<int>& vertices) const;
-    /// Where the points between rung node `index` and the next are now.
+    /// The tied points between rung node `index` and the next, where they are now.
     std::vector<CarriedPoint> between(const SurfaceMesh& mesh, int index) const;
-    /// Those between the rung's nodes `first` and `last`, as ties of a rung in which `first` is the
-    /// node `at`.
+    /// The ties between the rung's nodes `first` and `last`, as ties of a rung in which `first` is
+    /// the node `at`.
     AirTies part(int first, int last, int at) const;
 
   private:
     struct Tie {
-        int edge;     ///< of the rung, by its first node
-        double part;  ///< of the way along that edge; 0 and 1 are nodes
+        int edge;     ///< edge of the rung, by its first node
+        double part;  ///< share of the way along that edge; 0 and 1 are nodes
         Triangle corners;
         Vec3 weights;
         Vec3 point;
         Vec3 onSkin;
-        double share;  ///< of the skin's movement that the point follows
+        double share;  ///< share of the skin's movement that the point follows
     };
     static CarriedPoint carried(const SurfaceMesh& mesh, const Tie& tie);
 

@@ -12,10 +12,11 @@ namespace {
 
 constexpr int kMostBins = 4096;
 constexpr double kRotationRounding = 1e-6;  // of the bins: what turning into the frame may move
-// Of a bin: what is taken around the sweep at first. Older slits are looked for within 0.1.
+// Of a bin: what is taken around the strip at first. Older slits are looked for within 0.1.
 constexpr double kFirstMargin = 0.15;
 
-// The same as overlaps(). Along the sweep most boxes of a bin are told apart.
+// Whether two boxes overlap, as overlaps() says. Along the strip most boxes of a bin are told
+// apart.
 bool meet(const Bounds& a, const Bounds& b) {
     return a.low.y() <= b.high.y() && b.low.y() <= a.high.y() && a.low.x() <= b.high.x() &&
            b.low.x() <= a.high.x() && a.low.z() <= b.high.z() && b.low.z() <= a.high.z();
@@ -23,21 +24,21 @@ bool meet(const Bounds& a, const Bounds& b) {
 
 }  // namespace
 
-Eigen::Matrix3d sweepAxes(const Blade& blade, const std::vector<Vec3>& points) {
+Eigen::Matrix3d sweptAxes(const Blade& blade, const std::vector<Vec3>& points) {
     const Vec3 along = (blade.b - blade.a).normalized();
-    Vec3 sweep = Vec3::Zero();
+    Vec3 farthest = Vec3::Zero();
     for (const Vec3& p : points) {
         const Vec3 fromBlade = p - blade.a;
         const Vec3 aside = fromBlade - along * along.dot(fromBlade);
-        if (aside.squaredNorm() > sweep.squaredNorm()) {
-            sweep = aside;
+        if (aside.squaredNorm() > farthest.squaredNorm()) {
+            farthest = aside;
         }
     }
-    sweep = sweep.squaredNorm() > 0 ? sweep.normalized() : along.unitOrthogonal();
+    farthest = farthest.squaredNorm() > 0 ? farthest.normalized() : along.unitOrthogonal();
     Eigen::Matrix3d axes;
     axes.col(0) = along;
-    axes.col(1) = sweep;
-    axes.col(2) = along.cross(sweep);
+    axes.col(1) = farthest;
+    axes.col(2) = along.cross(farthest);
     return axes;
 }
 
@@ -47,14 +48,14 @@ BroadPhase::BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Bl
     : mesh_(mesh),
       finder_(finder),
       counts_(std::move(counts)),
-      frame_(sweepAxes(blade, points).transpose()),
+      frame_(sweptAxes(blade, points).transpose()),
       points_(points),
       margin_(margin),
       leastBinSize_(binSize) {
     take(std::min(margin, kFirstMargin * binSize));
 }
 
-/// Everything within `margin` of the sweep, in place of what was taken before.
+/// Everything within `margin` of the strip, in place of what was taken before.
 void BroadPhase::take(double margin) const {
     tookAll_ = margin >= margin_;
     box_ = {};

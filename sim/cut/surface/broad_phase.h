@@ -10,47 +10,52 @@
 
 namespace kerf::cut {
 
-/// Along the blade (first column), along the farthest of the `points` aside of it, and across both.
-Eigen::Matrix3d sweepAxes(const Blade& blade, const std::vector<Vec3>& points);
+/// The axes of a strip, as columns: along the blade, along the farthest of the `points` aside of
+/// it, and across both.
+Eigen::Matrix3d sweptAxes(const Blade& blade, const std::vector<Vec3>& points);
 
-/// Finds the triangles near parts of one sweep, from the current positions: what meets the oriented
-/// box of the sweep, binned along the blade. It begins with little around the sweep, which most
-/// steps do with, and takes all within the margin once somebody asks for more.
+/// Finds the triangles near parts of one strip, from the current positions: what meets the strip's
+/// oriented box, binned along the blade. It begins with little around the strip, which most steps
+/// do with, and takes all within the margin once somebody asks for more.
 class BroadPhase {
   public:
-    /// `points` span the sweep; triangles within `margin` [m] of their box are found, of those that
-    /// `counts` lets pass. Mesh and finder must stay as they are while this is used.
+    /// Looks around a strip that `points` span, for triangles within `margin` [m] of their box that
+    /// `counts` accepts, in bins of at least `binSize` [m]. Mesh and finder must stay as they are
+    /// while this is used.
     BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Blade& blade,
                const std::vector<Vec3>& points, double margin, double binSize,
                std::function<bool(int)> counts);
 
-    /// Triangles whose box meets the box of abc widened by `pad` <= margin; ascending.
+    /// The triangles whose box meets the box of abc widened by `pad` <= margin; ascending.
     std::vector<int> query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const;
 
-    /// Those that were taken so far; ascending.
+    /// A triangle near the strip.
     struct Entry {
-        int triangle;
-        Bounds bounds;  ///< along the axes of the sweep
-        int firstBin;
+        int triangle;   ///< slot in the mesh
+        Bounds bounds;  ///< its box along the axes of the strip
+        int firstBin;   ///< the first bin that the box meets
     };
+    /// The triangles that were taken so far, ascending.
     const std::vector<Entry>& entries() const { return entries_; }
-    /// From now on queries between these points, up to `pad`, take no more entries.
+    /// Takes what queries between these points, up to `pad` [m], may find: they take no more
+    /// entries.
     void takeAround(std::span<const Vec3> points, double pad) const {
         require(reachOf(points, pad));
     }
-    /// The same; the places of those that they may find in entries(), ascending.
+    /// Takes as takeAround() does, and returns the places in entries() of what such queries may
+    /// find, ascending.
     std::vector<int> cover(std::span<const Vec3> points, double pad) const;
     /// Some of entries(), by where they lie along the blade.
     struct Bins {
-        std::vector<int> first;   ///< of each bin in `places`, and behind the last
-        std::vector<int> places;  ///< in entries(), bin after bin
+        std::vector<int> first;   ///< start of each bin in `places`, then the end of the last
+        std::vector<int> places;  ///< places in entries(), bin after bin
     };
-    /// Of these places, ascending. They hold until more entries are taken.
+    /// Bins these places, which are ascending. The bins hold until more entries are taken.
     Bins binsOf(std::span<const int> places) const;
-    /// A point along the axes of the sweep.
+    /// A point in coordinates along the axes of the strip.
     Vec3 toFrame(const Vec3& p) const { return frame_ * p; }
-    /// The same as query(), as places in entries(), of those in `bins`; `box`: of what is looked
-    /// for, toFrame(). Takes no more entries: cover() does.
+    /// Finds what query() would, among the entries in `bins` and as places in entries(). `box`: the
+    /// box to look around, in coordinates of toFrame(). Takes no more entries: cover() does.
     void findEntries(const Bounds& box, double pad, const Bins& bins,
                      std::vector<int>& found) const;
 
@@ -66,7 +71,7 @@ class BroadPhase {
     const SurfaceMesh& mesh_;
     TriangleFinder& finder_;
     std::function<bool(int)> counts_;
-    Eigen::Matrix3d frame_;  ///< rows: along the blade, along the sweep, across both
+    Eigen::Matrix3d frame_;  ///< rows: along the blade, along the strip, across both
     std::vector<Vec3> points_;
     double margin_;
     double leastBinSize_;
@@ -74,7 +79,7 @@ class BroadPhase {
     mutable Bounds box_;
     mutable double binSize_ = 1;
     mutable std::vector<Entry> entries_;
-    mutable Bins bins_;  ///< of all entries
+    mutable Bins bins_;  ///< all entries
 };
 
 }  // namespace kerf::cut

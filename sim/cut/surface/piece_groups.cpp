@@ -12,21 +12,21 @@ namespace {
 
 using PiecePair = std::pair<int, int>;
 
-/// Of each two pieces of one group with copies of one material point: whether all such lie
-/// together.
+/// Whether all copies that two pieces have of the same vertices lie together, by the pair; for
+/// pieces of one group.
 std::map<PiecePair, bool> contacts(const SurfaceMesh& mesh, const std::vector<int>& piece,
                                    const std::vector<int>& group, double tolerance) {
     std::map<PiecePair, bool> together;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (piece[v] < 0 || mesh.mateGroup(v) < 0) {
+        if (piece[v] < 0 || mesh.copyGroup(v) < 0) {
             continue;
         }
-        for (const int mate : mesh.matesOfGroup(mesh.mateGroup(v))) {
-            if (mate > v && piece[mate] >= 0 && piece[mate] != piece[v] &&
-                group[piece[mate]] == group[piece[v]]) {
+        for (const int copy : mesh.copiesOfGroup(mesh.copyGroup(v))) {
+            if (copy > v && piece[copy] >= 0 && piece[copy] != piece[v] &&
+                group[piece[copy]] == group[piece[v]]) {
                 bool& lie =
-                    together.try_emplace(std::minmax(piece[v], piece[mate]), true).first->second;
-                lie = lie && (mesh.position(v) - mesh.position(mate)).norm() <= tolerance;
+                    together.try_emplace(std::minmax(piece[v], piece[copy]), true).first->second;
+                lie = lie && (mesh.position(v) - mesh.position(copy)).norm() <= tolerance;
             }
         }
     }

@@ -26,10 +26,10 @@ bool isNear(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, double r
 }  // namespace
 
 StrokeSurface::StrokeSurface(const SurfaceMesh& mesh)
-    : mesh_(mesh), vertexCount_(mesh.vertexCount()), parts_(mesh.triangleSlots()) {
+    : mesh_(mesh), vertexCount_(mesh.vertexCount()), triangles_(mesh.triangleSlots()) {
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
-            parts_[t] = {mesh.triangle(t), mesh.wallLabel(t)};
+            triangles_[t] = {mesh.triangle(t), mesh.wallLabel(t)};
         }
     }
 }
@@ -37,12 +37,12 @@ StrokeSurface::StrokeSurface(const SurfaceMesh& mesh)
 LazyBoxTree& StrokeSurface::tree() const {
     if (!tree_) {
         std::vector<int> living;
-        for (int part = 0; part < static_cast<int>(parts_.size()); ++part) {
-            if (parts_[part].corners[0] >= 0) {
-                living.push_back(part);
+        for (int slot = 0; slot < static_cast<int>(triangles_.size()); ++slot) {
+            if (triangles_[slot].corners[0] >= 0) {
+                living.push_back(slot);
             }
         }
-        tree_.emplace(living, [this](int part) { return restBounds(part); });
+        tree_.emplace(living, [this](int slot) { return restBounds(slot); });
     }
     return *tree_;
 }
@@ -54,14 +54,15 @@ void StrokeSurface::prepare() {
 void StrokeSurface::beginStroke() {
     std::vector<int> changed = std::exchange(changed_, {});
     sortUnique(changed);
-    parts_.resize(mesh_.triangleSlots());
+    triangles_.resize(mesh_.triangleSlots());
     for (const int t : changed) {
-        parts_[t] = mesh_.alive(t) ? Part{mesh_.triangle(t), mesh_.wallLabel(t)} : Part{};
+        triangles_[t] = mesh_.alive(t) ? FormerTriangle{mesh_.triangle(t), mesh_.wallLabel(t)}
+                                       : FormerTriangle{};
     }
     if (tree_) {
         tree_->erase(changed);
         std::erase_if(changed, [this](int t) { return !mesh_.alive(t); });
-        tree_->insert(changed, [this](int part) { return restBounds(part); });
+        tree_->insert(changed, [this](int slot) { return restBounds(slot); });
     }
     vertexCount_ = mesh_.vertexCount();
     thinned_ = {};
@@ -74,23 +75,23 @@ void StrokeSurface::follow(std::span<const int> triangles, double restMotion) {
     }
 }
 
-Bounds StrokeSurface::restBounds(int part) const {
+Bounds StrokeSurface::restBounds(int slot) const {
     Bounds bounds;
-    for (const int v : parts_[part].corners) {
+    for (const int v : triangles_[slot].corners) {
         bounds.add(mesh_.restPosition(v));
     }
     return bounds;
 }
 
 /// Ascending.
-std::vector<int> StrokeSurface::partsNear(const Vec3& rest, double reach) const {
+std::vector<int> StrokeSurface::trianglesNear(const Vec3& rest, double reach) const {
     Bounds around;
     around.add(rest);
     around.widen(reach);
     std::vector<int> found;
-    tree().find([this](int part) { return restBounds(part); },
+    tree().find([this](int slot) { return restBounds(slot); },
                 [&](const Bounds& box) { return box.overlaps(around); },
-                [&](int part) { found.push_back(part); });
+                [&](int slot) { found.push_back(slot); });
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -108,7 +109,7 @@ std::vector<SurfaceSample> StrokeSurface::samplesAround(std::vector<Vec3> restPl
         thinned_.boxes = boxesAround(std::move(restPlaces), edge);
         slots_.resize(mesh_.vertexCount(), -1);
         thinned_.samples = thinByDistance(
-            tree(), [this](int part) -> const Triangle& { return parts_[part].corners; },
+            tree(), [this](int slot) -> const Triangle& { return triangles_[slot].corners; },
             thinned_.boxes, edge, slots_);
     }
     std::vector<SurfaceSample> used;
@@ -149,12 +150,13 @@ std::optional<Vec3> StrokeSurface::flatPosition(int v, double reach) const {
     const Vec3& rest = mesh_.restPosition(v);
     std::optional<Vec3> nearest;
     double least = reach;
-    for (const int id : partsNear(rest, reach)) {
-        const Triangle& t = parts_[id].corners;
+    for (const int id : trianglesNear(rest, reach)) {
+        const Triangle& t = triangles_[id].corners;
         const Vec3& a = mesh_.restPosition(t[0]);
         const Vec3& b = mesh_.restPosition(t[1]);
         const Vec3& c = mesh_.restPosition(t[2]);
-        if (!isNear(rest, a, b, c, least) || !isWhole(t) || !isBeside(v, parts_[id].wallLabel)) {
+        if (!isNear(rest, a, b, c, least) || !isWhole(t) ||
+            !isBeside(v, triangles_[id].wallLabel)) {
             continue;
         }
         const Vec3 weights = closestWeights(rest, a, b, c);
@@ -173,8 +175,8 @@ std::optional<Vec3> StrokeSurface::insidePosition(const Vec3& rest, const Vec3& 
     double depth = reach;
     std::optional<Vec3> onSurface;
     Vec3 outward = Vec3::Zero();
-    for (const int id : partsNear(rest, reach)) {
-        const Triangle& t = parts_[id].corners;
+    for (const int id : trianglesNear(rest, reach)) {
+        const Triangle& t = triangles_[id].corners;
         const Vec3& a = mesh_.restPosition(t[0]);
         const Vec3& b = mesh_.restPosition(t[1]);
         const Vec3& c = mesh_.restPosition(t[2]);

@@ -9,7 +9,7 @@ namespace kerf::cut {
 
 /// A vertex that stands for a part of the surface.
 struct SurfaceSample {
-    int vertex = -1;
+    int vertex = -1;    ///< vertex of the mesh
     double weight = 0;  ///< how many triangles it stands for
 };
 
@@ -17,10 +17,11 @@ struct SurfaceSample {
 /// some `h`.
 std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h);
 
-/// Vertices around `boxes` (rest space): all where the tree's triangles are small against `h`, else
-/// fewer the farther off, so that their number grows with the logarithm of the body. `tree` holds
-/// triangles by their box at rest, `cornersOf(id)` tells theirs. Each once. `slots`: as many -1 as
-/// there are vertices, and so again afterwards. (Thinned by distance as in Barnes and Hut 1986.)
+/// The vertices around `boxes` (rest space), each once: all where the tree's triangles are small
+/// against `h`, else fewer the farther off, so that their number grows with the logarithm of the
+/// body. `tree` holds triangles by their box at rest, `cornersOf(id)` tells their corners. `slots`:
+/// as many -1 as there are vertices, and so again afterwards. (Thinned by distance as in Barnes and
+/// Hut 1986.)
 std::vector<SurfaceSample> thinByDistance(LazyBoxTree& tree,
                                           const std::function<const Triangle&(int id)>& cornersOf,
                                           const std::vector<Bounds>& boxes, double h,

@@ -19,7 +19,7 @@ class HandCut {
         copyLoop();
         const int low = mesh_.addVertex(Vec3::Zero(), Vec3::Zero(), Vec3::Zero());
         const int high = mesh_.addVertex(Vec3::Zero(), Vec3::Zero(), Vec3::Zero());
-        mesh_.makeMates(low, high);
+        mesh_.joinCopies(low, high);
         relabelUpperHalf();
         std::vector<int> lowerSide;
         for (const int h : seam_) {
@@ -54,7 +54,7 @@ class HandCut {
         for (const int h : seam_) {
             const int v = mesh_.origin(h);
             copyOf_[v] = mesh_.addVertex(mesh_.position(v), mesh_.restPosition(v), Vec3::Zero());
-            mesh_.makeMates(v, copyOf_[v]);
+            mesh_.joinCopies(v, copyOf_[v]);
         }
     }
 

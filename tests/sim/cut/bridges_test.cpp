@@ -49,7 +49,7 @@ class Plan {
 
   private:
     int node(double y) {
-        Node node;
+        CutNode node;
         node.layout = {0, y};
         plan_.curves.nodes.push_back(node);
         return sizeOf(plan_.curves.nodes) - 1;

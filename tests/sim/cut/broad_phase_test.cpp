@@ -16,7 +16,7 @@ namespace {
 constexpr double kEdge = 0.05;
 constexpr double kMargin = 6 * kEdge;
 
-/// Along the axes of the sweep.
+/// The box of three points along the axes of the strip.
 Bounds boxAlong(const Eigen::Matrix3d& axes, std::initializer_list<Vec3> points) {
     Bounds box;
     for (const Vec3& p : points) {
@@ -37,17 +37,17 @@ TEST(BroadPhase, FindsAllWithinThePadHoweverMuchWasTakenBefore) {
     const std::vector<Vec3> points{blade.a, blade.b, {-1.3, 0.2, 0.2}, {1.3, 0.35, 0.05}};
     const auto isCounted = [](int t) { return t % 5 != 0; };
     const cut::BroadPhase broadPhase(mesh, tree, blade, points, kMargin, kEdge, isCounted);
-    const Eigen::Matrix3d axes = cut::sweepAxes(blade, points);
+    const Eigen::Matrix3d axes = cut::sweptAxes(blade, points);
     const std::size_t takenAtFirst = broadPhase.entries().size();
     int found = 0;
     for (int i = 0; i < 60; ++i) {
         const double pad = (i < 30 ? 0.01 : 0.9) * kMargin * uniform(random);
-        const auto onSweep = [&] {
+        const auto onStrip = [&] {
             const double s = uniform(random);
             const Vec3 low = points[2] + s * (points[3] - points[2]);
             return Vec3(low + uniform(random) * (blade.a + s * (blade.b - blade.a) - low));
         };
-        const Vec3 a = onSweep(), b = onSweep(), c = onSweep();
+        const Vec3 a = onStrip(), b = onStrip(), c = onStrip();
         const std::vector<int> result = broadPhase.query(a, b, c, pad);
         Bounds searched = boxAlong(axes, {a, b, c});
         searched.widen(pad);

@@ -247,10 +247,10 @@ TEST(Cleanup, DeltaNamesAllThatChanged) {
     }
 }
 
-/// Somewhere else, with every material point moved by up to `noise` [m].
+/// Somewhere else, with every vertex and its copies moved by up to `noise` [m].
 void crumple(SurfaceMesh& mesh, double noise) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const double phase = mesh.materialPoint(v);
+        const double phase = mesh.firstCopy(v);
         const Vec3 way(std::sin(7.1 * phase), std::sin(3.3 * phase + 1), std::cos(5.7 * phase));
         mesh.setPosition(v, mesh.restPosition(v) + Vec3(5, -3, 2) + noise * way);
     }
@@ -300,7 +300,7 @@ TEST(Cleanup, MendingIsPartOfIt) {
     EXPECT_EQ(test::fingerprint(mesh), before);
 }
 
-TEST(Cleanup, MatesStayAtOnePlace) {
+TEST(Cleanup, CopiesStayAtOnePlace) {
     SurfaceMesh mesh = test::icosphere(3);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         mesh.setVelocity(v, mesh.position(v).cross(Vec3(0.3, -0.2, 0.5)));
@@ -310,15 +310,15 @@ TEST(Cleanup, MatesStayAtOnePlace) {
     EXPECT_EQ(check.problem, "");
     EXPECT_GT(check.cleanup.collapses, 3);
     EXPECT_GT(check.cleanup.slides, 0);
-    int mates = 0;
+    int copies = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const int point = mesh.materialPoint(v);
-        mates += point != v;
+        const int point = mesh.firstCopy(v);
+        copies += point != v;
         EXPECT_EQ(mesh.position(v), mesh.position(point));
         EXPECT_EQ(mesh.restPosition(v), mesh.restPosition(point));
         EXPECT_EQ(mesh.velocity(v), mesh.velocity(point));
     }
-    EXPECT_GT(mates, 20);
+    EXPECT_GT(copies, 20);
 }
 
 // What lies at the rung decides where the next step cuts.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/cut/cleanup/material.h"
+#include "sim/cut/cleanup/copies.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
@@ -100,9 +100,9 @@ std::vector<Segment> outlineOf(const SurfaceMesh& mesh) {
         if (mesh.outgoing(v) < 0) {
             continue;
         }
-        const cut::MaterialStar star = cut::starOf(mesh, v);
+        const cut::SharedStar star = cut::starOf(mesh, v);
         mesh.forEachOutgoing(v, [&](int h) {
-            if (star.edgeTo(mesh.materialPoint(mesh.target(h)))->isFeature()) {
+            if (star.edgeTo(mesh.firstCopy(mesh.target(h)))->isFeature()) {
                 const Vec3& p = mesh.position(v);
                 const Vec3& q = mesh.position(mesh.target(h));
                 outline.push_back({p.x(), p.y(), p.z(), q.x(), q.y(), q.z()});

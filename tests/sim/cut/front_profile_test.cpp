@@ -30,7 +30,7 @@ Strip stripOver(const std::vector<double>& heights) {
         node.s = s;
         node.position = {s, 1, 0};
     }
-    strip.triangles = zip(lower, lowerS, strip.newRung, {0.0, 0.3, 0.6, 1.0});
+    strip.triangles = stitch(lower, lowerS, strip.newRung, {0.0, 0.3, 0.6, 1.0});
     for (const Triangle& t : strip.triangles) {
         for (int e = 0; e < 3; ++e) {
             strip.edges.push_back({t[e], t[(e + 1) % 3]});

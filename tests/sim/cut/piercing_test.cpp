@@ -63,9 +63,9 @@ int piercedPairs(const SurfaceMesh& mesh) {
 TEST(SelfPiercing, AMoveAddsPairsOrNot) {
     const Vec3 up(0, 1, 0);
     const auto moveAdds = [](const SurfaceMesh& mesh, const Vec3& place) {
-        Patch patch = patchOfMove(mesh, starOf(mesh, kTop), kTop);
-        patch.position = place;
-        return addsPiercings(mesh, std::vector<Patch>{patch});
+        OneRing ring = ringOfMove(mesh, starOf(mesh, kTop), kTop);
+        ring.position = place;
+        return addsPiercings(mesh, std::vector<OneRing>{ring});
     };
     const SurfaceMesh sound = octahedron(up);
     const SurfaceMesh dented = octahedron(kThroughTheBottom);

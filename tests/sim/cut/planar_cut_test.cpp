@@ -15,7 +15,7 @@ namespace {
 using test::CutCheck;
 using test::Stroke;
 
-// Of the blade, share of an edge: the parts differ by the volume that it sweeps.
+// Of the blade, share of an edge: the parts differ by the volume that it has swept.
 constexpr double kOffset = 1e-10;
 
 /// Pieces that the plane makes, independent of the cutter: vertices joined by edges that stay on

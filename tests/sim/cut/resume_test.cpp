@@ -24,7 +24,7 @@ Blade bladeAhead(double way) {
 }
 
 // The old walls lie in z = 0 and end at x = 0.
-TEST(Resume, TheNewSweepCrossesTheOldWallsBehindTheFront) {
+TEST(Resume, TheNewStripCrossesTheOldWallsBehindTheFront) {
     for (const double way : {0.3 * kH, kH, 8 * kH}) {
         SCOPED_TRACE(way);
         const std::vector<Resumption> ways = resumptions(rungAlongY(), bladeAhead(way), kH);

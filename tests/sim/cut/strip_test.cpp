@@ -78,7 +78,7 @@ double polygonArea(const Rungs& rungs) {
 
 void expectGoodZip(const Rungs& rungs) {
     const std::vector<Triangle> triangles =
-        zip(rungs.lower, rungs.lowerS, rungs.upper, rungs.upperS);
+        stitch(rungs.lower, rungs.lowerS, rungs.upper, rungs.upperS);
     double area = 0;
     for (const Triangle& t : triangles) {
         EXPECT_FALSE(allOn(t, rungs.lower)) << "three nodes on the old rung";
@@ -121,7 +121,7 @@ TEST(Strip, ZipWithBothEndsPinnedCoversALens) {
 // The strip would fold back behind a front whose end is steep, and cut the walls there again.
 TEST(Strip, AnInnerFrontNodeIsJoinedToThePointAboveItNotToTheEndOfTheBlade) {
     const std::vector<Triangle> triangles =
-        zip({0, 1, 2, 3, 4}, {0, 0.55, 0.56, 0.64, 1}, {5, 6, 7}, {0, 0.56, 1});
+        stitch({0, 1, 2, 3, 4}, {0, 0.55, 0.56, 0.64, 1}, {5, 6, 7}, {0, 0.56, 1});
     for (const Triangle& t : triangles) {
         const auto has = [&](int node) { return std::find(t.begin(), t.end(), node) != t.end(); };
         EXPECT_FALSE(has(2) && (has(5) || has(7)));

@@ -50,23 +50,23 @@ TEST(Cut, IncisionStaysOnePieceAndClosed) {
     EXPECT_GT(test::slitEdges(mesh, 0), 5) << "the slit ends inside";
 }
 
-TEST(Cut, MatesBehindTheFrontLieAtEqualPositions) {
+TEST(Cut, CopiesBehindTheFrontLieAtEqualPositions) {
     SurfaceMesh mesh = test::icosphere(3);
     test::runStroke(mesh, test::exactSettings(), incision(0.25, -0.7, 0.1, 40));
-    int mates = 0;
+    int copies = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (mesh.mateGroup(v) < 0) {
+        if (mesh.copyGroup(v) < 0) {
             continue;
         }
-        const std::vector<int>& group = mesh.matesOfGroup(mesh.mateGroup(v));
+        const std::vector<int>& group = mesh.copiesOfGroup(mesh.copyGroup(v));
         EXPECT_EQ(group.size(), 2u);
-        for (const int mate : group) {
-            EXPECT_EQ(mesh.position(mate), mesh.position(v));
-            EXPECT_EQ(mesh.restPosition(mate), mesh.restPosition(v));
+        for (const int copy : group) {
+            EXPECT_EQ(mesh.position(copy), mesh.position(v));
+            EXPECT_EQ(mesh.restPosition(copy), mesh.restPosition(v));
         }
-        ++mates;
+        ++copies;
     }
-    EXPECT_GT(mates, 20);
+    EXPECT_GT(copies, 20);
 }
 
 TEST(Cut, BladeThatMissesChangesNothing) {
@@ -247,7 +247,7 @@ TEST(Cut, SkinThatMovesAcrossTheBladeInTheAirIsNotLeftAsABridge) {
                 for (int v = 0; v < body.vertexCount() && step == kBulges; ++v) {
                     const Vec3 p = body.position(v);
                     const bool below = p.y() < -0.02 && p.y() > -0.15 && p.x() < -0.4;
-                    if (below && body.mateGroup(v) < 0) {
+                    if (below && body.copyGroup(v) < 0) {
                         body.setPosition(v, p + bulge);
                     }
                 }

@@ -18,7 +18,7 @@
 
 namespace kerf {
 
-using cut::Sweep;
+using cut::GroupStroke;
 
 namespace {
 
@@ -32,8 +32,8 @@ constexpr double kBinSize = 1.0;
 constexpr double kMostVolumeChange = 5e-10;
 // Levels of the retry ladder that are tried for each way to go on after a refusal.
 constexpr int kAttemptsOfResumption = 2;
-// How far older slits are seen open (SweepStep), and the levels that are tried for each together
-// with what the pass has divided of them.
+// How far older slits are seen open (OpeningInput), and the levels that are tried for each together
+// with what the transit has divided of them.
 constexpr std::array kOpenings{0.1, 0.2, 0.3};
 constexpr int kAttemptsOfOpening = 2;
 const cut::SlitOpening kNoOpening;
@@ -44,167 +44,171 @@ bool isInAir(const std::vector<RungNode>& rung) {
 
 }  // namespace
 
-void Cutter::State::startPass(Sweep& sweep) {
-    sweep.pass = ++pass;
-    sweep.firstVertexOfPass = mesh.vertexCount();
-    sweep.onSeams.clear();
-    sweep.sides.clear();
-    sweep.opensSlits = true;
+void Cutter::State::startTransit(GroupStroke& group) {
+    group.transit = ++transit;
+    group.firstVertexOfTransit = mesh.vertexCount();
+    group.onSeams.clear();
+    group.sides.clear();
+    group.opensSlits = true;
 }
 
-// The rung carries the offset of the pass from the start: otherwise a blade that is put down
+// The rung carries the offset of the transit from the start: otherwise a blade that is put down
 // exactly on a vertex would stay there in every retry.
-void Cutter::State::placeRung(const Blade& at, Sweep& sweep) {
-    startPass(sweep);
+void Cutter::State::placeRung(const Blade& at, GroupStroke& group) {
+    startTransit(group);
     const auto end = [&](const Vec3& p, double s) {
-        const Vec3 offset = cut::bladeOffset(settings.offset * h, 1, settings.seed, sweep.pass, s);
+        const Vec3 offset =
+            cut::bladeOffset(settings.offset * h, 1, settings.seed, group.transit, s);
         return RungNode{p + offset, s, -1, false};
     };
-    setRung({end(at.a, 0), end(at.b, 1)}, sweep);
-    sweep.blade = at;
-    sweep.lastAdvance = Vec3::Zero();
+    setRung({end(at.a, 0), end(at.b, 1)}, group);
+    group.blade = at;
+    group.lastAdvance = Vec3::Zero();
 }
 
 /// `from`: the rung, measured along `to`. It stays as far behind the blade as it is: started anew,
 /// a blade that is drawn through the body along itself would never be far enough ahead to cut.
-void Cutter::State::slideRung(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep) {
+void Cutter::State::slideRung(const Blade& to, const std::vector<RungNode>& from,
+                              GroupStroke& group) {
     const auto behind = [&](const RungNode& node) -> Vec3 {
         return node.position - (to.a + (to.b - to.a) * node.s);
     };
-    sweep.blade = {to.a + behind(from.front()), to.b + behind(from.back())};
-    setRung({{sweep.blade.a, 0, -1, false}, {sweep.blade.b, 1, -1, false}}, sweep);
+    group.blade = {to.a + behind(from.front()), to.b + behind(from.back())};
+    setRung({{group.blade.a, 0, -1, false}, {group.blade.b, 1, -1, false}}, group);
 }
 
-void Cutter::State::setRung(std::vector<RungNode> next, Sweep& sweep) {
-    sweep.rung = std::move(next);
-    if (isInAir(sweep.rung)) {
-        sweep.heading = Vec3::Zero();
+void Cutter::State::setRung(std::vector<RungNode> next, GroupStroke& group) {
+    group.rung = std::move(next);
+    if (isInAir(group.rung)) {
+        group.heading = Vec3::Zero();
     }
-    tie(sweep);
+    tie(group);
 }
 
 // While all lies where it rests, ties would hold the rung where it is. They can wait: where they
 // are to be made is known also when the body has begun to move.
-void Cutter::State::tie(Sweep& sweep) {
-    sweep.edgeLength = edgeLengthAbout(sweep.rung);
-    sweep.tiesWait = atRest && finder == nullptr;
-    if (sweep.tiesWait) {
-        sweep.airTies = {};
+void Cutter::State::tie(GroupStroke& group) {
+    group.edgeLength = edgeLengthAbout(group.rung);
+    group.tiesWait = atRest && finder == nullptr;
+    if (group.tiesWait) {
+        group.airTies = {};
         findTriangles().bounds();  // the tree knows the shape at rest from now on
     } else {
-        sweep.airTies = cut::AirTies(mesh, findTriangles(), isOuter(sweep), sweep.edgeLength,
-                                     sweep.rung, cut::SkinShape::current);
+        group.airTies = cut::AirTies(mesh, findTriangles(), isOuter(group), group.edgeLength,
+                                     group.rung, cut::SkinShape::current);
     }
 }
 
 /// Before the tree hears that anything has moved.
-void Cutter::State::makeWaitingTies(Sweep& sweep) {
-    if (std::exchange(sweep.tiesWait, false)) {
-        sweep.airTies = cut::AirTies(mesh, findTriangles(), isOuter(sweep), sweep.edgeLength,
-                                     sweep.rung, cut::SkinShape::rest);
+void Cutter::State::makeWaitingTies(GroupStroke& group) {
+    if (std::exchange(group.tiesWait, false)) {
+        group.airTies = cut::AirTies(mesh, findTriangles(), isOuter(group), group.edgeLength,
+                                     group.rung, cut::SkinShape::rest);
     }
 }
 
-std::function<bool(int)> Cutter::State::isOuter(const Sweep& sweep) const {
-    return [this, group = sweep.group](int t) {
+std::function<bool(int)> Cutter::State::isOuter(const GroupStroke& group) const {
+    return [this, number = group.number](int t) {
         const bool ownWall = mesh.kind(t) == SurfaceKind::wall && mesh.wallLabel(t) / 2 == stroke;
-        return !ownWall && groupOfVertex(mesh.triangle(t)[0]) == group;
+        return !ownWall && groupOfVertex(mesh.triangle(t)[0]) == number;
     };
 }
 
-CutResult Cutter::State::advance(const Blade& to, Gate gate, Sweep& sweep) {
-    std::vector<RungNode> from = sweep.rung;
-    const double least = gateLength(gate, sweep.edgeLength);
-    const cut::SweepMotion motion = cut::reparametrize(to, h, from);
-    if (goesInParts(to, from, sweep)) {
-        const CutOutcome otherwise = cut::isWithdrawing(mesh, to, h, sweep.lastAdvance, from)
+CutResult Cutter::State::advance(const Blade& to, Gate gate, GroupStroke& group) {
+    std::vector<RungNode> from = group.rung;
+    const double least = gateLength(gate, group.edgeLength);
+    const cut::BladeMotion motion = cut::reparametrize(to, h, from);
+    if (goesInParts(to, from, group)) {
+        const CutOutcome otherwise = cut::isWithdrawing(mesh, to, h, group.lastAdvance, from)
                                          ? CutOutcome::withdrawing
                                          : CutOutcome::waiting;
         const std::vector<cut::RungPart> parts =
-            cut::partsAhead(to, sweep.edgeLength, least, sweep.heading, from);
-        return parts.empty() ? outcome(otherwise) : cutParts(to, parts, sweep);
+            cut::partsAhead(to, group.edgeLength, least, group.heading, from);
+        return parts.empty() ? outcome(otherwise) : cutParts(to, parts, group);
     }
     if (motion.advance < std::max(least, kStandingStill * h)) {
         const bool slides = motion.axial > kAxialSlide * motion.advance && motion.axial > least;
         if (!motion.anyAttached && slides) {
-            slideRung(to, from, sweep);
+            slideRung(to, from, group);
         }
         return outcome(CutOutcome::waiting);
     }
-    if (cut::isWithdrawing(mesh, to, h, sweep.lastAdvance, from)) {
+    if (cut::isWithdrawing(mesh, to, h, group.lastAdvance, from)) {
         return outcome(CutOutcome::withdrawing);
     }
     if (isInAir(from)) {
-        const std::vector<cut::RungPart> parts = cut::partsInAir(to, sweep.edgeLength, from);
+        const std::vector<cut::RungPart> parts = cut::partsInAir(to, group.edgeLength, from);
         if (!parts.empty()) {
-            return cutParts(to, parts, sweep);
+            return cutParts(to, parts, group);
         }
     }
-    return cut(to, from, sweep);
+    return cut(to, from, group);
 }
 
 // A part that the blade has left behind stays until the blade is ahead of it again.
 bool Cutter::State::goesInParts(const Blade& to, const std::vector<RungNode>& from,
-                                const Sweep& sweep) {
-    return !sweep.heading.isZero(0) &&
-           (sweep.isUneven || cut::isPartlyBehind(to, sweep.edgeLength, sweep.heading, from));
+                                const GroupStroke& group) {
+    return !group.heading.isZero(0) &&
+           (group.isUneven || cut::isPartlyBehind(to, group.edgeLength, group.heading, from));
 }
 
 /// From the last part to the first: the nodes before it keep their places in the rung. Where one is
 /// refused the whole blade goes on.
 CutResult Cutter::State::cutParts(const Blade& to, const std::vector<cut::RungPart>& parts,
-                                  Sweep& sweep) {
+                                  GroupStroke& group) {
     CutResult sum = outcome(CutOutcome::air);
-    int staying = cut::sizeOf(sweep.rung);
+    int staying = cut::sizeOf(group.rung);
     for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
         CutResult result = outcome(CutOutcome::refused);
-        if (!findStep([&] { return climb(to, *part, sweep, result); })) {
-            tie(sweep);
-            std::vector<RungNode> from = sweep.rung;
+        if (!findStep([&] { return climb(to, *part, group, result); })) {
+            tie(group);
+            std::vector<RungNode> from = group.rung;
             cut::reparametrize(to, h, from);
-            addTo(sum, cut(to, from, sweep));
+            addTo(sum, cut(to, from, group));
             return sum;
         }
         addTo(sum, result);
         staying -= part->count;
     }
-    moveOn(to, sum, sweep);
+    moveOn(to, sum, group);
     sum.statistics.cutPieces = std::min(sum.statistics.cutPieces, 1);
-    sweep.isUneven = staying > 0;
-    if (!sweep.isUneven && isInAir(sweep.rung)) {
-        setRung({sweep.rung.front(), sweep.rung.back()}, sweep);  // without where it crossed
+    group.isUneven = staying > 0;
+    if (!group.isUneven && isInAir(group.rung)) {
+        setRung({group.rung.front(), group.rung.back()}, group);  // without where it crossed
     }
     return sum;
 }
 
-cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const Sweep& sweep,
+cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const GroupStroke& group,
                                               const std::vector<RungNode>& from) {
     std::vector<Vec3> points{to.a, to.b};
     for (const RungNode& node : from) {
         points.push_back(node.position);
     }
-    return {
-        mesh,
-        findTriangles(),
-        to,
-        points,
-        margin(sweep.edgeLength),
-        kBinSize * sweep.edgeLength,
-        [this, group = sweep.group](int t) { return groupOfVertex(mesh.triangle(t)[0]) == group; }};
+    return {mesh,
+            findTriangles(),
+            to,
+            points,
+            margin(group.edgeLength),
+            kBinSize * group.edgeLength,
+            [this, number = group.number](int t) {
+                return groupOfVertex(mesh.triangle(t)[0]) == number;
+            }};
 }
 
 // Nothing is committed until one attempt succeeds.
-CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep) {
+CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from,
+                             GroupStroke& group) {
     CutResult result = outcome(CutOutcome::refused);
-    const cut::RungPart whole{from, {}, 0, cut::sizeOf(sweep.rung)};
+    const cut::RungPart whole{from, {}, 0, cut::sizeOf(group.rung)};
     if (findStep(
-            [&] { return climb(to, whole, sweep, result) || resume(to, from, sweep, result); })) {
-        moveOn(to, result, sweep);
-        sweep.isUneven = false;
+            [&] { return climb(to, whole, group, result) || resume(to, from, group, result); })) {
+        moveOn(to, result, group);
+        group.isUneven = false;
         return result;
     }
     result.statistics.refusedPieces = 1;
-    countRefusal(to, sweep);
+    countRefusal(to, group);
     return result;
 }
 
@@ -221,62 +225,63 @@ bool Cutter::State::findStep(const std::function<bool()>& find) {
     return find();
 }
 
-// The retry ladder: with older slits along the blade seen open, then with all as they are; a pass
-// that once had to do without stays so.
-bool Cutter::State::climb(const Blade& to, const cut::RungPart& part, Sweep& sweep,
+// The retry ladder: with older slits along the blade seen open, then with all as they are; a
+// transit that once had to do without stays so.
+bool Cutter::State::climb(const Blade& to, const cut::RungPart& part, GroupStroke& group,
                           CutResult& result) {
-    const cut::BroadPhase candidates = findCandidates(to, sweep, part.rung);
-    if (sweep.opensSlits && climbOpened(to, part, candidates, sweep, result)) {
+    const cut::BroadPhase candidates = findCandidates(to, group, part.rung);
+    if (group.opensSlits && climbOpened(to, part, candidates, group, result)) {
         return true;
     }
-    return !sweep.opensSlits &&
-           tryLevels(to, part, candidates, kNoOpening, cut::attemptCount(), sweep, result);
+    return !group.opensSlits &&
+           tryLevels(to, part, candidates, kNoOpening, cut::attemptCount(), group, result);
 }
 
 // A blade that leaves an older slit at an angle may meet walls again that it saw open before: they
 // are then seen open farther.
 bool Cutter::State::climbOpened(const Blade& to, const cut::RungPart& part,
-                                const cut::BroadPhase& candidates, Sweep& sweep,
+                                const cut::BroadPhase& candidates, GroupStroke& group,
                                 CutResult& result) {
     const auto opened = [&](double opening, bool takesSeamsAlong) {
-        return cut::SlitOpening(mesh, candidates,
-                                {part.rung, to, sweep.edgeLength, stroke, sweep.firstVertexOfPass,
-                                 sweep.onSeams, sweep.sides, opening, takesSeamsAlong});
+        return cut::SlitOpening(
+            mesh, candidates,
+            {part.rung, to, group.edgeLength, stroke, group.firstVertexOfTransit, group.onSeams,
+             group.sides, opening, takesSeamsAlong});
     };
     const cut::SlitOpening first = opened(kOpenings.front(), false);
-    if (tryLevels(to, part, candidates, first, cut::attemptCount(), sweep, result)) {
+    if (tryLevels(to, part, candidates, first, cut::attemptCount(), group, result)) {
         return true;
     }
     if (first.empty()) {
         return false;
     }
-    const std::map<int, Vec3> sides = sweep.sides;
+    const std::map<int, Vec3> sides = group.sides;
     for (const double opening : kOpenings) {
-        if (tryLevels(to, part, candidates, opened(opening, true), kAttemptsOfOpening, sweep,
+        if (tryLevels(to, part, candidates, opened(opening, true), kAttemptsOfOpening, group,
                       result)) {
             return true;
         }
-        sweep.sides = sides;
+        group.sides = sides;
     }
-    sweep.opensSlits = false;
+    group.opensSlits = false;
     return false;
 }
 
 bool Cutter::State::tryLevels(const Blade& to, const cut::RungPart& part,
                               const cut::BroadPhase& candidates, const cut::SlitOpening& opening,
-                              int levels, Sweep& sweep, CutResult& result) {
+                              int levels, GroupStroke& group, CutResult& result) {
     cut::RungPart clear = part;
     cut::AirTies ties;
     cut::clearAirEdges(
-        mesh, candidates, opening, to, sweep.edgeLength,
+        mesh, candidates, opening, to, group.edgeLength,
         [&]() -> const cut::AirTies& {
-            makeWaitingTies(sweep);
-            return ties = sweep.airTies.part(part.first, part.first + part.count - 1,
+            makeWaitingTies(group);
+            return ties = group.airTies.part(part.first, part.first + part.count - 1,
                                              part.beforeFirst);
         },
         clear.rung);
     for (int i = 0; i < levels; ++i) {
-        if (attempt(to, clear, candidates, opening, i, sweep, result)) {
+        if (attempt(to, clear, candidates, opening, i, group, result)) {
             return true;
         }
     }
@@ -284,47 +289,47 @@ bool Cutter::State::tryLevels(const Blade& to, const cut::RungPart& part,
 }
 
 // What a moving body does not let through now it often does in the next step.
-bool Cutter::State::mayWait(const Sweep& sweep) const {
-    return sweep.refusedInARow + 1 < kRefusalsBeforeDetach &&
-           std::ranges::any_of(sweep.rung, [&](const RungNode& node) {
+bool Cutter::State::mayWait(const GroupStroke& group) const {
+    return group.refusedInARow + 1 < kRefusalsBeforeDetach &&
+           std::ranges::any_of(group.rung, [&](const RungNode& node) {
                return node.vertex >= 0 && !mesh.velocity(node.vertex).isZero(0);
            });
 }
 
-// Lets go of the front, and sweeps anew across the walls behind it: close beside them where the
+// Lets go of the front, and cuts anew across the walls behind it: close beside them where the
 // body surely parts so, and then on to the blade; otherwise steeply, and if need be without proof.
-bool Cutter::State::resume(const Blade& to, const std::vector<RungNode>& from, Sweep& sweep,
+bool Cutter::State::resume(const Blade& to, const std::vector<RungNode>& from, GroupStroke& group,
                            CutResult& result) {
-    if (mayWait(sweep)) {
+    if (mayWait(group)) {
         return false;
     }
     const auto startsBy = [&](const std::vector<cut::Resumption>& ways) {
         return std::ranges::any_of(
-            ways, [&](const cut::Resumption& way) { return startAnew(way, sweep, result); });
+            ways, [&](const cut::Resumption& way) { return startAnew(way, group, result); });
     };
     piecesToCross = cut::piecesOfFront(from, pieces.ofVertex());
     const bool mayProve = !piecesToCross.empty();
-    if (mayProve && startsBy(cut::crossings(from, to, std::min(h, sweep.edgeLength)))) {
+    if (mayProve && startsBy(cut::crossings(from, to, std::min(h, group.edgeLength)))) {
         piecesToCross.clear();
-        sweepOn(to, sweep, result);
+        goOn(to, group, result);
         return true;
     }
-    const std::vector<cut::Resumption> steep = cut::resumptions(from, to, sweep.edgeLength);
+    const std::vector<cut::Resumption> steep = cut::resumptions(from, to, group.edgeLength);
     const bool crosses = mayProve && startsBy(steep);
     piecesToCross.clear();
     return crosses || startsBy(steep);
 }
 
-bool Cutter::State::startAnew(const cut::Resumption& way, Sweep& sweep, CutResult& result) {
-    Sweep anew = sweep;
-    startPass(anew);
+bool Cutter::State::startAnew(const cut::Resumption& way, GroupStroke& group, CutResult& result) {
+    GroupStroke anew = group;
+    startTransit(anew);
     cut::RungPart start{way.rung, {}, 0, cut::sizeOf(anew.rung)};
     cut::reparametrize(way.blade, h, start.rung);
     const cut::BroadPhase candidates = findCandidates(way.blade, anew, start.rung);
     for (int i = 0; i < kAttemptsOfResumption; ++i) {
         if (attempt(way.blade, start, candidates, kNoOpening, i, anew, result)) {
-            sweep = std::move(anew);
-            sweep.opensSlits = false;
+            group = std::move(anew);
+            group.opensSlits = false;
             result.statistics.resumed = 1;
             return true;
         }
@@ -333,12 +338,12 @@ bool Cutter::State::startAnew(const cut::Resumption& way, Sweep& sweep, CutResul
 }
 
 // What can't be done now waits for the next step.
-void Cutter::State::sweepOn(const Blade& to, Sweep& sweep, CutResult& result) {
-    tie(sweep);
-    cut::RungPart whole{sweep.rung, {}, 0, cut::sizeOf(sweep.rung)};
+void Cutter::State::goOn(const Blade& to, GroupStroke& group, CutResult& result) {
+    tie(group);
+    cut::RungPart whole{group.rung, {}, 0, cut::sizeOf(group.rung)};
     cut::reparametrize(to, h, whole.rung);
     CutResult more = outcome(CutOutcome::refused);
-    if (climb(to, whole, sweep, more)) {
+    if (climb(to, whole, group, more)) {
         addTo(result, more);
         result.statistics.cutPieces = 1;
     }
@@ -367,31 +372,33 @@ void Cutter::State::requireMirrors(const cut::StepPlan& plan, double edge) {
 
 bool Cutter::State::attempt(const Blade& to, const cut::RungPart& part,
                             const cut::BroadPhase& candidates, const cut::SlitOpening& opening,
-                            int level, Sweep& sweep, CutResult& result) {
+                            int level, GroupStroke& group, CutResult& result) {
     const std::uint64_t retrySeed =
         settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
-    const double edge = sweep.edgeLength;
+    const double edge = group.edgeLength;
     const double scale = h / edge;  // shares that stay shares of h
     Bounds bodyBox = findTriangles().bounds();
     bodyBox.widen(kBroadPhaseMargin * edge);  // predicates may see vertices that far outside
-    const cut::StepInput in{mesh,
-                            candidates,
-                            pieces.ofVertex(),
-                            surface,
-                            opening,
-                            part.rung,
-                            to,
-                            part.span,
-                            edge,
-                            settings.offset * scale,
-                            *edgeLengths,
-                            settings.seed,
-                            stroke,
-                            sweep.pass,
-                            sweep.firstVertexOfPass,
-                            cut::attemptAt(level, settings.tolerance * scale, retrySeed),
-                            bodyBox,
-                            atRest};
+    const cut::StepInput in{
+        .mesh = mesh,
+        .broadPhase = candidates,
+        .pieceOfVertex = pieces.ofVertex(),
+        .surface = surface,
+        .opening = opening,
+        .rung = part.rung,
+        .blade = to,
+        .span = part.span,
+        .h = edge,
+        .offset = settings.offset * scale,
+        .edgeLengths = *edgeLengths,
+        .seed = settings.seed,
+        .stroke = stroke,
+        .transit = group.transit,
+        .firstVertexOfTransit = group.firstVertexOfTransit,
+        .attempt = cut::attemptAt(level, settings.tolerance * scale, retrySeed),
+        .body = bodyBox,
+        .atRest = atRest,
+    };
     const int tries = result.statistics.tries + 1;
     const std::string reason = result.reason;
     result.statistics.tries = tries;
@@ -400,7 +407,7 @@ bool Cutter::State::attempt(const Blade& to, const cut::RungPart& part,
         requireCrossing(step);
         requireVolume(step.plan);
         requireMirrors(step.plan, edge);
-        result = accept(to, step, part, sweep);
+        result = accept(to, step, part, group);
         result.statistics.tries = tries;
         result.reason = reason;
         return true;
@@ -411,22 +418,22 @@ bool Cutter::State::attempt(const Blade& to, const cut::RungPart& part,
 }
 
 CutResult Cutter::State::accept(const Blade& to, const cut::PlannedStep& step,
-                                const cut::RungPart& part, Sweep& sweep) {
-    sweep.refusedInARow = 0;
+                                const cut::RungPart& part, GroupStroke& group) {
+    group.refusedInARow = 0;
     if (step.air) {
-        setRung(cut::replaced(sweep.rung, part, {step.air->endA, step.air->endB}), sweep);
+        setRung(cut::replaced(group.rung, part, {step.air->endA, step.air->endB}), group);
         return outcome(CutOutcome::air);
     }
     if (settings.cleanUp && !cleanup) {
         cleanup.emplace(mesh, *edgeLengths);
     }
     cut::CommitResult committed =
-        cut::commit(mesh, step.plan, sweep.edgeLength, stroke, cut::stayingFront(sweep.rung, part));
+        cut::commit(mesh, step.plan, group.edgeLength, stroke, cut::stayingFront(group.rung, part));
     const std::vector<int> changed = changedTriangles(committed.delta);
-    follow(changed, sweep.group);
+    follow(changed, group.number);
     surface.follow(changed, 0);
     madeWalls = true;
-    sweep.onSeams.insert(committed.onSeams.begin(), committed.onSeams.end());
+    group.onSeams.insert(committed.onSeams.begin(), committed.onSeams.end());
     CutResult result = outcome(CutOutcome::cut);
     result.delta = std::move(committed.delta);
     result.statistics.cutPieces = 1;
@@ -436,28 +443,28 @@ CutResult Cutter::State::accept(const Blade& to, const cut::PlannedStep& step,
     result.statistics.patterns = step.plan.subdivision.patterns;
     result.statistics.seeds = step.seeds;
     result.statistics.volumeChange = step.plan.volumeChange;
-    const Vec3 way = cut::advanceOf(to, sweep.edgeLength, part.rung, committed.rung);
-    sweep.heading = way.isZero(0) ? sweep.heading : way;
-    std::vector<RungNode> next = cut::replaced(sweep.rung, part, committed.rung);
+    const Vec3 way = cut::advanceOf(to, group.edgeLength, part.rung, committed.rung);
+    group.heading = way.isZero(0) ? group.heading : way;
+    std::vector<RungNode> next = cut::replaced(group.rung, part, committed.rung);
     if (isInAir(next)) {
-        sweep.heading = Vec3::Zero();
-        startPass(sweep);
+        group.heading = Vec3::Zero();
+        startTransit(group);
     }
-    sweep.rung = std::move(next);  // tied once all of the step is done
+    group.rung = std::move(next);  // tied once all of the step is done
     return result;
 }
 
-void Cutter::State::moveOn(const Blade& to, const CutResult& result, Sweep& sweep) {
-    const Blade from = std::exchange(sweep.blade, to);
+void Cutter::State::moveOn(const Blade& to, const CutResult& result, GroupStroke& group) {
+    const Blade from = std::exchange(group.blade, to);
     if (result.outcome == CutOutcome::cut) {
-        sweep.lastAdvance = 0.5 * (to.a - from.a + to.b - from.b);
+        group.lastAdvance = 0.5 * (to.a - from.a + to.b - from.b);
     }
 }
 
-void Cutter::State::countRefusal(const Blade& to, Sweep& sweep) {
-    if (++sweep.refusedInARow >= kRefusalsBeforeDetach) {
-        sweep.refusedInARow = 0;
-        placeRung(to, sweep);
+void Cutter::State::countRefusal(const Blade& to, GroupStroke& group) {
+    if (++group.refusedInARow >= kRefusalsBeforeDetach) {
+        group.refusedInARow = 0;
+        placeRung(to, group);
     }
 }
 

@@ -1,4 +1,4 @@
-#include "sim/cut/stroke/sweep.h"
+#include "sim/cut/stroke/group_stroke.h"
 
 #include <algorithm>
 
@@ -52,10 +52,10 @@ void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung) {
     }
 }
 
-SweepMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung) {
+BladeMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung) {
     const Vec3 along = blade.b - blade.a;
     const double least = kLeastSpacing * h / along.norm();
-    SweepMotion motion;
+    BladeMotion motion;
     double previous = -1e300;
     for (RungNode& node : rung) {
         node.s = (node.position - blade.a).dot(along) / along.squaredNorm();

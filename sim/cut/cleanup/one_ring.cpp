@@ -1,4 +1,4 @@
-#include "sim/cut/cleanup/local_patch.h"
+#include "sim/cut/cleanup/one_ring.h"
 
 #include <algorithm>
 
@@ -11,12 +11,12 @@ struct SectorTriangle {
     Vec3 reference;
 };
 
-bool isFeatureSpoke(const SurfaceMesh& mesh, const MaterialStar& star, int h) {
-    return star.edgeTo(mesh.materialPoint(mesh.target(h)))->isFeature();
+bool isFeatureSpoke(const SurfaceMesh& mesh, const SharedStar& star, int h) {
+    return star.edgeTo(mesh.firstCopy(mesh.target(h)))->isFeature();
 }
 
 /// The umbrella of a copy in sectors between features; without features it is a single one.
-std::vector<SectorTriangle> sectorsAround(const SurfaceMesh& mesh, const MaterialStar& star,
+std::vector<SectorTriangle> sectorsAround(const SurfaceMesh& mesh, const SharedStar& star,
                                           int vertex) {
     std::vector<int> spokes;
     mesh.forEachOutgoing(vertex, [&](int h) { spokes.push_back(h); });
@@ -57,47 +57,47 @@ bool hasCornerIn(const Triangle& corners, const std::vector<int>& vertices) {
 
 }  // namespace
 
-Patch patchOfMove(const SurfaceMesh& mesh, const MaterialStar& star, int vertex) {
-    Patch patch;
-    patch.vertex = vertex;
+OneRing ringOfMove(const SurfaceMesh& mesh, const SharedStar& star, int vertex) {
+    OneRing ring;
+    ring.vertex = vertex;
     for (const SectorTriangle& sector : sectorsAround(mesh, star, vertex)) {
-        patch.before.push_back(sector.slot);
-        patch.after.push_back({mesh.triangle(sector.slot), sector.slot, sector.reference});
+        ring.before.push_back(sector.slot);
+        ring.after.push_back({mesh.triangle(sector.slot), sector.slot, sector.reference});
     }
-    return patch;
+    return ring;
 }
 
-Patch patchOfMerge(const SurfaceMesh& mesh, const MaterialStar& from, const MaterialStar& to,
-                   int vertex, std::vector<int> merged) {
-    Patch patch;
-    patch.vertex = vertex;
-    patch.merged = std::move(merged);
+OneRing ringOfMerge(const SurfaceMesh& mesh, const SharedStar& from, const SharedStar& to,
+                    int vertex, std::vector<int> merged) {
+    OneRing ring;
+    ring.vertex = vertex;
+    ring.merged = std::move(merged);
     for (const SectorTriangle& sector : sectorsAround(mesh, to, vertex)) {
         const Triangle& corners = mesh.triangle(sector.slot);
-        patch.before.push_back(sector.slot);
-        if (!hasCornerIn(corners, patch.merged)) {
-            patch.after.push_back({corners, sector.slot, sector.reference});
+        ring.before.push_back(sector.slot);
+        if (!hasCornerIn(corners, ring.merged)) {
+            ring.after.push_back({corners, sector.slot, sector.reference});
         }
     }
-    for (const int gone : patch.merged) {
+    for (const int gone : ring.merged) {
         for (const SectorTriangle& sector : sectorsAround(mesh, from, gone)) {
             const Triangle& corners = mesh.triangle(sector.slot);
             if (!hasCornerIn(corners, {vertex})) {
-                patch.before.push_back(sector.slot);
-                patch.after.push_back(
+                ring.before.push_back(sector.slot);
+                ring.after.push_back(
                     {replaced(corners, gone, vertex), sector.slot, sector.reference});
             }
         }
     }
-    return patch;
+    return ring;
 }
 
-std::array<Vec3, 3> cornersAfter(const SurfaceMesh& mesh, const Patch& patch,
-                                 const PatchTriangle& triangle) {
+std::array<Vec3, 3> cornersAfter(const SurfaceMesh& mesh, const OneRing& ring,
+                                 const RingTriangle& triangle) {
     std::array<Vec3, 3> corners;
     for (int i = 0; i < 3; ++i) {
         const int v = triangle.corners[i];
-        corners[i] = v == patch.vertex ? patch.position : mesh.position(v);
+        corners[i] = v == ring.vertex ? ring.position : mesh.position(v);
     }
     return corners;
 }
@@ -122,9 +122,9 @@ Vec3 crossOf(const std::array<Vec3, 3>& corners) {
     return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
-bool isWallOnly(const SurfaceMesh& mesh, const std::vector<Patch>& patches) {
-    return std::all_of(patches.begin(), patches.end(), [&](const Patch& patch) {
-        return std::all_of(patch.before.begin(), patch.before.end(),
+bool isWallOnly(const SurfaceMesh& mesh, const std::vector<OneRing>& rings) {
+    return std::all_of(rings.begin(), rings.end(), [&](const OneRing& ring) {
+        return std::all_of(ring.before.begin(), ring.before.end(),
                            [&](int t) { return mesh.kind(t) == SurfaceKind::wall; });
     });
 }

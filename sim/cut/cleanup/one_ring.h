@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/cleanup/copies.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf::cut {
+
+/// A triangle as it would be after an operation.
+struct RingTriangle {
+    Triangle corners;  ///< its corners then
+    int slot;          ///< its slot in the mesh
+    /// Area vector of the sector between two features around its old corner [m^2].
+    Vec3 reference;
+};
+
+/// The triangles around one vertex, and what an operation makes of them: all that is in `before`
+/// becomes `after`, in which `vertex` alone lies elsewhere.
+struct OneRing {
+    int vertex = -1;                  ///< the vertex in the middle, which stays
+    std::vector<int> merged;          ///< vertices that become `vertex`
+    bool joins = false;               ///< `vertex` keeps its triangles, becomes the target's copy
+    std::vector<int> before;          ///< slots of the triangles as they are
+    std::vector<RingTriangle> after;  ///< the triangles that are left of them
+    Vec3 position = Vec3::Zero();     ///< planned for `vertex` [m]
+    Vec3 rest = Vec3::Zero();         ///< planned for `vertex`, at rest [m]
+    Vec3 velocity = Vec3::Zero();     ///< planned for `vertex` [m/s]
+};
+
+/// The one-ring of `star`'s copy `vertex`, which moves.
+OneRing ringOfMove(const SurfaceMesh& mesh, const SharedStar& star, int vertex);
+
+/// The one-ring of `vertex`, a copy of `to`, with those of the copies of `from` that merge into it.
+OneRing ringOfMerge(const SurfaceMesh& mesh, const SharedStar& from, const SharedStar& to,
+                    int vertex, std::vector<int> merged);
+
+/// The corners of a triangle of the ring, at their places after the operation [m].
+std::array<Vec3, 3> cornersAfter(const SurfaceMesh& mesh, const OneRing& ring,
+                                 const RingTriangle& triangle);
+/// The positions of a triangle's corners as they are [m].
+std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, int triangle);
+/// The length of half-edge h [m].
+double edgeLength(const SurfaceMesh& mesh, int h);
+/// The half-edges of a triangle, the shortest first.
+std::array<int, 3> edgesByLength(const SurfaceMesh& mesh, int triangle);
+/// The cross product of two sides of a triangle: twice its area vector [m^2].
+Vec3 crossOf(const std::array<Vec3, 3>& corners);
+
+/// Whether all triangles of the rings are walls.
+bool isWallOnly(const SurfaceMesh& mesh, const std::vector<OneRing>& rings);
+
+}  // namespace kerf::cut

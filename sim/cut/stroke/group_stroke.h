@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include "sim/cut/blade.h"
+#include "sim/cut/cut_types.h"
+#include "sim/cut/surface/air_ties.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf::cut {
+
+/// The stroke as one group of pieces sees it (groupPieces). Each group waits and refuses for
+/// itself. Its transits are the ways of the blade through it, each from air to air.
+struct GroupStroke {
+    int vertex = -1;               ///< some vertex of the group
+    int number = -1;               ///< the group's number (groupPieces)
+    int transit = 0;               ///< goes up each time the blade starts from the air
+    int firstVertexOfTransit = 0;  ///< vertices from here on were made in the transit
+    std::set<int> onSeams;         ///< vertices of the transit on walls of older ones
+    bool opensSlits = true;        ///< whether older slits along the way are seen open
+    std::map<int, Vec3> sides;     ///< ways in which older slits open (OpeningInput::sides)
+    int refusedInARow = 0;         ///< steps refused since the last one that was not
+    std::vector<RungNode> rung;    ///< the group's rung, from A to B
+    double edgeLength = 0;         ///< edge length about the rung [m]
+    AirTies airTies;               ///< hold the rung in the air to the skin
+    bool tiesWait = false;  ///< they are made once they are needed: nothing has moved from rest
+    Blade blade;            ///< the blade when the rung was made
+    Vec3 lastAdvance = Vec3::Zero();  ///< way of the blade's middle in the last step that cut [m]
+    /// The direction in which the front went on in the last step that cut; zero while the rung is
+    /// in the air.
+    Vec3 heading = Vec3::Zero();
+    bool isUneven = false;  ///< part of the rung stayed when the rest last went on
+};
+
+/// The way of the blade since the old rung.
+struct BladeMotion {
+    double advance = 0;        ///< largest distance of a rung node to the line of the blade [m]
+    double axial = 0;          ///< largest distance of the rung's ends to the blade's ends [m]
+    bool anyAttached = false;  ///< the rung has a front edge
+};
+
+/// Takes the positions of rung vertices from the mesh, which may have moved.
+void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung);
+
+/// Sets the rung's s to where its nodes lie along the new blade, so that sliding along its axis
+/// (sawing, plunging) does not shear the strip. s is forced to increase. The blade must have a
+/// length.
+BladeMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung);
+
+/// Whether more than half of the front would move back into its own slit. Walls that the solver has
+/// bent may point anywhere: what goes on in the direction `lastAdvance` of the last cut counts as
+/// forwards (zero where there was none). `h`: edge length of walls [m].
+bool isWithdrawing(const SurfaceMesh& mesh, const Blade& blade, double h, const Vec3& lastAdvance,
+                   const std::vector<RungNode>& rung);
+
+}  // namespace kerf::cut
