@@ -14,57 +14,8 @@
 
 namespace kerf::ui {
 
-/// What a shortcut or a button asks for: the rows of the shortcut table.
-enum class ActionId : std::uint8_t {
-    playPause,
-    letFall,
-    stepOnce,
-    reset,
-    slower,
-    faster,
-    undo,
-    redo,
-    toggleGravity,
-    toolStroke,
-    toolScalpel,
-    toolGuillotine,
-    toolGrab,
-    toolPin,
-    bringDown,
-    freePins,
-    record,
-    openFile,
-    saveSession,
-    exportBody,
-    loop,
-    cancel,
-    frameBody,
-    resetView,
-    viewFront,
-    viewBack,
-    viewRight,
-    viewLeft,
-    viewTop,
-    viewBottom,
-    orthographic,
-    wireframe,
-    showCutLines,
-    showApart,
-    showEdges,
-    showBends,
-    showIspcs,
-    showErrors,
-    showContacts,
-    showBoxes,
-    fineQuality,
-    togglePanels,
-    holdPlots,
-    fitPlots,
-    screenshot,
-    sceneScreenshot,
-    help,
-    quit,
-};
+/// What a key, a row of a menu or a button asks for: a row of kActions (ui/action_table.h).
+enum class ActionId : std::uint8_t;
 
 /// Undoes or redoes until so many changes are in force.
 struct GoToChange {

@@ -21,7 +21,7 @@ struct FileRow {
 };
 
 /// A folder that can be gone to at once.
-struct FilePlace {
+struct FolderLink {
     std::string label;
     std::filesystem::path folder;
 };
@@ -30,8 +30,8 @@ struct FilePlace {
 struct FileDialogState {
     FilePurpose purpose = FilePurpose::none;
     std::filesystem::path folder;
-    std::vector<FilePlace> crumbs;  ///< the folder and those around it, outermost first
-    std::vector<FilePlace> places;  ///< bookmarks
+    std::vector<FolderLink> crumbs;  ///< the folder and those around it, outermost first
+    std::vector<FolderLink> bookmarks;
     std::vector<std::string> kinds;
     int kind = 0;  ///< of `kinds`
     std::vector<FileRow> rows;

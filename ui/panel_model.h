@@ -49,12 +49,6 @@ struct PlaybackState {
     std::optional<int> divergedAt;  ///< the first step that came out differently
 };
 
-/// Figures of a run.
-struct RunFigures {
-    double fps = 0;     ///< mean [1/s]
-    double volume = 0;  ///< mean [% of rest]
-};
-
 /// One of the paper's experiments: its figures beside ours.
 struct ExperimentCard {
     std::string name;     ///< "sphere768": what OpenExperiment asks for
@@ -90,7 +84,7 @@ struct Question {
 
 /// One of the things that a hint offers.
 struct HintChoice {
-    ActionId id = ActionId::playPause;
+    ActionId id{};
     std::string label;
 };
 /// What to do first or next.

@@ -9,8 +9,8 @@
 #include <cstdio>
 
 #include "sim/solve/sweep_strength.h"
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -221,7 +221,7 @@ void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
     if (ImGui::Checkbox("##switch", &on)) {
         actions.emplace_back(ActionId::toggleGravity);
     }
-    itemTooltip(describeShortcut(ActionId::toggleGravity));
+    itemTooltip(describeAction(ActionId::toggleGravity));
     ImGui::SameLine();
 }
 

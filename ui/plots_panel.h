@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "ui/action.h"
@@ -8,14 +7,6 @@
 #include "ui/plot.h"
 
 namespace kerf::ui {
-
-/// A plot that can be chosen.
-struct PlotKind {
-    const char* id;  ///< its name in Settings::plots and in files
-    const char* title;
-};
-/// All of them, in their order on the screen.
-std::span<const PlotKind> plotKinds();
 
 /// The plots that are chosen in the settings. What they point to lives as long as the model.
 std::vector<PlotSpec> chosenPlots(const PanelModel& model);

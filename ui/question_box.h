@@ -11,7 +11,7 @@ namespace kerf::ui {
 class QuestionBox {
   public:
     void draw(const Question& question, std::vector<Action>& actions);
-    /// Whether it was there in the last pass: then no key means anything else.
+    /// Whether the box was there in the last update: then no key means anything else.
     bool isOpen() const { return open_; }
 
   private:

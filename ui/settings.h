@@ -21,7 +21,7 @@ struct Settings {
     double readingsWidth = 300;                          ///< of the right panel [px]
     double piecesShare = 0.2;                            ///< of the left panel's height
     double plotsShare = 0.62;                            ///< of the right panel's height
-    std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of plotKinds()
+    std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of kPlots
     /// Sections of the left panel.
     std::vector<std::string> folded{"experiments", "display", "window"};
 

@@ -44,9 +44,9 @@ void textRight(std::string_view text);
 /// line.
 void rowLabel(std::string_view text);
 
-/// Whether the drag that changes the last item already changed it in an earlier pass: one undo for
-/// all of a drag. Call it in each pass, with whether this one changed the item; one item for an id
-/// on the stack.
+/// Whether the drag that changes the last item already changed it in an earlier update: one undo
+/// for all of a drag. Call it in each update, with whether this one changed the item; one item for
+/// an id on the stack.
 bool continuesGesture(bool changed);
 
 /// A small square button with a turning arrow, drawn rather than taken from the font.

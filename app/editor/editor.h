@@ -10,7 +10,7 @@
 #include "render/renderer.h"
 #include "render/scene/image.h"
 #include "ui/input.h"
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {
@@ -69,7 +69,7 @@ class Editor {
     const ui::PanelModel& panels() const;
 
     /// Where the named items of the panels are.
-    const ui::ItemPlaces& places() const;
+    const ui::ItemRects& itemRects() const;
     /// What is open, for tests that look into it; null while nothing is.
     EditorScene* scene();
 
@@ -77,8 +77,10 @@ class Editor {
     /// in the view and changes nothing.
     void open(const std::filesystem::path& file);
 
-  private:
+    /// All that an editor holds: app/editor/editor_state.h.
     struct State;
+
+  private:
     std::unique_ptr<State> state_;
 };
 

@@ -22,10 +22,10 @@
 #include "app/files/saving_queue.h"
 #include "app/scene/document_loading.h"
 #include "app/scene/editor_scene.h"
-#include "app/tools/blade_hand.h"
-#include "app/tools/body_hand.h"
+#include "app/tools/blade_tool.h"
 #include "app/tools/camera_flight.h"
 #include "app/tools/editor_camera.h"
+#include "app/tools/pull_tool.h"
 #include "app/tools/view_frame.h"
 #include "gpu/timer.h"
 #include "ui/interface.h"
@@ -33,8 +33,8 @@
 
 namespace kerf::app {
 
-/// Passes over the panels after the last input, for those that answer late.
-inline constexpr int kSettlePasses = 2;
+/// Updates of the panels after the last input, for those that answer late.
+inline constexpr int kSettleUpdates = 2;
 
 /// All that an editor holds. Its functions stand in a file per concern, as the headings say.
 struct Editor::State {
@@ -80,8 +80,8 @@ struct Editor::State {
     PieceDisplay pieceDisplay;
     gpu::Timer sceneTimer;
     ui::PlotView plotView;
-    BladeHand hand;
-    BodyHand bodyHand;
+    BladeTool bladeTool;
+    PullTool pullTool;
     /// A model with holes that could be filled, while that is asked.
     struct OpenFault {
         std::filesystem::path file;
@@ -95,12 +95,12 @@ struct Editor::State {
     bool screenshotWanted = false;
     CutWatch cutWatch;
     FirstSteps firstSteps;
-    int settlePasses = kSettlePasses;
+    int settleUpdates = kSettleUpdates;
 
     // Input: editor_input.cpp.
     void takeInput(double elapsedSeconds);
     /// `last`: of this picture, so that what it shows is the panels' last word.
-    void pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds, bool last);
+    void updatePanels(const std::vector<ui::InputEvent>& batch, double elapsedSeconds, bool last);
     void dispatch(const ui::InputEvent& event);
     void onMove(const ui::PointerMove& move);
     void onButton(const ui::ButtonChange& change);
@@ -115,36 +115,22 @@ struct Editor::State {
     // Answers to keys and panels: editor_actions.cpp.
     void apply(const ui::Action& action);
     void perform(ui::ActionId id);
-    void performOnScene(ui::ActionId id);
-    void releaseHands();
+    void releaseTools();
     /// Whether it was done; says why not.
     bool execute(const Command& command);
     /// What came of something that was done to the body: "" or one sentence.
     void say(const std::string& problem);
     void placeBox();
-    void stepThroughHistory(const Command& undoOrRedo);
     void goToChange(std::size_t done);
     void seekTo(int step);
-    void freePins();
     void setTools(const ui::ToolSettings& settings);
-    void setTool(ui::Tool tool);
-    void toggleRecording();
-    void cancel();
-    void toggleGravity();
-    void letFall();
 
     // The view: editor_view.cpp.
-    void performOnView(ui::ActionId id);
-    void moveCamera(ui::ActionId id);
     void landCamera();
     void setDisplay(const ui::DisplaySettings& settings);
 
-    // Answers of the panels about the panels: editor_panels.cpp.
-    void applyToPanels(const ui::Action& action);
-    void setSettings(const ui::Settings& wanted);
+    // Plots, experiments and pieces: editor_panels.cpp.
     void keepSettings();
-    void togglePanels();
-    void holdPlots();
     void exportPlots(bool asPicture);
     void openExperiment(const std::string& name);
     void framePiece(int piece);
@@ -164,7 +150,7 @@ struct Editor::State {
     void followSavings();
     bool isWorking() const { return loading != nullptr || saving != nullptr; }
     /// A stroke or a pull is under way.
-    bool handIsBusy() const { return hand.holds() || bodyHand.holds(); }
+    bool toolIsBusy() const { return bladeTool.holds() || pullTool.holds(); }
     void cancelLoading();
     void cancelWork();
     void askAboutHoles(const ModelFault& fault);
@@ -184,7 +170,7 @@ struct Editor::State {
     std::filesystem::path& lastFolder(ui::FilePurpose purpose) {
         return purpose == ui::FilePurpose::open ? lastSource : lastTarget;
     }
-    std::vector<ui::FilePlace> filePlaces(ui::FilePurpose purpose) const;
+    std::vector<ui::FolderLink> bookmarks(ui::FilePurpose purpose) const;
     void saveScreenshot();
     void saveSceneScreenshot();
     void savePicture(render::Image image, const std::string& name);

@@ -13,7 +13,7 @@ class EditorToast {
   public:
     /// Takes the place of what is shown.
     void show(std::string text, bool isError);
-    void pass(double elapsedSeconds);
+    void elapse(double elapsedSeconds);
     bool visible() const { return remaining_ > 0; }
     /// How long it stays as it is [s]; 0 while it fades.
     double steadySeconds() const;

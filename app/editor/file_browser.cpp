@@ -81,8 +81,8 @@ std::string localTime(const fs::directory_entry& entry) {
     return text;
 }
 
-std::vector<ui::FilePlace> crumbsOf(const fs::path& folder) {
-    std::vector<ui::FilePlace> crumbs;
+std::vector<ui::FolderLink> crumbsOf(const fs::path& folder) {
+    std::vector<ui::FolderLink> crumbs;
     fs::path soFar;
     for (const fs::path& part : folder) {
         soFar /= part;
@@ -112,9 +112,9 @@ fs::path existingFolder(fs::path folder) {
 }  // namespace
 
 FileBrowser::FileBrowser(FilePurpose purpose, fs::path folder, std::string name,
-                         std::vector<ui::FilePlace> places) {
+                         std::vector<ui::FolderLink> bookmarks) {
     state_.purpose = purpose;
-    state_.places = std::move(places);
+    state_.bookmarks = std::move(bookmarks);
     state_.kinds = kindsOf(purpose);
     state_.name = std::move(name);
     goTo(existingFolder(std::move(folder)), "");

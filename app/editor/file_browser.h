@@ -15,7 +15,7 @@ class FileBrowser {
   public:
     /// Looks into `folder`, or the next one around it that can be read. `name`: proposed.
     FileBrowser(ui::FilePurpose purpose, std::filesystem::path folder, std::string name,
-                std::vector<ui::FilePlace> places);
+                std::vector<ui::FolderLink> bookmarks);
 
     const ui::FileDialogState& state() const { return state_; }
     /// What is selected, a file that can be opened; empty for none.

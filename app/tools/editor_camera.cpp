@@ -45,25 +45,25 @@ bool CameraControl::press(const ui::ButtonChange& change) {
     if (!orbits && !pans) {
         return false;
     }
-    drag_ = pans ? Drag::pan : Drag::orbit;
+    motion_ = pans ? Motion::pan : Motion::orbit;
     button_ = change.button;
     return true;
 }
 
 void CameraControl::release(ui::Button button) {
     if (button == button_) {
-        drag_ = Drag::none;
+        motion_ = Motion::none;
     }
 }
 
 bool CameraControl::move(render::Camera& camera, double dx, double dy, double height) const {
-    switch (drag_) {
-        case Drag::none:
+    switch (motion_) {
+        case Motion::none:
             return false;
-        case Drag::orbit:
+        case Motion::orbit:
             camera.orbit(-kRadiansPerHeight * dx / height, kRadiansPerHeight * dy / height);
             return true;
-        case Drag::pan:
+        case Motion::pan:
             camera.pan(-dx / height, dy / height);
             return true;
     }

@@ -13,7 +13,7 @@ namespace kerf::app {
 
 /// Touches the body by the pointer: pulls at it (Tool::grab), or pins parts of it and frees them
 /// again (Tool::pin), with a brush or a box.
-class BodyHand {
+class PullTool {
   public:
     /// The pointer in the view, pixels of the picture. Returns "" or one sentence.
     std::string press(const ViewFrame& view, const Vec2& pixel, const ui::ToolSettings& settings,

@@ -14,7 +14,7 @@ namespace kerf::app {
 
 /// Leads the blade by the pointer, in one of three ways, and shows what it will cut. It answers
 /// with poses in the scene's stroke.
-class BladeHand {
+class BladeTool {
   public:
     /// Depths, radii and the guillotine's pose for another body.
     void fitTo(const Bounds& bounds);
