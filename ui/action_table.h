@@ -12,8 +12,8 @@
 
 namespace kerf::ui {
 
-/// What a key, a row of a menu or a button asks for, in the order of kActions. The editor's
-/// handlers (app/editor/editor_actions.cpp) say what it does.
+/// The name of something that a key, a row of a menu or a button asks for, in the order of
+/// kActions. The handlers in app/editor/editor_actions.cpp do it.
 enum class ActionId : std::uint8_t {
     openFile,
     saveSession,
@@ -238,7 +238,7 @@ constexpr bool coversActions(const Table& rows) {
 }
 static_assert(coversActions(kActions), "an ActionId has no row in kActions, or not at its place");
 
-/// What the pointer does in the view; the help overlay lists it beside the keys.
+/// A gesture of the pointer and its effect, which the help overlay lists beside the keys.
 struct PointerHint {
     std::string_view gesture;
     std::string_view label;
@@ -254,7 +254,7 @@ constexpr const ActionRow& rowOf(ActionId id) {
 inline bool isAvailable(const PanelModel& model, ActionId id) {
     return rowOf(id).available(model);
 }
-/// Whether that which an action switches is on.
+/// Whether the thing that an action switches is on; false where it switches nothing.
 inline bool isOn(const PanelModel& model, ActionId id) {
     return rowOf(id).on != nullptr && rowOf(id).on(model);
 }

@@ -11,8 +11,8 @@
 
 namespace kerf::ui {
 
-/// A value that is remembered against simulated time. Where it comes from stands in
-/// app/scene/editor_readings.cpp, in the same order.
+/// A value that is remembered against simulated time. The tables of app/scene/editor_readings.cpp
+/// have its source, in the same order.
 enum class Reading : std::uint8_t {
     deformMs,
     collideMs,
@@ -30,10 +30,10 @@ enum class Reading : std::uint8_t {
     count
 };
 
-/// Pieces whose volumes the plots follow: the first ones.
+/// Number of pieces whose volumes the plots follow: the first ones.
 inline constexpr int kPlottedPieces = 8;
 
-/// What the plots show, against simulated time [s].
+/// All that the plots show of a run, against simulated time [s].
 struct History {
     std::array<Series, static_cast<std::size_t>(Reading::count)> readings;
     std::vector<Series> piecePercent;  ///< of the rest volume of each, at most kPlottedPieces
@@ -45,7 +45,7 @@ struct History {
     }
 };
 
-/// Figures of a run.
+/// The figures of a run that are compared with the paper's.
 struct RunFigures {
     double fps = 0;     ///< mean [1/s]
     double volume = 0;  ///< mean [% of rest]

@@ -18,7 +18,8 @@ namespace kerf::ui {
 /// queue, so that it behaves alike with a window and without one.
 class Interface {
   public:
-    /// Needs a current OpenGL 4.5 context; `scale` of all lengths and letters: 1 for 96 dpi.
+    /// Needs a current OpenGL 4.5 context. `scale` is that of all lengths and letters, 1 for 96
+    /// dpi.
     Interface(Theme theme, float scale);
 
     /// Gives the panels another look from the next update on.
@@ -31,8 +32,9 @@ class Interface {
     /// Draws the last update over `picture`, which must have the size of that update.
     void draw(const gpu::Framebuffer& picture);
 
-    /// Whether the pointer (or the keyboard) belonged to a panel in the last update.
+    /// Whether the pointer belonged to a panel in the last update.
     bool ownsPointer() const;
+    /// Whether the keyboard belonged to a panel in the last update.
     bool ownsKeyboard() const;
     /// Whether a panel's item is held with the pointer.
     bool isDragging() const;

@@ -7,7 +7,8 @@
 
 namespace kerf::ui {
 
-/// A menu per group of the table of actions, in the menu bar of the panel that is being drawn.
+/// Draws a menu per group of the table of actions, in the menu bar of the panel that is being
+/// drawn.
 void drawMenuBar(const PanelModel& model, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -7,7 +7,7 @@
 
 namespace kerf::ui {
 
-/// The question in the middle of everything.
+/// A box in the middle of the window that asks a question.
 class QuestionBox {
   public:
     void draw(const Question& question, std::vector<Action>& actions);

@@ -67,8 +67,8 @@ struct Editor::State {
     RecentFiles recent;
     std::optional<FileBrowser> browser;  ///< while a file dialog is open
     FilePreview preview;
-    /// Where files were looked for and written last: to save beside what was opened would put
-    /// results among the models.
+    /// The folders in which files were looked for and written last: two, since to save beside
+    /// what was opened would put results among the models.
     std::filesystem::path lastSource;
     std::filesystem::path lastTarget;
     std::unique_ptr<FileSaving> saving;
@@ -82,7 +82,7 @@ struct Editor::State {
     ui::PlotView plotView;
     BladeTool bladeTool;
     PullTool pullTool;
-    /// A model with holes that could be filled, while that is asked.
+    /// A model with holes that could be filled, while the person is asked about that.
     struct OpenFault {
         std::filesystem::path file;
         ui::Question question;
@@ -99,7 +99,8 @@ struct Editor::State {
 
     // Input: editor_input.cpp.
     void takeInput(double elapsedSeconds);
-    /// `last`: of this picture, so that what it shows is the panels' last word.
+    /// Updates the panels with a batch and does what they answer. `last` of this picture: what it
+    /// shows is the panels' last word.
     void updatePanels(const std::vector<ui::InputEvent>& batch, double elapsedSeconds, bool last);
     void dispatch(const ui::InputEvent& event);
     void onMove(const ui::PointerMove& move);
@@ -116,9 +117,9 @@ struct Editor::State {
     void apply(const ui::Action& action);
     void perform(ui::ActionId id);
     void releaseTools();
-    /// Whether it was done; says why not.
+    /// Does a command. False where that failed, which is said in the view.
     bool execute(const Command& command);
-    /// What came of something that was done to the body: "" or one sentence.
+    /// Shows what came of something that was done to the body: "" or one sentence.
     void say(const std::string& problem);
     void placeBox();
     void goToChange(std::size_t done);
@@ -136,7 +137,7 @@ struct Editor::State {
     void framePiece(int piece);
     void showPiece(int piece, bool visible);
     void hoverPiece(int piece);
-    /// Of the panels: the display's times the person's choice, as far as they have room then.
+    /// Scale of the panels: the display's times the person's choice, as far as they have room.
     float scale() const {
         return std::min(options.scale * static_cast<float>(settingsFile.now.uiScale),
                         ui::largestScale(options.width, options.height));
@@ -149,7 +150,7 @@ struct Editor::State {
     void followSaving();
     void followSavings();
     bool isWorking() const { return loading != nullptr || saving != nullptr; }
-    /// A stroke or a pull is under way.
+    /// Whether a stroke or a pull is under way.
     bool toolIsBusy() const { return bladeTool.holds() || pullTool.holds(); }
     void cancelLoading();
     void cancelWork();
@@ -177,12 +178,12 @@ struct Editor::State {
 
     // Time: editor_time.cpp.
     void advance(double elapsedSeconds);
-    /// `needed` steps whatever they cost, up to `due` ones while they are fast.
+    /// Runs `needed` steps whatever they cost, and up to `due` ones while they are fast.
     void runSteps(int needed, int due);
     bool running() const;
 
     // What the panels are told: editor_description.cpp.
-    /// Without `withOverlay` the lines of the coming cut stay as they were.
+    /// Fills the model. Without `withOverlay` the lines of the coming cut stay as they were.
     void describe(bool withOverlay);
     ui::Overlay overlayNow();
     Situation situation() const;
@@ -193,7 +194,7 @@ struct Editor::State {
     void drawScene();
     render::SceneView sceneToDraw();
     void addOverlays(render::SceneView& view) const;
-    /// Around the pieces as they are drawn.
+    /// The bounds of the pieces as they are drawn [m].
     Bounds shownBounds(const std::vector<render::PieceLook>& looks) const;
     bool joinPieces();
     render::Material ownMaterial() const;

@@ -7,7 +7,7 @@
 
 namespace kerf::app {
 
-/// What came of a stroke.
+/// The outcome of a stroke.
 enum class StrokeOutcome : std::uint8_t {
     none,     ///< there was none, or the body has changed otherwise since
     missed,   ///< the blade met nothing
@@ -18,7 +18,8 @@ enum class StrokeOutcome : std::uint8_t {
 /// Tells what came of the last stroke by what the body was before it and after.
 class CutWatch {
   public:
-    /// Once a picture, before its steps. `cutting`: a stroke is drawn or still to be cut.
+    /// Notes the state of the body once a picture, before its steps. `cutting` tells whether a
+    /// stroke is drawn or still to be cut.
     void follow(bool cutting, int pieces, int triangles);
     StrokeOutcome outcome() const { return outcome_; }
 
@@ -36,14 +37,14 @@ class CutWatch {
     StrokeOutcome outcome_ = StrokeOutcome::none;
 };
 
-/// What a hint goes by.
+/// The situation in the editor that a hint goes by.
 struct Situation {
     bool open = false;        ///< whether anything is
     bool playing = false;     ///< time runs
     bool weightless = false;  ///< there is no gravity
     bool session = false;     ///< events of a session are still to come
     bool cutting = false;     ///< a stroke is drawn or still to be cut
-    bool touching = false;    ///< the hand pulls or pins
+    bool touching = false;    ///< a tool pulls or pins
     ui::Tool tool = ui::Tool::stroke;
     int pieces = 1;
     StrokeOutcome outcome = StrokeOutcome::none;
@@ -53,9 +54,9 @@ struct Situation {
 /// once what it says was done.
 class FirstSteps {
   public:
-    /// Once a picture.
+    /// Notes the situation once a picture.
     void follow(const Situation& now);
-    /// What to do first or next; empty for none.
+    /// The hint for a situation; empty for none.
     ui::Hint hint(const Situation& now) const;
 
   private:

@@ -13,12 +13,12 @@ class CameraControl {
     bool press(const ui::ButtonChange& change);
     void release(ui::Button button);
     void releaseAll() { motion_ = Motion::none; }
-    /// The pointer moved by (dx, dy) pixels in a view `height` pixels high. True where the camera
-    /// moved.
+    /// Follows a pointer that moved by (dx, dy) pixels in a view `height` pixels high. True where
+    /// the camera moved.
     bool move(render::Camera& camera, double dx, double dy, double height) const;
     bool dragging() const { return motion_ != Motion::none; }
 
-    /// `notches` > 0 zooms in; `ndc` is the pointer (-1..1, y up).
+    /// Zooms to the pointer `ndc` (-1..1, y up); in with `notches` > 0.
     static void zoom(render::Camera& camera, double notches, const Vec2& ndc, double aspect);
 
   private:
