@@ -20,7 +20,7 @@ struct DragRange {
     const char* format = "%.3f";
 };
 
-/// What happened to a row in this update.
+/// A change of a row in this update.
 struct DragEdit {
     bool changed = false;
     bool continues = false;  ///< the same gesture had changed it before

@@ -16,7 +16,7 @@ namespace {
 constexpr char kWindow[] = "###files";
 constexpr std::size_t kMaxName = 4000;  // longer than any path of Linux that can be opened
 
-/// What the name field edits, and what it is to show instead where that changed elsewhere.
+/// The text that the name field edits, and what it is to show instead where that changed elsewhere.
 struct NameEdit {
     const std::string* replacement = nullptr;
 };
@@ -64,9 +64,10 @@ std::string_view titleOf(FilePurpose purpose) {
             return "Save all since the start as a session";
         case FilePurpose::exportMesh:
             return "Export the body as it is";
-        default:
-            return "";
+        case FilePurpose::none:
+            break;
     }
+    return "";
 }
 
 std::string_view verbOf(FilePurpose purpose) {
@@ -77,9 +78,10 @@ std::string_view verbOf(FilePurpose purpose) {
             return "Save";
         case FilePurpose::exportMesh:
             return "Export";
-        default:
-            return "";
+        case FilePurpose::none:
+            break;
     }
+    return "";
 }
 
 std::string sizeText(std::uintmax_t bytes) {

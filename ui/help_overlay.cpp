@@ -16,7 +16,7 @@ constexpr int kMostColumns = 3;
 constexpr float kColumnWidth = 27;  // in letters' heights
 constexpr float kKeysWidth = 11;
 
-/// What stands under one heading.
+/// The rows under one heading.
 struct Group {
     std::string title;
     std::vector<PointerHint> rows;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -106,25 +105,5 @@ inline constexpr std::array kPlots{
              .minSpan = 10,
              .readoutDecimals = 0},
 };
-
-/// Whether a plot draws a reading.
-constexpr bool isPlotted(Reading reading) {
-    return std::ranges::any_of(kPlots, [reading](const PlotKind& plot) {
-        return std::ranges::any_of(plot.curves, [reading](const CurveKind& curve) {
-            return curve.label != nullptr && curve.reading == reading;
-        });
-    });
-}
-static_assert(
-    [] {
-        for (int i = 0; i < static_cast<int>(Reading::count); ++i) {
-            const auto reading = static_cast<Reading>(i);
-            if (!isPlotted(reading) && reading != Reading::lostPieces) {  // the status bar has it
-                return false;
-            }
-        }
-        return true;
-    }(),
-    "a Reading stands in no plot");
 
 }  // namespace kerf::ui

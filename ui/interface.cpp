@@ -119,7 +119,7 @@ void drawSections(const PanelModel& model, float height, std::vector<Action>& ac
     ImGui::EndChild();
 }
 
-/// What is left of a panel, divided by a bar that can be dragged: the height of the upper part for
+/// The rest of a panel, divided by a bar that can be dragged: the height of the upper part for
 /// the share that the lower one has.
 struct Division {
     float top = 0;     ///< on the screen [px]

@@ -58,7 +58,7 @@ std::string unitText(const ParamInfo& info) {
     return text;
 }
 
-/// What the paper's section 3.1 says of a parameter; "" where it gives no value.
+/// The value that the paper's section 3.1 gives a parameter; "" where it gives no value.
 std::string_view paperValue(std::string_view name) {
     if (name == "time_step") {
         return "0.005 s for the spheres, 0.003 s for the octopus and the banana";
@@ -97,7 +97,7 @@ std::string tooltipOf(const ParamInfo& info) {
     return text + "\nIn a session: " + std::string(info.name);
 }
 
-/// As the width of an item: all but the place of the reset mark.
+/// Width of an item that leaves room for the reset mark [px].
 float resetRoom() {
     return -(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
 }

@@ -18,7 +18,7 @@ std::string formatNumber(double value, int decimals) {
     return text;
 }
 
-/// Where the data meets the pixels.
+/// The frame of a plot: maps its data to pixels.
 struct PlotFrame {
     ImVec2 low;   ///< top left corner
     ImVec2 high;  ///< bottom right corner
@@ -56,9 +56,10 @@ Dashes dashesOf(CurveStyle style) {
             return {6 * unit, 3 * unit};
         case CurveStyle::dotted:
             return {2 * unit, 2 * unit};
-        default:
-            return {};
+        case CurveStyle::solid:
+            break;
     }
+    return {};
 }
 
 /// The parts of a segment that fall onto dashes. They stand at fixed x, so that a curve that moves
@@ -310,7 +311,7 @@ PlotFrame placeFrame(const PlotSpec& spec, const PlotTimeline& timeline, float h
     return frame;
 }
 
-/// What the pointer asks of the time axis; the last item is the plot.
+/// The view that the pointer asks for, if it does; the last item is the plot.
 std::optional<PlotView> answer(const PlotFrame& frame, const PlotTimeline& timeline) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemHovered()) {

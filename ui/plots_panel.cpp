@@ -133,7 +133,7 @@ void drawButtons(const PanelModel& model, std::vector<Action>& actions) {
     }
 }
 
-/// Of each plot [px].
+/// Height of each plot [px].
 float plotHeight(float room, std::size_t count) {
     const float least = 7.2F * ImGui::GetTextLineHeightWithSpacing();
     const float gaps = ImGui::GetStyle().ItemSpacing.y * static_cast<float>(count - 1);

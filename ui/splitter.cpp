@@ -55,7 +55,7 @@ void lightUp(bool upright) {
     ImGui::GetWindowDrawList()->AddRectFilled(from, to, palette().splitter, half);
 }
 
-/// Where the edge is dragged to.
+/// Sets the width to which the edge is dragged.
 void dragEdge(const PanelModel& model, const PanelSide& side, const Rect& edge, float scale,
               std::vector<Action>& actions) {
     const float x = ImGui::GetIO().MousePos.x;

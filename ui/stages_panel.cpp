@@ -24,7 +24,7 @@ constexpr std::array kTexts{
               "From picture to picture while time runs, panels included"},
 };
 
-/// Of the four stages together; frames hold them and what lies between.
+/// Sum of the means of the four stages [ms]; frames hold them and what lies between.
 double sumOfMeans(const PanelModel& model) {
     double sum = 0;
     for (const Reading stage :

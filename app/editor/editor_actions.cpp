@@ -148,7 +148,7 @@ void toggleQuality(State& s) {
 /// Whether an action does something while nothing is open. With a body its picture is drawn anew.
 enum class Needs { nothing, body };
 
-/// What an action does.
+/// The code behind an action.
 struct Handler {
     ui::ActionId id;
     Needs needs;

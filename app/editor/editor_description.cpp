@@ -5,7 +5,7 @@ namespace {
 
 const Vec2 kNowhere(-1e5, -1e5);  // [px]
 
-/// As the view shows them.
+/// The world's axes as the view shows them.
 ui::ViewAxes axesOf(const render::Camera& camera) {
     const Eigen::Matrix3d turn = camera.view().topLeftCorner<3, 3>().cast<double>();
     return {{turn.col(0), turn.col(1), turn.col(2)}};

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMostRecentFolders = 5;
 
-/// Where a dialog begins that has no folder yet.
+/// The name that a dialog proposes.
 std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder,
                     const std::string& document) {
     switch (purpose) {
@@ -17,9 +17,11 @@ std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder
             return freeFile(folder, document, ".kerf.json").filename().string();
         case ui::FilePurpose::exportMesh:
             return document + std::string(meshFormats().front().extension);
-        default:
-            return "";
+        case ui::FilePurpose::open:
+        case ui::FilePurpose::none:
+            break;
     }
+    return "";
 }
 
 /// Whether a newcomer would find nothing there: it is empty, or where Kerf itself lies.

@@ -28,7 +28,8 @@ std::vector<std::string> kindsOf(FilePurpose purpose) {
             return {"Models and sessions", "Models", "Sessions", "All files"};
         case FilePurpose::saveSession:
             return {"Session (.kerf.json)"};
-        default:
+        case FilePurpose::exportMesh:
+        case FilePurpose::none:
             break;
     }
     std::vector<std::string> kinds;
@@ -174,7 +175,8 @@ bool FileBrowser::isOffered(const fs::path& file) const {
             break;
         case FilePurpose::saveSession:
             return session;
-        default:
+        case FilePurpose::exportMesh:
+        case FilePurpose::none:
             return meshFormatOf(file).has_value();
     }
     switch (state_.kind) {

@@ -25,7 +25,7 @@ void CutWatch::follow(bool cutting, int pieces, int triangles) {
     }
 }
 
-/// Of the stroke that has just ended.
+/// The outcome of the stroke that has just ended.
 StrokeOutcome CutWatch::outcomeOf(const MeshCounts& now) const {
     if (now == *before_) {
         return met_ ? StrokeOutcome::none : StrokeOutcome::missed;

@@ -17,7 +17,7 @@ enum class When {
     addingUp,  ///< after a step where it is not 0, added to what was before
 };
 
-/// Where a reading comes from.
+/// A reading that comes from the report.
 struct FromReport {
     ui::Reading reading;
     When when;
@@ -48,22 +48,15 @@ constexpr std::array kFromReport{
     FromReport{Reading::lostPieces, When::addingUp, [](Report r) -> Value { return r.lostPieces; }},
 };
 
-/// A picture: the time since the one before, and that of drawing it.
-struct PictureTimes {
-    double elapsedSeconds = 0;
-    double renderMs = 0;
-};
-
-/// Where a reading comes from.
+/// A reading that comes from the pictures.
 struct FromPicture {
     ui::Reading reading;
-    double (*value)(const PictureTimes&);
+    double (*value)(double elapsedSeconds, double renderMs);
 };
 constexpr std::array kFromPicture{
-    FromPicture{Reading::framesPerSecond,
-                [](const PictureTimes& t) { return 1 / t.elapsedSeconds; }},
-    FromPicture{Reading::frameMs, [](const PictureTimes& t) { return 1000 * t.elapsedSeconds; }},
-    FromPicture{Reading::renderMs, [](const PictureTimes& t) { return t.renderMs; }},
+    FromPicture{Reading::framesPerSecond, [](double seconds, double) { return 1 / seconds; }},
+    FromPicture{Reading::frameMs, [](double seconds, double) { return 1000 * seconds; }},
+    FromPicture{Reading::renderMs, [](double, double renderMs) { return renderMs; }},
 };
 
 /// Whether each reading comes from somewhere, in the order of ui::Reading.
@@ -135,7 +128,7 @@ void EditorReadings::addPieces(double time, const std::vector<Piece>& pieces) {
 
 void EditorReadings::addPicture(double time, double elapsedSeconds, double renderMs) {
     for (const auto& [reading, valueIn] : kFromPicture) {
-        history_[reading].add(time, valueIn({elapsedSeconds, renderMs}));
+        history_[reading].add(time, valueIn(elapsedSeconds, renderMs));
     }
 }
 

@@ -21,7 +21,7 @@ class ImpactWatch {
     std::vector<bool> clear_;  ///< of the floor, by piece
 };
 
-/// What the plots and the stage table remember of a run since its start, by its time [s].
+/// All that the plots and the stage table remember of a run since its start, by its time [s].
 class EditorReadings {
   public:
     void clear() { *this = EditorReadings{}; }

@@ -49,7 +49,7 @@ void addSwept(const ViewFrame& view, const std::vector<Blade>& way, ui::Overlay&
     addLine(view, way.back().a, way.back().b, overlay.swept);
 }
 
-/// What faces the eye.
+/// Adds the triangles that face the eye.
 void addTouched(const ViewFrame& view, const SurfaceMesh& mesh, const std::vector<int>& triangles,
                 ui::Overlay& overlay) {
     for (const int t : triangles) {

@@ -13,7 +13,7 @@ constexpr double kNearestTarget = 1e-3;  // of the body's diagonal
 constexpr double kFarthest = 100;  // of the body's diagonal: eye from target, target from body
 constexpr double kOffPole = 1e-4;  // from above: "up" still says which way the view is turned [rad]
 
-/// From the target to the eye, unit.
+/// The unit direction from the target to the eye.
 Vec3 directionOf(AxisView view) {
     switch (view) {
         case AxisView::front:

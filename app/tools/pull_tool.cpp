@@ -58,9 +58,11 @@ std::optional<double> reachOf(const ui::ToolSettings& settings) {
             return settings.grabRadius;
         case ui::Tool::pin:
             return settings.pinRadius;
-        default:
-            return std::nullopt;
+        case ui::Tool::stroke:
+        case ui::Tool::guillotine:
+            break;
     }
+    return std::nullopt;
 }
 
 }  // namespace
