@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace kerf::app {
 namespace {
@@ -17,40 +18,40 @@ enum class When {
     addingUp,  ///< after a step where it is not 0, added to what was before
 };
 
-/// A reading that comes from the report.
+using ui::Reading;
+using Report = const StepReport&;
+
+/// A reading that comes from the report. Its series leaves out NaN.
 struct FromReport {
-    ui::Reading reading;
+    Reading reading;
     When when;
-    std::optional<double> (*value)(const StepReport&);
+    double (*value)(Report);
 };
 
-double energyOf(const StepReport& r) {
+double strainEnergyOf(Report r) {
+    return r.strainEnergy.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+double energyOf(Report r) {
     return r.kineticEnergy + r.potentialEnergy + r.strainEnergy.value_or(0.0);
 }
 
-using ui::Reading;
-using Report = const StepReport&;
-using Value = std::optional<double>;
 constexpr std::array kFromReport{
-    FromReport{Reading::deformMs, When::step, [](Report r) -> Value { return r.deformMs; }},
-    FromReport{Reading::collideMs, When::step, [](Report r) -> Value { return r.collideMs; }},
-    FromReport{Reading::cutMs, When::step, [](Report r) -> Value { return r.cutMs; }},
-    FromReport{Reading::volumePercent, When::always,
-               [](Report r) -> Value { return 100 * r.volumeRatio; }},
-    FromReport{Reading::kineticEnergy, When::always,
-               [](Report r) -> Value { return r.kineticEnergy; }},
-    FromReport{Reading::potentialEnergy, When::always,
-               [](Report r) -> Value { return r.potentialEnergy; }},
-    FromReport{Reading::strainEnergy, When::always, [](Report r) { return r.strainEnergy; }},
-    FromReport{Reading::totalEnergy, When::always, [](Report r) -> Value { return energyOf(r); }},
+    FromReport{Reading::deformMs, When::step, [](Report r) { return r.deformMs; }},
+    FromReport{Reading::collideMs, When::step, [](Report r) { return r.collideMs; }},
+    FromReport{Reading::cutMs, When::step, [](Report r) { return r.cutMs; }},
+    FromReport{Reading::volumePercent, When::always, [](Report r) { return 100 * r.volumeRatio; }},
+    FromReport{Reading::kineticEnergy, When::always, [](Report r) { return r.kineticEnergy; }},
+    FromReport{Reading::potentialEnergy, When::always, [](Report r) { return r.potentialEnergy; }},
+    FromReport{Reading::strainEnergy, When::always, strainEnergyOf},
+    FromReport{Reading::totalEnergy, When::always, energyOf},
     FromReport{Reading::touchedTriangles, When::step,
-               [](Report r) -> Value { return r.touchedTriangles; }},
-    FromReport{Reading::lostPieces, When::addingUp, [](Report r) -> Value { return r.lostPieces; }},
+               [](Report r) { return 1.0 * r.touchedTriangles; }},
+    FromReport{Reading::lostPieces, When::addingUp, [](Report r) { return 1.0 * r.lostPieces; }},
 };
 
 /// A reading that comes from the pictures.
 struct FromPicture {
-    ui::Reading reading;
+    Reading reading;
     double (*value)(double elapsedSeconds, double renderMs);
 };
 constexpr std::array kFromPicture{
@@ -101,15 +102,11 @@ void EditorReadings::addJump(double time, const Simulation& simulation) {
 
 void EditorReadings::addReport(double time, const Simulation& simulation, bool stepped) {
     for (const auto& [reading, when, valueIn] : kFromReport) {
-        const Value value = valueIn(simulation.report());
-        ui::Series& series = history_[reading];
-        if (!value || (when != When::always && !stepped)) {
-            continue;
-        }
-        if (when != When::addingUp) {
-            series.add(time, *value);
-        } else if (*value != 0) {
-            series.add(time, series.last() + *value);
+        const double value = valueIn(simulation.report());
+        if (when == When::always || (when == When::step && stepped)) {
+            history_[reading].add(time, value);
+        } else if (stepped && value != 0) {
+            history_[reading].add(time, history_[reading].last() + value);
         }
     }
     addPieces(time, simulation.measuredPieces());
