@@ -38,15 +38,14 @@ ui::Series longSeries() {
 ui::History longHistory() {
     ui::History history;
     const ui::Series series = longSeries();
-    history.framesPerSecond = history.volumePercent = history.touchedTriangles = series;
-    history.kineticEnergy = history.potentialEnergy = history.totalEnergy = series;
-    history.stages.fill(series);
+    history.readings.fill(series);
+    history[ui::Reading::strainEnergy] = history[ui::Reading::lostPieces] = {};
     history.piecePercent.assign(ui::kPlottedPieces, series);
     history.marks = {{100, "cut"}, {200, "impact"}};
     return history;
 }
 
-/// Median of a pass over the panels with drawing [ms].
+/// Median of an update of the panels with drawing [ms].
 double panelsMs(const ui::History& history, const std::vector<std::string>& plots) {
     ui::PanelModel model;
     model.name = "ball";
@@ -60,7 +59,7 @@ double panelsMs(const ui::History& history, const std::vector<std::string>& plot
     for (int i = 0; i < kFrames; ++i) {
         glFinish();
         const Stopwatch watch;
-        interface.pass({}, model, kWidth, kHeight, 1.0 / 60);
+        interface.update({}, model, kWidth, kHeight, 1.0 / 60);
         interface.draw(picture);
         glFinish();
         times.push_back(watch.milliseconds());
@@ -95,7 +94,7 @@ void run() {
     const gpu::EglContext context;
     const ui::History history = longHistory();
     std::vector<std::string> all;
-    for (const ui::PlotKind& kind : ui::plotKinds()) {
+    for (const ui::PlotKind& kind : ui::kPlots) {
         all.emplace_back(kind.id);
     }
     print("panels_two_plots_1280x720", panelsMs(history, ui::Settings{}.plots));

@@ -14,63 +14,15 @@
 
 namespace kerf::ui {
 
-/// What a shortcut or a button asks for: the rows of the shortcut table.
-enum class ActionId : std::uint8_t {
-    playPause,
-    letFall,
-    stepOnce,
-    reset,
-    slower,
-    faster,
-    undo,
-    redo,
-    toggleGravity,
-    toolStroke,
-    toolScalpel,
-    toolGuillotine,
-    toolGrab,
-    toolPin,
-    bringDown,
-    freePins,
-    record,
-    openFile,
-    saveSession,
-    exportBody,
-    loop,
-    cancel,
-    frameBody,
-    resetView,
-    viewFront,
-    viewBack,
-    viewRight,
-    viewLeft,
-    viewTop,
-    viewBottom,
-    orthographic,
-    wireframe,
-    showCutLines,
-    showApart,
-    showEdges,
-    showBends,
-    showIspcs,
-    showErrors,
-    showContacts,
-    showBoxes,
-    fineQuality,
-    togglePanels,
-    holdPlots,
-    fitPlots,
-    screenshot,
-    sceneScreenshot,
-    help,
-    quit,
-};
+/// The name of something that a key, a row of a menu or a button asks for: a row of kActions
+/// (ui/action_table.h).
+enum class ActionId : std::uint8_t;
 
 /// Undoes or redoes until so many changes are in force.
 struct GoToChange {
     std::size_t done = 0;
 };
-/// How fast simulated time runs against the clock.
+/// Lets simulated time run at another speed, against the clock.
 struct SetSpeed {
     double factor = 1;
 };
@@ -79,29 +31,29 @@ struct SetSpeed {
 struct SeekTo {
     int step = 0;
 };
-/// Another tool, or another depth or radius of it.
+/// Takes another tool, or another depth or radius of it.
 struct SetTools {
     ToolSettings settings;
 };
 
-/// A new box beside the body.
+/// Puts a new box beside the body.
 struct PlaceBox {};
-/// Gives up what takes long.
+/// Gives up the work that takes long.
 struct CancelWork {};
 /// Shows the body another way.
 struct SetDisplay {
     DisplaySettings settings;
 };
-/// One of the choices of the question that is asked.
+/// Takes one of the choices of the question that is asked.
 struct AnswerQuestion {
     int choice = 0;
 };
 
-/// Another look of the window.
+/// Gives the window another look.
 struct SetSettings {
     Settings settings;
 };
-/// Another part of the time axis.
+/// Shows another part of the time axis in all plots.
 struct SetPlotView {
     PlotView view;
 };

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -27,7 +27,7 @@ constexpr std::array<std::array<ActionId, 2>, 3> kActions{
      {ActionId::viewFront, ActionId::viewBack}}};
 
 /// One end of one axis.
-struct End {
+struct AxisEnd {
     int axis = 0;
     bool positive = true;
     Vec3 at = Vec3::Zero();  ///< as in ViewAxes
@@ -46,17 +46,17 @@ struct End {
 };
 
 /// The farthest first.
-std::array<End, 6> endsOf(const ViewAxes& axes) {
-    std::array<End, 6> ends;
+std::array<AxisEnd, 6> endsOf(const ViewAxes& axes) {
+    std::array<AxisEnd, 6> ends;
     for (int axis = 0; axis < 3; ++axis) {
         ends[2 * axis] = {axis, true, axes.axes[axis]};
         ends[2 * axis + 1] = {axis, false, -axes.axes[axis]};
     }
-    std::ranges::stable_sort(ends, {}, [](const End& end) { return end.at.z(); });
+    std::ranges::stable_sort(ends, {}, [](const AxisEnd& end) { return end.at.z(); });
     return ends;
 }
 
-void drawEnd(const End& end, const ImVec2& center, const ImVec2& at, float scale, bool hot) {
+void drawEnd(const AxisEnd& end, const ImVec2& center, const ImVec2& at, float scale, bool hot) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImU32 color = end.color(hot);
     const float radius = kBall * scale;
@@ -73,7 +73,7 @@ void drawEnd(const End& end, const ImVec2& center, const ImVec2& at, float scale
 }
 
 /// Whether the pointer is over it.
-bool addButton(const End& end, const ImVec2& at, float scale, std::vector<Action>& actions) {
+bool addButton(const AxisEnd& end, const ImVec2& at, float scale, std::vector<Action>& actions) {
     const float radius = kBall * scale;
     ImGui::SetCursorScreenPos({at.x - radius, at.y - radius});
     const std::string name = std::string(end.positive ? "" : "-") + kNames[end.axis];
@@ -81,7 +81,7 @@ bool addButton(const End& end, const ImVec2& at, float scale, std::vector<Action
         actions.emplace_back(end.action());
     }
     noteItem("axes." + name);
-    itemTooltip(describeShortcut(end.action()));
+    itemTooltip(describeAction(end.action()));
     return ImGui::IsItemHovered();
 }
 
@@ -102,17 +102,17 @@ void drawAxes(const ViewAxes& axes, const Rect& view, float scale, std::vector<A
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
-    std::array<End, 6> ends = endsOf(axes);
-    std::array<ImVec2, 6> places;
+    std::array<AxisEnd, 6> ends = endsOf(axes);
+    std::array<ImVec2, 6> positions;
     std::array<bool, 6> hot{};
     // The nearest takes the pointer first.
     for (int i = 5; i >= 0; --i) {
-        places[i] = {center.x + kArm * scale * static_cast<float>(ends[i].at.x()),
-                     center.y - kArm * scale * static_cast<float>(ends[i].at.y())};
-        hot[i] = addButton(ends[i], places[i], scale, actions);
+        positions[i] = {center.x + kArm * scale * static_cast<float>(ends[i].at.x()),
+                        center.y - kArm * scale * static_cast<float>(ends[i].at.y())};
+        hot[i] = addButton(ends[i], positions[i], scale, actions);
     }
     for (int i = 0; i < 6; ++i) {
-        drawEnd(ends[i], center, places[i], scale, hot[i]);
+        drawEnd(ends[i], center, positions[i], scale, hot[i]);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

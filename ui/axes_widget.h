@@ -15,7 +15,8 @@ struct ViewAxes {
 };
 
 /// A small cross of the world's axes in the upper right corner of the view. A click on one of its
-/// six ends looks from there. `scale`: of the display.
+/// six ends looks from there. `scale` is the display's
+/// (1 = 96 dpi).
 void drawAxes(const ViewAxes& axes, const Rect& view, float scale, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -6,34 +6,35 @@
 #include <array>
 #include <string>
 
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
 namespace {
 
 /// How a row of three numbers is dragged.
-struct Range {
+struct DragRange {
     float speed = 0.01F;  ///< per pixel
     double low = 0;
     double high = 0;
     const char* format = "%.3f";
 };
 
-/// What happened to a row in this pass.
-struct Drag {
+/// A change of a row in this update.
+struct DragEdit {
     bool changed = false;
     bool continues = false;  ///< the same gesture had changed it before
 };
 
-Drag dragVector(const char* label, Vec3& value, const Range& range, const std::string& place) {
+DragEdit dragVector(const char* label, Vec3& value, const DragRange& range,
+                    const std::string& name) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 4.2F * ImGui::GetFontSize());
     ImGui::PushID(label);
-    Drag drag;
+    DragEdit drag;
     drag.changed =
         ImGui::DragScalarN("##value", ImGuiDataType_Double, value.data(), 3, range.speed,
                            &range.low, &range.high, range.format, ImGuiSliderFlags_AlwaysClamp);
-    noteItem(place + "." + label);
+    noteItem(name + "." + label);
     drag.continues = continuesGesture(drag.changed);
     ImGui::SameLine();
     ImGui::TextUnformatted(label);
@@ -48,7 +49,7 @@ bool isClosedAndOutOfView(const char* node) {
 }
 
 void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
-    const std::string place = "box." + std::to_string(index);
+    const std::string name = "box." + std::to_string(index);
     ImGui::PushID(index);
     if (isClosedAndOutOfView("##box")) {
         ImGui::Dummy({1, ImGui::GetTextLineHeight()});
@@ -56,21 +57,21 @@ void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
         return;
     }
     const bool open = ImGui::TreeNodeEx("##box", ImGuiTreeNodeFlags_None, "Box %d", index);
-    noteItem(place);
+    noteItem(name);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Remove"));
     if (ImGui::SmallButton("Remove")) {
         actions.emplace_back(RemoveBox{index});
     }
-    noteItem(place + ".remove");
+    noteItem(name + ".remove");
     if (open) {
         ChangeBox change{index, model.boxes[index]};
         const auto step = static_cast<float>(0.002 * model.bodySize);
         const std::array drags{
-            dragVector("Center", change.box.center, {step, -kFarthestBox, kFarthestBox}, place),
-            dragVector("Size", change.box.size, {step, kLeastBoxSize, kLargestBoxSize}, place),
+            dragVector("Center", change.box.center, {step, -kFarthestBox, kFarthestBox}, name),
+            dragVector("Size", change.box.size, {step, kLeastBoxSize, kLargestBoxSize}, name),
             dragVector("Rotate", change.box.rotate,
-                       {0.5F, -kLargestBoxTurn, kLargestBoxTurn, "%.1f\u00b0"}, place)};
-        for (const Drag& drag : drags) {
+                       {0.5F, -kLargestBoxTurn, kLargestBoxTurn, "%.1f\u00b0"}, name)};
+        for (const DragEdit& drag : drags) {
             if (drag.changed) {
                 change.continues = drag.continues;
                 actions.emplace_back(change);

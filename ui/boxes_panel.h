@@ -7,7 +7,8 @@
 
 namespace kerf::ui {
 
-/// The boxes that the body collides with, one foldable group each, and a button for another one.
+/// Draws the boxes that the body collides with, one foldable group each, and a button for another
+/// one.
 void drawBoxes(const PanelModel& model, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "sim/base/text.h"
+#include "ui/action_table.h"
 #include "ui/menu_bar.h"
-#include "ui/shortcuts.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -60,7 +60,7 @@ void drawButton(const PanelModel& model, const char* label, ActionId id, float w
         actions.emplace_back(id);
     }
     ImGui::EndDisabled();
-    itemTooltip(describeShortcut(id));
+    itemTooltip(describeAction(id));
 }
 
 void drawMemory(const ChangeList& changes) {

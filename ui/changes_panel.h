@@ -7,7 +7,8 @@
 
 namespace kerf::ui {
 
-/// What was changed, oldest first, and how much memory its undo takes; a click goes there.
+/// Draws the list of changes, oldest first, and the memory that their undo takes. A click goes to
+/// that change.
 void drawChanges(const PanelModel& model, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

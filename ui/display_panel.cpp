@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "ui/item_places.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/menu_bar.h"
-#include "ui/shortcuts.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -37,7 +37,7 @@ void drawSwitches(const PanelModel& model, std::vector<Action>& actions) {
             actions.emplace_back(kSwitches[i].id);
         }
         noteItem(std::string("display.") + kSwitches[i].label);
-        itemTooltip(describeShortcut(kSwitches[i].id));
+        itemTooltip(describeAction(kSwitches[i].id));
     }
 }
 

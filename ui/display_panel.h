@@ -7,10 +7,10 @@
 
 namespace kerf::ui {
 
-/// What is drawn over the body, how finely, and its colours.
+/// Draws the switches of all that is drawn over the body, and the choosers of its colours.
 void drawDisplay(const PanelModel& model, std::vector<Action>& actions);
 
-/// What the colours of the overlays mean, at the right of the view, while any is shown.
+/// Draws the meaning of the colours of the overlays at the right of the view, while any is shown.
 void drawLegend(const DisplaySettings& display, const Rect& view, float scale);
 
 }  // namespace kerf::ui

@@ -6,12 +6,12 @@
 
 namespace kerf::ui {
 
-/// How the body is shown. Nothing of it changes the simulation.
+/// The way in which the body is shown. Nothing of it changes the simulation.
 struct DisplaySettings {
     render::Quality quality = render::Quality::full;
     bool wireframe = false;
     bool cutLines = true;  ///< a dark line along the rim of each cut: a closed one shows by it
-    /// How far the pieces are drawn from each other; 1 doubles the distance of their middles.
+    /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
     double apart = 0;
     render::Overlays overlays;
     render::ChosenColors colors;  ///< instead of the model's own

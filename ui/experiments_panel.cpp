@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 

@@ -7,7 +7,7 @@
 
 namespace kerf::ui {
 
-/// A card for each of the paper's experiments, its figures beside ours; a click opens it.
+/// Draws a card for each of the paper's experiments, its figures beside ours; a click opens it.
 void drawExperiments(const PanelModel& model, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr char kWindow[] = "###files";
 constexpr std::size_t kMaxName = 4000;  // longer than any path of Linux that can be opened
 
-/// What the name field edits, and what it is to show instead where that changed elsewhere.
+/// The text that the name field edits, and what it is to show instead where that changed elsewhere.
 struct NameEdit {
     const std::string* replacement = nullptr;
 };
@@ -64,9 +64,10 @@ std::string_view titleOf(FilePurpose purpose) {
             return "Save all since the start as a session";
         case FilePurpose::exportMesh:
             return "Export the body as it is";
-        default:
-            return "";
+        case FilePurpose::none:
+            break;
     }
+    return "";
 }
 
 std::string_view verbOf(FilePurpose purpose) {
@@ -77,9 +78,10 @@ std::string_view verbOf(FilePurpose purpose) {
             return "Save";
         case FilePurpose::exportMesh:
             return "Export";
-        default:
-            return "";
+        case FilePurpose::none:
+            break;
     }
+    return "";
 }
 
 std::string sizeText(std::uintmax_t bytes) {
@@ -118,7 +120,7 @@ void FileDialog::draw(const FileDialogState& state, std::vector<Action>& actions
     }
     takeKeys(state, actions);
     drawCrumbs(state, actions);
-    drawPlaces(state, actions);
+    drawBookmarks(state, actions);
     ImGui::SameLine();
     drawRows(state, actions);
     drawName(state, actions);
@@ -180,18 +182,18 @@ void FileDialog::drawCrumbs(const FileDialogState& state, std::vector<Action>& a
     }
 }
 
-void FileDialog::drawPlaces(const FileDialogState& state, std::vector<Action>& actions) {
+void FileDialog::drawBookmarks(const FileDialogState& state, std::vector<Action>& actions) {
     const float line = ImGui::GetFontSize();
     const float below = 3.2F * ImGui::GetFrameHeightWithSpacing() +
                         (state.asksToOverwrite ? ImGui::GetFrameHeightWithSpacing() : 0);
     ImGui::BeginChild("places", {13 * line, -below}, true);
-    for (const FilePlace& place : state.places) {
-        ImGui::PushID(place.folder.c_str());
-        if (ImGui::Selectable(place.label.c_str(), place.folder == state.folder)) {
-            actions.emplace_back(FileAction(GoToFolder{place.folder}));
+    for (const FolderLink& bookmark : state.bookmarks) {
+        ImGui::PushID(bookmark.folder.c_str());
+        if (ImGui::Selectable(bookmark.label.c_str(), bookmark.folder == state.folder)) {
+            actions.emplace_back(FileAction(GoToFolder{bookmark.folder}));
         }
-        noteItem("file.place." + place.label);
-        itemTooltip(place.folder.string());
+        noteItem("file.place." + bookmark.label);
+        itemTooltip(bookmark.folder.string());
         ImGui::PopID();
     }
     if (!state.preview.empty()) {

@@ -13,12 +13,12 @@ namespace kerf::ui {
 class FileDialog {
   public:
     void draw(const FileDialogState& state, std::vector<Action>& actions);
-    /// Whether it was there in the last pass: then no key means anything else.
+    /// Whether the dialog was there in the last update: then no key means anything else.
     bool isOpen() const { return open_; }
 
   private:
     void drawCrumbs(const FileDialogState& state, std::vector<Action>& actions);
-    void drawPlaces(const FileDialogState& state, std::vector<Action>& actions);
+    void drawBookmarks(const FileDialogState& state, std::vector<Action>& actions);
     void drawRow(const FileDialogState& state, int i, std::vector<Action>& actions);
     void drawRows(const FileDialogState& state, std::vector<Action>& actions);
     void drawName(const FileDialogState& state, std::vector<Action>& actions);

@@ -9,7 +9,7 @@
 
 namespace kerf::ui {
 
-/// What a file dialog is for.
+/// The purpose of a file dialog.
 enum class FilePurpose : std::uint8_t { none, open, saveSession, exportMesh };
 
 /// A folder or a file that is offered.
@@ -21,7 +21,7 @@ struct FileRow {
 };
 
 /// A folder that can be gone to at once.
-struct FilePlace {
+struct FolderLink {
     std::string label;
     std::filesystem::path folder;
 };
@@ -30,8 +30,8 @@ struct FilePlace {
 struct FileDialogState {
     FilePurpose purpose = FilePurpose::none;
     std::filesystem::path folder;
-    std::vector<FilePlace> crumbs;  ///< the folder and those around it, outermost first
-    std::vector<FilePlace> places;  ///< bookmarks
+    std::vector<FolderLink> crumbs;  ///< the folder and those around it, outermost first
+    std::vector<FolderLink> bookmarks;
     std::vector<std::string> kinds;
     int kind = 0;  ///< of `kinds`
     std::vector<FileRow> rows;
@@ -43,35 +43,44 @@ struct FileDialogState {
     bool filePerPiece = false;         ///< of an export
 };
 
-// What a person does in it.
+// What a person does in a file dialog.
+
+/// Goes to a folder.
 struct GoToFolder {
     std::filesystem::path folder;
 };
+/// Goes to the folder around the one that is shown.
 struct GoToParentFolder {};
+/// Selects a row of the list, -1 for none.
 struct SelectFile {
     int row = -1;
 };
-/// `steps` rows further down; up where negative.
+/// Moves the selection `steps` rows down; up where negative.
 struct MoveFileSelection {
     int steps = 0;
 };
+/// Types another name.
 struct NameFile {
     std::string name;
 };
+/// Chooses another kind of files.
 struct ChooseFileKind {
     int kind = 0;
 };
+/// Exports a file per piece, or one of all.
 struct SetFilePerPiece {
     bool on = false;
 };
-/// Takes what is named: goes into a folder, or ends the dialog with the file. Where it would
-/// overwrite a file that is asked first.
+/// Takes the name: goes into a folder, or ends the dialog with the file. Before it overwrites a
+/// file it asks.
 struct AcceptFile {
     bool overwrite = false;
 };
-struct KeepFile {};  ///< not to overwrite
+/// Does not overwrite the file.
+struct KeepFile {};
+/// Closes the dialog without a file.
 struct CloseFileDialog {};
-/// Past the dialog: a recent file.
+/// Opens a recent file without the dialog.
 struct OpenFile {
     std::filesystem::path file;
 };
@@ -80,11 +89,11 @@ using FileAction =
     std::variant<GoToFolder, GoToParentFolder, SelectFile, MoveFileSelection, NameFile,
                  ChooseFileKind, SetFilePerPiece, AcceptFile, KeepFile, CloseFileDialog, OpenFile>;
 
-/// "Open a model or a session".
+/// The title of the dialog: "Open a model or a session".
 std::string_view titleOf(FilePurpose purpose);
-/// What its button says: "Open".
+/// The label of the button that accepts the file: "Open".
 std::string_view verbOf(FilePurpose purpose);
-/// "1.5 MB"
+/// A size in the unit that suits it: "1.5 MB".
 std::string sizeText(std::uintmax_t bytes);
 
 }  // namespace kerf::ui

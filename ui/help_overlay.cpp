@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/theme.h"
 
 namespace kerf::ui {
@@ -16,7 +16,7 @@ constexpr int kMostColumns = 3;
 constexpr float kColumnWidth = 27;  // in letters' heights
 constexpr float kKeysWidth = 11;
 
-/// What stands under one heading.
+/// The rows under one heading.
 struct Group {
     std::string title;
     std::vector<PointerHint> rows;
@@ -35,12 +35,10 @@ std::vector<Group> allGroups(std::vector<std::string>& keys) {
     for (const PointerHint& row : pointerTable()) {
         addRow(groups, "Pointer", row);
     }
-    keys.reserve(shortcutTable().size());
-    for (const Shortcut& row : shortcutTable()) {
-        if (&row == &shortcutOf(row.id)) {  // A second key of the action stands with its first.
-            keys.push_back(keysOf(row.id));
-            addRow(groups, row.group, {keys.back(), row.label});
-        }
+    keys.reserve(kActions.size());
+    for (const ActionRow& row : kActions) {
+        keys.push_back(keysOf(row.id));
+        addRow(groups, row.group, {keys.back(), row.label});
     }
     return groups;
 }

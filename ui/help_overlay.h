@@ -7,7 +7,8 @@
 
 namespace kerf::ui {
 
-/// Keys and pointer gestures, made from the shortcut table, over all while it is open.
+/// Draws all keys and gestures, made from the table of actions, over everything while the help is
+/// open.
 void drawHelp(const PanelModel& model, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -17,7 +17,7 @@ namespace {
 class ChoiceButton {
   public:
     explicit ChoiceButton(const HintChoice& choice)
-        : id_(choice.id), label_(choice.label), key_(shortcutOf(choice.id).keyText) {}
+        : id_(choice.id), label_(choice.label), key_(keyOf(choice.id)) {}
 
     float width() const {
         return buttonWidth(label_) + gap() + ImGui::CalcTextSize(key_.c_str()).x;

@@ -8,8 +8,8 @@
 
 namespace kerf::ui {
 
-/// What to do first or next, in the view: at its lower edge, or in its middle while nothing is
-/// open. Takes no input but on the buttons of its choices.
+/// Draws what to do first or next into the view: at its lower edge, or in its middle while nothing
+/// is open. It takes no input but on the buttons of its choices.
 void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -1,33 +1,109 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "ui/plot.h"
 #include "ui/plot_math.h"
 #include "ui/series.h"
 
 namespace kerf::ui {
 
-/// Stages of a step, and of a picture.
-enum class Stage { deform, collide, cut, render, frame };
-inline constexpr int kStages = 5;
+/// A value that is remembered against simulated time. The tables of app/scene/editor_readings.cpp
+/// have its source, in the same order.
+enum class Reading : std::uint8_t {
+    deformMs,
+    collideMs,
+    cutMs,
+    volumePercent,    ///< of the uncut rest shape
+    kineticEnergy,    ///< [J]
+    potentialEnergy,  ///< [J]
+    strainEnergy,     ///< [J]; nothing with plain PBD
+    totalEnergy,      ///< the sum of those there are [J]
+    touchedTriangles,
+    lostPieces,  ///< taken back since the start, where there were any
+    framesPerSecond,
+    frameMs,  ///< from picture to picture
+    renderMs,
+    count
+};
 
-/// Pieces whose volumes the plots follow: the first ones.
+/// Number of pieces whose volumes the plots follow: the first ones.
 inline constexpr int kPlottedPieces = 8;
 
-/// What the plots show, against simulated time [s].
+/// All that the plots show of a run, against simulated time [s].
 struct History {
-    Series framesPerSecond;
-    std::array<Series, kStages> stages;  ///< by Stage [ms]
-    Series volumePercent;                ///< of the uncut rest shape
-    std::vector<Series> piecePercent;    ///< of the rest volume of each, at most kPlottedPieces
-    Series kineticEnergy;                ///< [J]
-    Series potentialEnergy;              ///< [J]
-    Series strainEnergy;                 ///< [J]; nothing with plain PBD
-    Series totalEnergy;                  ///< the sum of those there are [J]
-    Series touchedTriangles;
-    Series lostPieces;            ///< taken back since the start, where there were any
-    std::vector<PlotMark> marks;  ///< cuts, impacts, what was undone, by time
+    std::array<Series, static_cast<std::size_t>(Reading::count)> readings;
+    std::vector<Series> piecePercent;  ///< of the rest volume of each, at most kPlottedPieces
+    std::vector<PlotMark> marks;       ///< cuts, impacts, what was undone, by time
+
+    Series& operator[](Reading reading) { return readings[static_cast<std::size_t>(reading)]; }
+    const Series& operator[](Reading reading) const {
+        return readings[static_cast<std::size_t>(reading)];
+    }
+};
+
+/// The figures of a run that are compared with the paper's.
+struct RunFigures {
+    double fps = 0;     ///< mean [1/s]
+    double volume = 0;  ///< mean [% of rest]
+};
+
+/// A curve of a plot, and how it is drawn.
+struct CurveKind {
+    const char* label = nullptr;
+    Reading reading = Reading::count;
+    Hue hue = Hue::blue;
+    CurveStyle style = CurveStyle::solid;
+};
+
+/// A plot that can be chosen.
+struct PlotKind {
+    static constexpr std::size_t kMostCurves = 5;
+
+    const char* id;                       ///< its name in Settings::plots and in files
+    const char* title;                    ///< "Volume, % of rest"
+    CurveKind curves[kMostCurves] = {};   ///< those with a label; none: a curve for each piece
+    double minSpan = 1;                   ///< see PlotSpec
+    int readoutDecimals = 1;              ///< see PlotSpec
+    double RunFigures::*paper = nullptr;  ///< the figure of the paper that it is compared with
+    std::optional<double> atRest = {};    ///< what it is compared with where the paper has none
+};
+
+/// All plots in their order on the screen.
+inline constexpr std::array kPlots{
+    PlotKind{.id = "frames",
+             .title = "Frames per second",
+             .curves = {{"frames/s", Reading::framesPerSecond}},
+             .minSpan = 10,
+             .paper = &RunFigures::fps},
+    PlotKind{.id = "times",
+             .title = "Times, ms",
+             .curves = {{"frame", Reading::frameMs, Hue::gray, CurveStyle::dotted},
+                        {"render", Reading::renderMs, Hue::purple, CurveStyle::dashed},
+                        {"deform", Reading::deformMs},
+                        {"cut", Reading::cutMs, Hue::vermillion},
+                        {"collide", Reading::collideMs, Hue::green, CurveStyle::dashed}},
+             .readoutDecimals = 2},
+    PlotKind{.id = "volume",
+             .title = "Volume, % of rest",
+             .curves = {{"volume", Reading::volumePercent, Hue::green}},
+             .readoutDecimals = 2,
+             .paper = &RunFigures::volume,
+             .atRest = 100},
+    PlotKind{.id = "pieces", .title = "Volume by piece, % of rest", .readoutDecimals = 2},
+    PlotKind{.id = "energy",
+             .title = "Energy, J",
+             .curves = {{"sum", Reading::totalEnergy, Hue::gray, CurveStyle::dotted},
+                        {"potential", Reading::potentialEnergy, Hue::blue, CurveStyle::dashed},
+                        {"strain", Reading::strainEnergy, Hue::green},
+                        {"kinetic", Reading::kineticEnergy, Hue::orange}}},
+    PlotKind{.id = "touched",
+             .title = "Triangles that a cut divides",
+             .curves = {{"triangles", Reading::touchedTriangles, Hue::vermillion}},
+             .minSpan = 10,
+             .readoutDecimals = 0},
 };
 
 }  // namespace kerf::ui

@@ -7,7 +7,7 @@
 
 namespace kerf::ui {
 
-/// The keys that the editor knows: its own list, so that neither the shortcut table nor a test
+/// The keys that the editor knows: its own list, so that neither the table of actions nor a test
 /// depends on a window library. Letters, digits and function keys are one run each. questionMark
 /// comes from the typed character, wherever the keyboard has it.
 // clang-format off
@@ -29,6 +29,7 @@ struct Modifiers {
     bool operator==(const Modifiers&) const = default;
 };
 
+/// The buttons of the pointer that the editor knows.
 enum class Button : std::uint8_t { left, right, middle };
 inline constexpr int kButtons = 3;
 
@@ -38,16 +39,18 @@ struct PointerMove {
     double y = 0;
     Modifiers modifiers;
 };
+/// A button of the pointer went down or up.
 struct ButtonChange {
     Button button = Button::left;
     bool down = false;
     Modifiers modifiers;
 };
-/// Scroll notches: y > 0 away from the person.
+/// The wheel turned by so many notches: y > 0 away from the person.
 struct Wheel {
     double x = 0;
     double y = 0;
 };
+/// A key went down or up.
 struct KeyChange {
     Key key = Key::none;
     bool down = false;

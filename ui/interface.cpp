@@ -13,7 +13,7 @@
 #include "ui/experiments_panel.h"
 #include "ui/help_overlay.h"
 #include "ui/hint.h"
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 #include "ui/layout.h"
 #include "ui/log_panel.h"
 #include "ui/menu_bar.h"
@@ -119,7 +119,7 @@ void drawSections(const PanelModel& model, float height, std::vector<Action>& ac
     ImGui::EndChild();
 }
 
-/// What is left of a panel, divided by a bar that can be dragged: the height of the upper part for
+/// The rest of a panel, divided by a bar that can be dragged: the height of the upper part for
 /// the share that the lower one has.
 struct Division {
     float top = 0;     ///< on the screen [px]
@@ -205,8 +205,8 @@ Interface::Interface(Theme theme, float scale) : context_(theme, scale) {
     mapKeys(io);
 }
 
-std::vector<Action> Interface::pass(std::span<const InputEvent> events, const PanelModel& model,
-                                    int width, int height, double elapsedSeconds) {
+std::vector<Action> Interface::update(std::span<const InputEvent> events, const PanelModel& model,
+                                      int width, int height, double elapsedSeconds) {
     context_.makeCurrent();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {std::max(static_cast<float>(width), kLeastScale * kLeastWidth),
@@ -219,7 +219,7 @@ std::vector<Action> Interface::pass(std::span<const InputEvent> events, const Pa
     ImGui::NewFrame();
 
     std::vector<Action> actions;
-    const ItemNotes notes(places_);
+    const ItemNotes notes(itemRects_);
     const float scale = context_.scale();
     const Layout layout = layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings);
     noteCovered(model.settings, layout);

@@ -7,7 +7,7 @@
 #include "ui/action.h"
 #include "ui/file_dialog.h"
 #include "ui/input.h"
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 #include "ui/panel_context.h"
 #include "ui/panel_model.h"
 #include "ui/question_box.h"
@@ -18,30 +18,32 @@ namespace kerf::ui {
 /// queue, so that it behaves alike with a window and without one.
 class Interface {
   public:
-    /// Needs a current OpenGL 4.5 context; `scale` of all lengths and letters: 1 for 96 dpi.
+    /// Needs a current OpenGL 4.5 context. `scale` is that of all lengths and letters, 1 for 96
+    /// dpi.
     Interface(Theme theme, float scale);
 
-    /// Another look from the next pass on.
+    /// Gives the panels another look from the next update on.
     void restyle(Theme theme, float scale) { context_.restyle(theme, scale); }
 
-    /// One pass over the panels with the input of one batch; the answers of the person. A pass
-    /// without draw() is fine: only the last one is shown.
-    std::vector<Action> pass(std::span<const InputEvent> events, const PanelModel& model, int width,
-                             int height, double elapsedSeconds);
-    /// Draws the last pass over `picture`, which must have the size of that pass.
+    /// Lays the panels out anew with the input of one batch, and returns the answers of the person.
+    /// An update without draw() is fine: only the last one is shown.
+    std::vector<Action> update(std::span<const InputEvent> events, const PanelModel& model,
+                               int width, int height, double elapsedSeconds);
+    /// Draws the last update over `picture`, which must have the size of that update.
     void draw(const gpu::Framebuffer& picture);
 
-    /// Whether the pointer (or the keyboard) belonged to a panel in the last pass.
+    /// Whether the pointer belonged to a panel in the last update.
     bool ownsPointer() const;
+    /// Whether the keyboard belonged to a panel in the last update.
     bool ownsKeyboard() const;
     /// Whether a panel's item is held with the pointer.
     bool isDragging() const;
 
-    /// What the panels hid of the view in the last pass.
+    /// The parts of the view that the panels hid in the last update [px].
     const std::vector<Rect>& covered() const { return covered_; }
 
-    /// Where the named items of the last pass are.
-    const ItemPlaces& places() const { return places_; }
+    /// The rectangles of the named items in the last update [px].
+    const ItemRects& itemRects() const { return itemRects_; }
 
   private:
     void noteCovered(const Settings& settings, const Layout& layout);
@@ -49,7 +51,7 @@ class Interface {
     PanelContext context_;
     FileDialog fileDialog_;
     QuestionBox questionBox_;
-    ItemPlaces places_;
+    ItemRects itemRects_;
     std::vector<Rect> covered_;
 };
 

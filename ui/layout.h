@@ -12,7 +12,7 @@ struct Rect {
     float height = 0;
 };
 
-/// Where the fixed panels stand; the view fills the whole picture behind them.
+/// The rectangles of the fixed panels; the view fills the whole picture behind them.
 struct Layout {
     Rect controls;      ///< left; without width where it is put away
     Rect plots;         ///< right; without width where it is put away
@@ -22,8 +22,8 @@ struct Layout {
     Rect plotsEdge;     ///< between the view and the right panel
 };
 
-/// `scale` is that of all lengths (1 = 96 dpi). Both side panels give way in narrow windows, so
-/// that at least a third of the width stays free.
+/// Lays the fixed panels out. `scale` is that of all lengths (1 = 96 dpi). Both side panels give
+/// way in narrow windows, so that at least a third of the width stays free.
 Layout layoutPanels(float width, float height, float scale, const Settings& settings = {});
 
 /// The least picture that the panels are laid out for, at scale 1 [px]. In a smaller one they are
@@ -31,7 +31,8 @@ Layout layoutPanels(float width, float height, float scale, const Settings& sett
 inline constexpr float kLeastWidth = 640;
 inline constexpr float kLeastHeight = 360;
 inline constexpr float kLeastScale = 0.5F;
-/// The largest scale, in quarters, at which they have that room in a picture; kLeastScale at least.
+/// The largest scale, in quarters, at which the panels have that room in a picture; kLeastScale at
+/// least.
 float largestScale(int width, int height);
 
 }  // namespace kerf::ui

@@ -4,7 +4,7 @@
 
 namespace kerf::ui {
 
-/// What was said so far, newest at the bottom and in sight.
+/// Draws the sentences that were shown so far, the newest at the bottom and in sight.
 void drawLog(const PanelModel& model);
 
 }  // namespace kerf::ui

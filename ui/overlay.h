@@ -7,7 +7,7 @@
 
 namespace kerf::ui {
 
-/// What the tool will do, drawn over the view, in pixels of the picture.
+/// A preview of the tool's work, drawn over the view, in pixels of the picture.
 struct Overlay {
     using Line = std::array<PlotPoint, 2>;
     using Face = std::array<PlotPoint, 3>;
@@ -24,7 +24,7 @@ struct Overlay {
     std::vector<Handle> handles;
 };
 
-/// Behind all panels; takes no input. `scale`: of the display.
+/// Draws the overlay behind all panels; it takes no input. `scale` is the display's (1 = 96 dpi).
 void drawOverlay(const Overlay& overlay, float scale);
 
 }  // namespace kerf::ui

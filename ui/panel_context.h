@@ -16,9 +16,9 @@ class PanelContext {
     PanelContext(const PanelContext&) = delete;
     PanelContext& operator=(const PanelContext&) = delete;
 
-    /// Makes it the one that ImGui's functions and palette() mean.
+    /// Makes this context the one that ImGui's functions and palette() mean.
     void makeCurrent() const;
-    /// Another look from the next pass on; between passes, at no cost where nothing changes.
+    /// Gives the panels another look from the next update on, at no cost where nothing changes.
     void restyle(Theme theme, float scale);
     float scale() const { return scale_; }
 

@@ -32,7 +32,7 @@ struct ChangeRow {
     double time = 0;  ///< simulated, when it happened [s]
 };
 
-/// What can be taken back.
+/// The changes that can be taken back.
 struct ChangeList {
     std::vector<ChangeRow> rows;  ///< oldest first
     std::size_t done = 0;         ///< so many of them are in force, the others undone
@@ -47,12 +47,6 @@ struct PlaybackState {
     int steps = 0;  ///< 0 while none is
     bool loop = false;
     std::optional<int> divergedAt;  ///< the first step that came out differently
-};
-
-/// Figures of a run.
-struct RunFigures {
-    double fps = 0;     ///< mean [1/s]
-    double volume = 0;  ///< mean [% of rest]
 };
 
 /// One of the paper's experiments: its figures beside ours.
@@ -88,12 +82,12 @@ struct Question {
     std::vector<std::string> choices;  ///< Enter takes the first, Esc the last
 };
 
-/// One of the things that a hint offers.
+/// An action that a hint offers, with its label there.
 struct HintChoice {
-    ActionId id = ActionId::playPause;
+    ActionId id{};
     std::string label;
 };
-/// What to do first or next.
+/// A sentence that says what to do first or next.
 struct Hint {
     std::string text;  ///< empty for no hint
     std::vector<HintChoice> choices;

@@ -9,8 +9,8 @@
 #include <cstdio>
 
 #include "sim/solve/sweep_strength.h"
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -58,7 +58,7 @@ std::string unitText(const ParamInfo& info) {
     return text;
 }
 
-/// What the paper's section 3.1 says of a parameter; "" where it gives no value.
+/// The value that the paper's section 3.1 gives a parameter; "" where it gives no value.
 std::string_view paperValue(std::string_view name) {
     if (name == "time_step") {
         return "0.005 s for the spheres, 0.003 s for the octopus and the banana";
@@ -97,7 +97,7 @@ std::string tooltipOf(const ParamInfo& info) {
     return text + "\nIn a session: " + std::string(info.name);
 }
 
-/// As the width of an item: all but the place of the reset mark.
+/// Width of an item that leaves room for the reset mark [px].
 float resetRoom() {
     return -(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
 }
@@ -221,7 +221,7 @@ void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
     if (ImGui::Checkbox("##switch", &on)) {
         actions.emplace_back(ActionId::toggleGravity);
     }
-    itemTooltip(describeShortcut(ActionId::toggleGravity));
+    itemTooltip(describeAction(ActionId::toggleGravity));
     ImGui::SameLine();
 }
 

@@ -8,12 +8,12 @@
 
 namespace kerf::ui {
 
-/// A row per parameter of paramTable(): the four that people turn first on top, the rest under
-/// "More". Each answers with a SetParam command.
+/// Draws a row per parameter of paramTable(): the four that people turn first on top, the rest
+/// under "More". Each answers with a SetParam command.
 void drawParameters(const PanelModel& model, std::vector<Action>& actions);
 
-/// What is to be known about a parameter as things stand, "" for nothing: iterations too few for
-/// the modulus.
+/// A remark about a parameter as things stand, for instance that the iterations are too few for the
+/// modulus; "" for none.
 std::string remarkOn(const ParamInfo& info, const PanelModel& model);
 
 /// The printf format of a slider: decimals that suit the range, and the unit ("%.4f s"). It does

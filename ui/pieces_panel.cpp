@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -139,7 +139,7 @@ void slideApart(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::PopStyleVar();
     noteItem("pieces.apart");
     itemTooltip("Shows the pieces apart without moving them, until time runs or a blade comes. " +
-                describeShortcut(ActionId::showApart));
+                describeAction(ActionId::showApart));
 }
 
 /// The heading, and what brings hidden pieces back or shows all apart.

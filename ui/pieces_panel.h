@@ -8,7 +8,7 @@
 
 namespace kerf::ui {
 
-/// A row per piece: an eye that hides it, its colour, triangles, volume and share of its rest
+/// Draws a row per piece: an eye that hides it, its colour, triangles, volume and share of its rest
 /// volume. Hovered rows answer, clicked ones bring their piece into view.
 void drawPieces(const PanelModel& model, std::vector<Action>& actions);
 

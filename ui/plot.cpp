@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 
 namespace kerf::ui {
 namespace {
@@ -18,8 +18,8 @@ std::string formatNumber(double value, int decimals) {
     return text;
 }
 
-/// Where the data meets the pixels.
-struct Frame {
+/// The frame of a plot: maps its data to pixels.
+struct PlotFrame {
     ImVec2 low;   ///< top left corner
     ImVec2 high;  ///< bottom right corner
     PlotRange x;
@@ -56,9 +56,10 @@ Dashes dashesOf(CurveStyle style) {
             return {6 * unit, 3 * unit};
         case CurveStyle::dotted:
             return {2 * unit, 2 * unit};
-        default:
-            return {};
+        case CurveStyle::solid:
+            break;
     }
+    return {};
 }
 
 /// The parts of a segment that fall onto dashes. They stand at fixed x, so that a curve that moves
@@ -131,7 +132,7 @@ void drawHeader(const PlotSpec& spec) {
     }
 }
 
-void drawTicksY(ImDrawList& draw, const Frame& frame) {
+void drawTicksY(ImDrawList& draw, const PlotFrame& frame) {
     const float line = ImGui::GetFontSize();
     const int most = std::max(2, static_cast<int>((frame.high.y - frame.low.y) / (1.5F * line)));
     const PlotTicks ticks = niceTicks(frame.y, most);
@@ -145,7 +146,7 @@ void drawTicksY(ImDrawList& draw, const Frame& frame) {
     }
 }
 
-void drawTicksX(ImDrawList& draw, const Frame& frame, std::string_view unit) {
+void drawTicksX(ImDrawList& draw, const PlotFrame& frame, std::string_view unit) {
     const float line = ImGui::GetFontSize();
     const int most = std::max(2, static_cast<int>(frame.width() / (2.4F * line)));
     const PlotTicks ticks = niceTicks(frame.x, most);
@@ -168,7 +169,7 @@ void drawTicksX(ImDrawList& draw, const Frame& frame, std::string_view unit) {
 
 // --- Inside the frame --------------------------------------------------------------------------
 
-void drawMarks(ImDrawList& draw, const Frame& frame, std::span<const PlotMark> marks) {
+void drawMarks(ImDrawList& draw, const PlotFrame& frame, std::span<const PlotMark> marks) {
     float freeFrom = frame.low.x;
     for (const PlotMark& mark : marks) {
         if (mark.x < frame.x.low || mark.x > frame.x.high) {
@@ -188,7 +189,7 @@ void drawMarks(ImDrawList& draw, const Frame& frame, std::span<const PlotMark> m
 }
 
 /// The label stands at the lower end of the plot's right side, where marks have none.
-void drawReference(ImDrawList& draw, const Frame& frame, const PlotReference& reference) {
+void drawReference(ImDrawList& draw, const PlotFrame& frame, const PlotReference& reference) {
     const float line = ImGui::GetFontSize();
     const bool above = reference.value > frame.y.high;
     const bool below = reference.value < frame.y.low;
@@ -211,7 +212,7 @@ void drawReference(ImDrawList& draw, const Frame& frame, const PlotReference& re
     draw.AddText({frame.high.x - width - 0.3F * line, top}, palette().dimText, text.c_str());
 }
 
-void drawCurve(ImDrawList& draw, const Frame& frame, const PlotCurve& curve) {
+void drawCurve(ImDrawList& draw, const PlotFrame& frame, const PlotCurve& curve) {
     const std::vector<PlotColumn> columns =
         gatherColumns(curve.series->buckets(), frame.x, frame.columns());
     const unsigned color = colorOf(curve);
@@ -259,7 +260,7 @@ void drawTooltip(const PlotSpec& spec, double time) {
     ImGui::EndTooltip();
 }
 
-void drawCrosshair(ImDrawList& draw, const Frame& frame, const PlotSpec& spec) {
+void drawCrosshair(ImDrawList& draw, const PlotFrame& frame, const PlotSpec& spec) {
     const ImVec2 pointer = ImGui::GetMousePos();
     const auto curve =
         std::ranges::find_if(spec.curves, [](const PlotCurve& c) { return !c.series->empty(); });
@@ -296,12 +297,12 @@ PlotRange shownValues(const PlotSpec& spec, const PlotRange& x) {
     return padded;
 }
 
-Frame placeFrame(const PlotSpec& spec, const PlotTimeline& timeline, float height) {
+PlotFrame placeFrame(const PlotSpec& spec, const PlotTimeline& timeline, float height) {
     const float line = ImGui::GetFontSize();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::InvisibleButton(spec.id, {width, std::max(height, 3 * line)});
-    Frame frame;
+    PlotFrame frame;
     frame.low = {std::round(corner.x + 2.9F * line), std::round(corner.y)};
     frame.high = {std::round(corner.x + width),
                   std::round(corner.y + std::max(height, 3 * line) - 1.3F * line)};
@@ -310,8 +311,8 @@ Frame placeFrame(const PlotSpec& spec, const PlotTimeline& timeline, float heigh
     return frame;
 }
 
-/// What the pointer asks of the time axis; the last item is the plot.
-std::optional<PlotView> answer(const Frame& frame, const PlotTimeline& timeline) {
+/// The view that the pointer asks for, if it does; the last item is the plot.
+std::optional<PlotView> answer(const PlotFrame& frame, const PlotTimeline& timeline) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemHovered()) {
         ImGui::SetItemUsingMouseWheel();
@@ -347,7 +348,7 @@ double newestOf(std::span<const PlotSpec> plots) {
 std::optional<PlotView> drawPlot(const PlotSpec& spec, const PlotTimeline& timeline, float height) {
     const float top = ImGui::GetCursorPosY();
     drawHeader(spec);
-    const Frame frame = placeFrame(spec, timeline, height - (ImGui::GetCursorPosY() - top));
+    const PlotFrame frame = placeFrame(spec, timeline, height - (ImGui::GetCursorPosY() - top));
     noteItem(std::string("plot.") + spec.id);
     const bool hovered = ImGui::IsItemHovered();
     std::optional<PlotView> view = answer(frame, timeline);

@@ -11,7 +11,7 @@
 
 namespace kerf::ui {
 
-/// How a curve is drawn, so that curves are not told apart by their hues alone.
+/// The style of a curve's line, so that curves are not told apart by their hues alone.
 enum class CurveStyle { solid, dashed, dotted };
 
 /// One curve of a plot.
@@ -47,7 +47,7 @@ struct PlotTimeline {
     double newest = 0;     ///< [s]
     bool running = false;  ///< the newest value moves
 };
-/// Of these plots: the newest value of all their curves.
+/// The time of the newest value of all curves of the plots [s].
 double newestOf(std::span<const PlotSpec> plots);
 
 /// Draws the plot as the next item, `height` pixels high over the whole width: title, last value or

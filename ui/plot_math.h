@@ -21,7 +21,7 @@ struct PlotMark {
     std::string label;
 };
 
-/// What an axis shows.
+/// The part of an axis that is shown.
 struct PlotRange {
     double low = 0;
     double high = 1;
@@ -35,6 +35,7 @@ struct PlotTicks {
     std::vector<double> values;
     int decimals = 0;
 };
+/// Ticks at round numbers for an axis that shows `range`, at most `maxCount` of them.
 PlotTicks niceTicks(const PlotRange& range, int maxCount);
 
 /// The range with a margin of a twentieth at both ends, opened about its middle to at least
@@ -43,10 +44,10 @@ PlotRange paddedRange(const PlotRange& range, double minSpan);
 
 /// The buckets that begin in the range, and the one before.
 std::span<const SeriesBucket> bucketsIn(std::span<const SeriesBucket> buckets, const PlotRange& x);
-/// Lowest and highest value of them; turned over where there are none.
+/// Lowest and highest value of the buckets; turned over where there are none.
 PlotRange valueRange(std::span<const SeriesBucket> buckets);
 
-/// Which part of the time axis all plots show.
+/// The part of the time axis that all plots show.
 struct PlotView {
     double span = 0;            ///< [s]; 0: all since the start
     std::optional<double> end;  ///< [s]; none: the newest, so that the plots follow
@@ -73,7 +74,7 @@ struct PlotColumn {
 std::vector<PlotColumn> gatherColumns(std::span<const SeriesBucket> buckets, const PlotRange& x,
                                       int columns);
 
-/// The bucket that begins nearest to `x`; they are not empty.
+/// The bucket that begins nearest to `x`, of at least one.
 const SeriesBucket& nearestBucket(std::span<const SeriesBucket> buckets, double x);
 
 }  // namespace kerf::ui

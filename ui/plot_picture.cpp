@@ -29,8 +29,8 @@ render::Image PlotPainter::draw(std::span<const PlotSpec> plots, const PlotView&
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     const gpu::Framebuffer picture(GL_RGBA8, GL_DEPTH_COMPONENT24, width, height);
-    // A new window is laid out in its first pass and shown from the second on.
-    for (int pass = 0; pass < 2; ++pass) {
+    // A new window is laid out in its first frame and shown from the second on.
+    for (int frame = 0; frame < 2; ++frame) {
         ImGui_ImplOpenGL3_NewFrame();
         ImGui::NewFrame();
         beginPanel("plots", {0, 0, io.DisplaySize.x, io.DisplaySize.y});

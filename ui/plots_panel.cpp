@@ -4,21 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
 namespace {
-
-constexpr std::array kKinds{
-    PlotKind{"frames", "Frames per second"}, PlotKind{"times", "Times, ms"},
-    PlotKind{"volume", "Volume, % of rest"}, PlotKind{"pieces", "Volume by piece, % of rest"},
-    PlotKind{"energy", "Energy, J"},         PlotKind{"touched", "Triangles that a cut divides"},
-};
 
 bool isChosen(const Settings& settings, const char* id) {
     return std::ranges::find(settings.plots, id) != settings.plots.end();
@@ -30,86 +25,50 @@ PlotReference paperValue(double value) {
     return {value, text};
 }
 
-void fillFrames(PlotSpec& spec, const PanelModel& model) {
-    spec.curves = {{.label = "frames/s", .series = &model.history->framesPerSecond}};
-    spec.minSpan = 10;
-    if (model.paper) {
-        spec.reference = paperValue(model.paper->fps);
+std::optional<PlotReference> referenceOf(const PlotKind& kind, const PanelModel& model) {
+    if (kind.paper != nullptr && model.paper) {
+        return paperValue((*model.paper).*kind.paper);
     }
+    if (kind.atRest) {
+        return PlotReference{*kind.atRest, "at rest " + std::to_string(std::lround(*kind.atRest))};
+    }
+    return std::nullopt;
 }
 
-void fillTimes(PlotSpec& spec, const PanelModel& model) {
-    const auto curve = [&](const char* label, Stage stage, Hue hue, CurveStyle style) {
-        return PlotCurve{.label = label,
-                         .hue = hue,
-                         .style = style,
-                         .series = &model.history->stages[static_cast<std::size_t>(stage)]};
-    };
-    spec.curves = {curve("frame", Stage::frame, Hue::gray, CurveStyle::dotted),
-                   curve("render", Stage::render, Hue::purple, CurveStyle::dashed),
-                   curve("deform", Stage::deform, Hue::blue, CurveStyle::solid),
-                   curve("cut", Stage::cut, Hue::vermillion, CurveStyle::solid),
-                   curve("collide", Stage::collide, Hue::green, CurveStyle::dashed)};
-    spec.readoutDecimals = 2;
-}
-
-void fillVolume(PlotSpec& spec, const PanelModel& model) {
-    spec.curves = {{.label = "volume", .hue = Hue::green, .series = &model.history->volumePercent}};
-    spec.readoutDecimals = 2;
-    spec.reference =
-        model.paper ? paperValue(model.paper->volume) : PlotReference{100, "at rest 100"};
-}
-
-void fillPieces(PlotSpec& spec, const PanelModel& model) {
+std::vector<PlotCurve> curvesOfPieces(const std::vector<Series>& pieces) {
     static constexpr std::array kStyles{CurveStyle::solid, CurveStyle::dashed, CurveStyle::dotted};
-    const std::vector<Series>& pieces = model.history->piecePercent;
+    std::vector<PlotCurve> curves;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        spec.curves.push_back({.label = std::to_string(i + 1),
-                               .color = pieceColor(static_cast<int>(i)),
-                               .style = kStyles[i % kStyles.size()],
-                               .series = &pieces[i]});
+        curves.push_back({.label = std::to_string(i + 1),
+                          .color = pieceColor(static_cast<int>(i)),
+                          .style = kStyles[i % kStyles.size()],
+                          .series = &pieces[i]});
     }
-    spec.readoutDecimals = 2;
+    return curves;
 }
 
-void fillEnergy(PlotSpec& spec, const PanelModel& model) {
-    const History& history = *model.history;
-    spec.curves = {{.label = "sum",
-                    .hue = Hue::gray,
-                    .style = CurveStyle::dotted,
-                    .series = &history.totalEnergy},
-                   {.label = "potential",
-                    .hue = Hue::blue,
-                    .style = CurveStyle::dashed,
-                    .series = &history.potentialEnergy},
-                   {.label = "strain", .hue = Hue::green, .series = &history.strainEnergy},
-                   {.label = "kinetic", .hue = Hue::orange, .series = &history.kineticEnergy}};
-}
-
-void fillTouched(PlotSpec& spec, const PanelModel& model) {
-    spec.curves = {
-        {.label = "triangles", .hue = Hue::vermillion, .series = &model.history->touchedTriangles}};
-    spec.minSpan = 10;
-    spec.readoutDecimals = 0;
-}
-
-void fill(PlotSpec& spec, const PanelModel& model) {
-    using Filler = void (*)(PlotSpec&, const PanelModel&);
-    static constexpr std::array<Filler, kKinds.size()> kFillers{
-        fillFrames, fillTimes, fillVolume, fillPieces, fillEnergy, fillTouched};
-    for (std::size_t i = 0; i < kKinds.size(); ++i) {
-        if (std::string_view(kKinds[i].id) == spec.id) {
-            kFillers[i](spec, model);
+std::vector<PlotCurve> curvesOf(const PlotKind& kind, const History& history) {
+    if (kind.curves[0].label == nullptr) {
+        return curvesOfPieces(history.piecePercent);
+    }
+    std::vector<PlotCurve> curves;
+    for (const CurveKind& curve : kind.curves) {
+        if (curve.label != nullptr) {
+            curves.push_back({.label = curve.label,
+                              .hue = curve.hue,
+                              .style = curve.style,
+                              .series = &history[curve.reading]});
         }
     }
+    return curves;
 }
 
 // --- The line of buttons -----------------------------------------------------------------------
 
-/// The plots in the order of plotKinds(), with `id` on or off.
+/// The plots in the order of kPlots, with `id` on or off.
 std::vector<std::string> withPlot(const Settings& settings, const char* id, bool on) {
     std::vector<std::string> plots;
-    for (const PlotKind& kind : kKinds) {
+    for (const PlotKind& kind : kPlots) {
         const bool isIt = std::string_view(kind.id) == id;
         if (isIt ? on : isChosen(settings, kind.id)) {
             plots.emplace_back(kind.id);
@@ -127,7 +86,7 @@ void drawChooser(const PanelModel& model, std::vector<Action>& actions) {
     if (!ImGui::BeginPopup("choose plots")) {
         return;
     }
-    for (const PlotKind& kind : kKinds) {
+    for (const PlotKind& kind : kPlots) {
         bool on = isChosen(model.settings, kind.id);
         if (ImGui::Checkbox(kind.title, &on)) {
             Settings settings = model.settings;
@@ -152,7 +111,7 @@ void drawHold(const PanelModel& model, std::vector<Action>& actions) {
     if (held) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
     }
-    if (barButton("Hold", "plots.hold", describeShortcut(ActionId::holdPlots))) {
+    if (barButton("Hold", "plots.hold", describeAction(ActionId::holdPlots))) {
         actions.emplace_back(ActionId::holdPlots);
     }
     if (held) {
@@ -163,7 +122,7 @@ void drawHold(const PanelModel& model, std::vector<Action>& actions) {
 void drawButtons(const PanelModel& model, std::vector<Action>& actions) {
     drawChooser(model, actions);
     drawHold(model, actions);
-    if (barButton("Fit", "plots.fit", describeShortcut(ActionId::fitPlots))) {
+    if (barButton("Fit", "plots.fit", describeAction(ActionId::fitPlots))) {
         actions.emplace_back(ActionId::fitPlots);
     }
     if (barButton("CSV", "plots.csv", "Save the values of these plots as CSV")) {
@@ -174,7 +133,7 @@ void drawButtons(const PanelModel& model, std::vector<Action>& actions) {
     }
 }
 
-/// Of each plot [px].
+/// Height of each plot [px].
 float plotHeight(float room, std::size_t count) {
     const float least = 7.2F * ImGui::GetTextLineHeightWithSpacing();
     const float gaps = ImGui::GetStyle().ItemSpacing.y * static_cast<float>(count - 1);
@@ -183,19 +142,17 @@ float plotHeight(float room, std::size_t count) {
 
 }  // namespace
 
-std::span<const PlotKind> plotKinds() {
-    return kKinds;
-}
-
 std::vector<PlotSpec> chosenPlots(const PanelModel& model) {
     std::vector<PlotSpec> plots;
-    for (const PlotKind& kind : kKinds) {
+    for (const PlotKind& kind : kPlots) {
         if (isChosen(model.settings, kind.id)) {
-            PlotSpec& spec = plots.emplace_back();
-            spec.id = kind.id;
-            spec.title = kind.title;
-            spec.marks = model.history->marks;
-            fill(spec, model);
+            plots.push_back({.id = kind.id,
+                             .title = kind.title,
+                             .curves = curvesOf(kind, *model.history),
+                             .marks = model.history->marks,
+                             .reference = referenceOf(kind, model),
+                             .minSpan = kind.minSpan,
+                             .readoutDecimals = kind.readoutDecimals});
         }
     }
     return plots;

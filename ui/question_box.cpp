@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {

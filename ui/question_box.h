@@ -7,11 +7,11 @@
 
 namespace kerf::ui {
 
-/// The question in the middle of everything.
+/// A box in the middle of the window that asks a question.
 class QuestionBox {
   public:
     void draw(const Question& question, std::vector<Action>& actions);
-    /// Whether it was there in the last pass: then no key means anything else.
+    /// Whether the box was there in the last update: then no key means anything else.
     bool isOpen() const { return open_; }
 
   private:

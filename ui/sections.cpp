@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 
 namespace kerf::ui {
 

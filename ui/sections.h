@@ -7,8 +7,8 @@
 
 namespace kerf::ui {
 
-/// The heading of a part of a panel that a click folds away. `id` is its name in Settings::folded.
-/// False where it is folded: then nothing of it is drawn.
+/// Draws the heading of a part of a panel that a click folds away. `id` is its name in
+/// Settings::folded. False where it is folded: then nothing of it is drawn.
 bool beginSection(const char* id, const char* title, const PanelModel& model,
                   std::vector<Action>& actions);
 

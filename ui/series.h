@@ -22,7 +22,8 @@ class Series {
   public:
     static constexpr std::size_t kMostBuckets = 16384;
 
-    /// `x` is not below that of the value before. Values that are not finite are left out.
+    /// Adds a value at an `x` that is not below the one before. Values that are not finite are left
+    /// out.
     void add(double x, double y);
     /// Leaves out the buckets that begin behind `x`.
     void forgetAfter(double x);
@@ -31,9 +32,11 @@ class Series {
     std::span<const SeriesBucket> buckets() const { return buckets_; }
     /// The newest value; 0 while empty.
     double last() const { return last_; }
-    /// Over all values; 0 while empty.
+    /// The mean of all values; 0 while empty.
     double mean() const { return count_ > 0 ? sum_ / count_ : 0; }
+    /// The lowest value; 0 while empty.
     double min() const { return min_; }
+    /// The highest value; 0 while empty.
     double max() const { return max_; }
 
   private:

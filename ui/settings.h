@@ -7,8 +7,8 @@
 
 namespace kerf::ui {
 
-/// How a person likes the window: kept in a file by the editor (app/settings_file.h), never part of
-/// a session. Lengths hold at scale 1 (96 dpi).
+/// A person's preferences for the window: kept in a file by the editor
+/// (app/editor/settings_file.h), never part of a session. Lengths hold at scale 1 (96 dpi).
 struct Settings {
     static constexpr double kLeastWidth = 230;  ///< of a side panel [px]
     static constexpr double kMostWidth = 640;
@@ -21,8 +21,8 @@ struct Settings {
     double readingsWidth = 300;                          ///< of the right panel [px]
     double piecesShare = 0.2;                            ///< of the left panel's height
     double plotsShare = 0.62;                            ///< of the right panel's height
-    std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of plotKinds()
-    /// Sections of the left panel.
+    std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of kPlots
+    /// Ids of the sections of the left panel that are folded.
     std::vector<std::string> folded{"experiments", "display", "window"};
 
     bool operator==(const Settings&) const = default;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -17,17 +17,17 @@ namespace {
 constexpr double kPutAway = 0.6;  // of the least width: a panel that is dragged below this goes
 
 /// One side panel as its edge sees it.
-struct Side {
-    const char* name;  ///< in ItemPlaces
+struct PanelSide {
+    const char* name;  ///< in ItemRects
     const char* arrow;
     bool Settings::*shown;
     double Settings::*width;
     bool isLeft;
 };
-constexpr Side kLeft{"edge.controls", "\u25b8", &Settings::showControls, &Settings::controlsWidth,
-                     true};
-constexpr Side kRight{"edge.readings", "\u25c2", &Settings::showReadings, &Settings::readingsWidth,
-                      false};
+constexpr PanelSide kLeft{"edge.controls", "\u25b8", &Settings::showControls,
+                          &Settings::controlsWidth, true};
+constexpr PanelSide kRight{"edge.readings", "\u25c2", &Settings::showReadings,
+                           &Settings::readingsWidth, false};
 
 void beginBare(const char* name, const Rect& rect) {
     ImGui::SetNextWindowPos({rect.x, rect.y});
@@ -55,8 +55,8 @@ void lightUp(bool upright) {
     ImGui::GetWindowDrawList()->AddRectFilled(from, to, palette().splitter, half);
 }
 
-/// Where the edge is dragged to.
-void dragEdge(const PanelModel& model, const Side& side, const Rect& edge, float scale,
+/// Sets the width to which the edge is dragged.
+void dragEdge(const PanelModel& model, const PanelSide& side, const Rect& edge, float scale,
               std::vector<Action>& actions) {
     const float x = ImGui::GetIO().MousePos.x;
     const float reach =
@@ -72,7 +72,7 @@ void dragEdge(const PanelModel& model, const Side& side, const Rect& edge, float
     }
 }
 
-void drawEdge(const PanelModel& model, const Side& side, const Rect& edge, float scale,
+void drawEdge(const PanelModel& model, const PanelSide& side, const Rect& edge, float scale,
               std::vector<Action>& actions) {
     beginBare(side.name, edge);
     ImGui::InvisibleButton("edge", {edge.width, edge.height});
@@ -85,7 +85,7 @@ void drawEdge(const PanelModel& model, const Side& side, const Rect& edge, float
 }
 
 /// A button at the border of the picture.
-void drawOpener(const PanelModel& model, const Side& side, float scale,
+void drawOpener(const PanelModel& model, const PanelSide& side, float scale,
                 std::vector<Action>& actions) {
     const ImVec2 picture = ImGui::GetIO().DisplaySize;
     const float width = 18 * scale;
@@ -105,7 +105,7 @@ void drawOpener(const PanelModel& model, const Side& side, float scale,
     ImGui::End();
 }
 
-void drawSide(const PanelModel& model, const Side& side, const Rect& edge, float scale,
+void drawSide(const PanelModel& model, const PanelSide& side, const Rect& edge, float scale,
               std::vector<Action>& actions) {
     // The edge stays where it is held, so that one drag can put the panel away and bring it back.
     if (model.settings.*side.shown || ImGui::IsMouseDown(ImGuiMouseButton_Left)) {

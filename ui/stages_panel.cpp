@@ -11,27 +11,25 @@ namespace kerf::ui {
 namespace {
 
 struct StageText {
-    Stage stage;
+    Reading reading;
     const char* name;
     const char* meaning;
 };
 constexpr std::array kTexts{
-    StageText{Stage::deform, "Deform", "Constraints and volume, of a step on the GPU"},
-    StageText{Stage::collide, "Collide", "Floor and contact, of a step on the GPU"},
-    StageText{Stage::cut, "Cut", "The blade's way through the mesh, of a step on the CPU"},
-    StageText{Stage::render, "Render", "The scene, of a picture on the GPU"},
-    StageText{Stage::frame, "Frame", "From picture to picture while time runs, panels included"},
+    StageText{Reading::deformMs, "Deform", "Constraints and volume, of a step on the GPU"},
+    StageText{Reading::collideMs, "Collide", "Floor and contact, of a step on the GPU"},
+    StageText{Reading::cutMs, "Cut", "The blade's way through the mesh, of a step on the CPU"},
+    StageText{Reading::renderMs, "Render", "The scene, of a picture on the GPU"},
+    StageText{Reading::frameMs, "Frame",
+              "From picture to picture while time runs, panels included"},
 };
 
-const Series& seriesOf(const PanelModel& model, Stage stage) {
-    return model.history->stages[static_cast<std::size_t>(stage)];
-}
-
-/// Of the four stages together; frames hold them and what lies between.
+/// Sum of the means of the four stages [ms]; frames hold them and what lies between.
 double sumOfMeans(const PanelModel& model) {
     double sum = 0;
-    for (const Stage stage : {Stage::deform, Stage::collide, Stage::cut, Stage::render}) {
-        sum += seriesOf(model, stage).mean();
+    for (const Reading stage :
+         {Reading::deformMs, Reading::collideMs, Reading::cutMs, Reading::renderMs}) {
+        sum += (*model.history)[stage].mean();
     }
     return sum;
 }
@@ -61,14 +59,14 @@ void explain(const StageText& row, const PanelModel& model) {
     }
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(row.meaning);
-    if (row.stage == Stage::cut) {
+    if (row.reading == Reading::cutMs) {
         explainCut(model.subdivisions);
     }
     ImGui::EndTooltip();
 }
 
 void drawRow(const StageText& row, const PanelModel& model) {
-    const Series& series = seriesOf(model, row.stage);
+    const Series& series = (*model.history)[row.reading];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.name);
@@ -80,7 +78,7 @@ void drawRow(const StageText& row, const PanelModel& model) {
         millisecondsCell(value);
     }
     const double sum = sumOfMeans(model);
-    if (row.stage != Stage::frame && sum > 0) {
+    if (row.reading != Reading::frameMs && sum > 0) {
         numberCell("%.0f %%", 100 * series.mean() / sum);
     }
 }

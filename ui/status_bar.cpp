@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "sim/base/text.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
 #include "ui/theme.h"
 
 namespace kerf::ui {
@@ -18,7 +18,7 @@ std::string stateOf(const PanelModel& model) {
 
 /// How often pieces ran away and were taken back, where any did.
 std::string lossesOf(const PanelModel& model) {
-    const auto losses = static_cast<int>(model.history->lostPieces.last());
+    const auto losses = static_cast<int>((*model.history)[Reading::lostPieces].last());
     return losses > 0 ? ", " + std::to_string(losses) + " taken back" : "";
 }
 
@@ -36,7 +36,7 @@ std::string statusText(const PanelModel& model) {
 namespace {
 
 std::string rightText(const PanelModel& model) {
-    return model.device + "   |   " + std::string(shortcutOf(ActionId::help).keyText) + " help";
+    return model.device + "   |   " + std::string(keyOf(ActionId::help)) + " help";
 }
 
 }  // namespace

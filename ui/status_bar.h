@@ -7,10 +7,10 @@
 
 namespace kerf::ui {
 
-/// What is open, its size, how often pieces were lost, whether time runs.
+/// A line about what is open: its name, its size, how often pieces were lost, whether time runs.
 std::string statusText(const PanelModel& model);
 
-/// One line: what is open, its size, whether time runs, what draws, where the help is.
+/// Draws one line: statusText(), and at its right the device that draws and the key of the help.
 void drawStatusBar(const PanelModel& model, const Rect& rect);
 
 }  // namespace kerf::ui

@@ -6,14 +6,15 @@
 
 namespace kerf::ui {
 
+/// The two looks of the window.
 enum class Theme { dark, light };
 
-/// Hues of data, by their place in Palette::hues: the Okabe-Ito palette, which stays apart for
+/// Hues of data, by their index in Palette::hues: the Okabe-Ito palette, which stays apart for
 /// every kind of colour vision. Nothing is told by a hue alone.
 enum class Hue { blue, orange, green, vermillion, purple, yellow, cyan, gray };
 inline constexpr int kHues = 8;
 
-/// Colours of a theme that ImGui's style has no place for.
+/// Colours of a theme that ImGui's style has no entry for.
 struct Palette {
     std::array<ImU32, kHues> hues{};  ///< of curves and marks
     ImU32 text = 0;
@@ -30,16 +31,16 @@ struct Palette {
     ImU32 of(Hue hue) const { return hues[static_cast<std::size_t>(hue)]; }
 };
 
-/// Of the panel context that is current.
+/// The palette of the panel context that is current.
 const Palette& palette();
 
-/// Of the curves and the chip of a piece, which the view shows it in as well; the same in both
-/// themes. `index` as in the list of pieces.
+/// The colour of a piece in curves, in its chip and in the view; the same in both themes. `index`
+/// is that in the list of pieces.
 ImU32 pieceColor(int index);
 
 /// Sets style and colours of the current ImGui context; `scale` is the display's (1 = 96 dpi).
 void applyTheme(Theme theme, float scale);
-/// Makes palette() that of a theme.
+/// Makes palette() return the colours of a theme.
 void usePalette(Theme theme);
 
 /// Loads DejaVu Sans (Debian package fonts-dejavu-core) at 15 px times `scale`, or ImGui's own

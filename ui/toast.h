@@ -5,7 +5,7 @@
 
 namespace kerf::ui {
 
-/// What just happened, at the upper edge of the view: takes no input and fades by itself.
+/// Draws what just happened at the upper edge of the view. It takes no input and fades by itself.
 void drawToast(const PanelModel& model, const Rect& view);
 
 }  // namespace kerf::ui

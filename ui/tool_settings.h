@@ -4,7 +4,8 @@
 
 namespace kerf::ui {
 
-/// What the left button does in the view: lead a blade in one of three ways, or touch the body.
+/// The tool of the left button in the view: it leads a blade in one of three ways, or touches the
+/// body.
 enum class Tool : std::uint8_t {
     stroke,      ///< along the line of sight, wherever the pointer goes
     scalpel,     ///< upright on the surface under the pointer: incisions
@@ -14,7 +15,7 @@ enum class Tool : std::uint8_t {
 };
 inline constexpr int kTools = 5;
 
-/// What the tools panel shows and answers with. Lengths in metres.
+/// The settings of all tools, which the tools panel shows and answers with. Lengths in metres.
 struct ToolSettings {
     Tool tool = Tool::stroke;
     bool throughAll = true;     ///< the stroke's blade reaches beyond the body

@@ -5,8 +5,8 @@
 #include <array>
 #include <string>
 
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -39,7 +39,7 @@ void drawToolButton(const ToolButton& button, bool chosen, float width,
         ImGui::PopStyleColor();
     }
     noteItem(std::string("tool.") + button.label);
-    itemTooltip(describeShortcut(button.id));
+    itemTooltip(describeAction(button.id));
 }
 
 void drawToolButtons(const PanelModel& model, std::vector<Action>& actions) {
@@ -97,7 +97,7 @@ bool drawGuillotineRows(ToolSettings& tools, std::vector<Action>& actions) {
         actions.emplace_back(ActionId::bringDown);
     }
     noteItem("blade.down");
-    itemTooltip(describeShortcut(ActionId::bringDown));
+    itemTooltip(describeAction(ActionId::bringDown));
     return changed;
 }
 
@@ -110,7 +110,7 @@ bool drawPinRows(ToolSettings& tools, std::vector<Action>& actions) {
         actions.emplace_back(ActionId::freePins);
     }
     noteItem("pin.free");
-    itemTooltip(describeShortcut(ActionId::freePins));
+    itemTooltip(describeAction(ActionId::freePins));
     return changed;
 }
 

@@ -7,7 +7,7 @@
 
 namespace kerf::ui {
 
-/// What the left button does, and how deep or how far around.
+/// Draws the buttons of the tools and the settings of the one that is chosen.
 void drawTools(const PanelModel& model, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

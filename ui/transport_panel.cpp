@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "ui/item_places.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -19,8 +19,8 @@ void actionButton(const char* label, ActionId id, float width, std::vector<Actio
     if (ImGui::Button(label, {width, 0})) {
         actions.emplace_back(id);
     }
-    noteItem("button." + std::string(shortcutOf(id).label));
-    itemTooltip(describeShortcut(id));
+    noteItem("button." + std::string(rowOf(id).label));
+    itemTooltip(describeAction(id));
 }
 
 void playButton(bool playing, float width, std::vector<Action>& actions) {
@@ -79,7 +79,7 @@ void drawScrubber(const PlaybackState& playback, std::vector<Action>& actions) {
     if (ImGui::Checkbox("Loop", &loop)) {
         actions.emplace_back(ActionId::loop);
     }
-    itemTooltip(describeShortcut(ActionId::loop));
+    itemTooltip(describeAction(ActionId::loop));
 }
 
 void drawSpeed(double speed, std::vector<Action>& actions) {

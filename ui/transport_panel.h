@@ -7,7 +7,7 @@
 
 namespace kerf::ui {
 
-/// Play or pause, step, reset, and the simulated time.
+/// Draws the buttons that play, pause, step, reset and record, and the simulated time.
 void drawTransport(const PanelModel& model, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -25,7 +25,7 @@ std::string_view withoutLast(std::string_view text) {
     return text;
 }
 
-/// With dots where something is left out; nothing at all where not even that has room.
+/// The text with dots where something is left out; nothing at all where not even that has room.
 std::string shortenedTo(float width, std::string_view text) {
     std::string shown(text);
     while (!text.empty() && widthOf(shown) > width) {

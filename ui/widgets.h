@@ -10,12 +10,12 @@ namespace kerf::ui {
 /// Begins a fixed panel that fills `rect`; end with ImGui::End().
 void beginPanel(const char* name, const Rect& rect, bool withMenu = false);
 
-/// Begins a modal window of that size [px] (height 0: as its content needs) in the middle of the
+/// Begins a modal window of a size [px] (height 0: as its content needs) in the middle of the
 /// picture, once it was opened by its title's popup id; end with ImGui::EndPopup(). With `wanted`
 /// false it closes. False where nothing is to be drawn.
 bool beginModal(const std::string& title, float width, float height, bool wanted);
 
-/// How a banner looks.
+/// The look of a banner.
 struct BannerStyle {
     unsigned accent = 0;  ///< colour of the bar at its left, 0 for none
     float opacity = 1;
@@ -23,10 +23,11 @@ struct BannerStyle {
 };
 /// Begins a dark rounded ground around `content` [px]; end with endBanner().
 void beginBanner(const char* name, const Rect& content, const BannerStyle& style);
+/// Ends the banner that beginBanner() began.
 void endBanner();
-/// Between its content and its sides [px].
+/// The gap between the content of a banner and its sides [px].
 float bannerPadding();
-/// A text without interaction on a dark rounded ground, centred at (x, y) [px], wrapped at
+/// Draws a text without interaction on a dark rounded ground, centred at (x, y) [px], wrapped at
 /// `maxWidth`.
 void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
                 const BannerStyle& style);
@@ -34,22 +35,22 @@ void drawBanner(const char* name, std::string_view text, float x, float y, float
 /// Shows `text` beside the last item while the pointer rests on it.
 void itemTooltip(std::string_view text);
 
-/// Of a button with this text [px].
+/// The width of a button with this text [px].
 float buttonWidth(std::string_view label);
 
-/// A text at the right end of what is left of the line or of the table's cell.
+/// Draws a text at the right end of what is left of the line or of the table's cell.
 void textRight(std::string_view text);
 
-/// The left part of a row, dots where it is too long; what stands right of it comes next on the
+/// Draws the left part of a row, with dots where it is too long. The right part comes next on the
 /// line.
 void rowLabel(std::string_view text);
 
-/// Whether the drag that changes the last item already changed it in an earlier pass: one undo for
-/// all of a drag. Call it in each pass, with whether this one changed the item; one item for an id
-/// on the stack.
+/// Whether the drag that changes the last item already changed it in an earlier update: one undo
+/// for all of a drag. Call it in each update, with whether this one changed the item; one item for
+/// an id on the stack.
 bool continuesGesture(bool changed);
 
-/// A small square button with a turning arrow, drawn rather than taken from the font.
+/// Draws a small square button with a turning arrow, drawn rather than taken from the font.
 bool resetButton(const char* id);
 
 }  // namespace kerf::ui

@@ -7,7 +7,7 @@
 
 namespace kerf::ui {
 
-/// How the window itself looks: theme and scale.
+/// Draws the choosers of the window's theme and scale.
 void drawWindowRows(const PanelModel& model, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -38,20 +38,20 @@ void Editor::resize(int width, int height) {
     if (width > 0 && height > 0 && !same) {
         state_->options.width = width;
         state_->options.height = height;
-        state_->settlePasses = kSettlePasses;
+        state_->settleUpdates = kSettleUpdates;
     }
 }
 
 void Editor::setScale(float scale) {
     if (scale != state_->options.scale) {
         state_->options.scale = scale;
-        state_->settlePasses = kSettlePasses;
+        state_->settleUpdates = kSettleUpdates;
     }
 }
 
 void Editor::frame(double elapsedSeconds) {
     State& s = *state_;
-    s.toast.pass(elapsedSeconds);
+    s.toast.elapse(elapsedSeconds);
     s.takeInput(elapsedSeconds);
     s.sceneChanged |= s.cameraFlight.advance(s.camera, elapsedSeconds);
     s.followWork();
@@ -66,7 +66,7 @@ void Editor::frame(double elapsedSeconds) {
 
 double Editor::idleSeconds() const {
     const State& s = *state_;
-    if (!s.queue.empty() || s.running() || s.sceneChanged || s.settlePasses > 0 ||
+    if (!s.queue.empty() || s.running() || s.sceneChanged || s.settleUpdates > 0 ||
         s.cameraFlight.flying()) {
         return 0;
     }
@@ -105,8 +105,8 @@ const ui::PanelModel& Editor::panels() const {
     return state_->model;
 }
 
-const ui::ItemPlaces& Editor::places() const {
-    return state_->interface.places();
+const ui::ItemRects& Editor::itemRects() const {
+    return state_->interface.itemRects();
 }
 
 EditorScene* Editor::scene() {

@@ -10,14 +10,14 @@
 #include "render/renderer.h"
 #include "render/scene/image.h"
 #include "ui/input.h"
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {
 
 class EditorScene;
 
-/// What surrounds the editor: its window or its test.
+/// The surroundings of an editor, given by its window or its test.
 struct EditorOptions {
     int width = 1280;  ///< of the picture [px]
     int height = 720;
@@ -26,9 +26,9 @@ struct EditorOptions {
     std::string device;  ///< what draws, for the status bar
     /// Time runs by the clock where it can; otherwise every picture is one step, for tests.
     bool byTheClock = true;
-    /// Where pictures go, and where files are looked for first.
+    /// The folder of pictures, in which files are looked for first as well.
     std::filesystem::path screenshotFolder = ".";
-    /// Where the person's settings are kept; empty: nowhere, as in tests.
+    /// The file of the person's settings; empty keeps none, as in tests.
     std::filesystem::path settingsFile;
     std::filesystem::path recentFiles;  ///< see RecentFiles; empty keeps none
 };
@@ -38,7 +38,7 @@ struct EditorOptions {
 /// drains what they and the keys ask for, steps the simulation and draws.
 class Editor {
   public:
-    /// Throws gpu::ShaderError, gpu::OutOfMemory.
+    /// Opens `document`, or nothing. Throws gpu::ShaderError, gpu::OutOfMemory.
     Editor(const EditorOptions& options, std::optional<Document> document);
     ~Editor();
     Editor(const Editor&) = delete;
@@ -46,13 +46,13 @@ class Editor {
 
     /// Puts input into the queue for the next frame.
     void post(ui::InputEvent event);
-    /// Of the picture [px]; ignored where a side is 0, as of a hidden window.
+    /// Changes the size of the picture [px]; ignored where a side is 0, as of a hidden window.
     void resize(int width, int height);
-    /// Of the display, as the window moves to another one; 1 = 96 dpi.
+    /// Changes the scale of the display, as the window moves to another one; 1 = 96 dpi.
     void setScale(float scale);
-    /// One picture; `elapsedSeconds` since the one before.
+    /// Makes one picture, `elapsedSeconds` after the one before.
     void frame(double elapsedSeconds);
-    /// How long nothing will change without input [s]; 0 while something moves.
+    /// Time for which nothing will change without input [s]; 0 while something moves.
     double idleSeconds() const;
 
     /// Whether a file is on its way in or out; what is open goes on meanwhile.
@@ -60,25 +60,28 @@ class Editor {
     /// Whether the person asked to leave and nothing is left to be saved.
     bool closing() const;
 
-    /// Scene and panels, as the window shows them.
+    /// The scene and the panels, as the window shows them.
     const gpu::Framebuffer& picture() const;
+    /// A copy of picture() in main memory.
     render::Image readPicture() const;
-    /// "Kerf - NAME - N pieces".
+    /// The title of the window: "Kerf - NAME - N pieces".
     std::string title() const;
-    /// What the panels showed in the last frame.
+    /// The model that the panels showed in the last frame.
     const ui::PanelModel& panels() const;
 
-    /// Where the named items of the panels are.
-    const ui::ItemPlaces& places() const;
-    /// What is open, for tests that look into it; null while nothing is.
+    /// The rectangles of the named items of the panels [px].
+    const ui::ItemRects& itemRects() const;
+    /// The scene that is open, for tests that look into it; null while none is.
     EditorScene* scene();
 
     /// Begins to open a model or a session, which takes some frames. What cannot be opened is said
     /// in the view and changes nothing.
     void open(const std::filesystem::path& file);
 
-  private:
+    /// All that an editor holds (app/editor/editor_state.h).
     struct State;
+
+  private:
     std::unique_ptr<State> state_;
 };
 

@@ -5,7 +5,7 @@ namespace {
 
 const Vec2 kNowhere(-1e5, -1e5);  // [px]
 
-/// As the view shows them.
+/// The world's axes as the view shows them.
 ui::ViewAxes axesOf(const render::Camera& camera) {
     const Eigen::Matrix3d turn = camera.view().topLeftCorner<3, 3>().cast<double>();
     return {{turn.col(0), turn.col(1), turn.col(2)}};
@@ -15,7 +15,7 @@ ui::ViewAxes axesOf(const render::Camera& camera) {
 
 Situation Editor::State::situation() const {
     Situation now;
-    now.tool = hand.settings().tool;
+    now.tool = bladeTool.settings().tool;
     if (scene == nullptr) {
         return now;
     }
@@ -24,7 +24,7 @@ Situation Editor::State::situation() const {
     now.weightless = scene->simulation().params().gravity.norm() == 0;
     now.session = scene->playingBack();
     now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
-    now.touching = bodyHand.holds();
+    now.touching = pullTool.holds();
     now.pieces = scene->pieceCount();
     now.outcome = cutWatch.outcome();
     return now;
@@ -34,19 +34,19 @@ void Editor::State::followFirstSteps() {
     if (scene == nullptr) {
         return;
     }
-    const CutOutcome before = cutWatch.outcome();
+    const StrokeOutcome before = cutWatch.outcome();
     const Situation now = situation();
     cutWatch.follow(now.cutting, now.pieces, scene->simulation().report().triangles);
     firstSteps.follow(situation());
     if (cutWatch.outcome() != before) {
-        settlePasses = kSettlePasses;
+        settleUpdates = kSettleUpdates;
     }
 }
 
 ui::Overlay Editor::State::overlayNow() {
     const Vec2 inView = interface.ownsPointer() ? kNowhere : pointer;
-    ui::Overlay overlay = hand.overlay(viewFrame(), inView, *scene);
-    bodyHand.addTo(overlay, viewFrame(), inView, hand.settings(), *scene);
+    ui::Overlay overlay = bladeTool.overlay(viewFrame(), inView, *scene);
+    pullTool.addTo(overlay, viewFrame(), inView, bladeTool.settings(), *scene);
     return overlay;
 }
 
@@ -67,7 +67,7 @@ void Editor::State::describe(bool withOverlay) {
     model.speed = clock.speed();
     model.device = options.device;
     model.hint = firstSteps.hint(situation());
-    model.tools = hand.settings();
+    model.tools = bladeTool.settings();
     model.axes = axesOf(camera);
     model.orthographic = camera.orthographic;
     if (scene != nullptr) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMostRecentFolders = 5;
 
-/// Where a dialog begins that has no folder yet.
+/// The name that a dialog proposes.
 std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder,
                     const std::string& document) {
     switch (purpose) {
@@ -17,9 +17,11 @@ std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder
             return freeFile(folder, document, ".kerf.json").filename().string();
         case ui::FilePurpose::exportMesh:
             return document + std::string(meshFormats().front().extension);
-        default:
-            return "";
+        case ui::FilePurpose::open:
+        case ui::FilePurpose::none:
+            break;
     }
+    return "";
 }
 
 /// Whether a newcomer would find nothing there: it is empty, or where Kerf itself lies.
@@ -35,22 +37,22 @@ void Editor::State::browse(ui::FilePurpose purpose) {
     const std::filesystem::path& last = lastFolder(purpose);
     const std::filesystem::path& folder = last.empty() ? options.screenshotFolder : last;
     const std::string document = scene == nullptr ? "" : scene->document().name;
-    browser.emplace(purpose, folder, nameFor(purpose, folder, document), filePlaces(purpose));
+    browser.emplace(purpose, folder, nameFor(purpose, folder, document), bookmarks(purpose));
     if (purpose == ui::FilePurpose::open && last.empty() &&
         offersNothing(folder, browser->state())) {
         // The bookmarks lead back.
-        browser.emplace(purpose, gpu::dataPath("assets/models"), "", filePlaces(purpose));
+        browser.emplace(purpose, gpu::dataPath("assets/models"), "", bookmarks(purpose));
     }
     preview.select({});
-    settlePasses = kSettlePasses;
+    settleUpdates = kSettleUpdates;
 }
 
-std::vector<ui::FilePlace> Editor::State::filePlaces(ui::FilePurpose purpose) const {
-    std::vector<ui::FilePlace> places;
+std::vector<ui::FolderLink> Editor::State::bookmarks(ui::FilePurpose purpose) const {
+    std::vector<ui::FolderLink> links;
     const auto add = [&](const std::string& label, const std::filesystem::path& folder) {
         std::error_code error;
         if (std::filesystem::is_directory(folder, error)) {
-            places.push_back({label, std::filesystem::absolute(folder).lexically_normal()});
+            links.push_back({label, std::filesystem::absolute(folder).lexically_normal()});
         }
     };
     add("Here", options.screenshotFolder);
@@ -66,11 +68,11 @@ std::vector<ui::FilePlace> Editor::State::filePlaces(ui::FilePurpose purpose) co
     for (const std::filesystem::path& folder : folders) {
         add(folder.filename().string(), folder);
     }
-    return places;
+    return links;
 }
 
 void Editor::State::applyToFiles(const ui::FileAction& action) {
-    settlePasses = kSettlePasses;
+    settleUpdates = kSettleUpdates;
     if (const auto* wanted = std::get_if<ui::OpenFile>(&action)) {
         open(wanted->file);
     } else if (std::holds_alternative<ui::CloseFileDialog>(action)) {
@@ -97,8 +99,11 @@ void Editor::State::takeFile(const std::filesystem::path& file) {
             saveSession(file);
             recent.add(file);
             return;
-        default:
+        case ui::FilePurpose::exportMesh:
             exportBody(file, dialog.filePerPiece);
+            return;
+        case ui::FilePurpose::none:
+            return;
     }
 }
 
@@ -107,7 +112,7 @@ void Editor::State::followPreview() {
         preview.select(browser->selectedFile());
     }
     if (preview.advance()) {
-        settlePasses = kSettlePasses;
+        settleUpdates = kSettleUpdates;
     }
 }
 
@@ -117,7 +122,7 @@ void Editor::State::answer(int choice) {
     }
     const std::filesystem::path file = fault->file;
     fault.reset();
-    settlePasses = kSettlePasses;
+    settleUpdates = kSettleUpdates;
     if (choice == 0) {
         open(file, true);
     }

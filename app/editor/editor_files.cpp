@@ -56,10 +56,10 @@ void Editor::State::followLoading() {
     if (loading == nullptr) {
         return;
     }
-    settlePasses = kSettlePasses;
+    settleUpdates = kSettleUpdates;
     try {
         loading->advance();
-        if (loading->ready() && !handIsBusy()) {
+        if (loading->ready() && !toolIsBusy()) {
             show(loading->take());
             recent.add(loading->file());
             loading.reset();
@@ -98,7 +98,7 @@ void Editor::State::followSaving() {
     if (saving == nullptr || !saving->job.done()) {
         return;
     }
-    settlePasses = kSettlePasses;
+    settleUpdates = kSettleUpdates;
     try {
         const std::string sentence = saving->job.take();
         spdlog::info("{}", sentence);
@@ -146,8 +146,8 @@ void Editor::State::show(UploadedDocument uploaded) {
     landCamera();
     camera = scene->document().camera;
     display.colors = scene->document().session.colors;
-    hand.fitTo(scene->bounds());
-    bodyHand = {};
+    bladeTool.fitTo(scene->bounds());
+    pullTool = {};
     cameraControl.releaseAll();
     cutWatch = {};
     display.apart = 0;
@@ -163,7 +163,7 @@ void Editor::State::show(UploadedDocument uploaded) {
 
 void Editor::State::followSavings() {
     for (const SavingQueue::Outcome& outcome : savings.takeOutcomes()) {
-        settlePasses = kSettlePasses;
+        settleUpdates = kSettleUpdates;
         if (outcome.failed) {
             spdlog::error("{}", outcome.sentence);
         } else {

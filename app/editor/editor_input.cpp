@@ -2,7 +2,7 @@
 
 #include "app/editor/editor_state.h"
 #include "sim/base/text.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
 
 namespace kerf::app {
 namespace {
@@ -19,24 +19,24 @@ bool pressesKey(const std::vector<ui::InputEvent>& batch) {
 }  // namespace
 
 void Editor::State::takeInput(double elapsedSeconds) {
-    // At least one pass, so that the panels live; later batches of one picture take no time.
+    // At least one update, so that the panels live; later batches of one picture take no time.
     for (int n = 1; n <= kMaxBatchesPerPicture && (n == 1 || !queue.empty()); ++n) {
         const std::vector<ui::InputEvent> batch = queue.takeBatch();
         const bool last = n == kMaxBatchesPerPicture || queue.empty();
         if (interface.ownsKeyboard() && pressesKey(batch)) {
-            pass({}, 0, false);  // What the last key closed has the keyboard no longer.
+            updatePanels({}, 0, false);  // What the last key closed has the keyboard no longer.
         }
-        pass(batch, n == 1 ? elapsedSeconds : 0, last);
+        updatePanels(batch, n == 1 ? elapsedSeconds : 0, last);
     }
 }
 
-void Editor::State::pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds,
-                         bool last) {
+void Editor::State::updatePanels(const std::vector<ui::InputEvent>& batch, double elapsedSeconds,
+                                 bool last) {
     describe(last);
-    settlePasses = batch.empty() ? std::max(0, settlePasses - 1) : kSettlePasses;
+    settleUpdates = batch.empty() ? std::max(0, settleUpdates - 1) : kSettleUpdates;
     interface.restyle(settingsFile.now.theme, scale());
     const std::vector<ui::Action> actions =
-        interface.pass(batch, model, options.width, options.height, elapsedSeconds);
+        interface.update(batch, model, options.width, options.height, elapsedSeconds);
     for (const ui::InputEvent& event : batch) {
         dispatch(event);
     }
@@ -79,8 +79,8 @@ void Editor::State::onMove(const ui::PointerMove& move) {
         keepCameraNear();
     }
     if (scene != nullptr) {
-        hand.move(viewFrame(), pointer, move.modifiers.shift, *scene);
-        bodyHand.move(viewFrame(), pointer, *scene);
+        bladeTool.move(viewFrame(), pointer, move.modifiers.shift, *scene);
+        pullTool.move(viewFrame(), pointer, *scene);
     }
 }
 
@@ -92,7 +92,7 @@ void Editor::State::onButton(const ui::ButtonChange& change) {
         }
         return;
     }
-    if (interface.ownsPointer() || hand.holds() || bodyHand.holds()) {
+    if (interface.ownsPointer() || bladeTool.holds() || pullTool.holds()) {
         return;
     }
     landCamera();
@@ -105,22 +105,22 @@ void Editor::State::onButton(const ui::ButtonChange& change) {
 }
 
 void Editor::State::pressInScene(const ui::Modifiers& modifiers) {
-    const ui::ToolSettings& settings = hand.settings();
+    const ui::ToolSettings& settings = bladeTool.settings();
     if (joinPieces() && settings.tool != ui::Tool::stroke) {
         return;  // What was aimed at is elsewhere.
     }
-    hand.press(viewFrame(), pointer, *scene);
+    bladeTool.press(viewFrame(), pointer, *scene);
     if (settings.tool == ui::Tool::grab || settings.tool == ui::Tool::pin) {
-        say(bodyHand.press(viewFrame(), pointer, settings, modifiers, *scene));
+        say(pullTool.press(viewFrame(), pointer, settings, modifiers, *scene));
     }
 }
 
 void Editor::State::endStroke() {
-    if (scene != nullptr && hand.holds()) {
-        hand.release(*scene);
+    if (scene != nullptr && bladeTool.holds()) {
+        bladeTool.release(*scene);
     }
-    if (scene != nullptr && bodyHand.holds()) {
-        say(bodyHand.release(viewFrame(), *scene));
+    if (scene != nullptr && pullTool.holds()) {
+        say(pullTool.release(viewFrame(), *scene));
     }
 }
 

@@ -16,29 +16,6 @@ constexpr int kPlotPictureHeight = 300;  // of each plot [px]
 
 }  // namespace
 
-void Editor::State::applyToPanels(const ui::Action& action) {
-    settlePasses = kSettlePasses;
-    if (const auto* wanted = std::get_if<ui::SetSettings>(&action)) {
-        setSettings(wanted->settings);
-    } else if (const auto* view = std::get_if<ui::SetPlotView>(&action)) {
-        plotView = view->view;
-    } else if (const auto* plots = std::get_if<ui::ExportPlots>(&action)) {
-        exportPlots(plots->asPicture);
-    } else if (const auto* experiment = std::get_if<ui::OpenExperiment>(&action)) {
-        openExperiment(experiment->name);
-    } else if (const auto* hover = std::get_if<ui::HoverPiece>(&action)) {
-        hoverPiece(hover->piece);
-    } else if (const auto* frame = std::get_if<ui::FramePiece>(&action)) {
-        framePiece(frame->piece);
-    } else if (const auto* shown = std::get_if<ui::ShowPiece>(&action)) {
-        showPiece(shown->piece, shown->visible);
-    }
-}
-
-void Editor::State::setSettings(const ui::Settings& wanted) {
-    settingsFile.now = wanted;
-}
-
 /// Once a drag of an edge is over, not at each of its moves.
 void Editor::State::keepSettings() {
     if (interface.isDragging()) {
@@ -47,22 +24,6 @@ void Editor::State::keepSettings() {
     if (const std::string problem = settingsFile.save(); !problem.empty()) {
         spdlog::error("{}", problem);
         toast.show(problem, true);
-    }
-}
-
-void Editor::State::togglePanels() {
-    ui::Settings wanted = settingsFile.now;
-    const bool any = wanted.showControls || wanted.showReadings;
-    wanted.showControls = wanted.showReadings = !any;
-    setSettings(wanted);
-}
-
-/// Holds what is shown now, or follows what comes.
-void Editor::State::holdPlots() {
-    if (plotView.end) {
-        plotView.end.reset();
-    } else {
-        plotView.end = model.time;
     }
 }
 

@@ -83,7 +83,7 @@ void Editor::State::drawScene() {
     sceneChanged = false;
 }
 
-/// With all that the person chose to see.
+/// Adds all that the person chose to see.
 render::SceneView Editor::State::sceneToDraw() {
     render::SceneView view = scene->view();
     view.wireframe = display.wireframe;

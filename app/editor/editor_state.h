@@ -22,10 +22,10 @@
 #include "app/files/saving_queue.h"
 #include "app/scene/document_loading.h"
 #include "app/scene/editor_scene.h"
-#include "app/tools/blade_hand.h"
-#include "app/tools/body_hand.h"
+#include "app/tools/blade_tool.h"
 #include "app/tools/camera_flight.h"
 #include "app/tools/editor_camera.h"
+#include "app/tools/pull_tool.h"
 #include "app/tools/view_frame.h"
 #include "gpu/timer.h"
 #include "ui/interface.h"
@@ -33,8 +33,8 @@
 
 namespace kerf::app {
 
-/// Passes over the panels after the last input, for those that answer late.
-inline constexpr int kSettlePasses = 2;
+/// Updates of the panels after the last input, for those that answer late.
+inline constexpr int kSettleUpdates = 2;
 
 /// All that an editor holds. Its functions stand in a file per concern, as the headings say.
 struct Editor::State {
@@ -67,8 +67,8 @@ struct Editor::State {
     RecentFiles recent;
     std::optional<FileBrowser> browser;  ///< while a file dialog is open
     FilePreview preview;
-    /// Where files were looked for and written last: to save beside what was opened would put
-    /// results among the models.
+    /// The folders in which files were looked for and written last: two, since to save beside
+    /// what was opened would put results among the models.
     std::filesystem::path lastSource;
     std::filesystem::path lastTarget;
     std::unique_ptr<FileSaving> saving;
@@ -80,9 +80,9 @@ struct Editor::State {
     PieceDisplay pieceDisplay;
     gpu::Timer sceneTimer;
     ui::PlotView plotView;
-    BladeHand hand;
-    BodyHand bodyHand;
-    /// A model with holes that could be filled, while that is asked.
+    BladeTool bladeTool;
+    PullTool pullTool;
+    /// A model with holes that could be filled, while the person is asked about that.
     struct OpenFault {
         std::filesystem::path file;
         ui::Question question;
@@ -95,12 +95,13 @@ struct Editor::State {
     bool screenshotWanted = false;
     CutWatch cutWatch;
     FirstSteps firstSteps;
-    int settlePasses = kSettlePasses;
+    int settleUpdates = kSettleUpdates;
 
     // Input: editor_input.cpp.
     void takeInput(double elapsedSeconds);
-    /// `last`: of this picture, so that what it shows is the panels' last word.
-    void pass(const std::vector<ui::InputEvent>& batch, double elapsedSeconds, bool last);
+    /// Updates the panels with a batch and does what they answer. `last` of this picture: what it
+    /// shows is the panels' last word.
+    void updatePanels(const std::vector<ui::InputEvent>& batch, double elapsedSeconds, bool last);
     void dispatch(const ui::InputEvent& event);
     void onMove(const ui::PointerMove& move);
     void onButton(const ui::ButtonChange& change);
@@ -115,42 +116,28 @@ struct Editor::State {
     // Answers to keys and panels: editor_actions.cpp.
     void apply(const ui::Action& action);
     void perform(ui::ActionId id);
-    void performOnScene(ui::ActionId id);
-    void releaseHands();
-    /// Whether it was done; says why not.
+    void releaseTools();
+    /// Does a command. False where that failed, which is said in the view.
     bool execute(const Command& command);
-    /// What came of something that was done to the body: "" or one sentence.
+    /// Shows what came of something that was done to the body: "" or one sentence.
     void say(const std::string& problem);
     void placeBox();
-    void stepThroughHistory(const Command& undoOrRedo);
     void goToChange(std::size_t done);
     void seekTo(int step);
-    void freePins();
     void setTools(const ui::ToolSettings& settings);
-    void setTool(ui::Tool tool);
-    void toggleRecording();
-    void cancel();
-    void toggleGravity();
-    void letFall();
 
     // The view: editor_view.cpp.
-    void performOnView(ui::ActionId id);
-    void moveCamera(ui::ActionId id);
     void landCamera();
     void setDisplay(const ui::DisplaySettings& settings);
 
-    // Answers of the panels about the panels: editor_panels.cpp.
-    void applyToPanels(const ui::Action& action);
-    void setSettings(const ui::Settings& wanted);
+    // Plots, experiments and pieces: editor_panels.cpp.
     void keepSettings();
-    void togglePanels();
-    void holdPlots();
     void exportPlots(bool asPicture);
     void openExperiment(const std::string& name);
     void framePiece(int piece);
     void showPiece(int piece, bool visible);
     void hoverPiece(int piece);
-    /// Of the panels: the display's times the person's choice, as far as they have room then.
+    /// Scale of the panels: the display's times the person's choice, as far as they have room.
     float scale() const {
         return std::min(options.scale * static_cast<float>(settingsFile.now.uiScale),
                         ui::largestScale(options.width, options.height));
@@ -163,8 +150,8 @@ struct Editor::State {
     void followSaving();
     void followSavings();
     bool isWorking() const { return loading != nullptr || saving != nullptr; }
-    /// A stroke or a pull is under way.
-    bool handIsBusy() const { return hand.holds() || bodyHand.holds(); }
+    /// Whether a stroke or a pull is under way.
+    bool toolIsBusy() const { return bladeTool.holds() || pullTool.holds(); }
     void cancelLoading();
     void cancelWork();
     void askAboutHoles(const ModelFault& fault);
@@ -184,19 +171,19 @@ struct Editor::State {
     std::filesystem::path& lastFolder(ui::FilePurpose purpose) {
         return purpose == ui::FilePurpose::open ? lastSource : lastTarget;
     }
-    std::vector<ui::FilePlace> filePlaces(ui::FilePurpose purpose) const;
+    std::vector<ui::FolderLink> bookmarks(ui::FilePurpose purpose) const;
     void saveScreenshot();
     void saveSceneScreenshot();
     void savePicture(render::Image image, const std::string& name);
 
     // Time: editor_time.cpp.
     void advance(double elapsedSeconds);
-    /// `needed` steps whatever they cost, up to `due` ones while they are fast.
+    /// Runs `needed` steps whatever they cost, and up to `due` ones while they are fast.
     void runSteps(int needed, int due);
     bool running() const;
 
     // What the panels are told: editor_description.cpp.
-    /// Without `withOverlay` the lines of the coming cut stay as they were.
+    /// Fills the model. Without `withOverlay` the lines of the coming cut stay as they were.
     void describe(bool withOverlay);
     ui::Overlay overlayNow();
     Situation situation() const;
@@ -207,7 +194,7 @@ struct Editor::State {
     void drawScene();
     render::SceneView sceneToDraw();
     void addOverlays(render::SceneView& view) const;
-    /// Around the pieces as they are drawn.
+    /// The bounds of the pieces as they are drawn [m].
     Bounds shownBounds(const std::vector<render::PieceLook>& looks) const;
     bool joinPieces();
     render::Material ownMaterial() const;

@@ -28,7 +28,7 @@ void Editor::State::runSteps(int needed, int due) {
         scene->step();
     }
     sceneChanged = true;
-    settlePasses = kSettlePasses;  // the panels show a step one pass later
+    settleUpdates = kSettleUpdates;  // the panels show a step one update later
     for (const std::string& message : scene->takeMessages()) {
         spdlog::warn("{}", message);
         toast.show(message, false);

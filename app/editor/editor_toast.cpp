@@ -23,7 +23,7 @@ void EditorToast::show(std::string text, bool isError) {
     remaining_ = isError ? kErrorSeconds : kNoticeSeconds;
 }
 
-void EditorToast::pass(double elapsedSeconds) {
+void EditorToast::elapse(double elapsedSeconds) {
     remaining_ = std::max(0.0, remaining_ - elapsedSeconds);
 }
 

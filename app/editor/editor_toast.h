@@ -11,11 +11,12 @@ namespace kerf::app {
 /// log.
 class EditorToast {
   public:
-    /// Takes the place of what is shown.
+    /// Shows a sentence instead of the one before, and notes it in the log.
     void show(std::string text, bool isError);
-    void pass(double elapsedSeconds);
+    /// Lets time go by.
+    void elapse(double elapsedSeconds);
     bool visible() const { return remaining_ > 0; }
-    /// How long it stays as it is [s]; 0 while it fades.
+    /// Time for which the sentence stays as it is [s]; 0 while it fades.
     double steadySeconds() const;
     /// Sets text, kind and opacity of the model's toast, and its log.
     void describe(ui::PanelModel& model) const;

@@ -28,7 +28,8 @@ std::vector<std::string> kindsOf(FilePurpose purpose) {
             return {"Models and sessions", "Models", "Sessions", "All files"};
         case FilePurpose::saveSession:
             return {"Session (.kerf.json)"};
-        default:
+        case FilePurpose::exportMesh:
+        case FilePurpose::none:
             break;
     }
     std::vector<std::string> kinds;
@@ -81,8 +82,8 @@ std::string localTime(const fs::directory_entry& entry) {
     return text;
 }
 
-std::vector<ui::FilePlace> crumbsOf(const fs::path& folder) {
-    std::vector<ui::FilePlace> crumbs;
+std::vector<ui::FolderLink> crumbsOf(const fs::path& folder) {
+    std::vector<ui::FolderLink> crumbs;
     fs::path soFar;
     for (const fs::path& part : folder) {
         soFar /= part;
@@ -112,9 +113,9 @@ fs::path existingFolder(fs::path folder) {
 }  // namespace
 
 FileBrowser::FileBrowser(FilePurpose purpose, fs::path folder, std::string name,
-                         std::vector<ui::FilePlace> places) {
+                         std::vector<ui::FolderLink> bookmarks) {
     state_.purpose = purpose;
-    state_.places = std::move(places);
+    state_.bookmarks = std::move(bookmarks);
     state_.kinds = kindsOf(purpose);
     state_.name = std::move(name);
     goTo(existingFolder(std::move(folder)), "");
@@ -174,7 +175,8 @@ bool FileBrowser::isOffered(const fs::path& file) const {
             break;
         case FilePurpose::saveSession:
             return session;
-        default:
+        case FilePurpose::exportMesh:
+        case FilePurpose::none:
             return meshFormatOf(file).has_value();
     }
     switch (state_.kind) {

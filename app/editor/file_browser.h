@@ -9,19 +9,19 @@
 
 namespace kerf::app {
 
-/// What a file dialog knows and does, without drawing: the folder it looks at, what is offered
-/// there, the name, and whether it may be taken. What it shows is a ui::FileDialogState.
+/// A file dialog without its drawing: the folder it looks at, the files that are offered there, the
+/// name, and whether it may be taken. Its state is a ui::FileDialogState.
 class FileBrowser {
   public:
     /// Looks into `folder`, or the next one around it that can be read. `name`: proposed.
     FileBrowser(ui::FilePurpose purpose, std::filesystem::path folder, std::string name,
-                std::vector<ui::FilePlace> places);
+                std::vector<ui::FolderLink> bookmarks);
 
     const ui::FileDialogState& state() const { return state_; }
-    /// What is selected, a file that can be opened; empty for none.
+    /// The selected file, if it can be opened; empty for none.
     std::filesystem::path selectedFile() const;
 
-    /// Returns the file once one is taken. Other actions change the state.
+    /// Does an action. Returns the file once one is taken.
     std::optional<std::filesystem::path> take(const ui::FileAction& action);
 
   private:

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kReadWhole = 40'000'000;  // models up to this size are read for a preview
 
-/// As the header of a PLY file has it.
+/// The number of triangles as the header of a PLY file has it.
 std::optional<std::uint64_t> facesOfPly(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string line;
@@ -37,7 +37,7 @@ std::optional<std::uint64_t> facesOfPly(const fs::path& file) {
     return std::nullopt;
 }
 
-/// Of a binary STL file, which has a count that fits its size.
+/// The number of triangles of a binary STL file, which has a count that fits its size.
 std::optional<std::uint64_t> facesOfStl(const fs::path& file) {
     constexpr std::size_t kHeader = 80;
     constexpr std::uint64_t kFace = 50;  // [bytes]

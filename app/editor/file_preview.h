@@ -12,11 +12,11 @@ namespace kerf::app {
 /// A few lines about a model or a session: what it is, how large, how many triangles.
 std::vector<std::string> describeFile(const std::filesystem::path& file, WorkProgress& progress);
 
-/// Those lines about what is selected, found on a thread of its own. A file that is selected no
-/// longer is let go.
+/// The lines of describeFile() about the file that is selected, found on a thread of its own. A
+/// file that is selected no longer is let go.
 class FilePreview {
   public:
-    /// Empty shows nothing.
+    /// Looks at another file; an empty path shows nothing.
     void select(const std::filesystem::path& file);
     /// Whether the lines have changed since the last call; once a picture.
     bool advance();

@@ -8,7 +8,7 @@
 namespace kerf::app {
 namespace {
 
-/// What the thread works on: copies, so that the body may go on.
+/// The data that the thread works on: copies, so that the body may go on.
 struct ExportInput {
     ExportTarget target;
     SurfaceMesh uncut;

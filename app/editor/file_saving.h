@@ -20,10 +20,10 @@ struct FileSaving {
     BackgroundJob<std::string> job;  ///< ends with a sentence for the person; throws OutputError
 };
 
-/// Exports the body as it is now.
+/// Begins to export the body as it is now.
 std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
                                         Simulation& simulation);
-/// Writes a session.
+/// Begins to write a session.
 std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Session session);
 
 }  // namespace kerf::app

@@ -1,6 +1,7 @@
 #include "app/editor/first_steps.h"
 
 #include "sim/base/text.h"
+#include "ui/action_table.h"
 
 namespace kerf::app {
 
@@ -9,38 +10,38 @@ using ui::Hint;
 using ui::Tool;
 
 void CutWatch::follow(bool cutting, int pieces, int triangles) {
-    const Counts now{pieces, triangles};
+    const MeshCounts now{pieces, triangles};
     if (cutting) {
         before_ = before_.value_or(now);
         met_ = met_ || now != *before_;
-        outcome_ = CutOutcome::none;
+        outcome_ = StrokeOutcome::none;
     } else if (before_) {
         outcome_ = outcomeOf(now);
         after_ = now;
         before_.reset();
         met_ = false;
     } else if (!(now == after_)) {
-        outcome_ = CutOutcome::none;
+        outcome_ = StrokeOutcome::none;
     }
 }
 
-/// Of the stroke that has just ended.
-CutOutcome CutWatch::outcomeOf(const Counts& now) const {
+/// The outcome of the stroke that has just ended.
+StrokeOutcome CutWatch::outcomeOf(const MeshCounts& now) const {
     if (now == *before_) {
-        return met_ ? CutOutcome::none : CutOutcome::missed;
+        return met_ ? StrokeOutcome::none : StrokeOutcome::missed;
     }
-    return now.pieces > before_->pieces ? CutOutcome::parted : CutOutcome::incised;
+    return now.pieces > before_->pieces ? StrokeOutcome::parted : StrokeOutcome::incised;
 }
 
 void FirstSteps::follow(const Situation& now) {
     if (now.cutting) {
         cutTool_ = now.tool;
     }
-    if (now.outcome == CutOutcome::incised || now.outcome == CutOutcome::parted) {
+    if (now.outcome == StrokeOutcome::incised || now.outcome == StrokeOutcome::parted) {
         used_[static_cast<std::size_t>(cutTool_)] = true;
     }
     used_[static_cast<std::size_t>(now.tool)] |= now.touching;
-    parted_ |= now.outcome == CutOutcome::parted;
+    parted_ |= now.outcome == StrokeOutcome::parted;
     played_ |= now.playing && now.session;
     const bool falls = now.playing && !now.weightless;
     weighed_ |= falls;
@@ -83,19 +84,19 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
                  {ActionId::help, "All keys"}}};
     }
     const bool unsure = !parted_ && now.tool == Tool::stroke;
-    if (unsure && now.outcome == CutOutcome::missed) {
+    if (unsure && now.outcome == StrokeOutcome::missed) {
         return {
             "The blade met nothing. Drag right across the model, from one side of it to the "
             "other.",
             {}};
     }
-    if (unsure && now.outcome == CutOutcome::incised) {
+    if (unsure && now.outcome == StrokeOutcome::incised) {
         return {
             "An incision: the blade began or ended inside. Drag from beside the model to beside "
             "it, and it falls in two.",
             {{ActionId::undo, "Undo"}}};
     }
-    if (now.outcome == CutOutcome::incised && !hasUsed(Tool::grab)) {
+    if (now.outcome == StrokeOutcome::incised && !hasUsed(Tool::grab)) {
         return {"An incision. Pull it open:", {{ActionId::toolGrab, "Pull"}}};
     }
     return {};

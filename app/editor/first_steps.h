@@ -7,8 +7,8 @@
 
 namespace kerf::app {
 
-/// What came of a stroke.
-enum class CutOutcome : std::uint8_t {
+/// The outcome of a stroke.
+enum class StrokeOutcome : std::uint8_t {
     none,     ///< there was none, or the body has changed otherwise since
     missed,   ///< the blade met nothing
     incised,  ///< it cut, and the pieces are as many as before
@@ -18,44 +18,45 @@ enum class CutOutcome : std::uint8_t {
 /// Tells what came of the last stroke by what the body was before it and after.
 class CutWatch {
   public:
-    /// Once a picture, before its steps. `cutting`: a stroke is drawn or still to be cut.
+    /// Notes the state of the body once a picture, before its steps. `cutting` tells whether a
+    /// stroke is drawn or still to be cut.
     void follow(bool cutting, int pieces, int triangles);
-    CutOutcome outcome() const { return outcome_; }
+    StrokeOutcome outcome() const { return outcome_; }
 
   private:
-    struct Counts {
+    struct MeshCounts {
         int pieces = 0;
         int triangles = 0;
-        bool operator==(const Counts&) const = default;
+        bool operator==(const MeshCounts&) const = default;
     };
-    CutOutcome outcomeOf(const Counts& now) const;
+    StrokeOutcome outcomeOf(const MeshCounts& now) const;
 
-    std::optional<Counts> before_;  ///< of the stroke that is under way
-    bool met_ = false;              ///< it changed the body, whatever became of that
-    Counts after_;                  ///< of the last one
-    CutOutcome outcome_ = CutOutcome::none;
+    std::optional<MeshCounts> before_;  ///< of the stroke that is under way
+    bool met_ = false;                  ///< it changed the body, whatever became of that
+    MeshCounts after_;                  ///< of the last one
+    StrokeOutcome outcome_ = StrokeOutcome::none;
 };
 
-/// What a hint goes by.
+/// The situation in the editor that a hint goes by.
 struct Situation {
     bool open = false;        ///< whether anything is
     bool playing = false;     ///< time runs
     bool weightless = false;  ///< there is no gravity
     bool session = false;     ///< events of a session are still to come
     bool cutting = false;     ///< a stroke is drawn or still to be cut
-    bool touching = false;    ///< the hand pulls or pins
+    bool touching = false;    ///< a tool pulls or pins
     ui::Tool tool = ui::Tool::stroke;
     int pieces = 1;
-    CutOutcome outcome = CutOutcome::none;
+    StrokeOutcome outcome = StrokeOutcome::none;
 };
 
 /// Leads a newcomer from the first cut to the next things there are to do. Each hint goes for good
 /// once what it says was done.
 class FirstSteps {
   public:
-    /// Once a picture.
+    /// Notes the situation once a picture.
     void follow(const Situation& now);
-    /// What to do first or next; empty for none.
+    /// The hint for a situation; empty for none.
     ui::Hint hint(const Situation& now) const;
 
   private:

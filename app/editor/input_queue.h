@@ -8,7 +8,7 @@
 
 namespace kerf::app {
 
-/// Input waits here until the editor takes it, one batch per pass over the panels. A pointer move
+/// Input waits here until the editor takes it, one batch per update of the panels. A pointer move
 /// and a button change never share a batch, nor do two changes of buttons or of one key: however
 /// slow the frames and fast the hand, no click is lost and every press happens where the pointer
 /// was.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kHighlight = 0.7F;  // strength of the tint
 
-/// Of an IM_COL32, to linear light.
+/// The colour of an IM_COL32 in linear light.
 Eigen::Vector3f linearOf(unsigned color) {
     const auto channel = [color](int shift) {
         return std::pow(static_cast<float>((color >> shift) & 0xffU) / 255.0F, 2.2F);

@@ -7,18 +7,19 @@
 
 namespace kerf::app {
 
-/// How the pieces are shown: which are hidden, and which one the pointer rests on in the list. No
-/// part of the simulation: hidden pieces move and are cut all the same, and undo leaves it alone.
+/// The display of the pieces: which are hidden, and which one the pointer rests on in the list. It
+/// is no part of the simulation: hidden pieces move and are cut all the same, and undo leaves it
+/// alone.
 class PieceDisplay {
   public:
-    /// All visible.
+    /// Makes all pieces visible.
     void clear() { *this = PieceDisplay{}; }
-    /// Whether that changes the picture.
+    /// Notes the piece under the pointer, -1 for none. Returns whether that changes the picture.
     bool hover(int piece);
     void show(int piece, bool visible);
 
-    /// What the renderer needs; empty where all pieces look as always. `bounds`: of the pieces [m];
-    /// `apart`: see ui::DisplaySettings.
+    /// The look of each piece; empty where all look as always. `bounds` are those of the pieces
+    /// [m]; for `apart` see ui::DisplaySettings.
     std::vector<render::PieceLook> looks(const std::vector<Bounds>& bounds, double apart) const;
     /// Sets the rows' `hidden`, and which one is hovered.
     void describe(ui::PanelModel& model) const;

@@ -17,8 +17,9 @@ class RecentFiles {
     /// the list is a convenience.
     void add(const std::filesystem::path& file);
 
-    /// Those that were there at the last look: when one was added, or by look().
+    /// The files that were there when it was looked last: when one was added, or by look().
     const std::vector<std::filesystem::path>& files() const { return there_; }
+    /// Looks which of the files are there.
     void look();
     /// The folders of files(), each once.
     std::vector<std::filesystem::path> folders() const;

@@ -11,12 +11,12 @@ namespace kerf::app {
 /// the defaults, and the file as it is until a setting is changed.
 class SettingsFile {
   public:
-    /// An empty name: nothing is read or written.
+    /// Reads the settings of `file`. An empty path reads and writes nothing.
     explicit SettingsFile(std::filesystem::path file);
 
     /// Writes the settings where they have changed. Returns "" or one sentence.
     std::string save();
-    /// What was wrong with the file when it was read: one sentence, or "".
+    /// The problem with the file when it was read: one sentence, or "".
     const std::string& problem() const { return problem_; }
 
     ui::Settings now;

@@ -9,24 +9,24 @@ class StepClock {
     static constexpr double kSlowest = 0.25;
     static constexpr double kFastest = 4;
 
-    /// `byTheClock`: simulated time follows real time; otherwise every picture is one step at speed
-    /// 1, for tests.
+    /// Simulated time follows real time with `byTheClock`; otherwise every picture is one step at
+    /// speed 1, for tests.
     explicit StepClock(bool byTheClock) : byTheClock_(byTheClock) {}
 
     double speed() const { return speed_; }
-    /// Clamped to kSlowest and kFastest.
+    /// Sets the speed, clamped to kSlowest and kFastest.
     void setSpeed(double factor);
 
     /// Steps that are due for a picture `elapsedSeconds` after the last one; what a slow picture
     /// leaves behind is not caught up with.
     int takeDue(double elapsedSeconds, double timeStep);
-    /// Time stands still.
+    /// Forgets what is due, since time stands still.
     void stop() { due_ = 0; }
 
     /// Notes a picture and whether steps ran for it. True where both it and the one before ran, so
     /// that the time between them is a frame time.
     bool measure(double elapsedSeconds, bool ran);
-    /// Smoothed [1/s]; 0 before the first measurement.
+    /// Smoothed frame rate [1/s]; 0 before the first measurement.
     double rate() const { return rate_; }
 
   private:

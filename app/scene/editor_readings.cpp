@@ -1,6 +1,8 @@
 #include "app/scene/editor_readings.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace kerf::app {
 namespace {
@@ -8,6 +10,66 @@ namespace {
 // Shares of the body's size: what counts as clear of the floor, and as back on it.
 constexpr double kClear = 0.02;
 constexpr double kTouching = 0.002;
+
+/// When a reading takes its value from the report.
+enum class When {
+    always,    ///< after a step and after a jump
+    step,      ///< after a step
+    addingUp,  ///< after a step where it is not 0, added to what was before
+};
+
+using ui::Reading;
+using Report = const StepReport&;
+
+/// A reading that comes from the report. Its series leaves out NaN.
+struct FromReport {
+    Reading reading;
+    When when;
+    double (*value)(Report);
+};
+
+double strainEnergyOf(Report r) {
+    return r.strainEnergy.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+double energyOf(Report r) {
+    return r.kineticEnergy + r.potentialEnergy + r.strainEnergy.value_or(0.0);
+}
+
+constexpr std::array kFromReport{
+    FromReport{Reading::deformMs, When::step, [](Report r) { return r.deformMs; }},
+    FromReport{Reading::collideMs, When::step, [](Report r) { return r.collideMs; }},
+    FromReport{Reading::cutMs, When::step, [](Report r) { return r.cutMs; }},
+    FromReport{Reading::volumePercent, When::always, [](Report r) { return 100 * r.volumeRatio; }},
+    FromReport{Reading::kineticEnergy, When::always, [](Report r) { return r.kineticEnergy; }},
+    FromReport{Reading::potentialEnergy, When::always, [](Report r) { return r.potentialEnergy; }},
+    FromReport{Reading::strainEnergy, When::always, strainEnergyOf},
+    FromReport{Reading::totalEnergy, When::always, energyOf},
+    FromReport{Reading::touchedTriangles, When::step,
+               [](Report r) { return 1.0 * r.touchedTriangles; }},
+    FromReport{Reading::lostPieces, When::addingUp, [](Report r) { return 1.0 * r.lostPieces; }},
+};
+
+/// A reading that comes from the pictures.
+struct FromPicture {
+    Reading reading;
+    double (*value)(double elapsedSeconds, double renderMs);
+};
+constexpr std::array kFromPicture{
+    FromPicture{Reading::framesPerSecond, [](double seconds, double) { return 1 / seconds; }},
+    FromPicture{Reading::frameMs, [](double seconds, double) { return 1000 * seconds; }},
+    FromPicture{Reading::renderMs, [](double, double renderMs) { return renderMs; }},
+};
+
+/// Whether each reading comes from somewhere, in the order of ui::Reading.
+constexpr bool coversReadings() {
+    std::size_t next = 0;
+    const auto isNext = [&next](const auto& row) {
+        return row.reading == Reading{static_cast<std::uint8_t>(next++)};
+    };
+    return std::ranges::all_of(kFromReport, isNext) && std::ranges::all_of(kFromPicture, isNext) &&
+           next == static_cast<std::size_t>(Reading::count);
+}
+static_assert(coversReadings(), "a Reading comes from nowhere, or not at its place");
 
 }  // namespace
 
@@ -27,15 +89,7 @@ bool ImpactWatch::see(const std::vector<Bounds>& boxes, std::optional<double> fl
 }
 
 void EditorReadings::addStep(double time, const Simulation& simulation) {
-    const StepReport& report = simulation.report();
-    addState(time, simulation);
-    stage(ui::Stage::deform).add(time, report.deformMs);
-    stage(ui::Stage::collide).add(time, report.collideMs);
-    stage(ui::Stage::cut).add(time, report.cutMs);
-    history_.touchedTriangles.add(time, report.touchedTriangles);
-    if (report.lostPieces > 0) {
-        history_.lostPieces.add(time, history_.lostPieces.last() + report.lostPieces);
-    }
+    addReport(time, simulation, true);
     if (impacts_.see(simulation.pieceBounds(), simulation.params().floor,
                      simulation.bounds().diagonal())) {
         mark(time, "impact");
@@ -43,20 +97,22 @@ void EditorReadings::addStep(double time, const Simulation& simulation) {
 }
 
 void EditorReadings::addJump(double time, const Simulation& simulation) {
-    addState(time, simulation);
+    addReport(time, simulation, false);
 }
 
-void EditorReadings::addState(double time, const Simulation& simulation) {
-    const StepReport& report = simulation.report();
-    history_.volumePercent.add(time, 100 * report.volumeRatio);
-    history_.kineticEnergy.add(time, report.kineticEnergy);
-    history_.potentialEnergy.add(time, report.potentialEnergy);
-    if (report.strainEnergy) {
-        history_.strainEnergy.add(time, *report.strainEnergy);
+void EditorReadings::addReport(double time, const Simulation& simulation, bool stepped) {
+    for (const auto& [reading, when, valueIn] : kFromReport) {
+        const double value = valueIn(simulation.report());
+        if (when == When::always || (when == When::step && stepped)) {
+            history_[reading].add(time, value);
+        } else if (stepped && value != 0) {
+            history_[reading].add(time, history_[reading].last() + value);
+        }
     }
-    history_.totalEnergy.add(
-        time, report.kineticEnergy + report.potentialEnergy + report.strainEnergy.value_or(0.0));
-    const std::vector<Piece> pieces = simulation.measuredPieces();
+    addPieces(time, simulation.measuredPieces());
+}
+
+void EditorReadings::addPieces(double time, const std::vector<Piece>& pieces) {
     const std::size_t shown = std::min<std::size_t>(pieces.size(), ui::kPlottedPieces);
     std::vector<ui::Series>& series = history_.piecePercent;
     series.resize(std::max(series.size(), shown));
@@ -68,34 +124,25 @@ void EditorReadings::addState(double time, const Simulation& simulation) {
 }
 
 void EditorReadings::addPicture(double time, double elapsedSeconds, double renderMs) {
-    history_.framesPerSecond.add(time, 1 / elapsedSeconds);
-    stage(ui::Stage::frame).add(time, 1000 * elapsedSeconds);
-    stage(ui::Stage::render).add(time, renderMs);
+    for (const auto& [reading, valueIn] : kFromPicture) {
+        history_[reading].add(time, valueIn(elapsedSeconds, renderMs));
+    }
 }
 
 void EditorReadings::forgetAfter(double time) {
-    for (ui::Series* series :
-         {&history_.framesPerSecond, &history_.volumePercent, &history_.kineticEnergy,
-          &history_.potentialEnergy, &history_.strainEnergy, &history_.totalEnergy,
-          &history_.touchedTriangles, &history_.lostPieces}) {
-        series->forgetAfter(time);
-    }
-    for (ui::Series& series : history_.stages) {
-        series.forgetAfter(time);
-    }
-    for (ui::Series& series : history_.piecePercent) {
-        series.forgetAfter(time);
-    }
+    const auto forget = [time](ui::Series& series) { series.forgetAfter(time); };
+    std::ranges::for_each(history_.readings, forget);
+    std::ranges::for_each(history_.piecePercent, forget);
     std::erase_if(history_.marks, [time](const ui::PlotMark& mark) { return mark.x > time; });
     impacts_ = {};
 }
 
 std::optional<ui::RunFigures> EditorReadings::figures() const {
-    const double frameMs = history_.stages[static_cast<std::size_t>(ui::Stage::frame)].mean();
-    if (history_.volumePercent.empty() || frameMs <= 0) {
+    const double frameMs = history_[Reading::frameMs].mean();
+    if (history_[Reading::volumePercent].empty() || frameMs <= 0) {
         return std::nullopt;
     }
-    return ui::RunFigures{1000 / frameMs, history_.volumePercent.mean()};
+    return ui::RunFigures{1000 / frameMs, history_[Reading::volumePercent].mean()};
 }
 
 }  // namespace kerf::app

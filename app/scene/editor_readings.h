@@ -21,15 +21,15 @@ class ImpactWatch {
     std::vector<bool> clear_;  ///< of the floor, by piece
 };
 
-/// The readings that plots and stage table show of a run since its start, by its time [s].
+/// All that the plots and the stage table remember of a run since its start, by its time [s].
 class EditorReadings {
   public:
     void clear() { *this = EditorReadings{}; }
-    /// After a step that ended at `time`.
+    /// Takes the values of a step that ended at `time`.
     void addStep(double time, const Simulation& simulation);
-    /// After a step without one: what undo and redo jump to.
+    /// Takes the values of the state that undo or redo jumped to.
     void addJump(double time, const Simulation& simulation);
-    /// After a picture that came so long after the one before [s], and was drawn in so long [ms].
+    /// Takes the times of a picture that came `elapsedSeconds` after the one before.
     void addPicture(double time, double elapsedSeconds, double renderMs);
     void mark(double time, std::string label) {
         history_.marks.push_back({time, std::move(label)});
@@ -41,8 +41,9 @@ class EditorReadings {
     std::optional<ui::RunFigures> figures() const;
 
   private:
-    void addState(double time, const Simulation& simulation);
-    ui::Series& stage(ui::Stage stage) { return history_.stages[static_cast<std::size_t>(stage)]; }
+    /// `stepped`: a step has just ended, no jump.
+    void addReport(double time, const Simulation& simulation, bool stepped);
+    void addPieces(double time, const std::vector<Piece>& pieces);
 
     ui::History history_;
     ImpactWatch impacts_;

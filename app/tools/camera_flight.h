@@ -12,15 +12,15 @@ class CameraFlight {
   public:
     static constexpr double kSeconds = 0.22;
 
-    /// From the view that is shown to another.
+    /// Begins to fly from the view that is shown to another.
     void start(const render::Camera& shown, const render::Camera& to);
     bool flying() const { return way_.has_value(); }
-    /// Where it ends; `shown` while it does not fly.
+    /// The view at the end of the flight; `shown` while there is none.
     render::Camera destination(const render::Camera& shown) const;
 
-    /// The view `seconds` later; true while it moved.
+    /// Moves the view on by `seconds`; true while it moved.
     bool advance(render::Camera& shown, double seconds);
-    /// Ends it at once.
+    /// Ends the flight at once.
     void land(render::Camera& shown);
 
   private:
@@ -32,7 +32,7 @@ class CameraFlight {
     std::optional<Way> way_;
 };
 
-/// Between two views, `share` 0 to 1: turned the short way, the distance in equal ratios.
+/// The view between two others, `share` 0 to 1: turned the short way, the distance in equal ratios.
 render::Camera between(const render::Camera& from, const render::Camera& to, double share);
 
 }  // namespace kerf::app

@@ -13,7 +13,7 @@ constexpr double kNearestTarget = 1e-3;  // of the body's diagonal
 constexpr double kFarthest = 100;  // of the body's diagonal: eye from target, target from body
 constexpr double kOffPole = 1e-4;  // from above: "up" still says which way the view is turned [rad]
 
-/// From the target to the eye, unit.
+/// The unit direction from the target to the eye.
 Vec3 directionOf(AxisView view) {
     switch (view) {
         case AxisView::front:
@@ -45,25 +45,25 @@ bool CameraControl::press(const ui::ButtonChange& change) {
     if (!orbits && !pans) {
         return false;
     }
-    drag_ = pans ? Drag::pan : Drag::orbit;
+    motion_ = pans ? Motion::pan : Motion::orbit;
     button_ = change.button;
     return true;
 }
 
 void CameraControl::release(ui::Button button) {
     if (button == button_) {
-        drag_ = Drag::none;
+        motion_ = Motion::none;
     }
 }
 
 bool CameraControl::move(render::Camera& camera, double dx, double dy, double height) const {
-    switch (drag_) {
-        case Drag::none:
+    switch (motion_) {
+        case Motion::none:
             return false;
-        case Drag::orbit:
+        case Motion::orbit:
             camera.orbit(-kRadiansPerHeight * dx / height, kRadiansPerHeight * dy / height);
             return true;
-        case Drag::pan:
+        case Motion::pan:
             camera.pan(-dx / height, dy / height);
             return true;
     }

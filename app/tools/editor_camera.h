@@ -12,18 +12,18 @@ class CameraControl {
     /// Whether a press of this button belongs to the camera; if so, the drag begins.
     bool press(const ui::ButtonChange& change);
     void release(ui::Button button);
-    void releaseAll() { drag_ = Drag::none; }
-    /// The pointer moved by (dx, dy) pixels in a view `height` pixels high. True where the camera
-    /// moved.
+    void releaseAll() { motion_ = Motion::none; }
+    /// Follows a pointer that moved by (dx, dy) pixels in a view `height` pixels high. True where
+    /// the camera moved.
     bool move(render::Camera& camera, double dx, double dy, double height) const;
-    bool dragging() const { return drag_ != Drag::none; }
+    bool dragging() const { return motion_ != Motion::none; }
 
-    /// `notches` > 0 zooms in; `ndc` is the pointer (-1..1, y up).
+    /// Zooms to the pointer `ndc` (-1..1, y up); in with `notches` > 0.
     static void zoom(render::Camera& camera, double notches, const Vec2& ndc, double aspect);
 
   private:
-    enum class Drag { none, orbit, pan };
-    Drag drag_ = Drag::none;
+    enum class Motion { none, orbit, pan };
+    Motion motion_ = Motion::none;
     ui::Button button_ = ui::Button::right;
 };
 

@@ -10,22 +10,24 @@ namespace kerf::app {
 /// A posed blade above the body and the way straight down that it will go.
 class Guillotine {
   public:
+    /// The points by which the pointer poses the blade.
     enum Handle { middle, endA, endB, bottom };
     static constexpr int kHandles = 4;
 
     Guillotine() = default;
-    /// Across the middle of `bounds`, from above it to below it.
+    /// A blade across the middle of `bounds`, from above it to below it.
     explicit Guillotine(const Bounds& bounds);
 
-    /// Where the blade is once it went `lowered` of its way, 0 to 1.
+    /// The blade once it went the share `lowered` of its way, 0 to 1.
     Blade at(double lowered) const;
     double length() const { return 2 * halfLength_; }
     double drop() const { return drop_; }
     void setLength(double length) { halfLength_ = 0.5 * length; }
     void setDrop(double drop) { drop_ = drop; }
 
-    /// The middle moves it, the ends turn and lengthen it about its middle, the bottom one turns
-    /// its way down about the blade and says how far it goes.
+    /// Positions of the handles [m]. The middle moves the blade, the ends turn and lengthen it
+    /// about its middle, the bottom one turns its way down about the blade and says how far it
+    /// goes.
     std::array<Vec3, kHandles> handles() const;
     void move(Handle handle, const Vec3& to);
 

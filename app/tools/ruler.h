@@ -14,7 +14,7 @@ class Ruler {
     static constexpr double kTell = 20;  ///< [px]
 
     explicit Ruler(const Vec2& start) : start_(start) {}
-    /// The place on the line nearest to `pixel`; none while its direction is not known.
+    /// The point on the line nearest to `pixel`; none while its direction is not known.
     std::optional<Vec2> along(const Vec2& pixel);
 
   private:

@@ -12,13 +12,13 @@ namespace kerf::app {
 /// so that it comes through the skin edge first, as a blade has to.
 class Scalpel {
   public:
-    /// `depth` below the surface [m].
+    /// A scalpel that goes `depth` below the surface [m].
     explicit Scalpel(double depth) : depth_(depth) {}
 
     /// The poses that lead to another point of the surface, in order; none until the first two
     /// points lie far enough apart to tell the direction.
     std::vector<Blade> moveTo(const SurfacePoint& point);
-    /// Upright at a point of the surface.
+    /// The blade, upright at a point of the surface.
     Blade at(const SurfacePoint& point) const;
 
   private:

@@ -7,7 +7,7 @@
 
 namespace kerf::app {
 
-/// The view as the pointer sees it: between pixels of the picture and the world.
+/// A camera and the size of its picture: the way between pixels and the world.
 struct ViewFrame {
     render::Camera camera;
     int width = 1;  ///< [px]
@@ -18,9 +18,10 @@ struct ViewFrame {
         return {2 * pixel.x() / width - 1, 1 - 2 * pixel.y() / height};
     }
     render::Ray rayThrough(const Vec2& pixel) const { return camera.ray(toNdc(pixel), aspect()); }
-    /// Nothing for points that are not before the eye.
+    /// The pixel that shows a point; none for points that are not before the eye.
     std::optional<ui::PlotPoint> toPixel(const Vec3& point) const;
-    /// Where the ray through a pixel meets the plane through `point` that faces the eye.
+    /// The point in which the ray through a pixel meets the plane through `point` that faces the
+    /// eye.
     Vec3 onPlaneThrough(const Vec3& point, const Vec2& pixel) const;
 };
 

@@ -21,19 +21,21 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Where input goes, positions in pixels of the picture.
+    /// Sets the function that gets all input, positions in pixels of the picture.
     void onInput(std::function<void(ui::InputEvent)> receive);
-    /// Size of the picture [px]; 0 while the window is hidden.
+    /// Width of the picture [px]; 0 while the window is hidden.
     int width() const;
+    /// Height of the picture [px]; 0 while the window is hidden.
     int height() const;
-    /// Of the display, 1 = 96 dpi.
+    /// Scale of the display, 1 = 96 dpi.
     float scale() const;
 
     void setTitle(const std::string& title);
+    /// Whether the person asked the window to close.
     bool closing() const;
     /// Whether the window was resized or uncovered since the last call (true the first time).
     bool takeDamage();
-    /// Forwards what has happened; waits up to `seconds` for something to.
+    /// Forwards the events so far; waits up to `seconds` for one.
     void waitEvents(double seconds);
     /// Shows a picture of the window's size.
     void show(const gpu::Framebuffer& picture);

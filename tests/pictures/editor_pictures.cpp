@@ -97,7 +97,7 @@ class Photographer {
         frames(3);
     }
     void moveOnto(const std::string& item, double shareX = 0.5, double shareY = 0.5) {
-        const ui::Rect place = editor_->places().at(item);
+        const ui::Rect place = editor_->itemRects().at(item);
         editor_->post(
             ui::PointerMove{place.x + shareX * place.width, place.y + shareY * place.height, {}});
         frames(3);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/support/gl_fixture.h"
+#include "ui/action_table.h"
 #include "ui/layout.h"
 
 namespace kerf::ui {
@@ -24,17 +25,17 @@ class InterfaceTest : public test::GlTest {
         model.name = "ball";
         model.history = &history;
         model.pieces = {{768, 4.18, 1.0}};
-        pass({});
-        pass({});
+        update({});
+        update({});
     }
     void TearDown() override {
         interface.reset();
         GlTest::TearDown();
     }
 
-    /// One pass; SetParam commands are applied, as the editor would.
-    std::vector<Action> pass(const std::vector<InputEvent>& events) {
-        std::vector<Action> actions = interface->pass(events, model, kWidth, kHeight, 1.0 / 60);
+    /// One update; SetParam commands are applied, as the editor would.
+    std::vector<Action> update(const std::vector<InputEvent>& events) {
+        std::vector<Action> actions = interface->update(events, model, kWidth, kHeight, 1.0 / 60);
         for (const Action& action : actions) {
             if (const auto* set = std::get_if<SetParam>(&action)) {
                 EXPECT_EQ(setParam(model.params, set->name, set->value), "");
@@ -54,8 +55,8 @@ class InterfaceTest : public test::GlTest {
         }
         return actions;
     }
-    void moveTo(double x, double y) { pass({PointerMove{x, y, {}}}); }
-    void press(bool down) { pass({ButtonChange{Button::left, down, {}}}); }
+    void moveTo(double x, double y) { update({PointerMove{x, y, {}}}); }
+    void press(bool down) { update({ButtonChange{Button::left, down, {}}}); }
     void click(double x, double y) {
         moveTo(x, y);
         press(true);
@@ -63,7 +64,7 @@ class InterfaceTest : public test::GlTest {
     }
 
     void clickOn(const std::string& item) {
-        const Rect place = interface->places().at(item);
+        const Rect place = interface->itemRects().at(item);
         click(place.x + place.width / 2, place.y + place.height / 2);
     }
 
@@ -101,8 +102,8 @@ TEST_F(InterfaceTest, PanelsOwnThePointerOnlyOverThemselves) {
 TEST_F(InterfaceTest, DraggingSlidersAnswersWithCommands) {
     const Params before = model.params;
     for (const char* name : {"time_step", "iterations", "ispc_stiffness", "gravity"}) {
-        pass({});
-        const Rect row = interface->places().at(std::string("param.") + name);
+        update({});
+        const Rect row = interface->itemRects().at(std::string("param.") + name);
         moveTo(row.x + 0.1 * row.width, row.y + row.height / 2);
         press(true);
         moveTo(row.x + 0.9 * row.width, row.y + row.height / 2);
@@ -117,14 +118,14 @@ TEST_F(InterfaceTest, DraggingSlidersAnswersWithCommands) {
 
 TEST_F(InterfaceTest, TheResetMarkBringsAValueBack) {
     model.params.iterations = 35;
-    pass({});
+    update({});
     clickOn("reset.iterations");
     EXPECT_EQ(model.params.iterations, model.startParams.iterations);
 }
 
 TEST_F(InterfaceTest, TransportButtonsAsk) {
     for (const char* name : {"Play or pause", "One step", "Back to the start"}) {
-        pass({});
+        update({});
         clickOn(std::string("button.") + name);
     }
     EXPECT_THAT(asked,
@@ -132,11 +133,11 @@ TEST_F(InterfaceTest, TransportButtonsAsk) {
 }
 
 TEST_F(InterfaceTest, DrawsTheSamePictureTwice) {
-    history.framesPerSecond = wave(2, 60);
-    history.volumePercent = wave(2, 99);
+    history[Reading::framesPerSecond] = wave(2, 60);
+    history[Reading::volumePercent] = wave(2, 99);
     history.marks = {{1, "cut"}};
     const auto draw = [&] {
-        pass({});
+        update({});
         const gpu::Framebuffer picture(GL_RGBA8, GL_DEPTH_COMPONENT24, kWidth, kHeight);
         picture.bind();
         glClearColor(0, 0, 0, 1);
@@ -151,14 +152,14 @@ TEST_F(InterfaceTest, DrawsTheSamePictureTwice) {
 }
 
 TEST_F(InterfaceTest, WheelDragAndDoubleClickMoveAlongThePlots) {
-    history.framesPerSecond = wave(10, 60);
+    history[Reading::framesPerSecond] = wave(10, 60);
     model.time = 10;
-    pass({});
-    const Rect plot = interface->places().at("plot.frames");
+    update({});
+    const Rect plot = interface->itemRects().at("plot.frames");
     const double x = plot.x + 0.6 * plot.width;
     const double y = plot.y + 0.4 * plot.height;
     moveTo(x, y);
-    pass({Wheel{0, 5}});
+    update({Wheel{0, 5}});
     ASSERT_GT(model.plotView.span, 0);
     ASSERT_LT(model.plotView.span, 5);
     const PlotView zoomedIn = model.plotView;
@@ -176,14 +177,14 @@ TEST_F(InterfaceTest, WheelDragAndDoubleClickMoveAlongThePlots) {
 
 TEST_F(InterfaceTest, PlotsAreChosenAndExported) {
     clickOn("plots.choose");
-    pass({});
+    update({});
     clickOn("plots.energy");
     EXPECT_THAT(model.settings.plots, ::testing::ElementsAre("frames", "volume", "energy"));
-    pass({});
+    update({});
     clickOn("plots.frames");
     EXPECT_THAT(model.settings.plots, ::testing::ElementsAre("volume", "energy"));
     click(kWidth / 2.0, kHeight / 2.0);  // away from the list, which closes it
-    pass({});
+    update({});
     clickOn("plots.csv");
     clickOn("plots.png");
     ASSERT_EQ(others.size(), 2U);
@@ -196,30 +197,30 @@ TEST_F(InterfaceTest, PlotsAreChosenAndExported) {
 
 TEST_F(InterfaceTest, AnEdgeIsDraggedAndPutsItsPanelAway) {
     const auto dragEdge = [&](const std::string& name, double to) {
-        const Rect edge = interface->places().at(name);
+        const Rect edge = interface->itemRects().at(name);
         moveTo(edge.x + edge.width / 2, 300);
         press(true);
         moveTo(to, 300);
-        pass({});
+        update({});
         press(false);
-        pass({});
+        update({});
     };
-    const double before = interface->places().at("plot.frames").width;
+    const double before = interface->itemRects().at("plot.frames").width;
     dragEdge("edge.readings", kWidth - 400.0);
     EXPECT_NEAR(model.settings.readingsWidth, 388, 1);
-    EXPECT_GT(interface->places().at("plot.frames").width, before + 50);
+    EXPECT_GT(interface->itemRects().at("plot.frames").width, before + 50);
     dragEdge("edge.controls", 20);
     EXPECT_FALSE(model.settings.showControls);
-    EXPECT_FALSE(interface->places().contains("param.iterations"));
+    EXPECT_FALSE(interface->itemRects().contains("param.iterations"));
     clickOn("edge.controls.open");
-    pass({});
+    update({});
     EXPECT_TRUE(model.settings.showControls);
-    EXPECT_TRUE(interface->places().contains("param.iterations"));
+    EXPECT_TRUE(interface->itemRects().contains("param.iterations"));
 }
 
 TEST_F(InterfaceTest, BarsDivideThePanels) {
     for (const char* name : {"splitter.pieces", "splitter.plots"}) {
-        const Rect bar = interface->places().at(name);
+        const Rect bar = interface->itemRects().at(name);
         moveTo(bar.x + bar.width / 2, bar.y + bar.height / 2);
         press(true);
         moveTo(bar.x + bar.width / 2, bar.y - 60);
@@ -230,14 +231,14 @@ TEST_F(InterfaceTest, BarsDivideThePanels) {
 }
 
 TEST_F(InterfaceTest, SectionsFoldAndStayFolded) {
-    ASSERT_TRUE(interface->places().contains("param.iterations"));
+    ASSERT_TRUE(interface->itemRects().contains("param.iterations"));
     clickOn("section.simulation");
-    pass({});
-    EXPECT_FALSE(interface->places().contains("param.iterations"));
+    update({});
+    EXPECT_FALSE(interface->itemRects().contains("param.iterations"));
     EXPECT_THAT(model.settings.folded, ::testing::Contains("simulation"));
     clickOn("section.simulation");
-    pass({});
-    EXPECT_TRUE(interface->places().contains("param.iterations"));
+    update({});
+    EXPECT_TRUE(interface->itemRects().contains("param.iterations"));
 }
 
 TEST_F(InterfaceTest, ACardOpensItsExperiment) {
@@ -246,8 +247,8 @@ TEST_F(InterfaceTest, ACardOpensItsExperiment) {
     model.experiments[1].name = "banana";
     model.experiments[1].ours = RunFigures{60.5, 99.9};
     model.settings.folded.clear();
-    pass({});
-    pass({});
+    update({});
+    update({});
     clickOn("experiment.banana");
     ASSERT_EQ(others.size(), 1U);
     EXPECT_EQ(std::get<OpenExperiment>(others[0]).name, "banana");
@@ -255,8 +256,8 @@ TEST_F(InterfaceTest, ACardOpensItsExperiment) {
 
 TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
     model.pieces = {{768, 0.21, 1.0}, {770, 0.20, 0.99}};
-    pass({});
-    const Rect row = interface->places().at("piece.1");
+    update({});
+    const Rect row = interface->itemRects().at("piece.1");
     moveTo(row.x + 0.7 * row.width, row.y + row.height / 2);
     ASSERT_EQ(others.size(), 1U);
     EXPECT_EQ(std::get<HoverPiece>(others[0]).piece, 1);
@@ -271,7 +272,7 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
     EXPECT_EQ(std::get<ShowPiece>(others[1]).piece, 0);
     EXPECT_FALSE(std::get<ShowPiece>(others[1]).visible);
     model.pieces[0].hidden = true;
-    pass({});
+    update({});
     others.clear();
     clickOn("pieces.show_all");
     EXPECT_TRUE(std::holds_alternative<ShowPiece>(others.back()));
@@ -279,7 +280,7 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
 
 TEST_F(InterfaceTest, ThemeAndSizeAreChosen) {
     clickOn("section.window");
-    pass({});
+    update({});
     clickOn("window.light");
     EXPECT_EQ(model.settings.theme, Theme::light);
     clickOn("window.dark");
@@ -287,11 +288,11 @@ TEST_F(InterfaceTest, ThemeAndSizeAreChosen) {
 }
 
 TEST_F(InterfaceTest, AnotherScaleMakesEverythingLarger) {
-    const double before = interface->places().at("param.iterations").height;
+    const double before = interface->itemRects().at("param.iterations").height;
     interface->restyle(Theme::light, 1.5F);
-    pass({});
-    pass({});
-    EXPECT_NEAR(interface->places().at("param.iterations").height, 1.5 * before, 2);
+    update({});
+    update({});
+    EXPECT_NEAR(interface->itemRects().at("param.iterations").height, 1.5 * before, 2);
 }
 
 }  // namespace

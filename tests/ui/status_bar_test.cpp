@@ -13,7 +13,7 @@ TEST(StatusText, CountsPiecesThatWereTakenBackWhereAnyWere) {
     model.name = "sphere80";
     model.pieces.resize(2);
     EXPECT_NE(statusText(model).find("2 pieces   |"), std::string::npos) << statusText(model);
-    history.lostPieces.add(0.5, 3);
+    history[Reading::lostPieces].add(0.5, 3);
     EXPECT_NE(statusText(model).find("2 pieces, 3 taken back   |"), std::string::npos)
         << statusText(model);
 }

@@ -129,8 +129,8 @@ TEST_F(EditorFilesTest, OfManyFilesOnlyThoseInViewAreDrawn) {
     type("zz");
     frames(2);
     EXPECT_EQ(panels().files.selected, 2000);
-    EXPECT_TRUE(editor->places().contains("file.row.zz##last.obj")) << "it is scrolled to";
-    EXPECT_LT(editor->places().size(), 500U);
+    EXPECT_TRUE(editor->itemRects().contains("file.row.zz##last.obj")) << "it is scrolled to";
+    EXPECT_LT(editor->itemRects().size(), 500U);
 }
 
 TEST_F(EditorFilesTest, APipeIsNeverReplacedByAFile) {

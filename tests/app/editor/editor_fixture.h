@@ -103,8 +103,8 @@ class EditorTest : public test::GlTest {
     }
     /// Presses and releases the left button over a named item.
     void click(const std::string& item) {
-        ASSERT_TRUE(editor->places().contains(item)) << item;
-        const ui::Rect place = editor->places().at(item);
+        ASSERT_TRUE(editor->itemRects().contains(item)) << item;
+        const ui::Rect place = editor->itemRects().at(item);
         moveTo(place.x + place.width / 2, place.y + place.height / 2);
         press(true);
         press(false);
@@ -122,7 +122,7 @@ class EditorTest : public test::GlTest {
     }
     /// Nearly all the way to the right.
     void dragSlider(const std::string& item) {
-        const ui::Rect place = editor->places().at(item);
+        const ui::Rect place = editor->itemRects().at(item);
         const double y = place.y + place.height / 2;
         drag(Vec2(place.x + 0.3 * place.width, y), Vec2(place.x + 0.9 * place.width, y), 5);
         settle();

@@ -57,7 +57,7 @@ class EditorPanelsTest : public test::GlTest {
         frames(2);
     }
     void moveOnto(const std::string& item) {
-        const ui::Rect place = editor->places().at(item);
+        const ui::Rect place = editor->itemRects().at(item);
         editor->post(ui::PointerMove{place.x + place.width / 2, place.y + place.height / 2, {}});
     }
     void clickOn(const std::string& item) {
@@ -183,11 +183,11 @@ TEST_F(EditorPanelsTest, SettingsAreKeptWhereAFileIsNamed) {
 }
 
 TEST_F(EditorPanelsTest, AnotherDisplayMakesThePanelsLarger) {
-    const double before = editor->places().at("param.iterations").height;
+    const double before = editor->itemRects().at("param.iterations").height;
     editor->setScale(1.5F);
     EXPECT_EQ(editor->idleSeconds(), 0);
     frames(2);
-    EXPECT_NEAR(editor->places().at("param.iterations").height, 1.5 * before, 2);
+    EXPECT_NEAR(editor->itemRects().at("param.iterations").height, 1.5 * before, 2);
 }
 
 }  // namespace

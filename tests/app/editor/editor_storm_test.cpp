@@ -6,7 +6,7 @@
 #include "app/scene/editor_scene.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
-#include "ui/shortcuts.h"
+#include "ui/action_table.h"
 
 namespace kerf::app {
 namespace {
@@ -84,7 +84,14 @@ class EditorStormTest : public EditorTest {
     }
     void wheel() { editor->post(ui::Wheel{0, oneIn(10) ? 400.0 : below(9) - 4.0}); }
     void shortcut() {
-        const ui::Shortcut& row = oneOf(ui::shortcutTable());
+        std::vector<ui::Shortcut> all;
+        for (const ui::ActionRow& row : ui::kActions) {
+            all.push_back(row.shortcut);
+            if (row.second.key != Key::none) {
+                all.push_back(row.second);
+            }
+        }
+        const ui::Shortcut& row = oneOf(all);
         const int presses = oneIn(8) ? 12 : 1;
         for (int i = 0; i < presses; ++i) {
             editor->post(ui::KeyChange{row.key, true, row.modifiers});
@@ -113,7 +120,7 @@ class EditorStormTest : public EditorTest {
     }
     std::optional<Vec2> someItem(const std::string& prefix = "") {
         std::vector<Vec2> found;
-        for (const auto& [name, place] : editor->places()) {
+        for (const auto& [name, place] : editor->itemRects()) {
             const auto avoided = [&](const std::string& bad) { return name.starts_with(bad); };
             if (name.starts_with(prefix) && std::ranges::none_of(kAvoided, avoided)) {
                 found.emplace_back(place.x + share() * place.width,

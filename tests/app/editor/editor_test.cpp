@@ -193,7 +193,7 @@ TEST_F(EditorTest, ARedoThatEndsAStrokeClaimsNothing) {
 
 TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     const auto click = [&](const std::string& item) {
-        const ui::Rect place = editor->places().at(item);
+        const ui::Rect place = editor->itemRects().at(item);
         moveTo(place.x + std::min(10.F, place.width / 2), place.y + place.height / 2);
         frames(1);
         press(true);
@@ -207,7 +207,7 @@ TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     ASSERT_EQ(panels().boxes.size(), 1U);
     EXPECT_NEAR(panels().boxes[0].center.y() - panels().boxes[0].size.y() / 2, -0.6, 1e-12);
     const StaticBox before = panels().boxes[0];
-    const ui::Rect row = editor->places().at("box.0.Center");
+    const ui::Rect row = editor->itemRects().at("box.0.Center");
     const double y = row.y + row.height / 2;
     drag(Vec2(row.x + 10, y), Vec2(row.x + 60, y), 5);
     settle();
@@ -283,7 +283,7 @@ TEST_F(EditorTest, APlayedSessionCanBeScrubbedAndTellsWhereItDiverged) {
     waitForWork();
     settle();
     const auto scrubTo = [&](double share) {
-        const ui::Rect bar = editor->places().at("scrubber");
+        const ui::Rect bar = editor->itemRects().at("scrubber");
         drag(Vec2(bar.x + 3, bar.y + bar.height / 2),
              Vec2(bar.x + share * bar.width, bar.y + bar.height / 2), 1);
         settle();
@@ -323,7 +323,7 @@ TEST_F(EditorTest, TheGuillotineComesDownByAKeyAndByItsSlider) {
     tap(Key::r);
     tap(Key::g);
     frames(1);
-    const ui::Rect slider = editor->places().at("blade.lowered");
+    const ui::Rect slider = editor->itemRects().at("blade.lowered");
     const double y = slider.y + slider.height / 2;
     drag(Vec2(slider.x + 4, y), Vec2(slider.x + slider.width - 1, y), 4);
     settle();
@@ -345,7 +345,7 @@ TEST_F(EditorTest, AGuillotineHandleCanBeDragged) {
 }
 
 TEST_F(EditorTest, AShallowStrokeLeavesOnePiece) {
-    const ui::Rect box = editor->places().at("blade.through");
+    const ui::Rect box = editor->itemRects().at("blade.through");
     drag(Vec2(box.x + 8, box.y + box.height / 2), Vec2(box.x + 8, box.y + box.height / 2), 1);
     settle();
     EXPECT_FALSE(panels().tools.throughAll);
@@ -437,7 +437,7 @@ TEST_F(EditorTest, APictureThatCannotBeWrittenIsSaid) {
 
 TEST_F(EditorTest, UndoInMidStrokeEndsTheStroke) {
     tap(Key::g);
-    const ui::Rect slider = editor->places().at("blade.lowered");
+    const ui::Rect slider = editor->itemRects().at("blade.lowered");
     const double y = slider.y + slider.height / 2;
     drag(Vec2(slider.x + 4, y), Vec2(slider.x + slider.width / 2, y), 4);
     settle();

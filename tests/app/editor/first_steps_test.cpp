@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/app/editor/editor_fixture.h"
+#include "ui/action_table.h"
 
 namespace kerf::app {
 namespace {
@@ -27,18 +28,19 @@ TEST(CutWatch, TellsWhatCameOfAStroke) {
         return watch.outcome();
     };
     watch.follow(false, 1, 100);
-    EXPECT_EQ(watch.outcome(), CutOutcome::none);
-    EXPECT_EQ(stroke(1, 100), CutOutcome::missed);
-    EXPECT_EQ(stroke(1, 120), CutOutcome::incised);
-    EXPECT_EQ(stroke(2, 180), CutOutcome::parted);
+    EXPECT_EQ(watch.outcome(), StrokeOutcome::none);
+    EXPECT_EQ(stroke(1, 100), StrokeOutcome::missed);
+    EXPECT_EQ(stroke(1, 120), StrokeOutcome::incised);
+    EXPECT_EQ(stroke(2, 180), StrokeOutcome::parted);
     watch.follow(false, 2, 180);
-    EXPECT_EQ(watch.outcome(), CutOutcome::parted) << "until something else is done";
+    EXPECT_EQ(watch.outcome(), StrokeOutcome::parted) << "until something else is done";
     watch.follow(false, 1, 100);
-    EXPECT_EQ(watch.outcome(), CutOutcome::none) << "undone";
+    EXPECT_EQ(watch.outcome(), StrokeOutcome::none) << "undone";
     watch.follow(true, 1, 100);
     watch.follow(true, 1, 120);
     watch.follow(false, 1, 100);
-    EXPECT_EQ(watch.outcome(), CutOutcome::none) << "undone before it had ended: it met something";
+    EXPECT_EQ(watch.outcome(), StrokeOutcome::none)
+        << "undone before it had ended: it met something";
 }
 
 TEST(FirstSteps, LeadThroughTheFirstCut) {
@@ -47,13 +49,13 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     EXPECT_THAT(steps.hint(now).text, HasSubstr("Drop a model"));
     now.open = now.weightless = true;
     EXPECT_THAT(steps.hint(now).text, HasSubstr("right across"));
-    now.outcome = CutOutcome::missed;
+    now.outcome = StrokeOutcome::missed;
     steps.follow(now);
     EXPECT_THAT(steps.hint(now).text, HasSubstr("met nothing"));
-    now.outcome = CutOutcome::incised;
+    now.outcome = StrokeOutcome::incised;
     steps.follow(now);
     EXPECT_THAT(steps.hint(now).text, HasSubstr("began or ended inside"));
-    now.outcome = CutOutcome::parted;
+    now.outcome = StrokeOutcome::parted;
     now.pieces = 2;
     steps.follow(now);
     EXPECT_THAT(steps.hint(now).text, HasSubstr("2 pieces"));
@@ -92,7 +94,7 @@ TEST(FirstSteps, AnIncisionOfTheScalpelLeadsToTheHand) {
     Situation now{.open = true, .cutting = true, .tool = ui::Tool::scalpel};
     steps.follow(now);
     now.cutting = false;
-    now.outcome = CutOutcome::incised;
+    now.outcome = StrokeOutcome::incised;
     steps.follow(now);
     EXPECT_EQ(choicesOf(steps.hint(now)), std::vector{ActionId::toolGrab});
 }

@@ -56,18 +56,19 @@ TEST_F(EditorReadingsTest, FollowsABodyThatFalls) {
         readings.addPicture(simulation.report().time, 0.02, 3);
     }
     const ui::History& history = readings.history();
-    EXPECT_EQ(history.volumePercent.buckets().size(), 60U);
+    EXPECT_EQ(history[ui::Reading::volumePercent].buckets().size(), 60U);
     ASSERT_EQ(history.piecePercent.size(), 1U);
-    EXPECT_NEAR(history.piecePercent[0].last(), history.volumePercent.last(), 0.01);
-    EXPECT_GT(history.kineticEnergy.max(), 0);
-    EXPECT_LT(history.potentialEnergy.last(), history.potentialEnergy.buckets().front().low);
-    EXPECT_EQ(history.stages[static_cast<std::size_t>(ui::Stage::render)].mean(), 3);
+    EXPECT_NEAR(history.piecePercent[0].last(), history[ui::Reading::volumePercent].last(), 0.01);
+    EXPECT_GT(history[ui::Reading::kineticEnergy].max(), 0);
+    EXPECT_LT(history[ui::Reading::potentialEnergy].last(),
+              history[ui::Reading::potentialEnergy].buckets().front().low);
+    EXPECT_EQ(history[ui::Reading::renderMs].mean(), 3);
     ASSERT_EQ(history.marks.size(), 1U);
     EXPECT_EQ(history.marks[0].label, "impact");
     ASSERT_TRUE(readings.figures().has_value());
     EXPECT_NEAR(readings.figures()->fps, 50, 1e-9);
     readings.forgetAfter(0.1);
-    EXPECT_LE(history.volumePercent.buckets().back().x, 0.1);
+    EXPECT_LE(history[ui::Reading::volumePercent].buckets().back().x, 0.1);
     EXPECT_TRUE(history.marks.empty()) << "the impact came later";
 }
 
@@ -84,18 +85,18 @@ TEST_F(EditorReadingsTest, CountsThePiecesThatWereTakenBack) {
     };
     const ui::History& history = readings.history();
     stepOnce();
-    EXPECT_EQ(history.lostPieces.last(), 0);
+    EXPECT_EQ(history[ui::Reading::lostPieces].last(), 0);
     // A hand that leaves at a speed that nothing real reaches.
     ASSERT_EQ(simulation.execute(Grab{0, Vec3(0.5, 0, 0), 0.3}), "");
     ASSERT_EQ(simulation.execute(Drag{0, Vec3(1e6, 0, 0)}), "");
     stepOnce();
     stepOnce();
-    EXPECT_EQ(history.lostPieces.last(), 2);
+    EXPECT_EQ(history[ui::Reading::lostPieces].last(), 2);
     ASSERT_EQ(simulation.execute(Release{0}), "");
     stepOnce();
-    EXPECT_EQ(history.lostPieces.last(), 2) << "since the start";
+    EXPECT_EQ(history[ui::Reading::lostPieces].last(), 2) << "since the start";
     readings.forgetAfter(2.5 * params.timeStep);
-    EXPECT_EQ(history.lostPieces.last(), 1) << "as of then";
+    EXPECT_EQ(history[ui::Reading::lostPieces].last(), 1) << "as of then";
 }
 
 TEST(FormatPlots, HasARowPerValue) {

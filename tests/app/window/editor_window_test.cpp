@@ -101,7 +101,7 @@ class Acts {
                 editor.post(*event);
                 settle(editor);
             } else {
-                pass(editor, kMessageSeconds);
+                elapse(editor, kMessageSeconds);
             }
         }
     }
@@ -117,7 +117,7 @@ class Acts {
   private:
     static constexpr int kMessageSeconds = 6;
 
-    static void pass(Editor& editor, int seconds) {
+    static void elapse(Editor& editor, int seconds) {
         for (int i = 0; i < 60 * seconds; ++i) {
             editor.frame(1.0 / 60);
         }
@@ -129,11 +129,11 @@ class Acts {
 
 /// Cuts from top to bottom through the middle, changes a parameter, takes both back and brings them
 /// back again.
-void addStroke(Acts& acts, const ui::ItemPlaces& places, int width, int height) {
+void addStroke(Acts& acts, const ui::ItemRects& rects, int width, int height) {
     acts.drag(Vec2(width / 2.0, 40), Vec2(width / 2.0, height - 60.0), 16);
     acts.see("cut", "- 2 pieces");
     acts.rest();
-    const ui::Rect slider = places.at("param.iterations");
+    const ui::Rect slider = rects.at("param.iterations");
     const double y = slider.y + slider.height / 2;
     acts.drag(Vec2(slider.x + 0.4 * slider.width, y), Vec2(slider.x + 0.7 * slider.width, y), 5);
     acts.tap("ctrl+z", ui::Key::z, {.control = true});
@@ -160,7 +160,7 @@ struct GuillotinePlaces {
 
     static GuillotinePlaces in(Editor& editor) {
         tap(editor, ui::Key::g);
-        GuillotinePlaces places{{}, editor.places().at("blade.lowered")};
+        GuillotinePlaces places{{}, editor.itemRects().at("blade.lowered")};
         for (const ui::Overlay::Handle& handle : editor.panels().overlay.handles) {
             places.handles.emplace_back(handle.at.x, handle.at.y);
         }
@@ -257,7 +257,7 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     Editor editor(options(), openDefaultDocument());
     Acts::settle(editor);
     Acts acts;
-    addStroke(acts, editor.places(), kPictureWidth, kPictureHeight);
+    addStroke(acts, editor.itemRects(), kPictureWidth, kPictureHeight);
     addScalpel(acts, kPictureWidth, kPictureHeight);
     addGuillotine(acts, GuillotinePlaces::in(editor));
     addSaving(acts, kPictureWidth);

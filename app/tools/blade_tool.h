@@ -14,29 +14,31 @@ namespace kerf::app {
 
 /// Leads the blade by the pointer, in one of three ways, and shows what it will cut. It answers
 /// with poses in the scene's stroke.
-class BladeHand {
+class BladeTool {
   public:
-    /// Depths, radii and the guillotine's pose for another body.
+    /// Fits depths, radii and the guillotine's pose to another body.
     void fitTo(const Bounds& bounds);
 
     const ui::ToolSettings& settings() const { return settings_; }
-    /// Another tool, another depth; a guillotine that is lowered cuts.
+    /// Takes another tool or another depth; a guillotine that is lowered cuts.
     void set(const ui::ToolSettings& settings, EditorScene& scene);
 
-    // The pointer in the view; positions in pixels of the picture.
+    /// Takes the blade or a handle at a pixel of the picture.
     void press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
-    /// `straight`: a stroke goes on along a straight line (see Ruler).
+    /// Leads the blade to a pixel of the picture. A `straight` stroke goes on along a line (see
+    /// Ruler).
     void move(const ViewFrame& view, const Vec2& pixel, bool straight, EditorScene& scene);
+    /// Ends the stroke, or lets go of the handle.
     void release(EditorScene& scene);
-    /// Lets go of everything.
+    /// Gives up the stroke and lets go of everything.
     void cancel(EditorScene& scene);
-    /// Whether it holds the blade or a handle.
+    /// Whether the tool holds the blade or a handle.
     bool holds() const { return held_ || handle_.has_value(); }
 
     /// The guillotine falls from where it is.
     void bringDown(EditorScene& scene);
 
-    /// What the coming cut will do.
+    /// A preview of the coming cut.
     ui::Overlay overlay(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const;
 
   private:

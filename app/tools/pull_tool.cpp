@@ -1,4 +1,4 @@
-#include "app/tools/body_hand.h"
+#include "app/tools/pull_tool.h"
 
 #include <algorithm>
 #include <array>
@@ -58,9 +58,11 @@ std::optional<double> reachOf(const ui::ToolSettings& settings) {
             return settings.grabRadius;
         case ui::Tool::pin:
             return settings.pinRadius;
-        default:
-            return std::nullopt;
+        case ui::Tool::stroke:
+        case ui::Tool::guillotine:
+            break;
     }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -87,7 +89,7 @@ Bounds boxBetween(const ViewFrame& view, const Vec2& from, const Vec2& to, const
     return box;
 }
 
-std::string BodyHand::press(const ViewFrame& view, const Vec2& pixel,
+std::string PullTool::press(const ViewFrame& view, const Vec2& pixel,
                             const ui::ToolSettings& settings, const ui::Modifiers& modifiers,
                             EditorScene& scene) {
     if (settings.tool == ui::Tool::pin && modifiers.shift) {
@@ -110,7 +112,7 @@ std::string BodyHand::press(const ViewFrame& view, const Vec2& pixel,
     return problem;
 }
 
-void BodyHand::move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+void PullTool::move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
     if (held_) {
         to_ = view.onPlaneThrough(*held_, pixel);
         scene.dragTo(to_);
@@ -121,7 +123,7 @@ void BodyHand::move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene
     }
 }
 
-void BodyHand::paintUpTo(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+void PullTool::paintUpTo(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
     const Vec2 from = brush_->last;
     const int dabs =
         std::max(1, static_cast<int>(std::ceil((pixel - from).norm() / kBrushSpacing)));
@@ -132,7 +134,7 @@ void BodyHand::paintUpTo(const ViewFrame& view, const Vec2& pixel, EditorScene& 
 }
 
 /// Where all is pinned already nothing changes; that is no problem.
-void BodyHand::paint(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+void PullTool::paint(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
     const auto point = scene.pick(view.rayThrough(pixel));
     if (point &&
         scene.execute(Pin{Ball{point->position, brush_->radius}, brush_->pins, brush_->begun})
@@ -141,7 +143,7 @@ void BodyHand::paint(const ViewFrame& view, const Vec2& pixel, EditorScene& scen
     }
 }
 
-std::string BodyHand::release(const ViewFrame& view, EditorScene& scene) {
+std::string PullTool::release(const ViewFrame& view, EditorScene& scene) {
     std::string problem;
     if (box_ && (box_->to - box_->from).norm() >= kLeastBox) {
         const Bounds box = boxBetween(view, box_->from, box_->to, scene.bounds());
@@ -151,14 +153,14 @@ std::string BodyHand::release(const ViewFrame& view, EditorScene& scene) {
     return problem;
 }
 
-void BodyHand::cancel(EditorScene& scene) {
+void PullTool::cancel(EditorScene& scene) {
     if (held_) {
         scene.letGo();
     }
-    *this = BodyHand{};
+    *this = PullTool{};
 }
 
-void BodyHand::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
+void PullTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
                      const ui::ToolSettings& settings, EditorScene& scene) const {
     if (held_) {
         if (const auto at = view.toPixel(to_)) {

@@ -1,28 +1,28 @@
-#include "ui/item_places.h"
+#include "ui/item_rects.h"
 
 #include <imgui.h>
 
 namespace kerf::ui {
 namespace {
 
-ItemPlaces* placesNow = nullptr;
+ItemRects* rectsNow = nullptr;
 
 }  // namespace
 
-ItemNotes::ItemNotes(ItemPlaces& places) {
-    places.clear();
-    placesNow = &places;
+ItemNotes::ItemNotes(ItemRects& rects) {
+    rects.clear();
+    rectsNow = &rects;
 }
 
 ItemNotes::~ItemNotes() {
-    placesNow = nullptr;
+    rectsNow = nullptr;
 }
 
 void noteItem(const std::string& name) {
-    if (placesNow != nullptr) {
+    if (rectsNow != nullptr) {
         const ImVec2 low = ImGui::GetItemRectMin();
         const ImVec2 size = ImGui::GetItemRectSize();
-        (*placesNow)[name] = {low.x, low.y, size.x, size.y};
+        (*rectsNow)[name] = {low.x, low.y, size.x, size.y};
     }
 }
 

@@ -13,19 +13,20 @@ namespace kerf::app {
 
 /// Touches the body by the pointer: pulls at it (Tool::grab), or pins parts of it and frees them
 /// again (Tool::pin), with a brush or a box.
-class BodyHand {
+class PullTool {
   public:
-    /// The pointer in the view, pixels of the picture. Returns "" or one sentence.
+    /// Takes hold of the body, or begins a brush or a box, at a pixel of the picture. Returns "" or
+    /// one sentence.
     std::string press(const ViewFrame& view, const Vec2& pixel, const ui::ToolSettings& settings,
                       const ui::Modifiers& modifiers, EditorScene& scene);
     void move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
-    /// Returns "" or one sentence.
+    /// Lets go, and pins or frees what is in the box. Returns "" or one sentence.
     std::string release(const ViewFrame& view, EditorScene& scene);
-    /// Lets go; a box that is being drawn is forgotten.
+    /// Lets go, and forgets a box that is being drawn.
     void cancel(EditorScene& scene);
     bool holds() const { return held_ || brush_ || box_; }
 
-    /// What it would take hold of, or holds.
+    /// Adds the part of the body that the tool would take hold of, or holds.
     void addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
                const ui::ToolSettings& settings, EditorScene& scene) const;
 
@@ -51,7 +52,7 @@ class BodyHand {
 };
 
 /// The box between two points of the view: across the axis nearest to the line of sight it lies in
-/// the plane through the middle of `body`, along it it reaches through all of that.
+/// the plane through the middle of `body`, along that it reaches through all of `body`.
 Bounds boxBetween(const ViewFrame& view, const Vec2& from, const Vec2& to, const Bounds& body);
 
 }  // namespace kerf::app

@@ -1,4 +1,4 @@
-#include "app/tools/blade_hand.h"
+#include "app/tools/blade_tool.h"
 
 #include <algorithm>
 
@@ -49,7 +49,7 @@ void addSwept(const ViewFrame& view, const std::vector<Blade>& way, ui::Overlay&
     addLine(view, way.back().a, way.back().b, overlay.swept);
 }
 
-/// What faces the eye.
+/// Adds the triangles that face the eye.
 void addTouched(const ViewFrame& view, const SurfaceMesh& mesh, const std::vector<int>& triangles,
                 ui::Overlay& overlay) {
     for (const int t : triangles) {
@@ -67,7 +67,7 @@ void addTouched(const ViewFrame& view, const SurfaceMesh& mesh, const std::vecto
 
 }  // namespace
 
-void BladeHand::fitTo(const Bounds& bounds) {
+void BladeTool::fitTo(const Bounds& bounds) {
     const double diagonal = bounds.diagonal();
     settings_.strokeDepth = kStrokeDepth * diagonal;
     settings_.scalpelDepth = kScalpelDepth * diagonal;
@@ -83,7 +83,7 @@ void BladeHand::fitTo(const Bounds& bounds) {
     held_ = false;
 }
 
-void BladeHand::set(const ui::ToolSettings& settings, EditorScene& scene) {
+void BladeTool::set(const ui::ToolSettings& settings, EditorScene& scene) {
     const ui::ToolSettings before = settings_;
     settings_ = settings;
     if (settings.tool != before.tool) {
@@ -103,7 +103,7 @@ void BladeHand::set(const ui::ToolSettings& settings, EditorScene& scene) {
 
 // --- The pointer -------------------------------------------------------------------------------
 
-void BladeHand::press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+void BladeTool::press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
     switch (settings_.tool) {
         case ui::Tool::stroke:
             pressStroke(view, pixel, scene);
@@ -118,11 +118,11 @@ void BladeHand::press(const ViewFrame& view, const Vec2& pixel, EditorScene& sce
             return;
         case ui::Tool::grab:
         case ui::Tool::pin:
-            return;  // see BodyHand
+            return;  // see PullTool
     }
 }
 
-void BladeHand::pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+void BladeTool::pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
     const std::optional<double> depth =
         settings_.throughAll ? std::nullopt : std::optional(settings_.strokeDepth);
     scene.takeBlade();
@@ -133,7 +133,7 @@ void BladeHand::pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScen
     held_ = true;
 }
 
-void BladeHand::move(const ViewFrame& view, const Vec2& pixel, bool straight, EditorScene& scene) {
+void BladeTool::move(const ViewFrame& view, const Vec2& pixel, bool straight, EditorScene& scene) {
     if (handle_) {
         raise(scene);
         guillotine_.move(*handle_, view.onPlaneThrough(guillotine_.handles()[*handle_], pixel));
@@ -149,7 +149,7 @@ void BladeHand::move(const ViewFrame& view, const Vec2& pixel, bool straight, Ed
     }
 }
 
-void BladeHand::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+void BladeTool::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
     const auto point = scene.pick(view.rayThrough(pixel));
     if (!point) {
         scalpel_.reset();
@@ -169,7 +169,7 @@ void BladeHand::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScen
     }
 }
 
-void BladeHand::release(EditorScene& scene) {
+void BladeTool::release(EditorScene& scene) {
     handle_.reset();
     scalpel_.reset();
     if (held_) {
@@ -178,7 +178,7 @@ void BladeHand::release(EditorScene& scene) {
     }
 }
 
-void BladeHand::cancel(EditorScene& scene) {
+void BladeTool::cancel(EditorScene& scene) {
     handle_.reset();
     scalpel_.reset();
     held_ = false;
@@ -188,7 +188,7 @@ void BladeHand::cancel(EditorScene& scene) {
 
 // --- The guillotine ----------------------------------------------------------------------------
 
-void BladeHand::bringDown(EditorScene& scene) {
+void BladeTool::bringDown(EditorScene& scene) {
     if (settings_.tool == ui::Tool::guillotine) {
         if (settings_.lowered >= 1) {
             settings_.lowered = 0;
@@ -198,7 +198,7 @@ void BladeHand::bringDown(EditorScene& scene) {
 }
 
 /// Down it cuts; pulled up it is out of the body and above it again.
-void BladeHand::lowerTo(double lowered, EditorScene& scene) {
+void BladeTool::lowerTo(double lowered, EditorScene& scene) {
     if (lowered <= settings_.lowered) {
         raise(scene);
         return;
@@ -215,14 +215,14 @@ void BladeHand::lowerTo(double lowered, EditorScene& scene) {
     }
 }
 
-void BladeHand::raise(EditorScene& scene) {
+void BladeTool::raise(EditorScene& scene) {
     if (settings_.lowered > 0) {
         scene.stroke().end();
         settings_.lowered = 0;
     }
 }
 
-std::optional<Guillotine::Handle> BladeHand::handleAt(const ViewFrame& view,
+std::optional<Guillotine::Handle> BladeTool::handleAt(const ViewFrame& view,
                                                       const Vec2& pixel) const {
     std::optional<Guillotine::Handle> best;
     double nearest = kHandleReach;
@@ -241,7 +241,7 @@ std::optional<Guillotine::Handle> BladeHand::handleAt(const ViewFrame& view,
 
 // --- What the coming cut will do ---------------------------------------------------------------
 
-std::vector<Blade> BladeHand::wayAhead(const ViewFrame& view, const Vec2& pixel,
+std::vector<Blade> BladeTool::wayAhead(const ViewFrame& view, const Vec2& pixel,
                                        EditorScene& scene) const {
     const BladeStroke& stroke = scene.stroke();
     if (stroke.drawing() || stroke.pending() > 0) {
@@ -259,7 +259,7 @@ std::vector<Blade> BladeHand::wayAhead(const ViewFrame& view, const Vec2& pixel,
     return {};
 }
 
-ui::Overlay BladeHand::overlay(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const {
+ui::Overlay BladeTool::overlay(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const {
     ui::Overlay overlay;
     const std::vector<Blade> way = thinned(wayAhead(view, pixel, scene));
     if (!way.empty()) {
@@ -281,7 +281,7 @@ ui::Overlay BladeHand::overlay(const ViewFrame& view, const Vec2& pixel, EditorS
     return overlay;
 }
 
-void BladeHand::addHandles(const ViewFrame& view, const Vec2& pixel, ui::Overlay& overlay) const {
+void BladeTool::addHandles(const ViewFrame& view, const Vec2& pixel, ui::Overlay& overlay) const {
     const std::optional<Guillotine::Handle> hot = handle_ ? handle_ : handleAt(view, pixel);
     const auto handles = guillotine_.handles();
     for (int i = 0; i < Guillotine::kHandles; ++i) {

@@ -1,0 +1,278 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ui/action.h"
+#include "ui/input.h"
+#include "ui/panel_model.h"
+
+namespace kerf::ui {
+
+/// The name of something that a key, a row of a menu or a button asks for, in the order of
+/// kActions. The handlers in app/editor/editor_actions.cpp do it.
+enum class ActionId : std::uint8_t {
+    openFile,
+    saveSession,
+    exportBody,
+    screenshot,
+    sceneScreenshot,
+    quit,
+    undo,
+    redo,
+    cancel,
+    toggleGravity,
+    toolStroke,
+    toolScalpel,
+    toolGuillotine,
+    toolGrab,
+    toolPin,
+    bringDown,
+    freePins,
+    playPause,
+    letFall,
+    stepOnce,
+    reset,
+    slower,
+    faster,
+    record,
+    loop,
+    frameBody,
+    resetView,
+    viewFront,
+    viewBack,
+    viewRight,
+    viewLeft,
+    viewTop,
+    viewBottom,
+    orthographic,
+    wireframe,
+    showCutLines,
+    showApart,
+    showEdges,
+    showBends,
+    showIspcs,
+    showErrors,
+    showContacts,
+    showBoxes,
+    fineQuality,
+    togglePanels,
+    holdPlots,
+    fitPlots,
+    help,
+    count
+};
+
+/// A key with its modifiers that asks for an action; no key where there is none.
+struct Shortcut {
+    Key key = Key::none;
+    Modifiers modifiers;
+    std::string_view text;  ///< as people read it: "Ctrl+O"
+
+    bool presses(Key other, const Modifiers& with) const {
+        return key != Key::none && key == other && modifiers == with;
+    }
+};
+
+/// One row of the table that dispatch, menus, buttons, the help overlay and the docs share.
+struct ActionRow {
+    using Condition = bool (*)(const PanelModel&);
+
+    ActionId id = ActionId::count;
+    Shortcut shortcut;
+    std::string_view label;  ///< what it does: "Play or pause"
+    std::string_view group;  ///< its menu, and its heading in the help
+    Condition available;     ///< whether it would do something now
+    Condition on = nullptr;  ///< whether it is on; nullptr where it switches nothing
+    Shortcut second = {};    ///< another key that does it too
+};
+
+// The words of the rows.
+inline constexpr Modifiers kPlain{};
+inline constexpr Modifiers kShift{.shift = true};
+inline constexpr Modifiers kControl{.control = true};
+inline constexpr Modifiers kControlShift{.shift = true, .control = true};
+
+constexpr bool always(const PanelModel& /*model*/) {
+    return true;
+}
+inline bool withBody(const PanelModel& model) {
+    return !model.name.empty();
+}
+template <Tool tool>
+bool holds(const PanelModel& model) {
+    return model.tools.tool == tool;
+}
+template <bool DisplaySettings::*member>
+bool shows(const PanelModel& model) {
+    return model.display.*member;
+}
+template <bool render::Overlays::*member>
+bool draws(const PanelModel& model) {
+    return model.display.overlays.*member;
+}
+
+/// All actions in the order of the menus.
+inline constexpr std::array kActions{
+    ActionRow{ActionId::openFile, Key::o, kControl, "Ctrl+O", "Open a model or a session...",
+              "File", always},
+    ActionRow{ActionId::saveSession, Key::s, kControl, "Ctrl+S", "Save all since the start...",
+              "File", withBody},
+    ActionRow{ActionId::exportBody, Key::e, kControl, "Ctrl+E", "Export the body...", "File",
+              withBody},
+    ActionRow{ActionId::screenshot, Key::f12, kPlain, "F12", "Save a screenshot here", "File",
+              always},
+    ActionRow{ActionId::sceneScreenshot, Key::f12, kControl, "Ctrl+F12",
+              "Save the scene alone, on no ground", "File", withBody},
+    ActionRow{ActionId::quit, Key::q, kControl, "Ctrl+Q", "Leave", "File", always},
+    ActionRow{ActionId::undo, Key::z, kControl, "Ctrl+Z", "Undo", "Edit",
+              [](const PanelModel& m) { return m.changes.done > 0; }},
+    ActionRow{ActionId::redo,
+              Key::z,
+              kControlShift,
+              "Ctrl+Shift+Z",
+              "Redo",
+              "Edit",
+              [](const PanelModel& m) { return m.changes.done < m.changes.rows.size(); },
+              nullptr,
+              {Key::y, kControl, "Ctrl+Y"}},
+    ActionRow{ActionId::cancel, Key::escape, kPlain, "Esc",
+              "Stop the stroke, the loading, close the help", "Edit", withBody},
+    ActionRow{ActionId::toggleGravity, Key::v, kPlain, "V", "Gravity on or off", "Edit", withBody,
+              [](const PanelModel& m) { return m.params.gravity.norm() > 0; }},
+    ActionRow{ActionId::toolStroke, Key::c, kPlain, "C", "Stroke: cut along the view", "Tool",
+              withBody, holds<Tool::stroke>},
+    ActionRow{ActionId::toolScalpel, Key::s, kPlain, "S", "Scalpel: follow the surface", "Tool",
+              withBody, holds<Tool::scalpel>},
+    ActionRow{ActionId::toolGuillotine, Key::g, kPlain, "G", "Guillotine: pose the blade", "Tool",
+              withBody, holds<Tool::guillotine>},
+    ActionRow{ActionId::toolGrab, Key::d, kPlain, "D", "Grab: pull at the body", "Tool", withBody,
+              holds<Tool::grab>},
+    ActionRow{ActionId::toolPin, Key::p, kPlain, "P", "Pin: hold parts in place", "Tool", withBody,
+              holds<Tool::pin>},
+    ActionRow{ActionId::bringDown, Key::enter, kPlain, "Enter", "Bring the guillotine down", "Tool",
+              [](const PanelModel& m) { return withBody(m) && holds<Tool::guillotine>(m); }},
+    ActionRow{ActionId::freePins, Key::p, kShift, "Shift+P", "Free all that is pinned", "Tool",
+              [](const PanelModel& m) { return m.pinned > 0; }},
+    ActionRow{ActionId::playPause, Key::space, kPlain, "Space", "Play or pause", "Time", withBody,
+              [](const PanelModel& m) { return m.playing; }},
+    ActionRow{ActionId::letFall, Key::space, kShift, "Shift+Space",
+              "Let it fall: gravity and time on", "Time", withBody},
+    ActionRow{ActionId::stepOnce, Key::period, kPlain, ".", "One step", "Time", withBody},
+    ActionRow{ActionId::reset, Key::r, kPlain, "R", "Back to the start", "Time", withBody},
+    ActionRow{ActionId::slower, Key::minus, kPlain, "-", "Half as fast", "Time", withBody},
+    ActionRow{ActionId::faster, Key::equal, kPlain, "=", "Twice as fast", "Time", withBody},
+    ActionRow{ActionId::record, Key::r, kControl, "Ctrl+R", "Record from the start, stop", "Time",
+              withBody, [](const PanelModel& m) { return m.recording; }},
+    ActionRow{ActionId::loop, Key::l, kPlain, "L", "Repeat the session", "Time",
+              [](const PanelModel& m) { return m.playback.steps > 0; },
+              [](const PanelModel& m) { return m.playback.loop; }},
+    ActionRow{ActionId::frameBody, Key::f, kPlain, "F", "Bring the model into view", "View",
+              withBody},
+    ActionRow{ActionId::resetView, Key::home, kPlain, "Home", "Back to the first view", "View",
+              withBody},
+    ActionRow{ActionId::viewFront, Key::digit1, kPlain, "1", "From the front", "View", withBody},
+    ActionRow{ActionId::viewBack, Key::digit1, kControl, "Ctrl+1", "From the back", "View",
+              withBody},
+    ActionRow{ActionId::viewRight, Key::digit3, kPlain, "3", "From the right", "View", withBody},
+    ActionRow{ActionId::viewLeft, Key::digit3, kControl, "Ctrl+3", "From the left", "View",
+              withBody},
+    ActionRow{ActionId::viewTop, Key::digit7, kPlain, "7", "From the top", "View", withBody},
+    ActionRow{ActionId::viewBottom, Key::digit7, kControl, "Ctrl+7", "From below", "View",
+              withBody},
+    ActionRow{ActionId::orthographic, Key::digit5, kPlain, "5", "Without perspective", "View",
+              withBody, [](const PanelModel& m) { return m.orthographic; }},
+    ActionRow{ActionId::wireframe, Key::w, kPlain, "W", "Show the triangles", "View", withBody,
+              shows<&DisplaySettings::wireframe>},
+    ActionRow{ActionId::showCutLines, Key::t, kPlain, "T", "Show the lines of cuts", "View",
+              withBody, shows<&DisplaySettings::cutLines>},
+    ActionRow{ActionId::showApart, Key::a, kPlain, "A", "Show the pieces apart", "View",
+              [](const PanelModel& m) { return m.pieces.size() > 1; },
+              [](const PanelModel& m) { return m.display.apart > 0; }},
+    ActionRow{ActionId::showEdges, Key::e, kPlain, "E", "Show the edge constraints", "View",
+              withBody, draws<&render::Overlays::edges>},
+    ActionRow{ActionId::showBends, Key::b, kPlain, "B", "Show the bending constraints", "View",
+              withBody, draws<&render::Overlays::bends>},
+    ActionRow{ActionId::showIspcs, Key::i, kPlain, "I", "Show the ISPCs", "View", withBody,
+              draws<&render::Overlays::ispcs>},
+    ActionRow{ActionId::showErrors, Key::x, kPlain, "X", "Colour them by their error", "View",
+              withBody, draws<&render::Overlays::errors>},
+    ActionRow{ActionId::showContacts, Key::k, kPlain, "K", "Show the contacts", "View", withBody,
+              draws<&render::Overlays::contacts>},
+    ActionRow{ActionId::showBoxes, Key::o, kPlain, "O", "Show boxes around the pieces", "View",
+              withBody, draws<&render::Overlays::boxes>},
+    ActionRow{ActionId::fineQuality, Key::q, kPlain, "Q",
+              "Fine picture: soft shadows, smooth edges", "View", withBody,
+              [](const PanelModel& m) { return m.display.quality == render::Quality::full; }},
+    ActionRow{
+        ActionId::togglePanels, Key::tab, kPlain, "Tab", "Panels, or the view alone", "View",
+        always,
+        [](const PanelModel& m) { return m.settings.showControls || m.settings.showReadings; }},
+    ActionRow{ActionId::holdPlots, Key::h, kPlain, "H", "Hold the plots, or follow again", "View",
+              withBody, [](const PanelModel& m) { return m.plotView.end.has_value(); }},
+    ActionRow{ActionId::fitPlots, Key::h, kShift, "Shift+H", "Show the plots from the start",
+              "View", withBody},
+    ActionRow{ActionId::help,
+              Key::f1,
+              kPlain,
+              "F1",
+              "All keys",
+              "Help",
+              always,
+              [](const PanelModel& m) { return m.helpOpen; },
+              {Key::questionMark, kPlain, "?"}},
+};
+
+/// Whether a table has one row for each ActionId, in the same order.
+template <class Table>
+constexpr bool coversActions(const Table& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].id != static_cast<ActionId>(i)) {
+            return false;
+        }
+    }
+    return rows.size() == static_cast<std::size_t>(ActionId::count);
+}
+static_assert(coversActions(kActions), "an ActionId has no row in kActions, or not at its place");
+
+/// A gesture of the pointer and its effect, which the help overlay lists beside the keys.
+struct PointerHint {
+    std::string_view gesture;
+    std::string_view label;
+};
+std::span<const PointerHint> pointerTable();
+
+/// The row of an action.
+constexpr const ActionRow& rowOf(ActionId id) {
+    return kActions[static_cast<std::size_t>(id)];
+}
+
+/// Whether an action would do something now.
+inline bool isAvailable(const PanelModel& model, ActionId id) {
+    return rowOf(id).available(model);
+}
+/// Whether the thing that an action switches is on; false where it switches nothing.
+inline bool isOn(const PanelModel& model, ActionId id) {
+    return rowOf(id).on != nullptr && rowOf(id).on(model);
+}
+
+/// The action of a key, none where the key is free.
+std::optional<ActionId> findAction(Key key, Modifiers modifiers);
+
+/// The first key of an action as people read it: "F1".
+constexpr std::string_view keyOf(ActionId id) {
+    return rowOf(id).shortcut.text;
+}
+/// All keys of an action: "F1, ?".
+std::string keysOf(ActionId id);
+
+/// The tables of the pointer and of the keys for docs/editor.md.
+std::string actionsAsMarkdown();
+
+/// "Play or pause (Space)", for tooltips.
+std::string describeAction(ActionId id);
+
+}  // namespace kerf::ui
