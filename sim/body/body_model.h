@@ -7,6 +7,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/constraints.h"
 #include "sim/body/body_state.h"
+#include "sim/body/shell_constraints.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
@@ -53,8 +54,8 @@ struct BodyModel {
     std::vector<int> meshTriangle;   ///< mesh slot of each entry of `triangles`
     std::vector<int> pieceOfVertex;  ///< -1 for unused and hidden vertices
     std::vector<PieceModel> pieces;
-    std::vector<shared::EdgeConstraint> edges;
-    std::vector<shared::BendConstraint> bends;
+    std::vector<EdgeConstraint> edges;
+    std::vector<BendConstraint> bends;
     std::vector<shared::IspcConstraint> ispcs;
     std::vector<int> ispcMeshTriangle;  ///< mesh slot of the triangle each ISPC ends on
     Incidence triangleIncidence;

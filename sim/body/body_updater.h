@@ -80,8 +80,8 @@ class BodyUpdater {
     void updateRims(std::span<const int> changed,
                     RecordEditor<std::array<std::uint32_t, 4>>& triangles);
     void updateShell(std::span<const int> changed, BodyChange& change);
-    void addEdge(int halfEdge, RecordEditor<shared::EdgeConstraint>& edges,
-                 RecordEditor<shared::BendConstraint>& bends);
+    void addEdge(int halfEdge, RecordEditor<EdgeConstraint>& edges,
+                 RecordEditor<BendConstraint>& bends);
     void updateNeighbours(std::span<const std::uint32_t> vertices);
     std::array<std::uint32_t, 4> taggedTriangle(int triangle) const;
     int presentPieceOf(int vertex) const;

@@ -4,16 +4,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "shaders/shared/constraints.h"
 #include "sim/body/body_model.h"
 
 namespace kerf {
 
 // The vertices of an element; the place of each is its slot (see Incidence).
-inline std::array<std::uint32_t, 2> verticesOf(const shared::EdgeConstraint& c) {
+inline std::array<std::uint32_t, 2> verticesOf(const EdgeConstraint& c) {
     return {c.a, c.b};
 }
-inline std::array<std::uint32_t, 4> verticesOf(const shared::BendConstraint& c) {
+inline std::array<std::uint32_t, 4> verticesOf(const BendConstraint& c) {
     return {c.v0, c.v1, c.v2, c.v3};
 }
 /// The vertex first, then the triangle that its ray ends on.

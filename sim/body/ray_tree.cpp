@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/mesh/triangle.h"
+
 namespace kerf {
 
 namespace {
@@ -58,9 +60,7 @@ RayHit RayTree::intersect(const BoxRay& ray, int triangle) const {
 }
 
 bool RayTree::facesAway(int triangle, const Vec3& direction) const {
-    const Triangle& t = mesh_.triangle(triangle);
-    const Vec3& a = mesh_.restPosition(t[0]);
-    return (mesh_.restPosition(t[1]) - a).cross(mesh_.restPosition(t[2]) - a).dot(direction) > 0;
+    return areaNormal(restCornersOf(mesh_, triangle)).dot(direction) > 0;
 }
 
 bool RayTree::crosses(const Vec3& from, const Vec3& to) const {

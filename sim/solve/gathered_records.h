@@ -19,7 +19,7 @@ std::vector<shared::Spoke> allSpokes(const BodyModel& model);
 /// those at its far end.
 std::vector<std::uint32_t> changedSpokes(const BodyModel& model, const BodyChange& change);
 
-shared::BendRecord bendRecord(const shared::BendConstraint& bend);
+shared::BendRecord bendRecord(const BendConstraint& bend);
 std::vector<shared::BendRecord> allBendRecords(const BodyModel& model);
 
 /// The lists of the bends at the vertices, those of which a vertex is an end of the edge first.

@@ -9,7 +9,7 @@ namespace kerf::cut {
 
 /// min(1, height over longest edge / kGoodQuality, shortest edge / goodEdge): 1 is good.
 /// `goodEdge`: Workspace::goodEdgeLength [m].
-double triangleScore(const std::array<Vec3, 3>& corners, double goodEdge);
+double triangleScore(const Corners& corners, double goodEdge);
 double triangleScore(const SurfaceMesh& mesh, int triangle, double goodEdge);
 
 /// The worst score of some triangles, and how many of them are not good.

@@ -4,6 +4,7 @@
 
 #include "sim/cut/cleanup/material.h"
 #include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -37,14 +38,10 @@ Patch patchOfMerge(const SurfaceMesh& mesh, const MaterialStar& from, const Mate
                    int vertex, std::vector<int> merged);
 
 /// Corners of a triangle of the patch, at their places after the operation.
-std::array<Vec3, 3> cornersAfter(const SurfaceMesh& mesh, const Patch& patch,
-                                 const PatchTriangle& triangle);
-std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, int triangle);
+Corners cornersAfter(const SurfaceMesh& mesh, const Patch& patch, const PatchTriangle& triangle);
 double edgeLength(const SurfaceMesh& mesh, int h);
 /// Half-edges of a triangle, the shortest first.
 std::array<int, 3> edgesByLength(const SurfaceMesh& mesh, int triangle);
-/// Cross product of two sides: twice the area vector.
-Vec3 crossOf(const std::array<Vec3, 3>& corners);
 
 bool isWallOnly(const SurfaceMesh& mesh, const std::vector<Patch>& patches);
 

@@ -7,6 +7,7 @@
 
 #include "sim/base/sort_unique.h"
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -180,7 +181,7 @@ std::optional<Vec3> StrokeSurface::insidePosition(const Vec3& rest, const Vec3& 
         const Vec3& c = mesh_.restPosition(t[2]);
         // The far side of a thin part, or the other wall of an older slit, faces the other way.
         if (!isNear(rest, a, b, c, depth) || !isWhole(t) ||
-            (b - a).cross(c - a).dot(rest - a) >= 0) {
+            areaNormal(a, b, c).dot(rest - a) >= 0) {
             continue;
         }
         const Vec3 weights = closestWeights(rest, a, b, c);
@@ -191,7 +192,7 @@ std::optional<Vec3> StrokeSurface::insidePosition(const Vec3& rest, const Vec3& 
             const Vec3& q = mesh_.position(t[1]);
             const Vec3& r = mesh_.position(t[2]);
             onSurface = mixed(weights, p, q, r);
-            outward = (q - p).cross(r - p).stableNormalized();
+            outward = unitNormal(p, q, r);
         }
     }
     if (!onSurface) {

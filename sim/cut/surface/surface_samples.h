@@ -13,6 +13,10 @@ struct SurfaceSample {
     double weight = 0;  ///< how many triangles it stands for
 };
 
+/// The samples whose vertices belong to `piece`, in their order.
+std::vector<SurfaceSample> ofPiece(const std::vector<SurfaceSample>& samples,
+                                   const std::vector<int>& pieceOfVertex, int piece);
+
 /// Boxes around a few clusters of `places` (at least one), with room for a blade that advances by
 /// some `h`.
 std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h);
