@@ -210,7 +210,7 @@ struct Editor::State {
     /// Around the pieces as they are drawn.
     Bounds shownBounds(const std::vector<render::PieceLook>& looks) const;
     bool joinPieces();
-    render::Material ownMaterial() const;
+    render::BodyLook ownLook() const;
     std::vector<render::PixelRect> coveredPixels() const;
     void ensurePicture();
 

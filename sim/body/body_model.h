@@ -15,9 +15,9 @@ namespace kerf {
 
 using shared::IncidenceRange;
 
-/// What touches each vertex, in a fixed order: entries[ranges[v].first .. ranges[v].end) are
-/// 4 * element + slot (slot: which of the element's vertices v is), ascending. Between the lists
-/// there is room for them to grow.
+/// The elements that touch each vertex, in a fixed order: entries[ranges[v].first .. ranges[v].end)
+/// are 4 * element + slot (slot: which of the element's vertices v is), ascending. Between the
+/// lists there is room for them to grow.
 struct Incidence {
     std::vector<IncidenceRange> ranges;  ///< shape [vertexCount]
     std::vector<std::uint32_t> entries;
@@ -46,7 +46,7 @@ struct BodyModel {
     std::vector<Vec3f> restPositions;  ///< [m], shape [vertexCount]
     /// A third of the rest area around each vertex [m^2]; its mass follows from it (see unitMass).
     std::vector<double> vertexAreas;
-    /// At rest, of vertices that a cut made or divided (see SkinNormals::ofCut), shape
+    /// Normals at rest of vertices that a cut made or divided (see SkinNormals::ofCut), shape
     /// [vertexCount].
     std::vector<Vec3f> cutSkinNormals;
     /// Triangles that are present: three vertices, then surfaceTag() | piece << 8.
@@ -72,7 +72,7 @@ struct BodyModel {
     double uncutRestVolume = 0;  ///< [m^3]
 };
 
-/// Everything from the rest shape of `mesh`.
+/// Makes the model of a body from the rest shape of `mesh`.
 BodyModel buildBodyModel(const SurfaceMesh& mesh);
 
 }  // namespace kerf

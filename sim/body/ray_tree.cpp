@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sim/mesh/triangle.h"
 
@@ -18,14 +19,11 @@ RayTree::RayTree(const SurfaceMesh& mesh, std::span<const int> triangles)
     : mesh_(mesh), tree_(triangles, [this](int t) { return boundsOf(t); }) {}
 
 void RayTree::update(std::span<const int> triangles) {
-    for (const int t : triangles) {
-        tree_.erase(t);
-    }
-    for (const int t : triangles) {
-        if (mesh_.alive(t)) {
-            tree_.insert(t, [this](int id) { return boundsOf(id); });
-        }
-    }
+    tree_.erase(triangles);
+    std::vector<int> alive;
+    std::ranges::copy_if(triangles, std::back_inserter(alive),
+                         [this](int t) { return mesh_.alive(t); });
+    tree_.insert(alive, [this](int t) { return boundsOf(t); });
 }
 
 Bounds RayTree::boundsOf(int triangle) const {

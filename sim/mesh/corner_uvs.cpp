@@ -23,7 +23,7 @@ class UvLookup {
     UvLookup(const SurfaceMesh& uncut, const std::vector<CornerUvs>& uvs)
         : mesh_(uncut),
           uvs_(uvs),
-          triangles_(livingTriangles(uncut), [this](int t) { return placesOf(t); }) {}
+          triangles_(livingTriangles(uncut), [this](int t) { return restCornersOf(mesh_, t); }) {}
 
     CornerUvs uvsOf(const Triangle& corners, const SurfaceMesh& cut) {
         const Vec3& a = cut.restPosition(corners[0]);

@@ -19,7 +19,7 @@ struct Linearized {
     bool valid = false;  ///< false where the constraint has no gradient
 };
 
-/// Where the gradient is taken: shaders/sim/pull_direction.glsl.
+/// The place where the gradient is taken: shaders/sim/pull_direction.glsl.
 enum class Pull {
     asBefore,  ///< at positions, unless it has turned far meanwhile
     asNow      ///< at positions + displacements

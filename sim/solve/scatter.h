@@ -16,10 +16,10 @@ namespace kerf {
 /// upload and one dispatch.
 class Scatter {
   public:
-    /// What lies between the elements that are written.
+    /// Whether what lies between elements may be written along.
     enum class Gaps { keep, fill };
 
-    /// Throws gpu::ShaderError.
+    /// Compiles the kernel. Throws gpu::ShaderError.
     Scatter();
 
     /// Brings `target` to the size of `values`, its content kept and what is new zero, and makes
@@ -32,8 +32,8 @@ class Scatter {
                  [&](std::uint32_t i) { return values[i]; });
     }
 
-    /// The same for `count` elements, of which valueOf(index) is asked for: with Gaps::fill also
-    /// for some that are there already.
+    /// Writes like the other write(), to a buffer of `count` elements, what valueOf(index) says:
+    /// with Gaps::fill also for some that are there already.
     template <class T, class ValueOf>
     void write(gpu::Buffer& target, std::size_t count, std::span<const std::uint32_t> indices,
                Gaps gaps, ValueOf&& valueOf);

@@ -159,7 +159,7 @@ TEST_P(Layout, IsThatOfTheDriver) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachRecord, Layout, ::testing::ValuesIn(sharedRecords()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& record) { return record.param.name; });
 
 TEST(LayoutList, HasEveryRecordOfTheSharedHeaders) {
     std::vector<std::string> listed;

@@ -35,7 +35,7 @@ StrokeSurface::StrokeSurface(const SurfaceMesh& mesh)
     }
 }
 
-LazyBoxTree& StrokeSurface::tree() const {
+BoxTree& StrokeSurface::tree() const {
     if (!tree_) {
         std::vector<int> living;
         for (int part = 0; part < static_cast<int>(parts_.size()); ++part) {
@@ -44,6 +44,7 @@ LazyBoxTree& StrokeSurface::tree() const {
             }
         }
         tree_.emplace(living, [this](int part) { return restBounds(part); });
+        tree_->prepareToEdit();
     }
     return *tree_;
 }

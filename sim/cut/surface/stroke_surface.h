@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/cut/surface/surface_samples.h"
-#include "sim/mesh/lazy_box_tree.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
@@ -60,7 +60,7 @@ class StrokeSurface {
         std::vector<SurfaceSample> samples;
         bool covers(const std::vector<Vec3>& places) const;
     };
-    LazyBoxTree& tree() const;
+    BoxTree& tree() const;
     Bounds restBounds(int part) const;
     std::vector<int> partsNear(const Vec3& rest, double reach) const;
     bool isWhole(const Triangle& corners) const;
@@ -72,7 +72,7 @@ class StrokeSurface {
     std::vector<int> changed_;
     mutable Thinned thinned_;
     /// Of the parts that were alive; made when it is first asked, divided and refit by finding.
-    mutable std::optional<LazyBoxTree> tree_;
+    mutable std::optional<BoxTree> tree_;
     mutable std::vector<int> slots_;  ///< room for thinByDistance
 };
 

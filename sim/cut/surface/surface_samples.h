@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/mesh/lazy_box_tree.h"
+#include "sim/mesh/box_tree.h"
 
 namespace kerf::cut {
 
@@ -25,7 +25,7 @@ std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h);
 /// fewer the farther off, so that their number grows with the logarithm of the body. `tree` holds
 /// triangles by their box at rest, `cornersOf(id)` tells theirs. Each once. `slots`: as many -1 as
 /// there are vertices, and so again afterwards. (Thinned by distance as in Barnes and Hut 1986.)
-std::vector<SurfaceSample> thinByDistance(LazyBoxTree& tree,
+std::vector<SurfaceSample> thinByDistance(BoxTree& tree,
                                           const std::function<const Triangle&(int id)>& cornersOf,
                                           const std::vector<Bounds>& boxes, double h,
                                           std::vector<int>& slots);
