@@ -51,7 +51,7 @@ bool keepsOrientation(const SurfaceMesh& mesh, double h, const Patch& patch,
 }  // namespace
 
 double triangleScore(const Corners& corners, double goodEdge) {
-    const double longest = longestSquare(corners);
+    const double longest = longestEdgeSquare(corners);
     if (longest <= 0) {
         return 0;
     }

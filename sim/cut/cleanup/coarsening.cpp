@@ -136,7 +136,7 @@ class WallCoarsening {
             for (const PatchTriangle& t : patch.after) {
                 const Corners corners = cornersAfter(mesh_, patch, t);
                 after = std::min(after, qualityOf(corners));
-                if (longestOf(corners) > kLong * factor_ * workspace_.edgeLength()) {
+                if (longestEdge(corners) > kLong * factor_ * workspace_.edgeLength()) {
                     return 0;
                 }
             }
