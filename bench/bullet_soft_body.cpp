@@ -21,7 +21,7 @@ BulletSoftBody::BulletSoftBody(const BodyModel& model, int iterations)
     state_->world.m_gravity.setValue(0, btScalar(-9.81), 0);
     state_->body = std::make_unique<btSoftBody>(&state_->world, static_cast<int>(positions.size()),
                                                 positions.data(), nullptr);
-    for (const shared::EdgeConstraint& edge : model.edges) {
+    for (const EdgeConstraint& edge : model.edges) {
         // Looking for doubles would take the square of their number.
         state_->body->appendLink(static_cast<int>(edge.a), static_cast<int>(edge.b), nullptr,
                                  false);

@@ -117,9 +117,9 @@ void benchParts(const std::string& name, render::Quality quality) {
     print(name + "/step", measure([&] { simulation.step(); }), 0);
     render::Renderer renderer(quality);
     renderer.setRestShape(document.mesh);
-    const render::Material material = app::materialOf(document.session);
+    const render::BodyLook look = app::lookOf(document.session);
     print(name + "/scene", measure([&] {
-              renderer.draw(app::sceneOf(simulation, material, document.restBounds, {}),
+              renderer.draw(app::sceneOf(simulation, look, document.restBounds, {}),
                             document.camera, kWidth, kHeight);
               glFinish();
           }),

@@ -14,6 +14,7 @@
 #include "app/session/session.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
+#include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 
 namespace kerf {
@@ -38,11 +39,9 @@ struct Figures {
 };
 
 double quality(const SurfaceMesh& mesh, int t) {
-    const auto [a, b, c] = mesh.triangle(t);
-    const Vec3 ab = mesh.restPosition(b) - mesh.restPosition(a);
-    const Vec3 ac = mesh.restPosition(c) - mesh.restPosition(a);
-    const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
-    return longest > 0 ? ab.cross(ac).norm() / longest : 0;
+    const Corners rest = restCornersOf(mesh, t);
+    const double longest = longestEdgeSquare(rest);
+    return longest > 0 ? areaNormal(rest).norm() / longest : 0;
 }
 
 class Play {

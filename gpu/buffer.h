@@ -69,7 +69,7 @@ class Buffer {
     /// drivers as fast. Throws OutOfMemory where the driver's texture buffers are too small.
     void bindTexels(std::uint32_t unit, TexelFormat format) const;
 
-    /// The same as an image to read from, for kernels that write it as storage too.
+    /// Binds the texels as an image to read from, for kernels that write it as storage too.
     void bindImage(std::uint32_t unit, TexelFormat format) const;
 
     std::uint32_t id() const { return id_; }

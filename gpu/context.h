@@ -19,7 +19,7 @@ inline constexpr int kNeededMinor = 5;
 /// Whether the variable KERF_FORCE_NO_GL forbids making a context, for tests of what then happens.
 bool isContextForbidden();
 
-/// What the driver says of itself.
+/// The words of the driver about itself.
 struct DeviceInfo {
     std::string vendor;
     std::string renderer;
@@ -53,7 +53,7 @@ using ProcLoader = void (*(*)(const char* name))();
 /// than 4.5 core.
 void loadFunctions(ProcLoader getProcAddress);
 
-/// What the current context runs on.
+/// The device that the current context runs on.
 DeviceInfo queryDevice();
 
 /// Routes OpenGL debug messages of severity low and above to the log and counts the errors.

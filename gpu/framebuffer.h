@@ -17,7 +17,7 @@ class Texture {
     Texture(const Texture&) = delete;
     Texture& operator=(const Texture&) = delete;
 
-    /// To a texture unit, for sampler uniforms with that binding.
+    /// Binds to a texture unit, for sampler uniforms with that binding.
     void bind(std::uint32_t unit) const;
     std::uint32_t id() const { return id_; }
     int width() const { return width_; }

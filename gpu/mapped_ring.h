@@ -27,7 +27,7 @@ class MappedRing {
     /// Turns to the next slot, binds it as shader storage to `binding` and returns its number. What
     /// it held stays until kernels overwrite it.
     int bindNext(std::uint32_t binding);
-    /// After the kernels that write this slot: they start, and the CPU may wait for them.
+    /// Starts the kernels that write this slot, which were told before: the CPU may wait for them.
     void fence();
 
     /// The first `count` elements of a slot that was fenced; waits for the GPU until they are

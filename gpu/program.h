@@ -26,7 +26,7 @@ using Defines = std::vector<std::pair<std::string, std::string>>;
 /// shaderRoot()/shared. The file need not carry #version: "#version 450 core" is put in front.
 class Program {
   public:
-    /// Both throw ShaderError.
+    /// Compiles and links a program. Throws ShaderError.
     static Program compute(const std::string& path, const Defines& defines = {});
     static Program graphics(const std::string& vertexPath, const std::string& fragmentPath,
                             const Defines& defines = {});
@@ -66,7 +66,7 @@ class Program {
 
 /// glMemoryBarrier for what the next dispatch reads, as storage, as texels or as images.
 void storageBarrier();
-/// The same for what dispatchIndirect() reads.
+/// glMemoryBarrier for what dispatchIndirect() reads.
 void commandBarrier();
 /// Waits until the GPU has done all that it was told; for measurements.
 void finish();

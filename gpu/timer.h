@@ -14,7 +14,7 @@ class Timer {
     Timer(const Timer&) = delete;
     Timer& operator=(const Timer&) = delete;
 
-    /// Both mark the place in the command stream; pairs may not nest.
+    /// Marks a place in the command stream; pairs of begin() and end() may not nest.
     void begin();
     void end();
     /// Milliseconds of all pairs since the last call; waits for the last one to be done.

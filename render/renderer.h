@@ -31,7 +31,7 @@ class Renderer {
     /// don't change it. Without it, or with an empty mesh, depth comes from the ellipsoid in
     /// restBounds.
     void setRestShape(const SurfaceMesh& uncut);
-    /// The same with what measureSkinDepth() found.
+    /// Takes what measureSkinDepth() found, instead of measuring again.
     void setRestDepth(const DepthField& depth);
 
     /// Draws into target(), made or remade at this size.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/renderer.h"
-#include "render/scene/material.h"
+#include "render/scene/body_look.h"
 #include "render/scene/overlays.h"
 
 namespace kerf::ui {

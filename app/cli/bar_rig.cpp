@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/mesh/box_surface.h"
+#include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {
@@ -84,11 +85,9 @@ double loadPerGravity(const Specimen& specimen, SpecimenKind kind, double densit
     double area = 0;
     double motion = 0;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        const auto [a, b, c] = mesh.triangle(t);
-        const Vec3 middle = (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3;
-        const double share =
-            0.5 *
-            (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)).norm();
+        const Corners at = cornersOf(mesh, t);
+        const Vec3 middle = (at[0] + at[1] + at[2]) / 3;
+        const double share = triangleArea(at);
         area += share;
         motion += share * compliance(size, kind, std::abs(middle.y() - support));
     }

@@ -109,9 +109,8 @@ class Replay {
     }
     void take(const ScreenshotEvent& event) {
         const Stopwatch watch;
-        renderer_.draw(
-            sceneOf(simulation_, materialOf(session_), restBounds_, runner_.strokePoses()), camera_,
-            event.width, event.height);
+        renderer_.draw(sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses()),
+                       camera_, event.width, event.height);
         writePicture(renderer_.readPicture(), folder_.pathOf(event.file));
         folder_.noteWritten(event.file);
         renderMs_ += watch.milliseconds();

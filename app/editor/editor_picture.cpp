@@ -21,8 +21,8 @@ void Editor::State::ensurePicture() {
     }
 }
 
-render::Material Editor::State::ownMaterial() const {
-    return render::materialFor(scene->document().session.model.name());
+render::BodyLook Editor::State::ownLook() const {
+    return render::lookFor(scene->document().session.model.name());
 }
 
 /// Their rounded corners are left out.
@@ -88,7 +88,7 @@ render::SceneView Editor::State::sceneToDraw() {
     render::SceneView view = scene->view();
     view.wireframe = display.wireframe;
     view.cutLines = display.cutLines;
-    view.material = render::colored(ownMaterial(), display.colors);
+    view.look = render::colored(ownLook(), display.colors);
     view.pieces = pieceDisplay.looks(scene->simulation().pieceBounds(), display.apart);
     if (display.apart > 0) {
         view.focus = shownBounds(view.pieces);

@@ -197,7 +197,7 @@ struct Editor::State {
     /// The bounds of the pieces as they are drawn [m].
     Bounds shownBounds(const std::vector<render::PieceLook>& looks) const;
     bool joinPieces();
-    render::Material ownMaterial() const;
+    render::BodyLook ownLook() const;
     std::vector<render::PixelRect> coveredPixels() const;
     void ensurePicture();
 

@@ -11,6 +11,7 @@
 #include "app/files/export_mesh.h"
 #include "app/files/file_io.h"
 #include "sim/base/text.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::app {
 
@@ -112,10 +113,7 @@ std::string encodeStl(const ExportMesh& mesh) {
     for (const ExportFace& face : mesh.faces) {
         const auto [a, b, c] = face.corners;
         const Vec3f& origin = mesh.positions[a];
-        append(
-            bytes,
-            Vec3f(
-                (mesh.positions[b] - origin).cross(mesh.positions[c] - origin).stableNormalized()));
+        append(bytes, unitNormal(origin, mesh.positions[b], mesh.positions[c]));
         append(bytes, origin);
         append(bytes, mesh.positions[b]);
         append(bytes, mesh.positions[c]);

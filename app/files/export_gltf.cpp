@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "sim/mesh/triangle.h"
+
 namespace kerf::app {
 namespace {
 
@@ -33,17 +35,13 @@ struct Primitive {
     std::vector<std::uint32_t> indices;
 };
 
-Vec3f areaVector(const ExportMesh& mesh, const ExportFace& face) {
-    const auto [a, b, c] = face.corners;
-    return (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
-}
-
 /// Of the faces of this part alone: sharp towards other parts.
 std::vector<Vec3f> normalsWithin(const ExportMesh& part) {
     std::vector<Vec3f> sums(part.positions.size(), Vec3f::Zero());
     for (const ExportFace& face : part.faces) {
+        const auto& [a, b, c] = face.corners;
         for (const int v : face.corners) {
-            sums[v] += areaVector(part, face);
+            sums[v] += areaNormal(part.positions[a], part.positions[b], part.positions[c]);
         }
     }
     for (std::size_t v = 0; v < sums.size(); ++v) {

@@ -3,6 +3,8 @@
 #include <map>
 #include <utility>
 
+#include "sim/mesh/triangle.h"
+
 namespace kerf::app {
 namespace {
 
@@ -17,11 +19,6 @@ std::vector<int> numberUsedVertices(const SurfaceMesh& mesh) {
     return numbers;
 }
 
-Vec3 areaVector(const SurfaceMesh& mesh, int t) {
-    const auto [a, b, c] = mesh.triangle(t);
-    return (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a));
-}
-
 /// At the front of a slit the normals of its two walls cancel each other: there the first triangle
 /// with an area stands for all.
 Vec3f vertexNormal(const SurfaceMesh& mesh, int v) {
@@ -31,7 +28,7 @@ Vec3f vertexNormal(const SurfaceMesh& mesh, int v) {
         if (mesh.absent(h / 3)) {
             return;
         }
-        const Vec3 area = areaVector(mesh, h / 3);
+        const Vec3 area = areaNormal(cornersOf(mesh, h / 3));
         sum += area;
         first = first.isZero(0) ? area : first;
     });

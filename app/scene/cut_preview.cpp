@@ -6,6 +6,7 @@
 
 #include "sim/base/boxes.h"
 #include "sim/base/sort_unique.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::app {
 namespace {
@@ -14,17 +15,6 @@ constexpr double kParallel = 1e-14;  // of squared areas
 constexpr double kOnEdge = 1e-9;     // of squared areas: no ray slips between two triangles
 constexpr double kHair = 1e-6;       // half the width of the box about a ray, of its length
 const Vec3 kAside{0.61e-4, 0.35e-4, 0.71e-4};  // of the blade's length
-
-using Corners = std::array<Vec3, 3>;
-
-Corners cornersOf(const SurfaceMesh& mesh, int triangle) {
-    const Triangle& t = mesh.triangle(triangle);
-    return {mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])};
-}
-
-Vec3 areaVector(const Corners& c) {
-    return (c[1] - c[0]).cross(c[2] - c[0]);
-}
 
 /// The part of a line, from the shares `low` to `high` of it.
 struct Part {
@@ -53,8 +43,8 @@ Part partInside(const Corners& c, const Vec3& normal, const Vec3& p, const Vec3&
 
 /// Where two triangles pass through each other.
 std::optional<std::array<Vec3, 2>> intersect(const Corners& a, const Corners& b) {
-    const Vec3 na = areaVector(a);
-    const Vec3 nb = areaVector(b);
+    const Vec3 na = areaNormal(a);
+    const Vec3 nb = areaNormal(b);
     const Vec3 d = na.cross(nb);
     const double dd = d.squaredNorm();
     if (dd <= kParallel * na.squaredNorm() * nb.squaredNorm()) {
@@ -97,7 +87,7 @@ Vec3 vertexNormal(const SurfaceMesh& mesh, int vertex, SurfaceKind kind) {
     Vec3 sum = Vec3::Zero();
     mesh.forEachOutgoing(vertex, [&](int h) {
         if (mesh.kind(h / 3) == kind) {
-            sum += areaVector(cornersOf(mesh, h / 3));
+            sum += areaNormal(cornersOf(mesh, h / 3));
         }
     });
     return sum.norm() > 0 ? Vec3(sum.normalized()) : sum;
@@ -106,7 +96,7 @@ Vec3 vertexNormal(const SurfaceMesh& mesh, int vertex, SurfaceKind kind) {
 /// Shares of the corners at the point where the ray meets the triangle from its front.
 std::optional<Vec3> meet(const Corners& c, const Vec3& origin, const Vec3& direction,
                          double& distance) {
-    const Vec3 normal = areaVector(c);
+    const Vec3 normal = areaNormal(c);
     const double facing = normal.dot(direction);
     if (facing >= 0) {
         return std::nullopt;
@@ -115,7 +105,7 @@ std::optional<Vec3> meet(const Corners& c, const Vec3& origin, const Vec3& direc
     const Vec3 p = origin + at * direction;
     Vec3 shares;
     for (int k = 0; k < 3; ++k) {
-        shares[k] = areaVector({p, c[(k + 1) % 3], c[(k + 2) % 3]}).dot(normal);
+        shares[k] = areaNormal(p, c[(k + 1) % 3], c[(k + 2) % 3]).dot(normal);
     }
     if (at <= 0 || at >= distance || shares.minCoeff() < -kOnEdge * normal.squaredNorm()) {
         return std::nullopt;
@@ -199,7 +189,7 @@ std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, std::span<const
                   vertexNormal(mesh, mesh.triangle(best.triangle)[k], mesh.kind(best.triangle));
     }
     best.normal = normal.norm() > 0 ? Vec3(normal.normalized())
-                                    : Vec3(areaVector(cornersOf(mesh, best.triangle)).normalized());
+                                    : Vec3(areaNormal(cornersOf(mesh, best.triangle)).normalized());
     return best;
 }
 

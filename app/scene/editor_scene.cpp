@@ -338,7 +338,7 @@ void EditorScene::recordPicture(double elapsedSeconds, double renderMs) {
 }
 
 render::SceneView EditorScene::view() {
-    return sceneOf(simulation_, materialOf(document_.session), document_.restBounds,
+    return sceneOf(simulation_, lookOf(document_.session), document_.restBounds,
                    runner_.strokePoses());
 }
 

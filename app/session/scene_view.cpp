@@ -2,15 +2,15 @@
 
 namespace kerf::app {
 
-render::Material materialOf(const Session& session) {
-    return render::colored(render::materialFor(session.model.name()), session.colors);
+render::BodyLook lookOf(const Session& session) {
+    return render::colored(render::lookFor(session.model.name()), session.colors);
 }
 
-render::SceneView sceneOf(const Simulation& simulation, const render::Material& material,
+render::SceneView sceneOf(const Simulation& simulation, const render::BodyLook& look,
                           const Bounds& restBounds, const std::vector<Blade>& strokePoses) {
     render::SceneView scene;
     scene.body = simulation.bodyView();
-    scene.material = material;
+    scene.look = look;
     scene.restBounds = restBounds;
     scene.boxes = simulation.boxes();
     scene.floor = simulation.params().floor;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/files/model_source.h"
+#include "render/scene/body_look.h"
 #include "render/scene/camera.h"
-#include "render/scene/material.h"
 #include "sim/base/params.h"
 #include "sim/run/command.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/scene/cut_preview.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::app {
 namespace {
@@ -53,14 +54,12 @@ void addSwept(const ViewFrame& view, const std::vector<Blade>& way, ui::Overlay&
 void addTouched(const ViewFrame& view, const SurfaceMesh& mesh, const std::vector<int>& triangles,
                 ui::Overlay& overlay) {
     for (const int t : triangles) {
-        const Triangle& c = mesh.triangle(t);
-        const Vec3& p = mesh.position(c[0]);
-        const Vec3 normal = (mesh.position(c[1]) - p).cross(mesh.position(c[2]) - p);
-        const auto a = view.toPixel(p);
-        const auto b = view.toPixel(mesh.position(c[1]));
-        const auto d = view.toPixel(mesh.position(c[2]));
-        if (normal.dot(view.camera.towardsEye(p)) > 0 && a && b && d) {
-            overlay.touched.push_back({*a, *b, *d});
+        const Corners at = cornersOf(mesh, t);
+        const auto a = view.toPixel(at[0]);
+        const auto b = view.toPixel(at[1]);
+        const auto c = view.toPixel(at[2]);
+        if (areaNormal(at).dot(view.camera.towardsEye(at[0])) > 0 && a && b && c) {
+            overlay.touched.push_back({*a, *b, *c});
         }
     }
 }

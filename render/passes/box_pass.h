@@ -12,9 +12,9 @@ class BoxPass {
     explicit BoxPass(const gpu::Defines& defines);
     /// Takes the boxes of the scene; before the shadows are drawn.
     void update(const SceneView& scene);
-    /// With the shadow map bound.
+    /// Draws the boxes, with the shadow map bound.
     void draw(const Frame& frame) const;
-    /// What the shadow passes draw of them: positions and triangles alone.
+    /// The boxes as the shadow passes draw them: positions and triangles alone.
     BodyView view() const;
 
   private:

@@ -9,9 +9,9 @@ namespace kerf::render {
 class FloorPass {
   public:
     FloorPass();
-    /// Where nothing was drawn yet.
+    /// Draws the backdrop where nothing was drawn yet.
     void drawBackdrop(bool hasFloor, const Frame& frame) const;
-    /// Blended over the backdrop, with its shade bound.
+    /// Blends the floor over the backdrop, with its shade bound.
     void drawFloor(double height, const Frame& frame, const Camera& camera) const;
 
   private:

@@ -6,10 +6,10 @@
 
 namespace kerf::render {
 
-/// From the edge of the drawn blade to its back [m]: where it only cuts it is a picture of one.
+/// The height of the drawn blade, from its edge to its back [m]; one that only cuts is a picture.
 double bladeHeight(const SceneView& scene, double bodySize);
 
-/// What all passes of one picture share, worked out from the scene and the camera.
+/// The values that all passes of one picture share, worked out from the scene and the camera.
 struct Frame {
     int width = 0;
     int height = 0;

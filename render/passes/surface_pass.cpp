@@ -37,16 +37,16 @@ void SurfacePass::setDepth(const DepthField& depth) {
     depth_ = depth.values.empty() ? DepthTexture() : DepthTexture(depth);
 }
 
-void SurfacePass::setMaterial(const gpu::Program& program, const SceneView& scene) const {
-    const Material& material = scene.material;
+void SurfacePass::setLook(const gpu::Program& program, const SceneView& scene) const {
+    const BodyLook& look = scene.look;
     const Bounds& bounds = scene.restBounds.empty() ? scene.focus : scene.restBounds;
     const Vec3 extent = 0.5 * (bounds.high - bounds.low);
-    program.set("skinColor", material.skin);
-    program.set("innerColor", material.inner);
-    program.set("rindColor", material.rind);
-    program.set("mottle", material.mottle);
-    program.set("spots", material.spots);
-    program.set("facets", material.facets);
+    program.set("skinColor", look.skin);
+    program.set("innerColor", look.inner);
+    program.set("rindColor", look.rind);
+    program.set("mottle", look.mottle);
+    program.set("spots", look.spots);
+    program.set("facets", look.facets);
     program.set("restCenter", Vec3f(bounds.center().cast<float>()));
     program.set("restExtent", Vec3f(extent.cwiseMax(1e-6).cast<float>()));
     program.set("hasDepthField", depth_.empty() ? 0.0f : 1.0f);
@@ -58,19 +58,19 @@ void SurfacePass::draw(const SceneView& scene, const Frame& frame,
                        const gpu::Buffer& normals) const {
     depth_.bind(shared::kUnitDepthField);
     bindBody(scene.body, normals);
-    const gpu::Program& skin = skins_[scene.material.spots > 0 ? 1 : 0];
+    const gpu::Program& skin = skins_[scene.look.spots > 0 ? 1 : 0];
     skin.use();
     skin.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
     skin.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
     drawKind(skin, scene, frame);
-    drawKind(walls_[static_cast<std::size_t>(scene.material.pattern)], scene, frame);
+    drawKind(walls_[static_cast<std::size_t>(scene.look.pattern)], scene, frame);
 }
 
 void SurfacePass::drawKind(const gpu::Program& program, const SceneView& scene,
                            const Frame& frame) const {
     program.use();
     setLight(program, frame);
-    setMaterial(program, scene);
+    setLook(program, scene);
     bindLooks(program, frame);
     program.set("viewProjection", frame.viewProjection);
     program.set("eye", frame.eye);

@@ -15,17 +15,17 @@ class SurfacePass {
     /// `defines` of the quality tier go into every program.
     explicit SurfacePass(const gpu::Defines& defines);
     void setDepth(const DepthField& depth);
-    /// What another one was told of the rest shape.
+    /// Takes over what another pass was told of the rest shape.
     void takeRestShape(SurfacePass& other) { depth_ = std::move(other.depth_); }
-    /// Into the bound target, with the shadow map bound.
+    /// Draws into the bound target, with the shadow map bound.
     void draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) const;
 
   private:
     void drawKind(const gpu::Program& program, const SceneView& scene, const Frame& frame) const;
-    void setMaterial(const gpu::Program& program, const SceneView& scene) const;
+    void setLook(const gpu::Program& program, const SceneView& scene) const;
 
     std::array<gpu::Program, 2> skins_;  // without and with spots
-    std::array<gpu::Program, 3> walls_;  // by MaterialPattern
+    std::array<gpu::Program, 3> walls_;  // by FleshPattern
     DepthTexture depth_;
 };
 

@@ -44,7 +44,8 @@ struct Camera {
 
     /// World ray through `ndc` (-1..1, y up), from the eye or, orthographic, from the near plane.
     Ray ray(const Vec2& ndc, double aspect) const;
-    /// Where that ray meets the plane square to the line of sight, `depth` [m] before the eye.
+    /// The point where the ray at `ndc` meets the plane square to the line of sight, `depth` [m]
+    /// before the eye.
     Vec3 pointAt(const Vec2& ndc, double aspect, double depth) const;
 };
 

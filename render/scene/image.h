@@ -14,7 +14,7 @@ struct Image {
     std::vector<std::uint8_t> pixels;
 };
 
-/// Of a picture that was blended onto nothing: divides its colours by their alpha, as PNG wants it.
+/// Divides the colours of a picture that was blended onto nothing by their alpha, as PNG wants it.
 void divideByAlpha(Image& image);
 
 /// Writes to a temporary file in the same folder, then renames. Throws std::runtime_error with one

@@ -5,7 +5,7 @@
 
 namespace kerf::render {
 
-/// What of the solver is drawn over the body.
+/// The parts of the solver that are drawn over the body.
 struct Overlays {
     bool edges = false;
     bool bends = false;

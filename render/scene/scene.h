@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/scene/material.h"
+#include "render/scene/body_look.h"
 #include "render/scene/overlays.h"
 #include "sim/base/boxes.h"
 #include "sim/contact/blade_body.h"
@@ -32,10 +32,10 @@ struct PixelRect {
     bool operator==(const PixelRect&) const = default;
 };
 
-/// All that a picture shows.
+/// Everything that a picture shows.
 struct SceneView {
     BodyView body;
-    Material material;
+    BodyLook look;
     Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
     std::vector<StaticBox> boxes;
     std::optional<double> floor;           ///< height of the grid floor [m]

@@ -37,6 +37,7 @@ void main() {
     vec3 light = steel * surroundings(reflect(-v, n));
     light += steel * 0.12 * (ambientLight(n) + kKeyColor * max(dot(n, keyDirection), 0.0));
     light *= mix(mix(1.05, 0.55, height), 1.5, shine) * (1.0 + 0.13 * scratches(height));
-    light += vec3(0.9, 1.0, 1.0) * exp(-70.0 * height) + vec3(0.05, 0.5, 0.42) * exp(-22.0 * height);
+    light +=
+        vec3(0.9, 1.0, 1.0) * exp(-70.0 * height) + vec3(0.05, 0.5, 0.42) * exp(-22.0 * height);
     color = vec4(display(light), 1);
 }

@@ -1,5 +1,5 @@
-// A box: flat faces, and how far each point lies from the two edges that meet at corner 0 and from the
-// two opposite ones.
+// A box: flat faces, and how far each point lies from the two edges that meet at corner 0 and from
+// the two opposite ones.
 #include "body.glsl"
 uniform mat4 viewProjection;
 out vec3 worldPosition;

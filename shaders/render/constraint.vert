@@ -1,6 +1,6 @@
 // Constraints as lines, from the solver's own records. KIND: 0 edges (a line per corner of a
-// triangle, of which one of two is drawn), 1 bends (from the middle of one triangle over the edge to
-// that of the other), 2 ISPCs, 3 pulls of hands.
+// triangle, of which one of two is drawn), 1 bends (from the middle of one triangle over the edge
+// to that of the other), 2 ISPCs, 3 pulls of hands.
 #include "body_records.h"
 #include "constraints.h"
 #include "render_bindings.h"
@@ -67,7 +67,8 @@ Line lineOf(int index, int part) {
 Line lineOf(int index, int part) {
     IspcConstraint ispc = ispcs[index];
     vec3 a = at(ispc.vertex);
-    vec3 b = (1.0 - ispc.b1 - ispc.b2) * at(ispc.t0) + ispc.b1 * at(ispc.t1) + ispc.b2 * at(ispc.t2);
+    vec3 b =
+        (1.0 - ispc.b1 - ispc.b2) * at(ispc.t0) + ispc.b1 * at(ispc.t1) + ispc.b2 * at(ispc.t2);
     return Line(true, a, b, distance(a, b) / max(ispc.rest_length, 1e-12) - 1.0);
 }
 #else

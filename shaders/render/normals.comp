@@ -1,15 +1,20 @@
 // Two normals per vertex: over its skin triangles and over its wall triangles, so that the edge of
-// a wound stays crisp. A vertex that a cut made or divided has the normal that the whole skin had there
-// at rest, turned as the triangles around it have turned, so that a closed cut does not show. Weighted by corner angle, so that subdividing a flat face doesn't change them;
-// slivers count less, because a little motion turns them over.
-// Reads positions, rest positions, normals of cut skin, triangles, incidence; writes normals. One thread per vertex; a storage barrier
-// follows. The gather runs in the order of the incidence list: the same bits every time.
+// a wound stays crisp. A vertex that a cut made or divided has the normal that the whole skin had
+// there at rest, turned as the triangles around it have turned, so that a closed cut does not show.
+// Weighted by corner angle, so that subdividing a flat face doesn't change them; slivers count
+// less, because a little motion turns them over. Reads positions, rest positions, normals of cut
+// skin, triangles, incidence; writes normals. One thread per vertex; a storage barrier follows. The
+// gather runs in the order of the incidence list: the same bits every time.
 #include "render_bindings.h"
 layout(local_size_x = kNormalsGroupSize) in;
 
 #include "body.glsl"
-layout(std430, binding = kBindRestPositions) readonly buffer RestPositions { vec4 restPositions[]; };
-layout(std430, binding = kBindCutSkinNormals) readonly buffer CutSkinNormals { vec4 cutSkinNormals[]; };
+layout(std430, binding = kBindRestPositions) readonly buffer RestPositions {
+    vec4 restPositions[];
+};
+layout(std430, binding = kBindCutSkinNormals) readonly buffer CutSkinNormals {
+    vec4 cutSkinNormals[];
+};
 layout(std430, binding = kBindIncidenceRanges) readonly buffer Ranges { uvec2 ranges[]; };
 layout(std430, binding = kBindIncidence) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = kBindNormals) writeonly buffer Normals { vec4 normals[]; };

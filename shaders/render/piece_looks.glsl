@@ -1,5 +1,5 @@
-// How single pieces are shown; those behind the end of the list look as always. Two words each: tint
-// and its strength (below 0: hidden), and how far from its place it is drawn.
+// How single pieces are shown; those behind the end of the list look as always. Two words each:
+// tint and its strength (below 0: hidden), and how far from its place it is drawn.
 layout(std430, binding = kBindLooks) readonly buffer Looks { vec4 looks[]; };
 uniform uint lookCount;
 

@@ -1,4 +1,4 @@
-// Coordinates that the materials are made in.
+// Coordinates that the looks of bodies are made in.
 #include "noise.glsl"
 
 uniform vec3 restCenter;

@@ -32,6 +32,8 @@ void main() {
     vec3 far = 0.25 * (textureLod(picture, uv - reach / 2.0, 0).rgb +
                        textureLod(picture, uv + reach / 2.0, 0).rgb) + 0.5 * near;
     float farBrightness = brightness(far);
-    vec3 smoothed = farBrightness < min(low, brightness(own)) || farBrightness > max(high, brightness(own)) ? near : far;
+    bool leavesRange = farBrightness < min(low, brightness(own)) ||
+        farBrightness > max(high, brightness(own));
+    vec3 smoothed = leavesRange ? near : far;
     color = vec4(high - low > kThreshold ? smoothed : own, 1);
 }

@@ -6,6 +6,8 @@ SHARED_BEGIN
 
 SHARED_CONST uint kGroupSize = 256u;       // threads of a work group, in every kernel
 SHARED_CONST uint kPageSize = kGroupSize;  // places on a page of the vertices of a piece
+// The volume constraint adds the sums of the places of a page up in so many rows first.
+SHARED_CONST uint kSumRows = 16u;
 SHARED_CONST uint kNoPiece = 0xffffffffu;
 SHARED_CONST uint kNoVertex = 0xffffffffu;  // a place without a vertex
 SHARED_CONST uint kAfterGap =
@@ -49,11 +51,12 @@ struct IncidenceRange {
 struct Spoke {
     uint other;         // the vertex at its other end
     float rest_length;  // [m]
-    float geometry;     // see EdgeConstraint
+    float geometry;     // L^2 / (t (A1 + A2)) [1/m]: alpha = geometry / E_stretch
     uint other_count;   // of spokes there
 };
 
-// A bend as the solver reads it: see BendConstraint.
+// A bend: the edge v0 v1 with apexes v2 (left) and v3 (right); its angle is 0 where it is flat.
+// alpha = geometry / E_bend, geometry = 1 / (0.3 t^3 / 12).
 struct BendRecord {
     uint v0;
     uint v1;
@@ -80,8 +83,8 @@ struct IspcShare {
     float weight;  // of its pull: 1 on its vertex, less the barycentric weight on a corner
 };
 
-// A word to be written into a buffer.
-struct WordPatch {
+// A word that is to be written into a buffer.
+struct WordWrite {
     uint word;
     uint value;
 };

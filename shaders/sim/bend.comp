@@ -6,8 +6,8 @@
 //           |  /
 //            v3
 //
-// Reads X, d, bends. Writes the pull of each bend, which gather_corrections shares out among its four
-// vertices. One thread per bend. A storage barrier follows, then gather_corrections.
+// Reads X, d, bends. Writes the pull of each bend, which gather_corrections shares out among its
+// four vertices. One thread per bend. A storage barrier follows, then gather_corrections.
 #include "bindings.h"
 #include "body_records.h"
 #include "solver_uniforms.h"

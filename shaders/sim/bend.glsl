@@ -3,15 +3,15 @@
 #include "sim/folds.glsl"
 #include "sim/pull_direction.glsl"
 
-// What the triangle on either side pulls with, along its normal, and where along the edge from v0 (0)
-// to v1 (1) its apex stands: see bendShare.
+// What the triangle on either side pulls with, along its normal, and where along the edge from v0
+// (0) to v1 (1) its apex stands: see bendShare.
 struct BendPull {
     vec4 left, right;
 };
 
-// Below this a bend has no answer but noise. Where all but one of its vertices are held and lie on a
-// line, as at the front of a slit, the last one hardly changes the angle: a rigid bend would throw it
-// as far as rounding of the angle over that gradient says. Compliance bounds it.
+// Below this a bend has no answer but noise. Where all but one of its vertices are held and lie on
+// a line, as at the front of a slit, the last one hardly changes the angle: a rigid bend would
+// throw it as far as rounding of the angle over that gradient says. Compliance bounds it.
 float leastWeight(vec4 w, vec3 a, vec3 b) {
     float most = uniforms.inverse_density * max(max(w.x, w.y), max(w.z, w.w));
     return uniforms.bend_compliance > 0.0 ? 0.0 : kLeastBendShare * most * (dot(a, a) + dot(b, b));
@@ -35,7 +35,8 @@ BendPull bendPull(BendRecord bend) {
     vec2 turn = errorVector(now, bend);
     float error = boundedInverseTangent(turn.y, turn.x);
 
-    bool little = pullsAsBefore() && turnedLittle(before.edge, now.edge) && turnedLittle(before.nA, now.nA) &&
+    bool little = pullsAsBefore() && turnedLittle(before.edge, now.edge) &&
+        turnedLittle(before.nA, now.nA) &&
                   turnedLittle(before.nB, now.nB);
     Wings pulled = now;
     if (little && !degenerate(before)) {
@@ -59,5 +60,6 @@ BendPull bendPull(BendRecord bend) {
     float answered = dampedError(error, rate, fold, max(length(a), length(b)));
     bool answers = weight > leastWeight(inverseMasses, a, b);
     float impulse = answers ? uniforms.bend_share * -answered / denominator : 0.0;
-    return BendPull(slivers ? vec4(0.0) : vec4(a * impulse, sA), slivers ? vec4(0.0) : vec4(b * impulse, sB));
+    return BendPull(slivers ? vec4(0.0) : vec4(a * impulse, sA),
+                    slivers ? vec4(0.0) : vec4(b * impulse, sB));
 }

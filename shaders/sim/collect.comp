@@ -1,5 +1,5 @@
-// Fills in the records of vertices that are asked for by number. Reads X, velocities. Writes records.
-// One thread per record. A storage barrier follows.
+// Fills in the records of vertices that are asked for by number. Reads X, velocities. Writes
+// records. One thread per record. A storage barrier follows.
 #include "bindings.h"
 #include "body_records.h"
 layout(local_size_x = kGroupSize) in;
@@ -8,7 +8,10 @@ layout(local_size_x = kGroupSize) in;
 
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
-layout(std430, binding = kNearbyBinding) buffer Nearby { NearbyQuery query; NearbyVertex nearby[]; };
+layout(std430, binding = kNearbyBinding) buffer Nearby {
+    NearbyQuery query;
+    NearbyVertex nearby[];
+};
 
 void main() {
     uint i = gl_GlobalInvocationID.x;

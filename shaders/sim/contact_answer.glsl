@@ -14,17 +14,18 @@ struct ContactRule {
 };
 
 // before: gap at X; slip: change of the distance vector by d. What d lacks so that the gap does not
-// shrink below its thickness, or not at all where it is below already, is taken from the velocity; what
-// X lacks of the thickness then is not, and at most `most` of it is made up for. Where surfaces lie on each
-// other a few sweeps stop the approach but for a part, which would take them into each other: so they keep
-// a gap as wide as what was stopped, up to a hair. Coulomb friction holds the tangential way by at
-// most friction * what was stopped.
+// shrink below its thickness, or not at all where it is below already, is taken from the velocity;
+// what X lacks of the thickness then is not, and at most `most` of it is made up for. Where
+// surfaces lie on each other a few sweeps stop the approach but for a part, which would take them
+// into each other: so they keep a gap as wide as what was stopped, up to a hair. Coulomb friction
+// holds the tangential way by at most friction * what was stopped.
 ContactAnswer answerTo(vec3 normal, float before, vec3 slip, ContactRule rule) {
     // Not as a difference of gaps: below the thickness it is the slip alone, to its last digit.
     float least = min(max(rule.thickness, rule.hair) - before, 0.0);
     float approach = max(least - dot(normal, slip), 0.0);
     float reached = before + dot(normal, slip) + approach;
-    float lack = max(min(approach, rule.hair) - reached, kThicknessRate * (rule.thickness - reached));
+    float lack =
+        max(min(approach, rule.hair) - reached, kThicknessRate * (rule.thickness - reached));
     float push = clamp(lack, 0.0, rule.most);
     vec3 along = slip - dot(normal, slip) * normal;
     float way = length(along);

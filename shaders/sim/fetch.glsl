@@ -1,10 +1,10 @@
-// Elements of buffers that a kernel reads through texture units (gpu::Buffer::bindTexels). A buffer's
-// unit has the number of its storage binding.
+// Elements of buffers that a kernel reads through texture units (gpu::Buffer::bindTexels). A
+// buffer's unit has the number of its storage binding.
 
-// STATE_TEXELS declares what changes within a step; RECORD_QUADS, RECORD_PAIRS and RECORD_WORDS what
-// only a cut changes, by the words of a texel. With LOAD_IMAGES, for llvmpipe, all of these are images: it
-// calls a function for each fetch of a texel, around which all variables go to memory, but loads images
-// in place.
+// STATE_TEXELS declares what changes within a step; RECORD_QUADS, RECORD_PAIRS and RECORD_WORDS
+// what only a cut changes, by the words of a texel. With LOAD_IMAGES, for llvmpipe, all of these
+// are images: it calls a function for each fetch of a texel, around which all variables go to
+// memory, but loads images in place.
 #ifdef LOAD_IMAGES
 #define STATE_TEXELS(unit) layout(binding = unit, rgba32f) readonly uniform imageBuffer
 #define RECORD_QUADS(unit) layout(binding = unit, rgba32ui) readonly uniform uimageBuffer
@@ -67,6 +67,7 @@ IspcSharePair fetchIspcShares(RECORDS records, uint pair) {
 IspcConstraint fetchIspc(RECORDS records, uint index) {
     uvec4 corners = fetch(records, 2u * index);
     vec4 rest = uintBitsToFloat(fetch(records, 2u * index + 1u));
-    return IspcConstraint(corners.x, corners.y, corners.z, corners.w, rest.x, rest.y, rest.z, rest.w);
+    return IspcConstraint(corners.x, corners.y, corners.z, corners.w,
+                          rest.x, rest.y, rest.z, rest.w);
 }
 #endif

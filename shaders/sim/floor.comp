@@ -11,7 +11,9 @@ layout(local_size_x = kGroupSize) in;
 
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) before;
-layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement {
+    vec4 displacement[];
+};
 
 #include "sim/floor.glsl"
 

@@ -1,6 +1,6 @@
-// Sums of what the bends or the ISPCs of a vertex pull it with, in the fixed order of their lists, which
-// begin at even places and are read by pairs. The includer declares `uniforms`, correctionAt(index), and
-// bendEntriesAt(pair) or ispcSharesAt(pair).
+// Sums of what the bends or the ISPCs of a vertex pull it with, in the fixed order of their lists,
+// which begin at even places and are read by pairs. The includer declares `uniforms`,
+// correctionAt(index), and bendEntriesAt(pair) or ispcSharesAt(pair).
 
 vec3 withSum(vec3 d, float inverseUnitMass, vec3 sum) {
     return d + (uniforms.inverse_density * inverseUnitMass) * sum;

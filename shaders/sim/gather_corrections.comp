@@ -12,7 +12,9 @@ layout(local_size_x = kGroupSize) in;
 
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) before;
-layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement {
+    vec4 displacement[];
+};
 RECORD_QUADS(kLinksBinding) links;
 #ifdef GATHER_BENDS
 RECORD_QUADS(kRangesBinding) ranges;

@@ -16,7 +16,8 @@ float inverseTangent(float y, float x) {
     }
     float ratio = min(abs(x), abs(y)) / longer;
     bool folded = ratio > 0.4142135623731;  // tan(pi/8)
-    float angle = tangentSeries(folded ? (ratio - 1.0) / (ratio + 1.0) : ratio) + (folded ? 0.25 * kPi : 0.0);
+    float angle = tangentSeries(folded ? (ratio - 1.0) / (ratio + 1.0) : ratio) +
+        (folded ? 0.25 * kPi : 0.0);
     angle = abs(y) > abs(x) ? 0.5 * kPi - angle : angle;
     angle = x < 0.0 ? kPi - angle : angle;
     return y < 0.0 ? -angle : angle;

@@ -1,7 +1,8 @@
 // Solves each internal shape-preserving constraint once against the displacement as it stands
-// (XPBD, mass split among the ISPCs of a vertex): r = p_v - (b0 p_0 + b1 p_1 + b2 p_2), C = |r| - L0.
-// Reads X, d, ISPCs. Writes the pull of each ISPC, which gather_corrections shares out.
-// One thread per ISPC. A storage barrier follows, then gather_corrections.
+// (XPBD, mass split among the ISPCs of a vertex): r = p_v - (b0 p_0 + b1 p_1 + b2 p_2),
+// C = |r| - L0.
+// Reads X, d, ISPCs. Writes the pull of each ISPC, which gather_corrections shares out. One thread
+// per ISPC. A storage barrier follows, then gather_corrections.
 #include "bindings.h"
 #include "body_records.h"
 #include "constraints.h"

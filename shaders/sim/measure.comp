@@ -1,9 +1,10 @@
-// What the CPU wants to know after a step: volume, boxes of positions, velocities and ways since the
-// last search for contacts, energy and whether a vertex is lost (not finite, or faster than anything
-// real), per block; behind the blocks, how many contacts there were and how many points had candidates for them; and which vertices have a
-// triangle near the blade. Reads X, velocities, rest positions, neighbours, places, pages, pieces, blocks, the
-// state of contact, the query, constraints. Writes block measures and records of nearby vertices. One group per block; sums in a fixed order (see
-// volume_gradient). The CPU reads the result.
+// What the CPU wants to know after a step: volume, boxes of positions, velocities and ways since
+// the last search for contacts, energy and whether a vertex is lost (not finite, or faster than
+// anything real), per block; behind the blocks, how many contacts there were and how many points
+// had candidates for them; and which vertices have a triangle near the blade. Reads X, velocities,
+// rest positions, neighbours, places, pages, pieces, blocks, the state of contact, the query,
+// constraints. Writes block measures and records of nearby vertices. One group per block; sums in a
+// fixed order (see volume_gradient). The CPU reads the result.
 #include "bindings.h"
 #include "body_records.h"
 #include "constraints.h"
@@ -24,11 +25,16 @@ layout(binding = kPlacesBinding) uniform usamplerBuffer places;
 layout(std430, binding = kPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
-layout(std430, binding = kContactCountsOfStepBinding) readonly buffer Contacts { ContactState contacts; };
+layout(std430, binding = kContactCountsOfStepBinding) readonly buffer Contacts {
+    ContactState contacts;
+};
 layout(std430, binding = kSearchedBinding) readonly buffer Searched { vec4 searched[]; };
 layout(std430, binding = kBlockSumsBinding) writeonly buffer Measures { BlockMeasure measures[]; };
 
-layout(std430, binding = kNearbyBinding) buffer Nearby { NearbyQuery query; NearbyVertex nearby[]; };
+layout(std430, binding = kNearbyBinding) buffer Nearby {
+    NearbyQuery query;
+    NearbyVertex nearby[];
+};
 
 shared vec4 lows[kGroupSize];
 shared vec4 highs[kGroupSize];
@@ -44,7 +50,7 @@ uint neighbourAt(uint place) {
 }
 
 #include "sim/strain_energy.glsl"
-#include "sim/volume_gradient.glsl"
+#include "sim/sixfold_gradient.glsl"
 
 // By bits, since compilers are free to turn a comparison round where NaN would answer differently.
 bool within(vec3 a, float limit) {
@@ -52,8 +58,8 @@ bool within(vec3 a, float limit) {
     return all(lessThan(magnitude, uvec3(floatBitsToUint(limit))));
 }
 
-// Kinetic, and potential about the floor (about 0 without one) [J]. What does not move by itself has
-// no inverse mass and counts for nothing.
+// Kinetic, and potential about the floor (about 0 without one) [J]. What does not move by itself
+// has no inverse mass and counts for nothing.
 vec2 energyOf(vec4 position, vec3 velocity) {
     if (position.w <= 0.0) return vec2(0.0);
     float mass = 1.0 / (position.w * uniforms.inverse_density);
@@ -66,7 +72,8 @@ bool lost(vec3 position, vec3 velocity) {
     return !within(position, 1e10) || !within(velocity, uniforms.runaway_speed);
 }
 
-// The box of a vertex and its neighbours holds all triangles at it. Rounding is the asker's business.
+// The box of a vertex and its neighbours holds all triangles at it. Rounding is the asker's
+// business.
 bool meetsQuery(vec3 low, vec3 high) {
     vec3 way = 0.5 * (low + high) - query.center.xyz;
     vec3 reach = 0.5 * (high - low);
@@ -139,10 +146,13 @@ void main() {
             highs[self] = max(highs[self], highs[self + reach]);
             vec4 slowerOne = slowest[self + reach];
             vec4 fasterOne = fastest[self + reach];
-            slowest[self] = vec4(min(slowest[self].xyz, slowerOne.xyz), slowest[self].w + slowerOne.w);
-            fastest[self] = vec4(max(fastest[self].xyz, fasterOne.xyz), fastest[self].w + fasterOne.w);
+            slowest[self] =
+                vec4(min(slowest[self].xyz, slowerOne.xyz), slowest[self].w + slowerOne.w);
+            fastest[self] =
+                vec4(max(fastest[self].xyz, fasterOne.xyz), fastest[self].w + fasterOne.w);
             vec4 shorterOne = leastWay[self + reach];
-            leastWay[self] = vec4(min(leastWay[self].xyz, shorterOne.xyz), leastWay[self].w + shorterOne.w);
+            leastWay[self] =
+                vec4(min(leastWay[self].xyz, shorterOne.xyz), leastWay[self].w + shorterOne.w);
             mostWay[self] = max(mostWay[self], mostWay[self + reach]);
         }
     }

@@ -2,10 +2,10 @@
 #define KERF_PULL_DIRECTION_GLSL
 // Constraints pull along their gradient at X, the beginning of the substep, as SHAKE does: then no
 // sweep changes the angular momentum sum X x m d, which the velocities d / h carry on. Where the
-// gradient has turned too far meanwhile, as at slivers, the one at X + d is taken, and always in plain
-// PBD, which sweeps many times over a long step. There constraints are rigid and not damped; kernels
-// with PLAIN_PBD are compiled for it alone and leave out what it does not need. The includer declares
-// `uniforms`.
+// gradient has turned too far meanwhile, as at slivers, the one at X + d is taken, and always in
+// plain PBD, which sweeps many times over a long step. There constraints are rigid and not damped;
+// kernels with PLAIN_PBD are compiled for it alone and leave out what it does not need. The
+// includer declares `uniforms`.
 #include "unfold_records.h"
 
 // In the substep it turned by no more than 60 degrees and kept half of its size.
@@ -35,8 +35,9 @@ float dampingAt(float fold) {
     return uniforms.damping_ratio * (1.0 - fold);
 }
 
-// What an impulse is to answer to: C, and its rate times gamma. Where the skin is folded what C was at X
-// goes back at kFoldCreep at most, in the way of a vertex of which each metre changes C by `perWay`.
+// What an impulse is to answer to: C, and its rate times gamma. Where the skin is folded what C was
+// at X goes back at kFoldCreep at most, in the way of a vertex of which each metre changes C by
+// `perWay`.
 float dampedError(float error, float rate, float fold, float perWay) {
     float damped = error + dampingAt(fold) * rate;
 #ifdef UNFOLDS

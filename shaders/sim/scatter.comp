@@ -1,16 +1,16 @@
-// Writes single words of a buffer. Reads patches; writes the buffer that is being patched. One
-// thread per patch; no two patches name one word. A storage barrier follows.
+// Writes single words of a buffer. Reads what to write where; writes the buffer. One thread per
+// word; no two writes name one word. A storage barrier follows.
 #include "bindings.h"
 #include "body_records.h"
 layout(local_size_x = kGroupSize) in;
 
-layout(std430, binding = kPatchesBinding) readonly buffer Patches { WordPatch patches[]; };
-layout(std430, binding = kPatchedBinding) writeonly buffer Patched { uint patched[]; };
+layout(std430, binding = kWritesBinding) readonly buffer Writes { WordWrite writes[]; };
+layout(std430, binding = kWrittenBinding) writeonly buffer Written { uint written[]; };
 
-uniform uint patchCount;
+uniform uint writeCount;
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= patchCount) return;
-    patched[patches[i].word] = patches[i].value;
+    if (i >= writeCount) return;
+    written[writes[i].word] = writes[i].value;
 }

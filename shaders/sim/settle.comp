@@ -1,6 +1,6 @@
 // The end of a substep in which nothing but the floor is met: volume_correct, floor and finish of a
-// vertex in one go. Reads gradients, links, impulses, d. Reads and writes X and velocities; d stays as
-// it was. One thread per vertex. A storage barrier follows.
+// vertex in one go. Reads gradients, links, impulses, d. Reads and writes X and velocities; d stays
+// as it was. One thread per vertex. A storage barrier follows.
 #include "bindings.h"
 #include "body_records.h"
 #include "solver_uniforms.h"

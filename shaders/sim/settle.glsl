@@ -7,6 +7,7 @@
 // d once the piece of the vertex has its volume.
 vec3 heldByVolume(uint v, vec3 d, float inverseUnitMass) {
     uint piece = pieceOf(v);
-    vec3 held = withVolume(d, inverseUnitMass, impulseFor(piece == kNoPiece ? 0u : piece), gradientOf(v));
+    float impulse = impulseFor(piece == kNoPiece ? 0u : piece);
+    vec3 held = withVolume(d, inverseUnitMass, impulse, gradientOf(v));
     return piece == kNoPiece ? d : held;
 }

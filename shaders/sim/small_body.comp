@@ -1,12 +1,12 @@
 // Substeps of a small body by one work group: the phases of the other kernels in their order, with
-// their arithmetic, and with sums in their order whatever the size of the group, so the bits are theirs.
-// A substep begins with the prediction and ends with floor and velocities. What else may move vertices
-// in between (contact, boxes) stands between two dispatches, of which the first one leaves its last
-// substep open.
-// With PLAIN_PBD it is some of the sweeps of plain PBD instead, which meets nothing but the floor here.
-// Reads links, lists, pulls, pieces, blocks, pages, places. Reads and writes X, velocities, d.
-// Corrections, gradients, parts, block sums and impulses are scratch. One group in all. A storage
-// barrier follows.
+// their arithmetic, and with sums in their order whatever the size of the group, so the bits are
+// theirs. A substep begins with the prediction and ends with floor and velocities. What else may
+// move vertices in between (contact, boxes) stands between two dispatches, of which the first one
+// leaves its last substep open.
+// With PLAIN_PBD it is some of the sweeps of plain PBD instead, which meets nothing but the floor
+// here. Reads links, lists, pulls, pieces, blocks, pages, places. Reads and writes X, velocities,
+// d. Corrections, gradients, parts, block sums and impulses are scratch. One group in all. A
+// storage barrier follows.
 #include "body_records.h"
 #include "constraints.h"
 #include "small_body_bindings.h"
@@ -47,7 +47,9 @@ layout(std430, binding = kSmallPiecesBinding) readonly buffer Pieces { PieceReco
 layout(std430, binding = kSmallBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
 layout(std430, binding = kSmallPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kSmallPullsBinding) readonly buffer Pulls { PullRecord pulls[]; };
-layout(std430, binding = kSmallImpulsesBinding) coherent buffer Impulses { VolumeImpulse impulses[]; };
+layout(std430, binding = kSmallImpulsesBinding) coherent buffer Impulses {
+    VolumeImpulse impulses[];
+};
 
 #include "sim/small_body_state.glsl"
 
@@ -70,7 +72,7 @@ VolumeSum sumOfBlock(uint block);
 #include "sim/pull.glsl"
 #include "sim/settle.glsl"
 #include "sim/stretch.glsl"
-#include "sim/volume.glsl"
+#include "sim/volume_gradient.glsl"
 
 // The last part of the sum that volume_gradient has.
 VolumeSum sumOfBlock(uint block) {

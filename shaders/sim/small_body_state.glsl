@@ -1,12 +1,20 @@
-// What a work group changes as it solves a small body. On a GPU the displacements lie in shared memory.
-// With LOAD_IMAGES, for llvmpipe, all of it is written as storage and read as images: that loads a
-// vector at a time, while storage and shared memory are loaded lane by lane.
+// What a work group changes as it solves a small body. On a GPU the displacements lie in shared
+// memory. With LOAD_IMAGES, for llvmpipe, all of it is written as storage and read as images: that
+// loads a vector at a time, while storage and shared memory are loaded lane by lane.
 
 layout(std430, binding = kPositionsBinding) coherent buffer Positions { vec4 storedPositions[]; };
-layout(std430, binding = kVelocitiesBinding) coherent buffer Velocities { vec4 storedVelocities[]; };
-layout(std430, binding = kDisplacementBinding) coherent buffer Displacement { vec4 storedDisplacement[]; };
-layout(std430, binding = kSmallCorrectionsBinding) coherent buffer Corrections { vec4 storedCorrections[]; };
-layout(std430, binding = kSmallGradientsBinding) coherent buffer Gradients { vec4 storedGradients[]; };
+layout(std430, binding = kVelocitiesBinding) coherent buffer Velocities {
+    vec4 storedVelocities[];
+};
+layout(std430, binding = kDisplacementBinding) coherent buffer Displacement {
+    vec4 storedDisplacement[];
+};
+layout(std430, binding = kSmallCorrectionsBinding) coherent buffer Corrections {
+    vec4 storedCorrections[];
+};
+layout(std430, binding = kSmallGradientsBinding) coherent buffer Gradients {
+    vec4 storedGradients[];
+};
 layout(std430, binding = kSmallPartsBinding) coherent buffer Parts { vec2 storedParts[]; };
 
 void setPosition(uint v, vec4 x) { storedPositions[v] = x; }
@@ -27,9 +35,9 @@ vec3 sweptOf(uint v) { return storedSwept[v].xyz; }
 #endif
 #endif
 
-// Which of `count` vertices or constraints a thread takes: from firstOf(count) every kStride-th below
-// endOf(count). On llvmpipe eight threads that run side by side have a stretch of them, which stays in
-// the cache.
+// Which of `count` vertices or constraints a thread takes: from firstOf(count) every kStride-th
+// below endOf(count). On llvmpipe eight threads that run side by side have a stretch of them, which
+// stays in the cache.
 #ifdef LOAD_IMAGES
 const uint kStride = 8u;
 
@@ -59,9 +67,12 @@ uint endOf(uint count) {
 #ifdef LOAD_IMAGES
 layout(binding = kPositionsBinding, rgba32f) coherent readonly uniform imageBuffer positionTexels;
 layout(binding = kVelocitiesBinding, rgba32f) coherent readonly uniform imageBuffer velocityTexels;
-layout(binding = kDisplacementBinding, rgba32f) coherent readonly uniform imageBuffer displacementTexels;
-layout(binding = kSmallCorrectionsBinding, rgba32f) coherent readonly uniform imageBuffer correctionTexels;
-layout(binding = kSmallGradientsBinding, rgba32f) coherent readonly uniform imageBuffer gradientTexels;
+layout(binding = kDisplacementBinding, rgba32f) coherent readonly uniform imageBuffer
+    displacementTexels;
+layout(binding = kSmallCorrectionsBinding, rgba32f) coherent readonly uniform imageBuffer
+    correctionTexels;
+layout(binding = kSmallGradientsBinding, rgba32f) coherent readonly uniform imageBuffer
+    gradientTexels;
 layout(binding = kSmallPartsBinding, rg32f) coherent readonly uniform imageBuffer partTexels;
 
 vec4 positionOf(uint v) { return imageLoad(positionTexels, int(v)); }
@@ -98,11 +109,15 @@ void setDisplacement(uint v, vec4 d) {
 }
 
 void loadDisplacements(uint self) {
-    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) setDisplacement(v, storedDisplacement[v]);
+    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
+        setDisplacement(v, storedDisplacement[v]);
+    }
 }
 
 void storeDisplacements(uint self) {
-    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) storedDisplacement[v] = displacementOf(v);
+    for (uint v = self; v < uniforms.vertex_count; v += kSmallGroup) {
+        storedDisplacement[v] = displacementOf(v);
+    }
 }
 #endif
 

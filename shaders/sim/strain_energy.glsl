@@ -1,5 +1,5 @@
-// Energy of strained material at X [J]: C^2 / (2 alpha) of each constraint, and beyond the clamp of a
-// bend what its constant moment adds. What is rigid or off holds none. The includer declares
+// Energy of strained material at X [J]: C^2 / (2 alpha) of each constraint, and beyond the clamp of
+// a bend what its constant moment adds. What is rigid or off holds none. The includer declares
 // `uniforms`, `positions` and `restPositions`.
 layout(binding = kEdgeRangesBinding) uniform usamplerBuffer edgeRanges;
 layout(binding = kSpokesBinding) uniform usamplerBuffer spokes;
@@ -30,7 +30,8 @@ float largestFold = 0.0;  // of the bends that this thread has summed up
 float bendEnergy(uint index) {
     BendRecord bend = fetchBend(bends, index);
     vec3 from = fetch(positions, bend.v0).xyz;
-    Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from, fetch(positions, bend.v2).xyz - from,
+    Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from,
+                          fetch(positions, bend.v2).xyz - from,
                           fetch(positions, bend.v3).xyz - from);
     largestFold = max(largestFold, foldOf(wings, bend));
     if (degenerate(wings)) return 0.0;
@@ -44,7 +45,8 @@ float ispcEnergy(uint index) {
     IspcConstraint ispc = fetchIspc(ispcs, index);
     vec3 x = fetch(positions, ispc.vertex).xyz;
     vec3 span = (1.0 - ispc.b1 - ispc.b2) * (x - fetch(positions, ispc.t0).xyz) +
-        ispc.b1 * (x - fetch(positions, ispc.t1).xyz) + ispc.b2 * (x - fetch(positions, ispc.t2).xyz);
+        ispc.b1 * (x - fetch(positions, ispc.t1).xyz) +
+        ispc.b2 * (x - fetch(positions, ispc.t2).xyz);
     float error = length(span) - ispc.rest_length;
     return energyOf(error * error, ispc.geometry, uniforms.ispc_compliance);
 }

@@ -15,7 +15,9 @@ layout(local_size_x = kGroupSize) in;
 
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kVelocitiesBinding) velocities;
-layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement {
+    vec4 displacement[];
+};
 RECORD_QUADS(kLinksBinding) links;
 RECORD_PAIRS(kRangesBinding) ranges;
 RECORD_QUADS(kEntriesBinding) spokes;
@@ -42,5 +44,6 @@ void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     vec4 own = positionOf(v);
-    displacement[v] = vec4(stretched(v, own, fetch(ranges, v).xy), firstSplit(own.w, fetch(links, v)));
+    displacement[v] =
+        vec4(stretched(v, own, fetch(ranges, v).xy), firstSplit(own.w, fetch(links, v)));
 }

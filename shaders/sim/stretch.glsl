@@ -1,5 +1,5 @@
-// Prediction and edges of a vertex: see stretch.comp. The includer declares `uniforms`, positionOf(v),
-// startOf(v, inverse unit mass) [m] and spokeAt(place).
+// Prediction and edges of a vertex: see stretch.comp. The includer declares `uniforms`,
+// positionOf(v), startOf(v, inverse unit mass) [m] and spokeAt(place).
 #include "sim/folds.glsl"
 #include "sim/pull_direction.glsl"
 

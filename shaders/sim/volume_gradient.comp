@@ -1,7 +1,7 @@
-// dV/dp of each vertex at X (pull_direction.glsl says why), and what the volume constraint sums over a
-// block: the volume at X + d, a third of (p - origin) . dV/dp there since V is homogeneous of degree
-// 3, and w |dV/dp|^2 at X. First each thread over its own vertices, in order, then a tree over the
-// group: both orders are fixed.
+// dV/dp of each vertex at X (pull_direction.glsl says why), and what the volume constraint sums
+// over a block: the volume at X + d, a third of (p - origin) . dV/dp there since V is homogeneous
+// of degree 3, and w |dV/dp|^2 at X. First each thread over its own vertices, in order, then a tree
+// over the group: both orders are fixed.
 // The block of a piece that finishes last adds the sums of all of them up, in their order, to the
 // impulse that brings the piece back to its target volume, as a rigid constraint (alpha = 0).
 // Reads X, d, neighbours, places, pages, pieces, blocks. Writes gradients, block sums, impulses.
@@ -38,7 +38,7 @@ uint placeAt(uint place) { return fetch(places, place).x; }
 void setGradient(uint v, vec3 gradient) { gradients[v].xyz = gradient; }
 VolumeSum sumOfBlock(uint block) { return sums[block]; }
 
-#include "sim/volume.glsl"
+#include "sim/volume_gradient.glsl"
 
 // Over a place of all pages of a block.
 vec2 sumOverPages(BlockRecord block, vec3 originX, vec3 originD, uint place) {

@@ -12,7 +12,7 @@ inline double nearestFloat(double x) {
     return rounded;
 }
 
-/// The same of each component.
+/// The vector of floats nearest to `a`, component by component.
 inline Vec3 nearestFloats(const Vec3& a) {
     return {nearestFloat(a.x()), nearestFloat(a.y()), nearestFloat(a.z())};
 }

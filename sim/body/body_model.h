@@ -7,6 +7,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/constraints.h"
 #include "sim/body/body_state.h"
+#include "sim/body/shell_constraints.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
@@ -14,9 +15,9 @@ namespace kerf {
 
 using shared::IncidenceRange;
 
-/// What touches each vertex, in a fixed order: entries[ranges[v].first .. ranges[v].end) are
-/// 4 * element + slot (slot: which of the element's vertices v is), ascending. Between the lists
-/// there is room for them to grow.
+/// The elements that touch each vertex, in a fixed order: entries[ranges[v].first .. ranges[v].end)
+/// are 4 * element + slot (slot: which of the element's vertices v is), ascending. Between the
+/// lists there is room for them to grow.
 struct Incidence {
     std::vector<IncidenceRange> ranges;  ///< shape [vertexCount]
     std::vector<std::uint32_t> entries;
@@ -45,7 +46,7 @@ struct BodyModel {
     std::vector<Vec3f> restPositions;  ///< [m], shape [vertexCount]
     /// A third of the rest area around each vertex [m^2]; its mass follows from it (see unitMass).
     std::vector<double> vertexAreas;
-    /// At rest, of vertices that a cut made or divided (see SkinNormals::ofCut), shape
+    /// Normals at rest of vertices that a cut made or divided (see SkinNormals::ofCut), shape
     /// [vertexCount].
     std::vector<Vec3f> cutSkinNormals;
     /// Triangles that are present: three vertices, then surfaceTag() | piece << 8.
@@ -53,8 +54,8 @@ struct BodyModel {
     std::vector<int> meshTriangle;   ///< mesh slot of each entry of `triangles`
     std::vector<int> pieceOfVertex;  ///< -1 for unused and hidden vertices
     std::vector<PieceModel> pieces;
-    std::vector<shared::EdgeConstraint> edges;
-    std::vector<shared::BendConstraint> bends;
+    std::vector<EdgeConstraint> edges;
+    std::vector<BendConstraint> bends;
     std::vector<shared::IspcConstraint> ispcs;
     std::vector<int> ispcMeshTriangle;  ///< mesh slot of the triangle each ISPC ends on
     Incidence triangleIncidence;
@@ -71,7 +72,7 @@ struct BodyModel {
     double uncutRestVolume = 0;  ///< [m^3]
 };
 
-/// Everything from the rest shape of `mesh`.
+/// Makes the model of a body from the rest shape of `mesh`.
 BodyModel buildBodyModel(const SurfaceMesh& mesh);
 
 }  // namespace kerf

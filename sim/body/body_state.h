@@ -15,7 +15,7 @@ struct BodyState {
 
 /// The state of these vertices of `mesh`, in this order, rounded to float.
 BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices);
-/// That of all vertices.
+/// The state of all vertices of `mesh`, rounded to float.
 BodyState stateOf(const SurfaceMesh& mesh);
 
 }  // namespace kerf

@@ -384,8 +384,8 @@ void BodyUpdater::updateShell(std::span<const int> changed, BodyChange& change) 
     change.bendLists = bends.takeVertices();
 }
 
-void BodyUpdater::addEdge(int h, RecordEditor<shared::EdgeConstraint>& edges,
-                          RecordEditor<shared::BendConstraint>& bends) {
+void BodyUpdater::addEdge(int h, RecordEditor<EdgeConstraint>& edges,
+                          RecordEditor<BendConstraint>& bends) {
     const int g = mesh_.twin(h);
     const int edge = edges.add(edgeConstraint(mesh_, h, model_.thickness));
     halfEdgesOfEdge_.resize(model_.edges.size());

@@ -17,15 +17,15 @@
 
 namespace kerf {
 
-/// What an update changed, so that a copy of the model can follow. Lists are ascending, each entry
-/// once; arrays may have grown or shrunk besides.
+/// The changes of an update, so that a copy of the model can follow. Lists are ascending, each
+/// entry once; arrays may have grown or shrunk besides.
 struct BodyChange {
     /// Vertices that are new, died or belong to another piece, and where the pieces come from.
     LabelChange pieces;
     /// Vertices of which the area, the skin normal, the piece or the number of constraints
     /// changed.
     std::vector<std::uint32_t> vertices;
-    /// Slots that were written.
+    /// Slots of the records that were written.
     std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> edges;
     std::vector<std::uint32_t> bends;
@@ -42,7 +42,7 @@ struct BodyChange {
 /// what comes out is what buildBodyModel() would make of the cut mesh, but for the ISPCs: one is
 /// kept, bit for bit, unless its vertex is a corner of a new or changed triangle, its triangle
 /// died or changed, its rest segment crosses a new wall, or its ends fell into two pieces.
-/// Those vertices get a new one, cast in rest space.
+/// Vertices whose ISPC is not kept get a new one, cast in rest space.
 class BodyUpdater {
   public:
     /// The mesh must outlive the updater.
@@ -52,11 +52,11 @@ class BodyUpdater {
     BodyUpdater& operator=(const BodyUpdater&) = delete;
 
     const BodyModel& model() const { return model_; }
-    /// Of the closed mesh: hidden vertices belong to pieces too. -1 for unused ones.
+    /// The piece of each vertex of the closed mesh, hidden ones too; -1 for unused ones.
     const std::vector<int>& pieceOfMeshVertex() const { return labels_.ofVertex(); }
     /// Vertices with absent triangles alone, ascending.
     std::vector<int> hiddenVertices() const;
-    /// After a step of the cutter.
+    /// Follows a step of the cutter.
     BodyChange update(const CutDelta& delta);
 
   private:
@@ -80,8 +80,8 @@ class BodyUpdater {
     void updateRims(std::span<const int> changed,
                     RecordEditor<std::array<std::uint32_t, 4>>& triangles);
     void updateShell(std::span<const int> changed, BodyChange& change);
-    void addEdge(int halfEdge, RecordEditor<shared::EdgeConstraint>& edges,
-                 RecordEditor<shared::BendConstraint>& bends);
+    void addEdge(int halfEdge, RecordEditor<EdgeConstraint>& edges,
+                 RecordEditor<BendConstraint>& bends);
     void updateNeighbours(std::span<const std::uint32_t> vertices);
     std::array<std::uint32_t, 4> taggedTriangle(int triangle) const;
     int presentPieceOf(int vertex) const;

@@ -5,6 +5,7 @@
 
 #include "sim/body/edge_angle.h"
 #include "sim/body/rest_geometry.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
@@ -25,18 +26,13 @@ double presentArea(const SurfaceMesh& mesh, int triangle) {
 }
 
 bool isSliver(const SurfaceMesh& mesh, int triangle) {
-    const Triangle& t = mesh.triangle(triangle);
-    double longest = 0;
-    for (int k = 0; k < 3; ++k) {
-        const Vec3 side = mesh.restPosition(t[(k + 1) % 3]) - mesh.restPosition(t[k]);
-        longest = std::max(longest, side.squaredNorm());
-    }
-    return 2 * restArea(mesh, triangle) < kSliverHeight * longest;
+    const Corners rest = restCornersOf(mesh, triangle);
+    return areaNormal(rest).norm() < kSliverHeight * longestEdgeSquare(rest);
 }
 
 }  // namespace
 
-shared::EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int h, double thickness) {
+EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int h, double thickness) {
     const int a = mesh.origin(h);
     const int b = mesh.target(h);
     const double length = (mesh.restPosition(b) - mesh.restPosition(a)).norm();
@@ -45,8 +41,7 @@ shared::EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int h, double thi
             static_cast<float>(length), static_cast<float>(edgeGeometry(length, area, thickness))};
 }
 
-std::optional<shared::BendConstraint> bendConstraint(const SurfaceMesh& mesh, int h,
-                                                     double thickness) {
+std::optional<BendConstraint> bendConstraint(const SurfaceMesh& mesh, int h, double thickness) {
     const int g = mesh.twin(h);
     if (mesh.absent(h / 3) || mesh.absent(g / 3)) {
         return std::nullopt;
@@ -60,22 +55,22 @@ std::optional<shared::BendConstraint> bendConstraint(const SurfaceMesh& mesh, in
     }
     // Bending stiffness of a plate, Poisson's ratio 0.3: about 0.3 E t^3 / 12.
     const double geometry = 1 / (0.3 * thickness * thickness * thickness / 12);
-    return shared::BendConstraint{static_cast<std::uint32_t>(mesh.origin(h)),
-                                  static_cast<std::uint32_t>(mesh.target(h)),
-                                  static_cast<std::uint32_t>(mesh.apex(h)),
-                                  static_cast<std::uint32_t>(mesh.apex(g)),
-                                  static_cast<float>(*angle),
-                                  static_cast<float>(geometry)};
+    return BendConstraint{static_cast<std::uint32_t>(mesh.origin(h)),
+                          static_cast<std::uint32_t>(mesh.target(h)),
+                          static_cast<std::uint32_t>(mesh.apex(h)),
+                          static_cast<std::uint32_t>(mesh.apex(g)),
+                          static_cast<float>(*angle),
+                          static_cast<float>(geometry)};
 }
 
-std::vector<shared::EdgeConstraint> buildEdges(const SurfaceMesh& mesh, double thickness) {
-    std::vector<shared::EdgeConstraint> edges;
+std::vector<EdgeConstraint> buildEdges(const SurfaceMesh& mesh, double thickness) {
+    std::vector<EdgeConstraint> edges;
     forEachEdge(mesh, [&](int h) { edges.push_back(edgeConstraint(mesh, h, thickness)); });
     return edges;
 }
 
-std::vector<shared::BendConstraint> buildBends(const SurfaceMesh& mesh, double thickness) {
-    std::vector<shared::BendConstraint> bends;
+std::vector<BendConstraint> buildBends(const SurfaceMesh& mesh, double thickness) {
+    std::vector<BendConstraint> bends;
     forEachEdge(mesh, [&](int h) {
         if (const auto bend = bendConstraint(mesh, h, thickness)) {
             bends.push_back(*bend);

@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "shaders/shared/constraints.h"
+#include "sim/body/shell_constraints.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
 
-/// At least one of the two triangles beside the edge is part of the body's surface.
+/// Whether at least one of the two triangles beside the edge is part of the body's surface.
 inline bool isPresentEdge(const SurfaceMesh& mesh, int h) {
     return !mesh.absent(h / 3) || !mesh.absent(mesh.twin(h) / 3);
 }
@@ -24,18 +24,18 @@ void forEachEdge(const SurfaceMesh& mesh, F&& f) {
 }
 
 /// The stretching constraint of the edge of a half-edge, in the rest shape. `thickness` [m].
-shared::EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int halfEdge, double thickness);
+EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int halfEdge, double thickness);
 
-/// Its bending constraint; none where a triangle beside the edge is a sliver (height below 5 % of
-/// its longest edge), whose normal is noise, or is absent.
-std::optional<shared::BendConstraint> bendConstraint(const SurfaceMesh& mesh, int halfEdge,
-                                                     double thickness);
+/// The bending constraint of the edge of a half-edge; none where a triangle beside it is absent or
+/// a sliver (height below 5 % of its longest edge), whose normal is noise.
+std::optional<BendConstraint> bendConstraint(const SurfaceMesh& mesh, int halfEdge,
+                                             double thickness);
 
 /// A stretching constraint per edge of the rest shape, in the order of the edges' lower half-edges.
 /// `thickness` of the shell [m].
-std::vector<shared::EdgeConstraint> buildEdges(const SurfaceMesh& mesh, double thickness);
+std::vector<EdgeConstraint> buildEdges(const SurfaceMesh& mesh, double thickness);
 
-/// A bending constraint per edge that can have one, in the same order.
-std::vector<shared::BendConstraint> buildBends(const SurfaceMesh& mesh, double thickness);
+/// A bending constraint per edge that can have one, in the order of buildEdges().
+std::vector<BendConstraint> buildBends(const SurfaceMesh& mesh, double thickness);
 
 }  // namespace kerf

@@ -11,7 +11,7 @@ namespace kerf {
 template <class Scalar>
 struct Dihedral {
     Scalar angle = 0;  ///< [rad], flat 0, convex > 0, in (-pi, pi]
-    /// Of the angle by x0 .. x3 [rad/m].
+    /// The gradient of the angle by x0 .. x3 [rad/m].
     std::array<Eigen::Matrix<Scalar, 3, 1>, 4> gradient;
     bool valid = false;  ///< false where a triangle is degenerate; the rest is not set then
 };
@@ -55,7 +55,7 @@ Dihedral<Scalar> dihedral(const Eigen::Matrix<Scalar, 3, 1>& edge,
     return result;
 }
 
-/// The same angle in [-pi, pi], for a difference of two angles.
+/// A difference of two angles [rad], brought into [-pi, pi].
 template <class Scalar>
 Scalar wrapAngle(Scalar angle) {
     constexpr Scalar pi = std::numbers::pi_v<Scalar>;

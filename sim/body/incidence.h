@@ -4,34 +4,33 @@
 #include <cstdint>
 #include <vector>
 
-#include "shaders/shared/constraints.h"
 #include "sim/body/body_model.h"
 
 namespace kerf {
 
 // The vertices of an element; the place of each is its slot (see Incidence).
-inline std::array<std::uint32_t, 2> verticesOf(const shared::EdgeConstraint& c) {
+inline std::array<std::uint32_t, 2> verticesOf(const EdgeConstraint& c) {
     return {c.a, c.b};
 }
-inline std::array<std::uint32_t, 4> verticesOf(const shared::BendConstraint& c) {
+inline std::array<std::uint32_t, 4> verticesOf(const BendConstraint& c) {
     return {c.v0, c.v1, c.v2, c.v3};
 }
-/// The vertex first, then the triangle that its ray ends on.
+/// The vertices of an ISPC: its own first, then those of the triangle that its ray ends on.
 inline std::array<std::uint32_t, 4> verticesOf(const shared::IspcConstraint& c) {
     return {c.vertex, c.t0, c.t1, c.t2};
 }
-/// Of an entry of BodyModel::triangles.
+/// The vertices of an entry of BodyModel::triangles.
 inline std::array<std::uint32_t, 3> verticesOf(const std::array<std::uint32_t, 4>& triangle) {
     return {triangle[0], triangle[1], triangle[2]};
 }
 
-/// Room for `count` entries with some to spare.
+/// The room that a list of `count` entries gets, with some to spare.
 inline std::uint32_t incidenceRoom(std::uint32_t count) {
     constexpr std::uint32_t kStep = 4;
     return (count + kStep - 1) / kStep * kStep;
 }
 
-/// Which elements touch each vertex, ascending by element and slot (a counting sort).
+/// The elements that touch each vertex, ascending by element and slot (a counting sort).
 template <class Element>
 Incidence buildIncidence(const std::vector<Element>& elements, std::size_t vertexCount) {
     Incidence incidence;

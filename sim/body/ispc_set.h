@@ -12,8 +12,8 @@
 
 namespace kerf {
 
-/// What finds the ISPCs that a cut spoils, and casts new ones: a tree over the rest shape, a grid
-/// of their rest segments, and which of them end on each triangle.
+/// Finds the ISPCs that a cut spoils, and casts new ones: by a tree over the rest shape, a grid of
+/// their rest segments, and lists of those that end on each triangle.
 class IspcSet {
   public:
     /// Casts the ISPCs of all vertices into `model`, of which all but the ISPCs must be there.

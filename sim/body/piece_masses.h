@@ -13,7 +13,7 @@ class VertexAreas {
   public:
     void add(double area);
     void remove(double area);
-    /// How many vertices there are.
+    /// How many vertices the piece has.
     int count() const;
 
     /// Sets the mass of the piece: what unitMass() makes of it sums up to its rest volume, so
@@ -37,7 +37,7 @@ class VertexAreas {
 /// Mass at density 1 of a vertex [m^3]: massPerArea * max(area, leastArea) of its piece; 0 for
 /// unused vertices. Multiply by the density for kg.
 double unitMass(const BodyModel& model, std::size_t vertex);
-/// Of all vertices.
+/// The masses at density 1 of all vertices [m^3]: see unitMass().
 std::vector<double> unitMasses(const BodyModel& model);
 
 }  // namespace kerf

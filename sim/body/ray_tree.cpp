@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
@@ -16,14 +19,11 @@ RayTree::RayTree(const SurfaceMesh& mesh, std::span<const int> triangles)
     : mesh_(mesh), tree_(triangles, [this](int t) { return boundsOf(t); }) {}
 
 void RayTree::update(std::span<const int> triangles) {
-    for (const int t : triangles) {
-        tree_.erase(t);
-    }
-    for (const int t : triangles) {
-        if (mesh_.alive(t)) {
-            tree_.insert(t, [this](int id) { return boundsOf(id); });
-        }
-    }
+    tree_.erase(triangles);
+    std::vector<int> alive;
+    std::ranges::copy_if(triangles, std::back_inserter(alive),
+                         [this](int t) { return mesh_.alive(t); });
+    tree_.insert(alive, [this](int t) { return boundsOf(t); });
 }
 
 Bounds RayTree::boundsOf(int triangle) const {
@@ -58,9 +58,7 @@ RayHit RayTree::intersect(const BoxRay& ray, int triangle) const {
 }
 
 bool RayTree::facesAway(int triangle, const Vec3& direction) const {
-    const Triangle& t = mesh_.triangle(triangle);
-    const Vec3& a = mesh_.restPosition(t[0]);
-    return (mesh_.restPosition(t[1]) - a).cross(mesh_.restPosition(t[2]) - a).dot(direction) > 0;
+    return areaNormal(restCornersOf(mesh_, triangle)).dot(direction) > 0;
 }
 
 bool RayTree::crosses(const Vec3& from, const Vec3& to) const {

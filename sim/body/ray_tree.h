@@ -2,7 +2,7 @@
 
 #include <array>
 #include <span>
-#include <vector>
+#include <utility>
 
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/ray_box.h"
@@ -18,8 +18,9 @@ struct RayHit {
     double b2 = 0;
 };
 
-/// A bounding-volume tree over triangles of the rest shape, for rays. Answers do not depend on the
-/// shape of the tree, so one that was edited answers as one that was built anew.
+/// A bounding-volume tree over triangles of the rest shape, for rays, which divide it on their way.
+/// Answers do not depend on the shape of the tree, so one that was edited answers as one that was
+/// built anew.
 ///
 /// A triangle reaches 2e-5 of its edges beyond its border, so that a ray aimed at an edge or a
 /// corner (the rule on symmetric meshes) hits something.
@@ -28,7 +29,7 @@ class RayTree {
     /// `triangles`: living mesh slots. The mesh must outlive the tree and keep its rest shape.
     RayTree(const SurfaceMesh& mesh, std::span<const int> triangles);
 
-    /// What the first update does otherwise. O(n).
+    /// Does at once what the first update would do. O(n).
     void prepareToUpdate() { tree_.prepareToEdit(); }
     /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
     /// a corner or its rest position changed; each once.
@@ -54,32 +55,39 @@ class RayTree {
     void traverse(const BoxRay& ray, const double& farthest, Visit&& visit) const;
 
     const SurfaceMesh& mesh_;
-    BoxTree tree_;
+    mutable BoxTree tree_;  ///< divided by rays
 };
 
 template <class Visit>
 void RayTree::traverse(const BoxRay& ray, const double& farthest, Visit&& visit) const {
-    const std::vector<BoxTree::Node>& nodes = tree_.nodes();
-    std::array<int, BoxTree::kMaxDepth + 2> stack;
+    struct Entered {
+        int node;
+        double entry;
+    };
+    std::array<Entered, BoxTree::kMostInSearch> stack;
     int size = 0;
-    if (!nodes.empty()) {
-        stack[size++] = 0;
+    const auto enter = [&](int node) {
+        return Entered{node, entryInto(tree_.node(node).bounds, ray, farthest)};
+    };
+    for (const int root : tree_.roots()) {
+        stack[size++] = enter(root);
     }
     while (size > 0) {
-        const BoxTree::Node& node = nodes[stack[--size]];
-        if (node.count == 0 || entryInto(node.bounds, ray, farthest) > farthest) {
+        const auto [node, entry] = stack[--size];
+        if (entry > farthest || tree_.node(node).count == 0) {
             continue;
         }
-        if (node.child < 0) {
-            for (const int triangle : tree_.idsOf(node)) {
-                visit(triangle);
-            }
+        const int left = tree_.childrenOf(node);
+        if (left < 0) {
+            tree_.forEach(tree_.node(node), visit);
             continue;
         }
-        const bool leftFirst = entryInto(nodes[node.child].bounds, ray, farthest) <=
-                               entryInto(nodes[node.child + 1].bounds, ray, farthest);
-        stack[size++] = node.child + (leftFirst ? 1 : 0);
-        stack[size++] = node.child + (leftFirst ? 0 : 1);
+        stack[size] = enter(left);
+        stack[size + 1] = enter(left + 1);
+        if (stack[size].entry <= stack[size + 1].entry) {
+            std::swap(stack[size], stack[size + 1]);
+        }
+        size += 2;
     }
 }
 

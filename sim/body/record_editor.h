@@ -14,10 +14,11 @@ namespace kerf {
 class IncidenceRooms {
   public:
     IncidenceRooms() = default;
-    /// For an incidence as buildIncidence() makes it.
+    /// The rooms of an incidence as buildIncidence() makes it.
     explicit IncidenceRooms(const Incidence& incidence);
 
-    /// Both keep the entries of a vertex ascending. A list that has no room left moves.
+    /// Adds or removes an entry of a vertex; its entries stay ascending. A list without room left
+    /// moves.
     void add(Incidence& incidence, std::uint32_t vertex, std::uint32_t entry);
     void remove(Incidence& incidence, std::uint32_t vertex, std::uint32_t entry);
     /// Makes `entries` the list of a vertex, in their order.
@@ -49,7 +50,7 @@ class RecordEditor {
         sorted_ = false;
     }
 
-    /// Returns the slot.
+    /// Adds a record. Returns its slot.
     int add(const Record& record) {
         sortHoles();
         int slot = static_cast<int>(records_.size());
@@ -92,7 +93,7 @@ class RecordEditor {
         return records_[slot];
     }
 
-    /// After close(): slots that were written, and vertices whose list changed; ascending.
+    /// The slots that were written, or the vertices whose list changed, ascending; after close().
     std::vector<std::uint32_t> takeSlots() { return std::move(slots_); }
     std::vector<std::uint32_t> takeVertices() { return std::move(vertices_); }
 

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "sim/mesh/triangle.h"
+
 namespace kerf {
 
 double restArea(const SurfaceMesh& mesh, int triangle) {
-    const Triangle& t = mesh.triangle(triangle);
-    const Vec3& a = mesh.restPosition(t[0]);
-    return 0.5 * (mesh.restPosition(t[1]) - a).cross(mesh.restPosition(t[2]) - a).norm();
+    return triangleArea(restCornersOf(mesh, triangle));
 }
 
 std::vector<double> restVertexAreas(const SurfaceMesh& mesh) {

@@ -15,7 +15,8 @@ Vec3 mean(const std::vector<Vec3>& points, std::span<const int> subset) {
     return sum / static_cast<double>(subset.size());
 }
 
-/// The rotation that brings points with this covariance (sum of current rest^T) closest together.
+}  // namespace
+
 Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& covariance) {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
                                                 Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -23,8 +24,6 @@ Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& covariance) {
     const Vec3 signs(1, 1, product.determinant() < 0 ? -1 : 1);
     return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
-
-}  // namespace
 
 double rmsShapeError(const std::vector<Vec3>& rest, const std::vector<Vec3>& current,
                      std::span<const int> subset) {

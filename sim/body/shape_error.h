@@ -7,8 +7,12 @@
 
 namespace kerf {
 
+/// The rotation that brings points with this covariance (sum of current rest^T) closest together
+/// (Kabsch 1976).
+Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& covariance);
+
 /// Root mean square distance between the current positions and the rest positions after the best
-/// rotation and translation (Kabsch 1976), over the vertices of `subset` [m]; 0 for an empty one.
+/// rotation and translation, over the vertices of `subset` [m]; 0 for an empty one.
 /// How far a body is from its shape, wherever it lies.
 double rmsShapeError(const std::vector<Vec3>& rest, const std::vector<Vec3>& current,
                      std::span<const int> subset);

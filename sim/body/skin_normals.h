@@ -15,10 +15,10 @@ namespace kerf {
 class SkinNormals {
   public:
     SkinNormals() = default;
-    /// Of an uncut body: at each vertex weighted by the angles of the triangles around it.
+    /// The normals of an uncut body, weighted by the angles of the triangles around each vertex.
     explicit SkinNormals(const SurfaceMesh& uncut);
 
-    /// After a step of the cutter: vertices of the skin from `firstNew` on get the normals that
+    /// Follows a step of the cutter: vertices of the skin from `firstNew` on get the normals that
     /// shading had at their places on the skin triangles `old`, which the step removed or changed.
     void follow(const SurfaceMesh& mesh, int firstNew, std::span<const Triangle> old);
 

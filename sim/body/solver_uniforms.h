@@ -20,7 +20,7 @@ double sweepStiffness(double stiffness, int sweeps);
 /// where what is hollow can be squeezed flat.
 bool holdsVolume(const Params& params);
 
-/// What the parameters mean for the solver; counts are 0. SolverMode::smallSteps: `iterations`
+/// The parameters as the solver reads them; counts are 0. SolverMode::smallSteps: `iterations`
 /// substeps of one sweep, with compliances. SolverMode::pbd: one substep of `iterations` sweeps,
 /// with stiffness factors and without a volume constraint.
 shared::SolverUniforms solverUniforms(const Params& params);

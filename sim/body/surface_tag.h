@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// What the renderer and the kernels know of a living triangle besides its corners: bit 0 is its
+/// The word that tells the renderer and the kernels of a living triangle: bit 0 is its
 /// kind (1 for a wall), bit 1 + i tells that its edge from corner i to the next one lies on the rim
 /// of a cut, between skin and wall.
 std::uint32_t surfaceTag(const SurfaceMesh& mesh, int triangle);

@@ -51,8 +51,8 @@ double fixedUnit(const ContactSettings& settings);
 /// of the diagonal, both of the uncut body (see CutSettings). [m]
 double contactEdgeLength(const BodyModel& model);
 
-/// What the kernels get to know; counts are 0. `relativeSpeed` [m/s]: an upper bound of how fast
-/// two parts of the body approach each other.
+/// The settings as the kernels read them; counts are 0. `relativeSpeed` [m/s]: an upper bound of
+/// how fast two parts of the body approach each other.
 shared::ContactUniforms contactUniforms(const ContactSettings& settings, double edgeLength,
                                         double relativeSpeed);
 
@@ -67,7 +67,7 @@ struct RelativeMotion {
     bool folded = false;        ///< some edge is folded, so the coming step unfolds (Unfolding)
 };
 
-/// From what the candidates in force were found; what a snapshot keeps of contact.
+/// The state from which the candidates in force were found; a snapshot keeps it.
 struct ContactMemory {
     std::vector<shared::vec4> positions;  ///< X; empty: none were found
     std::vector<shared::vec4> velocities;
@@ -104,7 +104,7 @@ class ContactSolver {
     /// piece.
     void setFolds(const gpu::Buffer* folds);
 
-    /// Before the first substep of a time step.
+    /// Begins a time step, before its first substep.
     void beginStep(const RelativeMotion& motion);
     /// Whether something may be touched in this step. A search may find more.
     bool mayTouch() const { return enabled() && !(keepsCandidates_ && foundNone_); }
@@ -120,16 +120,16 @@ class ContactSolver {
     void search();
     /// X when candidates were looked for last; of some size where they never were.
     const gpu::Buffer& searchedPositions() const { return searchedPositions_; }
-    /// For a snapshot, and back: what follows is equal bit for bit. remember() comes after
-    /// setBody().
+    /// The memory of contact for a snapshot, and back: what follows is equal bit for bit.
+    /// remember() comes after setBody().
     ContactMemory memory() const;
     void remember(const ContactMemory& memory);
     /// The candidates found last, nearest first, shape [vertexCount][]; waits for the GPU.
     std::vector<std::vector<shared::ContactCandidate>> readCandidates() const;
     /// Counts of the last search and the last substep.
     const gpu::Buffer& state() const { return state_; }
-    /// What each point touched in the last substep, shape [state().points]; empty before the first
-    /// step with contact.
+    /// The records of what each point touched in the last substep, shape [state().points]; empty
+    /// before the first step with contact.
     const gpu::Buffer& records() const { return records_; }
     shared::ContactState readState() const;
     /// How often candidates have been looked for.

@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// Where a body is and how fast it moves at most: what decides which obstacles it can reach.
+/// The place and the greatest speed of a body, which decide what obstacles it can reach.
 struct BodyReach {
     Bounds bounds;            ///< [m]
     double speed = 0;         ///< no vertex is faster [m/s]
@@ -36,12 +36,12 @@ class ObstacleContact {
     void setBody(const ContactBody& body, double edgeLength);
     void setSettings(const ContactSettings& settings) { settings_ = settings; }
 
-    /// Before the first substep of a time step. Compiles what the first thin obstacle in reach
+    /// Begins a time step, before its first substep. Compiles what the first thin obstacle in reach
     /// needs. Throws gpu::ShaderError, gpu::OutOfMemory.
     void beginStep(const BodyReach& reach);
     /// Whether an obstacle is in reach in this step.
     bool mayTouch() const { return reached_; }
-    /// Before anything else moves X in a substep: triangles are kept on the side of thin obstacles
+    /// Begins a substep, before anything moves X: triangles are kept on the side of thin obstacles
     /// where they are now.
     void beginSubstep();
     /// Changes d where it leads into an obstacle, and moves X out of where one is inside the body.

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// What the kernels of a kind of obstacles differ in.
+/// The differences between the kernels of two kinds of obstacles.
 struct ObstacleKind {
     gpu::Defines triangles;       ///< for where they meet triangles
     std::string vertices;         ///< path of the kernel that keeps vertices out of them
@@ -41,9 +41,9 @@ class Obstacles {
     virtual TouchDistances distances(const ContactSettings& settings, double edgeLength) const = 0;
 };
 
-/// Rounded to floats.
+/// A vector and a fourth number, rounded to floats.
 shared::vec4 packed(const Vec3& v, double w);
-/// Columns of `axes`: unit vectors; `half`: half the size along each [m].
+/// The record of a box. Columns of `axes`: unit vectors; `half`: half the size along each [m].
 shared::BoxRecord boxRecord(const Vec3& center, const Eigen::Matrix3d& axes, const Vec3& half);
 
 }  // namespace kerf

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/base/boxes.h"
 #include "sim/contact/octree.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
 namespace {
-
-using Corners = std::array<Vec3, 3>;
 
 /// Whether the edge from p to q meets a triangle (Möller and Trumbore, 1997).
 bool meets(const Vec3& p, const Vec3& q, const Corners& t) {
@@ -94,14 +94,6 @@ class PaperContact {
             piece.corners.push_back(corners);
         }
         return out;
-    }
-
-    static Bounds boxOf(const Corners& corners) {
-        Bounds box;
-        for (const Vec3& p : corners) {
-            box.add(p);
-        }
-        return box;
     }
 
     static Octree treeOf(const PieceSurface& surface) {

@@ -5,207 +5,133 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/growth_room.h"
+
 namespace kerf {
 
 namespace {
 
-constexpr int kLeafSize = 4;  // of a fresh tree: leaves room for insertion
-constexpr int kBins = 16;
 // Deeper nodes are halved by count, which bounds the depth.
-constexpr int kSahDepth = 64;
-// Weight balance: deeper than 2 log2(n) + 8, some node on the way has a child above this share.
-constexpr double kHeavyShare = 0.7;
-constexpr double kDepthPerDoubling = 2;
-constexpr double kFreeDepth = 8;
-
-double halfSurface(const Bounds& box) {
-    if (box.empty()) {
-        return 0;
-    }
-    const Vec3 size = box.high - box.low;
-    return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
-}
-
-double growth(const Bounds& box, const Bounds& added) {
-    Bounds both = box;
-    both.add(added);
-    return halfSurface(both) - halfSurface(box);
-}
-
-struct Split {
-    int axis = -1;  // -1: none found
-    double plane = 0;
-    double cost = 1e300;
-};
+constexpr int kMiddleDepth = 56;
+constexpr float kFar = 1e30F;
 
 }  // namespace
 
-/// Reorders them by the middle along the longest side of their centres; returns how many lie before
-/// it.
-std::size_t BoxTree::halveItems(std::span<Item> items) {
-    Bounds centers;
-    for (const Item& item : items) {
-        centers.add(item.center);
+Bounds BoxTree::boundsOfPlaces(int first, int end) const {
+    using Four = Eigen::Array4f;
+    Four low = Four::Constant(kFar);
+    Four high = Four::Constant(-kFar);
+    for (const Item& item : std::span(items_).subspan(first, end - first)) {
+        const Four cube = Eigen::Map<const Four>(item.cube.data());
+        low = low.min(cube - item.cube[3]);
+        high = high.max(cube + item.cube[3]);
     }
-    int axis = 0;
-    (centers.high - centers.low).maxCoeff(&axis);
-    const std::size_t half = items.size() / 2;
-    std::nth_element(items.begin(), items.begin() + half, items.end(),
-                     [axis](const Item& a, const Item& b) {
-                         return a.center[axis] < b.center[axis] ||
-                                (a.center[axis] == b.center[axis] && a.id < b.id);
-                     });
-    return half;
+    std::array<float, 4> l;  // the sums themselves stay in registers
+    std::array<float, 4> h;
+    Eigen::Map<Four>(l.data()) = low;
+    Eigen::Map<Four>(h.data()) = high;
+    return l[0] <= h[0] ? Bounds{{l[0], l[1], l[2]}, {h[0], h[1], h[2]}} : Bounds{};
 }
 
-/// Fills a subtree with items, from a node that has neither children nor a leaf.
-class BoxTree::Builder {
-  public:
-    enum class Rule { surfaceArea, halves };
-    Builder(BoxTree& tree, std::vector<Item> items, Rule rule)
-        : tree_(tree), items_(std::move(items)), rule_(rule) {}
-
-    void build(int root) {
-        tasks_.push_back({root, 0, static_cast<int>(items_.size()), 0});
-        while (!tasks_.empty()) {
-            const Task task = tasks_.back();
-            tasks_.pop_back();
-            divide(task);
-        }
+void BoxTree::prepareToEdit() {
+    if (std::exchange(canEdit_, true)) {
+        return;
     }
-
-  private:
-    struct Task {
-        int node, first, count, depth;
-    };
-
-    std::span<Item> itemsOf(const Task& task) {
-        return {items_.data() + task.first, static_cast<std::size_t>(task.count)};
+    placeOf_.reserve(withGrowthRoom(items_.size()));
+    for (int place = 0; place < static_cast<int>(items_.size()); ++place) {
+        notePlace(place);
     }
+}
 
-    void divide(const Task& task) {
-        if (task.count <= kLeafSize) {
-            tree_.fillLeaf(task.node, itemsOf(task));
-            return;
-        }
-        Bounds bounds;
-        Bounds centers;
-        for (const Item& item : itemsOf(task)) {
-            bounds.add(item.bounds);
-            centers.add(item.center);
-        }
-        const int half = partition(task, centers);
-        const int left = tree_.newPair();
-        Node& node = tree_.nodes_[task.node];
-        node.bounds = bounds;
-        node.count = task.count;
-        node.child = left;
-        tree_.nodes_[left].parent = task.node;
-        tree_.nodes_[left + 1].parent = task.node;
-        tasks_.push_back({left, task.first, half, task.depth + 1});
-        tasks_.push_back({left + 1, task.first + half, task.count - half, task.depth + 1});
+/// A tree of the items from this place on.
+void BoxTree::plantFrom(int first) {
+    Node root;
+    root.first = first;
+    root.end = static_cast<int>(items_.size());
+    root.count = root.end - first;
+    root.bounds = boundsOfPlaces(first, root.end);
+    root.stamp = motion_;
+    roots_.push_back(newPair());
+    nodes_[roots_.back()] = root;
+    while (roots_.size() > 1 &&
+           nodes_[roots_[roots_.size() - 2]].count <= 2 * nodes_[roots_.back()].count) {
+        joinLastTwo();
     }
+}
 
-    /// Reorders the task's items; returns how many go left (at least one stays on each side).
-    int partition(const Task& task, const Bounds& centers) {
-        const bool bySurface = rule_ == Rule::surfaceArea && task.depth < kSahDepth;
-        const Split split = bySurface ? findSplit(task, centers) : Split{};
-        if (split.axis < 0) {
-            return static_cast<int>(halveItems(itemsOf(task)));
-        }
-        const std::span<Item> items = itemsOf(task);
-        const auto middle = std::partition(items.begin(), items.end(), [&](const Item& item) {
-            return item.center[split.axis] < split.plane;
-        });
-        const int half = static_cast<int>(middle - items.begin());
-        return half > 0 && half < task.count ? half : static_cast<int>(halveItems(itemsOf(task)));
+void BoxTree::joinLastTwo() {
+    const int last = roots_.back();
+    roots_.pop_back();
+    const int first = roots_.back();
+    Node joined = nodes_[first];
+    joined.bounds.add(nodes_[last].bounds);
+    joined.stamp = std::min(joined.stamp, nodes_[last].stamp);
+    joined.count += nodes_[last].count;
+    joined.end = nodes_[last].end;
+    joined.joins = std::max(joined.joins, nodes_[last].joins) + 1;
+    const bool mostlyEmpty = 2 * joined.count < joined.end - joined.first;
+    if (joining_ == Joining::anew || mostlyEmpty || joined.joins > kMostJoins) {
+        makeUndivided(joined, first, last);
+    } else {
+        becomeChildren(joined, first, last);
     }
+    roots_.back() = newPair();
+    nodes_[roots_.back()] = joined;
+}
 
-    Split findSplit(const Task& task, const Bounds& centers) {
-        Split best;
-        for (int axis = 0; axis < 3; ++axis) {
-            tryAxis(task, axis, centers, best);
-        }
-        return best;
-    }
+/// One node without empty places in place of the trees of these roots, which are the last two.
+void BoxTree::makeUndivided(Node& joined, int first, int last) {
+    forget(first);
+    forget(last);
+    joined.child = -1;
+    joined.joins = 0;
+    joined.end = closeRanks(joined.first, joined.end);
+    items_.resize(joined.end);
+}
 
-    void tryAxis(const Task& task, int axis, const Bounds& centers, Split& best) {
-        const double low = centers.low[axis];
-        const double extent = centers.high[axis] - low;
-        if (extent <= 0) {
-            return;
-        }
-        std::array<Bounds, kBins> boxes;
-        std::array<int, kBins> counts{};
-        for (const Item& item : itemsOf(task)) {
-            const double share = (item.center[axis] - low) / extent;
-            const int bin = std::min(kBins - 1, static_cast<int>(share * kBins));
-            boxes[bin].add(item.bounds);
-            ++counts[bin];
-        }
-        std::array<double, kBins> rightCost{};
-        sweepFromRight(boxes, counts, rightCost);
-        Bounds left;
-        int count = 0;
-        for (int bin = 0; bin + 1 < kBins; ++bin) {
-            left.add(boxes[bin]);
-            count += counts[bin];
-            const double cost = count * halfSurface(left) + rightCost[bin + 1];
-            if (count > 0 && count < task.count && cost < best.cost) {
-                best = {axis, low + extent * (bin + 1) / kBins, cost};
-            }
-        }
-    }
+void BoxTree::becomeChildren(Node& joined, int first, int last) {
+    const int left = newPair();
+    nodes_[left] = nodes_[first];
+    nodes_[left + 1] = nodes_[last];
+    freePairs_.insert(freePairs_.end(), {first, last});
+    joined.child = left;
+}
 
-    static void sweepFromRight(const std::array<Bounds, kBins>& boxes,
-                               const std::array<int, kBins>& counts,
-                               std::array<double, kBins>& rightCost) {
-        Bounds right;
-        int count = 0;
-        for (int bin = kBins - 1; bin > 0; --bin) {
-            right.add(boxes[bin]);
-            count += counts[bin];
-            rightCost[bin] = count * halfSurface(right);
-        }
-    }
-
-    BoxTree& tree_;
-    std::vector<Item> items_;
-    Rule rule_;
-    std::vector<Task> tasks_;
-};
-
-BoxTree::BoxTree(std::span<const int> ids, const BoundsOf& boundsOf) {
-    std::vector<Item> items;
-    items.reserve(ids.size());
+void BoxTree::erase(std::span<const int> ids) {
     for (const int id : ids) {
-        items.push_back(itemOf(id, boundsOf));
+        if (!contains(id)) {
+            continue;
+        }
+        const int place = std::exchange(placeOf_[id], -1);
+        items_[place] = {{0, 0, 0, -kFar}, -1};
+        const auto behind = std::ranges::upper_bound(
+            roots_, place, {}, [this](int root) { return nodes_[root].first; });
+        int index = *(behind - 1);
+        while (true) {
+            --nodes_[index].count;
+            const int child = nodes_[index].child;
+            if (child < 0) {
+                break;
+            }
+            index = place < nodes_[child + 1].first ? child : child + 1;
+        }
     }
-    nodes_.emplace_back();
-    Builder(*this, std::move(items), Builder::Rule::surfaceArea).build(0);
 }
 
-BoxTree::Item BoxTree::itemOf(int id, const BoundsOf& boundsOf) {
-    const Bounds bounds = boundsOf(id);
-    return {id, bounds, bounds.center()};
-}
-
-int BoxTree::newLeaf() {
-    if (!freeLeaves_.empty()) {
-        const int leaf = freeLeaves_.back();
-        freeLeaves_.pop_back();
-        return leaf;
+Bounds BoxTree::bounds() const {
+    Bounds all;
+    for (const int root : roots_) {
+        if (nodes_[root].count > 0) {
+            all.add(widened(nodes_[root]));
+        }
     }
-    leaves_.emplace_back();
-    return static_cast<int>(leaves_.size()) - 1;
+    return all;
 }
 
 int BoxTree::newPair() {
     if (!freePairs_.empty()) {
         const int left = freePairs_.back();
         freePairs_.pop_back();
-        nodes_[left] = {};
-        nodes_[left + 1] = {};
         return left;
     }
     const int left = static_cast<int>(nodes_.size());
@@ -213,176 +139,163 @@ int BoxTree::newPair() {
     return left;
 }
 
-void BoxTree::fillLeaf(int index, std::span<const Item> items) {
-    Node& node = nodes_[index];
-    node.bounds = {};
-    node.child = -1;
-    node.leaf = newLeaf();
-    node.count = static_cast<int>(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        leaves_[node.leaf][i] = items[i].id;
-        node.bounds.add(items[i].bounds);
-        noteLeaf(items[i].id, index);
-    }
-}
-
-void BoxTree::noteLeaf(int id, int node) {
-    if (!canEdit_) {
-        return;
-    }
-    if (id >= static_cast<int>(nodeOf_.size())) {
-        nodeOf_.resize(id + 1, -1);
-    }
-    nodeOf_[id] = node;
-}
-
-void BoxTree::prepareToEdit() {
-    if (std::exchange(canEdit_, true)) {
-        return;
-    }
-    for (int index = 0; index < static_cast<int>(nodes_.size()); ++index) {
-        if (nodes_[index].child < 0) {
-            for (const int id : idsOf(nodes_[index])) {
-                noteLeaf(id, index);
-            }
+/// Frees a root and all below.
+void BoxTree::forget(int index) {
+    freePairs_.push_back(index);
+    std::vector<int> stack{nodes_[index].child};
+    while (!stack.empty()) {
+        const int left = stack.back();
+        stack.pop_back();
+        if (left >= 0) {
+            stack.insert(stack.end(), {nodes_[left].child, nodes_[left + 1].child});
+            freePairs_.push_back(left);
         }
     }
 }
 
-int BoxTree::chooseChild(const Node& node, const Bounds& bounds) const {
-    const Node& left = nodes_[node.child];
-    const Node& right = nodes_[node.child + 1];
-    const double toLeft = growth(left.bounds, bounds);
-    const double toRight = growth(right.bounds, bounds);
-    const bool goesLeft = toLeft < toRight || (toLeft == toRight && left.count <= right.count);
-    return node.child + (goesLeft ? 0 : 1);
+void BoxTree::setPlace(int place, const Item& item) {
+    items_[place] = item;
+    notePlace(place);
 }
 
-void BoxTree::insert(int id, const BoundsOf& boundsOf) {
-    prepareToEdit();
-    assert(!contains(id));
-    if (nodes_.empty()) {
-        nodes_.emplace_back();
-        fillLeaf(0, {});
+/// Moves what is there to the front; returns where the empty places begin.
+int BoxTree::closeRanks(int first, int end) {
+    int to = first;
+    for (int place = first; place < end; ++place) {
+        if (items_[place].id < 0) {
+            continue;
+        }
+        if (place != to) {
+            setPlace(to, items_[place]);
+            items_[place] = {{0, 0, 0, -kFar}, -1};
+        }
+        ++to;
     }
-    const Bounds bounds = boundsOf(id);
-    int index = 0;
-    int depth = 0;
-    for (; nodes_[index].child >= 0; ++depth) {
-        nodes_[index].bounds.add(bounds);
-        ++nodes_[index].count;
-        index = chooseChild(nodes_[index], bounds);
-    }
-    Node& leaf = nodes_[index];
-    if (leaf.count == kLeafCapacity) {
-        splitLeaf(index, id, boundsOf);
-    } else {
-        leaf.bounds.add(bounds);
-        leaves_[leaf.leaf][leaf.count++] = id;
-        noteLeaf(id, index);
-    }
-    keepBalanced(index, depth, boundsOf);
+    return to;
 }
 
-// Two leaves, each at least half full: divided at the middle of the longest side of the centres.
-void BoxTree::splitLeaf(int index, int id, const BoundsOf& boundsOf) {
-    std::array<Item, kLeafCapacity + 1> items;
-    items[0] = itemOf(id, boundsOf);
-    for (int i = 0; i < kLeafCapacity; ++i) {
-        items[i + 1] = itemOf(leaves_[nodes_[index].leaf][i], boundsOf);
+int BoxTree::divide(int index) {
+    Node node = nodes_[index];
+    if (node.end - node.first > node.count) {
+        node.end = nodes_[index].end = closeRanks(node.first, node.end);
     }
-    freeLeaves_.push_back(std::exchange(nodes_[index].leaf, -1));
-    const std::size_t half = halveItems(items);
+    if (node.count <= kLeafSize) {
+        return -1;
+    }
+    const int middle = partition(node);
+    for (int place = node.first; canEdit_ && place < node.end; ++place) {
+        placeOf_[items_[place].id] = place;
+    }
     const int left = newPair();
-    nodes_[left].parent = nodes_[left + 1].parent = index;
-    fillLeaf(left, std::span(items).first(half));
-    fillLeaf(left + 1, std::span(items).subspan(half));
-    Node& node = nodes_[index];
-    node.bounds = nodes_[left].bounds;
-    node.bounds.add(nodes_[left + 1].bounds);
-    node.count = static_cast<int>(items.size());
-    node.child = left;
+    nodes_[index].child = left;
+    const std::array<int, 3> cuts{node.first, middle, node.end};
+    for (int i = 0; i < 2; ++i) {
+        Node& child = nodes_[left + i];
+        child.first = cuts[i];
+        child.end = cuts[i + 1];
+        child.count = child.end - child.first;
+        child.bounds = boundsOfPlaces(child.first, child.end);
+        child.stamp = node.stamp;
+        child.child = -1;
+        child.depth = node.depth + 1;
+    }
+    return left;
 }
 
-void BoxTree::erase(int id) {
-    prepareToEdit();
-    if (!contains(id)) {
-        return;
+/// Reorders the items of a node without empty places, which then do not know their places; returns
+/// where the right half begins.
+int BoxTree::partition(const Node& node) {
+    const auto longest = [](const Bounds& box) {
+        int axis = 0;
+        (box.high - box.low).maxCoeff(&axis);
+        return axis;
+    };
+    const int axis = longest(node.bounds);
+    if (node.depth >= kMiddleDepth) {
+        return halve(node, axis);
     }
-    const int index = std::exchange(nodeOf_[id], -1);
-    Node& leaf = nodes_[index];
-    const auto begin = leaves_[leaf.leaf].begin();
-    const auto end = begin + leaf.count;
-    std::copy(std::find(begin, end, id) + 1, end, std::find(begin, end, id));
-    for (int i = index; i >= 0; i = nodes_[i].parent) {
-        --nodes_[i].count;
+    const auto dividesAt = [&node](int place) { return place > node.first && place < node.end; };
+    if (const int at = partitionAt(node, axis, node.bounds.center()[axis]); dividesAt(at)) {
+        return at;
     }
-    if (leaf.count == 0 && index != 0) {
-        replaceBySibling(index);
+    Bounds centers;
+    for (int place = node.first; place < node.end; ++place) {
+        const auto& c = items_[place].cube;
+        centers.add(Vec3(c[0], c[1], c[2]));
     }
+    const int across = longest(centers);
+    const int at = partitionAt(node, across, centers.center()[across]);
+    return dividesAt(at) ? at : halve(node, across);
 }
 
-/// The parent of a leaf that has become empty takes over what its other child holds.
-void BoxTree::replaceBySibling(int emptyLeaf) {
-    const int parent = nodes_[emptyLeaf].parent;
-    const int left = nodes_[parent].child;
-    const Node sibling = nodes_[emptyLeaf == left ? left + 1 : left];
-    freeLeaves_.push_back(nodes_[emptyLeaf].leaf);
-    freePairs_.push_back(left);
-    const int grandparent = nodes_[parent].parent;
-    nodes_[parent] = sibling;
-    nodes_[parent].parent = grandparent;
-    if (sibling.child >= 0) {
-        nodes_[sibling.child].parent = parent;
-        nodes_[sibling.child + 1].parent = parent;
-        return;
+/// Those below the plane come first; returns where the others begin. Without branches: on which
+/// side an item lies can't be foreseen.
+int BoxTree::partitionAt(const Node& node, int axis, double plane) {
+    Item* const items = items_.data();
+    Item* low = items + node.first;
+    for (Item* item = low; item != items + node.end; ++item) {
+        const bool isLow = item->cube[axis] < plane;
+        std::swap(*item, *low);
+        low += isLow ? 1 : 0;
     }
-    for (const int id : idsOf(sibling)) {
-        noteLeaf(id, parent);
-    }
+    return static_cast<int>(low - items);
 }
 
-void BoxTree::keepBalanced(int index, int depth, const BoundsOf& boundsOf) {
-    if (depth <= kDepthPerDoubling * std::log2(nodes_[0].count) + kFreeDepth) {
-        return;
-    }
-    for (int i = nodes_[index].parent; i >= 0; i = nodes_[i].parent) {
-        const int child = nodes_[i].child;
-        const int heavier = std::max(nodes_[child].count, nodes_[child + 1].count);
-        if (heavier > kHeavyShare * nodes_[i].count && nodes_[i].count > kLeafCapacity) {
-            rebuild(i, boundsOf);
-            return;
+int BoxTree::halve(const Node& node, int axis) {
+    const auto begin = items_.begin() + node.first;
+    std::sort(begin, items_.begin() + node.end, [axis](const Item& a, const Item& b) {
+        return a.cube[axis] != b.cube[axis] ? a.cube[axis] < b.cube[axis] : a.id < b.id;
+    });
+    return node.first + node.count / 2;
+}
+
+void BoxTree::divideAll() {
+    std::vector<int> stack = roots_;
+    while (!stack.empty()) {
+        const int index = stack.back();
+        stack.pop_back();
+        if (const int child = childrenOf(index); child >= 0) {
+            stack.insert(stack.end(), {child, child + 1});
         }
     }
 }
 
-void BoxTree::rebuild(int index, const BoundsOf& boundsOf) {
-    std::vector<int> ids;
-    const int child = nodes_[index].child;
-    collect(child, ids);
-    collect(child + 1, ids);
-    freePairs_.push_back(child);
-    nodes_[index].child = -1;
-    std::vector<Item> items;
-    items.reserve(ids.size());
-    for (const int id : ids) {
-        items.push_back(itemOf(id, boundsOf));
+void BoxTree::refit(const BoundsOf& boundsOf) {
+    motion_ += 1;  // every stamp is too old
+    for (const int root : roots_) {
+        refitWithin(root, 0, boundsOf);
     }
-    Builder(*this, std::move(items), Builder::Rule::halves).build(index);
 }
 
-/// Appends the ids below a node and frees what it holds, not the node itself.
-void BoxTree::collect(int index, std::vector<int>& ids) {
-    const Node node = nodes_[index];
-    if (node.child < 0) {
-        const std::span<const int> below = idsOf(node);
-        ids.insert(ids.end(), below.begin(), below.end());
-        freeLeaves_.push_back(node.leaf);
+/// Leaves every box below at most `tolerance` too wide.
+void BoxTree::refitWithin(int index, double tolerance, const BoundsOf& boundsOf) {
+    if (motion_ - nodes_[index].stamp <= tolerance) {
         return;
     }
-    collect(node.child, ids);
-    collect(node.child + 1, ids);
-    freePairs_.push_back(node.child);
+    const int child = nodes_[index].child;
+    if (child < 0) {
+        makeAnew(nodes_[index], boundsOf);
+        return;
+    }
+    Bounds bounds;
+    for (const int c : {child, child + 1}) {
+        refitWithin(c, tolerance, boundsOf);
+        if (nodes_[c].count > 0) {
+            bounds.add(widened(nodes_[c]));
+        }
+    }
+    nodes_[index].bounds = bounds;
+    nodes_[index].stamp = motion_;
+}
+
+void BoxTree::makeAnew(Node& node, const BoundsOf& boundsOf) {
+    for (int place = node.first; place < node.end; ++place) {
+        if (const int id = items_[place].id; id >= 0) {
+            items_[place] = itemOf(id, boundsOf(id));
+        }
+    }
+    node.bounds = boundsOfPlaces(node.first, node.end);
+    node.stamp = motion_;
 }
 
 }  // namespace kerf

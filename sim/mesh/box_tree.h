@@ -1,108 +1,243 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cassert>
+#include <cmath>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "sim/base/growth_room.h"
 #include "sim/base/math.h"
 
 namespace kerf {
 
-/// A bounding-volume tree over numbered things with boxes: built by a binned surface-area
-/// heuristic, edited by inserting and erasing. What it finds does not depend on its shape.
-/// (Insertion: Goldsmith and Salmon 1987; balance: Galperin and Rivest 1993.) Things that move are
-/// for LazyBoxTree.
+/// A forest of bounding-volume trees over numbered things with boxes that change in batches. Nodes
+/// are divided where something is first looked for, at the middle of their longest side, so what
+/// nobody looks at costs one pass. A batch is a tree of its own; trees of like size join (Bentley
+/// and Saxe 1980). What it finds does not depend on its shape.
+///
+/// Boxes of nodes may be larger than needed, never smaller. Each remembers how far things had moved
+/// when it was made, so that after moved(d) it counts as wider by d.
 class BoxTree {
   public:
-    /// The box of a thing.
+    /// Tells the box of a thing as it is now.
     using BoundsOf = std::function<Bounds(int id)>;
 
-    /// As large as a cache line. Boxes may be larger than needed, never smaller.
-    struct alignas(64) Node {
-        Bounds bounds;
-        int parent = -1;
-        int child = -1;  ///< the left one, the right one follows it; -1 for a leaf
-        int leaf = -1;   ///< where its ids lie; -1 for an inner node
-        int count = 0;   ///< things below
+    /// How two trees join.
+    enum class Joining {
+        anew,    ///< one undivided tree: nodes tell places apart best
+        divided  ///< the halves of a tree, divided as they are: what was divided stays so
     };
 
-    BoxTree() = default;
-    BoxTree(std::span<const int> ids, const BoundsOf& boundsOf);
+    struct Node {
+        Bounds bounds;
+        double stamp = 0;  ///< motion of the things when the bounds were made
+        int first = 0;     ///< of its places
+        int end = 0;       ///< behind them
+        int child = -1;    ///< the left one, the right one follows it; -1 while it is not divided
+        int depth = 0;     ///< below the root of its batch
+        int count = 0;     ///< things below; places may be empty
+        int joins = 0;     ///< of a root: so many joins at most lie above its batches
+    };
 
-    /// What the first edit does otherwise: notes where each id lies. O(n), and memory up to the
-    /// largest id, which a small tree that nobody edits does without.
-    void prepareToEdit();
-    /// `id` must not be in the tree.
-    void insert(int id, const BoundsOf& boundsOf);
-    /// Does nothing where `id` is not in the tree.
-    void erase(int id);
-
-    /// Calls visit(id) for everything in leaves whose box meets(box); may find more than needed.
-    template <class Meets, class Visit>
-    void find(Meets&& meets, Visit&& visit) const;
-
-    /// For other ways through the tree: node 0 is the root; empty where nothing was ever put in.
-    const std::vector<Node>& nodes() const { return nodes_; }
-    std::span<const int> idsOf(const Node& leaf) const {
-        return {leaves_[leaf.leaf].data(), static_cast<std::size_t>(leaf.count)};
+    explicit BoxTree(Joining joining = Joining::anew) : joining_(joining) {}
+    /// O(n). `boundsOf` is a BoundsOf, or what can be called as one.
+    template <class Of>
+    BoxTree(std::span<const int> ids, const Of& boundsOf, Joining joining = Joining::anew)
+        : joining_(joining) {
+        insert(ids, boundsOf);
     }
+
+    /// Does at once what the first edit or question for an id would do: notes where each id lies.
+    /// O(n), and memory up to the largest id, which a tree that nobody edits does without.
+    void prepareToEdit();
+    /// Puts things into the tree; none of them may be there.
+    template <class Of>
+    void insert(std::span<const int> ids, const Of& boundsOf);
+    /// Takes out those of `ids` that are in the tree.
+    void erase(std::span<const int> ids);
+    bool contains(int id) {
+        prepareToEdit();
+        return id < static_cast<int>(placeOf_.size()) && placeOf_[id] >= 0;
+    }
+    /// Whether a thing is in the tree and its box was the same when it was last asked for.
+    bool holds(int id, const Bounds& bounds) {
+        return contains(id) && items_[placeOf_[id]].cube == itemOf(id, bounds).cube;
+    }
+
+    /// Nothing has moved farther than `distance` [m] since the last call.
+    void moved(double distance) { motion_ += distance; }
+    /// Makes every box anew. O(n).
+    void refit(const BoundsOf& boundsOf);
+
+    /// Calls visit(id) for everything in undivided nodes whose box meets(box); may find more than
+    /// needed. Boxes that have become much too wide are made anew on the way.
+    template <class Meets, class Visit>
+    void find(const BoundsOf& boundsOf, Meets&& meets, Visit&& visit);
+
+    /// Holds all things; larger than needed by as much as they may have moved. Empty where there is
+    /// nothing.
+    Bounds bounds() const;
+
+    // For other ways through the trees.
+    /// The root nodes, one a tree.
+    const std::vector<int>& roots() const { return roots_; }
+    const Node& node(int index) const { return nodes_[index]; }
+    /// The left child, the right one follows it; -1 for a node with few things. Divides the node
+    /// where nobody has.
+    int childrenOf(int index) {
+        return nodes_[index].child >= 0 ? nodes_[index].child : divide(index);
+    }
+    template <class Visit>
+    void forEach(const Node& node, Visit&& visit) const {
+        for (int place = node.first; place < node.end; ++place) {
+            if (items_[place].id >= 0) {
+                visit(items_[place].id);
+            }
+        }
+    }
+    /// The first thing of a node, which must hold something.
+    int firstOf(const Node& node) const {
+        int place = node.first;
+        while (items_[place].id < 0) {
+            ++place;
+        }
+        return items_[place].id;
+    }
+    /// Divides all nodes, so that no search has to. O(n log n).
+    void divideAll();
+
     /// No node lies deeper.
-    static constexpr int kMaxDepth = 120;
+    static constexpr int kMaxDepth = 98;
+    /// Roots halve in size at least from one to the next.
+    static constexpr int kMostRoots = 33;
+    /// Nodes that a search may have to keep at once, which divides those it comes to into two.
+    static constexpr int kMostInSearch = kMaxDepth + kMostRoots + 2;
 
   private:
-    static constexpr int kLeafCapacity = 8;
+    // A box may be wider than needed by this share of its diagonal.
+    static constexpr double kSlack = 0.1;
+    static constexpr int kLeafSize = 8;
+    // After so many joins above each other a tree is made anew.
+    static constexpr int kMostJoins = 8;
+    // Cubes are larger by these shares of their reach and of their distance from the origin, which
+    // covers the roundings of floats.
+    static constexpr double kRoundingOfReach = 1e-6;
+    static constexpr double kRoundingOfCenter = 3e-7;
 
+    /// A thing by a cube that holds its box.
     struct Item {
-        int id = -1;
-        Bounds bounds;
-        Vec3 center;
+        /// Its centre, then half its side: far below 0 where the place is empty.
+        std::array<float, 4> cube{};
+        int id = -1;  ///< -1: the place is empty
     };
-    class Builder;
 
-    bool contains(int id) const {
-        return id < static_cast<int>(nodeOf_.size()) && nodeOf_[id] >= 0;
+    static Item itemOf(int id, const Bounds& bounds);
+    void notePlace(int place);
+    void plantFrom(int first);
+    Bounds widened(const Node& node) const {
+        Bounds bounds = node.bounds;
+        bounds.widen(motion_ - node.stamp);
+        return bounds;
     }
-    void noteLeaf(int id, int node);
-    static Item itemOf(int id, const BoundsOf& boundsOf);
-    static std::size_t halveItems(std::span<Item> items);
-    void fillLeaf(int node, std::span<const Item> items);
-    int newLeaf();
+    bool isTooWide(const Node& node) const {
+        const double slack = motion_ - node.stamp;
+        return slack > 0 && slack > kSlack * node.bounds.diagonal();
+    }
+    Bounds boundsOfPlaces(int first, int end) const;
+    int divide(int index);
+    int partition(const Node& node);
+    int partitionAt(const Node& node, int axis, double plane);
+    int halve(const Node& node, int axis);
+    void setPlace(int place, const Item& item);
+    int closeRanks(int first, int end);
+    void joinLastTwo();
+    void makeUndivided(Node& joined, int first, int last);
+    void becomeChildren(Node& joined, int first, int last);
     int newPair();
-    int chooseChild(const Node& node, const Bounds& bounds) const;
-    void splitLeaf(int node, int id, const BoundsOf& boundsOf);
-    void replaceBySibling(int emptyLeaf);
-    void keepBalanced(int node, int depth, const BoundsOf& boundsOf);
-    void rebuild(int node, const BoundsOf& boundsOf);
-    void collect(int node, std::vector<int>& ids);
+    void forget(int index);
+    void refitWithin(int index, double tolerance, const BoundsOf& boundsOf);
+    void makeAnew(Node& node, const BoundsOf& boundsOf);
 
+    Joining joining_;
     std::vector<Node> nodes_;
-    std::vector<std::array<int, kLeafCapacity>> leaves_;
+    std::vector<Item> items_;  ///< those of a node lie in a row
     bool canEdit_ = false;
-    std::vector<int> nodeOf_;  ///< of each id: its leaf node, -1 for none; empty until edited
+    std::vector<int> placeOf_;  ///< of each id, -1 for none; empty before anybody asks for one
+    std::vector<int> roots_;    ///< in the order of their places
     std::vector<int> freePairs_;
-    std::vector<int> freeLeaves_;
+    double motion_ = 0;
 };
 
+template <class Of>
+void BoxTree::insert(std::span<const int> ids, const Of& boundsOf) {
+    if (ids.empty()) {
+        return;
+    }
+    if (items_.empty()) {
+        items_.reserve(withGrowthRoom(ids.size()));
+    }
+    const int first = static_cast<int>(items_.size());
+    for (const int id : ids) {
+        assert(!canEdit_ || !contains(id));
+        items_.push_back(itemOf(id, boundsOf(id)));
+        notePlace(static_cast<int>(items_.size()) - 1);
+    }
+    plantFrom(first);
+}
+
+inline void BoxTree::notePlace(int place) {
+    if (!canEdit_) {
+        return;
+    }
+    const int id = items_[place].id;
+    if (id >= static_cast<int>(placeOf_.size())) {
+        placeOf_.resize(id + 1, -1);
+    }
+    placeOf_[id] = place;
+}
+
+inline BoxTree::Item BoxTree::itemOf(int id, const Bounds& bounds) {
+    Item item;
+    double reach = 0;
+    double farthest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        item.cube[axis] = static_cast<float>(0.5 * (bounds.low[axis] + bounds.high[axis]));
+        const double center = item.cube[axis];
+        reach = std::max({reach, bounds.high[axis] - center, center - bounds.low[axis]});
+        farthest = std::max(farthest, std::fabs(center));
+    }
+    item.cube[3] =
+        static_cast<float>(reach * (1 + kRoundingOfReach) + (farthest + reach) * kRoundingOfCenter);
+    item.id = id;
+    return item;
+}
+
 template <class Meets, class Visit>
-void BoxTree::find(Meets&& meets, Visit&& visit) const {
-    std::array<int, kMaxDepth + 2> stack;
+void BoxTree::find(const BoundsOf& boundsOf, Meets&& meets, Visit&& visit) {
+    std::array<int, kMostInSearch> stack;
     int size = 0;
-    if (!nodes_.empty()) {
-        stack[size++] = 0;
+    for (const int root : roots_) {
+        stack[size++] = root;
     }
     while (size > 0) {
-        const Node& node = nodes_[stack[--size]];
-        if (node.count == 0 || !meets(node.bounds)) {
+        const int index = stack[--size];
+        if (nodes_[index].count == 0 || !meets(widened(nodes_[index]))) {
             continue;
         }
-        if (node.child >= 0) {
-            stack[size++] = node.child + 1;
-            stack[size++] = node.child;
-            continue;
+        if (isTooWide(nodes_[index])) {
+            refitWithin(index, kSlack * nodes_[index].bounds.diagonal(), boundsOf);
+            if (!meets(nodes_[index].bounds)) {
+                continue;
+            }
         }
-        for (const int id : idsOf(node)) {
-            visit(id);
+        if (const int child = childrenOf(index); child >= 0) {
+            stack[size++] = child + 1;
+            stack[size++] = child;
+        } else {
+            forEach(nodes_[index], visit);
         }
     }
 }

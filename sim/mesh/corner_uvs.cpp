@@ -5,6 +5,7 @@
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 namespace {
@@ -22,7 +23,7 @@ class UvLookup {
     UvLookup(const SurfaceMesh& uncut, const std::vector<CornerUvs>& uvs)
         : mesh_(uncut),
           uvs_(uvs),
-          triangles_(livingTriangles(uncut), [this](int t) { return placesOf(t); }) {}
+          triangles_(livingTriangles(uncut), [this](int t) { return restCornersOf(mesh_, t); }) {}
 
     CornerUvs uvsOf(const Triangle& corners, const SurfaceMesh& cut) {
         const Vec3& a = cut.restPosition(corners[0]);
@@ -33,11 +34,6 @@ class UvLookup {
     }
 
   private:
-    std::array<Vec3, 3> placesOf(int t) const {
-        const auto [a, b, c] = mesh_.triangle(t);
-        return {mesh_.restPosition(a), mesh_.restPosition(b), mesh_.restPosition(c)};
-    }
-
     /// From triangle t over edges that are no seams to where p lies.
     Eigen::Vector2f at(int t, const Vec3& p) const {
         for (int walked = 0; walked < kMaxWalk; ++walked) {
@@ -50,7 +46,7 @@ class UvLookup {
             }
             t = across;
         }
-        const auto [a, b, c] = placesOf(t);
+        const auto [a, b, c] = restCornersOf(mesh_, t);
         return blend(t, closestWeights(p, a, b, c));
     }
 
@@ -61,14 +57,14 @@ class UvLookup {
 
     /// Barycentric, of the foot of p in the plane of t.
     Vec3 planeWeights(int t, const Vec3& p) const {
-        const auto [a, b, c] = placesOf(t);
-        const Vec3 normal = (b - a).cross(c - a);
+        const auto [a, b, c] = restCornersOf(mesh_, t);
+        const Vec3 normal = areaNormal(a, b, c);
         const double area = normal.squaredNorm();
         if (area == 0) {
             return Vec3::Constant(1.0 / 3);
         }
-        const double v = (p - a).cross(c - a).dot(normal) / area;
-        const double w = (b - a).cross(p - a).dot(normal) / area;
+        const double v = areaNormal(a, p, c).dot(normal) / area;
+        const double w = areaNormal(a, b, p).dot(normal) / area;
         return {1 - v - w, v, w};
     }
 

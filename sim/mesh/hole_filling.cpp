@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "sim/mesh/triangle.h"
+
 namespace kerf {
 namespace {
 
@@ -107,9 +109,9 @@ class LoopFiller {
     }
 
     double areaOf(int i, int j, int k) const {
-        const Vec3& a = soup_.positions[loop_[i]];
-        const Vec3 cross = (soup_.positions[loop_[j]] - a).cross(soup_.positions[loop_[k]] - a);
-        return cross.isZero(0) ? kImpossible : 0.5 * cross.norm();
+        const auto& at = soup_.positions;
+        const Vec3 normal = areaNormal(at[loop_[i]], at[loop_[j]], at[loop_[k]]);
+        return normal.isZero(0) ? kImpossible : 0.5 * normal.norm();
     }
 
     void append(int i, int k, std::vector<Triangle>& triangles) const {

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-/// What fillHoles() did.
+/// The outcome of fillHoles().
 struct HoleFilling {
     int holes = 0;
     int triangles = 0;  ///< that were added

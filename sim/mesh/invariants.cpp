@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "sim/mesh/piece_labels.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
@@ -151,10 +152,6 @@ std::string checkCornerOf(const SurfaceMesh& mesh, int h) {
     return "";
 }
 
-double tetrahedron(const std::vector<Vec3>& points, const Triangle& t) {
-    return points[t[0]].dot(points[t[1]].cross(points[t[2]])) / 6;
-}
-
 /// About which the volume of each piece is measured: any point where it is closed.
 std::vector<Vec3> volumeApexes(const SurfaceMesh& mesh, const PieceMap& map) {
     std::vector<Vec3> apexes(map.pieces.size(), Vec3::Zero());
@@ -171,7 +168,8 @@ double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
     double sum = 0;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
-            sum += tetrahedron(points, mesh.triangle(t));
+            const auto& [a, b, c] = mesh.triangle(t);
+            sum += tetrahedronVolume(points[a], points[b], points[c]);
         }
     }
     return sum;
@@ -308,7 +306,7 @@ PieceMap findPieces(const SurfaceMesh& mesh) {
             const int piece = map.ofVertex[a];
             const Vec3& o = apexes[piece];
             map.pieces[piece].volume +=
-                (mesh.position(a) - o).dot((mesh.position(b) - o).cross(mesh.position(c) - o)) / 6;
+                tetrahedronVolume(mesh.position(a) - o, mesh.position(b) - o, mesh.position(c) - o);
         }
     }
     return map;

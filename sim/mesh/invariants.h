@@ -19,14 +19,14 @@ std::string checkUmbrellas(const SurfaceMesh& mesh);
 std::string checkSimpleComplex(const SurfaceMesh& mesh);
 /// (I6) Positions, rest positions and velocities are finite.
 std::string checkFinite(const SurfaceMesh& mesh);
-/// All of the above: the mesh is a closed, oriented 2-manifold with finite coordinates.
+/// (I1), (I2), (I3) and (I6): the mesh is a closed, oriented 2-manifold with finite coordinates.
 std::string checkClosedManifold(const SurfaceMesh& mesh);
-/// The same around some triangles, at the cost of these: what a change of a closed mesh may have
-/// broken. Dead ones are passed over.
+/// checkClosedManifold() around some triangles, at the cost of these: what a change of a closed
+/// mesh may have broken. Dead ones are passed over.
 std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const int> triangles);
 
-/// The same with an open stroke: the mesh with its absent walls is a closed 2-manifold, and what is
-/// present an oriented 2-manifold with a border along them, which passes each vertex once at most.
+/// checkClosedManifold() with an open stroke: the mesh with its absent walls is a closed
+/// 2-manifold, what is present one with a border along them, which passes each vertex once at most.
 std::string checkOpenManifold(const SurfaceMesh& mesh);
 /// Half-edges of present triangles beside absent ones, ascending: the border of the open surface.
 std::vector<int> borderHalfEdges(const SurfaceMesh& mesh);
@@ -56,7 +56,7 @@ PieceMap findPieces(const SurfaceMesh& mesh);
 /// Sum of signed tetrahedra over all triangles [m^3].
 double meshVolume(const SurfaceMesh& mesh);
 double meshRestVolume(const SurfaceMesh& mesh);
-/// Of the current positions of the living triangles [m].
+/// The box of the living triangles where they are now [m].
 Bounds meshBounds(const SurfaceMesh& mesh);
 
 }  // namespace kerf

@@ -18,9 +18,6 @@ constexpr double kGrowth = 8;
 NearestTriangle::NearestTriangle(const std::vector<int>& ids, CornersOf cornersOf)
     : cornersOf_(std::move(cornersOf)), tree_(ids, [this](int id) { return boundsOf(id); }) {
     assert(!ids.empty());
-    for (const int id : ids) {
-        bounds_.add(boundsOf(id));
-    }
 }
 
 Bounds NearestTriangle::boundsOf(int id) const {
@@ -30,7 +27,7 @@ Bounds NearestTriangle::boundsOf(int id) const {
 int NearestTriangle::find(const Vec3& p) {
     const double least = std::numeric_limits<double>::min();
     int found = -1;
-    for (double reach = std::max(kFirstReach * bounds_.diagonal(), least); found < 0;
+    for (double reach = std::max(kFirstReach * tree_.bounds().diagonal(), least); found < 0;
          reach *= kGrowth) {
         found = findWithin(p, reach);
     }
@@ -44,7 +41,8 @@ int NearestTriangle::findWithin(const Vec3& p, double reach) {
     around.widen(reach);
     double least = reach;
     int found = -1;
-    tree_.find([&](const Bounds& box) { return box.overlaps(around); },
+    tree_.find([this](int id) { return boundsOf(id); },
+               [&](const Bounds& box) { return box.overlaps(around); },
                [&](int id) {
                    const auto [a, b, c] = cornersOf_(id);
                    const Vec3 w = closestWeights(p, a, b, c);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/mesh/box_tree.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
@@ -12,12 +13,12 @@ namespace kerf {
 class NearestTriangle {
   public:
     /// The corners of a triangle; must give the same as long as this lives.
-    using CornersOf = std::function<std::array<Vec3, 3>(int id)>;
+    using CornersOf = std::function<Corners(int id)>;
 
-    /// `ids` must not be empty.
+    /// A search among these triangles, of which there must be one.
     NearestTriangle(const std::vector<int>& ids, CornersOf cornersOf);
 
-    /// The lowest of equally near ones.
+    /// The triangle nearest to p; the lowest of equally near ones.
     int find(const Vec3& p);
 
   private:
@@ -26,7 +27,6 @@ class NearestTriangle {
 
     CornersOf cornersOf_;
     BoxTree tree_;
-    Bounds bounds_;
 };
 
 }  // namespace kerf

@@ -6,22 +6,10 @@
 #include <utility>
 
 #include "sim/base/growth_room.h"
+#include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 
 namespace kerf {
-
-namespace {
-
-double tetrahedron(const SurfaceMesh& mesh, const Triangle& t) {
-    return mesh.restPosition(t[0]).dot(mesh.restPosition(t[1]).cross(mesh.restPosition(t[2]))) / 6;
-}
-
-double area(const SurfaceMesh& mesh, const Triangle& t) {
-    const Vec3& a = mesh.restPosition(t[0]);
-    return 0.5 * (mesh.restPosition(t[1]) - a).cross(mesh.restPosition(t[2]) - a).norm();
-}
-
-}  // namespace
 
 /// Searches from all changed triangles at once, some triangles each in turn, until all but one of
 /// the parts of each piece are known whole. That takes the time of the smaller parts. Triangles
@@ -485,9 +473,9 @@ void PieceLabels::addShare(int triangle, int sign, PieceContent& piece) const {
 }
 
 PieceLabels::Share PieceLabels::shareOf(const SurfaceMesh& mesh, int triangle) const {
-    const Triangle& corners = mesh.triangle(triangle);
-    return {tetrahedron(mesh, corners),
-            measures_ == Measures::volumesAndAreas ? area(mesh, corners) : 0.0};
+    const Corners at = restCornersOf(mesh, triangle);
+    return {tetrahedronVolume(at[0], at[1], at[2]),
+            measures_ == Measures::volumesAndAreas ? triangleArea(at) : 0.0};
 }
 
 }  // namespace kerf

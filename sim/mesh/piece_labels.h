@@ -23,7 +23,7 @@ struct LabelMove {
     int to = -1;
 };
 
-/// What an update did.
+/// The outcome of an update.
 struct LabelChange {
     /// Vertices that are new, died, or belong to another piece now, each once.
     std::vector<LabelMove> moves;
@@ -44,8 +44,8 @@ class PieceLabels {
     /// Labels in the order of the pieces' lowest vertices. O(n).
     explicit PieceLabels(const SurfaceMesh& mesh, Measures measures = Measures::volumesAndAreas);
 
-    /// From now on volumes are followed at least. O(n) the first time. The labels must be those of
-    /// the mesh as it is.
+    /// Lets volumes be followed from now on, at least. O(n) the first time. The labels must be
+    /// those of the mesh as it is.
     void measureVolumes(const SurfaceMesh& mesh);
 
     /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
@@ -62,7 +62,7 @@ class PieceLabels {
         Triangle corners{-1, -1, -1};
         bool counted = false;
     };
-    /// What a triangle adds to its piece.
+    /// The volume and the area that a triangle adds to its piece.
     struct Share {
         double volume = 0;
         double area = 0;

@@ -19,8 +19,8 @@ struct BoxRay {
 
 inline constexpr double kMissesBox = 1e301;
 
-/// Where the ray enters the box, in lengths of its direction and not below 0; kMissesBox where it
-/// does not before `farthest`. Shares of the ray between the planes of each axis (Kay and Kajiya
+/// The place where the ray enters the box, in lengths of its direction, at least 0; kMissesBox if
+/// it does not before `farthest`. Shares of the ray between the planes of each axis (Kay and Kajiya
 /// 1986).
 inline double entryInto(const Bounds& box, const BoxRay& ray, double farthest) {
     const Vec3 toLow = (box.low - ray.origin).cwiseProduct(ray.inverse);

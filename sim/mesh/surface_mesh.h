@@ -47,7 +47,7 @@ class SurfaceMesh {
     int aliveTriangles() const { return aliveTriangles_; }
 
     // Per vertex.
-    /// Current [m].
+    /// The current position [m].
     const Vec3& position(int v) const {
         if (isOld(v)) [[unlikely]] {
             bringAll();
@@ -55,7 +55,7 @@ class SurfaceMesh {
         return positions_[v];
     }
     const Vec3& restPosition(int v) const { return restPositions_[v]; }  ///< [m]
-    /// [m/s]
+    /// The current velocity [m/s].
     const Vec3& velocity(int v) const {
         if (isOld(v)) [[unlikely]] {
             bringAll();
@@ -84,19 +84,19 @@ class SurfaceMesh {
     SurfaceKind kind(int t) const { return kinds_[t]; }
     /// Which cut made this wall triangle: 2 * stroke + side (0: W+, 1: W-); -1 on skin.
     int wallLabel(int t) const { return wallLabels_[t]; }
-    /// A wall of the open stroke.
+    /// Whether the triangle is a wall of the open stroke.
     bool absent(int t) const {
         return openStroke_ >= 0 && kinds_[t] == SurfaceKind::wall &&
                wallLabels_[t] / 2 == openStroke_;
     }
-    /// Alive and part of the body's surface.
+    /// Whether the triangle is alive and part of the body's surface.
     bool present(int t) const { return alive(t) && !absent(t); }
     /// The stroke whose walls are absent, -1 for none.
     int openStroke() const { return openStroke_; }
     void setOpenStroke(int stroke) { openStroke_ = stroke; }
 
     // Half-edges.
-    /// Divides faster where the sign need not be looked at.
+    /// The triangle of a half-edge, by a division that need not look at the sign.
     static int triangleOf(int h) { return static_cast<int>(static_cast<unsigned>(h) / 3); }
     static int next(int h) { return cornerOf(h) == 2 ? h - 2 : h + 1; }
     static int previous(int h) { return cornerOf(h) == 0 ? h + 2 : h - 1; }
@@ -104,7 +104,7 @@ class SurfaceMesh {
     int target(int h) const { return triangles_[triangleOf(h)][cornerAfter(cornerOf(h))]; }
     int apex(int h) const { return triangles_[triangleOf(h)][cornerBefore(cornerOf(h))]; }
     int twin(int h) const { return twins_[triangleOf(h)][cornerOf(h)]; }
-    /// Those of the half-edges of a triangle.
+    /// The twins of the three half-edges of a triangle.
     const std::array<int, 3>& twins(int t) const { return twins_[t]; }
     /// Next outgoing half-edge of the same origin, counter-clockwise seen from outside.
     int rotate(int h) const { return twins_[triangleOf(h)][cornerBefore(cornerOf(h))]; }
@@ -127,17 +127,17 @@ class SurfaceMesh {
 
     /// Number of triangles around v.
     int valence(int v) const;
-    /// All triangles around v are absent, and there are some.
+    /// Whether there are triangles around v and all of them are absent.
     bool hidden(int v) const;
 
     // Numbers that are elsewhere.
     /// From now on `source` has positions and velocities of all vertices. It must outlive the mesh
     /// and its copies, or until nothing is old.
     void leaveTo(VertexSource& source);
-    /// What the source brings for a vertex.
+    /// Takes what the source brings for a vertex.
     void setState(int v, const Vec3& position, const Vec3& velocity);
     bool isOld(int v) const { return source_ != nullptr && old_[v] != 0; }
-    /// Nothing is old.
+    /// Whether nothing is old.
     bool isWhole() const { return source_ == nullptr; }
     /// Fetches what is old of these in one go; reading one that is old fetches all.
     void bring(std::span<const int> vertices) const;
@@ -199,7 +199,7 @@ class SurfaceMesh {
 
 /// The slots of the living triangles, ascending.
 std::vector<int> livingTriangles(const SurfaceMesh& mesh);
-/// Those of them that are absent: the walls of the open stroke.
+/// The slots of the absent triangles, the walls of the open stroke, ascending.
 std::vector<int> absentTriangles(const SurfaceMesh& mesh);
 
 }  // namespace kerf

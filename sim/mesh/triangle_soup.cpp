@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "sim/base/text.h"
+#include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 
 namespace kerf {
@@ -132,14 +133,8 @@ struct TrianglePieces {
     std::vector<double> areas;    ///< [m^2]
 };
 
-double tetrahedron(const TriangleSoup& soup, const Triangle& t, const Vec3& apex) {
-    const Vec3 a = soup.positions[t[0]] - apex;
-    return a.dot((soup.positions[t[1]] - apex).cross(soup.positions[t[2]] - apex)) / 6;
-}
-
-Vec3 areaVector(const TriangleSoup& soup, const Triangle& t) {
-    const Vec3& a = soup.positions[t[0]];
-    return 0.5 * (soup.positions[t[1]] - a).cross(soup.positions[t[2]] - a);
+Corners cornersOf(const TriangleSoup& soup, const Triangle& t) {
+    return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
 }
 
 /// Volumes are summed about the middle of the model, where rounding is smallest.
@@ -160,8 +155,9 @@ TrianglePieces findTrianglePieces(const TriangleSoup& soup, const std::vector<Tr
             pieces.areas.push_back(0);
         }
         pieces.ofTriangle.push_back(piece);
-        pieces.volumes[piece] += tetrahedron(soup, t, middle);
-        pieces.areas[piece] += areaVector(soup, t).norm();
+        const Corners at = cornersOf(soup, t);
+        pieces.volumes[piece] += tetrahedronVolume(at[0] - middle, at[1] - middle, at[2] - middle);
+        pieces.areas[piece] += triangleArea(at);
     }
     return pieces;
 }
@@ -251,7 +247,7 @@ void countElements(const TriangleSoup& soup, MeshReport& report) {
             std::ranges::all_of(t, [&](int v) { return v >= 0 && v < vertexCount; });
         report.outOfRangeIndices += !inRange;
         report.degenerateTriangles +=
-            inRange && (hasRepeatedCorner(t) || areaVector(soup, t).isZero(0));
+            inRange && (hasRepeatedCorner(t) || areaNormal(cornersOf(soup, t)).isZero(0));
     }
 }
 

@@ -7,9 +7,9 @@
 namespace kerf {
 
 TriangleTree::TriangleTree(const SurfaceMesh& mesh) : mesh_(mesh) {
-    tree_ = LazyBoxTree(
-        livingTriangles(mesh), [this](int t) { return boundsOf(t); },
-        LazyBoxTree::Joining::divided);
+    tree_ = BoxTree(
+        livingTriangles(mesh), [this](int t) { return boundsOf(t); }, BoxTree::Joining::divided);
+    tree_.prepareToEdit();
 }
 
 std::vector<int> TriangleTree::near(const OrientedBox& box) {

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "sim/base/sort_unique.h"
-#include "sim/mesh/lazy_box_tree.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_finder.h"
 
 namespace kerf {
 
-/// By a tree of boxes that follows the body while it deforms and is cut.
+/// A finder with a tree of boxes that follows the body while it deforms and is cut.
 class TriangleTree : public TriangleFinder {
   public:
     /// The mesh must outlive the tree. O(n); searches divide the tree further.
@@ -19,7 +19,7 @@ class TriangleTree : public TriangleFinder {
 
     /// No vertex has moved farther than `distance` [m] since the last call of either.
     void moved(double distance) { tree_.moved(distance); }
-    /// They may have moved anyhow: the next search costs O(n).
+    /// Vertices may have moved anyhow: the next search costs O(n).
     void movedAnyhow() { lost_ = true; }
     void update(std::span<const int> triangles) override;
     std::vector<int> near(const OrientedBox& box) override;
@@ -54,7 +54,7 @@ class TriangleTree : public TriangleFinder {
     void catchUp();
 
     const SurfaceMesh& mesh_;
-    LazyBoxTree tree_;
+    BoxTree tree_;
     bool lost_ = false;
     std::size_t foundLast_ = 0;  ///< as many may be found again
 };

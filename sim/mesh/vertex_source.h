@@ -13,9 +13,9 @@ class VertexSource {
     VertexSource(const VertexSource&) = delete;
     VertexSource& operator=(const VertexSource&) = delete;
 
-    /// At least these, in one go.
+    /// Brings the state of at least these vertices, in one go.
     virtual void bring(std::span<const int> vertices) = 0;
-    /// All that are old.
+    /// Brings the state of all vertices that are old.
     virtual void bringAll() = 0;
 };
 

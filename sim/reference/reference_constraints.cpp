@@ -46,7 +46,7 @@ struct Wings {
 
 }  // namespace
 
-Linearized<2> linearize(const shared::EdgeConstraint& c, const ReferenceState& s, double compliance,
+Linearized<2> linearize(const EdgeConstraint& c, const ReferenceState& s, double compliance,
                         Pull pull) {
     Linearized<2> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
     const Vec3 r = difference(s, c.a, c.b);
@@ -60,7 +60,7 @@ Linearized<2> linearize(const shared::EdgeConstraint& c, const ReferenceState& s
     return result;
 }
 
-Linearized<4> linearize(const shared::BendConstraint& c, const ReferenceState& s, double compliance,
+Linearized<4> linearize(const BendConstraint& c, const ReferenceState& s, double compliance,
                         Pull pull) {
     Linearized<4> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
     const Wings before{differenceBefore(s, c.v1, c.v0), differenceBefore(s, c.v2, c.v0),

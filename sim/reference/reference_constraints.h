@@ -19,17 +19,17 @@ struct Linearized {
     bool valid = false;  ///< false where the constraint has no gradient
 };
 
-/// Where the gradient is taken: shaders/sim/pull_direction.glsl.
+/// The place where the gradient is taken: shaders/sim/pull_direction.glsl.
 enum class Pull {
     asBefore,  ///< at positions, unless it has turned far meanwhile
     asNow      ///< at positions + displacements
 };
 
 /// C = length - rest length.
-Linearized<2> linearize(const shared::EdgeConstraint& c, const ReferenceState& s, double compliance,
+Linearized<2> linearize(const EdgeConstraint& c, const ReferenceState& s, double compliance,
                         Pull pull);
 /// C = angle - rest angle, wrapped, then clamped to kMaxBendError.
-Linearized<4> linearize(const shared::BendConstraint& c, const ReferenceState& s, double compliance,
+Linearized<4> linearize(const BendConstraint& c, const ReferenceState& s, double compliance,
                         Pull pull);
 /// C = distance from the vertex to the point on the opposite side - rest length.
 Linearized<4> linearize(const shared::IspcConstraint& c, const ReferenceState& s, double compliance,

@@ -7,35 +7,26 @@
 #include <utility>
 
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
 namespace {
 
-using Corners = std::array<Vec3, 3>;
-
 Corners cornersOf(const std::array<std::uint32_t, 4>& t, const std::vector<Vec3>& at) {
     return {at[t[0]], at[t[1]], at[t[2]]};
-}
-
-Vec3 areaNormal(const Corners& c) {
-    return (c[1] - c[0]).cross(c[2] - c[0]);
 }
 
 Vec3 weighted(const Vec3& weights, const Corners& c) {
     return weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2];
 }
 
-double longestEdge(const Corners& c) {
-    return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
-}
-
 /// Weights of a point of the plane of the triangle, which may lie outside.
 Vec3 planeWeights(const Corners& c, const Vec3& p) {
     const Vec3 normal = areaNormal(c);
     const double scale = 1 / normal.squaredNorm();
-    const double second = (p - c[0]).cross(c[2] - c[0]).dot(normal) * scale;
-    const double third = (c[1] - c[0]).cross(p - c[0]).dot(normal) * scale;
+    const double second = areaNormal(c[0], p, c[2]).dot(normal) * scale;
+    const double third = areaNormal(c[0], c[1], p).dot(normal) * scale;
     return {1 - second - third, second, third};
 }
 

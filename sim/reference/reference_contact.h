@@ -16,15 +16,15 @@ struct ReferenceCandidate {
     double key = 0;        ///< distance as a share of how far the pair can move
 };
 
-/// What the contact kernels compute, in double precision, without a grid and one pair after the
-/// other: the truth that they are tested against.
+/// Computes what the contact kernels compute, in double precision, without a grid and one pair
+/// after the other: the truth that they are tested against.
 class ReferenceContact {
   public:
     /// `model` must outlive it. `inverseMass`: of each vertex [1/kg].
     ReferenceContact(const BodyModel& model, const shared::ContactUniforms& uniforms,
                      std::vector<double> inverseMass);
 
-    /// Nearest first, at most kCandidatesPerPoint, shape [vertexCount][].
+    /// The candidates of each vertex, nearest first, at most kCandidatesPerPoint.
     std::vector<std::vector<ReferenceCandidate>> findCandidates(const ReferenceState& state) const;
     /// The sweeps of a substep over the contacts: changes displacements and positions. Returns how
     /// many there were.

@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-double squareFor(const shared::BendConstraint& bend, const ReferenceState& state) {
+double squareFor(const BendConstraint& bend, const ReferenceState& state) {
     const auto from = [&](std::uint32_t v) {
         return Vec3(state.positions[v] + state.displacements[v] - state.positions[bend.v0] -
                     state.displacements[bend.v0]);

@@ -4,9 +4,9 @@
 
 namespace kerf {
 
-/// What BodyMeasure::strainEnergy is compared with [J]: the sum of C^2 / (2 alpha) over the
-/// constraints that are on and not rigid, beyond the clamp of a bend with the moment that it has
-/// there.
+/// The energy that BodyMeasure::strainEnergy is compared with [J]: the sum of C^2 / (2 alpha) over
+/// the constraints that are on and not rigid, beyond the clamp of a bend with the moment that it
+/// has there.
 double strainEnergy(const BodyModel& model, const shared::SolverUniforms& uniforms,
                     const ReferenceState& state);
 

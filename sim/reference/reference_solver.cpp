@@ -7,6 +7,7 @@
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/incidence.h"
 #include "sim/body/piece_masses.h"
+#include "sim/mesh/triangle.h"
 #include "sim/reference/reference_constraints.h"
 #include "sim/reference/reference_unfolding.h"
 
@@ -15,7 +16,7 @@ namespace kerf {
 namespace {
 
 /// What C changes by for each metre of the vertex that changes it most.
-double changePerWay(const shared::EdgeConstraint&, const Linearized<2>&) {
+double changePerWay(const EdgeConstraint&, const Linearized<2>&) {
     return 1;
 }
 
@@ -23,12 +24,12 @@ double changePerWay(const shared::IspcConstraint&, const Linearized<4>&) {
     return 1;
 }
 
-double changePerWay(const shared::BendConstraint&, const Linearized<4>& c) {
+double changePerWay(const BendConstraint&, const Linearized<4>& c) {
     return std::max(c.gradient[2].norm(), c.gradient[3].norm());
 }
 
 /// As leastWeight in shaders/sim/bend.glsl; `lightest`: the largest inverse mass.
-double leastWeight(const shared::BendConstraint&, const Linearized<4>& c, double lightest) {
+double leastWeight(const BendConstraint&, const Linearized<4>& c, double lightest) {
     const double apexes = c.gradient[2].squaredNorm() + c.gradient[3].squaredNorm();
     return c.compliance > 0 ? 0 : shared::kLeastBendShare * lightest * apexes;
 }
@@ -136,7 +137,7 @@ VolumeTerms volumeTerms(const BodyModel& model, const ReferenceState& s) {
         const Vec3 a = at(s, triangle[0]) - centers[piece];
         const Vec3 b = at(s, triangle[1]) - centers[piece];
         const Vec3 c = at(s, triangle[2]) - centers[piece];
-        terms.volumes[piece] += a.dot(b.cross(c)) / 6;
+        terms.volumes[piece] += tetrahedronVolume(a, b, c);
         const Vec3 u = s.positions[triangle[0]] - centers[piece];
         const Vec3 v = s.positions[triangle[1]] - centers[piece];
         const Vec3 w = s.positions[triangle[2]] - centers[piece];

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// What the reference solver moves, shape [vertexCount]. Inside a substep a vertex is at
+/// The state that the reference solver moves, shape [vertexCount]. Inside a substep a vertex is at
 /// positions + displacements; constraints only ever see differences
 /// (X_i - X_j) + (d_i - d_j), which keeps floats on the GPU from eating momentum.
 struct ReferenceState {
@@ -41,10 +41,10 @@ class ReferenceSolver {
     /// Volume target of a piece = its rest volume + offset [m^3]; 0 unless set.
     void setVolumeOffset(int piece, double offset) { volumeOffset_[piece] = offset; }
 
-    /// What hands hold.
+    /// Sets what hands hold.
     void setPulls(std::vector<shared::PullRecord> pulls) { pulls_ = std::move(pulls); }
 
-    /// One time step: uniforms.substeps substeps.
+    /// Does one time step: uniforms.substeps substeps.
     void step(ReferenceState& state) const;
     void substep(ReferenceState& state) const;
 
@@ -53,7 +53,7 @@ class ReferenceSolver {
     void unfold(ReferenceState& state) const;
     /// v += h g, d = h v; kinematic vertices: d = h v.
     void predict(ReferenceState& state) const;
-    /// One Jacobi sweep over the constraints of a type.
+    /// Does one Jacobi sweep over the constraints of a type.
     void solveEdges(ReferenceState& state) const;
     void solveBends(ReferenceState& state) const;
     void solveIspcs(ReferenceState& state) const;

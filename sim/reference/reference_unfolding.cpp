@@ -1,13 +1,14 @@
 #include "sim/reference/reference_unfolding.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/dihedral.h"
 #include "sim/body/incidence.h"
+#include "sim/body/shape_error.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
@@ -15,7 +16,7 @@ namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-double turnedOver(const shared::BendConstraint& bend, const std::vector<Vec3>& at) {
+double turnedOver(const BendConstraint& bend, const std::vector<Vec3>& at) {
     const Vec3& from = at[bend.v0];
     const auto now = dihedral<double>(at[bend.v1] - from, at[bend.v2] - from, at[bend.v3] - from);
     if (!now.valid) {
@@ -26,18 +27,14 @@ double turnedOver(const shared::BendConstraint& bend, const std::vector<Vec3>& a
                       0.0, 1.0);
 }
 
-double parallelogram(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return (b - a).cross(c - a).norm();
-}
-
 /// Of the more squashed one of both triangles.
-double squashed(const shared::BendConstraint& bend, const std::vector<Vec3>& at,
+double squashed(const BendConstraint& bend, const std::vector<Vec3>& at,
                 const std::vector<Vec3f>& restPositions) {
     const auto rest = [&](std::uint32_t v) -> Vec3 { return restPositions[v].cast<double>(); };
     double least = 1;
     for (const std::uint32_t apex : {bend.v2, bend.v3}) {
-        least = std::min(least, parallelogram(at[bend.v0], at[bend.v1], at[apex]) /
-                                    parallelogram(rest(bend.v0), rest(bend.v1), rest(apex)));
+        least = std::min(least, triangleArea(at[bend.v0], at[bend.v1], at[apex]) /
+                                    triangleArea(rest(bend.v0), rest(bend.v1), rest(apex)));
     }
     return std::clamp(
         (shared::kSquashBegins - least) / (shared::kSquashBegins - shared::kSquashEnds), 0.0, 1.0);
@@ -46,7 +43,7 @@ double squashed(const shared::BendConstraint& bend, const std::vector<Vec3>& at,
 std::vector<double> foldsOf(const BodyModel& model, const std::vector<Vec3>& at,
                             const std::vector<double>& inverseMass) {
     std::vector<double> folds(at.size(), 0.0);
-    for (const shared::BendConstraint& bend : model.bends) {
+    for (const BendConstraint& bend : model.bends) {
         if (std::ranges::any_of(verticesOf(bend),
                                 [&](std::uint32_t v) { return inverseMass[v] == 0; })) {
             continue;
@@ -81,13 +78,6 @@ struct Goal {
         return center + rotation * (rest - restCenter) - x;
     }
 };
-
-Matrix bestRotation(const Matrix& covariance) {
-    const Eigen::JacobiSVD<Matrix> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Matrix product = svd.matrixU() * svd.matrixV().transpose();
-    const Vec3 signs(1, 1, product.determinant() < 0 ? -1 : 1);
-    return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-}
 
 /// Of the spring in this substep.
 double dampingOf(const shared::SolverUniforms& uniforms) {

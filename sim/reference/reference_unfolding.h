@@ -7,10 +7,9 @@
 
 namespace kerf {
 
-/// What Unfolding does on the GPU, in doubles: changes the velocities of a state between substeps,
-/// and says how far it is folded.
-/// `inverseMass`: per vertex [1/kg]. `uniforms`: of the substep; without its
-/// counts.
+/// Does in doubles what Unfolding does on the GPU: changes the velocities of a state between
+/// substeps, and says how far it is folded. `inverseMass`: per vertex [1/kg]. `uniforms`: of the
+/// substep; without its counts.
 void unfoldAsReference(const BodyModel& model, const std::vector<double>& inverseMass,
                        const shared::SolverUniforms& uniforms, ReferenceState& state);
 

@@ -13,7 +13,7 @@
 
 namespace kerf {
 
-/// What the CPU learns from the GPU after a step, without reading the body back.
+/// The numbers that the CPU learns from the GPU after a step, without reading the body back.
 struct BodyMeasure {
     std::vector<double> pieceVolumes;  ///< [m^3]
     std::vector<Bounds> pieceBounds;   ///< [m]
@@ -23,10 +23,10 @@ struct BodyMeasure {
     std::vector<int> lostPieces;
     int contacts = 0;          ///< of the body with itself in the last substep
     double kineticEnergy = 0;  ///< of the vertices that are free to move [J]
-    /// Of them, in the field of gravity above the floor, or above 0 [J].
+    /// The energy of free vertices in the field of gravity above the floor, or above 0 [J].
     double potentialEnergy = 0;
-    /// Of the strained material: the sum of C^2 / (2 alpha) over edges, bends and ISPCs that are on
-    /// and not rigid; means nothing with plain PBD [J].
+    /// The energy of the strained material: the sum of C^2 / (2 alpha) over edges, bends and ISPCs
+    /// that are on and not rigid; means nothing with plain PBD [J].
     double strainEnergy = 0;
 };
 
@@ -48,9 +48,9 @@ class BodyMeasurer {
     /// The body must outlive it. Compiles the kernels: throws gpu::ShaderError.
     explicit BodyMeasurer(SolverBody& body);
 
-    /// Of the positions between steps: the GPU begins.
+    /// Lets the GPU begin to measure the positions between steps.
     void start(const ContactSolver& contacts);
-    /// What start() asked for, with the same pieces still; waits for the GPU.
+    /// The measure that start() asked for, with the same pieces still; waits for the GPU.
     SolverMeasure take(const ContactSolver& contacts) const;
     /// See GpuSolver.
     void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {

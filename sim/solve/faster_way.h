@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// Of two ways to the same result, which one to take: the one that took less time when it was last
+/// The choice between two ways to the same result: the one that took less time when it was last
 /// taken. Each is tried twice first, since the first time compiles its kernels; and now and then it
 /// is the other's turn, since what makes them fast or slow may change.
 class FasterWay {

@@ -17,9 +17,9 @@ inline std::uint32_t size32(std::size_t size) {
 inline shared::vec4 packed(const Vec3f& a, float w) {
     return {a.x(), a.y(), a.z(), w};
 }
-/// With w = 0.
+/// The values as the GPU stores them, with w = 0.
 std::vector<shared::vec4> packed(const std::vector<Vec3f>& values);
-/// Waits for the GPU.
+/// Reads `count` vectors back; waits for the GPU.
 std::vector<Vec3f> unpacked(const gpu::Buffer& buffer, std::size_t count);
 
 /// [m] or [m/s], as the values.

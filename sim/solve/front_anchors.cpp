@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -93,14 +92,6 @@ std::vector<cut::SurfaceSample> samplesAround(const SurfaceMesh& mesh,
         places.push_back(mesh.restPosition(v));
     }
     return surface.samplesAround(std::move(places), edge);
-}
-
-std::vector<cut::SurfaceSample> ofPiece(const std::vector<cut::SurfaceSample>& samples,
-                                        const std::vector<int>& pieceOfVertex, int piece) {
-    std::vector<cut::SurfaceSample> out;
-    std::copy_if(samples.begin(), samples.end(), std::back_inserter(out),
-                 [&](const auto& sample) { return pieceOfVertex[sample.vertex] == piece; });
-    return out;
 }
 
 Vec3 limited(const Vec3& velocity, const Vec3& material) {

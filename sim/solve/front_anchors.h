@@ -14,7 +14,7 @@ struct Anchor {
     Vec3 velocity = Vec3::Zero();  ///< [m/s]
 };
 
-/// What anchors are found from.
+/// The body and the course of a step, from which anchors are found.
 struct AnchorFrame {
     const SurfaceMesh& mesh;
     const std::vector<int>& pieceOfVertex;  ///< of all vertices of the mesh
@@ -30,7 +30,7 @@ struct AnchorFrame {
 /// surface.
 std::vector<Anchor> findFrontAnchors(const std::vector<RungNode>& rung, const AnchorFrame& in);
 
-/// The same for all hidden vertices (SurfaceMesh::hidden), the front's among them: they have
+/// Anchors for all hidden vertices (SurfaceMesh::hidden), the front's among them: they have
 /// neither mass nor constraints.
 std::vector<Anchor> findHiddenAnchors(const std::vector<int>& hidden, const AnchorFrame& in);
 

@@ -55,7 +55,7 @@ std::vector<uint> placesOf(const Incidence& incidence, const std::vector<uint>& 
 
 shared::Spoke spokeAt(const BodyModel& model, uint place) {
     const uint entry = model.edgeIncidence.entries[place];
-    const shared::EdgeConstraint& edge = model.edges[entry / 4];
+    const EdgeConstraint& edge = model.edges[entry / 4];
     const uint other = entry % 4 == 0 ? edge.b : edge.a;
     return {other, edge.rest_length, edge.geometry, valence(model.edgeIncidence, other)};
 }
@@ -78,7 +78,7 @@ std::vector<uint> changedSpokes(const BodyModel& model, const BodyChange& change
     return placesOf(model.edgeIncidence, vertices);
 }
 
-shared::BendRecord bendRecord(const shared::BendConstraint& bend) {
+shared::BendRecord bendRecord(const BendConstraint& bend) {
     const double angle = bend.rest_angle;
     return {bend.v0,
             bend.v1,

@@ -11,15 +11,15 @@ namespace kerf {
 // The constraints of a body as the solver's kernels read them: seen from their vertices, at the
 // places of the model's incidence lists.
 
-/// At a place of the list of the edges that is in use.
+/// The spoke at a place of the list of the edges that is in use.
 shared::Spoke spokeAt(const BodyModel& model, std::uint32_t place);
-/// Shape [edgeIncidence.entries]; places that are not in use are zero.
+/// All spokes, shape [edgeIncidence.entries]; places that are not in use are zero.
 std::vector<shared::Spoke> allSpokes(const BodyModel& model);
 /// Ascending: the places whose spoke a change touched, by an edge of theirs or by the number of
 /// those at its far end.
 std::vector<std::uint32_t> changedSpokes(const BodyModel& model, const BodyChange& change);
 
-shared::BendRecord bendRecord(const shared::BendConstraint& bend);
+shared::BendRecord bendRecord(const BendConstraint& bend);
 std::vector<shared::BendRecord> allBendRecords(const BodyModel& model);
 
 /// The lists of the bends at the vertices, those of which a vertex is an end of the edge first.
@@ -32,9 +32,9 @@ struct BendLists {
     void update(const BodyModel& model, const std::vector<std::uint32_t>& vertices);
 };
 
-/// At a place of the list of the ISPCs that is in use.
+/// The share at a place of the list of the ISPCs that is in use.
 shared::IspcShare ispcShareAt(const BodyModel& model, std::uint32_t place);
-/// Shape [ispcIncidence.entries]; places that are not in use are zero.
+/// All shares, shape [ispcIncidence.entries]; places that are not in use are zero.
 std::vector<shared::IspcShare> allIspcShares(const BodyModel& model);
 /// Ascending: the places whose share a change touched.
 std::vector<std::uint32_t> changedIspcShares(const BodyModel& model, const BodyChange& change);

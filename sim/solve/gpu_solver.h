@@ -62,7 +62,7 @@ class GpuSolver {
     void unfoldFirmly(bool firmly) { body_.unfoldFirmly(firmly); }
     /// Contact of the body with itself, off until then, and with boxes.
     void setContact(const ContactSettings& settings);
-    /// What the body collides with. Throws gpu::ShaderError.
+    /// Sets the boxes that the body collides with. Throws gpu::ShaderError.
     void setBoxes(std::vector<StaticBox> boxes) {
         boxes_.setObstacles(BoxObstacles::of(std::move(boxes)));
     }
@@ -71,7 +71,7 @@ class GpuSolver {
     void setBlade(std::optional<BladeMotion> motion) {
         blade_.setObstacles(BladeObstacle::of(std::move(motion)));
     }
-    /// One per piece.
+    /// Sets the volume targets, one per piece.
     void setVolumeTargets(std::span<const VolumeTarget> targets) {
         body_.pieces.setVolumeTargets(targets);
     }
@@ -99,7 +99,7 @@ class GpuSolver {
     /// Whether the phases at the end of a substep may share a dispatch where nothing but the floor
     /// can be met, as at the start; the bits are the same.
     void allowSettling(bool allowed) { settlingAllowed_ = allowed; }
-    /// Before setModel(): where that group keeps what it changes.
+    /// Sets where the group that solves a small body keeps what it changes; before setModel().
     void setSmallBodyMemory(SmallBodySolver::Memory memory) {
         smallBody_ = SmallBodySolver(memory);
     }
@@ -114,7 +114,7 @@ class GpuSolver {
     // The phases of a substep, in their order; each ends with a storage barrier.
     void unfold();  ///< only where something is folded
     void predictAndStretch();
-    /// Instead of it in all sweeps but the first.
+    /// Solves the edges without a prediction: in all sweeps but the first.
     void stretchAgain() { phases_.stretchAgain(); }
     void solveBends() { phases_.solveBends(); }
     void solveIspcs() { phases_.solveIspcs(); }
@@ -126,30 +126,30 @@ class GpuSolver {
     void collideFloor() { phases_.collideFloor(); }
     void finishSubstep() { phases_.finish(); }
 
-    /// Of the positions between steps; waits for the GPU. The next step counts on its box and
+    /// Measures the body between steps; waits for the GPU. The next step counts on its box and
     /// speeds.
     BodyMeasure measure() {
         startMeasure();
         return takeMeasure();
     }
-    /// The same in two parts, between which the CPU may do something else that changes nothing
+    /// measure() in two parts, between which the CPU may do something else that changes nothing
     /// here.
     void startMeasure() { measurer_.start(contacts_); }
     BodyMeasure takeMeasure();
-    /// What the coming measure() is to find out besides, for takeWatched(); see NearbyVertices.
+    /// Has the coming measure() find out besides what takeWatched() gives; see NearbyVertices.
     void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
         measurer_.watch(box, vertices);
     }
-    /// As of the last measure(). Once for each watch().
+    /// The watched vertices as of the last measure(). Once for each watch().
     VertexStates takeWatched() { return measurer_.takeWatched(); }
     /// Positions and velocities of these vertices; waits for the GPU.
     VertexStates statesOf(std::span<const int> vertices) { return measurer_.statesOf(vertices); }
-    /// Of all vertices of triangles that meet `box`; waits for the GPU. Between steps.
+    /// The states of all vertices of triangles that meet `box`; waits for the GPU. Between steps.
     VertexStates statesNear(const OrientedBox& box) { return measurer_.statesNear(box, contacts_); }
     /// Looks for what may touch now, as the beginning of a step does.
     void searchContacts();
     const ContactSolver& contacts() const { return contacts_; }
-    /// What a snapshot keeps of contact, and back after restoreModel() and setContact().
+    /// The memory of contact for a snapshot, and back after restoreModel() and setContact().
     ContactMemory contactMemory() const;
     void rememberContacts(const ContactMemory& memory);
     /// All positions and velocities; waits for the GPU.

@@ -13,11 +13,11 @@ namespace kerf {
 /// Positions and velocities of some vertices, each once, ascending.
 struct VertexStates {
     std::vector<shared::NearbyVertex> records;
-    /// All that were asked for are there; otherwise those near the box were too many.
+    /// Whether all that were asked for are there; otherwise those near the box were too many.
     bool complete = true;
 };
 
-/// What the CPU asks of the vertices on the GPU, and a buffer for the answer.
+/// A question of the CPU for vertices on the GPU, and a buffer for the answer.
 class NearbyVertices {
   public:
     NearbyVertices();

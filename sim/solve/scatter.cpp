@@ -23,12 +23,12 @@ std::vector<Scatter::Run> Scatter::findRuns(std::span<const std::uint32_t> indic
     return runs;
 }
 
-void Scatter::patch(gpu::Buffer& target) {
-    const auto count = static_cast<std::uint32_t>(patches_.size());
-    patchBuffer_.assign(patches_);
-    patchBuffer_.bindStorage(shared::kPatchesBinding);
-    target.bindStorage(shared::kPatchedBinding);
-    kernel_.set("patchCount", count);
+void Scatter::writeWords(gpu::Buffer& target) {
+    const auto count = static_cast<std::uint32_t>(writes_.size());
+    writeBuffer_.assign(writes_);
+    writeBuffer_.bindStorage(shared::kWritesBinding);
+    target.bindStorage(shared::kWrittenBinding);
+    kernel_.set("writeCount", count);
     kernel_.dispatch(count, shared::kGroupSize);
     gpu::storageBarrier();
 }

@@ -16,10 +16,10 @@ namespace kerf {
 /// upload and one dispatch.
 class Scatter {
   public:
-    /// What lies between the elements that are written.
+    /// Whether what lies between elements may be written along.
     enum class Gaps { keep, fill };
 
-    /// Throws gpu::ShaderError.
+    /// Compiles the kernel. Throws gpu::ShaderError.
     Scatter();
 
     /// Brings `target` to the size of `values`, its content kept and what is new zero, and makes
@@ -32,8 +32,8 @@ class Scatter {
                  [&](std::uint32_t i) { return values[i]; });
     }
 
-    /// The same for `count` elements, of which valueOf(index) is asked for: with Gaps::fill also
-    /// for some that are there already.
+    /// Writes like the other write(), to a buffer of `count` elements, what valueOf(index) says:
+    /// with Gaps::fill also for some that are there already.
     template <class T, class ValueOf>
     void write(gpu::Buffer& target, std::size_t count, std::span<const std::uint32_t> indices,
                Gaps gaps, ValueOf&& valueOf);
@@ -50,12 +50,12 @@ class Scatter {
     };
     static std::vector<Run> findRuns(std::span<const std::uint32_t> indices, std::size_t widestGap);
     template <class T>
-    void addPatch(std::uint32_t index, const T& value);
-    void patch(gpu::Buffer& target);
+    void addWrites(std::uint32_t index, const T& value);
+    void writeWords(gpu::Buffer& target);
 
     gpu::Program kernel_;
-    gpu::Buffer patchBuffer_;
-    std::vector<shared::WordPatch> patches_;
+    gpu::Buffer writeBuffer_;
+    std::vector<shared::WordWrite> writes_;
 };
 
 template <class T, class ValueOf>
@@ -64,11 +64,11 @@ void Scatter::write(gpu::Buffer& target, std::size_t count, std::span<const std:
     target.resize(count * sizeof(T));
     const std::vector<Run> runs = findRuns(indices, gaps == Gaps::fill ? kGapBytes / sizeof(T) : 0);
     if (runs.size() > kMostRuns) {
-        patches_.clear();
+        writes_.clear();
         for (const std::uint32_t index : indices) {
-            addPatch<T>(index, valueOf(index));
+            addWrites<T>(index, valueOf(index));
         }
-        patch(target);
+        writeWords(target);
         return;
     }
     std::vector<T> values;
@@ -82,14 +82,14 @@ void Scatter::write(gpu::Buffer& target, std::size_t count, std::span<const std:
 }
 
 template <class T>
-void Scatter::addPatch(std::uint32_t index, const T& value) {
+void Scatter::addWrites(std::uint32_t index, const T& value) {
     constexpr std::size_t kWordBytes = sizeof(std::uint32_t);
     static_assert(sizeof(T) % kWordBytes == 0);
     constexpr std::uint32_t kWords = sizeof(T) / kWordBytes;
     std::array<std::uint32_t, kWords> words;
     std::memcpy(words.data(), &value, sizeof(T));
     for (std::uint32_t k = 0; k < kWords; ++k) {
-        patches_.push_back({kWords * index + k, words[k]});
+        writes_.push_back({kWords * index + k, words[k]});
     }
 }
 

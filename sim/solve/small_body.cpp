@@ -12,11 +12,11 @@ namespace kerf {
 namespace {
 
 using gpu::TexelFormat;
+using shared::kSumRows;
 using shared::uint;
 
 /// Turns of all loops of a thread in a dispatch, with some to spare.
 constexpr std::size_t kMostTurns = 64000;
-constexpr uint kSumRows = 16;  // as volume.glsl
 
 /// Larger bodies take more threads than run side by side, so that each has fewer turns.
 constexpr uint kSideBySide = 8;

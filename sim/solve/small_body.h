@@ -39,10 +39,10 @@ struct SweepRun {
 /// kernels with the same arithmetic and sums in the same order.
 class SmallBodySolver {
   public:
-    /// What to load by: shared memory on a GPU; texels where lanes share a core and other memory is
-    /// read lane by lane (see small_body_state.glsl).
+    /// The memory to load by: shared memory on a GPU; texels where lanes share a core and other
+    /// memory is read lane by lane (see small_body_state.glsl).
     enum class Memory { shared, texels };
-    /// As suits the current context.
+    /// The memory that suits the current context.
     static Memory suitableMemory();
 
     explicit SmallBodySolver(Memory memory = suitableMemory()) : memory_(memory) {}
@@ -57,8 +57,8 @@ class SmallBodySolver {
     /// after 65,535 turns together, without a word.
     std::uint32_t substepsAtOnce() const { return substepsAtOnce_; }
 
-    /// The same of sweeps of plain PBD, which one group of llvmpipe can do for larger bodies too; 0
-    /// where it can't.
+    /// How many sweeps of plain PBD a dispatch does at most, which one group of llvmpipe can do for
+    /// larger bodies too; 0 where it can't.
     std::uint32_t sweepsAtOnce() const { return sweepsAtOnce_; }
 
     /// Whether it may be too much for one thread of llvmpipe.

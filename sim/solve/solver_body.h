@@ -14,8 +14,8 @@
 
 namespace kerf {
 
-/// What no vertex of a body of this size reaches but by a blow-up: 1000 diagonals a second, and
-/// what free fall adds in 100 s. `diagonal` [m], `gravity` [m/s^2].
+/// The speed [m/s] that no vertex of such a body reaches but by a blow-up: 1000 diagonals a second,
+/// and what free fall adds in 100 s. `diagonal` [m], `gravity` [m/s^2].
 double runawaySpeed(double diagonal, double gravity);
 
 /// A body on the GPU, as the solver's kernels see it: constant set-up, running state, parameters.
@@ -34,12 +34,12 @@ struct SolverBody {
     bool plainPbd() const;
     /// Binds what most kernels read.
     void bind() const;
-    /// For kernels that fetch it: as texels and, where loadsImages, as an image.
+    /// Binds a buffer that kernels fetch: as texels and, where loadsImages, as an image.
     void bindFetched(const gpu::Buffer& buffer, std::uint32_t binding,
                      gpu::TexelFormat format) const;
-    /// One thread each, then a storage barrier.
+    /// Runs one thread each, then a storage barrier.
     void run(const gpu::Program& kernel, std::uint32_t threads);
-    /// One group for each block, of the vertices on its pages.
+    /// Runs one group for each block, of the vertices on its pages.
     void runOverBlocks(const gpu::Program& kernel);
 
     const bool loadsImages;  ///< on llvmpipe, see fetch.glsl

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// What touches each vertex, on the GPU.
+/// The elements that touch each vertex, on the GPU: see Incidence.
 struct IncidenceBuffers {
     gpu::Buffer ranges;
     gpu::Buffer entries;

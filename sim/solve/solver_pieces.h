@@ -13,7 +13,7 @@
 
 namespace kerf {
 
-/// What volume a piece is held at; chips are left alone (PieceModel::holdsVolume).
+/// The volume that a piece is held at; chips are left alone (PieceModel::holdsVolume).
 struct VolumeTarget {
     double volume = 0;  ///< [m^3]
     bool constrained = true;
@@ -23,16 +23,16 @@ struct VolumeTarget {
 /// pages over which work groups sum.
 class SolverPieces {
   public:
-    /// How the vertices of each piece lie in memory, of a new body; upload() follows.
+    /// Takes the pages on which the vertices of a new body lie; upload() follows.
     void setPages(VertexPages pages);
-    /// The same after a cut.
+    /// Moves vertices to the pages of other pieces after a cut; upload() follows.
     void updatePages(std::span<const LabelMove> moves, const BodyModel& model);
     const VertexPages& pages() const { return pages_; }
 
-    /// Records of all pieces: few, however large the body, since pages hold hundreds of vertices.
-    /// Volume targets are the rest volumes. Throws gpu::OutOfMemory.
+    /// Uploads the records of all pieces: few, however large the body, since pages hold hundreds of
+    /// vertices. Volume targets are the rest volumes. Throws gpu::OutOfMemory.
     void upload(const BodyModel& model, Scatter& scatter);
-    /// One per piece.
+    /// Sets the volume targets, one per piece.
     void setVolumeTargets(std::span<const VolumeTarget> targets);
 
     const std::vector<shared::PieceRecord>& pieces() const { return pieces_; }

@@ -11,8 +11,8 @@
 
 namespace kerf {
 
-/// What a step changes, on the GPU: base positions X with inverse unit masses, velocities, and the
-/// displacement d of a substep. All that allocates throws gpu::OutOfMemory.
+/// The numbers on the GPU that a step changes: base positions X with inverse unit masses,
+/// velocities, and the displacement d of a substep. All that allocates throws gpu::OutOfMemory.
 struct SolverState {
     gpu::Buffer positions, velocities, displacement;
     gpu::Buffer previous;  ///< d before the last sweep
@@ -21,12 +21,13 @@ struct SolverState {
 
     /// Makes room for what a substep keeps of such a body.
     void makeRoom(const BodyModel& model);
-    /// All positions and velocities.
+    /// Takes over all positions and velocities.
     void assign(const BodyState& state);
-    /// Those of `written` (ascending), also where positions are saved; there are `count` vertices.
+    /// Writes the state of `written` (ascending), also where X is saved; there are `count`
+    /// vertices.
     void update(std::span<const std::uint32_t> written, const BodyState& state, std::size_t count,
                 Scatter& scatter);
-    /// Waits for the GPU.
+    /// Reads the state of `count` vertices back; waits for the GPU.
     BodyState read(std::size_t count) const;
 };
 

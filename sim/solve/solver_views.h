@@ -16,7 +16,7 @@ ContactBody contactBodyOf(const SolverBody& body);
 SmallBodyBuffers smallBodyBuffersOf(const SolverBody& body);
 UnfoldingBody unfoldingBodyOf(const SolverBody& body);
 BodyView bodyViewOf(const SolverBody& body);
-/// With `contacts` where they are on and were looked for.
+/// The constraints to draw, with `contacts` where they are on and were looked for.
 ConstraintView constraintViewOf(const SolverBody& body, const ContactSolver& contacts);
 
 }  // namespace kerf

@@ -22,7 +22,7 @@ class SubstepPhases {
     void setFolds(const gpu::Buffer* folds);
 
     void predictAndStretch();
-    /// Instead of it in all sweeps but the first.
+    /// Solves the edges without a prediction: in all sweeps but the first.
     void stretchAgain();
     void solveBends();
     void solveIspcs() { solveIspcs(gatherIspcs_); }
@@ -40,7 +40,7 @@ class SubstepPhases {
     struct ConstraintKernels {
         gpu::Program stretchAgain, bend, ispc;
     };
-    /// What acts otherwise on folded skin: shaders/sim/folds.glsl.
+    /// Kernels that act otherwise on folded skin: shaders/sim/folds.glsl.
     struct FoldedKernels {
         gpu::Program stretch, bend, ispc, floor, settle;
     };

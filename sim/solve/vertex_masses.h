@@ -18,10 +18,10 @@ class VertexMasses {
     /// The body must outlive it. Compiles the kernel: throws gpu::ShaderError.
     explicit VertexMasses(SolverBody& body);
 
-    /// Computes them now.
+    /// Computes the masses now.
     void compute();
-    /// After a cut all masses of a piece change: that waits for the next step, which looks at every
-    /// vertex anyway.
+    /// Has the masses computed anew in the next step, which looks at every vertex anyway: a cut
+    /// changes all masses of a piece.
     void invalidate() { stale_ = true; }
     void refresh();
 
@@ -29,9 +29,9 @@ class VertexMasses {
     void anchor(int vertex, const Vec3f& velocity);
     void release(int vertex);
     void carry(std::span<const std::uint32_t> vertices, std::span<const Vec3f> velocities);
-    /// In force with the next refresh().
+    /// Pins these vertices (ascending), from the next refresh() on.
     void setPinned(std::vector<std::uint32_t> vertices);
-    /// Of a new body, whose masses are computed later.
+    /// Unpins all vertices: of a new body, whose masses are computed later.
     void freeAll() { pinned_.clear(); }
 
   private:

@@ -13,12 +13,12 @@ namespace kerf {
 /// over a page, and a vertex that comes or goes touches one place. Pages may have holes.
 class VertexPages {
   public:
-    /// Every piece on pages of its own, its vertices ascending.
+    /// Gives every piece pages of its own, its vertices ascending.
     void assign(std::span<const int> pieceOfVertex, std::size_t pieceCount);
     /// Follows vertices to other pieces. A piece that becomes half empty is packed anew.
     void update(std::span<const LabelMove> moves, std::size_t vertexCount, std::size_t pieceCount);
 
-    /// By place: page after page; shared::kNoVertex for a hole.
+    /// The vertex at each place, page after page; shared::kNoVertex for a hole.
     const std::vector<std::uint32_t>& places() const { return places_; }
     const std::vector<std::uint32_t>& pagesOf(std::size_t piece) const {
         return pieces_[piece].pages;

@@ -8,23 +8,23 @@
 
 namespace kerf {
 
-/// At which volume each piece is held. A piece that has just come off has a current volume up to a
-/// few per cent off its rest volume, which a rigid constraint would take as a jump; so its target
+/// The volumes at which pieces are held. A piece that has just come off has a current volume up to
+/// a few per cent off its rest volume, which a rigid constraint would take as a jump; so its target
 /// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s). A piece comes back by
 /// 2 V0 a second at most, so that what has collapsed or turned inside out is not shot off. So that
 /// the parts keep the body's volume on the way, all of at least a hundredth of it wait for the
 /// slowest of them, and for splinters as far as those would change the sum.
 class VolumeTargets {
   public:
-    /// All pieces at their rest volumes.
+    /// Holds all pieces at their rest volumes.
     void reset(const BodyModel& model);
-    /// After a cut. `source`: the old piece that each piece comes from, -1 for none (see
+    /// Follows a cut. `source`: the old piece that each piece comes from, -1 for none (see
     /// LabelChange). A piece that is the only one left of an old piece goes on as that; the parts
     /// of a split start at `volumes`, their current ones, shape [pieces of after] [m^3], and so do
     /// open pieces that have been closed.
     void follow(std::span<const int> source, const BodyModel& after,
                 std::span<const double> volumes);
-    /// While volumes are not held: targets will start at `volumes`, the current ones, shape
+    /// Lets targets start at `volumes` while volumes are not held: the current ones, shape
     /// [pieces].
     void startAt(std::span<const double> volumes);
     /// Lets `time` [s] pass. Returns whether a target changed.
@@ -33,11 +33,11 @@ class VolumeTargets {
     std::span<const VolumeTarget> targets() const { return targets_; }
 
   private:
-    /// What may be left of the offsets of noted pieces.
+    /// The share that may be left of the offsets of noted pieces.
     double commonShare(double time) const;
-    /// By how much splinters will be off beyond that share, together [m^3].
+    /// The volume by which splinters will be off beyond that share, together [m^3].
     double excessOfSplinters(double common, double time) const;
-    /// What is to be left of noted offsets of the other sign, so that the sum is kept.
+    /// The share to be left of noted offsets of the other sign, so that the sum is kept.
     double shareAgainst(double excess, double common) const;
     bool isNoted(std::size_t piece) const;  ///< holds its volume and is no splinter
     void rebuild();

@@ -1,67 +1,138 @@
 // C++ and the driver must agree on where each member of a shared record lies.
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <regex>
 #include <string>
 #include <vector>
 
 #include "gpu/program.h"
+#include "shaders/shared/blade_records.h"
 #include "shaders/shared/body_records.h"
+#include "shaders/shared/box_records.h"
 #include "shaders/shared/constraints.h"
+#include "shaders/shared/contact_records.h"
 #include "shaders/shared/solver_uniforms.h"
+#include "shaders/shared/unfold_records.h"
 #include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 
 namespace kerf::gpu {
 namespace {
 
-/// A member of a record, as the C++ compiler laid it out.
+/// A member of a record, as the C++ compiler laid it out. An array goes by its first element.
 struct Member {
     std::string name;
     std::size_t offset;  // [bytes]
 };
 
-class Layout : public test::GlTest {
+struct Record {
+    std::string name;
+    std::size_t size;  // [bytes]
+    std::vector<Member> members;
+};
+
+void PrintTo(const Record& record, std::ostream* out) {
+    *out << record.name;
+}
+
+#define RECORD(Name, ...)                                  \
+    [] {                                                   \
+        using Laid = shared::Name;                         \
+        return Record{#Name, sizeof(Laid), {__VA_ARGS__}}; \
+    }()
+#define AT(name)                    \
+    Member {                        \
+#name, offsetof(Laid, name) \
+    }
+
+/// All records of shaders/shared with all of their members.
+std::vector<Record> sharedRecords() {
+    return {
+        RECORD(BladeRecord, AT(box.center), AT(box.x), AT(box.y), AT(box.z), AT(shift), AT(turn),
+               AT(bevel)),
+        RECORD(VertexLinks, AT(edges), AT(bends), AT(ispcs), AT(piece)),
+        RECORD(PieceRecord, AT(origin), AT(first_block), AT(block_count), AT(constrained),
+               AT(target_volume), AT(mass_per_area), AT(least_area)),
+        RECORD(BlockRecord, AT(piece), AT(first_page), AT(page_count)),
+        RECORD(IncidenceRange, AT(first), AT(end)),
+        RECORD(Spoke, AT(other), AT(rest_length), AT(geometry), AT(other_count)),
+        RECORD(BendRecord, AT(v0), AT(v1), AT(v2), AT(v3), AT(rest_cosine), AT(rest_sine),
+               AT(geometry), AT(unused)),
+        RECORD(BendRange, AT(first), AT(apexes), AT(end), AT(unused)),
+        RECORD(IspcShare, AT(ispc), AT(weight)),
+        RECORD(WordWrite, AT(word), AT(value)),
+        RECORD(PullRecord, AT(vertex), AT(target_x), AT(target_y), AT(target_z), AT(motion_x),
+               AT(motion_y), AT(motion_z)),
+        RECORD(VolumeImpulse, AT(impulse), AT(finished)),
+        RECORD(VolumeSum, AT(volume), AT(denominator)),
+        RECORD(BlockMeasure, AT(low_volume), AT(high_lost), AT(low_velocity_kinetic),
+               AT(high_velocity_potential), AT(low_drift_strain), AT(high_drift)),
+        RECORD(NearbyQuery, AT(center), AT(first_axis), AT(second_axis), AT(third_axis),
+               AT(asks_for_box), AT(asked_vertices), AT(capacity), AT(count), AT(unused_a),
+               AT(unused_b), AT(unused_c), AT(unused_d)),
+        RECORD(NearbyVertex, AT(vertex), AT(x), AT(y), AT(z), AT(vx), AT(vy), AT(vz), AT(unused)),
+        RECORD(BoxUniforms, AT(thickness), AT(depth), AT(lift), AT(push), AT(friction),
+               AT(inverse_density), AT(unit), AT(floor_height), AT(vertex_count),
+               AT(triangle_count), AT(box_count)),
+        RECORD(BoxRecord, AT(center), AT(x), AT(y), AT(z)),
+        RECORD(PieceBounds, AT(low_x), AT(low_y), AT(low_z), AT(high_x), AT(high_y), AT(high_z)),
+        RECORD(BoxTouch, AT(normal), AT(impulse), AT(weights)),
+        RECORD(BoxPlanes, AT(first), AT(second), AT(third)),
+        RECORD(IspcConstraint, AT(vertex), AT(t0), AT(t1), AT(t2), AT(b1), AT(b2), AT(rest_length),
+               AT(geometry)),
+        RECORD(ContactUniforms, AT(h), AT(reach), AT(interval), AT(margin), AT(cell), AT(thickness),
+               AT(substep), AT(lift_speed), AT(friction), AT(inverse_density), AT(unit),
+               AT(vertex_count), AT(triangle_count), AT(bucket_count)),
+        RECORD(ContactBox, AT(low), AT(high)),
+        RECORD(ContactBucket, AT(start), AT(directions)),
+        RECORD(ContactCandidate, AT(triangle), AT(thickness)),
+        RECORD(EdgePair, AT(other), AT(edge), AT(thickness)),
+        RECORD(ContactRecord, AT(normal), AT(impulse), AT(gains), AT(v0), AT(v1), AT(v2), AT(v3)),
+        RECORD(ContactState, AT(point_groups), AT(point_groups_y), AT(point_groups_z),
+               AT(vertex_groups), AT(vertex_groups_y), AT(vertex_groups_z), AT(points), AT(levels),
+               AT(contacts), AT(last_contacts), AT(largest[0])),
+        RECORD(SolverUniforms, AT(gravity), AT(substep), AT(drag_factor), AT(inverse_density),
+               AT(damping_ratio), AT(stretch_compliance), AT(bend_compliance), AT(ispc_compliance),
+               AT(friction), AT(floor_height), AT(lift_speed), AT(active_parts), AT(substeps),
+               AT(sweeps), AT(stretch_share), AT(bend_share), AT(ispc_share), AT(vertex_count),
+               AT(edge_count), AT(bend_count), AT(ispc_count), AT(triangle_count), AT(piece_count),
+               AT(pull_count), AT(runaway_speed)),
+        RECORD(UnfoldGoal, AT(rotation), AT(center), AT(rest_center), AT(velocity), AT(spin)),
+    };
+}
+
+class Layout : public test::GlTest, public ::testing::WithParamInterface<Record> {
   protected:
     void SetUp() override {
         GlTest::SetUp();
-        program_ =
-            Program::compute(std::string(KERF_SOURCE_DIR) + "/tests/gpu/shaders/layout.comp");
+        program_ = Program::compute(std::string(KERF_SOURCE_DIR) + "/tests/gpu/shaders/layout.comp",
+                                    {{"RECORD", GetParam().name}});
     }
 
-    /// `members` must be all of those that the driver knows in the array `array` of `block`.
-    void expectSame(const std::string& block, const std::string& array, std::size_t recordSize,
-                    const std::vector<Member>& members) const {
-        EXPECT_EQ(memberCount(block), static_cast<GLint>(members.size()))
-            << "list every member here";
-        for (const Member& member : members) {
-            SCOPED_TRACE(member.name);
-            const DriverLayout layout = ask(array + "[0]." + member.name);
-            EXPECT_EQ(layout.offset, static_cast<GLint>(member.offset));
-            EXPECT_EQ(layout.stride, static_cast<GLint>(recordSize));
-        }
-    }
-
-  private:
     struct DriverLayout {
         GLint offset = -1;
         GLint stride = -1;
     };
 
-    GLint memberCount(const std::string& block) const {
-        const GLuint index =
-            glGetProgramResourceIndex(program_.id(), GL_SHADER_STORAGE_BLOCK, block.c_str());
+    GLint memberCount() const {
+        const GLuint block =
+            glGetProgramResourceIndex(program_.id(), GL_SHADER_STORAGE_BLOCK, "Records");
         const GLenum asked = GL_NUM_ACTIVE_VARIABLES;
         GLint count = 0;
-        glGetProgramResourceiv(program_.id(), GL_SHADER_STORAGE_BLOCK, index, 1, &asked, 1, nullptr,
+        glGetProgramResourceiv(program_.id(), GL_SHADER_STORAGE_BLOCK, block, 1, &asked, 1, nullptr,
                                &count);
         return count;
     }
 
-    DriverLayout ask(const std::string& variable) const {
-        const GLuint index =
-            glGetProgramResourceIndex(program_.id(), GL_BUFFER_VARIABLE, variable.c_str());
+    DriverLayout ask(const std::string& member) const {
+        const GLuint index = glGetProgramResourceIndex(program_.id(), GL_BUFFER_VARIABLE,
+                                                       ("records[0]." + member).c_str());
         if (index == GL_INVALID_INDEX) {
             return {};
         }
@@ -72,82 +143,44 @@ class Layout : public test::GlTest {
         return {answer[0], answer[1]};
     }
 
+  private:
     Program program_;
 };
 
-#define MEMBER(Record, name) \
-    { #name, offsetof(shared::Record, name) }
-
-TEST_F(Layout, Spoke) {
-    expectSame("Spokes", "spokes", sizeof(shared::Spoke),
-               {MEMBER(Spoke, other), MEMBER(Spoke, rest_length), MEMBER(Spoke, geometry),
-                MEMBER(Spoke, other_count)});
+TEST_P(Layout, IsThatOfTheDriver) {
+    EXPECT_EQ(memberCount(), static_cast<GLint>(GetParam().members.size()))
+        << "list every member in sharedRecords()";
+    for (const Member& member : GetParam().members) {
+        SCOPED_TRACE(member.name);
+        const DriverLayout layout = ask(member.name);
+        EXPECT_EQ(layout.offset, static_cast<GLint>(member.offset));
+        EXPECT_EQ(layout.stride, static_cast<GLint>(GetParam().size));
+    }
 }
 
-TEST_F(Layout, BendRecord) {
-    expectSame(
-        "Bends", "bends", sizeof(shared::BendRecord),
-        {MEMBER(BendRecord, v0), MEMBER(BendRecord, v1), MEMBER(BendRecord, v2),
-         MEMBER(BendRecord, v3), MEMBER(BendRecord, rest_cosine), MEMBER(BendRecord, rest_sine),
-         MEMBER(BendRecord, geometry), MEMBER(BendRecord, unused)});
-}
+INSTANTIATE_TEST_SUITE_P(EachRecord, Layout, ::testing::ValuesIn(sharedRecords()),
+                         [](const auto& record) { return record.param.name; });
 
-TEST_F(Layout, IspcConstraint) {
-    expectSame(
-        "Ispcs", "ispcs", sizeof(shared::IspcConstraint),
-        {MEMBER(IspcConstraint, vertex), MEMBER(IspcConstraint, t0), MEMBER(IspcConstraint, t1),
-         MEMBER(IspcConstraint, t2), MEMBER(IspcConstraint, b1), MEMBER(IspcConstraint, b2),
-         MEMBER(IspcConstraint, rest_length), MEMBER(IspcConstraint, geometry)});
-}
-
-TEST_F(Layout, VertexLinks) {
-    expectSame("Links", "links", sizeof(shared::VertexLinks),
-               {MEMBER(VertexLinks, edges), MEMBER(VertexLinks, bends), MEMBER(VertexLinks, ispcs),
-                MEMBER(VertexLinks, piece)});
-}
-
-TEST_F(Layout, PieceRecord) {
-    expectSame("Pieces", "pieces", sizeof(shared::PieceRecord),
-               {MEMBER(PieceRecord, origin), MEMBER(PieceRecord, first_block),
-                MEMBER(PieceRecord, block_count), MEMBER(PieceRecord, constrained),
-                MEMBER(PieceRecord, target_volume), MEMBER(PieceRecord, mass_per_area),
-                MEMBER(PieceRecord, least_area)});
-}
-
-TEST_F(Layout, BlockRecord) {
-    expectSame("Blocks", "blocks", sizeof(shared::BlockRecord),
-               {MEMBER(BlockRecord, piece), MEMBER(BlockRecord, first_page),
-                MEMBER(BlockRecord, page_count)});
-}
-
-TEST_F(Layout, VolumeSum) {
-    expectSame("VolumeSums", "volumeSums", sizeof(shared::VolumeSum),
-               {MEMBER(VolumeSum, volume), MEMBER(VolumeSum, denominator)});
-}
-
-TEST_F(Layout, BlockMeasure) {
-    expectSame(
-        "Measures", "measures", sizeof(shared::BlockMeasure),
-        {MEMBER(BlockMeasure, low_volume), MEMBER(BlockMeasure, high_lost),
-         MEMBER(BlockMeasure, low_velocity_kinetic), MEMBER(BlockMeasure, high_velocity_potential),
-         MEMBER(BlockMeasure, low_drift_strain), MEMBER(BlockMeasure, high_drift)});
-}
-
-TEST_F(Layout, SolverUniforms) {
-    expectSame("Uniforms", "uniforms", sizeof(shared::SolverUniforms),
-               {MEMBER(SolverUniforms, gravity),         MEMBER(SolverUniforms, substep),
-                MEMBER(SolverUniforms, drag_factor),     MEMBER(SolverUniforms, inverse_density),
-                MEMBER(SolverUniforms, damping_ratio),   MEMBER(SolverUniforms, stretch_compliance),
-                MEMBER(SolverUniforms, bend_compliance), MEMBER(SolverUniforms, ispc_compliance),
-                MEMBER(SolverUniforms, friction),        MEMBER(SolverUniforms, floor_height),
-                MEMBER(SolverUniforms, lift_speed),      MEMBER(SolverUniforms, active_parts),
-                MEMBER(SolverUniforms, substeps),        MEMBER(SolverUniforms, sweeps),
-                MEMBER(SolverUniforms, stretch_share),   MEMBER(SolverUniforms, bend_share),
-                MEMBER(SolverUniforms, ispc_share),      MEMBER(SolverUniforms, vertex_count),
-                MEMBER(SolverUniforms, edge_count),      MEMBER(SolverUniforms, bend_count),
-                MEMBER(SolverUniforms, ispc_count),      MEMBER(SolverUniforms, triangle_count),
-                MEMBER(SolverUniforms, piece_count),     MEMBER(SolverUniforms, pull_count),
-                MEMBER(SolverUniforms, runaway_speed)});
+TEST(LayoutList, HasEveryRecordOfTheSharedHeaders) {
+    std::vector<std::string> listed;
+    for (const Record& record : sharedRecords()) {
+        listed.push_back(record.name);
+    }
+    std::vector<std::string> declared;
+    const std::regex record("^struct (\\w+) \\{");  // shared_types.h declares aligned words alone
+    const std::filesystem::path folder = std::filesystem::path(KERF_SOURCE_DIR) / "shaders/shared";
+    for (const auto& header : std::filesystem::directory_iterator(folder)) {
+        std::ifstream in(header.path());
+        std::smatch match;
+        for (std::string line; std::getline(in, line);) {
+            if (std::regex_search(line, match, record)) {
+                declared.push_back(match[1]);
+            }
+        }
+    }
+    std::ranges::sort(listed);
+    std::ranges::sort(declared);
+    EXPECT_EQ(listed, declared) << "list every record in sharedRecords()";
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Stage {
         scene.body = body.view();
         scene.restBounds = body.restBounds;
         scene.focus = body.bounds;
-        scene.material = materialFor("sphere768");
+        scene.look = lookFor("sphere768");
         scene.floor = body.bounds.low.y();
         camera.frame(body.bounds);
     }

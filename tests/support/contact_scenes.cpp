@@ -14,6 +14,7 @@
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/exact/jitter.h"
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
@@ -76,7 +77,7 @@ std::vector<Solid> solids(const SurfaceMesh& mesh, const PieceMap& pieces,
         const Vec3& a = at[corners[0]];
         const Vec3& b = at[corners[1]];
         const Vec3& c = at[corners[2]];
-        const double volume = a.dot(b.cross(c)) / 6;
+        const double volume = tetrahedronVolume(a, b, c);
         Solid& solid = out[pieces.ofVertex[corners[0]]];
         solid.volume += volume;
         solid.moment += volume * (a + b + c) / 4;

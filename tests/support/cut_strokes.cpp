@@ -9,6 +9,7 @@
 #include <set>
 
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::test {
 
@@ -135,10 +136,6 @@ void trace(const CutResult& result, int step, const SurfaceMesh& mesh) {
     }
 }
 
-double tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return a.dot(b.cross(c)) / 6;
-}
-
 /// The part of a triangle on the positive side, relative to a point on the plane: the cap in the
 /// plane then has no volume of its own.
 double volumeAbove(std::array<Vec3, 3> p, const Vec3& normal) {
@@ -157,7 +154,7 @@ double volumeAbove(std::array<Vec3, 3> p, const Vec3& normal) {
     }
     double volume = 0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-        volume += tetrahedron(polygon[0], polygon[i], polygon[i + 1]);
+        volume += tetrahedronVolume(polygon[0], polygon[i], polygon[i + 1]);
     }
     return volume;
 }
@@ -168,7 +165,7 @@ double signedDistance(const Stroke& stroke, const Vec3& p) {
     double side = 0;
     Vec3 facing = Vec3::Zero();  // a blade that goes back keeps its sides
     const auto measure = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-        Vec3 normal = (b - a).cross(c - a);
+        Vec3 normal = areaNormal(a, b, c);
         if (normal.dot(facing) < 0) {
             normal = -normal;
         }
@@ -188,11 +185,9 @@ double signedDistance(const Stroke& stroke, const Vec3& p) {
 }
 
 double heightOverLongestEdge(const SurfaceMesh& mesh, int t) {
-    const Triangle& corners = mesh.triangle(t);
-    const Vec3 u = mesh.position(corners[1]) - mesh.position(corners[0]);
-    const Vec3 v = mesh.position(corners[2]) - mesh.position(corners[0]);
-    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
-    return longest > 0 ? u.cross(v).norm() / longest : 0;
+    const Corners at = cornersOf(mesh, t);
+    const double longest = longestEdgeSquare(at);
+    return longest > 0 ? areaNormal(at).norm() / longest : 0;
 }
 
 template <class T>

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFold = std::numbers::pi / 2;
 
-double angleBetween(const std::vector<Vec3>& at, const shared::BendConstraint& bend) {
+double angleBetween(const std::vector<Vec3>& at, const BendConstraint& bend) {
     const Vec3& x0 = at[bend.v0];
     const Dihedral<double> now =
         dihedral<double>(at[bend.v1] - x0, at[bend.v2] - x0, at[bend.v3] - x0);
@@ -25,7 +25,7 @@ double angleBetween(const std::vector<Vec3>& at, const shared::BendConstraint& b
 std::vector<Fold> foldsOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& pinned) {
     const auto holds = [&](std::uint32_t v) { return std::ranges::binary_search(pinned, v); };
     std::vector<Fold> folds;
-    for (const shared::BendConstraint& bend : buildBends(mesh, 1)) {
+    for (const BendConstraint& bend : buildBends(mesh, 1)) {
         const double turn = wrapAngle(angleBetween(mesh.positions(), bend) - bend.rest_angle);
         if (std::fabs(turn) > kFold && !holds(bend.v0) && !holds(bend.v1)) {
             folds.push_back({{bend.v0, bend.v1, bend.v2, bend.v3}, turn, bend.rest_angle});

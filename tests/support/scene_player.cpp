@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "sim/mesh/triangle.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/folds.h"
@@ -155,7 +156,7 @@ void ScenePlayer::describeFolds() {
     const std::vector<Vec3>& now = mesh().positions();
     const std::vector<Vec3>& rest = mesh().restPositions();
     const auto area = [](const std::vector<Vec3>& at, int a, int b, int c) {
-        return 0.5 * (at[b] - at[a]).cross(at[c] - at[a]).norm();
+        return triangleArea(at[a], at[b], at[c]);
     };
     constexpr double kDegrees = 180 / std::numbers::pi;
     for (const Fold& fold : foldsOf(mesh(), simulation_.pinnedVertices())) {

@@ -44,11 +44,12 @@ bool mayMeet(BladeRecord blade, vec3 from, vec3 to) {
     vec3 low = min(from, to);
     vec3 high = max(from, to);
     vec3 reach = vec3(blade.box.x.w, blade.box.y.w, blade.turn.w);
-    return all(lessThan(low, reach)) && high.x > -reach.x && high.z > -reach.z && to.y > blade.shift.w;
+    return all(lessThan(low, reach)) && high.x > -reach.x && high.z > -reach.z &&
+        to.y > blade.shift.w;
 }
 
-// xyz: the sum of the area vectors of the walls at v over the sum of their lengths, w: 1 where there
-// are any.
+// xyz: the sum of the area vectors of the walls at v over the sum of their lengths, w: 1 where
+// there are any.
 vec4 wallNormal(uint v, bool wanted) {
     IncidenceRange range = ranges[v];  // once, see sides.comp
     uint end = wanted ? range.end : range.first;
@@ -91,8 +92,8 @@ int largest(vec3 v) {
     return v.x >= v.y && v.x >= v.z ? 0 : (v.y >= v.z ? 1 : 2);
 }
 
-// The face that stops the way, 3 for none: the last one that it enters through, or the nearest where
-// it starts inside, no deeper than `deepest`.
+// The face that stops the way, 3 for none: the last one that it enters through, or the nearest
+// where it starts inside, no deeper than `deepest`.
 int faceFor(Faces faces, vec3 before, vec3 after, float deepest) {
     if (any(greaterThan(min(before, after), vec3(0.0)))) return 3;
     vec3 when = mix(vec3(-1.0), before / (before - after), greaterThan(before, vec3(0.0)));

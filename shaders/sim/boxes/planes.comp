@@ -24,7 +24,8 @@ layout(std430, binding = kBoxStartBinding) readonly buffer Start { vec4 start[];
 // Share of a gap that corners may take in a substep, down to a share of the thickness.
 const float kTaken = 0.9;
 const float kLeft = 0.1;
-// Overlaps up to here are touches: shares of the box's least half length and of the depth of touches.
+// Overlaps up to here are touches: shares of the box's least half length and of the depth of
+// touches.
 const float kOverlap = 0.5;
 const float kSkinDeep = 0.1;
 

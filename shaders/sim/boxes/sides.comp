@@ -1,8 +1,8 @@
 // Keeps vertices behind the planes between their triangles and boxes, whatever has moved them since
-// the substep began: of what is too much X gives way first, so that nothing is shot off, then d. Where
-// planes leave no room between them the whole way is shortened, which keeps behind all of them.
-// Reads X at the beginning of the substep, planes, triangles around each vertex. Reads and writes X
-// and d, clears shares. One thread per vertex. A storage barrier follows.
+// the substep began: of what is too much X gives way first, so that nothing is shot off, then d.
+// Where planes leave no room between them the whole way is shortened, which keeps behind all of
+// them. Reads X at the beginning of the substep, planes, triangles around each vertex. Reads and
+// writes X and d, clears shares. One thread per vertex. A storage barrier follows.
 #include "blade_records.h"
 #include "body_records.h"
 #include "box_records.h"

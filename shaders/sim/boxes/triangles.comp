@@ -3,8 +3,8 @@
 // ends up smallest. Normals and gaps are those at X, so that what crosses within a substep is met:
 //
 //   corner  against the triangle, along the triangle's normal
-//   edge    against an edge of the triangle (which each edge is for one of its two triangles), along
-//           the line across both, where that lies between the two faces of the box
+//   edge    against an edge of the triangle (which each edge is for one of its two triangles),
+//           along the line across both, where that lies between the two faces of the box
 //
 // How a gap becomes a change of d and a push of X is said in contact_answer.glsl.
 // With BLADE it is the body of the blade, whose own way in the substep counts, and which leaves the
@@ -18,7 +18,9 @@ layout(local_size_x = kGroupSize) in;
 
 #include "sim/boxes/uniforms.glsl"
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kBoxDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kBoxDisplacementBinding) readonly buffer Displacement {
+    vec4 displacement[];
+};
 layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 #ifdef BLADE
 layout(std430, binding = kBoxBoxesBinding) readonly buffer Blades { BladeRecord blades[]; };
@@ -48,6 +50,7 @@ bool isLeftOut(uvec4 t, vec3 normal) { return false; }
 #include "sim/contact_answer.glsl"
 #include "sim/lines.glsl"
 #include "sim/mass_shares.glsl"
+#include "sim/plane_weights.glsl"
 
 // Positions and displacements of the corners of a triangle, in the coordinates of a box.
 struct Corners {
@@ -91,15 +94,6 @@ Touch touchAt(Corners c, vec3 normal, float before, vec3 weights) {
 Touch moreUrgent(Touch a, Touch b) {
     if (b.gap < a.gap) return b;
     return a;
-}
-
-// Weights of the point of the plane of the triangle below or above p.
-vec3 planeWeights(vec3 a, vec3 b, vec3 c, vec3 p) {
-    vec3 normal = cross(b - a, c - a);
-    float scale = 1.0 / max(dot(normal, normal), 1e-30);
-    float v = dot(cross(p - a, c - a), normal) * scale;
-    float w = dot(cross(b - a, p - a), normal) * scale;
-    return vec3(1.0 - v - w, v, w);
 }
 
 // Only a box in front of the triangle touches it: its middle lies there, as seen from the corner.

@@ -1,10 +1,10 @@
 // Keeps vertices out of boxes: d ends at the face that the way from X to X + d enters through, a
-// thickness away from it. What starts inside comes out, slowly: a piece that the box could hold as a
-// whole through the one face where it has the least way, vertices of others through the nearest.
+// thickness away from it. What starts inside comes out, slowly: a piece that the box could hold as
+// a whole through the one face where it has the least way, vertices of others through the nearest.
 // Coulomb friction shortens the tangential way; a piece that leaves as a whole goes straight.
-// Reads X, X at the beginning of the substep, links, boxes of pieces, boxes. Reads and writes d. Writes
-// the way since that beginning. One thread per vertex; boxes in their
-// order. A storage barrier follows.
+// Reads X, X at the beginning of the substep, links, boxes of pieces, boxes. Reads and writes d.
+// Writes the way since that beginning. One thread per vertex; boxes in their order. A storage
+// barrier follows.
 #include "body_records.h"
 #include "box_records.h"
 layout(local_size_x = kGroupSize) in;
@@ -98,7 +98,8 @@ Face wayOutOf(BoxRecord box, PieceBox piece) {
     return best;
 }
 
-// Whether beside the way out through this face the box is as wide as the piece and around its middle.
+// Whether beside the way out through this face the box is as wide as the piece and around its
+// middle.
 bool holds(BoxRecord box, PieceBox piece, Face face) {
     vec3 room = halfOf(box) - max(piece.reach, abs(piece.middle));
     if (face.axis < 3) room[face.axis] = 0.0;

@@ -1,6 +1,6 @@
-// Adds to each vertex what its contacts sum up to: to d, which becomes velocity, and to X, which does
-// not. Clears the sums for the next sweep, and in the LAST_SWEEP of a substep the shares. One thread
-// per vertex. A storage barrier follows.
+// Adds to each vertex what its contacts sum up to: to d, which becomes velocity, and to X, which
+// does not. Clears the sums for the next sweep, and in the LAST_SWEEP of a substep the shares. One
+// thread per vertex. A storage barrier follows.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"

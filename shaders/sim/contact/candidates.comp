@@ -5,8 +5,8 @@
 // Within a piece a vertex touches the opposite wall of a slit, or what is far away in the rest
 // shape, as another arm; never the material around it or behind it.
 //
-// Reads X, velocities, rest shape, normals, the grid. Writes candidates, the list of points with any
-// and its length. One thread per vertex. A storage and a command barrier follow.
+// Reads X, velocities, rest shape, normals, the grid. Writes candidates, the list of points with
+// any and its length. One thread per vertex. A storage and a command barrier follow.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -14,18 +14,24 @@ layout(local_size_x = kGroupSize) in;
 
 #include "sim/contact/uniforms.glsl"
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kContactVelocitiesBinding) readonly buffer Velocities { vec4 velocities[]; };
+layout(std430, binding = kContactVelocitiesBinding) readonly buffer Velocities {
+    vec4 velocities[];
+};
 layout(std430, binding = kContactRestBinding) readonly buffer Rest { vec4 restPositions[]; };
 layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLinks links[]; };
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kContactNormalsBinding) readonly buffer Normals { vec4 normals[]; };
-layout(std430, binding = kContactRestNormalsBinding) readonly buffer RestNormals { vec4 restNormals[]; };
+layout(std430, binding = kContactRestNormalsBinding) readonly buffer RestNormals {
+    vec4 restNormals[];
+};
 layout(std430, binding = kContactBoxesBinding) readonly buffer Boxes { ContactBox boxes[]; };
 layout(std430, binding = kContactStartsBinding) readonly buffer Starts { ContactBucket starts[]; };
 layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };
 layout(std430, binding = kContactPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kContactEntriesBinding) readonly buffer Entries { uint entries[]; };
-layout(std430, binding = kContactCandidatesBinding) writeonly buffer Candidates { ContactCandidate candidates[]; };
+layout(std430, binding = kContactCandidatesBinding) writeonly buffer Candidates {
+    ContactCandidate candidates[];
+};
 layout(std430, binding = kContactPointsBinding) writeonly buffer Points { uint points[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
@@ -119,8 +125,8 @@ void consider(uint v, vec3 p, uint index) {
     keep(index, away / range, thicknessAt(rest.separation));
 }
 
-// Triangles that pass a first look wait for a second one. Where a branch costs as much as both of its
-// sides, a loop that ends early is what saves work: most vertices have none that wait.
+// Triangles that pass a first look wait for a second one. Where a branch costs as much as both of
+// its sides, a loop that ends early is what saves work: most vertices have none that wait.
 const uint kMostPending = 32u;
 // Of the margin: what floats may say of a box's distance against the triangle's.
 const float kSlack = 0.01;

@@ -1,12 +1,13 @@
 // What each point with candidates touches in this substep: the nearest of its triangles, where it
-// comes nearer than it may. Which one is decided at X + d, and the gap is measured at X, before, and
-// by the same weights and normal at X + d, after; see contact_answer.glsl. The triangle answers where
-// the line of the whole impulse meets its plane at X, so that no torque is left over, as far as the
-// vertex is no deeper than the thickness.
-// With UNFOLDS folded skin does not touch what was beside it at rest nor its own piece, see folds.glsl.
+// comes nearer than it may. Which one is decided at X + d, and the gap is measured at X, before,
+// and by the same weights and normal at X + d, after; see contact_answer.glsl. The triangle answers
+// where the line of the whole impulse meets its plane at X, so that no torque is left over, as far
+// as the vertex is no deeper than the thickness.
+// With UNFOLDS folded skin does not touch what was beside it at rest nor its own piece, see
+// folds.glsl.
 //
-// Reads X, d, candidates, with UNFOLDS folds and links. Writes records, what contacts take of each vertex, and their number.
-// One thread per listed point. A storage barrier follows, then respond.
+// Reads X, d, candidates, with UNFOLDS folds and links. Writes records, what contacts take of each
+// vertex, and their number. One thread per listed point. A storage barrier follows, then respond.
 #include "bindings.h"
 #include "body_records.h"
 #include "contact_bindings.h"
@@ -15,11 +16,17 @@ layout(local_size_x = kGroupSize) in;
 
 #include "sim/contact/uniforms.glsl"
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement {
+    vec4 displacement[];
+};
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
-layout(std430, binding = kContactCandidatesBinding) readonly buffer Candidates { ContactCandidate candidates[]; };
+layout(std430, binding = kContactCandidatesBinding) readonly buffer Candidates {
+    ContactCandidate candidates[];
+};
 layout(std430, binding = kContactPointsBinding) readonly buffer Points { uint points[]; };
-layout(std430, binding = kContactRecordsBinding) writeonly buffer Records { ContactRecord records[]; };
+layout(std430, binding = kContactRecordsBinding) writeonly buffer Records {
+    ContactRecord records[];
+};
 layout(std430, binding = kContactSharesBinding) buffer Shares { uint shares[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
@@ -32,6 +39,7 @@ layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLin
 #include "sim/fetch.glsl"
 #include "sim/folds.glsl"
 #include "sim/mass_shares.glsl"
+#include "sim/plane_weights.glsl"
 
 struct Nearest {
     uvec4 triangle;
@@ -74,14 +82,6 @@ Nearest nearest(uint v) {
     return best;
 }
 
-// Weights of a point of the plane of the triangle, which may lie outside.
-vec3 planeWeights(Corners t, vec3 areaNormal, vec3 p) {
-    float scale = 1.0 / max(dot(areaNormal, areaNormal), 1e-30);
-    float b = dot(cross(p - t.a, t.c - t.a), areaNormal) * scale;
-    float c = dot(cross(t.b - t.a, p - t.a), areaNormal) * scale;
-    return vec3(1.0 - b - c, b, c);
-}
-
 // How far beside the triangle the vertex comes to lie [m].
 float lateralDistance(Nearest near) {
     vec3 normal = near.areaNormal / max(length(near.areaNormal), 1e-30);
@@ -110,7 +110,7 @@ void main() {
     vec3 areaNormal = cross(t.b - t.a, t.c - t.a);
     vec3 normal = areaNormal / max(length(areaNormal), 1e-30);
     float before = -dot(normal, t.a);
-    vec3 weights = planeWeights(t, areaNormal, -before * normal);
+    vec3 weights = planeWeights(t.a, t.b, t.c, -before * normal);
     vec3 slip = displacement[v].xyz -
         (weights.x * displacement[near.triangle.x].xyz +
          weights.y * displacement[near.triangle.y].xyz +
@@ -121,11 +121,12 @@ void main() {
     ContactAnswer answer = answerTo(normal, before, slip, rule);
     float approach = dot(answer.impulse, normal);
     bool touches = (approach > 0.0 || answer.push > 0.0) &&
-        lateralDistance(near) <= kLateralSlack * uniforms.h && gap >= -uniforms.margin && !passesFold(v, near);
+        lateralDistance(near) <= kLateralSlack * uniforms.h && gap >= -uniforms.margin &&
+        !passesFold(v, near);
     if (approach > 0.0) {
         float lever = clamp(before, -uniforms.thickness, uniforms.thickness);
         vec3 aside = (-lever / approach) * (answer.impulse - approach * normal);
-        weights = planeWeights(t, areaNormal, aside - before * normal);
+        weights = planeWeights(t.a, t.b, t.c, aside - before * normal);
     }
     ContactRecord record;
     record.normal = vec4(normal, answer.push);

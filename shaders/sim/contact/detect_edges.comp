@@ -1,7 +1,7 @@
-// What the edges at each point touch in this substep: of its pairs of edges the one whose gap ends up
-// smallest. The gap is measured along the line across both edges at X, which points to the surface of
-// the point; both are met where they come nearest to each other at X, so that no torque is left over,
-// and must cross there at X + d too. Friction is left to vertices.
+// What the edges at each point touch in this substep: of its pairs of edges the one whose gap ends
+// up smallest. The gap is measured along the line across both edges at X, which points to the
+// surface of the point; both are met where they come nearest to each other at X, so that no torque
+// is left over, and must cross there at X + d too. Friction is left to vertices.
 // Reads X, d, triangles, normals, pairs. Writes the records behind those of the points, what
 // contacts take of each vertex, and their number. One thread per listed point. A storage barrier
 // follows, then respond.
@@ -13,11 +13,15 @@ layout(local_size_x = kGroupSize) in;
 #include "sim/contact/uniforms.glsl"
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactEdgePairsBinding) readonly buffer Pairs { EdgePair pairs[]; };
-layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement {
+    vec4 displacement[];
+};
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kContactNormalsBinding) readonly buffer Normals { vec4 normals[]; };
 layout(std430, binding = kContactPointsBinding) readonly buffer Points { uint points[]; };
-layout(std430, binding = kContactRecordsBinding) writeonly buffer Records { ContactRecord records[]; };
+layout(std430, binding = kContactRecordsBinding) writeonly buffer Records {
+    ContactRecord records[];
+};
 layout(std430, binding = kContactSharesBinding) buffer Shares { uint shares[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
@@ -87,9 +91,11 @@ void main() {
         records[place].v1 = kNoVertex;
         return;
     }
-    ContactRule rule = ContactRule(best.thickness, 0.0, 0.0, uniforms.lift_speed * uniforms.substep);
+    ContactRule rule =
+        ContactRule(best.thickness, 0.0, 0.0, uniforms.lift_speed * uniforms.substep);
     ContactAnswer answer = answerTo(best.normal, best.before, best.slip, rule);
-    records[place] = ContactRecord(vec4(best.normal, answer.push), vec4(answer.impulse, answer.least),
+    records[place] = ContactRecord(vec4(best.normal, answer.push),
+                                   vec4(answer.impulse, answer.least),
                                    best.gains, best.vertices.x, best.vertices.y, best.vertices.z,
                                    best.vertices.w);
     for (int k = 0; k < 4; ++k) {

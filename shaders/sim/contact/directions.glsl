@@ -1,6 +1,6 @@
-// Directions in 24 bins, four on each face of a cube, as bits of a word: which of them the normals of
-// some triangles point to, and which a vertex could touch. So most triangles around a vertex, those of
-// its own surface, are passed over without a look at their corners.
+// Directions in 24 bins, four on each face of a cube, as bits of a word: which of them the normals
+// of some triangles point to, and which a vertex could touch. So most triangles around a vertex,
+// those of its own surface, are passed over without a look at their corners.
 uint binOf(vec3 d) {
     vec3 size = abs(d);
     int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);

@@ -1,10 +1,10 @@
 // The edges of triangles that the edges at each point may touch until the next search: of all edges
-// from the point and all edges of its candidates the kEdgePairsPerPoint nearest pairs, ties by their
-// numbers. Only where a thickness is kept: walls of a slit have the same edges on both sides.
+// from the point and all edges of its candidates the kEdgePairsPerPoint nearest pairs, ties by
+// their numbers. Only where a thickness is kept: walls of a slit have the same edges on both sides.
 // Most pairs are found from several of their ends; respond shares the work among them.
 //
-// Reads X, the rest shape, triangles, what touches each vertex, candidates. Writes pairs. One thread per listed point.
-// A storage barrier follows.
+// Reads X, the rest shape, triangles, what touches each vertex, candidates. Writes pairs. One
+// thread per listed point. A storage barrier follows.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -16,7 +16,9 @@ layout(std430, binding = kContactRestBinding) readonly buffer Rest { vec4 restPo
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kContactRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
 layout(std430, binding = kContactRingsBinding) readonly buffer Rings { uint rings[]; };
-layout(std430, binding = kContactCandidatesBinding) readonly buffer Candidates { ContactCandidate candidates[]; };
+layout(std430, binding = kContactCandidatesBinding) readonly buffer Candidates {
+    ContactCandidate candidates[];
+};
 layout(std430, binding = kContactPointsBinding) readonly buffer Points { uint points[]; };
 layout(std430, binding = kContactEdgePairsBinding) writeonly buffer Pairs { EdgePair pairs[]; };
 layout(std430, binding = kContactStateBinding) readonly buffer State { ContactState state; };
@@ -46,7 +48,8 @@ void keep(EdgePair pair, float key) {
     bestKey[place] = key;
 }
 
-// Both triangles of an edge may be candidates; the first one that comes will do: they come in order.
+// Both triangles of an edge may be candidates; the first one that comes will do: they come in
+// order.
 bool isKept(uint other, uint from, uint to) {
     for (uint i = 0u; i < found; ++i) {
         uvec4 t = triangles[best[i].edge >> 2];

@@ -1,6 +1,6 @@
-// A hierarchical hash grid (Eitz and Lixu, Hierarchical Spatial Hashing, 2007): each triangle stands
-// in the one cell that holds the centre of its box, of the finest size that is not smaller than the
-// box. So the table has one entry a triangle, however they differ in size.
+// A hierarchical hash grid (Eitz and Lixu, Hierarchical Spatial Hashing, 2007): each triangle
+// stands in the one cell that holds the centre of its box, of the finest size that is not smaller
+// than the box. So the table has one entry a triangle, however they differ in size.
 // The includer declares `uniforms`.
 float cellSize(uint level) {
     return uniforms.cell * float(1u << level);

@@ -1,8 +1,8 @@
 // Solves each contact, of points and of edges, once: mass-splitting Jacobi, see mass_shares.glsl.
 // Corrections are summed as integers, which do not mind the order in which threads come.
-// With SWEEP_AGAIN it goes on from d as it stands: impulses add up over the sweeps, and what earlier
-// ones did too much is taken back. A contact that stops a part of the approach alone leaves a speed
-// that the body does not move with, since pushes take the way back.
+// With SWEEP_AGAIN it goes on from d as it stands: impulses add up over the sweeps, and what
+// earlier ones did too much is taken back. A contact that stops a part of the approach alone leaves
+// a speed that the body does not move with, since pushes take the way back.
 // Reads X (inverse mass), d, records, shares. Adds to sums, with SWEEP_AGAIN to the impulses of the
 // records. One thread per listed point. A storage barrier follows, then apply.
 #include "body_records.h"
@@ -12,7 +12,9 @@ layout(local_size_x = kGroupSize) in;
 
 #include "sim/contact/uniforms.glsl"
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement { vec4 displacement[]; };
+layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement {
+    vec4 displacement[];
+};
 layout(std430, binding = kContactRecordsBinding) buffer Records { ContactRecord records[]; };
 layout(std430, binding = kContactSharesBinding) readonly buffer Shares { uint shares[]; };
 layout(std430, binding = kContactSumsBinding) buffer Sums { int sums[]; };

@@ -6,9 +6,9 @@ vec3 rotated(vec4 q, vec3 a) {
 }
 
 // The rotation that brings points closest to others, of which `sx`, `sy` and `sz` are the sums of m
-// point.x other, m point.y other and m point.z other: the eigenvector of the largest eigenvalue of a
-// symmetric matrix (Horn 1987). Squaring the matrix again and again leaves that one alone. It needs no
-// start, takes flat and thin sets of points, and never mirrors them.
+// point.x other, m point.y other and m point.z other: the eigenvector of the largest eigenvalue of
+// a symmetric matrix (Horn 1987). Squaring the matrix again and again leaves that one alone. It
+// needs no start, takes flat and thin sets of points, and never mirrors them.
 vec4 bestRotation(vec3 sx, vec3 sy, vec3 sz) {
     const uint kSquarings = 12u;
     float size = sqrt(dot(sx, sx) + dot(sy, sy) + dot(sz, sz));

@@ -12,8 +12,8 @@ float areaShare(vec3 now, vec3 rest) {
     return sqrt(dot(now, now) / max(dot(rest, rest), 1e-37));
 }
 
-// The more squashed one of both triangles. A thin one is squashed to a line within its plane, where no
-// bend turns, and comes out on the other side.
+// The more squashed one of both triangles. A thin one is squashed to a line within its plane, where
+// no bend turns, and comes out on the other side.
 float squashed(Wings now, Wings rest) {
     float least = min(areaShare(now.nA, rest.nA), areaShare(now.nB, rest.nB));
     return clamp((kSquashBegins - least) / (kSquashBegins - kSquashEnds), 0.0, 1.0);
@@ -21,7 +21,8 @@ float squashed(Wings now, Wings rest) {
 
 Wings restWingsOf(BendRecord bend) {
     vec3 from = fetch(restPositions, bend.v0).xyz;
-    return wingsOf(fetch(restPositions, bend.v1).xyz - from, fetch(restPositions, bend.v2).xyz - from,
+    return wingsOf(fetch(restPositions, bend.v1).xyz - from,
+                   fetch(restPositions, bend.v2).xyz - from,
                    fetch(restPositions, bend.v3).xyz - from);
 }
 

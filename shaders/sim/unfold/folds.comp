@@ -1,8 +1,8 @@
-// How far the skin at the bends of each vertex is folded at X, at most. A bend with a vertex that has no inverse
-// mass does not count: its rings are not drawn (goals.comp), and walls beside the front of a slit must stay
-// damped and in contact, else they crumple into the way of the blade. Reads X, rest positions, bends.
-// Writes folds, which are zero before. One thread per bend; the largest of floats does not mind their order. A storage barrier
-// follows.
+// How far the skin at the bends of each vertex is folded at X, at most. A bend with a vertex that
+// has no inverse mass does not count: its rings are not drawn (goals.comp), and walls beside the
+// front of a slit must stay damped and in contact, else they crumple into the way of the blade.
+// Reads X, rest positions, bends. Writes folds, which are zero before. One thread per bend; the
+// largest of floats does not mind their order. A storage barrier follows.
 #include "bindings.h"
 #include "body_records.h"
 #include "solver_uniforms.h"

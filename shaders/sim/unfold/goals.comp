@@ -1,7 +1,7 @@
-// For each vertex at a fold: how it and its neighbours lie at rest, put where that fits best to where
-// they are (shape matching, Mueller et al. 2005), and the rigid motion that has their momentum. A vertex
-// lends its mass to the goals that it is in, in proportion to their folds; then what they do to it
-// changes no momentum. Where one of them has no
+// For each vertex at a fold: how it and its neighbours lie at rest, put where that fits best to
+// where they are (shape matching, Mueller et al. 2005), and the rigid motion that has their
+// momentum. A vertex lends its mass to the goals that it is in, in proportion to their folds; then
+// what they do to it changes no momentum. Where one of them has no
 // inverse mass, as at the front of a slit, the goal draws nothing.
 // Reads X, velocities, rest positions, folds, their sums, neighbours. Writes goals. One thread per
 // vertex. A storage barrier follows, then unfold.
@@ -66,8 +66,8 @@ Mean meanOf(uint v, uvec2 range, uint count, Member origin) {
     return Mean(perMass, perMass * x, perMass * rest, perMass * velocity);
 }
 
-// I^-1 L by Cramer's rule, where I = tr(P) 1 - P, P = sum of m x x^T: its diagonal and its yz, zx, xy.
-// w: 0 where there is none.
+// I^-1 L by Cramer's rule, where I = tr(P) 1 - P, P = sum of m x x^T: its diagonal and its yz, zx,
+// xy. w: 0 where there is none.
 vec4 spinOf(vec3 angularMomentum, vec3 squares, vec3 mixed) {
     vec3 diagonal = squares.yzx + squares.zxy;
     vec3 first = vec3(diagonal.x, -mixed.z, -mixed.y);

@@ -1,8 +1,8 @@
-// Draws each vertex towards the goals that it is in by damped springs, implicit in the end of the substep:
-// its velocity changes by what they do in the mean, each as much as it is folded. A vertex without a
-// fold near it keeps its bits.
-// Reads X, rest positions, folds, their sums, neighbours, goals. Reads and writes velocities. One thread
-// per vertex. A storage barrier follows.
+// Draws each vertex towards the goals that it is in by damped springs, implicit in the end of the
+// substep: its velocity changes by what they do in the mean, each as much as it is folded. A vertex
+// without a fold near it keeps its bits.
+// Reads X, rest positions, folds, their sums, neighbours, goals. Reads and writes velocities. One
+// thread per vertex. A storage barrier follows.
 #include "bindings.h"
 #include "body_records.h"
 #include "solver_uniforms.h"
@@ -35,7 +35,8 @@ UnfoldGoal goalAt(uint v) {
 // What one goal changes a velocity by [m/s].
 vec3 pullOf(UnfoldGoal goal, vec3 x, vec3 rest, vec3 velocity) {
     vec3 toCenter = goal.center.xyz - x;
-    vec3 way = goal.rest_center.w * (toCenter + rotated(goal.rotation, rest - goal.rest_center.xyz));
+    vec3 way =
+        goal.rest_center.w * (toCenter + rotated(goal.rotation, rest - goal.rest_center.xyz));
     vec3 slip = goal.center.w * (velocity - goal.velocity.xyz + cross(goal.spin.xyz, toCenter));
     float turn = kUnfoldRate * uniforms.substep;
     return (slip + kUnfoldRate * turn * way) / (1.0 + unfoldDamping() * turn + turn * turn) - slip;

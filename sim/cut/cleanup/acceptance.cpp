@@ -25,22 +25,16 @@ bool looksAlong(const Vec3& a, const Vec3& b, double cosine) {
     return a.dot(b) >= cosine * a.norm() * b.norm();
 }
 
-double longestSquare(const std::array<Vec3, 3>& corners) {
-    return std::max({(corners[1] - corners[0]).squaredNorm(),
-                     (corners[2] - corners[1]).squaredNorm(),
-                     (corners[0] - corners[2]).squaredNorm()});
-}
-
 /// Over the longest edge.
-double heightOf(const std::array<Vec3, 3>& corners) {
-    const double square = longestSquare(corners);
-    return square > 0 ? crossOf(corners).norm() / std::sqrt(square) : 0;
+double heightOf(const Corners& corners) {
+    const double square = longestEdgeSquare(corners);
+    return square > 0 ? areaNormal(corners).norm() / std::sqrt(square) : 0;
 }
 
 bool keepsOrientation(const SurfaceMesh& mesh, double h, const OneRing& ring,
                       const RingTriangle& t) {
-    const Vec3 now = crossOf(cornersAfter(mesh, ring, t));
-    const Vec3 before = crossOf(cornersOf(mesh, t.slot));
+    const Vec3 now = areaNormal(cornersAfter(mesh, ring, t));
+    const Vec3 before = areaNormal(cornersOf(mesh, t.slot));
     const double sliver = kSliverArea * h * h;
     if (heightOf(cornersAfter(mesh, ring, t)) < kFlat * h) {
         return true;
@@ -56,15 +50,15 @@ bool keepsOrientation(const SurfaceMesh& mesh, double h, const OneRing& ring,
 
 }  // namespace
 
-double triangleScore(const std::array<Vec3, 3>& corners, double goodEdge) {
-    const double longest = longestSquare(corners);
+double triangleScore(const Corners& corners, double goodEdge) {
+    const double longest = longestEdgeSquare(corners);
     if (longest <= 0) {
         return 0;
     }
     const double shortest =
         std::min({(corners[1] - corners[0]).squaredNorm(), (corners[2] - corners[1]).squaredNorm(),
                   (corners[0] - corners[2]).squaredNorm()});
-    const double quality = crossOf(corners).norm() / longest;
+    const double quality = areaNormal(corners).norm() / longest;
     return std::min({1.0, quality / kGoodQuality, std::sqrt(shortest) / goodEdge});
 }
 

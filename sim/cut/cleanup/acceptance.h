@@ -9,7 +9,7 @@ namespace kerf::cut {
 
 /// The score of a triangle, 1 where it is good: the least of 1, (height over longest edge) /
 /// kGoodQuality and (shortest edge) / goodEdge. `goodEdge`: Workspace::goodEdgeLength [m].
-double triangleScore(const std::array<Vec3, 3>& corners, double goodEdge);
+double triangleScore(const Corners& corners, double goodEdge);
 /// The score of a triangle of the mesh, in its slot.
 double triangleScore(const SurfaceMesh& mesh, int triangle, double goodEdge);
 

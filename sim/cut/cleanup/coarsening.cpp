@@ -33,14 +33,9 @@ bool isInsideWall(const SharedStar& star) {
         star.edges, [](const SharedEdge& edge) { return edge.type() == SharedEdgeType::wall; });
 }
 
-double longestOf(const std::array<Vec3, 3>& corners) {
-    return std::max({(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(),
-                     (corners[0] - corners[2]).norm()});
-}
-
-double qualityOf(const std::array<Vec3, 3>& corners) {
-    const double longest = longestOf(corners);
-    return longest > 0 ? crossOf(corners).norm() / (longest * longest) : 0;
+double qualityOf(const Corners& corners) {
+    const double longest = longestEdge(corners);
+    return longest > 0 ? areaNormal(corners).norm() / (longest * longest) : 0;
 }
 
 class WallCoarsening {
@@ -139,9 +134,9 @@ class WallCoarsening {
                 before = std::min(before, qualityOf(cornersOf(mesh_, t)));
             }
             for (const RingTriangle& t : ring.after) {
-                const std::array<Vec3, 3> corners = cornersAfter(mesh_, ring, t);
+                const Corners corners = cornersAfter(mesh_, ring, t);
                 after = std::min(after, qualityOf(corners));
-                if (longestOf(corners) > kLong * factor_ * workspace_.edgeLength()) {
+                if (longestEdge(corners) > kLong * factor_ * workspace_.edgeLength()) {
                     return 0;
                 }
             }

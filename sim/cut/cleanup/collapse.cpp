@@ -12,12 +12,6 @@ namespace kerf::cut {
 
 namespace {
 
-bool haveOnePlace(const SurfaceMesh& mesh, const std::vector<int>& vertices, double h) {
-    return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
-        return (mesh.position(v) - mesh.position(vertices[0])).norm() <= kCoincident * h;
-    });
-}
-
 class Collapse {
   public:
     Collapse(const Workspace& workspace, const SharedStar& from, const SharedStar& to,
@@ -75,8 +69,9 @@ class Collapse {
     }
 
     void makePatches(const CopyPairing& pairing) {
-        closed_ = haveOnePlace(mesh_, from_.copies, workspace_.edgeLength()) &&
-                  haveOnePlace(mesh_, to_.copies, workspace_.edgeLength());
+        const VertexPlaces places = VertexPlaces::current(mesh_);
+        closed_ = haveOnePlace(places, from_.copies, workspace_.edgeLength()) &&
+                  haveOnePlace(places, to_.copies, workspace_.edgeLength());
         for (const int h : pairing.edges) {
             plan_.merges.emplace_back(mesh_.origin(h), mesh_.target(h));
         }

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/mesh/triangle.h"
+
 namespace kerf::cut {
 
 namespace {
@@ -16,7 +18,7 @@ std::array<Vec3, 4> edgesOf(const VertexPlaces& places, const Triangle& triangle
     const Vec3& a = places[triangle[0]];
     const Vec3& b = places[triangle[1]];
     const Vec3& c = places[triangle[2]];
-    const Vec3 cross = (b - a).cross(c - a);
+    const Vec3 cross = areaNormal(a, b, c);
     const double length = cross.norm();
     return {b - a, c - b, a - c, length > 0 ? Vec3(cross / std::sqrt(length)) : Vec3(Vec3::Zero())};
 }

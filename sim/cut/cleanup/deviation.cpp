@@ -9,7 +9,6 @@ namespace kerf::cut {
 
 namespace {
 
-using Corners = std::array<Vec3, 3>;
 constexpr double kFar = std::numeric_limits<double>::max();
 
 double distanceToTriangle(const Vec3& p, const Corners& t) {

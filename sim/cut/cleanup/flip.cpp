@@ -7,6 +7,7 @@
 #include "sim/cut/cleanup/copies.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/self_piercing.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -32,7 +33,7 @@ struct QuadShape {
     Vec3 a, b, c, d;
 
     /// That a flip adds, up to its sign; those of the two walls of a slit have opposite signs.
-    double volume() const { return (b - a).dot((c - a).cross(d - a)) / 6; }
+    double volume() const { return tetrahedronVolume(b - a, c - a, d - a); }
     /// Distance between the lines of the two diagonals.
     double height() const {
         const Vec3 across = (b - a).cross(d - c);
@@ -158,9 +159,9 @@ class Flip {
 
     bool isConvex(const Quad& quad) const {
         const QuadShape q = shapeOf(quad);
-        const Vec3 first = (q.a - q.c).cross(q.d - q.c);
-        const Vec3 second = (q.b - q.d).cross(q.c - q.d);
-        const Vec3 old = (q.b - q.a).cross(q.c - q.a) + (q.a - q.b).cross(q.d - q.b);
+        const Vec3 first = areaNormal(q.c, q.a, q.d);
+        const Vec3 second = areaNormal(q.d, q.b, q.c);
+        const Vec3 old = areaNormal(q.a, q.b, q.c) + areaNormal(q.b, q.a, q.d);
         const double square = workspace_.edgeLength() * workspace_.edgeLength();
         const auto looksAsBefore = [&](const Vec3& n) {
             return n.norm() >= kNoArea * square &&

@@ -34,7 +34,7 @@ std::vector<SectorTriangle> sectorsAround(const SurfaceMesh& mesh, const SharedS
         const int begin = i;
         Vec3 area = Vec3::Zero();
         do {
-            area += crossOf(cornersOf(mesh, spokes[(first + i) % n] / 3));
+            area += areaNormal(cornersOf(mesh, spokes[(first + i) % n] / 3));
             ++i;
         } while (i < n && !starts[(first + i) % n]);
         for (int k = begin; k < i; ++k) {
@@ -92,19 +92,13 @@ OneRing ringOfMerge(const SurfaceMesh& mesh, const SharedStar& from, const Share
     return ring;
 }
 
-std::array<Vec3, 3> cornersAfter(const SurfaceMesh& mesh, const OneRing& ring,
-                                 const RingTriangle& triangle) {
-    std::array<Vec3, 3> corners;
+Corners cornersAfter(const SurfaceMesh& mesh, const OneRing& ring, const RingTriangle& triangle) {
+    Corners corners;
     for (int i = 0; i < 3; ++i) {
         const int v = triangle.corners[i];
         corners[i] = v == ring.vertex ? ring.position : mesh.position(v);
     }
     return corners;
-}
-
-std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, int triangle) {
-    const Triangle& t = mesh.triangle(triangle);
-    return {mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])};
 }
 
 double edgeLength(const SurfaceMesh& mesh, int h) {
@@ -116,10 +110,6 @@ std::array<int, 3> edgesByLength(const SurfaceMesh& mesh, int triangle) {
     std::stable_sort(edges.begin(), edges.end(),
                      [&](int a, int b) { return edgeLength(mesh, a) < edgeLength(mesh, b); });
     return edges;
-}
-
-Vec3 crossOf(const std::array<Vec3, 3>& corners) {
-    return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
 bool isWallOnly(const SurfaceMesh& mesh, const std::vector<OneRing>& rings) {

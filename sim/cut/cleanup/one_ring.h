@@ -4,6 +4,7 @@
 
 #include "sim/cut/cleanup/copies.h"
 #include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -36,16 +37,11 @@ OneRing ringOfMerge(const SurfaceMesh& mesh, const SharedStar& from, const Share
                     int vertex, std::vector<int> merged);
 
 /// The corners of a triangle of the ring, at their places after the operation [m].
-std::array<Vec3, 3> cornersAfter(const SurfaceMesh& mesh, const OneRing& ring,
-                                 const RingTriangle& triangle);
-/// The positions of a triangle's corners as they are [m].
-std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, int triangle);
+Corners cornersAfter(const SurfaceMesh& mesh, const OneRing& ring, const RingTriangle& triangle);
 /// The length of half-edge h [m].
 double edgeLength(const SurfaceMesh& mesh, int h);
 /// The half-edges of a triangle, the shortest first.
 std::array<int, 3> edgesByLength(const SurfaceMesh& mesh, int triangle);
-/// The cross product of two sides of a triangle: twice its area vector [m^2].
-Vec3 crossOf(const std::array<Vec3, 3>& corners);
 
 /// Whether all triangles of the rings are walls.
 bool isWallOnly(const SurfaceMesh& mesh, const std::vector<OneRing>& rings);

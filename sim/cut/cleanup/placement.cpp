@@ -10,6 +10,7 @@
 
 #include "sim/cut/cleanup/deformation_field.h"
 #include "sim/cut/cleanup/limits.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -32,24 +33,20 @@ struct VolumeEquation {
     double change = 0;
 };
 
-double tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return a.dot(b.cross(c)) / 6;
-}
-
 /// Of moving the ring's vertex from `place`, with all else where `positions` has it.
 VolumeEquation equationAt(const SurfaceMesh& mesh, const VertexPlaces& positions,
                           const OneRing& ring, const Vec3& place) {
     VolumeEquation equation;
     for (const int t : ring.before) {
         const Triangle& c = mesh.triangle(t);
-        equation.change +=
-            tetrahedron(positions[c[0]] - place, positions[c[1]] - place, positions[c[2]] - place);
+        equation.change += tetrahedronVolume(positions[c[0]] - place, positions[c[1]] - place,
+                                             positions[c[2]] - place);
     }
     for (const RingTriangle& t : ring.after) {
         const auto at = std::find(t.corners.begin(), t.corners.end(), ring.vertex);
         const auto corner = at - t.corners.begin();
-        equation.gradient += (positions[t.corners[(corner + 1) % 3]] - place)
-                                 .cross(positions[t.corners[(corner + 2) % 3]] - place) /
+        equation.gradient += areaNormal(place, positions[t.corners[(corner + 1) % 3]],
+                                        positions[t.corners[(corner + 2) % 3]]) /
                              6;
     }
     return equation;
@@ -128,12 +125,6 @@ Displacement displaceTogether(const std::vector<VolumeEquation>& equations, doub
         result = {way, defect};
     }
     return result;
-}
-
-bool haveOnePlace(const VertexPlaces& positions, const std::vector<int>& vertices, double h) {
-    return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
-        return (positions[v] - positions[vertices[0]]).norm() <= kCoincident * h;
-    });
 }
 
 /// Whether all copies that stay, and all that go, lie at one place each.
@@ -299,7 +290,7 @@ Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPlaces& positions, int 
     Vec3 gradient = Vec3::Zero();
     const Vec3& place = positions[vertex];
     mesh.forEachOutgoing(vertex, [&](int h) {
-        gradient += (positions[mesh.target(h)] - place).cross(positions[mesh.apex(h)] - place) / 6;
+        gradient += areaNormal(place, positions[mesh.target(h)], positions[mesh.apex(h)]) / 6;
     });
     return gradient;
 }
@@ -325,6 +316,12 @@ double restStretch(const SurfaceMesh& mesh, int vertex) {
         current += (mesh.position(mesh.target(h)) - mesh.position(vertex)).norm();
     });
     return rest / std::max(current, 1e-300);
+}
+
+bool haveOnePlace(const VertexPlaces& places, const std::vector<int>& vertices, double h) {
+    return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
+        return (places[v] - places[vertices[0]]).norm() <= kCoincident * h;
+    });
 }
 
 }  // namespace kerf::cut

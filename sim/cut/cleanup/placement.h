@@ -22,6 +22,9 @@ VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<OneRing>& r
 /// The gradient of the volume by the position of a vertex, in the shape `places` [m^2].
 Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPlaces& places, int vertex);
 
+/// Whether all of these vertices lie where the first one does, as near as `h` [m] lets tell.
+bool haveOnePlace(const VertexPlaces& places, const std::vector<int>& vertices, double h);
+
 /// The part of `direction` along which no gradient changes.
 Vec3 projectOnConstantVolume(const std::vector<Vec3>& gradients, const Vec3& direction);
 

@@ -30,22 +30,16 @@ constexpr double kEndOfEdge = 1e-6;
 struct Placed {
     Triangle vertices;
     Triangle points;
-    std::array<Vec3, 3> corners;
+    Corners corners;
     int stroke;      ///< -1 on skin
     Vec3 normal;     ///< twice the area long
     double longest;  ///< edge
     Bounds bounds;
 };
 
-double longestEdge(const std::array<Vec3, 3>& corners) {
-    const auto& [p, q, r] = corners;
-    return std::sqrt(
-        std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
-}
-
-Placed placed(const Triangle& vertices, const Triangle& points, const std::array<Vec3, 3>& corners,
+Placed placed(const Triangle& vertices, const Triangle& points, const Corners& corners,
               int stroke) {
-    Placed result{vertices, points, corners, stroke, crossOf(corners), longestEdge(corners), {}};
+    Placed result{vertices, points, corners, stroke, areaNormal(corners), longestEdge(corners), {}};
     for (const Vec3& p : corners) {
         result.bounds.add(p);
     }

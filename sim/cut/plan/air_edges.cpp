@@ -5,6 +5,7 @@
 
 #include "sim/cut/exact/predicates.h"
 #include "sim/cut/plan/step.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -128,8 +129,8 @@ class AirEdges {
     Vec3 outwardNormal(int v) const {
         Vec3 normal = Vec3::Zero();
         mesh_.forEachOutgoing(v, [&](int h) {
-            normal += (mesh_.position(mesh_.target(h)) - mesh_.position(v))
-                          .cross(mesh_.position(mesh_.apex(h)) - mesh_.position(v));
+            normal += areaNormal(mesh_.position(v), mesh_.position(mesh_.target(h)),
+                                 mesh_.position(mesh_.apex(h)));
         });
         return normal.squaredNorm() > 0 ? Vec3(normal.normalized()) : normal;
     }

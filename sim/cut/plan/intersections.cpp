@@ -8,6 +8,7 @@
 #include "sim/base/sort_unique.h"
 #include "sim/cut/exact/predicates.h"
 #include "sim/cut/plan/front_profile.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -81,7 +82,7 @@ bool hasZeroArea(const std::array<Vec3, 3>& abc) {
 // An edge in the plane of the triangle: apart by an exact test in the dominant projection, or the
 // triangle has no area (then its edges carry the crossing), or degenerate.
 void requireApartInPlane(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& abc) {
-    const Vec3 normal = (abc[1] - abc[0]).cross(abc[2] - abc[0]);
+    const Vec3 normal = areaNormal(abc);
     Eigen::Index largest = 0;
     normal.cwiseAbs().maxCoeff(&largest);
     const int dropped = static_cast<int>(largest);

@@ -7,6 +7,7 @@
 #include "sim/cut/plan/seeds.h"
 #include "sim/cut/plan/skin_map.h"
 #include "sim/cut/plan/wall.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -42,10 +43,6 @@ void addWalls(const StepInput& in, const std::vector<WallSheet>& sheets, StepPla
     }
 }
 
-double signedVolume(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return a.dot(b.cross(c)) / 6;
-}
-
 /// `ofVertex` and `ofNode` give positions, current or at rest.
 template <class OfVertex, class OfNode>
 double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, const OfVertex& ofVertex,
@@ -56,12 +53,12 @@ double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, const OfVerte
     };
     double added = 0;
     for (const NewTriangle& t : plan.triangles) {
-        added += signedVolume(at(t.corners[0]), at(t.corners[1]), at(t.corners[2]));
+        added += tetrahedronVolume(at(t.corners[0]), at(t.corners[1]), at(t.corners[2]));
     }
     double removed = 0;
     for (const int t : plan.subdivision.replaced) {
         const Triangle& c = mesh.triangle(t);
-        removed += signedVolume(ofVertex(c[0]), ofVertex(c[1]), ofVertex(c[2]));
+        removed += tetrahedronVolume(ofVertex(c[0]), ofVertex(c[1]), ofVertex(c[2]));
     }
     return added - removed;
 }

@@ -43,15 +43,12 @@ std::vector<SurfaceSample> samplesAround(const StepInput& in, const std::vector<
     return in.surface.samplesAround(std::move(places), in.h);
 }
 
-std::vector<Sample> ofPiece(const StepInput& in, const std::vector<SurfaceSample>& all, int piece) {
+std::vector<Sample> statesOf(const SurfaceMesh& mesh, const std::vector<SurfaceSample>& vertices) {
     std::vector<Sample> samples;
-    samples.reserve(all.size());
-    for (const auto& [v, weight] : all) {
-        if (in.pieceOfVertex[v] == piece) {
-            const Vec3& position = in.mesh.position(v);
-            samples.push_back(
-                {weight, position, in.mesh.restPosition(v) - position, in.mesh.velocity(v)});
-        }
+    samples.reserve(vertices.size());
+    for (const auto& [v, weight] : vertices) {
+        const Vec3& position = mesh.position(v);
+        samples.push_back({weight, position, mesh.restPosition(v) - position, mesh.velocity(v)});
     }
     return samples;
 }
@@ -132,7 +129,8 @@ void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutC
     const std::vector<SurfaceSample> all = samplesAround(in, sheets, curves.nodes);
     std::vector<bool> mapped(curves.nodes.size(), false);
     for (const WallSheet& sheet : sheets) {
-        std::vector<Sample> samples = ofPiece(in, all, sheet.piece);
+        std::vector<Sample> samples =
+            statesOf(in.mesh, ofPiece(all, in.pieceOfVertex, sheet.piece));
         if (sizeOf(samples) < kLeastSamples) {
             samples = rimSamples(sheet, curves.nodes);
         }

@@ -8,6 +8,7 @@
 
 #include "sim/cut/plan/step.h"
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -31,7 +32,7 @@ std::vector<SweptTriangle> sweptTriangles(const OpeningInput& step) {
     std::vector<SweptTriangle> triangles;
     triangles.reserve(2 * step.rung.size());
     const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-        const Vec3 normal = (b - a).cross(c - a);
+        const Vec3 normal = areaNormal(a, b, c);
         if (normal.norm() > 1e-6 * step.h * step.h) {
             triangles.push_back({{a, b, c}, normal});
         }
@@ -196,8 +197,8 @@ class Opening {
         double area = 0;
         mesh_.forEachOutgoing(v, [&](int h) {
             if (isOldWall(h / 3) && isRetraced(h / 3)) {
-                const Vec3 normal = (mesh_.position(mesh_.target(h)) - mesh_.position(v))
-                                        .cross(mesh_.position(mesh_.apex(h)) - mesh_.position(v));
+                const Vec3 normal =
+                    areaNormal(p, mesh_.position(mesh_.target(h)), mesh_.position(mesh_.apex(h)));
                 sum += normal;
                 area += normal.norm();
             }

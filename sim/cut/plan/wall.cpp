@@ -9,6 +9,7 @@
 #include "sim/cut/exact/triangulation.h"
 #include "sim/cut/plan/ears.h"
 #include "sim/cut/plan/loops.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -77,10 +78,9 @@ bool shareFace(const SurfaceMesh& mesh, const CutNode& p, const CutNode& q) {
 }
 
 double distanceToFace(const SurfaceMesh& mesh, int face, const Vec3& p) {
-    const Triangle& c = mesh.triangle(face);
-    const Vec3& a = mesh.position(c[0]);
-    const Vec3 normal = (mesh.position(c[1]) - a).cross(mesh.position(c[2]) - a);
-    return std::fabs(normal.dot(p - a)) / std::max(normal.norm(), 1e-300);
+    const Corners at = cornersOf(mesh, face);
+    const Vec3 normal = areaNormal(at);
+    return std::fabs(normal.dot(p - at[0])) / std::max(normal.norm(), 1e-300);
 }
 
 /// The two faces at a node on an edge, that around a node on a face twice; -1 for others.

@@ -9,6 +9,7 @@
 
 #include "sim/cut/surface/broad_phase.h"
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -196,7 +197,7 @@ CarriedPoint AirTies::carried(const SurfaceMesh& mesh, const Tie& tie) {
     const Vec3& b = mesh.position(tie.corners[1]);
     const Vec3& c = mesh.position(tie.corners[2]);
     const Vec3 moved = pointOn(a, b, c, tie.weights) - tie.onSkin;
-    return {tie.point + tie.share * moved, (b - a).cross(c - a).stableNormalized()};
+    return {tie.point + tie.share * moved, unitNormal(a, b, c)};
 }
 
 void AirTies::follow(const SurfaceMesh& mesh, std::vector<RungNode>& rung) const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/cut/wall_edge.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -144,7 +145,7 @@ Skin skinOf(const SurfaceMesh& mesh) {
         for (const double edge : {(b - a).norm(), (c - b).norm(), (a - c).norm()}) {
             sum += edge;
         }
-        const double area = 0.5 * (b - a).cross(c - a).norm();
+        const double area = triangleArea(a, b, c);
         skin.triangles.push_back({(a + b + c) / 3, std::sqrt(area * kEdgeSquareOfArea), area});
         skin.area += area;
         for (const Vec3& p : {a, b, c}) {

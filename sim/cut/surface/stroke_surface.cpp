@@ -7,6 +7,7 @@
 
 #include "sim/base/sort_unique.h"
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -34,7 +35,7 @@ StrokeSurface::StrokeSurface(const SurfaceMesh& mesh)
     }
 }
 
-LazyBoxTree& StrokeSurface::tree() const {
+BoxTree& StrokeSurface::tree() const {
     if (!tree_) {
         std::vector<int> living;
         for (int slot = 0; slot < static_cast<int>(triangles_.size()); ++slot) {
@@ -43,6 +44,7 @@ LazyBoxTree& StrokeSurface::tree() const {
             }
         }
         tree_.emplace(living, [this](int slot) { return restBounds(slot); });
+        tree_->prepareToEdit();
     }
     return *tree_;
 }
@@ -182,7 +184,7 @@ std::optional<Vec3> StrokeSurface::insidePosition(const Vec3& rest, const Vec3& 
         const Vec3& c = mesh_.restPosition(t[2]);
         // The far side of a thin part, or the other wall of an older slit, faces the other way.
         if (!isNear(rest, a, b, c, depth) || !isWhole(t) ||
-            (b - a).cross(c - a).dot(rest - a) >= 0) {
+            areaNormal(a, b, c).dot(rest - a) >= 0) {
             continue;
         }
         const Vec3 weights = closestWeights(rest, a, b, c);
@@ -193,7 +195,7 @@ std::optional<Vec3> StrokeSurface::insidePosition(const Vec3& rest, const Vec3& 
             const Vec3& q = mesh_.position(t[1]);
             const Vec3& r = mesh_.position(t[2]);
             onSurface = mixed(weights, p, q, r);
-            outward = (q - p).cross(r - p).stableNormalized();
+            outward = unitNormal(p, q, r);
         }
     }
     if (!onSurface) {

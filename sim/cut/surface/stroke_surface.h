@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/cut/surface/surface_samples.h"
-#include "sim/mesh/lazy_box_tree.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
@@ -61,7 +61,7 @@ class StrokeSurface {
         std::vector<SurfaceSample> samples;
         bool covers(const std::vector<Vec3>& places) const;
     };
-    LazyBoxTree& tree() const;
+    BoxTree& tree() const;
     Bounds restBounds(int slot) const;
     std::vector<int> trianglesNear(const Vec3& rest, double reach) const;
     bool isWhole(const Triangle& corners) const;
@@ -74,7 +74,7 @@ class StrokeSurface {
     mutable Thinned thinned_;
     /// The tree of the triangles that were alive; made when it is first asked, divided and refit by
     /// finding.
-    mutable std::optional<LazyBoxTree> tree_;
+    mutable std::optional<BoxTree> tree_;
     mutable std::vector<int> slots_;  ///< room for thinByDistance
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace kerf::cut {
@@ -49,7 +50,7 @@ double distance(const Bounds& a, const Bounds& b) {
 
 class Thinning {
   public:
-    Thinning(LazyBoxTree& tree, const std::function<const Triangle&(int)>& cornersOf,
+    Thinning(BoxTree& tree, const std::function<const Triangle&(int)>& cornersOf,
              const std::vector<Bounds>& boxes, double h, std::vector<int>& slots)
         : tree_(tree), cornersOf_(cornersOf), boxes_(boxes), h_(h), slots_(slots) {}
 
@@ -58,7 +59,7 @@ class Thinning {
         while (!stack.empty()) {
             const int index = stack.back();
             stack.pop_back();
-            const LazyBoxTree::Node& node = tree_.node(index);
+            const BoxTree::Node& node = tree_.node(index);
             if (node.count == 0) {
                 continue;
             }
@@ -86,11 +87,11 @@ class Thinning {
         return std::max(size, kFinest * h_);
     }
 
-    void addOne(const LazyBoxTree::Node& node) {
+    void addOne(const BoxTree::Node& node) {
         add(cornersOf_(tree_.firstOf(node))[0], static_cast<double>(node.count));
     }
 
-    void addAll(const LazyBoxTree::Node& node) {
+    void addAll(const BoxTree::Node& node) {
         tree_.forEach(node, [this](int id) {
             for (const int v : cornersOf_(id)) {
                 add(v, 1.0 / 3);
@@ -107,7 +108,7 @@ class Thinning {
         samples_[slot].weight += weight;
     }
 
-    LazyBoxTree& tree_;
+    BoxTree& tree_;
     const std::function<const Triangle&(int)>& cornersOf_;
     const std::vector<Bounds>& boxes_;
     double h_;
@@ -116,6 +117,14 @@ class Thinning {
 };
 
 }  // namespace
+
+std::vector<SurfaceSample> ofPiece(const std::vector<SurfaceSample>& samples,
+                                   const std::vector<int>& pieceOfVertex, int piece) {
+    std::vector<SurfaceSample> out;
+    std::copy_if(samples.begin(), samples.end(), std::back_inserter(out),
+                 [&](const auto& sample) { return pieceOfVertex[sample.vertex] == piece; });
+    return out;
+}
 
 std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h) {
     std::vector<Cluster> clusters{clusterOf(std::move(places))};
@@ -135,7 +144,7 @@ std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h) {
     return boxes;
 }
 
-std::vector<SurfaceSample> thinByDistance(LazyBoxTree& tree,
+std::vector<SurfaceSample> thinByDistance(BoxTree& tree,
                                           const std::function<const Triangle&(int id)>& cornersOf,
                                           const std::vector<Bounds>& boxes, double h,
                                           std::vector<int>& slots) {

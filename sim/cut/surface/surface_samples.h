@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/mesh/lazy_box_tree.h"
+#include "sim/mesh/box_tree.h"
 
 namespace kerf::cut {
 
@@ -12,6 +12,10 @@ struct SurfaceSample {
     int vertex = -1;    ///< vertex of the mesh
     double weight = 0;  ///< how many triangles it stands for
 };
+
+/// The samples whose vertices belong to `piece`, in their order.
+std::vector<SurfaceSample> ofPiece(const std::vector<SurfaceSample>& samples,
+                                   const std::vector<int>& pieceOfVertex, int piece);
 
 /// Boxes around a few clusters of `places` (at least one), with room for a blade that advances by
 /// some `h`.
@@ -22,7 +26,7 @@ std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h);
 /// body. `tree` holds triangles by their box at rest, `cornersOf(id)` tells their corners. `slots`:
 /// as many -1 as there are vertices, and so again afterwards. (Thinned by distance as in Barnes and
 /// Hut 1986.)
-std::vector<SurfaceSample> thinByDistance(LazyBoxTree& tree,
+std::vector<SurfaceSample> thinByDistance(BoxTree& tree,
                                           const std::function<const Triangle&(int id)>& cornersOf,
                                           const std::vector<Bounds>& boxes, double h,
                                           std::vector<int>& slots);

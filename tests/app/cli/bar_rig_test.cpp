@@ -9,6 +9,7 @@
 
 #include "app/cli/bar_experiment.h"
 #include "sim/mesh/box_surface.h"
+#include "sim/mesh/triangle.h"
 #include "sim/solve/sweep_strength.h"
 #include "tests/support/finite_elements.h"
 #include "tests/support/gl_fixture.h"
@@ -43,8 +44,8 @@ ElasticSolid hangingSolid(int cells, double poisson, const Vec3& down = -Vec3::U
     const double weight = kDensity * kGravity * kBar.prod();
     const double surface = 2 * (kBar.x() * kBar.y() + kBar.y() * kBar.z() + kBar.z() * kBar.x());
     for (const Triangle& t : skin.triangles) {
-        const Vec3& a = skin.positions[t[0]];
-        const double area = 0.5 * (skin.positions[t[1]] - a).cross(skin.positions[t[2]] - a).norm();
+        const double area =
+            triangleArea(skin.positions[t[0]], skin.positions[t[1]], skin.positions[t[2]]);
         for (const int corner : t) {
             const Vec3& p = skin.positions[corner];
             solid.loads[nodeAt.at({p.x(), p.y(), p.z()})] += weight * area / surface / 3 * down;
@@ -109,11 +110,9 @@ TEST(FiniteElements, StretchUniformlyUnderUniformTension) {
             }
         }
         if (face.size() == 3) {
-            const Vec3 area =
-                0.5 *
-                (s.nodes[face[1]] - s.nodes[face[0]]).cross(s.nodes[face[2]] - s.nodes[face[0]]);
+            const double area = triangleArea(s.nodes[face[0]], s.nodes[face[1]], s.nodes[face[2]]);
             for (const int n : face) {
-                solid.loads[n].y() += stress * area.norm() / 3;
+                solid.loads[n].y() += stress * area / 3;
             }
         }
     }

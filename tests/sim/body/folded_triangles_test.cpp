@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sim/cut/stroke/cutter.h"
+#include "sim/mesh/triangle.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
 
@@ -54,10 +55,8 @@ TEST(FoldedTriangles, LieInNoSlotBeforeTheFirst) {
 double sideOf(const SurfaceMesh& mesh, int vertex) {
     double side = mesh.restPosition(vertex).z();
     mesh.forEachOutgoing(vertex, [&](int h) {
-        const Triangle& c = mesh.triangle(h / 3);
         if (mesh.kind(h / 3) == SurfaceKind::wall) {
-            const Vec3& a = mesh.restPosition(c[0]);
-            side = -(mesh.restPosition(c[1]) - a).cross(mesh.restPosition(c[2]) - a).z();
+            side = -areaNormal(restCornersOf(mesh, h / 3)).z();
         }
     });
     return side > 0 ? 1 : -1;

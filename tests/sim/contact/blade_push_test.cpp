@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
@@ -153,9 +154,7 @@ TEST_F(BladePushTest, ASlitIsHeldOpenByTheThickness) {
         for (const int v : corners) {
             box.add(inBlade(blade, mesh.position(v)));
         }
-        const Vec3 normal = blade.frames.back().axes.transpose() *
-                            (mesh.position(corners[1]) - mesh.position(corners[0]))
-                                .cross(mesh.position(corners[2]) - mesh.position(corners[0]));
+        const Vec3 normal = blade.frames.back().axes.transpose() * areaNormal(cornersOf(mesh, t));
         if (box.low.y() > wholeBehind(blade) && box.high.y() < blade.back) {
             ++walls;
             halfWidths += std::fabs(box.center().z());

@@ -35,7 +35,7 @@ void expectOpen(const SurfaceMesh& mesh, const BodyModel& model) {
     const std::size_t border = borderHalfEdges(mesh).size();
     EXPECT_GT(border, 0u);
     EXPECT_EQ(2 * model.edges.size(), 3 * model.triangles.size() + border);
-    for (const shared::BendConstraint& bend : model.bends) {
+    for (const BendConstraint& bend : model.bends) {
         const int h = mesh.findHalfEdge(static_cast<int>(bend.v0), static_cast<int>(bend.v1));
         EXPECT_TRUE(mesh.present(h / 3) && mesh.present(mesh.twin(h) / 3));
     }

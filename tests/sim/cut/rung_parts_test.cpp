@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/mesh/invariants.h"
+#include "sim/mesh/triangle.h"
 #include "tests/support/cut_fuzz.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/self_intersections.h"
@@ -96,11 +97,7 @@ TEST(RungParts, AShortWayTellsNoDirection) {
 double wallArea(const SurfaceMesh& mesh) {
     double area = 0;
     for (const int t : livingTriangles(mesh)) {
-        const Triangle& c = mesh.triangle(t);
-        const Vec3& a = mesh.position(c[0]);
-        area += mesh.kind(t) == SurfaceKind::wall
-                    ? 0.5 * (mesh.position(c[1]) - a).cross(mesh.position(c[2]) - a).norm()
-                    : 0;
+        area += mesh.kind(t) == SurfaceKind::wall ? triangleArea(cornersOf(mesh, t)) : 0;
     }
     return area;
 }

@@ -10,7 +10,6 @@
 
 #include "sim/cut/cut_change.h"
 #include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/box_tree.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
 
@@ -121,23 +120,29 @@ TEST_F(TriangleTreeTest, StaysShallowWhenThingsAreAddedInARow) {
     BoxTree tree;
     for (int id = 0; id < 20000; ++id) {
         boxes.push_back(cube(Vec3(id, 0, 0), 1.5));
-        tree.insert(id, boundsOfId);
+        tree.insert(std::array{id}, boundsOfId);
     }
     for (int id = 0; id < 19000; ++id) {
-        tree.erase(id);
+        tree.erase(std::array{id});
     }
     std::vector<int> found;
-    tree.find([&](const Bounds& b) { return b.overlaps(cube(Vec3(19500, 0, 0), 1)); },
-              [&](int id) { found.push_back(id); });
+    tree.find(
+        boundsOfId, [&](const Bounds& b) { return b.overlaps(cube(Vec3(19500, 0, 0), 1)); },
+        [&](int id) { found.push_back(id); });
     EXPECT_TRUE(std::find(found.begin(), found.end(), 19500) != found.end());
     EXPECT_LT(found.size(), 40u);
+    std::vector<std::array<int, 2>> stack;  // nodes and how deep they lie
+    for (const int root : tree.roots()) {
+        stack.push_back({root, 0});
+    }
     int deepest = 0;
-    for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
-        int depth = 0;
-        for (int n = static_cast<int>(i); n > 0 && depth < 1000; n = tree.nodes()[n].parent) {
-            ++depth;
-        }
+    while (!stack.empty()) {
+        const auto [index, depth] = stack.back();
+        stack.pop_back();
         deepest = std::max(deepest, depth);
+        if (const int child = tree.childrenOf(index); child >= 0) {
+            stack.insert(stack.end(), {{child, depth + 1}, {child + 1, depth + 1}});
+        }
     }
     EXPECT_LE(deepest, BoxTree::kMaxDepth);
 }
@@ -148,11 +153,12 @@ TEST_F(TriangleTreeTest, WhatWasBuiltAtOnceCanBeEdited) {
     std::iota(ids.begin(), ids.end(), 0);
     BoxTree tree(ids, boundsOfId);
     for (int id = 0; id < 100; id += 2) {
-        tree.erase(id);
+        tree.erase(std::array{id});
     }
-    tree.insert(4, boundsOfId);
+    tree.insert(std::array{4}, boundsOfId);
     std::vector<int> found;
-    tree.find([](const Bounds&) { return true; }, [&](int id) { found.push_back(id); });
+    tree.find(
+        boundsOfId, [](const Bounds&) { return true; }, [&](int id) { found.push_back(id); });
     std::ranges::sort(found);
     EXPECT_EQ(found.size(), 51u);
     for (int id = 0; id < 100; ++id) {
@@ -161,15 +167,15 @@ TEST_F(TriangleTreeTest, WhatWasBuiltAtOnceCanBeEdited) {
 }
 
 /// Random boxes of which some come and go: what is found is what a look at all of them finds.
-class LazyBoxTreeTest : public testing::TestWithParam<LazyBoxTree::Joining> {
+class BoxTreeTest : public testing::TestWithParam<BoxTree::Joining> {
   protected:
     static constexpr unsigned kSeed = 5;
     std::mt19937 random{kSeed};
     std::uniform_real_distribution<double> uniform{-1, 1};
     std::vector<Bounds> boxes;
     std::vector<bool> inTree;
-    LazyBoxTree tree{GetParam()};
-    LazyBoxTree::BoundsOf boundsOfId = [this](int id) { return boxes[id]; };
+    BoxTree tree{GetParam()};
+    BoxTree::BoundsOf boundsOfId = [this](int id) { return boxes[id]; };
 
     // Sizes from a thousandth up to a half, many in one place.
     Bounds box() {
@@ -226,7 +232,7 @@ class LazyBoxTreeTest : public testing::TestWithParam<LazyBoxTree::Joining> {
     }
 };
 
-TEST_P(LazyBoxTreeTest, FindsAllWhileThingsComeAndGo) {
+TEST_P(BoxTreeTest, FindsAllWhileThingsComeAndGo) {
     add(3000);
     for (int round = 0; round < 60; ++round) {
         expectFindsAll();
@@ -242,7 +248,7 @@ TEST_P(LazyBoxTreeTest, FindsAllWhileThingsComeAndGo) {
     expectFindsAll();
 }
 
-TEST_P(LazyBoxTreeTest, FindsAllWhileThingsMove) {
+TEST_P(BoxTreeTest, FindsAllWhileThingsMove) {
     add(2000);
     for (int round = 0; round < 60; ++round) {
         const double most = 0.01;
@@ -258,7 +264,7 @@ TEST_P(LazyBoxTreeTest, FindsAllWhileThingsMove) {
     }
 }
 
-TEST_P(LazyBoxTreeTest, HoldsWhatLiesWhereItLay) {
+TEST_P(BoxTreeTest, HoldsWhatLiesWhereItLay) {
     add(500);
     tree.divideAll();
     boxes[3] = cube(boxes[3].center() + Vec3(1e-3, 0, 0), 0.1);
@@ -270,16 +276,16 @@ TEST_P(LazyBoxTreeTest, HoldsWhatLiesWhereItLay) {
     EXPECT_TRUE(tree.holds(4, boxes[4]));
 }
 
-TEST_P(LazyBoxTreeTest, FindsTheSameHoweverMuchIsDivided) {
+TEST_P(BoxTreeTest, FindsTheSameHoweverMuchIsDivided) {
     add(2000);
-    LazyBoxTree divided = tree;
+    BoxTree divided = tree;
     divided.divideAll();
     int leaves = 0;
     std::vector<int> stack = divided.roots();
     while (!stack.empty()) {
-        const LazyBoxTree::Node& node = divided.node(stack.back());
+        const BoxTree::Node& node = divided.node(stack.back());
         stack.pop_back();
-        EXPECT_LE(node.depth, LazyBoxTree::kMaxDepth);
+        EXPECT_LE(node.depth, BoxTree::kMaxDepth);
         if (node.child >= 0) {
             stack.insert(stack.end(), {node.child, node.child + 1});
         } else {
@@ -301,9 +307,8 @@ TEST_P(LazyBoxTreeTest, FindsTheSameHoweverMuchIsDivided) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Joinings, LazyBoxTreeTest,
-                         testing::Values(LazyBoxTree::Joining::anew,
-                                         LazyBoxTree::Joining::divided));
+INSTANTIATE_TEST_SUITE_P(Joinings, BoxTreeTest,
+                         testing::Values(BoxTree::Joining::anew, BoxTree::Joining::divided));
 
 }  // namespace
 }  // namespace kerf

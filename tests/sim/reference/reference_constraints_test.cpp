@@ -46,7 +46,7 @@ TEST(ReferenceConstraints, GradientsAgreeWithFiniteDifferences) {
 
 TEST(ReferenceConstraints, PullAsTheyStoodBeforeUnlessTheyTurnedFar) {
     const BodyModel model = buildBodyModel(test::box());
-    const shared::EdgeConstraint& edge = model.edges[0];
+    const EdgeConstraint& edge = model.edges[0];
     ReferenceState state = restState(model);
     const Vec3 before = (state.positions[edge.a] - state.positions[edge.b]).normalized();
     const Vec3 aside = before.unitOrthogonal();
