@@ -203,13 +203,14 @@ def step_figure(scene):
 
 
 def outline_panel(d, plan, x, y, scale, aside=None):
-    """The strip in its own plane, the blade's way down. `aside`: by node, how far it is moved."""
+    """The strip in its own plane, turned so that the blade goes down. `aside`: by node, how far it
+    is moved."""
     layout = plan["layout"]
-    left = min(p[0] for p in layout)
+    right = max(p[0] for p in layout)
     aside = aside or {}
 
     def at(i):
-        return (x + scale * (layout[i][0] - left) + aside.get(i, 0), y + scale * layout[i][1])
+        return (x + scale * (right - layout[i][0]) - aside.get(i, 0), y + scale * layout[i][1])
 
     for t in plan["wallPlus"]:
         d.polygon([at(i) for i in t], BLUE_FILL, mixed(BLUE, "#ffffff", 0.5), 0.9)
@@ -358,7 +359,7 @@ def crossing_figure(scene):
     d.line([add(mean([at(i) for i in inner["free"]]), (0, 4)),
             add(mean([at(i) for i in inner["free"]]), (0, 84))], SAND_LINE, 5)
     d.label(add(mean([at(i) for i in inner["front"]]), (0, -50)), (250, 130), "older slit", SAND_INK)
-    d.label(at(inner["front"][0]), (40, 124), "two vertices\nof the front, one\non each side", INK)
+    d.label(min((at(i) for i in inner["front"])), (40, 124), "two vertices\nof the front, one\non each side", INK)
     d.label(mean([at(i) for i in gap]), (256, 400), "cut\nthe older walls\nopen here", INK)
     d.text((30, 495), "In the picture on the right both slits are drawn open.", GREY, size=13.5)
 

@@ -7,7 +7,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 IMAGES = ROOT / "docs" / "images"
 
 INK, GREY, PALE, FAINT = "#1f2933", "#5f6b7a", "#c3cad3", "#eef1f5"
-RED, BLUE, ORANGE, GREEN = "#c8102e", "#1b5fc1", "#c4540a", "#1d7a45"
+RED, BLUE, ORANGE = "#c8102e", "#1b5fc1", "#c4540a"
+GREEN, BROWN = "#1d7a45", "#8a5a00"
 RED_FILL, BLUE_FILL, ORANGE_FILL = "#f7c9d0", "#cfe0f8", "#fadcc6"
 
 
@@ -59,6 +60,15 @@ def width_of(words, size):
     return 0.57 * size * len(words)
 
 
+def rounded(corners, radius=12):
+    """The path along these corners, each of them rounded."""
+    path = f"M{corners[0][0]:.1f},{corners[0][1]:.1f}"
+    for before, corner, after in zip(corners, corners[1:], corners[2:]):
+        a, b = (add(corner, scaled(unit(sub(p, corner)), radius)) for p in (before, after))
+        path += f" L{a[0]:.1f},{a[1]:.1f} Q{corner[0]:.1f},{corner[1]:.1f} {b[0]:.1f},{b[1]:.1f}"
+    return path + f" L{corners[-1][0]:.1f},{corners[-1][1]:.1f}"
+
+
 class View:
     """Parallel projection: turned about +y by `turn`, then looked at from `tilt` above [degrees]."""
 
@@ -89,7 +99,7 @@ class Drawing:
 
     def __init__(self, width, height, title):
         self.width, self.height = width, height
-        colors = (INK, GREY, RED, BLUE, ORANGE, GREEN)
+        colors = (INK, GREY, RED, BLUE, ORANGE, GREEN, BROWN)
         self.parts = [
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
             f'viewBox="0 0 {width} {height}" font-family="Helvetica, Arial, sans-serif" '
@@ -126,14 +136,11 @@ class Drawing:
         self.add(f'<path d="{self.path_of(points, False)}" fill="none" stroke="{stroke}" '
                  f'stroke-width="{width}"{extra}/>')
 
-    def curve(self, a, b, stroke=GREY, width=1.4, dashes="", sag=0.0):
-        """An arrow from a to b that bends aside by `sag` [px]."""
-        along = unit(sub(b, a))
-        middle = add(between(a, b, 0.5), (-along[1] * 2 * sag, along[0] * 2 * sag))
+    def way(self, corners, stroke=GREY, width=1.8, dashes="", radius=12):
+        """An arrow along these corners."""
         extra = f' stroke-dasharray="{dashes}"' if dashes else ""
-        self.add(f'<path d="M{a[0]:.1f},{a[1]:.1f} Q{middle[0]:.1f},{middle[1]:.1f} '
-                 f'{b[0]:.1f},{b[1]:.1f}" fill="none" stroke="{stroke}" stroke-width="{width}" '
-                 f'marker-end="url(#tip{stroke[1:]})"{extra}/>')
+        self.add(f'<path d="{rounded(corners, radius)}" fill="none" stroke="{stroke}" '
+                 f'stroke-width="{width}" marker-end="url(#tip{stroke[1:]})"{extra}/>')
 
     def dot(self, at, color=INK, radius=4.0, fill=None):
         self.add(f'<circle cx="{at[0]:.1f}" cy="{at[1]:.1f}" r="{radius}" fill="{fill or color}" '
