@@ -84,7 +84,7 @@ def flow(d, levels):
     d.text((772, 263), "all fail", RED, size=13)
 
     notes = [
-        "The first step or two that fail in a moving body are refused before anything is resumed.",
+        "In a moving body two failed steps in a row are refused at once, unresumed: mostly the next one succeeds.",
         f"After {refusals} refusals in a row the front is let go: it stays as the end of a slit.",
         "Where only unequal sides of an older wall stood in the way, all runs once more without that rule.",
     ]
