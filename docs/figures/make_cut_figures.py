@@ -311,7 +311,7 @@ def walls_figure(scene):
 
 
 def copies_figure(scene):
-    d = Drawing(920, 500, "Copies of material points at a slit")
+    d = Drawing(920, 500, "Copies of vertices at a slit")
     view = View(77, 36, 430, (460, 280))
     mesh = Mesh(scene["after"])
     rung = scene["rungAfter"]
@@ -332,7 +332,7 @@ def copies_figure(scene):
     for v in front:
         d.dot(opened.at(v), RED, 4.8)
     left, right = sorted((opened.at(v) for v in shown[0]), key=lambda p: p[0])
-    d.label(left, (30, 400), "one material point,\ntwo copies: one vertex\non each side of the slit", ORANGE)
+    d.label(left, (30, 400), "one point of the body,\ntwo copies: one vertex\non each side of the slit", ORANGE)
     d.label(right, (735, 400), "its other copy", BLUE)
     d.label(opened.at(front[2]), (470, 26), "front\none vertex each: the slit\nends here, both walls meet", RED)
     wall = {side: mean([opened.at(v) for f in mesh.walls(0, side) for v in f[0]]) for side in (0, 1)}
@@ -375,7 +375,7 @@ def crossing_figure(scene):
     d.line(around + around[:1], INK, 1.4, "3 4")
     for p in around:
         d.dot(p, INK, 5.6)
-    d.label(min(around, key=lambda p: p[1]), (675, 30), "one material point, four copies", INK,
+    d.label(min(around, key=lambda p: p[1]), (675, 30), "one point of the body, four copies", INK,
             "middle")
     d.label(view.at(add(after.points[top[0]], (-0.2, 0.02, -0.12))), (440, 110), "older slit", SAND_INK)
     d.label((560, 350), (430, 460), "new slit", ORANGE)
