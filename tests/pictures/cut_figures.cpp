@@ -1,7 +1,9 @@
 // The data of the figures of the cut in docs/architecture.md, as JSON: each scene is the last step
 // of some strokes that the real cutter makes through a small body. scripts/figures draws them.
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -72,44 +74,31 @@ Json stripOf(const cut::Strip& strip) {
             {"new", strip.newRung}};
 }
 
-/// Nodes and what joins them, all by place in `points`.
+/// The outline and the triangles of W+, by places in `points`; `layout`: those in the strip's
+/// plane.
 Json planOf(const SurfaceMesh& mesh, const cut::StepPlan& plan) {
-    const char* const kKinds[] = {"cut", "free", "front"};
+    constexpr std::array kKinds{"cut", "free", "front"};
     Json points = Json::array();
     Json layout = Json::array();
-    for (const cut::Node& node : plan.curves.nodes) {
+    std::map<int, int> placeOfCorner;
+    for (int i = 0; i < cut::sizeOf(plan.curves.nodes); ++i) {
+        const cut::Node& node = plan.curves.nodes[i];
         points.push_back(pointOf(node.position));
         layout.push_back({node.layout.x(), node.layout.y()});
-    }
-    Json segments = Json::array();
-    for (const cut::Segment& segment : plan.curves.segments) {
-        segments.push_back({segment.from, segment.to});
+        placeOfCorner[cut::cornerId(mesh, plan.curves, i)] = i;
     }
     Json outline = Json::array();
     for (const cut::OutlineEdge& edge : plan.outline.edges) {
-        outline.push_back({edge.from, edge.to, kKinds[static_cast<int>(edge.kind)]});
+        outline.push_back({edge.from, edge.to, kKinds[static_cast<std::size_t>(edge.kind)]});
     }
     Json wall = Json::array();
     for (const cut::NewTriangle& triangle : plan.triangles) {
-        Json corners = Json::array();
-        for (const int corner : triangle.corners) {
-            const auto node = plan.curves.nodeOfVertex;
-            int place = corner - mesh.vertexCount();
-            for (int i = 0; place < 0 && i < cut::sizeOf(plan.curves.nodes); ++i) {
-                const cut::Node& at = plan.curves.nodes[i];
-                place = at.kind == cut::NodeKind::vertex && at.a == corner ? i : place;
-            }
-            corners.push_back(place);
-        }
         if (triangle.sheet == cut::Sheet::plus) {
-            wall.push_back(corners);
+            const auto& [a, b, c] = triangle.corners;
+            wall.push_back({placeOfCorner.at(a), placeOfCorner.at(b), placeOfCorner.at(c)});
         }
     }
-    return {{"points", points},
-            {"layout", layout},
-            {"segments", segments},
-            {"outline", outline},
-            {"wallPlus", wall}};
+    return {{"points", points}, {"layout", layout}, {"outline", outline}, {"wallPlus", wall}};
 }
 
 /// The step from where the cutter stands to `to`, as Cutter plans its first try.
@@ -127,11 +116,12 @@ Json stepOf(const SurfaceMesh& mesh, const Cutter& cutter, int stroke, const Bla
     const std::vector<int> onePiece(mesh.vertexCount(), 0);
     const cut::EdgeLengthField edgeLengths(kWallEdge);
     const CutSettings settings;
+    const cut::SlitOpening noOpening;
     const cut::StepInput in{mesh,
                             candidates,
                             onePiece,
                             cutter.strokeSurface(),
-                            {},
+                            noOpening,
                             rung,
                             to,
                             {},
