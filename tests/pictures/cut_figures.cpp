@@ -82,7 +82,7 @@ Json planOf(const SurfaceMesh& mesh, const cut::StepPlan& plan) {
     Json layout = Json::array();
     std::map<int, int> placeOfCorner;
     for (int i = 0; i < cut::sizeOf(plan.curves.nodes); ++i) {
-        const cut::Node& node = plan.curves.nodes[i];
+        const auto& node = plan.curves.nodes[i];
         points.push_back(pointOf(node.position));
         layout.push_back({node.layout.x(), node.layout.y()});
         placeOfCorner[cut::cornerId(mesh, plan.curves, i)] = i;
