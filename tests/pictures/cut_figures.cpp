@@ -25,15 +25,11 @@ constexpr double kWallEdge = 0.16;  // [m], coarse enough to see each triangle
 
 struct Scene {
     SurfaceMesh body;
-    std::vector<test::Stroke> strokes;
+    std::vector<test::Stroke> strokes;  ///< the last pose of the last one makes the step
 };
 
 Json pointOf(const Vec3& p) {
     return {p.x(), p.y(), p.z()};
-}
-
-Json bladeOf(const Blade& blade) {
-    return {pointOf(blade.a), pointOf(blade.b)};
 }
 
 Json rungOf(const std::vector<RungNode>& rung) {
@@ -101,8 +97,10 @@ Json planOf(const SurfaceMesh& mesh, const cut::StepPlan& plan) {
     return {{"points", points}, {"layout", layout}, {"outline", outline}, {"wallPlus", wall}};
 }
 
-/// The step from where the cutter stands to `to`, as Cutter plans its first try.
-Json stepOf(const SurfaceMesh& mesh, const Cutter& cutter, int stroke, const Blade& to) {
+/// The step from where the cutter stands to `to`, as it plans its first try. `firstVertex`: the
+/// number of vertices when the stroke began.
+Json stepOf(const SurfaceMesh& mesh, const Cutter& cutter, int stroke, int firstVertex,
+            const Blade& to) {
     std::vector<RungNode> rung = cutter.rung();
     cut::followMesh(mesh, rung);
     cut::reparametrize(to, kWallEdge, rung);
@@ -117,22 +115,14 @@ Json stepOf(const SurfaceMesh& mesh, const Cutter& cutter, int stroke, const Bla
     const cut::EdgeLengthField edgeLengths(kWallEdge);
     const CutSettings settings;
     const cut::SlitOpening noOpening;
-    const cut::StepInput in{mesh,
-                            candidates,
-                            onePiece,
-                            cutter.strokeSurface(),
-                            noOpening,
-                            rung,
-                            to,
-                            {},
-                            kWallEdge,
-                            settings.offset,
-                            edgeLengths,
-                            settings.seed,
-                            stroke,
-                            stroke + 1,
-                            mesh.vertexCount(),
-                            cut::attemptAt(0, settings.tolerance, settings.seed)};
+    const cut::StepInput in{mesh,        candidates,
+                            onePiece,    cutter.strokeSurface(),
+                            noOpening,   rung,
+                            to,          {},
+                            kWallEdge,   settings.offset,
+                            edgeLengths, settings.seed,
+                            stroke,      stroke + 1,
+                            firstVertex, cut::attemptAt(0, settings.tolerance, settings.seed)};
     cut::PredicatePositions positions(in);
     return {{"rung", rungOf(rung)},
             {"strip", stripOf(cut::buildStrip(in, positions))},
@@ -147,17 +137,16 @@ Json sceneOf(Scene scene) {
     Json result;
     for (int stroke = 0; stroke < cut::sizeOf(scene.strokes); ++stroke) {
         const test::Stroke& poses = scene.strokes[stroke];
+        const int firstVertex = mesh.vertexCount();
         cutter.begin(poses.front());
         for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
             cutter.advance(poses[i]);
         }
         if (stroke + 1 == cut::sizeOf(scene.strokes)) {
             result["before"] = meshOf(mesh);
-            result["step"] = stepOf(mesh, cutter, stroke, poses.back());
-            result["blade"] = {bladeOf(poses[poses.size() - 2]), bladeOf(poses.back())};
+            result["step"] = stepOf(mesh, cutter, stroke, firstVertex, poses.back());
         }
-        const CutResult last = cutter.advance(poses.back());
-        result["reason"] = last.reason;
+        result["reason"] = cutter.advance(poses.back()).reason;  // empty: the first try succeeded
         result["rungAfter"] = rungOf(cutter.rung());
         if (stroke + 1 < cut::sizeOf(scene.strokes)) {
             cutter.finish();
