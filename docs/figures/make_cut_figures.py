@@ -384,6 +384,9 @@ def crossing_figure(scene):
 
 def main():
     data = json.load(sys.stdin)
+    for scene in (data["step"], data["crossing"]):
+        if scene["reason"]:
+            raise SystemExit(f"the first try of a scene's step fails: {scene['reason']}")
     step_figure(data["step"])
     walls_figure(data["step"])
     copies_figure(data["step"])
