@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""Draws docs/images/house.svg: the rooms of the source and which of them includes which.
+
+The rooms and their order come from kRooms in tests/house/include_direction_test.cpp, the arrows from
+the #includes: those that follow from others are left out. Fails where a room has no place in FLOORS,
+or an arrow points ahead in that order.
+"""
+import pathlib
+import re
+
+from svg import (BLUE, BROWN, GREEN, GREY, INK, ORANGE, ROOT, Drawing, mixed, rounded)
+
+COLORS = {"app": ORANGE, "ui": BROWN, "render": GREEN, "sim": BLUE, "gpu": GREY}
+# Where a room stands: its left side, its top and its width; and what it is for.
+FLOORS = {
+    "app/files": (30, 82, 100, "import, export,\nsaving"),
+    "app/session": (141, 82, 100, "session files,\nmetrics"),
+    "app/scene": (252, 82, 100, "the body that\nis edited"),
+    "app/tools": (363, 82, 100, "blades, pulling,\ncamera"),
+    "app/editor": (474, 82, 100, "what keys and\nmenus do"),
+    "app/window": (585, 82, 96, "the window\nand its loop"),
+    "app/cli": (692, 82, 96, "verbs, replay,\nexperiments"),
+    "app": (799, 82, 92, "main()"),
+    "ui": (252, 210, 338, "panels, plots, themes, keys; they queue actions"),
+    "render/scene": (30, 296, 150, "what is drawn"),
+    "render/passes": (212, 296, 150, "one pass a file"),
+    "render": (394, 296, 150, "the renderer"),
+    "sim/body": (30, 398, 140, "rest shape, masses,\nconstraints"),
+    "sim/contact": (190, 398, 140, "with itself, boxes\nand the blade"),
+    "sim/solve": (350, 398, 140, "the soft body\non the GPU"),
+    "sim/run": (510, 398, 140, "Simulation: a step,\nundo, commands"),
+    "sim/reference": (736, 398, 154, "plain kernels,\nfor tests alone"),
+    "sim/base": (130, 618, 94, "mathematics,\nparameters"),
+    "sim/mesh": (130, 532, 94, "half-edges,\npieces, trees"),
+    "sim/cut": (264, 541, 98, "types, words"),
+    "sim/cut/surface": (392, 541, 106, "what lies near"),
+    "sim/cut/exact": (392, 627, 106, "predicates"),
+    "sim/cut/plan": (526, 580, 106, "one try of\na step"),
+    "sim/cut/commit": (660, 517, 100, "carries it out"),
+    "sim/cut/patch": (660, 580, 100, "closes wounds"),
+    "sim/cut/cleanup": (660, 643, 100, "mends slivers"),
+    "sim/cut/stroke": (786, 580, 94, "Cutter, retry\nladder"),
+    "gpu": (14, 728, 892, "OpenGL: context, buffers, programs"),
+}
+# Where the straight way would lead through rooms: corners of the arrow.
+WAYS = {
+    ("app/session", "sim/run"): [(191, 144), (191, 166), (620, 166), (620, 397)],
+    ("ui", "sim/run"): [(575, 254), (575, 397)],
+    ("sim/contact", "gpu"): [(239, 460), (239, 727)],
+    ("sim/cut/exact", "sim/base"): [(392, 649), (225, 649)],
+    ("sim/run", "sim/cut/stroke"): [(650, 440), (700, 440), (700, 474), (833, 474), (833, 579)],
+}
+HEIGHTS = {"gpu": 42}
+
+
+def height_of(room):
+    return HEIGHTS.get(room, 44 if "\n" not in FLOORS[room][3] else 62)
+
+
+def rooms_in_order():
+    test = (ROOT / "tests/house/include_direction_test.cpp").read_text()
+    return re.findall(r'"([\w/]+)"', re.search(r"kRooms = \{(.*?)\};", test, re.S)[1])
+
+
+def room_of(path, rooms):
+    return next((str(p) for p in pathlib.PurePath(path).parents if str(p) in rooms), None)
+
+
+def includes(rooms):
+    """Pairs (from, to) of different rooms."""
+    pairs = set()
+    for folder in sorted({room.split("/")[0] for room in rooms}):
+        for source in sorted((ROOT / folder).rglob("*")):
+            if source.suffix not in (".cpp", ".h"):
+                continue
+            own = room_of(source.relative_to(ROOT), rooms)
+            for path in re.findall(r'^\s*#\s*include\s+"([^"]+)"', source.read_text(), re.M):
+                beside = source.parent / path
+                other = room_of(beside.relative_to(ROOT) if beside.exists() else path, rooms)
+                if other and other != own:
+                    pairs.add((own, other))
+    return pairs
+
+
+def without_implied(pairs):
+    """The pairs that no way over other rooms stands for."""
+    after = {}
+    for a, b in pairs:
+        after.setdefault(a, set()).add(b)
+
+    def reached(a, without):
+        seen, waiting = set(), [b for b in after.get(a, ()) if b != without]
+        while waiting:
+            room = waiting.pop()
+            if room not in seen:
+                seen.add(room)
+                waiting += after.get(room, ())
+        return seen
+
+    return sorted((a, b) for a, b in pairs if b not in reached(a, b))
+
+
+def way(a, b):
+    """The path of the arrow from room a to room b."""
+    ax, ay, aw, _ = FLOORS[a]
+    bx, by, bw, _ = FLOORS[b]
+    ah, bh = height_of(a), height_of(b)
+    if (a, b) in WAYS:
+        return rounded(WAYS[a, b])
+    if ay == by and ax - bx - bw > 40:  # over what stands between
+        return rounded([(ax + aw / 2, ay), (ax + aw / 2, ay - 14), (bx + bw / 2, ay - 14), (bx + bw / 2, by - 1)])
+    if ay < by + bh + 60 and ax > bx + bw and by < ay + ah + 90:
+        return rounded([(ax, ay + ah / 2), (bx + bw + 1, by + bh / 2)])
+    x = min(max(bx + bw / 2, ax + 16), ax + aw - 16)
+    end = (min(max(x, bx + 16), bx + bw - 16), by - 1)
+    bend = (end[1] - ay - ah) / 2
+    return (f"M{x},{ay + ah} C{x},{ay + ah + bend} {end[0]},{end[1] - bend} {end[0]},{end[1]}")
+
+
+def arrow(d, a, b):
+    color = GREY if a == "sim/reference" else COLORS[a.split("/")[0]]
+    dashes = ' stroke-dasharray="4 4"' if a == "sim/reference" else ""
+    d.add(f'<path d="{way(a, b)}" fill="none" stroke="{color}" stroke-width="1.6" '
+          f'marker-end="url(#tip{color[1:]})"{dashes}/>')
+
+
+def main():
+    rooms = rooms_in_order()
+    if set(rooms) != set(FLOORS):
+        raise SystemExit(f"rooms without a place in FLOORS, or places without a room: "
+                         f"{sorted(set(rooms) ^ set(FLOORS))}")
+    pairs = without_implied(includes(rooms))
+    ahead = [pair for pair in pairs if rooms.index(pair[0]) < rooms.index(pair[1])]
+    if ahead:
+        raise SystemExit(f"includes that look ahead: {ahead}")
+    d = Drawing(920, 790, "The rooms of the source, and which of them includes which")
+    d.text((20, 30), "A room includes only what stands to its left on the same floor, or on a floor below. "
+           "Arrows that follow from others are left out.",
+           INK, size=13.5)
+    bands = (("app", 46, 130), ("ui", 186, 76), ("render", 272, 76), ("sim", 358, 358))
+    for name, top, height in bands:
+        d.box(14, top, 892, height, mixed(COLORS[name], "#ffffff", 0.93),
+              mixed(COLORS[name], "#ffffff", 0.6), 12)
+        d.text((892, top + 22), name + "/", COLORS[name], "end", 16, "bold")
+    d.box(250, 488, 642, 214, "#ffffff", mixed(BLUE, "#ffffff", 0.5), 10)
+    d.text((262, 509), "sim/cut/", BLUE, size=14, weight="bold")
+    for pair in pairs:
+        arrow(d, *pair)
+    for room in rooms:
+        x, y, width, caption = FLOORS[room]
+        color = COLORS[room.split("/")[0]]
+        d.box(x, y, width, height_of(room), "#ffffff", color, 7, 1.4)
+        d.text((x + 8, y + 18), {"app": "main", "sim/cut": "cut"}.get(room, room.split("/")[-1]), color,
+               size=14, weight="bold")
+        for i, line in enumerate(caption.split("\n")):
+            d.text((x + 8, y + 35 + 15 * i), line, GREY, size=11.5)
+    d.save("house.svg")
+
+
+if __name__ == "__main__":
+    main()
