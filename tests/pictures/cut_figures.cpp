@@ -10,8 +10,8 @@
 #include "sim/cut/plan/plan.h"
 #include "sim/cut/plan/strip.h"
 #include "sim/cut/stroke/cutter.h"
+#include "sim/cut/stroke/group_stroke.h"
 #include "sim/cut/stroke/ladder.h"
-#include "sim/cut/stroke/sweep.h"
 #include "sim/mesh/triangle_tree.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"
@@ -46,8 +46,8 @@ Json meshOf(const SurfaceMesh& mesh) {
     Json copies = Json::array();
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         points.push_back(pointOf(mesh.position(v)));
-        if (mesh.materialPoint(v) == v && mesh.mateGroup(v) >= 0) {
-            copies.push_back(mesh.matesOfGroup(mesh.mateGroup(v)));
+        if (mesh.firstCopy(v) == v && mesh.copyGroup(v) >= 0) {
+            copies.push_back(mesh.copiesOfGroup(mesh.copyGroup(v)));
         }
     }
     Json triangles = Json::array();
@@ -89,7 +89,7 @@ Json planOf(const SurfaceMesh& mesh, const cut::StepPlan& plan) {
     }
     Json wall = Json::array();
     for (const cut::NewTriangle& triangle : plan.triangles) {
-        if (triangle.sheet == cut::Sheet::plus) {
+        if (triangle.side == cut::CutSide::plus) {
             const auto& [a, b, c] = triangle.corners;
             wall.push_back({placeOfCorner.at(a), placeOfCorner.at(b), placeOfCorner.at(c)});
         }
@@ -161,7 +161,7 @@ Json ladder() {
     for (int i = 0; i < cut::attemptCount(); ++i) {
         const cut::Attempt level = cut::attemptAt(i, 0, 1);
         levels.push_back({{"offset", level.offsetScale},
-                          {"seenFlat", static_cast<int>(level.unfold)},
+                          {"seenFlat", static_cast<int>(level.seenAt)},
                           {"fringe", level.ignoreFringe},
                           {"closed", level.closing == cut::kCloseDistance},
                           {"touching", level.touching},
