@@ -1,5 +1,5 @@
-// All session events, a description each: the name of its type and its fields. Reader, writer, the
-// list of types in errors, and the test of docs/session-format.md are made from it.
+// One description of each session event: its type and its fields. Reader, writer, the list of types
+// in errors and the test of docs/session-format.md are made from these.
 #pragma once
 
 #include <filesystem>
@@ -18,6 +18,7 @@ struct Limits {
     double low;
     double high;
 };
+/// The limits from -limit to limit.
 constexpr Limits within(double limit) {
     return {-limit, limit};
 }
@@ -37,13 +38,13 @@ inline constexpr Limits kBoxNumbers{0, static_cast<double>(kMostBoxes) - 1};  //
 inline constexpr Limits kPictureSizes{1, kMaxPictureSize};                    // [pixels]
 inline constexpr HexDigits kStateHashDigits{16};
 
-// What `fields` does with each of them, in this order:
-// - type(name): the `type` of the event; type(name, otherwise, flag): that of a true or false flag.
+// describe(fields, item) names what an item consists of to `fields`, which reads or writes it, by:
+// - type(name): the `type` of an event; type(name, otherwise, flag): that of a true or false flag.
 // - required(key, value, limits), optional(key, value, limits): a field. One that is left out keeps
 //   its value, which is false for a bool and empty for a std::optional; these are not written then.
-// - either(value, keys, otherKeys, problem): fields of the first or of the second alternative.
+// - either(region, keys, otherKeys, problem): whether fields of a ball or of a box follow.
 // - param(nameKey, name, valueKey, value): a parameter of the simulation and its value.
-// - check(holds, key, problem): more that must hold, with the key that is to blame ("": the event).
+// - check(holds, key, problem): more that must hold, with the key that is to blame ("": the item).
 
 void describe(auto& fields, Ball& ball) {
     fields.required("center", ball.center, kCoordinates);

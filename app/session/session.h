@@ -66,6 +66,7 @@ struct CheckEvent {
     std::optional<int> pieces;
 };
 
+/// A variant with more alternatives behind its own.
 template <class Variant, class... More>
 struct Extended;
 template <class... Kinds, class... More>

@@ -29,22 +29,22 @@ struct Node {
     throw InputError(path + ": " + std::string(problem));
 }
 
-std::string rangeText(double low, double high) {
-    return " (" + formatNumber(low) + " to " + formatNumber(high) + ")";
+std::string rangeText(const Limits& limits) {
+    return " (" + formatNumber(limits.low) + " to " + formatNumber(limits.high) + ")";
 }
 
-double readNumber(const Node& node, double low, double high) {
+double readNumber(const Node& node, const Limits& limits) {
     if (!node.value->is_number()) {
-        fail(node.path, "expected a number" + rangeText(low, high) + ".");
+        fail(node.path, "expected a number" + rangeText(limits) + ".");
     }
     const double number = node.value->get<double>();
-    if (!(number >= low && number <= high)) {
-        fail(node.path, formatNumber(number) + " is out of range" + rangeText(low, high) + ".");
+    if (!(number >= limits.low && number <= limits.high)) {
+        fail(node.path, formatNumber(number) + " is out of range" + rangeText(limits) + ".");
     }
     return number;
 }
 
-Vec3 readVector(const Node& node, double limit) {
+Vec3 readVector(const Node& node, const Limits& limits) {
     const json& value = *node.value;
     if (!value.is_array() || value.size() != 3) {
         fail(node.path, "expected three numbers.");
@@ -54,8 +54,7 @@ Vec3 readVector(const Node& node, double limit) {
         if (!value[i].is_number()) {
             fail(node.path, "expected three numbers.");
         }
-        vector[i] =
-            readNumber({&value[i], node.path + "[" + std::to_string(i) + "]"}, -limit, limit);
+        vector[i] = readNumber({&value[i], node.path + "[" + std::to_string(i) + "]"}, limits);
     }
     return vector;
 }
@@ -76,7 +75,7 @@ ParamValue readParamValue(const Node& node) {
         return value.get<double>();
     }
     if (value.is_array()) {
-        return readVector(node, kMaxSessionCoordinate);
+        return readVector(node, kCoordinates);
     }
     if (value.is_string()) {
         return value.get<std::string>();
@@ -117,19 +116,19 @@ void read(const Node& node, bool& flag) {
 }
 
 void read(const Node& node, double& number, const Limits& limits) {
-    number = readNumber(node, limits.low, limits.high);
+    number = readNumber(node, limits);
 }
 
 void read(const Node& node, int& number, const Limits& limits) {
-    const double read = readNumber(node, limits.low, limits.high);
+    const double read = readNumber(node, limits);
     if (read != std::floor(read)) {
-        fail(node.path, "expected a whole number" + rangeText(limits.low, limits.high) + ".");
+        fail(node.path, "expected a whole number" + rangeText(limits) + ".");
     }
     number = static_cast<int>(read);
 }
 
 void read(const Node& node, Vec3& vector, const Limits& limits) {
-    vector = readVector(node, limits.high);
+    vector = readVector(node, limits);
 }
 
 void read(const Node& node, std::string& text, const HexDigits& digits) {
@@ -391,7 +390,7 @@ std::vector<SessionEvent> readEvents(const Node& node, int steps,
 }
 
 Vec3 readColor(const Node& node) {
-    Vec3 color = readVector(node, 1);
+    Vec3 color = readVector(node, within(1));
     if (color.minCoeff() < 0) {
         fail(node.path, "expected red, green and blue from 0 to 1.");
     }
