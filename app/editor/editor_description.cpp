@@ -71,8 +71,8 @@ void Editor::State::describe(bool withOverlay) {
     model.axes = axesOf(camera);
     model.orthographic = camera.orthographic;
     if (scene != nullptr) {
-        model.ownSkin = render::toDisplay(ownMaterial().skin);
-        model.ownFlesh = render::toDisplay(ownMaterial().inner);
+        model.ownSkin = render::toDisplay(ownLook().skin);
+        model.ownFlesh = render::toDisplay(ownLook().inner);
         if (display.apart == 0) {
             model.overlay = withOverlay ? overlayNow() : std::move(before);
         }

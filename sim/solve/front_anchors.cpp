@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -124,7 +125,9 @@ std::vector<Anchor> anchorsOf(const std::vector<int>& vertices, const AnchorFram
         const bool ofSamePiece = in.pieceOfVertex[v] == piece;
         if (!ofSamePiece) {
             piece = in.pieceOfVertex[v];
-            samples = ofPiece(all, in.pieceOfVertex, piece);
+            samples.clear();
+            std::ranges::copy(cut::ofPiece(all, in.pieceOfVertex, piece),
+                              std::back_inserter(samples));
         }
         if (samples.size() < kLeastSamples) {
             continue;

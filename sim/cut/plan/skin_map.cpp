@@ -43,12 +43,14 @@ std::vector<SurfaceSample> samplesAround(const StepInput& in, const std::vector<
     return in.surface.samplesAround(std::move(places), in.h);
 }
 
-std::vector<Sample> statesOf(const SurfaceMesh& mesh, const std::vector<SurfaceSample>& vertices) {
+std::vector<Sample> samplesOf(const StepInput& in, const std::vector<SurfaceSample>& all,
+                              int piece) {
     std::vector<Sample> samples;
-    samples.reserve(vertices.size());
-    for (const auto& [v, weight] : vertices) {
-        const Vec3& position = mesh.position(v);
-        samples.push_back({weight, position, mesh.restPosition(v) - position, mesh.velocity(v)});
+    samples.reserve(all.size());
+    for (const auto& [v, weight] : ofPiece(all, in.pieceOfVertex, piece)) {
+        const Vec3& position = in.mesh.position(v);
+        samples.push_back(
+            {weight, position, in.mesh.restPosition(v) - position, in.mesh.velocity(v)});
     }
     return samples;
 }
@@ -129,8 +131,7 @@ void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutC
     const std::vector<SurfaceSample> all = samplesAround(in, sheets, curves.nodes);
     std::vector<bool> mapped(curves.nodes.size(), false);
     for (const WallSheet& sheet : sheets) {
-        std::vector<Sample> samples =
-            statesOf(in.mesh, ofPiece(all, in.pieceOfVertex, sheet.piece));
+        std::vector<Sample> samples = samplesOf(in, all, sheet.piece);
         if (sizeOf(samples) < kLeastSamples) {
             samples = rimSamples(sheet, curves.nodes);
         }

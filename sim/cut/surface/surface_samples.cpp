@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <utility>
 
 namespace kerf::cut {
@@ -117,14 +116,6 @@ class Thinning {
 };
 
 }  // namespace
-
-std::vector<SurfaceSample> ofPiece(const std::vector<SurfaceSample>& samples,
-                                   const std::vector<int>& pieceOfVertex, int piece) {
-    std::vector<SurfaceSample> out;
-    std::copy_if(samples.begin(), samples.end(), std::back_inserter(out),
-                 [&](const auto& sample) { return pieceOfVertex[sample.vertex] == piece; });
-    return out;
-}
 
 std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h) {
     std::vector<Cluster> clusters{clusterOf(std::move(places))};

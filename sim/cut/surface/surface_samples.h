@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <ranges>
 #include <vector>
 
 #include "sim/mesh/box_tree.h"
@@ -13,9 +14,13 @@ struct SurfaceSample {
     double weight = 0;  ///< how many triangles it stands for
 };
 
-/// The samples whose vertices belong to `piece`, in their order.
-std::vector<SurfaceSample> ofPiece(const std::vector<SurfaceSample>& samples,
-                                   const std::vector<int>& pieceOfVertex, int piece);
+/// A view of the samples whose vertices belong to `piece`, in their order.
+inline auto ofPiece(const std::vector<SurfaceSample>& samples,
+                    const std::vector<int>& pieceOfVertex, int piece) {
+    return std::views::filter(samples, [&pieceOfVertex, piece](const SurfaceSample& sample) {
+        return pieceOfVertex[sample.vertex] == piece;
+    });
+}
 
 /// Boxes around a few clusters of `places` (at least one), with room for a blade that advances by
 /// some `h`.
