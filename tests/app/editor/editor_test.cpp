@@ -84,7 +84,7 @@ TEST_F(EditorTest, SpacePlaysAndPausesAndTheDotSteps) {
     tap(Key::period);
     frames(1);
     EXPECT_EQ(panels().step, paused + 1);
-    EXPECT_FALSE(panels().history->volumePercent.empty());
+    EXPECT_FALSE((*panels().history)[ui::Reading::volumePercent].empty());
 }
 
 TEST_F(EditorTest, ResetJoinsThePiecesAgain) {
@@ -95,7 +95,7 @@ TEST_F(EditorTest, ResetJoinsThePiecesAgain) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_EQ(panels().step, 0);
     EXPECT_EQ(panels().triangles, 768);
-    EXPECT_TRUE(panels().history->volumePercent.empty());
+    EXPECT_TRUE((*panels().history)[ui::Reading::volumePercent].empty());
 }
 
 TEST_F(EditorTest, ACutIsUndoneAndRedoneByKeys) {
