@@ -38,7 +38,7 @@ FLOORS = {
     "sim/cut/plan": (526, 580, 106, "one try of\na step"),
     "sim/cut/commit": (660, 517, 100, "carries it out"),
     "sim/cut/patch": (660, 580, 100, "closes wounds"),
-    "sim/cut/cleanup": (660, 643, 100, "mends slivers"),
+    "sim/cut/cleanup": (660, 643, 100, "removes slivers"),
     "sim/cut/stroke": (786, 580, 94, "Cutter, retry\nladder"),
     "gpu": (14, 728, 892, "OpenGL: context, buffers, programs"),
 }

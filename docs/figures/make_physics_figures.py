@@ -142,7 +142,7 @@ def draw_edge(drawing, x, y):
     drawing.text(panel.at(250, 268), "A_2", INK, "middle")
     drawing.text((a[0] - 12, a[1] + 5), "p_a", INK, "end")
     drawing.text((b[0] + 12, b[1] + 5), "p_b")
-    drawing.text(panel.at(344, 146), "strip of area", GREY, size=14.5)
+    drawing.text(panel.at(344, 146), "band of area", GREY, size=14.5)
     drawing.text(panel.at(344, 165), "A_1 + A_2,", GREY, size=14.5)
     drawing.text(panel.at(344, 243), "thickness t", GREY, size=14.5)
     drawing.dot(a)
