@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <ranges>
 
 #include "app/files/file_io.h"
 #include "sim/base/text.h"
@@ -120,7 +119,7 @@ void Range::add(double value) {
 }
 
 std::string metricsHeader() {
-    return joined(kColumns | std::views::transform(&Column::name), ",") + "\n";
+    return joined(kColumns, ",", &Column::name) + "\n";
 }
 
 std::string formatMetrics(const MetricsRow& row) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <set>
 
 #include "app/files/file_io.h"
@@ -364,7 +363,7 @@ SessionAction readAction(ObjectReader& object) {
     const auto found = std::ranges::find(types, name, &EventType::name);
     if (found == types.end()) {
         fail(type.path, "there is no event type '" + name + "'; there are " +
-                            joined(types | std::views::transform(&EventType::name), ", ") + ".");
+                            joined(types, ", ", &EventType::name) + ".");
     }
     SessionAction action = found->blank;
     std::visit([&](auto& event) { describe(object, event); }, action);

@@ -21,7 +21,8 @@ CheckDifference SessionRunner::compare(const CheckEvent& check) const {
     if (check.hash && hash != *check.hash) {
         difference.hash = std::move(hash);
     }
-    const int pieces = simulation_.report().pieces;
+    // Found anew in the mesh, so that a check holds the counts of the report too.
+    const int pieces = check.pieces ? static_cast<int>(simulation_.pieces().pieces.size()) : 0;
     if (check.pieces && pieces != *check.pieces) {
         difference.pieces = pieces;
     }

@@ -83,7 +83,7 @@ Json viewOf(const Session& session) {
 
 /// Writes the fields of an object as describe() names them.
 struct FieldWriter {
-    Json json;
+    Json& json;
 
     void type(const char* name) { json["type"] = name; }
     void type(const char* name, const char* otherwise, bool flag) { type(flag ? name : otherwise); }
@@ -114,15 +114,18 @@ requires requires(FieldWriter fields, Described item) {
     describe(fields, item);
 }
 Json toJson(Described item) {
-    FieldWriter fields;
+    Json json;
+    FieldWriter fields{json};
     describe(fields, item);
-    return std::move(fields.json);
+    return json;
 }
 
 Json toJson(SessionEvent event) {
-    FieldWriter fields{{{"step", event.step}}};
+    Json json;
+    json["step"] = event.step;
+    FieldWriter fields{json};
     std::visit([&](auto& action) { describe(fields, action); }, event.action);
-    return std::move(fields.json);
+    return json;
 }
 
 /// A list with one line each.

@@ -1,5 +1,5 @@
 // The numbers of one substep that hold for the whole body, as a std140 uniform block or std430
-// record. Filled by solverUniforms() (sim/solve/solver_uniforms.h).
+// record. Filled by solverUniforms() (sim/body/solver_uniforms.h).
 #ifndef KERF_SOLVER_UNIFORMS_H
 #define KERF_SOLVER_UNIFORMS_H
 #include "shared_types.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -11,12 +12,12 @@ std::string counted(Number count, std::string_view one, std::string_view many) {
     return std::to_string(count).append(" ").append(count == 1 ? one : many);
 }
 
-/// All words in one text with `separator` between them.
-template <class Words>
-std::string joined(const Words& words, std::string_view separator) {
+/// All words, or the words that `wordOf` gives for the items, in one text with `separator` between.
+template <class Items, class WordOf = std::identity>
+std::string joined(const Items& items, std::string_view separator, WordOf wordOf = {}) {
     std::string text;
-    for (const auto& word : words) {
-        text.append(text.empty() ? "" : separator).append(word);
+    for (const auto& item : items) {
+        text.append(text.empty() ? "" : separator).append(std::invoke(wordOf, item));
     }
     return text;
 }

@@ -55,7 +55,7 @@ class RayTree {
     void traverse(const BoxRay& ray, const double& farthest, Visit&& visit) const;
 
     const SurfaceMesh& mesh_;
-    mutable BoxTree tree_;  ///< divided by rays
+    mutable BoxTree tree_;  ///< divided by rays: not for two threads at once
 };
 
 template <class Visit>

@@ -126,8 +126,8 @@ std::vector<Anchor> anchorsOf(const std::vector<int>& vertices, const AnchorFram
         if (!ofSamePiece) {
             piece = in.pieceOfVertex[v];
             samples.clear();
-            std::ranges::copy(cut::ofPiece(all, in.pieceOfVertex, piece),
-                              std::back_inserter(samples));
+            cut::forEachOfPiece(all, in.pieceOfVertex, piece,
+                                [&](const auto& sample) { samples.push_back(sample); });
         }
         if (samples.size() < kLeastSamples) {
             continue;

@@ -37,6 +37,7 @@ struct Record {
     std::vector<Member> members;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for.
 void PrintTo(const Record& record, std::ostream* out) {
     *out << record.name;
 }

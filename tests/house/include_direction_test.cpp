@@ -17,38 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The room of plain versions of the kernels, which tests and benchmarks alone may include.
+const fs::path kReference = "sim/reference";
+
 /// All rooms, each of which may include itself and what stands before it. A file belongs to the
 /// longest path that it lies below, so the words of a folder may stand before its rooms (sim/cut)
-/// and what runs them behind (render, app). The last one serves tests and benchmarks alone.
+/// and what runs them behind (render, app).
 const std::vector<fs::path> kRooms = {
-    "gpu",
-    "sim/base",
-    "sim/mesh",
-    "sim/cut",
-    "sim/cut/exact",
-    "sim/cut/surface",
-    "sim/cut/plan",
-    "sim/cut/commit",
-    "sim/cut/patch",
-    "sim/cut/cleanup",
-    "sim/cut/stroke",
-    "sim/body",
-    "sim/contact",
-    "sim/solve",
-    "sim/run",
-    "render/scene",
-    "render/passes",
-    "render",
-    "ui",
-    "app/files",
-    "app/session",
-    "app/scene",
-    "app/tools",
-    "app/editor",
-    "app/window",
-    "app/cli",
-    "app",
-    "sim/reference",
+    "gpu",           "sim/base",        "sim/mesh",       "sim/cut",
+    "sim/cut/exact", "sim/cut/surface", "sim/cut/plan",   "sim/cut/commit",
+    "sim/cut/patch", "sim/cut/cleanup", "sim/cut/stroke", "sim/body",
+    "sim/contact",   "sim/solve",       "sim/run",        "sim/reference",
+    "render/scene",  "render/passes",   "render",         "ui",
+    "app/files",     "app/session",     "app/scene",      "app/tools",
+    "app/editor",    "app/window",      "app/cli",        "app",
 };
 
 /// The place in kRooms of the folder of `path`, or nothing for files in none of them.
@@ -65,7 +47,9 @@ std::optional<std::size_t> rankOf(const fs::path& path) {
 bool mayInclude(const fs::path& from, const fs::path& included) {
     const std::optional<std::size_t> own = rankOf(from);
     const std::optional<std::size_t> other = rankOf(included);
-    const bool testOnly = *included.begin() == "tests" || *included.begin() == "bench";
+    const bool testOnly =
+        *included.begin() == "tests" || *included.begin() == "bench" ||
+        (included.parent_path() == kReference && from.parent_path() != kReference);
     return !own || (!testOnly && (!other || *other <= *own));
 }
 
@@ -110,6 +94,8 @@ TEST(IncludeDirection, RuleLooksBackOnly) {
     EXPECT_FALSE(mayInclude("ui/panel.h", "app/session/session.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "tests/support/gl_fixture.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "sim/reference/reference_solver.h"));
+    EXPECT_FALSE(mayInclude("sim/reference/reference_solver.h", "ui/panel.h"));
+    EXPECT_TRUE(mayInclude("sim/reference/reference_solver.h", "sim/run/simulation.h"));
     EXPECT_TRUE(mayInclude("tests/app/some_test.cpp", "app/session/session.h"));
 }
 

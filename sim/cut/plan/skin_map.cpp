@@ -47,11 +47,12 @@ std::vector<Sample> samplesOf(const StepInput& in, const std::vector<SurfaceSamp
                               int piece) {
     std::vector<Sample> samples;
     samples.reserve(all.size());
-    for (const auto& [v, weight] : ofPiece(all, in.pieceOfVertex, piece)) {
+    forEachOfPiece(all, in.pieceOfVertex, piece, [&](const SurfaceSample& sample) {
+        const int v = sample.vertex;
         const Vec3& position = in.mesh.position(v);
         samples.push_back(
-            {weight, position, in.mesh.restPosition(v) - position, in.mesh.velocity(v)});
-    }
+            {sample.weight, position, in.mesh.restPosition(v) - position, in.mesh.velocity(v)});
+    });
     return samples;
 }
 

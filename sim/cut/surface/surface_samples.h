@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <ranges>
 #include <vector>
 
 #include "sim/mesh/box_tree.h"
@@ -14,12 +13,15 @@ struct SurfaceSample {
     double weight = 0;  ///< how many triangles it stands for
 };
 
-/// A view of the samples whose vertices belong to `piece`, in their order.
-inline auto ofPiece(const std::vector<SurfaceSample>& samples,
-                    const std::vector<int>& pieceOfVertex, int piece) {
-    return std::views::filter(samples, [&pieceOfVertex, piece](const SurfaceSample& sample) {
-        return pieceOfVertex[sample.vertex] == piece;
-    });
+/// Calls visit(sample) for those of the samples whose vertices belong to `piece`, in their order.
+template <class Visit>
+void forEachOfPiece(const std::vector<SurfaceSample>& samples,
+                    const std::vector<int>& pieceOfVertex, int piece, Visit visit) {
+    for (const SurfaceSample& sample : samples) {
+        if (pieceOfVertex[sample.vertex] == piece) {
+            visit(sample);
+        }
+    }
 }
 
 /// Boxes around a few clusters of `places` (at least one), with room for a blade that advances by
