@@ -121,7 +121,9 @@ class EditorStormTest : public EditorTest {
     std::optional<Vec2> someItem(const std::string& prefix = "") {
         std::vector<Vec2> found;
         for (const auto& [name, place] : editor->itemRects()) {
-            const auto avoided = [&](const std::string& bad) { return name.starts_with(bad); };
+            const auto avoided = [&start = name](const std::string& bad) {
+                return start.starts_with(bad);
+            };
             if (name.starts_with(prefix) && std::ranges::none_of(kAvoided, avoided)) {
                 found.emplace_back(place.x + share() * place.width,
                                    place.y + share() * place.height);
