@@ -6,42 +6,12 @@
 Rays, normals and gradients are worked out, not drawn by eye.
 """
 import math
-import pathlib
 import re
 
-IMAGES = pathlib.Path(__file__).resolve().parent.parent / "images"
+from svg import (BLUE, GREEN, GREY, IMAGES, INK, ORANGE, PALE, add, between, cross, dot, scaled, sub,
+                 unit)
 
-INK, GREY, PALE = "#1f2933", "#5f6b7a", "#c3cad3"
-BLUE, ORANGE, GREEN = "#1b5fc1", "#c4540a", "#1d7a45"
 BLUE_FILL, ORANGE_FILL, GREEN_FILL, GREY_FILL = "#dbe8fb", "#fbe3d2", "#dcf1e3", "#eef1f5"
-
-
-def add(a, b):
-    return tuple(p + q for p, q in zip(a, b))
-
-
-def sub(a, b):
-    return tuple(p - q for p, q in zip(a, b))
-
-
-def scaled(a, factor):
-    return tuple(factor * p for p in a)
-
-
-def dot(a, b):
-    return sum(p * q for p, q in zip(a, b))
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def unit(a):
-    return scaled(a, 1 / math.sqrt(dot(a, a)))
-
-
-def between(a, b, t):
-    return add(scaled(a, 1 - t), scaled(b, t))
 
 
 class Drawing:
