@@ -327,7 +327,7 @@ Vec3 referenceNormal(const SurfaceMesh& mesh, int vertex, SurfaceKind kind) {
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         for (int c = 0; c < 3 && mesh.alive(t) && mesh.kind(t) == kind; ++c) {
             if (mesh.triangle(t)[c] == vertex) {
-                const Vec3 p = mesh.position(vertex);
+                const Vec3& p = mesh.position(vertex);
                 const Vec3 u = mesh.position(mesh.triangle(t)[(c + 1) % 3]) - p;
                 const Vec3 v = mesh.position(mesh.triangle(t)[(c + 2) % 3]) - p;
                 const Vec3 n = u.cross(v);

@@ -77,7 +77,7 @@ class ExportReadBack : public ::testing::TestWithParam<const char*> {
         return scene;
     }
     std::filesystem::path write(const CutBox& box, bool filePerPiece) {
-        const std::filesystem::path file = folder_ / (std::string("box") + GetParam());
+        std::filesystem::path file = folder_ / (std::string("box") + GetParam());
         for (const ExportedFile& part :
              encodeExport({file, filePerPiece}, box.mesh, box.pieces, box.uvs)) {
             writeOutputFile(part.file, part.bytes);

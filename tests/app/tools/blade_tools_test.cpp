@@ -28,7 +28,7 @@ TEST(PickSurface, NoRaySlipsThroughAnEdgeOrACorner) {
     for (int t = 0; t < ball.triangleSlots(); ++t) {
         const Triangle& corners = ball.triangle(t);
         for (const double share : {0.0, 0.3, 0.5}) {
-            const Vec3 a = ball.position(corners[0]);
+            const Vec3& a = ball.position(corners[0]);
             const Vec3 on = a + share * (ball.position(corners[1]) - a);
             const Vec3 direction = -on.normalized();
             EXPECT_TRUE(pickSurface(ball, livingTriangles(ball), {on - 3 * direction, direction}))

@@ -230,7 +230,7 @@ SurfaceMesh crossedBeams() {
     const auto onEdge = [](double turn) {
         TriangleSoup soup = test::boxSoup({1, 0.2, 0.2}, 4);
         const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(turn, Vec3::UnitY()) *
-                                          Eigen::AngleAxisd(EIGEN_PI / 4, Vec3::UnitX()))
+                                          Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX()))
                                              .toRotationMatrix();
         for (Vec3& p : soup.positions) {
             p = rotation * p;
@@ -239,7 +239,7 @@ SurfaceMesh crossedBeams() {
     };
     const TriangleSoup lower = onEdge(0);
     SurfaceMesh mesh =
-        test::meshOf(test::joined(lower, onEdge(EIGEN_PI / 2), {0.125, 0.48, 0.125}));
+        test::meshOf(test::joined(lower, onEdge(std::numbers::pi / 2), {0.125, 0.48, 0.125}));
     for (int v = static_cast<int>(lower.positions.size()); v < mesh.vertexCount(); ++v) {
         mesh.setVelocity(v, {0, -1.5, 0});
     }

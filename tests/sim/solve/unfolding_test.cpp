@@ -180,7 +180,7 @@ TEST_F(UnfoldingTest, HoldsATriangleThatIsSquashedInItsPlane) {
     BodyState state = body.start;
     const Vec3f foot = (state.positions[a] + state.positions[b]) / 2;
     const Vec3f height = state.positions[apex] - foot;
-    const auto pullAt = [&](float share) {
+    const auto pullAt = [&, apex = apex](float share) {
         state.positions[apex] = foot + share * height;
         body.gpu.setState(state);
         EXPECT_EQ(body.folds(), 0);
