@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,18 @@ std::string joined(const Items& items, std::string_view separator, WordOf wordOf
     std::string text;
     for (const auto& item : items) {
         text.append(text.empty() ? "" : separator).append(std::invoke(wordOf, item));
+    }
+    return text;
+}
+
+/// Words as a sentence lists them: "a", "a and b", "a, b and c".
+template <class Words>
+std::string enumerated(const Words& words) {
+    std::string text;
+    std::size_t left = std::size(words);
+    for (const auto& word : words) {
+        text.append(text.empty() ? "" : left == 1 ? " and " : ", ").append(word);
+        --left;
     }
     return text;
 }

@@ -296,4 +296,8 @@ std::string Simulation::stateHash() {
     return hashScene(mesh(), state_->boxes).hexadecimal();
 }
 
+StateHashes Simulation::stateHashes() {
+    return hashParts(mesh(), state_->boxes, params(), blade());
+}
+
 }  // namespace kerf

@@ -13,6 +13,7 @@
 #include "sim/run/body_upload.h"
 #include "sim/run/command.h"
 #include "sim/run/moment.h"
+#include "sim/run/state_hash.h"
 #include "sim/run/step_report.h"
 #include "sim/run/undo_history.h"
 #include "sim/solve/body_view.h"
@@ -105,6 +106,9 @@ class Simulation {
     const PieceMap& pieces();
     /// 64-bit FNV-1a over topology, positions, velocities and boxes, as 16 hexadecimal digits.
     std::string stateHash();
+    /// The same, and a hash of each part of the state with parameters and blade (waits for the GPU
+    /// as mesh()).
+    StateHashes stateHashes();
 
   private:
     struct State;

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
+#include "sim/base/params.h"
 #include "sim/contact/static_box.h"
+#include "sim/cut/blade.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
@@ -16,6 +21,10 @@ class StateHash {
     void add(std::uint32_t word);
     /// The bits of the number as a float.
     void add(const Vec3& value);
+    /// All bits of the number.
+    void addExactly(double value);
+    /// The text and where it ends.
+    void add(std::string_view text);
     std::uint64_t value() const { return value_; }
     std::string hexadecimal() const;  ///< 16 digits
 
@@ -27,5 +36,21 @@ class StateHash {
 StateHash hashMesh(const SurfaceMesh& mesh);
 /// The mesh, then the boxes that it collides with; without boxes that of the mesh alone.
 StateHash hashScene(const SurfaceMesh& mesh, std::span<const StaticBox> boxes);
+
+/// What two runs can differ in, each with a hash of its own. The first four make the state hash.
+enum class StatePart { topology, positions, velocities, boxes, parameters, blade };
+/// Their names, in that order, as hashes.csv and messages have them.
+inline constexpr std::array<std::string_view, 6> kStatePartNames = {
+    "topology", "positions", "velocities", "boxes", "parameters", "blade"};
+
+/// The hashes of a simulation after a step, as 16 hexadecimal digits each.
+struct StateHashes {
+    std::string state;  ///< see Simulation::stateHash
+    std::array<std::string, kStatePartNames.size()> parts;
+
+    const std::string& of(StatePart part) const { return parts[static_cast<std::size_t>(part)]; }
+};
+StateHashes hashParts(const SurfaceMesh& mesh, std::span<const StaticBox> boxes,
+                      const Params& params, const std::optional<Blade>& blade);
 
 }  // namespace kerf

@@ -48,6 +48,64 @@ TEST(StateHash, SeesBoxesWhereThereAreAny) {
     EXPECT_NE(hashScene(mesh, boxes).hexadecimal(), before);
 }
 
+/// The parts in which two states differ.
+std::vector<StatePart> differingParts(const StateHashes& a, const StateHashes& b) {
+    std::vector<StatePart> parts;
+    for (std::size_t i = 0; i < a.parts.size(); ++i) {
+        if (a.parts[i] != b.parts[i]) {
+            parts.push_back(static_cast<StatePart>(i));
+        }
+    }
+    return parts;
+}
+
+TEST(StateHash, EachPartHasItsOwn) {
+    const SurfaceMesh mesh = test::icosphere(1);
+    const std::vector<StaticBox> boxes(1);
+    const Blade blade{{0, 0, 0}, {1, 0, 0}};
+    const StateHashes before = hashParts(mesh, boxes, {}, blade);
+    EXPECT_EQ(before.state, hashScene(mesh, boxes).hexadecimal());
+
+    using Parts = std::vector<StatePart>;
+    SurfaceMesh moved = mesh;
+    moved.setPosition(5, mesh.position(5) + Vec3(1e-6, 0, 0));
+    EXPECT_EQ(differingParts(hashParts(moved, boxes, {}, blade), before),
+              Parts{StatePart::positions});
+    SurfaceMesh pushed = mesh;
+    pushed.setVelocity(5, Vec3(0, 0, 1e-20));
+    EXPECT_EQ(differingParts(hashParts(pushed, boxes, {}, blade), before),
+              Parts{StatePart::velocities});
+    SurfaceMesh turned = mesh;
+    turned.setCorner(3, 0, mesh.triangle(3)[1]);
+    EXPECT_EQ(differingParts(hashParts(turned, boxes, {}, blade), before),
+              Parts{StatePart::topology});
+    EXPECT_EQ(differingParts(hashParts(mesh, {}, {}, blade), before), Parts{StatePart::boxes});
+    EXPECT_EQ(differingParts(hashParts(mesh, boxes, {}, std::nullopt), before),
+              Parts{StatePart::blade});
+    EXPECT_EQ(differingParts(hashParts(mesh, boxes, {}, Blade{{1e-17, 0, 0}, {1, 0, 0}}), before),
+              Parts{StatePart::blade});
+}
+
+TEST(StateHash, SeesEveryParameter) {
+    const SurfaceMesh mesh = test::icosphere(0);
+    const StateHashes before = hashParts(mesh, {}, {}, std::nullopt);
+    for (const ParamInfo& info : paramTable()) {
+        const ParamValue now = getParam(Params{}, info.name);
+        ParamValue other = info.type == ParamType::choice
+                               ? ParamValue(std::string(info.choices.back()))
+                           : info.type == ParamType::vector ? ParamValue(Vec3(0, 0, info.high))
+                                                            : ParamValue(info.high);
+        if (other == now) {
+            other = info.low;
+        }
+        Params changed;
+        ASSERT_EQ(setParam(changed, info.name, other), "") << info.name;
+        EXPECT_EQ(differingParts(hashParts(mesh, {}, changed, std::nullopt), before),
+                  std::vector{StatePart::parameters})
+            << info.name;
+    }
+}
+
 TEST(StateHash, RoundsToFloat) {
     const SurfaceMesh mesh = test::icosphere(1);
     SurfaceMesh rounded = mesh;
