@@ -19,6 +19,8 @@
 #include "app/cli/experiment_verb.h"
 #include "app/cli/inspect_verb.h"
 #include "app/cli/replay_verb.h"
+#include "app/cli/test_verb.h"
+#include "app/cli/usage_error.h"
 #include "app/editor/editor.h"
 #include "app/files/file_io.h"
 #include "app/files/import_process.h"
@@ -33,6 +35,8 @@ namespace kerf::app {
 
 namespace {
 
+constexpr int kMostJobs = 256;
+
 /// What the command line asks for.
 struct Arguments {
     std::filesystem::path file;  ///< for the editor; empty for none
@@ -40,6 +44,7 @@ struct Arguments {
     ExperimentArguments experiment;
     InspectArguments inspect;
     CompareArguments compare;
+    TestArguments test;
     std::filesystem::path workerFile;
 };
 
@@ -50,6 +55,7 @@ struct Parser {
     CLI::App* experiment = nullptr;
     CLI::App* inspect = nullptr;
     CLI::App* compare = nullptr;
+    CLI::App* test = nullptr;
     CLI::App* worker = nullptr;
 };
 
@@ -71,6 +77,43 @@ constexpr const char* kExitCodes =
     "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 input missing or invalid,\n"
     "4 no usable OpenGL 4.5, 5 out of memory or another limit.";
 
+/// Options that change what is run.
+void describeReplayChanges(CLI::App& replay, ReplayArguments& arguments) {
+    replay
+        .add_option("--set", arguments.set,
+                    "Replace a parameter at the start; VALUE is JSON. May be given several times")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    replay.add_option("--until", arguments.until, "End after that many steps")
+        ->check(CLI::Range(1, kMaxSteps))
+        ->type_name("STEP");
+}
+
+/// Options that compare the run with another one, or write what later runs can be compared with.
+void describeReplayChecks(CLI::App& replay, ReplayArguments& arguments) {
+    replay.add_flag("--hashes", arguments.hashes,
+                    "Also write hashes.csv: what state each step ended in");
+    replay.add_flag("--pieces", arguments.pieces,
+                    "Also write pieces.csv: volume and box of each piece after each step");
+    replay
+        .add_option("--verify", arguments.verify,
+                    "Compare each step with a hashes.csv; end at the first one that differs")
+        ->check(refuseEmpty)
+        ->type_name("FILE");
+    CLI::Option* reference =
+        replay
+            .add_option("--reference", arguments.reference,
+                        "Compare each screenshot with the one of its name in this folder")
+            ->check(refuseEmpty)
+            ->type_name("REF");
+    replay
+        .add_flag("--update", arguments.update,
+                  "Write screenshots that differ or are missing into REF instead")
+        ->needs(reference);
+    replay.add_flag("--keep-going", arguments.keepGoing,
+                    "Run all steps, also after a check failed");
+}
+
 void describeReplay(Parser& parser, Arguments& arguments) {
     parser.replay = parser.app.add_subcommand(
         "replay", "Run a session headless, as fast as it can, and write its results");
@@ -81,7 +124,14 @@ void describeReplay(Parser& parser, Arguments& arguments) {
         ->required()
         ->check(refuseEmpty)
         ->type_name("DIR");
-    parser.replay->add_flag("--json", arguments.replay.json, "Print one JSON object");
+    describeReplayChanges(*parser.replay, arguments.replay);
+    describeReplayChecks(*parser.replay, arguments.replay);
+    CLI::Option* json =
+        parser.replay->add_flag("--json", arguments.replay.json, "Print one JSON object");
+    parser.replay
+        ->add_flag("--jsonl", arguments.replay.jsonl,
+                   "Print a JSON object for each step, as it is done")
+        ->excludes(json);
 }
 
 /// "sphere20, ..., banana, bar, all".
@@ -141,6 +191,34 @@ void describeCompare(Parser& parser, Arguments& arguments) {
     parser.compare->add_flag("--json", arguments.compare.json, "Print one JSON object");
 }
 
+void describeTest(Parser& parser, Arguments& arguments) {
+    parser.test = parser.app.add_subcommand(
+        "test", "Run sessions as regression tests: states, counts, volumes and pictures");
+    parser.test
+        ->add_option("PATH", arguments.test.paths,
+                     "A session, or a folder that is searched for *.kerf.json")
+        ->required()
+        ->check(refuseEmpty);
+    parser.test->add_flag("--update", arguments.test.update,
+                          "Make or renew the expectations (NAME.expected beside NAME.kerf.json)");
+    parser.test->add_option("--jobs", arguments.test.jobs, "Runs at a time; one per core otherwise")
+        ->check(CLI::Range(1, kMostJobs))
+        ->type_name("N");
+    parser.test->add_option("--junit", arguments.test.junit, "Write the results as JUnit XML")
+        ->check(refuseEmpty)
+        ->type_name("FILE");
+    parser.test
+        ->add_option("--report", arguments.test.report,
+                     "Write a page with expected, actual and different pictures, and plots")
+        ->check(refuseEmpty)
+        ->type_name("FILE.html");
+    parser.test
+        ->add_option("--out", arguments.test.out, "Keep what the runs write, a folder for each")
+        ->check(refuseEmpty)
+        ->type_name("DIR");
+    parser.test->add_flag("--json", arguments.test.json, "Print one JSON object");
+}
+
 /// Not for people: model_source runs it to keep the file readers in a process of their own.
 void describeWorker(Parser& parser, Arguments& arguments) {
     parser.worker = parser.app.add_subcommand("import-worker")->group("");
@@ -157,6 +235,7 @@ void describe(Parser& parser, Arguments& arguments) {
     describeExperiment(parser, arguments);
     describeInspect(parser, arguments);
     describeCompare(parser, arguments);
+    describeTest(parser, arguments);
     describeWorker(parser, arguments);
 }
 
@@ -207,6 +286,7 @@ int runVerb(const Parser& parser, const Arguments& arguments) {
     }
     if (parser.inspect->parsed()) return inspectVerb(arguments.inspect, std::cout);
     if (parser.compare->parsed()) return compareVerb(arguments.compare, std::cout);
+    if (parser.test->parsed()) return testVerb(arguments.test, std::cout);
     if (parser.worker->parsed()) return runImportWorker(arguments.workerFile);
     return runEditorVerb(arguments.file);
 }
@@ -223,6 +303,8 @@ int checkStandardOutput(int exitCode) {
 int runVerbSafely(const Parser& parser, const Arguments& arguments) {
     try {
         return checkStandardOutput(runVerb(parser, arguments));
+    } catch (const UsageError& error) {
+        return complain(error.what() + std::string("; see kerf --help."), kExitUsage);
     } catch (const InputError& error) {
         return complain(error.what(), kExitInput);
     } catch (const gpu::ContextError& error) {

@@ -3,8 +3,10 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
+#include "app/cli/run_files.h"
 #include "app/files/export.h"
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
@@ -34,9 +36,13 @@ void removeExport(OutputFolder& folder, const ExportEvent& event) {
     }
 }
 
-void removeEarlierResults(OutputFolder& folder, const Session& session) {
-    for (const char* name : {kSummaryFile, kMetricsFile, kMeshFile}) {
+/// The hashes to compare with may lie in the folder itself, so they stay.
+void removeEarlierResults(OutputFolder& folder, const Session& session, bool verifies) {
+    for (const char* name : {kSummaryFile, kMetricsFile, kMeshFile, kPiecesFile}) {
         folder.remove(name);
+    }
+    if (!verifies) {
+        folder.remove(kHashesFile);
     }
     for (const SessionEvent& event : session.events) {
         if (const auto* picture = std::get_if<ScreenshotEvent>(&event.action)) {
@@ -47,53 +53,70 @@ void removeEarlierResults(OutputFolder& folder, const Session& session) {
     }
 }
 
-bool hasPictures(const Session& session) {
-    const auto isPicture = [](const SessionEvent& event) {
-        return std::holds_alternative<ScreenshotEvent>(event.action);
-    };
-    return std::any_of(session.events.begin(), session.events.end(), isPicture);
-}
+/// Time that a step spends on pictures and files, which belongs to no frame.
+class TimeOutside {
+  public:
+    /// Runs `work` and returns how long it took [ms].
+    template <class Work>
+    double measure(Work work) {
+        const Stopwatch watch;
+        work();
+        const double milliseconds = watch.milliseconds();
+        sum_ += milliseconds;
+        return milliseconds;
+    }
+    /// All of it since the last call [ms].
+    double take() { return std::exchange(sum_, 0); }
+
+  private:
+    double sum_ = 0;
+};
 
 /// One run of one session.
 class Replay {
   public:
-    Replay(const Session& session, ModelMesh model, OutputFolder& folder)
+    Replay(const Session& session, ModelMesh model, OutputFolder& folder,
+           const ReplayOptions& options)
         : session_(session),
+          options_(options),
+          expected_(options.verify),
+          steps_(std::min(session.steps, options.until)),
           folder_(folder),
           player_(session),
-          metrics_(folder.pathOf(kMetricsFile)),
+          files_(folder, options.hashes, options.pieces),
           uncut_(std::move(model.mesh)),
           uvs_(std::move(model.uvs)),
-          renderer_(render::Quality::full),
           simulation_(uncut_, session.params, session.boxes),
           restBounds_(meshBounds(simulation_.mesh())),
           runner_(simulation_),
           iterations_(meanRestEdgeLength(uncut_)),
           camera_(sessionCamera(session, restBounds_)) {
         summary_.model = session.model.name();
-        summary_.renderer = gpu::queryDevice().renderer;
+        const gpu::DeviceInfo device = gpu::queryDevice();
+        summary_.renderer = device.renderer;
+        summary_.driver = device.version;
         summary_.before = countBody();
-        if (hasPictures(session)) {
-            renderer_.setRestShape(simulation_.mesh());
+        if (!pictureFiles(session).empty()) {
+            renderer_.emplace(render::Quality::full);
+            renderer_->setRestShape(simulation_.mesh());
         }
         if (undoesAnything(session)) {
             simulation_.setUndoBudget(kReplayUndoBudget);
         }
-        metrics_.write(metricsHeader());
     }
 
     void run(const ReplayListener& listener) {
-        removeEarlierResults(folder_, session_);
-        for (int step = 0; step < session_.steps; ++step) {
+        removeEarlierResults(folder_, session_, expected_ != nullptr);
+        for (; step_ < steps_ && !stopped_; ++step_) {
             if (listener.progress) {
-                listener.progress(step, session_.steps);
+                listener.progress(step_, steps_);
             }
-            const MetricsRow row = runStep(step);
-            if (listener.row) {
-                listener.row(row);
-            }
+            runStep(listener);
         }
-        applyActions(session_.steps);
+        if (!stopped_) {
+            applyActions();
+            checkLength();
+        }
         remark(iterations_.sentence());
         writeResults();
     }
@@ -108,54 +131,124 @@ class Replay {
         }
     }
     void take(const ScreenshotEvent& event) {
-        const Stopwatch watch;
-        renderer_.draw(sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses()),
-                       camera_, event.width, event.height);
-        writePicture(renderer_.readPicture(), folder_.pathOf(event.file));
-        folder_.noteWritten(event.file);
-        renderMs_ += watch.milliseconds();
+        pictureMs_ += outside_.measure([&] {
+            renderer_->draw(
+                sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses()), camera_,
+                event.width, event.height);
+            writePicture(renderer_->readPicture(), folder_.pathOf(event.file));
+            folder_.noteWritten(event.file);
+        });
     }
     void take(const ExportEvent& event) {
-        const SurfaceMesh& mesh = simulation_.mesh();
-        for (const ExportedFile& file :
-             encodeExport({event.file, event.filePerPiece}, mesh, simulation_.pieces(),
-                          carryUvs(uncut_, uvs_, mesh))) {
-            folder_.write(file.file.generic_string(), file.bytes);
-        }
+        outside_.measure([&] {
+            const SurfaceMesh& mesh = simulation_.mesh();
+            for (const ExportedFile& file :
+                 encodeExport({event.file, event.filePerPiece}, mesh, simulation_.pieces(),
+                              carryUvs(uncut_, uvs_, mesh))) {
+                folder_.write(file.file.generic_string(), file.bytes);
+            }
+        });
     }
     void take(const CheckEvent& event) {
-        const CheckDifference other = runner_.compare(event);
-        if (other.hash) {
-            fail("the state hash is " + *other.hash + " where the session expects " + *event.hash +
-                 "; the replay has diverged");
-        }
-        if (other.pieces) {
-            fail("the model is in " + counted(*other.pieces, "piece", "pieces") +
-                 " where the session expects " + std::to_string(*event.pieces));
-        }
+        outside_.measure([&] { check(event); });
     }
 
   private:
-    MetricsRow runStep(int step) {
+    void runStep(const ReplayListener& listener) {
         const Stopwatch watch;
-        renderMs_ = 0;
-        applyActions(step);
-        iterations_.add(step, simulation_.params());
+        applyActions();
+        if (stopped_) {
+            return;
+        }
+        iterations_.add(step_, simulation_.params());
         const StepReport& report = runner_.step();
-        const MetricsRow row{report, renderMs_, watch.milliseconds()};
-        metrics_.write(formatMetrics(row));
+        const double outsideMs = outside_.take();
+        const MetricsRow row{report, std::exchange(pictureMs_, 0),
+                             watch.milliseconds() - outsideMs};
+        publish(row, listener);
+    }
+
+    /// After a step: what is written and told of it.
+    void publish(const MetricsRow& row, const ReplayListener& listener) {
+        files_.write(row);
         summary_.statistics.add(row);
-        for (const std::string& problem : runner_.newlyBroken(report)) {
+        if (files_.wantsPieces()) {
+            files_.write(step_, simulation_.measuredPieces(), simulation_.pieceBounds());
+        }
+        if (files_.wantsHashes() || expected_ != nullptr) {
+            publish(simulation_.stateHashes());
+        }
+        for (const std::string& problem : runner_.newlyBroken(row.report)) {
             fail(problem);
         }
         logMessages();
-        return row;
+        if (listener.row) {
+            listener.row(row);
+        }
     }
 
-    void applyActions(int step) {
-        step_ = step;
-        runner_.applyActions(player_, *this);
+    void publish(const StateHashes& hashes) {
+        if (files_.wantsHashes()) {
+            files_.write(step_, hashes);
+        }
+        if (expected_ != nullptr) {
+            verify(hashes);
+        }
     }
+
+    // --- What must hold
+    // ---------------------------------------------------------------------------
+
+    /// All that comes behind the first difference follows from it, so nothing is compared any more.
+    void verify(const StateHashes& hashes) {
+        const bool known = step_ < expected_->steps();
+        const auto parts =
+            known ? expected_->differingParts(step_, hashes) : std::vector<std::string>{};
+        if (!known) {
+            diverge(options_.verifyName + " ends before this step");
+        } else if (!parts.empty()) {
+            diverge("the replay has diverged from " + options_.verifyName + " in " +
+                    enumerated(parts));
+        }
+        if (!known || !parts.empty()) {
+            expected_ = nullptr;
+        }
+    }
+
+    /// All steps of the session ran, so the other run must be over as well.
+    void checkLength() {
+        if (expected_ != nullptr && steps_ == session_.steps && expected_->steps() > steps_) {
+            diverge(options_.verifyName + " goes on to step " +
+                    std::to_string(expected_->steps() - 1));
+        }
+    }
+
+    void check(const CheckEvent& event) {
+        const CheckDifference other = runner_.compare(event);
+        if (other.hash) {
+            diverge("the state hash is " + *other.hash + " where the session expects " +
+                    *event.hash + "; the replay has diverged");
+        }
+        if (other.pieces) {
+            diverge("the model is in " + counted(*other.pieces, "piece", "pieces") +
+                    " where the session expects " + std::to_string(*event.pieces));
+        }
+    }
+
+    /// The run has become another one than it should be.
+    void diverge(const std::string& problem) {
+        fail(problem);
+        stopped_ = stopped_ || !options_.keepGoing;
+    }
+
+    void fail(const std::string& problem) {
+        summary_.failures.push_back("Step " + std::to_string(step_) + ": " + problem + ".");
+    }
+
+    // --- Actions and results
+    // ----------------------------------------------------------------------
+
+    void applyActions() { runner_.applyActions(player_, *this); }
 
     /// "first-cut.kerf.json: events[3] at step 12", as far as it is known.
     std::string placeInFile(int event) const {
@@ -165,10 +258,6 @@ class Replay {
 
     std::string filePrefix() const {
         return session_.fileName.empty() ? "" : session_.fileName + ": ";
-    }
-
-    void fail(const std::string& problem) {
-        summary_.failures.push_back("Step " + std::to_string(step_) + ": " + problem + ".");
     }
 
     /// What no check fails for, but a reader of the results should know.
@@ -193,8 +282,7 @@ class Replay {
     void writeResults() {
         folder_.write(kMeshFile,
                       encodeMesh(simulation_.mesh(), simulation_.pieces(), MeshFormat::ply));
-        metrics_.commit();
-        folder_.noteWritten(kMetricsFile);
+        files_.commit();
         summary_.after = countBody();
         summary_.pieces = simulation_.pieces().pieces;
         summary_.stateHash = simulation_.stateHash();
@@ -202,28 +290,34 @@ class Replay {
     }
 
     const Session& session_;
+    const ReplayOptions& options_;
+    const HashCourse* expected_;  ///< until the run differs from it
+    const int steps_;
     OutputFolder& folder_;
     SessionPlayer player_;
-    AtomicFile metrics_;
+    RunFiles files_;
     const SurfaceMesh uncut_;
-    const std::vector<CornerUvs> uvs_;  ///< of it
-    render::Renderer renderer_;
+    const std::vector<CornerUvs> uvs_;          ///< of it
+    std::optional<render::Renderer> renderer_;  ///< of a session with pictures
     Simulation simulation_;
     Bounds restBounds_;
     SessionRunner runner_;
     IterationWatch iterations_;
     render::Camera camera_;
     RunSummary summary_;
+    TimeOutside outside_;
+    double pictureMs_ = 0;  ///< of the coming step
     int step_ = 0;
-    double renderMs_ = 0;
+    bool stopped_ = false;  ///< by a check that failed
 };
 
 }  // namespace
 
 ReplayResult replaySession(const Session& session, ModelMesh model,
-                           const std::filesystem::path& folder, const ReplayListener& listener) {
+                           const std::filesystem::path& folder, const ReplayListener& listener,
+                           const ReplayOptions& options) {
     OutputFolder output(folder);
-    Replay replay(session, std::move(model), output);
+    Replay replay(session, std::move(model), output, options);
     replay.run(listener);
     return {replay.takeSummary(), output.written()};
 }

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/session/hash_course.h"
 #include "app/session/metrics.h"
 #include "app/session/session.h"
 
@@ -18,6 +20,16 @@ struct ReplayListener {
     std::function<void(const MetricsRow& row)> row;
 };
 
+/// What a replay does besides what the session says.
+struct ReplayOptions {
+    bool hashes = false;                 ///< writes hashes.csv
+    bool pieces = false;                 ///< writes pieces.csv
+    const HashCourse* verify = nullptr;  ///< hashes that the steps must have; not owned
+    std::string verifyName;              ///< of the file with these hashes, for messages
+    int until = kMaxSteps;               ///< ends after that many steps, where the session has more
+    bool keepGoing = false;              ///< runs on after a check failed
+};
+
 /// The result of a replay.
 struct ReplayResult {
     RunSummary summary;
@@ -28,12 +40,14 @@ struct ReplayResult {
 /// Runs a session as fast as it can on the OpenGL context that is current and writes metrics.csv,
 /// summary.json, final.ply, the session's screenshots and its exports into `folder` (made where it
 /// is missing) and nowhere else. Every file appears complete or not at all; results of an earlier
-/// run under these names are removed first, and summary.json comes last. Checks that fail do not
-/// stop the run: they stand in summary.failures. `model` is loadSessionModel(session).
+/// run under these names are removed first, and summary.json comes last. A check that fails stands
+/// in summary.failures and, unless options.keepGoing, ends the run before the coming step. `model`
+/// is loadSessionModel(session).
 ///
 /// Throws InputError naming the event that cannot happen (nothing to undo, no such box),
 /// OutputError, gpu::ShaderError, gpu::OutOfMemory.
 ReplayResult replaySession(const Session& session, ModelMesh model,
-                           const std::filesystem::path& folder, const ReplayListener& listener);
+                           const std::filesystem::path& folder, const ReplayListener& listener,
+                           const ReplayOptions& options = {});
 
 }  // namespace kerf::app

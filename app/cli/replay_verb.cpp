@@ -2,13 +2,17 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "app/cli/exit_codes.h"
 #include "app/cli/replay.h"
+#include "app/cli/usage_error.h"
 #include "app/files/progress_line.h"
+#include "app/regression/reference_pictures.h"
 #include "gpu/context.h"
 #include "sim/base/text.h"
 
@@ -16,13 +20,45 @@ namespace kerf::app {
 
 namespace {
 
-ReplayResult runHeadless(const Session& session, ModelMesh model,
-                         const std::filesystem::path& folder) {
+/// The hashes that a replay shall have, where it is to be compared with any.
+std::optional<HashCourse> readExpectedHashes(const ReplayArguments& arguments) {
+    if (arguments.verify.empty()) {
+        return std::nullopt;
+    }
+    std::error_code error;
+    if (arguments.hashes &&
+        std::filesystem::equivalent(arguments.verify, arguments.out / kHashesFile, error)) {
+        throw UsageError("--hashes would write over " + arguments.verify.string() +
+                         ", which --verify reads; choose another folder for --out");
+    }
+    return HashCourse::read(arguments.verify);
+}
+
+ReplayListener listenerFor(const ReplayArguments& arguments, ProgressLine& line,
+                           std::ostream& out) {
+    ReplayListener listener;
+    listener.progress = [&line](int done, int total) { line.show(done, total); };
+    if (arguments.jsonl) {
+        listener.row = [&out](const MetricsRow& row) { out << formatJsonLine(row) << std::flush; };
+    }
+    return listener;
+}
+
+ReplayResult runHeadless(const Session& session, const ReplayArguments& arguments,
+                         std::ostream& out) {
+    const std::optional<HashCourse> expected = readExpectedHashes(arguments);
+    const ReplayOptions options{.hashes = arguments.hashes,
+                                .pieces = arguments.pieces,
+                                .verify = expected ? &*expected : nullptr,
+                                .verifyName = arguments.verify.string(),
+                                .until = arguments.until,
+                                .keepGoing = arguments.keepGoing};
+    ModelMesh model = loadSessionModel(session);
     gpu::EglContext context;
     gpu::enableDebugOutput();
     ProgressLine line;
-    return replaySession(session, std::move(model), folder,
-                         {[&line](int done, int total) { line.show(done, total); }, {}});
+    return replaySession(session, std::move(model), arguments.out,
+                         listenerFor(arguments, line, out), options);
 }
 
 std::string percent(double ratio) {
@@ -55,20 +91,29 @@ void printJson(const ReplayResult& result, std::ostream& out) {
     out << json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
 }
 
-}  // namespace
+/// A sentence for each screenshot that is not as the reference has it; with --update that becomes
+/// the reference.
+std::vector<std::string> referenceSentences(const Session& session,
+                                            const ReplayArguments& arguments) {
+    if (arguments.reference.empty()) {
+        return {};
+    }
+    std::vector<ReferenceDifference> differences =
+        compareWithReference(pictureFiles(session), arguments.reference, arguments.out);
+    if (arguments.update) {
+        renewReference(differences, arguments.reference, arguments.out);
+        std::erase_if(differences, [](const auto& found) { return !found.missingInRun; });
+    }
+    std::vector<std::string> sentences;
+    std::ranges::transform(differences, std::back_inserter(sentences),
+                           &ReferenceDifference::sentence);
+    return sentences;
+}
 
-int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors) {
-    const Session session = readSession(arguments.session);
-    for (const std::string& warning : session.warnings) {
-        spdlog::warn(warning);
-    }
-    const ReplayResult result = runHeadless(session, loadSessionModel(session), arguments.out);
-    if (arguments.json) {
-        printJson(result, out);
-    } else {
-        printForPeople(result, arguments.out, out);
-    }
-    const auto& failures = result.summary.failures;
+/// Where the run ended because of them, that is said, and how to see the rest.
+int complainAboutFailures(const RunSummary& summary, const ReplayArguments& arguments,
+                          const Session& session, std::ostream& errors) {
+    const auto& failures = summary.failures;
     if (failures.empty()) {
         return kExitDone;
     }
@@ -76,8 +121,48 @@ int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream
     if (failures.size() > 1) {
         errors << " (" << failures.size() - 1 << " more in summary.json.)";
     }
+    const int steps = std::min(session.steps, arguments.until);
+    if (summary.statistics.steps < steps) {
+        errors << " The replay ended there; --keep-going runs all " << steps << " steps.";
+    }
     errors << "\n";
     return kExitCheckFailed;
+}
+
+}  // namespace
+
+void setParameters(Params& params, const std::vector<std::string>& settings) {
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos) {
+            throw UsageError("--set " + setting + ": expected NAME=VALUE");
+        }
+        try {
+            setParamFromText(params, setting.substr(0, equals), setting.substr(equals + 1));
+        } catch (const InputError& error) {
+            throw UsageError(std::string("--set ") + error.what());
+        }
+    }
+}
+
+int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors) {
+    Session session = readSession(arguments.session);
+    setParameters(session.params, arguments.set);
+    for (const std::string& warning : session.warnings) {
+        spdlog::warn(warning);
+    }
+    const ReplayResult result = runHeadless(session, arguments, out);
+    const std::vector<std::string> pictures = referenceSentences(session, arguments);
+    if (arguments.json) {
+        printJson(result, out);
+    } else if (!arguments.jsonl) {
+        printForPeople(result, arguments.out, out);
+    }
+    const int exitCode = complainAboutFailures(result.summary, arguments, session, errors);
+    for (const std::string& sentence : pictures) {
+        errors << sentence << "\n";
+    }
+    return pictures.empty() ? exitCode : kExitCheckFailed;
 }
 
 }  // namespace kerf::app

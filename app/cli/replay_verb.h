@@ -2,18 +2,36 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/session.h"
 
 namespace kerf::app {
 
-/// The arguments of `kerf replay SESSION --out DIR [--json]`, parsed.
+/// The arguments of `kerf replay SESSION --out DIR ...`, parsed.
 struct ReplayArguments {
     std::filesystem::path session;
     std::filesystem::path out;
+    std::vector<std::string> set;  ///< NAME=VALUE each
+    bool hashes = false;
+    bool pieces = false;
+    std::filesystem::path verify;     ///< empty for none
+    std::filesystem::path reference;  ///< empty for none
+    bool update = false;
+    int until = kMaxSteps;
+    bool keepGoing = false;
     bool json = false;
+    bool jsonl = false;
 };
 
+/// Replaces parameters of a session at its start. Each of `settings` is NAME=VALUE with a value as
+/// JSON, or a bare word. Throws UsageError.
+void setParameters(Params& params, const std::vector<std::string>& settings);
+
 /// Replays a session headless and prints what came of it on `out`; the first failed check goes to
-/// `errors`. Returns the exit code, 0 or 1. Throws what replaySession throws, and
+/// `errors`. Returns the exit code, 0 or 1. Throws what replaySession throws, UsageError and
 /// gpu::ContextError.
 int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors);
 

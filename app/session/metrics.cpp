@@ -130,6 +130,36 @@ std::string formatMetrics(const MetricsRow& row) {
     return line + "\n";
 }
 
+std::string formatJsonLine(const MetricsRow& row) {
+    std::string line;
+    for (const Column& column : kColumns) {
+        const std::string text = column.text(row);
+        line.append(line.empty() ? "{\"" : ",\"").append(column.name).append("\":");
+        line += Json::accept(text) ? text : "null";
+    }
+    return line + "}\n";
+}
+
+std::string piecesHeader() {
+    return "step,piece,triangles,volume,low_x,low_y,low_z,high_x,high_y,high_z\n";
+}
+
+std::string formatPieces(int step, const std::vector<Piece>& pieces,
+                         const std::vector<Bounds>& boxes) {
+    std::string lines;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        lines += std::to_string(step) + "," + std::to_string(p) + "," +
+                 std::to_string(pieces[p].triangles) + "," + formatNumber(pieces[p].volume);
+        for (const Vec3& corner : {boxes[p].low, boxes[p].high}) {
+            for (int i = 0; i < 3; ++i) {
+                lines += "," + formatNumber(static_cast<float>(corner[i]));
+            }
+        }
+        lines += "\n";
+    }
+    return lines;
+}
+
 void RunStatistics::add(const MetricsRow& row) {
     ++steps;
     volumeRatio.add(row.report.volumeRatio);
@@ -151,6 +181,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     Json json;
     json["model"] = summary.model;
     json["renderer"] = summary.renderer;
+    json["driver"] = summary.driver;
     json["steps"] = run.steps;
     json["state_hash"] = summary.stateHash;
     json["before"] = toJson(summary.before);

@@ -28,12 +28,20 @@ class Range {
 struct MetricsRow {
     StepReport report;
     double renderMs = 0;  ///< pictures taken before this step, wall clock
-    double frameMs = 0;   ///< the whole step with its events, wall clock
+    double frameMs = 0;   ///< the step and its commands, without pictures and files, wall clock
 };
 
 /// First line of metrics.csv and its rows, each with its line break.
 std::string metricsHeader();
 std::string formatMetrics(const MetricsRow& row);
+/// The row as one JSON object with the columns as keys, and its line break. An empty cell is null.
+std::string formatJsonLine(const MetricsRow& row);
+
+/// First line of pieces.csv.
+std::string piecesHeader();
+/// Its rows after a step, one for each piece, from 0, with the boxes around them.
+std::string formatPieces(int step, const std::vector<Piece>& pieces,
+                         const std::vector<Bounds>& boxes);
 
 /// The numbers that are counted before and after a run.
 struct Counts {
@@ -66,6 +74,7 @@ struct RunStatistics {
 struct RunSummary {
     std::string model;
     std::string renderer;  ///< GL_RENDERER
+    std::string driver;    ///< GL_VERSION
     std::string stateHash;
     Counts before;
     Counts after;

@@ -88,6 +88,17 @@ render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
     return camera;
 }
 
+std::vector<std::string> pictureFiles(const Session& session) {
+    std::vector<std::string> files;
+    for (const SessionEvent& event : session.events) {
+        const auto* picture = std::get_if<ScreenshotEvent>(&event.action);
+        if (picture != nullptr && std::ranges::find(files, picture->file) == files.end()) {
+            files.push_back(picture->file);
+        }
+    }
+    return files;
+}
+
 bool takesBladeAway(const SessionAction& action) {
     return std::holds_alternative<LiftBlade>(action) || std::holds_alternative<Restart>(action) ||
            std::holds_alternative<Undo>(action) || std::holds_alternative<Redo>(action);

@@ -24,6 +24,9 @@ inline constexpr double kMaxSessionCoordinate = 1e6;  ///< [m]
 inline constexpr const char* kMetricsFile = "metrics.csv";
 inline constexpr const char* kSummaryFile = "summary.json";
 inline constexpr const char* kMeshFile = "final.ply";
+/// Those that it writes where it is asked for them.
+inline constexpr const char* kHashesFile = "hashes.csv";
+inline constexpr const char* kPiecesFile = "pieces.csv";
 
 /// Scale, then rotate (about the world's x, then y, then z axis; degrees), then translate [m].
 struct Placement {
@@ -100,6 +103,8 @@ struct Session {
     std::vector<std::string> warnings;  ///< unknown extra keys
 };
 
+/// The files of its screenshot events, each once.
+std::vector<std::string> pictureFiles(const Session& session);
 /// Tells whether the blade is gone after an action, so that the next pose places it anew.
 bool takesBladeAway(const SessionAction& action);
 
@@ -115,6 +120,9 @@ Session readSession(const std::filesystem::path& file);
 /// Reads and checks the text of a session, whose model paths are relative to `baseFolder`. Throws
 /// InputError naming the place in it.
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder);
+/// Sets a parameter to a value that is written as in a session: 0.5, [0, -9.81, 0], null, "pbd". A
+/// bare word is a text. Throws InputError, naming the parameter; none has changed then.
+void setParamFromText(Params& params, const std::string& name, const std::string& value);
 /// Text of a session file that lies in `baseFolder` (model paths become relative to it where it
 /// is given). Throws InputError rather than write what parseSession would refuse.
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder = {});

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -148,7 +149,7 @@ void read(const Node& node, std::string& text, const OutputName&) {
     if (!inside || name.find('\0') != std::string::npos) {
         fail(node.path, "'" + name + "' is not a file inside the output folder; use a plain name.");
     }
-    for (const char* own : {kMetricsFile, kSummaryFile, kMeshFile}) {
+    for (const char* own : {kMetricsFile, kSummaryFile, kMeshFile, kHashesFile, kPiecesFile}) {
         if (path == own) {
             fail(node.path, "'" + name + "' is written by the replay itself; use another name.");
         }
@@ -423,7 +424,26 @@ void readView(const Node& node, Session& session) {
     session.view = camera;
 }
 
+/// The text of a value as JSON; a word that is none as a text.
+json parseValue(const std::string& text) {
+    const bool isWord = !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '_' || c == '-';
+    });
+    return isWord && !json::accept(text) ? json(text) : parseJson(text);
+}
+
 }  // namespace
+
+void setParamFromText(Params& params, const std::string& name, const std::string& value) {
+    requireKnownParam(name, "'" + name + "'");
+    try {
+        const json parsed = parseValue(value);
+        applyParam(params, name, {&parsed, name});
+    } catch (const InputError& error) {
+        const std::string problem = error.what();
+        throw InputError(problem.starts_with(name) ? problem : name + ": " + problem);
+    }
+}
 
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder) {
     const json document = parseJson(text);

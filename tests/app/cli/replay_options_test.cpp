@@ -1,0 +1,273 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/files/csv.h"
+#include "render/scene/image.h"
+#include "tests/support/run_kerf.h"
+#include "tests/support/small_sessions.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::app {
+namespace {
+
+using test::ProgramRun;
+using test::readBytes;
+using test::runKerf;
+using test::smallSession;
+using test::writeText;
+using testing::HasSubstr;
+
+class ReplayOptions : public testing::Test {
+  protected:
+    ReplayOptions() { writeText(folder_ / "test.kerf.json", smallSession()); }
+
+    /// Replays the session into the folder `out`.
+    ProgramRun replay(const std::string& out, const std::vector<std::string>& options,
+                      const std::map<std::string, std::string>& environment = {}) {
+        std::vector<std::string> words{"replay", folder_ / "test.kerf.json", "--out",
+                                       folder_ / out};
+        words.insert(words.end(), options.begin(), options.end());
+        return runKerf(words, environment);
+    }
+    nlohmann::json summary(const std::string& out) {
+        return nlohmann::json::parse(readBytes(folder_ / (out + "/summary.json")));
+    }
+    std::string path(const std::string& name) { return folder_ / name; }
+
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(ReplayOptions, SetReplacesAParameterAtTheStart) {
+    ASSERT_EQ(replay("a", {}).exitCode, 0);
+    ASSERT_EQ(replay("b", {"--set", "ispc_stiffness=0.25", "--set", "solver=pbd"}).exitCode, 0);
+    ASSERT_EQ(replay("c", {"--set", "gravity=[0, 0, 0]"}).exitCode, 0);
+    EXPECT_NE(summary("a")["state_hash"], summary("b")["state_hash"]);
+    EXPECT_EQ(summary("a")["state_hash"], summary("c")["state_hash"]) << "as it was";
+}
+
+TEST_F(ReplayOptions, SetRefusesWhatIsNoParameterOrValue) {
+    const std::vector<std::pair<std::string, std::string>> mistakes{
+        {"ispc_stifness=0.2", "there is no parameter \"ispc_stifness\""},
+        {"ispc_stiffness=2", "ispc_stiffness"},
+        {"ispc_stiffness=[1", "ispc_stiffness"},
+        {"ispc_stiffness=", "ispc_stiffness"},
+        {"gravity=3", "gravity"},
+        {"solver=fem", "solver"},
+        {"iterations", "expected NAME=VALUE"},
+    };
+    for (const auto& [setting, words] : mistakes) {
+        const ProgramRun run = replay("out", {"--set", setting});
+        EXPECT_EQ(run.exitCode, 2) << setting;
+        EXPECT_THAT(run.errors, HasSubstr(words)) << setting;
+        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(ReplayOptions, UntilEndsInTheStateOfTheWholeRunAtThatStep) {
+    ASSERT_EQ(replay("all", {"--hashes"}).exitCode, 0);
+    ASSERT_EQ(replay("some", {"--hashes", "--until", "9"}).exitCode, 0);
+    const CsvTable all(folder_ / "all/hashes.csv", 1 << 20);
+    const CsvTable some(folder_ / "some/hashes.csv", 1 << 20);
+    ASSERT_EQ(all.rows(), 40u);
+    ASSERT_EQ(some.rows(), 9u);
+    for (std::size_t row = 0; row < some.rows(); ++row) {
+        EXPECT_EQ(some.cell(row, 1), all.cell(row, 1)) << "also between two keys of the blade";
+    }
+    EXPECT_EQ(summary("some")["state_hash"], some.cell(8, 1));
+    EXPECT_EQ(summary("some")["steps"], 9);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "some/pictures/half.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "some/end.png"));
+    EXPECT_EQ(replay("out", {"--until", "0"}).exitCode, 2);
+}
+
+TEST_F(ReplayOptions, JsonLinesHaveTheColumnsOfTheMetrics) {
+    const ProgramRun run = replay("out", {"--jsonl"});
+    ASSERT_EQ(run.exitCode, 0) << run.errors;
+    const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
+    std::istringstream lines(run.out);
+    std::size_t row = 0;
+    for (std::string line; std::getline(lines, line); ++row) {
+        const auto json = nlohmann::json::parse(line);
+        for (const auto& item : json.items()) {
+            const std::size_t column = metrics.require(item.key());
+            EXPECT_EQ(item.value().dump(), nlohmann::json::parse(metrics.cell(row, column)).dump())
+                << item.key();
+        }
+        EXPECT_EQ(json.size(), 28u);
+    }
+    EXPECT_EQ(row, 40u);
+    EXPECT_EQ(replay("out", {"--jsonl", "--json"}).exitCode, 2);
+}
+
+TEST_F(ReplayOptions, PiecesSumUpToTheVolume) {
+    ASSERT_EQ(replay("out", {"--pieces"}).exitCode, 0);
+    const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
+    const CsvTable pieces(folder_ / "out/pieces.csv", 1 << 20);
+    std::vector<double> volumes(metrics.rows());
+    std::vector<double> counts(metrics.rows());
+    for (std::size_t row = 0; row < pieces.rows(); ++row) {
+        const auto step = static_cast<std::size_t>(pieces.number(row, pieces.require("step")));
+        volumes[step] += pieces.number(row, pieces.require("volume"));
+        EXPECT_EQ(pieces.number(row, pieces.require("piece")), counts[step]++);
+        EXPECT_LT(pieces.number(row, pieces.require("low_y")),
+                  pieces.number(row, pieces.require("high_y")));
+    }
+    for (std::size_t step = 0; step < metrics.rows(); ++step) {
+        EXPECT_NEAR(volumes[step], metrics.number(step, metrics.require("volume")), 1e-9);
+        EXPECT_EQ(counts[step], metrics.number(step, metrics.require("pieces")));
+    }
+}
+
+TEST_F(ReplayOptions, VerifyNamesTheFirstStepAndThePartAndEndsThere) {
+    ASSERT_EQ(replay("first", {"--hashes"}).exitCode, 0);
+    const std::string hashes = path("first/hashes.csv");
+    EXPECT_EQ(replay("same", {"--verify", hashes}, {{"LP_NUM_THREADS", "1"}}).exitCode, 0);
+
+    const ProgramRun other = replay("other", {"--verify", hashes, "--set", "friction=0.75"});
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_THAT(other.errors,
+                HasSubstr("Step 0: the replay has diverged from " + hashes + " in parameters."));
+    EXPECT_EQ(summary("other")["steps"], 1) << "it goes no further";
+    EXPECT_EQ(summary("other")["failures"].size(), 1u);
+
+    const ProgramRun whole =
+        replay("whole", {"--verify", hashes, "--set", "friction=0.75", "--keep-going"});
+    EXPECT_EQ(whole.exitCode, 1);
+    EXPECT_EQ(summary("whole")["steps"], 40) << "unless it is asked to";
+    EXPECT_EQ(summary("whole")["failures"].size(), 1u) << "what follows is not told";
+}
+
+TEST_F(ReplayOptions, VerifySeesABladeThatCutsTheSame) {
+    ASSERT_EQ(replay("first", {"--hashes"}).exitCode, 0);
+    std::string session = smallSession();
+    const std::string lift = "0.8, -0.72, 0.05";
+    session.replace(session.find(lift), lift.size(), "0.8, -0.73, 0.05");
+    writeText(folder_ / "test.kerf.json", session);
+    const ProgramRun run = replay("out", {"--verify", path("first/hashes.csv")});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.errors, HasSubstr("Step 2: "));
+    EXPECT_THAT(run.errors, HasSubstr("blade"));
+}
+
+TEST_F(ReplayOptions, VerifyTakesTheColumnsThatThereAre) {
+    ASSERT_EQ(replay("first", {"--hashes"}).exitCode, 0);
+    const CsvTable full(folder_ / "first/hashes.csv", 1 << 20);
+    std::string text = "step,state_hash,topology_hash,mood\n";
+    for (std::size_t row = 0; row < full.rows(); ++row) {
+        const bool altered = row == 20;
+        text += full.cell(row, 0) + "," + (altered ? "0123456789abcdef" : full.cell(row, 1)) + "," +
+                full.cell(row, 2) + ",good\n";
+    }
+    writeText(folder_ / "short.csv", text);
+    const ProgramRun run = replay("out", {"--verify", path("short.csv")});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.errors, HasSubstr("Step 20: "));
+    EXPECT_THAT(run.errors, HasSubstr("in positions or velocities or boxes."));
+}
+
+TEST_F(ReplayOptions, VerifyComparesHowLongTheRunsAre) {
+    ASSERT_EQ(replay("first", {"--hashes"}).exitCode, 0);
+    const std::string text = readBytes(folder_ / "first/hashes.csv");
+    const std::size_t lastRow = text.rfind('\n', text.size() - 2);
+    writeText(folder_ / "shorter.csv", text.substr(0, lastRow + 1));
+    writeText(folder_ / "longer.csv", text + "40" + text.substr(text.find(',', lastRow)));
+    const ProgramRun shorter = replay("out", {"--verify", path("shorter.csv")});
+    EXPECT_EQ(shorter.exitCode, 1);
+    EXPECT_THAT(shorter.errors, HasSubstr("Step 39: "));
+    EXPECT_THAT(shorter.errors, HasSubstr("ends before this step"));
+    const ProgramRun longer = replay("out", {"--verify", path("longer.csv")});
+    EXPECT_EQ(longer.exitCode, 1);
+    EXPECT_THAT(longer.errors, HasSubstr("goes on to step 40"));
+    EXPECT_EQ(replay("out", {"--verify", path("longer.csv"), "--until", "12"}).exitCode, 0);
+}
+
+TEST_F(ReplayOptions, VerifyRefusesWhatHoldsNoHashes) {
+    const std::vector<std::pair<std::string, std::string>> mistakes{
+        {"", "empty"},
+        {"step,state_hash\n0,0123456789abcdef\n", "topology_hash"},
+        {"step,state_hash,topology_hash\n0,0123456789abcdef\n", "line 2: expected 3 cells"},
+        {"step,state_hash,topology_hash\n1,0123456789abcdef,0123456789abcdef\n",
+         "line 2: expected step 0"},
+        {"step,state_hash,topology_hash\n0,0123456789abcdef,x\n", "line 2: 'x' is no hash"},
+    };
+    for (const auto& [text, words] : mistakes) {
+        writeText(folder_ / "wrong.csv", text);
+        const ProgramRun run = replay("out", {"--verify", path("wrong.csv")});
+        EXPECT_EQ(run.exitCode, 3) << text;
+        EXPECT_THAT(run.errors, HasSubstr(words));
+    }
+    EXPECT_EQ(replay("out", {"--verify", path("missing.csv")}).exitCode, 3);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(ReplayOptions, HashesDoNotWriteOverWhatTheyAreComparedWith) {
+    ASSERT_EQ(replay("out", {"--hashes"}).exitCode, 0);
+    const std::string before = readBytes(folder_ / "out/hashes.csv");
+    EXPECT_EQ(replay("out", {"--verify", path("out/hashes.csv")}).exitCode, 0);
+    EXPECT_EQ(readBytes(folder_ / "out/hashes.csv"), before);
+    EXPECT_EQ(replay("out", {"--hashes", "--verify", path("out/hashes.csv")}).exitCode, 2);
+    EXPECT_EQ(readBytes(folder_ / "out/hashes.csv"), before);
+}
+
+TEST_F(ReplayOptions, FramesHoldNoPicturesAndFiles) {
+    ASSERT_EQ(replay("out", {}).exitCode, 0);
+    const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
+    const std::size_t frame = metrics.require("frame_ms");
+    const std::size_t render = metrics.require("render_ms");
+    // The first picture compiles its shaders, so it takes longer than any step of this session.
+    EXPECT_GT(metrics.number(8, render), 0);
+    double slowest = 0;
+    for (std::size_t row = 0; row < metrics.rows(); ++row) {
+        EXPECT_EQ(metrics.number(row, render) > 0, row == 8);
+        EXPECT_GE(metrics.number(row, frame), 0);
+        slowest = std::max(slowest, metrics.number(row, frame));
+    }
+    EXPECT_EQ(summary("out")["fps"]["min"], 1000 / slowest);
+}
+
+TEST_F(ReplayOptions, ReferenceComparesPicturesAndUpdateRenewsThem) {
+    const std::vector<std::string> options{"--reference", path("ref")};
+    const ProgramRun none = replay("out", options);
+    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_THAT(none.errors, HasSubstr("end.png: there is no such picture"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "ref"));
+
+    std::vector<std::string> update = options;
+    update.emplace_back("--update");
+    EXPECT_EQ(replay("out", update).exitCode, 0);
+    EXPECT_EQ(readBytes(folder_ / "ref/pictures/half.png"),
+              readBytes(folder_ / "out/pictures/half.png"));
+    EXPECT_EQ(replay("out", options).exitCode, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/diff"));
+
+    render::Image spoiled = render::readPng(folder_ / "ref/end.png");
+    std::fill_n(spoiled.pixels.begin(), 96 * 4 * 32, 0);
+    render::writePng(spoiled, folder_ / "ref/end.png");
+    const ProgramRun other = replay("out", options);
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_THAT(other.errors, HasSubstr("end.png differs in "));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out/diff/end.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/diff/pictures"));
+    EXPECT_EQ(replay("out", {"--update"}).exitCode, 2);
+}
+
+TEST_F(ReplayOptions, ACheckThatFailsEndsTheRun) {
+    writeText(folder_ / "test.kerf.json",
+              smallSession(R"(, {"step": 20, "type": "check", "pieces": 5},
+                                {"step": 30, "type": "check", "pieces": 6})"));
+    const ProgramRun run = replay("out", {});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.errors, HasSubstr("Step 20: "));
+    EXPECT_THAT(run.errors, HasSubstr("--keep-going"));
+    EXPECT_EQ(summary("out")["steps"], 20);
+    EXPECT_EQ(replay("out", {"--keep-going"}).exitCode, 1);
+    EXPECT_EQ(summary("out")["steps"], 40);
+    EXPECT_EQ(summary("out")["failures"].size(), 2u);
+}
+
+}  // namespace
+}  // namespace kerf::app
