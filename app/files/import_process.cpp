@@ -16,6 +16,7 @@
 #include <cstring>
 #include <vector>
 
+#include "app/files/descriptor.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
 
@@ -37,38 +38,6 @@ constexpr bool kLimitAddressSpace = false;  // AddressSanitizer reserves terabyt
 #else
 constexpr bool kLimitAddressSpace = true;
 #endif
-
-/// A file descriptor that closes itself.
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int get() const { return number_; }
-    void close() {
-        if (number_ >= 0) {
-            ::close(number_);
-            number_ = -1;
-        }
-    }
-
-  private:
-    int number_;
-};
-
-struct Pipe {
-    static std::array<int, 2> open() {
-        std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-            throw InputError(std::string("no pipe to the model reader: ") + std::strerror(errno));
-        }
-        return ends;
-    }
-    explicit Pipe(std::array<int, 2> ends = open()) : read(ends[0]), write(ends[1]) {}
-    Descriptor read;
-    Descriptor write;
-};
 
 /// This process's environment with the limits added.
 class ChildEnvironment {

@@ -29,8 +29,9 @@ const std::vector<fs::path> kRooms = {
     "sim/cut/patch", "sim/cut/cleanup", "sim/cut/stroke", "sim/body",
     "sim/contact",   "sim/solve",       "sim/run",        "sim/reference",
     "render/scene",  "render/passes",   "render",         "ui",
-    "app/files",     "app/session",     "app/scene",      "app/tools",
-    "app/editor",    "app/window",      "app/cli",        "app",
+    "app/files",     "app/session",     "app/regression", "app/scene",
+    "app/tools",     "app/editor",      "app/window",     "app/cli",
+    "app",
 };
 
 /// The place in kRooms of the folder of `path`, or nothing for files in none of them.

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <vector>
+
+namespace kerf::app {
+
+/// The arguments of `kerf test PATH... [--update] ...`, parsed.
+struct TestArguments {
+    std::vector<std::filesystem::path> paths;
+    bool update = false;
+    int jobs = 0;                  ///< 0: one per core
+    std::filesystem::path junit;   ///< empty for none
+    std::filesystem::path report;  ///< empty for none
+    std::filesystem::path out;     ///< keeps the results of the runs; empty for nowhere
+    bool json = false;
+};
+
+/// Runs sessions as regression tests and prints what came of them on `out`. Returns the exit code:
+/// 0, 1 where one differs, 3 where one can't be read. Throws InputError, OutputError.
+int testVerb(const TestArguments& arguments, std::ostream& out);
+
+}  // namespace kerf::app

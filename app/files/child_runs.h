@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace kerf::app {
+
+/// The end of a program that ran as a child of this one.
+struct ChildOutcome {
+    int exitCode = -1;   ///< -1 where a signal ended it
+    int signal = 0;      ///< that signal, else 0
+    std::string log;     ///< the end of what it wrote to standard error
+    double seconds = 0;  ///< wall clock
+};
+
+/// Runs this program once for each of `runs`, which are its arguments, at most `jobs` at a time.
+/// Tells `done` the number of a run and its end, one at a time, in the order in which they end.
+/// Children read nothing, their standard output is dropped, and they end with this process. Throws
+/// OutputError where a child can't be started, and what `done` throws, after the others have ended.
+void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
+                 const std::function<void(std::size_t run, const ChildOutcome& outcome)>& done);
+
+/// The program that runChildren() starts: $KERF_EXECUTABLE where it is set, else this one.
+std::filesystem::path kerfProgram();
+
+/// What became of a child in one clause: "ended by signal 11", "exit code 3: <its last line>".
+std::string sentenceAbout(const ChildOutcome& outcome);
+
+}  // namespace kerf::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+
+namespace kerf::app {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    /// Its number; -1 once closed.
+    int get() const { return number_; }
+    void close();
+
+  private:
+    int number_;
+};
+
+/// A pipe to a child. Neither end outlives an exec, unless it is copied.
+struct Pipe {
+    /// Throws OutputError where there are too many open files.
+    static std::array<int, 2> open();
+    explicit Pipe(std::array<int, 2> ends = open()) : read(ends[0]), write(ends[1]) {}
+    Descriptor read;
+    Descriptor write;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,172 @@
+#include "app/regression/expectation.h"
+
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
+#include "app/session/session_json.h"
+
+namespace kerf::app {
+
+namespace {
+
+using InputJson = nlohmann::json;
+using Json = nlohmann::ordered_json;
+using render::PixelRect;
+
+constexpr std::uintmax_t kMaxBytes = 1u << 20;
+constexpr const char* kFormat = "kerf-expected";
+constexpr std::string_view kSessionEnding = ".kerf.json";
+
+[[noreturn]] void fail(const std::string& key, const std::string& problem) {
+    throw InputError(key + ": " + problem);
+}
+
+/// The value of a key, which must be there.
+const InputJson& at(const InputJson& object, const std::string& key) {
+    if (!object.is_object() || !object.contains(key)) {
+        fail(key, "this key is missing; renew the file with kerf test --update.");
+    }
+    return object[key];
+}
+
+std::string textAt(const InputJson& object, const std::string& key) {
+    const InputJson& value = at(object, key);
+    if (!value.is_string()) {
+        fail(key, "expected a text in quotes.");
+    }
+    return value.get<std::string>();
+}
+
+double numberIn(const InputJson& value, const std::string& key, double low, double high) {
+    if (!value.is_number() || !(value.get<double>() >= low && value.get<double>() <= high)) {
+        fail(key,
+             "expected a number from " + formatNumber(low) + " to " + formatNumber(high) + ".");
+    }
+    return value.get<double>();
+}
+
+/// A number from 0 to 1; `otherwise` where the key is missing.
+double shareAt(const InputJson& object, const std::string& key, double otherwise) {
+    return object.contains(key) ? numberIn(object[key], key, 0, 1) : otherwise;
+}
+
+/// An object under a key, which may be missing.
+InputJson objectAt(const InputJson& object, const std::string& key) {
+    const InputJson value = object.value(key, InputJson::object());
+    if (!value.is_object()) {
+        fail(key, "expected an object in braces.");
+    }
+    return value;
+}
+
+PixelRect readMask(const InputJson& value) {
+    constexpr double kMostPixels = 32768;
+    if (!value.is_array() || value.size() != 4) {
+        fail("masks", "expected four numbers for each: x, y, width, height [pixels].");
+    }
+    int numbers[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+        numbers[i] = static_cast<int>(numberIn(value[i], "masks", 0, kMostPixels));
+    }
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+/// The file may be removed when the expectation is renewed, so it must lie in the folder.
+void requireInside(const std::string& file) {
+    const std::filesystem::path path = std::filesystem::path(file).lexically_normal();
+    if (path.empty() || path.is_absolute() || !path.has_filename() || *path.begin() == "..") {
+        fail("pictures", "'" + file + "' is no file inside the folder.");
+    }
+}
+
+ExpectedPicture readExpectedPicture(const std::string& file, const InputJson& value) {
+    ExpectedPicture picture{file, {}, {}};
+    requireInside(file);
+    if (!value.is_object()) {
+        fail("pictures", "expected an object in braces for " + file + ".");
+    }
+    for (const InputJson& mask : value.value("masks", InputJson::array())) {
+        picture.options.masks.push_back(readMask(mask));
+    }
+    if (value.contains("limits")) {
+        const InputJson limits = objectAt(value, "limits");
+        picture.limits = {shareAt(limits, "pixels", render::kStrictLimits.pixels),
+                          shareAt(limits, "worst", render::kStrictLimits.worst)};
+    }
+    return picture;
+}
+
+Tolerances readTolerances(const InputJson& top) {
+    Tolerances tolerances;
+    const InputJson given = objectAt(top, "tolerances");
+    tolerances.positions = shareAt(given, "positions", tolerances.positions);
+    tolerances.volume = shareAt(given, "volume", tolerances.volume);
+    return tolerances;
+}
+
+Expectation parseExpectation(const InputJson& top) {
+    if (textAt(top, "format") != kFormat || numberIn(at(top, "version"), "version", 1, 1) != 1) {
+        fail("format", std::string("expected \"") + kFormat + "\"; this is some other file.");
+    }
+    Expectation expectation;
+    const InputJson& made = at(top, "made_with");
+    expectation.kerf = textAt(made, "kerf");
+    expectation.driver = {textAt(made, "renderer"), textAt(made, "driver")};
+    expectation.steps = static_cast<int>(numberIn(at(top, "steps"), "steps", 0, 1e9));
+    expectation.stateHash = textAt(top, "state_hash");
+    expectation.tolerances = readTolerances(top);
+    const InputJson pictures = objectAt(top, "pictures");
+    for (const auto& item : pictures.items()) {
+        expectation.pictures.push_back(readExpectedPicture(item.key(), item.value()));
+    }
+    return expectation;
+}
+
+Json toJson(const ExpectedPicture& picture) {
+    Json json = Json::object();
+    for (const PixelRect& mask : picture.options.masks) {
+        json["masks"].push_back({mask.x, mask.y, mask.width, mask.height});
+    }
+    if (picture.limits) {
+        json["limits"] = {{"pixels", picture.limits->pixels}, {"worst", picture.limits->worst}};
+    }
+    return json;
+}
+
+}  // namespace
+
+std::filesystem::path expectationFolder(const std::filesystem::path& session) {
+    std::string name = session.filename().string();
+    if (name.ends_with(kSessionEnding)) {
+        name.resize(name.size() - kSessionEnding.size());
+    }
+    return session.parent_path() / (name + ".expected");
+}
+
+Expectation readExpectation(const std::filesystem::path& file) {
+    const std::string text = readInputFile(file, kMaxBytes);
+    try {
+        return parseExpectation(parseJson(text));
+    } catch (const InputError& error) {
+        throw InputError(file.string() + ": " + error.what());
+    }
+}
+
+std::string formatExpectation(const Expectation& expectation) {
+    Json json;
+    json["format"] = kFormat;
+    json["version"] = 1;
+    json["made_with"] = {{"kerf", expectation.kerf},
+                         {"renderer", expectation.driver.renderer},
+                         {"driver", expectation.driver.version}};
+    json["steps"] = expectation.steps;
+    json["state_hash"] = expectation.stateHash;
+    json["tolerances"] = {{"positions", expectation.tolerances.positions},
+                          {"volume", expectation.tolerances.volume}};
+    json["pictures"] = Json::object();
+    for (const ExpectedPicture& picture : expectation.pictures) {
+        json["pictures"][picture.file] = toJson(picture);
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace kerf::app

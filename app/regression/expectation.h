@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/scene/picture_comparison.h"
+
+namespace kerf::app {
+
+/// Files of an expectation folder, besides hashes.csv and the pictures under their own names.
+inline constexpr const char* kExpectedFile = "expected.json";
+inline constexpr const char* kCourseFile = "course.csv";
+inline constexpr const char* kPieceBoxesFile = "pieces.csv";
+
+/// The folder beside a session that holds what its runs shall come out like: NAME.expected beside
+/// NAME.kerf.json.
+std::filesystem::path expectationFolder(const std::filesystem::path& session);
+
+/// What a run was made with. Runs of one Driver come out with the same bits.
+struct Driver {
+    std::string renderer;  ///< GL_RENDERER
+    std::string version;   ///< GL_VERSION
+
+    bool operator==(const Driver&) const = default;
+};
+
+/// How far a run on another driver may be off.
+struct Tolerances {
+    double positions = 0.05;  ///< of boxes around pieces, as a share of the body's diagonal
+    double volume = 0.01;     ///< of the whole, as a share of its volume at the start
+};
+
+/// A picture that a run shall give.
+struct ExpectedPicture {
+    std::string file;  ///< as the session names it
+    render::ComparisonOptions options;
+    std::optional<render::PictureLimits> limits;  ///< instead of the usual ones
+};
+
+/// What a session's runs shall come out like, without the tables beside it.
+struct Expectation {
+    std::string kerf;  ///< version of the program that made it
+    Driver driver;
+    int steps = 0;
+    std::string stateHash;
+    Tolerances tolerances;
+    std::vector<ExpectedPicture> pictures;
+};
+
+/// Reads an expected.json. Throws InputError naming file and key.
+Expectation readExpectation(const std::filesystem::path& file);
+/// The text of an expected.json.
+std::string formatExpectation(const Expectation& expectation);
+
+}  // namespace kerf::app

@@ -1,0 +1,60 @@
+#include "app/regression/expectation_writer.h"
+
+#include <algorithm>
+
+#include "app/files/file_io.h"
+#include "app/files/output_folder.h"
+
+namespace kerf::app {
+
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 1u << 30;
+
+std::optional<Expectation> earlierExpectation(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / kExpectedFile;
+    return std::filesystem::exists(file) ? std::optional(readExpectation(file)) : std::nullopt;
+}
+
+const ExpectedPicture* findPicture(const Expectation& expectation, const std::string& file) {
+    const auto found = std::ranges::find(expectation.pictures, file, &ExpectedPicture::file);
+    return found == expectation.pictures.end() ? nullptr : &*found;
+}
+
+/// With what a person set in the earlier one.
+Expectation expectationOf(const RunResults& results, const Expectation& earlier) {
+    Expectation expectation{
+        KERF_VERSION,      results.driver,     static_cast<int>(results.course.size()),
+        results.stateHash, earlier.tolerances, {}};
+    for (const std::string& file : results.pictures) {
+        const ExpectedPicture* before = findPicture(earlier, file);
+        expectation.pictures.push_back(before != nullptr ? *before : ExpectedPicture{file, {}, {}});
+    }
+    return expectation;
+}
+
+void copyFile(const RunResults& results, const std::string& name, OutputFolder& folder) {
+    folder.write(name, readInputFile(results.folder / name, kMaxBytes));
+}
+
+}  // namespace
+
+void writeExpectation(const std::filesystem::path& expectationFolder, const RunResults& results) {
+    const Expectation earlier = earlierExpectation(expectationFolder).value_or(Expectation{});
+    const Expectation expectation = expectationOf(results, earlier);
+    OutputFolder folder(expectationFolder);
+    for (const ExpectedPicture& picture : earlier.pictures) {
+        if (findPicture(expectation, picture.file) == nullptr) {
+            folder.remove(picture.file);
+        }
+    }
+    for (const ExpectedPicture& picture : expectation.pictures) {
+        copyFile(results, picture.file, folder);
+    }
+    copyFile(results, kHashesFile, folder);
+    folder.write(kCourseFile, formatCourse(results.course));
+    folder.write(kPieceBoxesFile, formatPieces(thinnedOut(results.pieces)));
+    folder.write(kExpectedFile, formatExpectation(expectation));
+}
+
+}  // namespace kerf::app

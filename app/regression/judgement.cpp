@@ -1,0 +1,299 @@
+#include "app/regression/judgement.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
+#include "app/files/output_folder.h"
+#include "app/session/session_json.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 1u << 30;
+
+/// The parts of an expectation that are compared with a run.
+struct Expected {
+    Expectation expectation;
+    HashCourse hashes;
+    Course course;
+    PieceCourse pieces;
+};
+
+Expected readExpected(const std::filesystem::path& folder) {
+    return {readExpectation(folder / kExpectedFile), HashCourse::read(folder / kHashesFile),
+            readCourse(folder / kCourseFile), readPieces(folder / kPieceBoxesFile)};
+}
+
+Deviation largest(const std::vector<Deviation>& deviations) {
+    const auto found = std::ranges::max_element(deviations, {}, &Deviation::value);
+    return found == deviations.end() ? Deviation{} : *found;
+}
+
+// --- Positions ----------------------------------------------------------------------------------
+
+double distance(const Bounds& a, const Bounds& b) {
+    return std::max((a.low - b.low).cwiseAbs().maxCoeff(), (a.high - b.high).cwiseAbs().maxCoeff());
+}
+
+/// How far each piece is from the next of the others, at most: pieces may come in another order.
+double farthest(const std::vector<PieceBox>& pieces, std::vector<PieceBox> others) {
+    double far = 0;
+    for (const PieceBox& piece : pieces) {
+        const auto nearest = std::ranges::min_element(
+            others, {}, [&](const PieceBox& other) { return distance(piece.box, other.box); });
+        far = std::max(far, distance(piece.box, nearest->box));
+        others.erase(nearest);
+    }
+    return far;
+}
+
+/// Where there are more or fewer pieces than there should be, the box around all of them counts.
+std::vector<Deviation> comparePositions(const PieceCourse& expected, const PieceCourse& found) {
+    std::vector<Deviation> deviations;
+    for (const auto& [step, pieces] : expected) {
+        const auto now = found.find(step);
+        if (now != found.end()) {
+            deviations.push_back({step, pieces.size() == now->second.size()
+                                            ? farthest(pieces, now->second)
+                                            : distance(boxAround(pieces), boxAround(now->second))});
+        }
+    }
+    return deviations;
+}
+
+double diagonalOf(const PieceCourse& pieces) {
+    return pieces.empty() ? 0 : boxAround(pieces.begin()->second).diagonal();
+}
+
+// --- Volume and counts --------------------------------------------------------------------------
+
+/// The largest difference of volume, as a share of that after the first step.
+Deviation compareVolume(const Course& expected, const Course& found) {
+    std::vector<Deviation> deviations;
+    for (std::size_t step = 0; step < std::min(expected.size(), found.size()); ++step) {
+        const double difference = std::abs(found[step].volume - expected[step].volume);
+        deviations.push_back({static_cast<int>(step), difference / expected.front().volume});
+    }
+    return largest(deviations);
+}
+
+/// A count that two runs can differ in.
+struct Count {
+    const char* one;
+    const char* many;
+    int CourseRow::*member;
+};
+constexpr Count kCounts[] = {{"piece", "pieces", &CourseRow::pieces},
+                             {"vertex", "vertices", &CourseRow::vertices},
+                             {"triangle", "triangles", &CourseRow::triangles}};
+
+/// "3 pieces instead of 2", where a step has other counts than expected; else "".
+std::string otherCounts(const CourseRow& expected, const CourseRow& found) {
+    for (const Count& count : kCounts) {
+        if (expected.*count.member != found.*count.member) {
+            return counted(found.*count.member, count.one, count.many) + " instead of " +
+                   std::to_string(expected.*count.member);
+        }
+    }
+    return "";
+}
+
+/// The first step with other counts, and what they are.
+std::optional<Finding> compareCounts(const Course& expected, const Course& found) {
+    for (std::size_t step = 0; step < std::min(expected.size(), found.size()); ++step) {
+        const std::string counts = otherCounts(expected[step], found[step]);
+        if (!counts.empty()) {
+            return Finding{"counts", static_cast<int>(step),
+                           fmt::format("Step {}: {}.", step, counts)};
+        }
+    }
+    return std::nullopt;
+}
+
+// --- The state ----------------------------------------------------------------------------------
+
+std::optional<Finding> compareLengths(const Expected& expected, const RunResults& results) {
+    const int steps = static_cast<int>(results.course.size());
+    if (steps == expected.expectation.steps) {
+        return std::nullopt;
+    }
+    return Finding{"steps", std::min(steps, expected.expectation.steps),
+                   fmt::format("The run has {} instead of {}.", counted(steps, "step", "steps"),
+                               expected.expectation.steps)};
+}
+
+/// The parts that differ for the first time at a step.
+struct NewParts {
+    int step = 0;
+    std::vector<std::string> names;
+};
+
+/// By step: what differs, and what follows from it later on.
+std::vector<NewParts> compareHashes(const HashCourse& expected, const HashCourse& found) {
+    std::vector<NewParts> course;
+    std::set<std::string> known;
+    for (int step = 0; step < std::min(expected.steps(), found.steps()); ++step) {
+        NewParts now{step, expected.differingParts(step, found)};
+        std::erase_if(now.names, [&](const auto& name) { return !known.insert(name).second; });
+        if (!now.names.empty()) {
+            course.push_back(std::move(now));
+        }
+    }
+    return course;
+}
+
+/// "Step 0: parameters differ, from step 25 on positions and velocities".
+std::string sentenceAbout(const std::vector<NewParts>& course) {
+    const std::vector<std::string>& first = course.front().names;
+    const bool one = first.size() == 1 && !first.front().ends_with('s');
+    std::string text = fmt::format("Step {}: {} {}", course.front().step, enumerated(first),
+                                   one ? "differs" : "differ");
+    for (std::size_t i = 1; i < course.size(); ++i) {
+        text += fmt::format(", from step {} on {}", course[i].step, enumerated(course[i].names));
+    }
+    return text;
+}
+
+/// How far off a run is at most, as the end of a sentence.
+std::string howFar(const Judgement& judgement, const Expected& expected) {
+    const Deviation position = largest(judgement.positions);
+    const Deviation volume = compareVolume(expected.course, judgement.course);
+    std::string text =
+        fmt::format("; at most {:.3g} m away, at step {}", position.value, position.step);
+    if (volume.value > 0) {
+        text += fmt::format("; volume off by {:.2g} % at step {}", 100 * volume.value, volume.step);
+    }
+    const auto counts = compareCounts(expected.course, judgement.course);
+    return text + (counts ? "; " + lowerCase(counts->sentence) : ".");
+}
+
+/// On the same driver every bit counts.
+void judgeBits(const Expected& expected, const RunResults& results, Judgement& judgement) {
+    const std::vector<NewParts> parts = compareHashes(expected.hashes, results.hashes);
+    if (!parts.empty()) {
+        judgement.findings.push_back({enumerated(parts.front().names), parts.front().step,
+                                      sentenceAbout(parts) + howFar(judgement, expected)});
+    }
+}
+
+std::optional<Finding> judgePositions(const Expected& expected, const Judgement& judgement) {
+    const Deviation far = largest(judgement.positions);
+    const double allowed = expected.expectation.tolerances.positions * diagonalOf(expected.pieces);
+    if (far.value <= allowed) {
+        return std::nullopt;
+    }
+    return Finding{"positions", far.step,
+                   fmt::format("Step {}: a piece is {:.3g} m away, {:.3g} m are allowed on another "
+                               "driver.",
+                               far.step, far.value, allowed)};
+}
+
+std::optional<Finding> judgeVolume(const Expected& expected, const Judgement& judgement) {
+    const Deviation off = compareVolume(expected.course, judgement.course);
+    const double allowed = expected.expectation.tolerances.volume;
+    if (off.value <= allowed) {
+        return std::nullopt;
+    }
+    return Finding{"volume", off.step,
+                   fmt::format("Step {}: the volume is off by {:.2g} %, {:.2g} % are allowed on "
+                               "another driver.",
+                               off.step, 100 * off.value, 100 * allowed)};
+}
+
+std::optional<Finding> judgePieces(const Expected& expected, const Judgement& judgement) {
+    const int last =
+        static_cast<int>(std::min(expected.course.size(), judgement.course.size())) - 1;
+    if (last < 0 || expected.course[last].pieces == judgement.course[last].pieces) {
+        return std::nullopt;
+    }
+    return Finding{"pieces", last,
+                   fmt::format("Step {}: {} instead of {}.", last,
+                               counted(judgement.course[last].pieces, "piece", "pieces"),
+                               expected.course[last].pieces)};
+}
+
+/// Another driver rounds otherwise, and what touches follows from that.
+void judgeByTolerance(const Expected& expected, Judgement& judgement) {
+    for (std::optional<Finding> finding :
+         {judgePieces(expected, judgement), judgePositions(expected, judgement),
+          judgeVolume(expected, judgement)}) {
+        if (finding) {
+            judgement.findings.push_back(std::move(*finding));
+        }
+    }
+}
+
+// --- Pictures -----------------------------------------------------------------------------------
+
+void judgePictures(const Expected& expected, const std::filesystem::path& folder,
+                   const RunResults& results, const std::filesystem::path& differenceFolder,
+                   Judgement& judgement) {
+    OutputFolder differences(differenceFolder);
+    for (const ExpectedPicture& picture : expected.expectation.pictures) {
+        const PictureCheck& found = judgement.pictures.emplace_back(
+            checkPicture(picture, folder, results.folder, differences, judgement.otherDriver));
+        if (!found.alike) {
+            judgement.findings.push_back({"picture", -1, sentenceAbout(found)});
+        }
+    }
+}
+
+/// A picture that nobody looks at would hold nothing.
+void judgeNewPictures(const Expected& expected, const RunResults& results, Judgement& judgement) {
+    for (const std::string& file : results.pictures) {
+        const auto& known = expected.expectation.pictures;
+        if (std::ranges::find(known, file, &ExpectedPicture::file) == known.end()) {
+            judgement.findings.push_back(
+                {"picture", -1,
+                 "The picture " + file + " has no expectation; kerf test --update makes it."});
+        }
+    }
+}
+
+}  // namespace
+
+RunResults readResults(const std::filesystem::path& folder, const Session& session) {
+    const nlohmann::json summary = parseJson(readInputFile(folder / kSummaryFile, kMaxBytes));
+    return {folder,
+            {summary.at("renderer"), summary.at("driver")},
+            summary.at("state_hash"),
+            summary.at("failures"),
+            pictureFiles(session),
+            HashCourse::read(folder / kHashesFile),
+            readCourse(folder / kMetricsFile),
+            readPieces(folder / kPiecesFile)};
+}
+
+Judgement judge(const std::filesystem::path& expectationFolder, const RunResults& results,
+                const std::filesystem::path& differences) {
+    const Expected expected = readExpected(expectationFolder);
+    Judgement judgement;
+    judgement.otherDriver = expected.expectation.driver != results.driver;
+    judgement.expectedCourse = expected.course;
+    judgement.course = results.course;
+    judgement.positions = comparePositions(expected.pieces, results.pieces);
+    for (const std::string& failure : results.failures) {
+        judgement.findings.push_back({"check", -1, failure});
+    }
+    if (std::optional<Finding> length = compareLengths(expected, results)) {
+        judgement.findings.push_back(std::move(*length));
+    }
+    if (judgement.otherDriver) {
+        judgeByTolerance(expected, judgement);
+    } else {
+        judgeBits(expected, results, judgement);
+    }
+    judgePictures(expected, expectationFolder, results, differences, judgement);
+    judgeNewPictures(expected, results, judgement);
+    return judgement;
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/regression/expectation.h"
+#include "app/regression/picture_check.h"
+#include "app/regression/run_course.h"
+#include "app/session/hash_course.h"
+#include "app/session/session.h"
+
+namespace kerf::app {
+
+/// What a replay left in its folder, as far as it is compared.
+struct RunResults {
+    std::filesystem::path folder;
+    Driver driver;
+    std::string stateHash;
+    std::vector<std::string> failures;  ///< of checks and invariants during the run
+    std::vector<std::string> pictures;  ///< those of the session
+    HashCourse hashes;
+    Course course;
+    PieceCourse pieces;
+};
+/// Reads the results of `kerf replay --hashes --pieces` of a session. Throws InputError.
+RunResults readResults(const std::filesystem::path& folder, const Session& session);
+
+/// Something in which a run is not as expected.
+struct Finding {
+    /// "topology", "positions and velocities", "volume", "picture", "check", ...
+    std::string part;
+    int step = -1;         ///< the first at which it shows; -1 where it has none
+    std::string sentence;  ///< one, with step, part and how far off
+};
+
+/// The deviation of a run at a step.
+struct Deviation {
+    int step = 0;
+    double value = 0;
+};
+
+/// What came of comparing a run with its expectation.
+struct Judgement {
+    bool otherDriver = false;  ///< judged by tolerance then
+    std::vector<Finding> findings;
+    std::vector<PictureCheck> pictures;
+    Course expectedCourse;
+    Course course;
+    /// How far boxes around pieces are from where they should be, at some steps [m].
+    std::vector<Deviation> positions;
+
+    bool holds() const { return findings.empty(); }
+};
+
+/// Compares a run with the expectation in a folder, which must have one, and writes pictures of
+/// what differs into `differences`. Throws InputError where the expectation can't be read,
+/// OutputError.
+Judgement judge(const std::filesystem::path& expectationFolder, const RunResults& results,
+                const std::filesystem::path& differences);
+
+}  // namespace kerf::app

@@ -1,0 +1,57 @@
+#include "app/regression/picture_check.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "app/files/file_io.h"
+
+namespace kerf::app {
+
+namespace {
+
+render::PictureLimits limitsOf(const ExpectedPicture& picture, bool otherDriver) {
+    if (otherDriver) {
+        return render::kTolerantLimits;
+    }
+    return picture.limits.value_or(render::kStrictLimits);
+}
+
+}  // namespace
+
+PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem::path& expected,
+                          const std::filesystem::path& run, OutputFolder& differences,
+                          bool otherDriver) {
+    PictureCheck check;
+    check.file = picture.file;
+    check.missing = !std::filesystem::exists(run / picture.file);
+    if (check.missing) {
+        return check;
+    }
+    const render::Image before = readPicture(expected / picture.file);
+    check.comparison =
+        render::comparePictures(before, readPicture(run / picture.file), picture.options);
+    check.alike = render::withinLimits(check.comparison, limitsOf(picture, otherDriver));
+    if (!check.alike && check.comparison.sameSize) {
+        check.difference = differences.pathOf(picture.file);
+        writePicture(render::differencePicture(before, check.comparison, picture.options),
+                     check.difference);
+    }
+    check.comparison.errors.clear();
+    return check;
+}
+
+std::string sentenceAbout(const PictureCheck& check) {
+    const render::PictureComparison& found = check.comparison;
+    if (check.missing) {
+        return "The picture " + check.file + " is missing.";
+    }
+    if (!found.sameSize) {
+        return "The picture " + check.file + " has another size.";
+    }
+    const render::PixelRect& place = found.worstPlace;
+    return fmt::format(
+        "The picture {} differs in {:.2f} % of its pixels, by {:.2f} around ({}, {}).", check.file,
+        100 * found.shareDiffering(), found.worst, place.x + place.width / 2,
+        place.y + place.height / 2);
+}
+
+}  // namespace kerf::app

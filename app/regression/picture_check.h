@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/files/output_folder.h"
+#include "app/regression/expectation.h"
+
+namespace kerf::app {
+
+/// How a picture of a run compares with the one that it shall be like.
+struct PictureCheck {
+    std::string file;
+    bool alike = false;
+    bool missing = false;                  ///< the run did not give it
+    render::PictureComparison comparison;  ///< without its errors by pixel
+    std::filesystem::path difference;      ///< a picture of it; empty where there is none
+};
+
+/// Compares the picture in the folder `run` with that in the folder `expected`, and writes a
+/// picture of the difference into `differences`. A run on another driver is judged by the tolerant
+/// limits. Throws InputError where a picture can't be read, OutputError.
+PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem::path& expected,
+                          const std::filesystem::path& run, OutputFolder& differences,
+                          bool otherDriver);
+
+/// One sentence on how they differ and where most.
+std::string sentenceAbout(const PictureCheck& check);
+
+}  // namespace kerf::app

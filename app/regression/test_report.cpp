@@ -1,0 +1,135 @@
+#include "app/regression/test_report.h"
+
+#include <nettle/base64.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
+#include "gpu/data_path.h"
+
+namespace kerf::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr std::string_view kPlaceOfData = "{\"tests\": []}";
+constexpr std::size_t kPlottedSteps = 400;
+
+std::string base64(const std::string& bytes) {
+    std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+    base64_encode_raw(text.data(), bytes.size(),
+                      reinterpret_cast<const std::uint8_t*>(bytes.data()));
+    return text;
+}
+
+/// The picture as the address of an image; null where there is none.
+Json imageAddress(const fs::path& file) {
+    if (file.empty() || !fs::exists(file)) {
+        return nullptr;
+    }
+    return "data:image/png;base64," + base64(readInputFile(file, kMaxBytes));
+}
+
+Json toJson(const PictureCheck& picture, const TestResult& result) {
+    return {{"file", picture.file},
+            {"alike", picture.alike},
+            {"mean", picture.comparison.mean},
+            {"worst", picture.comparison.worst},
+            {"pixels", picture.comparison.pixelsDiffering},
+            {"expected", imageAddress(expectationFolder(result.session) / picture.file)},
+            {"actual", imageAddress(result.results / picture.file)},
+            {"difference", imageAddress(picture.difference)}};
+}
+
+/// Some values of a run, evenly spaced over its steps: {"x": [...], "y": [...]}.
+template <class Value>
+Json curve(const Course& course, Value value) {
+    Json x = Json::array();
+    Json y = Json::array();
+    const std::size_t spacing = course.size() / kPlottedSteps + 1;
+    for (std::size_t step = 0; step < course.size(); step += spacing) {
+        x.push_back(step);
+        y.push_back(value(course[step]));
+    }
+    return {{"x", std::move(x)}, {"y", std::move(y)}};
+}
+
+template <class Value>
+Json plot(const char* title, const Judgement& judgement, Value value) {
+    return {{"title", title},
+            {"expected", curve(judgement.expectedCourse, value)},
+            {"actual", curve(judgement.course, value)}};
+}
+
+Json positionPlot(const Judgement& judgement) {
+    Json x = Json::array();
+    Json y = Json::array();
+    for (const Deviation& deviation : judgement.positions) {
+        x.push_back(deviation.step);
+        y.push_back(1000 * deviation.value);
+    }
+    return {{"title", "Farthest side of a piece's box, mm off"},
+            {"actual", {{"x", std::move(x)}, {"y", std::move(y)}}}};
+}
+
+Json plots(const Judgement& judgement) {
+    if (judgement.expectedCourse.empty()) {
+        return Json::array();
+    }
+    const double start = judgement.expectedCourse.front().volume;
+    return Json::array(
+        {positionPlot(judgement),
+         plot("Volume, % of the first step", judgement,
+              [start](const CourseRow& row) { return 100 * row.volume / start; }),
+         plot("Pieces", judgement, [](const CourseRow& row) { return row.pieces; }),
+         plot("Triangles", judgement, [](const CourseRow& row) { return row.triangles; })});
+}
+
+Json toJson(const TestResult& result) {
+    Json findings = Json::array();
+    for (const Finding& finding : result.judgement.findings) {
+        findings.push_back(finding.sentence);
+    }
+    Json pictures = Json::array();
+    for (const PictureCheck& picture : result.judgement.pictures) {
+        pictures.push_back(toJson(picture, result));
+    }
+    return {{"name", result.name},
+            {"status", nameOf(result.status)},
+            {"failed", result.failed()},
+            {"seconds", result.seconds},
+            {"other_driver", result.judgement.otherDriver},
+            {"findings", std::move(findings)},
+            {"pictures", std::move(pictures)},
+            {"plots", plots(result.judgement)}};
+}
+
+/// JSON inside a script, where nothing may look like the script's end.
+std::string scriptText(const Json& json) {
+    std::string text;
+    for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+        text += c == '<' ? "\\u003c" : std::string(1, c);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string formatTestReport(const std::vector<TestResult>& results) {
+    Json tests = Json::array();
+    for (const TestResult& result : results) {
+        tests.push_back(toJson(result));
+    }
+    std::string page = readInputFile(gpu::dataPath("assets/report/test-report.html"), kMaxBytes);
+    const std::size_t place = page.find(kPlaceOfData);
+    if (place == std::string::npos) {
+        throw InputError("assets/report/test-report.html: the place of the data is missing.");
+    }
+    return page.replace(place, kPlaceOfData.size(), scriptText({{"tests", std::move(tests)}}));
+}
+
+}  // namespace kerf::app

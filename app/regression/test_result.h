@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/regression/judgement.h"
+
+namespace kerf::app {
+
+/// What came of a regression test.
+enum class TestStatus {
+    passed,
+    failed,      ///< it differs, or has no expectation
+    unreadable,  ///< session, model or expectation can't be read
+    made,        ///< its expectation was written for the first time
+    renewed,     ///< its expectation was written anew
+};
+
+/// A session that was run as a regression test.
+struct TestResult {
+    std::string name;  ///< path of the session without its ending
+    std::filesystem::path session;
+    TestStatus status = TestStatus::failed;
+    double seconds = 0;             ///< of the run, wall clock
+    Judgement judgement;            ///< its findings say why it failed, or what was renewed
+    std::filesystem::path results;  ///< folder of the run
+
+    bool failed() const { return status == TestStatus::failed || status == TestStatus::unreadable; }
+};
+
+/// "passed", "failed", ...
+std::string_view nameOf(TestStatus status);
+/// All findings in one line; "" where there are none.
+std::string findingsOf(const TestResult& result);
+
+/// The results as JUnit XML, which CI servers show.
+std::string formatJUnit(const std::vector<TestResult>& results);
+/// The results as one JSON object with its line break.
+std::string formatJson(const std::vector<TestResult>& results);
+
+}  // namespace kerf::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/files/child_runs.h"
+#include "app/regression/test_result.h"
+
+namespace kerf::app {
+
+/// The sessions at these paths: files as they are, folders searched for *.kerf.json, each once, by
+/// name. Throws InputError for a path that is missing and where there is none at all.
+std::vector<std::filesystem::path> findSessions(const std::vector<std::filesystem::path>& paths);
+
+/// The arguments of the run of a session into a folder.
+std::vector<std::string> runArguments(const std::filesystem::path& session,
+                                      const std::filesystem::path& results);
+
+/// Judges a run that has ended, whose results lie in `results`, by the expectation beside the
+/// session. With `update` that is made or renewed instead, unless a check of the session failed.
+TestResult judgeRun(const std::filesystem::path& session, const std::filesystem::path& results,
+                    const ChildOutcome& outcome, bool update);
+
+}  // namespace kerf::app

@@ -1,0 +1,203 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "render/scene/image.h"
+#include "tests/support/run_kerf.h"
+#include "tests/support/small_sessions.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::app {
+namespace {
+
+using test::ProgramRun;
+using test::readBytes;
+using test::runKerf;
+using test::sessionThatDoes;
+using test::smallSession;
+using test::writeText;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A text in which the first of `what` is replaced.
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    const std::size_t place = text.find(what);
+    EXPECT_NE(place, std::string::npos) << what;
+    return text.replace(place, what.size(), with);
+}
+
+class TestVerb : public testing::Test {
+  protected:
+    TestVerb() { writeText(session_, smallSession()); }
+
+    ProgramRun run(const std::vector<std::string>& options = {},
+                   const std::map<std::string, std::string>& environment = {}) {
+        std::vector<std::string> words{"test", folder_.path()};
+        words.insert(words.end(), options.begin(), options.end());
+        return runKerf(words, environment);
+    }
+    void makeExpectation() { ASSERT_EQ(run({"--update"}).exitCode, 0); }
+    std::filesystem::path expected(const std::string& name) {
+        return folder_ / ("ball.expected/" + name);
+    }
+    /// Fails once, with these words.
+    void expectFailure(const std::string& words) {
+        const ProgramRun failed = run();
+        EXPECT_EQ(failed.exitCode, 1) << failed.out << failed.errors;
+        EXPECT_THAT(failed.out, HasSubstr(words));
+        EXPECT_THAT(failed.out, HasSubstr("1 test, 1 failed"));
+    }
+
+    test::TemporaryFolder folder_;
+    std::filesystem::path session_ = folder_ / "ball.kerf.json";
+};
+
+TEST_F(TestVerb, WithoutExpectationsFailsAndSaysHowToMakeThem) {
+    expectFailure("make it with kerf test --update " + session_.string());
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "ball.expected"));
+}
+
+TEST_F(TestVerb, WhatWasMadeHoldsWhateverTheNumberOfThreads) {
+    const ProgramRun made = run({"--update"});
+    EXPECT_EQ(made.exitCode, 0) << made.out << made.errors;
+    EXPECT_THAT(made.out, HasSubstr("made "));
+    for (const char* file : {"expected.json", "hashes.csv", "course.csv", "pieces.csv", "end.png",
+                             "pictures/half.png"}) {
+        EXPECT_TRUE(std::filesystem::exists(expected(file))) << file;
+    }
+    for (const char* threads : {"0", "1", "2"}) {
+        const ProgramRun again = run({}, {{"LP_NUM_THREADS", threads}});
+        EXPECT_EQ(again.exitCode, 0) << again.out << again.errors;
+        EXPECT_THAT(again.out, HasSubstr("passed "));
+    }
+    const std::string before = readBytes(expected("expected.json"));
+    const ProgramRun same = run({"--update"});
+    EXPECT_THAT(same.out, HasSubstr("passed ")) << "nothing to renew";
+    EXPECT_EQ(readBytes(expected("expected.json")), before);
+}
+
+TEST_F(TestVerb, NamesTheStepThePartAndHowFar) {
+    makeExpectation();
+    const std::string session = smallSession();
+    writeText(session_, replaced(session, "\"iterations\": 8", "\"iterations\": 9"));
+    expectFailure("Step 0: positions, velocities and parameters differ");
+    writeText(session_, replaced(session, "[0, -9.81, 0]", "[0, -9.7, 0]"));
+    expectFailure("Step 16: positions, velocities and parameters differ; at most ");
+    writeText(session_, replaced(session, "0.62, 0.02", "0.62, 0.04"));
+    expectFailure("Step 1: blade differs, from step ");
+    writeText(session_, replaced(session, "\"steps\": 40", "\"steps\": 44"));
+    expectFailure("44 steps instead of 40");
+}
+
+TEST_F(TestVerb, SeesAPictureAloneAndLeavesOutWhatIsMasked) {
+    makeExpectation();
+    render::Image picture = render::readPng(expected("end.png"));
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 80; ++x) {
+            picture.pixels[std::size_t(4) * (std::size_t(y) * 96 + std::size_t(x))] ^= 0x80;
+        }
+    }
+    render::writePng(picture, expected("end.png"));
+    expectFailure("The picture end.png differs in ");
+    const std::string text = readBytes(expected("expected.json"));
+    writeText(expected("expected.json"),
+              replaced(text, "\"end.png\": {}", "\"end.png\": {\"masks\": [[0, 0, 80, 20]]}"));
+    EXPECT_EQ(run().exitCode, 0);
+    writeText(session_, replaced(smallSession(), "\"iterations\": 8", "\"iterations\": 9"));
+    const ProgramRun renewed = run({"--update"});
+    EXPECT_EQ(renewed.exitCode, 0);
+    EXPECT_THAT(renewed.out, HasSubstr("renewed "));
+    EXPECT_THAT(renewed.out, HasSubstr("Step 0: ")) << "what has changed is listed";
+    EXPECT_THAT(readBytes(expected("expected.json")), HasSubstr("masks"));
+    EXPECT_EQ(run().exitCode, 0);
+}
+
+TEST_F(TestVerb, APictureTooManyOrTooFewIsNoticed) {
+    makeExpectation();
+    const std::string shot = R"({"step": 40, "type": "screenshot", "file": "end.png")";
+    writeText(session_, replaced(smallSession(), shot, replaced(shot, "end.png", "last.png")));
+    const ProgramRun other = run();
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_THAT(other.out, HasSubstr("The picture end.png is missing."));
+    EXPECT_THAT(other.out, HasSubstr("The picture last.png has no expectation"));
+    EXPECT_EQ(run({"--update"}).exitCode, 0);
+    EXPECT_FALSE(std::filesystem::exists(expected("end.png")));
+    EXPECT_EQ(run().exitCode, 0);
+}
+
+TEST_F(TestVerb, OnAnotherDriverItJudgesByToleranceAndSaysSo) {
+    makeExpectation();
+    const std::string text = readBytes(expected("expected.json"));
+    writeText(expected("expected.json"), replaced(text, "\"driver\": \"", "\"driver\": \"Other "));
+    writeText(session_, replaced(smallSession(), "[0, -9.81, 0]", "[0, -9.8100001, 0]"));
+    const ProgramRun near = run();
+    EXPECT_EQ(near.exitCode, 0) << near.out;
+    EXPECT_THAT(near.out, HasSubstr("[another driver: by tolerance]"));
+    writeText(session_, replaced(smallSession(), "[0, -9.81, 0]", "[60, -9.81, 0]"));
+    const ProgramRun far = run();
+    EXPECT_EQ(far.exitCode, 1) << far.out;
+    EXPECT_THAT(far.out, HasSubstr("are allowed on another driver"));
+}
+
+TEST_F(TestVerb, AFailedCheckOfTheSessionIsNeverAnExpectation) {
+    writeText(session_, smallSession(R"(, {"step": 20, "type": "check", "pieces": 5})"));
+    const ProgramRun made = run({"--update"});
+    EXPECT_EQ(made.exitCode, 1);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "ball.expected"));
+}
+
+TEST_F(TestVerb, WhatCannotBeReadIsSaidAndTheOthersAreRun) {
+    makeExpectation();
+    std::filesystem::create_directory(folder_ / "deeper");
+    writeText(folder_ / "deeper/broken.kerf.json", "{");
+    const ProgramRun mixed = run();
+    EXPECT_EQ(mixed.exitCode, 3) << mixed.out;
+    EXPECT_THAT(mixed.out, HasSubstr("unreadable "));
+    EXPECT_THAT(mixed.out, HasSubstr("passed "));
+    std::filesystem::remove(folder_ / "deeper/broken.kerf.json");
+    writeText(expected("expected.json"), "{}");
+    EXPECT_EQ(run().exitCode, 3);
+    EXPECT_EQ(runKerf({"test", folder_ / "missing"}).exitCode, 3);
+    EXPECT_EQ(runKerf({"test", folder_ / "deeper"}).exitCode, 3) << "a folder without tests";
+    EXPECT_EQ(runKerf({"test"}).exitCode, 2);
+    EXPECT_EQ(runKerf({"test", folder_.path(), "--jobs", "0"}).exitCode, 2);
+}
+
+TEST_F(TestVerb, AnExpectationReachesNoFileElsewhere) {
+    makeExpectation();
+    writeText(folder_ / "precious.png", "mine");
+    const std::string text = readBytes(expected("expected.json"));
+    writeText(expected("expected.json"), replaced(text, "\"end.png\"", "\"../precious.png\""));
+    EXPECT_EQ(run({"--update"}).exitCode, 3);
+    EXPECT_EQ(readBytes(folder_ / "precious.png"), "mine");
+}
+
+TEST_F(TestVerb, ReportsForProgramsAndPeople) {
+    makeExpectation();
+    writeText(folder_ / "a<b>&.kerf.json", sessionThatDoes(""));
+    const ProgramRun both = run({"--json", "--junit", folder_ / "junit.xml", "--report",
+                                 folder_ / "report.html", "--jobs", "2"});
+    EXPECT_EQ(both.exitCode, 1);
+    const auto json = nlohmann::json::parse(both.out);
+    EXPECT_EQ(json["passed"], 1);
+    EXPECT_EQ(json["failed"], 1);
+    ASSERT_EQ(json["tests"].size(), 2u);
+    EXPECT_EQ(json["tests"][0]["status"], "failed") << "in the order of their names";
+    EXPECT_EQ(json["tests"][0]["findings"][0]["part"], "expectation");
+    const std::string junit = readBytes(folder_ / "junit.xml");
+    EXPECT_THAT(junit, HasSubstr(R"(tests="2" failures="1" errors="0")"));
+    EXPECT_THAT(junit, HasSubstr("a&lt;b&gt;&amp;"));
+    const std::string page = readBytes(folder_ / "report.html");
+    EXPECT_THAT(page, HasSubstr("data:image/png;base64,iVBOR"));
+    EXPECT_THAT(page, Not(HasSubstr("a<b>"))) << "nothing ends the script";
+    EXPECT_THAT(page, HasSubstr("a\\u003cb>&"));
+}
+
+TEST_F(TestVerb, WithoutOpenGlThatIsSaid) {
+    makeExpectation();
+    EXPECT_EQ(run({}, {{"KERF_FORCE_NO_GL", "1"}}).exitCode, 4);
+}
+
+}  // namespace
+}  // namespace kerf::app
