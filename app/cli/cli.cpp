@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/bar_experiment.h"
 #include "app/cli/compare_verb.h"
@@ -175,20 +176,50 @@ void describeInspect(Parser& parser, Arguments& arguments) {
     parser.inspect->add_flag("--json", arguments.inspect.json, "Print one JSON object");
 }
 
+std::string refuseNoMask(const std::string& text) {
+    return readMask(text) ? "" : "'" + text + "' is no rectangle X,Y,W,H in whole pixels";
+}
+
+/// What decides where no threshold is named.
+std::string explainLimits() {
+    return "Without --threshold " + describeLimits(render::kStrictLimits) + ";\nwith --tolerant " +
+           describeLimits(render::kTolerantLimits) + ".\nVisibly means by more than " +
+           formatNumber(render::kVisibleError) + " of LDR-FLIP; a place is " +
+           std::to_string(render::kPlaceSide) + " pixels wide.";
+}
+
+void describeHowToCompare(CLI::App& verb, CompareArguments& arguments) {
+    CLI::Option* threshold =
+        verb.add_option("--threshold", arguments.threshold,
+                        "Largest mean channel difference that passes, instead of the limits below")
+            ->check(refuseOutsideOfOne)
+            ->type_name("T");
+    verb.add_flag("--tolerant", arguments.tolerant, "Wide limits, for pictures of another driver")
+        ->excludes(threshold);
+    verb.add_option_function<std::vector<std::string>>(
+            "--mask",
+            [&arguments](const std::vector<std::string>& masks) {
+                for (const std::string& mask : masks) {
+                    arguments.masks.push_back(*readMask(mask));
+                }
+            },
+            "A rectangle of pixels to leave out; may be given several times")
+        ->check(refuseNoMask)
+        ->allow_extra_args(false)
+        ->type_name("X,Y,W,H");
+}
+
 void describeCompare(Parser& parser, Arguments& arguments) {
     parser.compare = parser.app.add_subcommand("compare", "Compare two PNG pictures");
     parser.compare->add_option("A", arguments.compare.a, "A PNG file")->required();
     parser.compare->add_option("B", arguments.compare.b, "Another one")->required();
-    parser.compare
-        ->add_option("--threshold", arguments.compare.threshold,
-                     "Largest mean channel difference that passes")
-        ->check(refuseOutsideOfOne)
-        ->type_name("T");
+    describeHowToCompare(*parser.compare, arguments.compare);
     parser.compare
         ->add_option("--diff", arguments.compare.diff,
                      "Picture of the difference, written only where they differ")
         ->type_name("D.png");
     parser.compare->add_flag("--json", arguments.compare.json, "Print one JSON object");
+    parser.compare->footer(explainLimits());
 }
 
 void describeTest(Parser& parser, Arguments& arguments) {

@@ -1,56 +1,195 @@
 #include "app/cli/compare_verb.h"
 
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "app/cli/exit_codes.h"
 #include "app/files/file_io.h"
-#include "render/scene/image.h"
+#include "app/files/model_source.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {
 
+using render::ChannelDifference;
 using render::Image;
-using render::ImageDifference;
+using render::PictureComparison;
+using render::PictureLimits;
+using render::PixelRect;
 
-void printJson(const ImageDifference& difference, bool equal, double threshold, std::ostream& out) {
-    const nlohmann::ordered_json report = {{"equal", equal},
-                                           {"same_size", difference.sameSize},
-                                           {"mean_error", difference.meanError},
-                                           {"max_error", difference.maxError},
-                                           {"differing_pixels", difference.differingPixels},
-                                           {"threshold", threshold}};
-    out << report.dump() << '\n';
+/// Two pictures of which each figure is known.
+struct Findings {
+    PictureComparison seen;
+    ChannelDifference channels;
+    bool equal = false;
+};
+
+const PictureLimits& limitsOf(const CompareArguments& arguments) {
+    return arguments.tolerant ? render::kTolerantLimits : render::kStrictLimits;
 }
 
-void printLine(const Image& a, const Image& b, const ImageDifference& difference, bool equal,
-               double threshold, std::ostream& out) {
-    if (!difference.sameSize) {
-        out << "differ in size: " << a.width << "x" << a.height << " and " << b.width << "x"
-            << b.height << '\n';
+bool areEqual(const Findings& findings, const CompareArguments& arguments) {
+    return arguments.threshold
+               ? findings.seen.sameSize && findings.channels.mean <= *arguments.threshold
+               : withinLimits(findings.seen, limitsOf(arguments));
+}
+
+Findings compare(const Image& a, const Image& b, const CompareArguments& arguments) {
+    Findings findings;
+    findings.seen = comparePictures(a, b, {arguments.masks});
+    findings.channels = channelDifference(a, b, {arguments.masks});
+    findings.equal = areEqual(findings, arguments);
+    return findings;
+}
+
+/// A mask that lies outside of both pictures was meant otherwise.
+void checkMasks(const Image& a, const Image& b, const std::vector<PixelRect>& masks) {
+    for (const PixelRect& mask : masks) {
+        if (mask.x >= std::max(a.width, b.width) || mask.y >= std::max(a.height, b.height)) {
+            throw InputError(
+                fmt::format("--mask {},{},{},{}: this lies outside of the picture, "
+                            "which is {}x{}.",
+                            mask.x, mask.y, mask.width, mask.height, a.width, a.height));
+        }
+    }
+}
+
+void checkRest(const PictureComparison& comparison) {
+    if (comparison.pixelsCompared == 0) {
+        throw InputError("The masks leave nothing of the pictures to compare.");
+    }
+}
+
+nlohmann::ordered_json toJson(const PixelRect& rect) {
+    return {rect.x, rect.y, rect.width, rect.height};
+}
+
+nlohmann::ordered_json limitsAsJson(const CompareArguments& arguments) {
+    if (arguments.threshold) {
+        return nullptr;
+    }
+    return {{"pixels", limitsOf(arguments).pixels}, {"worst", limitsOf(arguments).worst}};
+}
+
+void printJson(const Findings& findings, const CompareArguments& arguments, bool wroteDiff,
+               std::ostream& out) {
+    const PictureComparison& seen = findings.seen;
+    nlohmann::ordered_json report = {{"equal", findings.equal},
+                                     {"identical", seen.identical},
+                                     {"same_size", seen.sameSize},
+                                     {"pixels_differing", seen.pixelsDiffering},
+                                     {"pixels_compared", seen.pixelsCompared},
+                                     {"worst", seen.worst},
+                                     {"worst_at", nullptr},
+                                     {"mean", seen.mean},
+                                     {"limits", limitsAsJson(arguments)},
+                                     {"mean_error", findings.channels.mean},
+                                     {"max_error", findings.channels.largest},
+                                     {"differing_pixels", findings.channels.pixels},
+                                     {"threshold", nullptr},
+                                     {"diff", nullptr}};
+    if (seen.worstPlace.width > 0) report["worst_at"] = toJson(seen.worstPlace);
+    if (arguments.threshold) report["threshold"] = *arguments.threshold;
+    if (wroteDiff) report["diff"] = arguments.diff.string();
+    out << report.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+/// " around x 31, y 20", or nothing where all is as it was.
+std::string describePlace(const PixelRect& place) {
+    return place.width == 0 ? ""
+                            : fmt::format(" around x {}, y {}", place.x + place.width / 2,
+                                          place.y + place.height / 2);
+}
+
+std::string describeChannels(const Findings& findings, double threshold) {
+    return fmt::format(
+        "mean difference of a channel {:.3g} (threshold {:.3g}), the largest {:.3g}, {} by more "
+        "than 2/255, worst place{}",
+        findings.channels.mean, threshold, findings.channels.largest,
+        counted(findings.channels.pixels, "pixel", "pixels"),
+        describePlace(findings.seen.worstPlace));
+}
+
+/// What the figures come to, in a word or two.
+std::string verdict(const Findings& findings, const CompareArguments& arguments) {
+    if (!findings.equal) {
+        return "differ";
+    }
+    return arguments.threshold ? "equal within the threshold" : "equal within the limits";
+}
+
+void printLine(const Findings& findings, const CompareArguments& arguments, std::ostream& out) {
+    if (findings.seen.identical) {
+        out << (arguments.masks.empty() ? "equal\n" : "equal outside the masks\n");
         return;
     }
-    out << (equal ? "equal" : "differ") << ": mean " << difference.meanError << ", max "
-        << difference.maxError << ", " << difference.differingPixels << " pixels, threshold "
-        << threshold << '\n';
+    out << verdict(findings, arguments) << ": "
+        << (arguments.threshold ? describeChannels(findings, *arguments.threshold)
+                                : describeComparison(findings.seen, limitsOf(arguments)))
+        << '\n';
+}
+
+void printSizes(const Image& a, const Image& b, bool wantsDiff, std::ostream& out) {
+    out << "differ in size: " << a.width << "x" << a.height << " and " << b.width << "x" << b.height
+        << (wantsDiff ? "; no picture of the difference is written" : "") << '\n';
 }
 
 }  // namespace
 
+std::optional<PixelRect> readMask(const std::string& text) {
+    std::array<int, 4> numbers{};
+    const char* next = text.data();
+    const char* end = next + text.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const bool parted = i == 0 || (next != end && *next++ == ',');
+        const auto read = std::from_chars(next, end, numbers[i]);
+        if (!parted || read.ec != std::errc() || numbers[i] < (i < 2 ? 0 : 1)) {
+            return std::nullopt;
+        }
+        next = read.ptr;
+    }
+    return next == end ? std::optional(PixelRect{numbers[0], numbers[1], numbers[2], numbers[3]})
+                       : std::nullopt;
+}
+
+std::string describeLimits(const PictureLimits& limits) {
+    return fmt::format(
+        "at most {:.3g} % of the pixels may differ visibly, and the worst place by {}",
+        100 * limits.pixels, limits.worst);
+}
+
+std::string describeComparison(const PictureComparison& comparison, const PictureLimits& limits) {
+    return fmt::format(
+        "{} of {} pixels differ visibly ({:.3g} %, limit {:.3g} %), the worst place by {:.3g} "
+        "(limit {:.3g}){}, mean {:.3g}",
+        comparison.pixelsDiffering, comparison.pixelsCompared, 100 * comparison.shareDiffering(),
+        100 * limits.pixels, comparison.worst, limits.worst, describePlace(comparison.worstPlace),
+        comparison.mean);
+}
+
 int compareVerb(const CompareArguments& arguments, std::ostream& out) {
     const Image a = readPicture(arguments.a);
     const Image b = readPicture(arguments.b);
-    const ImageDifference difference = render::compareImages(a, b);
-    const bool equal = difference.sameSize && difference.meanError <= arguments.threshold;
-    if (!equal && !arguments.diff.empty() && difference.sameSize) {
-        writePicture(difference.picture, arguments.diff);
+    checkMasks(a, b, arguments.masks);
+    const Findings findings = compare(a, b, arguments);
+    checkRest(findings.seen);
+    const bool writesDiff = !findings.equal && !arguments.diff.empty() && findings.seen.sameSize;
+    if (writesDiff) {
+        writePicture(differencePicture(a, findings.seen, {arguments.masks}), arguments.diff);
     }
     if (arguments.json) {
-        printJson(difference, equal, arguments.threshold, out);
+        printJson(findings, arguments, writesDiff, out);
+    } else if (!findings.seen.sameSize) {
+        printSizes(a, b, !arguments.diff.empty(), out);
     } else {
-        printLine(a, b, difference, equal, arguments.threshold, out);
+        printLine(findings, arguments, out);
     }
-    return equal ? kExitDone : kExitCheckFailed;
+    return findings.equal ? kExitDone : kExitCheckFailed;
 }
 
 }  // namespace kerf::app

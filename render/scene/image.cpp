@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
@@ -20,7 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr int kMaxSide = 32768;
 constexpr std::uintmax_t kMaxFileBytes = 512u << 20;
-constexpr int kVisibleDifference = 2;  // of 255
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
     throw std::runtime_error(file.string() + ": " + why + ".");
@@ -98,25 +96,6 @@ void checkSize(const std::vector<std::uint8_t>& bytes, const fs::path& file) {
     }
 }
 
-int channelDifference(const std::uint8_t* a, const std::uint8_t* b, double& sum) {
-    int largest = 0;
-    for (int c = 0; c < 4; ++c) {
-        const int difference = std::abs(int(a[c]) - int(b[c]));
-        sum += difference;
-        largest = std::max(largest, difference);
-    }
-    return largest;
-}
-
-void paintDifference(std::uint8_t* out, const std::uint8_t* pixel, int difference) {
-    const auto grey = static_cast<std::uint8_t>((pixel[0] + pixel[1] + pixel[2]) / 6 + 32);
-    const bool differs = difference > kVisibleDifference;
-    out[0] = differs ? static_cast<std::uint8_t>(std::min(255, 128 + difference)) : grey;
-    out[1] = differs ? 20 : grey;
-    out[2] = differs ? 20 : grey;
-    out[3] = 255;
-}
-
 }  // namespace
 
 void divideByAlpha(Image& image) {
@@ -162,28 +141,6 @@ Image readPng(const fs::path& file) {
     }
     image.pixels.assign(pixels.get(), pixels.get() + std::size_t(image.width) * image.height * 4);
     return image;
-}
-
-ImageDifference compareImages(const Image& a, const Image& b) {
-    ImageDifference result;
-    result.sameSize = a.width == b.width && a.height == b.height;
-    if (!result.sameSize) {
-        result.meanError = 1;
-        result.maxError = 1;
-        return result;
-    }
-    result.picture = {a.width, a.height, std::vector<std::uint8_t>(a.pixels.size())};
-    double sum = 0;
-    int largest = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
-        const int difference = channelDifference(&a.pixels[i], &b.pixels[i], sum);
-        paintDifference(&result.picture.pixels[i], &a.pixels[i], difference);
-        result.differingPixels += difference > kVisibleDifference ? 1 : 0;
-        largest = std::max(largest, difference);
-    }
-    result.meanError = a.pixels.empty() ? 0 : sum / (255.0 * double(a.pixels.size()));
-    result.maxError = largest / 255.0;
-    return result;
 }
 
 }  // namespace kerf::render

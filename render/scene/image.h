@@ -7,6 +7,15 @@
 
 namespace kerf::render {
 
+/// A rectangle of pixels, from the top left corner of the picture.
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    bool operator==(const PixelRect&) const = default;
+};
+
 /// RGBA8, top row first.
 struct Image {
     int width = 0;
@@ -22,16 +31,5 @@ void divideByAlpha(Image& image);
 void writePng(const Image& image, const std::filesystem::path& file);
 /// Throws std::runtime_error with one sentence.
 Image readPng(const std::filesystem::path& file);
-
-/// How far two images are apart.
-struct ImageDifference {
-    bool sameSize = false;
-    double meanError = 0;      ///< mean absolute channel difference, 0 to 1
-    double maxError = 0;       ///< largest channel difference, 0 to 1
-    long differingPixels = 0;  ///< with a channel difference above 2/255
-    Image picture;             ///< grey where equal, red where not
-};
-/// Pictures of different sizes are as far apart as can be, without a picture of the difference.
-ImageDifference compareImages(const Image& a, const Image& b);
 
 }  // namespace kerf::render

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/scene/body_look.h"
+#include "render/scene/image.h"
 #include "render/scene/overlays.h"
 #include "sim/base/boxes.h"
 #include "sim/contact/blade_body.h"
@@ -21,15 +22,6 @@ struct PieceLook {
     float strength = 0;                              ///< of the tint, 0 to 1
     bool hidden = false;                             ///< neither drawn nor casting a shadow
     Vec3 shift = Vec3::Zero();                       ///< from where it is to where it is drawn [m]
-};
-
-/// A rectangle of pixels, from the top left corner of the picture.
-struct PixelRect {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-    bool operator==(const PixelRect&) const = default;
 };
 
 /// Everything that a picture shows.

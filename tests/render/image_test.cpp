@@ -104,37 +104,5 @@ TEST_F(ImageFile, CutOffFileIsDamaged) {
     EXPECT_THAT(readError(file_), HasSubstr("damaged"));
 }
 
-TEST(CompareImages, EqualOnes) {
-    const ImageDifference difference = compareImages(gradient(9, 9), gradient(9, 9));
-    EXPECT_TRUE(difference.sameSize);
-    EXPECT_EQ(difference.meanError, 0);
-    EXPECT_EQ(difference.maxError, 0);
-    EXPECT_EQ(difference.differingPixels, 0);
-}
-
-TEST(CompareImages, CountsPixelsAndErrors) {
-    const Image a{2, 1, {0, 0, 0, 255, 10, 10, 10, 255}};
-    const Image b{2, 1, {0, 0, 2, 255, 10, 10, 61, 255}};
-    const ImageDifference difference = compareImages(a, b);
-    EXPECT_DOUBLE_EQ(difference.maxError, 51 / 255.0);
-    EXPECT_DOUBLE_EQ(difference.meanError, 53 / 255.0 / 8);
-    EXPECT_EQ(difference.differingPixels, 1);
-}
-
-TEST(CompareImages, PictureIsRedWhereTheyDiffer) {
-    const Image a{2, 1, {0, 0, 0, 255, 10, 10, 10, 255}};
-    const Image b{2, 1, {0, 0, 0, 255, 90, 10, 10, 255}};
-    const std::vector<std::uint8_t> picture = compareImages(a, b).picture.pixels;
-    EXPECT_EQ(picture[0], picture[1]);
-    EXPECT_EQ(picture[1], picture[2]);
-    EXPECT_GT(picture[4], picture[5] + 100);
-}
-
-TEST(CompareImages, OtherSizesAreNotCompared) {
-    const ImageDifference difference = compareImages(gradient(9, 9), gradient(9, 8));
-    EXPECT_FALSE(difference.sameSize);
-    EXPECT_EQ(difference.maxError, 1);
-}
-
 }  // namespace
 }  // namespace kerf::render

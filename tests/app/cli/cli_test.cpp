@@ -48,6 +48,21 @@ TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
     }
 }
 
+TEST(CommandLine, HelpOfCompareNamesItsLimits) {
+    const std::string help = runKerf({"compare", "--help"}).out;
+    EXPECT_NE(help.find("at most 0.1 % of the pixels"), std::string::npos) << help;
+    EXPECT_NE(help.find("the worst place by 0.13"), std::string::npos) << help;
+}
+
+TEST(CommandLine, MasksOfCompareStandBeforeOrBehindThePictures) {
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"compare", "--mask", "0,0,2,2", "--mask", "1,1,2,2", "a.png",
+                                   "b.png"},
+          {"compare", "a.png", "b.png", "--mask", "0,0,2,2", "--mask", "1,1,2,2"}}) {
+        expectMistake(runKerf(call), 3, "a.png");
+    }
+}
+
 TEST(CommandLine, HelpNamesEveryVerbThatIsForPeople) {
     const std::string help = runKerf({"--help"}).out;
     for (const char* verb : {"replay", "experiment", "inspect", "compare"}) {
@@ -72,6 +87,9 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
     expectMistake(runKerf({"compare", "a.png"}), 2, "B");
     expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "2"}), 2, "threshold");
     expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "nan"}), 2, "threshold");
+    expectMistake(runKerf({"compare", "a.png", "b.png", "--mask", "1,2,3"}), 2, "1,2,3");
+    expectMistake(runKerf({"compare", "a.png", "b.png", "--tolerant", "--threshold", "0"}), 2,
+                  "--threshold");
     expectMistake(runKerf({"a.obj", "inspect", "b.obj"}), 2, "verb comes first");
 }
 

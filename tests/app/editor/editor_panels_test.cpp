@@ -7,6 +7,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/settings_file.h"
 #include "gpu/data_path.h"
+#include "render/scene/picture_comparison.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 
@@ -143,10 +144,10 @@ TEST_F(EditorPanelsTest, HiddenAndHoveredPiecesChangeThePictureAlone) {
     frames(2);
     EXPECT_EQ(panels().hoveredPiece, 0);
     const render::Image tinted = editor->readPicture();
-    EXPECT_GT(render::compareImages(before, tinted).differingPixels, 2000);
+    EXPECT_GT(render::channelDifference(before, tinted).pixels, 2000);
     clickOn("eye.0");
     EXPECT_TRUE(panels().pieces[0].hidden);
-    EXPECT_GT(render::compareImages(tinted, editor->readPicture()).differingPixels, 2000);
+    EXPECT_GT(render::channelDifference(tinted, editor->readPicture()).pixels, 2000);
     tap(Key::period);
     EXPECT_EQ(panels().step, 1) << "it is simulated all the same";
     EXPECT_TRUE(panels().changes.rows.empty()) << "and there is nothing to undo";

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "render/scene/picture_comparison.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 
@@ -359,7 +360,7 @@ TEST_F(EditorTest, TheRightButtonTurnsTheViewAndCutsNothing) {
     const render::Image before = editor->readPicture();
     drag(kTop, kTop + Vec2(200, 50), 5, Button::right);
     settle();
-    EXPECT_GT(render::compareImages(before, editor->readPicture()).differingPixels, 1000);
+    EXPECT_GT(render::channelDifference(before, editor->readPicture()).pixels, 1000);
     EXPECT_EQ(panels().step, 0);
     tap(Key::home);
     moveTo(0, 0);
@@ -392,7 +393,7 @@ TEST_F(EditorTest, F12SavesThePictureAndSaysWhere) {
     ASSERT_EQ(files.size(), 1U);
     EXPECT_THAT(files[0].filename().string(),
                 ::testing::MatchesRegex("kerf-[0-9]{8}-[0-9]{6}\\.png"));
-    EXPECT_EQ(render::compareImages(shown, render::readPng(files[0])).differingPixels, 0);
+    EXPECT_EQ(render::channelDifference(shown, render::readPng(files[0])).pixels, 0);
     frames(1);
     EXPECT_THAT(panels().toast, ::testing::HasSubstr(files[0].filename().string()));
 }
