@@ -13,14 +13,15 @@ from svg import (BLUE, BROWN, GREEN, GREY, INK, ORANGE, ROOT, Drawing, mixed, ro
 COLORS = {"app": ORANGE, "ui": BROWN, "render": GREEN, "sim": BLUE, "gpu": GREY}
 # Where a room stands: its left side, its top and its width; and what it is for.
 FLOORS = {
-    "app/files": (30, 82, 100, "import, export,\nsaving"),
-    "app/session": (141, 82, 100, "session files,\nmetrics"),
-    "app/scene": (252, 82, 100, "the body that\nis edited"),
-    "app/tools": (363, 82, 100, "blades, pulling,\ncamera"),
-    "app/editor": (474, 82, 100, "what keys and\nmenus do"),
-    "app/window": (585, 82, 96, "the window\nand its loop"),
-    "app/cli": (692, 82, 96, "verbs, replay,\nexperiments"),
-    "app": (799, 82, 92, "main()"),
+    "app/files": (30, 82, 86, "import, export,\nsaving"),
+    "app/session": (127, 82, 86, "session files,\nmetrics"),
+    "app/regression": (224, 82, 86, "expectations,\nreports"),
+    "app/scene": (321, 82, 86, "the body that\nis edited"),
+    "app/tools": (418, 82, 86, "blades, pulling,\ncamera"),
+    "app/editor": (515, 82, 86, "what keys and\nmenus do"),
+    "app/window": (612, 82, 86, "the window\nand its loop"),
+    "app/cli": (709, 82, 86, "verbs, replay,\nexperiments"),
+    "app": (806, 82, 85, "main()"),
     "ui": (252, 210, 338, "panels, plots, themes, keys; they queue actions"),
     "render/scene": (30, 296, 150, "what is drawn"),
     "render/passes": (212, 296, 150, "one pass a file"),
