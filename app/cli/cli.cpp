@@ -113,6 +113,8 @@ void describeReplayChecks(CLI::App& replay, ReplayArguments& arguments) {
         ->needs(reference);
     replay.add_flag("--keep-going", arguments.keepGoing,
                     "Run all steps, also after a check failed");
+    replay.add_flag("!--no-hash-checks", arguments.hashChecks,
+                    "Pass over the state hashes in the session's own checks");
 }
 
 void describeReplay(Parser& parser, Arguments& arguments) {

@@ -28,6 +28,7 @@ struct ReplayOptions {
     std::string verifyName;              ///< of the file with these hashes, for messages
     int until = kMaxSteps;               ///< ends after that many steps, where the session has more
     bool keepGoing = false;              ///< runs on after a check failed
+    bool hashChecks = true;              ///< false: passes over state hashes in check events
 };
 
 /// The result of a replay.

@@ -52,7 +52,8 @@ ReplayResult runHeadless(const Session& session, const ReplayArguments& argument
                                 .verify = expected ? &*expected : nullptr,
                                 .verifyName = arguments.verify.string(),
                                 .until = arguments.until,
-                                .keepGoing = arguments.keepGoing};
+                                .keepGoing = arguments.keepGoing,
+                                .hashChecks = arguments.hashChecks};
     ModelMesh model = loadSessionModel(session);
     gpu::EglContext context;
     gpu::enableDebugOutput();

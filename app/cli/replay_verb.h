@@ -22,6 +22,7 @@ struct ReplayArguments {
     bool update = false;
     int until = kMaxSteps;
     bool keepGoing = false;
+    bool hashChecks = true;
     bool json = false;
     bool jsonl = false;
 };

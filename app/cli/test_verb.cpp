@@ -10,10 +10,9 @@
 
 #include "app/cli/exit_codes.h"
 #include "app/files/file_io.h"
-#include "app/files/progress_line.h"
+#include "app/files/interruption.h"
 #include "app/regression/test_report.h"
 #include "app/regression/test_session.h"
-#include "gpu/context.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -22,18 +21,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A folder that can't be made is told before anything runs.
+void makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder.empty() ? "." : folder, error);
+    if (error) {
+        throw OutputError(folder.string() + ": the folder could not be made (" + error.message() +
+                          ").");
+    }
+}
+
 /// Where the runs leave their results: the folder that is to keep them, or one that goes with this.
 class ResultFolder {
   public:
-    explicit ResultFolder(const fs::path& kept) : path_(kept) {
-        if (kept.empty()) {
-            std::string name = (fs::temp_directory_path() / "kerf-test-XXXXXX").string();
-            if (::mkdtemp(name.data()) == nullptr) {
-                throw OutputError(name + ": no temporary folder could be made; set TMPDIR.");
-            }
-            path_ = name;
-            temporary_ = true;
-        }
+    explicit ResultFolder(const fs::path& kept)
+        : path_(kept.empty() ? makeTemporary() : kept), temporary_(kept.empty()) {
+        makeFolder(path_);
     }
     ~ResultFolder() {
         std::error_code error;
@@ -44,11 +47,24 @@ class ResultFolder {
     ResultFolder(const ResultFolder&) = delete;
     ResultFolder& operator=(const ResultFolder&) = delete;
 
-    fs::path of(std::size_t run) const { return path_ / std::to_string(run); }
+    /// "3-slice": sessions of several folders may have one name.
+    fs::path of(std::size_t number, const fs::path& session) const {
+        const fs::path name = expectationFolder(session).stem();
+        return path_ / (std::to_string(number) + "-" + name.string());
+    }
 
   private:
+    static fs::path makeTemporary() {
+        std::error_code error;
+        std::string name = (fs::temp_directory_path(error) / "kerf-test-XXXXXX").string();
+        if (error || ::mkdtemp(name.data()) == nullptr) {
+            throw OutputError("No temporary folder could be made; set TMPDIR to one that exists.");
+        }
+        return name;
+    }
+
     fs::path path_;
-    bool temporary_ = false;
+    bool temporary_;
 };
 
 int jobsOf(const TestArguments& arguments) {
@@ -65,33 +81,79 @@ std::string lineAbout(const TestResult& result) {
     for (const Finding& finding : result.judgement.findings) {
         line += "\n           " + finding.sentence;
     }
+    for (const std::string& note : result.notes) {
+        line += "\n           " + note;
+    }
     return line + "\n";
 }
 
-std::vector<TestResult> runTests(const std::vector<fs::path>& sessions, const ResultFolder& folder,
-                                 const TestArguments& arguments, std::ostream& out) {
-    std::vector<std::vector<std::string>> runs;
-    for (const fs::path& session : sessions) {
-        runs.push_back(runArguments(session, folder.of(runs.size())));
+/// The tests of one call: which there are, and what came of them.
+class TestRun {
+  public:
+    TestRun(const TestArguments& arguments, std::ostream& out)
+        : arguments_(arguments),
+          out_(out),
+          sessions_(findSessions(arguments.paths)),
+          folder_(arguments.out) {
+        for (const fs::path& file : {arguments.junit, arguments.report}) {
+            makeFolder(file.parent_path());
+        }
     }
-    std::vector<TestResult> results(sessions.size());
-    runChildren(runs, jobsOf(arguments), [&](std::size_t run, const ChildOutcome& outcome) {
-        if (outcome.exitCode == kExitNoOpenGl) {
-            throw gpu::ContextError(sentenceAbout(outcome));
-        }
-        results[run] = judgeRun(sessions[run], folder.of(run), outcome, arguments.update);
-        if (!arguments.json) {
-            out << lineAbout(results[run]) << std::flush;
-        }
-    });
-    return results;
-}
 
-std::string lastLine(const std::vector<TestResult>& results) {
-    const auto failed = std::ranges::count_if(results, &TestResult::failed);
-    return counted(results.size(), "test", "tests") + ", " +
-           (failed == 0 ? "all hold" : std::to_string(failed) + " failed") + "\n";
-}
+    /// Those that were done, by name.
+    const std::vector<TestResult>& run() {
+        const std::vector<fs::path> readable = judgeUnreadableOnes();
+        std::vector<std::vector<std::string>> runs;
+        for (const fs::path& session : readable) {
+            runs.push_back(runArguments(session, folder_.of(runs.size(), session)));
+        }
+        runChildren(runs, jobsOf(arguments_), [&](std::size_t run, const ChildOutcome& outcome) {
+            const fs::path& session = readable[run];
+            add(judgeRun(session, folder_.of(run, session), outcome, arguments_.update));
+        });
+        std::ranges::sort(results_, {}, &TestResult::session);
+        return results_;
+    }
+
+    bool stopped() const { return results_.size() < sessions_.size(); }
+
+    std::string lastLine() const {
+        const auto failed = std::ranges::count_if(results_, &TestResult::failed);
+        const std::string tests = counted(sessions_.size(), "test", "tests");
+        if (stopped()) {
+            return "stopped: " + std::to_string(results_.size()) + " of " + tests + " done, " +
+                   std::to_string(failed) + " failed\n";
+        }
+        return tests + ", " + (failed == 0 ? "all hold" : std::to_string(failed) + " failed") +
+               "\n";
+    }
+
+  private:
+    std::vector<fs::path> judgeUnreadableOnes() {
+        std::vector<fs::path> readable;
+        for (const fs::path& session : sessions_) {
+            if (std::optional<TestResult> result = judgeUnreadable(session)) {
+                add(std::move(*result));
+            } else {
+                readable.push_back(session);
+            }
+        }
+        return readable;
+    }
+
+    void add(TestResult result) {
+        if (!arguments_.json) {
+            out_ << lineAbout(result) << std::flush;
+        }
+        results_.push_back(std::move(result));
+    }
+
+    const TestArguments& arguments_;
+    std::ostream& out_;
+    const std::vector<fs::path> sessions_;
+    const ResultFolder folder_;
+    std::vector<TestResult> results_;
+};
 
 int exitCodeOf(const std::vector<TestResult>& results) {
     const auto isUnreadable = [](const TestResult& result) {
@@ -106,17 +168,17 @@ int exitCodeOf(const std::vector<TestResult>& results) {
 }  // namespace
 
 int testVerb(const TestArguments& arguments, std::ostream& out) {
-    const std::vector<fs::path> sessions = findSessions(arguments.paths);
-    const ResultFolder folder(arguments.out);
-    const std::vector<TestResult> results = runTests(sessions, folder, arguments, out);
+    const Interruption interruption;
+    TestRun run(arguments, out);
+    const std::vector<TestResult>& results = run.run();
     if (!arguments.junit.empty()) {
         writeOutputFile(arguments.junit, formatJUnit(results));
     }
     if (!arguments.report.empty()) {
         writeOutputFile(arguments.report, formatTestReport(results));
     }
-    out << (arguments.json ? formatJson(results) : lastLine(results));
-    return exitCodeOf(results);
+    out << (arguments.json ? formatJson(results) : run.lastLine());
+    return run.stopped() ? kExitCheckFailed : exitCodeOf(results);
 }
 
 }  // namespace kerf::app

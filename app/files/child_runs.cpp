@@ -17,6 +17,7 @@
 #include "app/files/descriptor.h"
 #include "app/files/file_io.h"
 #include "app/files/import_process.h"
+#include "app/files/interruption.h"
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {
@@ -111,11 +112,14 @@ class Crew {
         : runs_(runs), done_(done) {}
 
     void work() {
-        for (std::size_t run = next_++; run < runs_.size() && !failed_; run = next_++) {
+        for (std::size_t run = next_++; run < runs_.size() && !stopped(); run = next_++) {
             try {
                 const ChildOutcome outcome = runChild(runs_[run]);
                 const std::lock_guard lock(mutex_);
-                done_(run, outcome);
+                // Ctrl+C reaches the children as well.
+                if (outcome.signal == 0 || !Interruption::requested()) {
+                    done_(run, outcome);
+                }
             } catch (...) {
                 const std::lock_guard lock(mutex_);
                 error_ = error_ ? error_ : std::current_exception();
@@ -130,6 +134,8 @@ class Crew {
     }
 
   private:
+    bool stopped() const { return failed_ || Interruption::requested(); }
+
     const std::vector<std::vector<std::string>>& runs_;
     const std::function<void(std::size_t, const ChildOutcome&)>& done_;
     std::atomic<std::size_t> next_ = 0;
@@ -164,11 +170,17 @@ void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
     crew.rethrow();
 }
 
+std::string lastWords(const ChildOutcome& outcome) {
+    constexpr std::string_view kName = "kerf: ";
+    const std::string said = lastLine(outcome.log);
+    return said.starts_with(kName) ? said.substr(kName.size()) : said;
+}
+
 std::string sentenceAbout(const ChildOutcome& outcome) {
     const std::string end = outcome.signal != 0
                                 ? "it was ended by signal " + std::to_string(outcome.signal)
                                 : "it ended with exit code " + std::to_string(outcome.exitCode);
-    const std::string said = lastLine(outcome.log);
+    const std::string said = lastWords(outcome);
     return said.empty() ? end : end + ": " + said;
 }
 

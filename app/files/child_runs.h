@@ -17,13 +17,17 @@ struct ChildOutcome {
 
 /// Runs this program once for each of `runs`, which are its arguments, at most `jobs` at a time.
 /// Tells `done` the number of a run and its end, one at a time, in the order in which they end.
-/// Children read nothing, their standard output is dropped, and they end with this process. Throws
+/// Children read nothing, their standard output is dropped, and they end with this process. Where
+/// somebody asks this program to stop (Interruption), no further ones are started. Throws
 /// OutputError where a child can't be started, and what `done` throws, after the others have ended.
 void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
                  const std::function<void(std::size_t run, const ChildOutcome& outcome)>& done);
 
 /// The program that runChildren() starts: $KERF_EXECUTABLE where it is set, else this one.
 std::filesystem::path kerfProgram();
+
+/// The last line that a child said, without the program's name before it; "" where it said nothing.
+std::string lastWords(const ChildOutcome& outcome);
 
 /// What became of a child in one clause: "ended by signal 11", "exit code 3: <its last line>".
 std::string sentenceAbout(const ChildOutcome& outcome);

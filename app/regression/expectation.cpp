@@ -1,8 +1,11 @@
 #include "app/regression/expectation.h"
 
+#include <algorithm>
+
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/session/session_json.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
@@ -18,6 +21,18 @@ constexpr std::string_view kSessionEnding = ".kerf.json";
 
 [[noreturn]] void fail(const std::string& key, const std::string& problem) {
     throw InputError(key + ": " + problem);
+}
+
+/// A key that nobody reads would hold nothing, and nobody would know.
+void refuseUnknownKeys(const InputJson& object, const std::string& place,
+                       std::initializer_list<std::string_view> known) {
+    for (const auto& item : object.items()) {
+        if (std::ranges::find(known, item.key()) == known.end()) {
+            fail(place + item.key(),
+                 "there is no such key; known are " +
+                     joined(std::vector<std::string>(known.begin(), known.end()), ", ") + ".");
+        }
+    }
 }
 
 /// The value of a key, which must be there.
@@ -58,14 +73,14 @@ InputJson objectAt(const InputJson& object, const std::string& key) {
     return value;
 }
 
-PixelRect readMask(const InputJson& value) {
+PixelRect readMask(const InputJson& value, const std::string& place) {
     constexpr double kMostPixels = 32768;
     if (!value.is_array() || value.size() != 4) {
-        fail("masks", "expected four numbers for each: x, y, width, height [pixels].");
+        fail(place, "expected four numbers for each: x, y, width, height [pixels].");
     }
     int numbers[4];
     for (std::size_t i = 0; i < 4; ++i) {
-        numbers[i] = static_cast<int>(numberIn(value[i], "masks", 0, kMostPixels));
+        numbers[i] = static_cast<int>(numberIn(value[i], place, 0, kMostPixels));
     }
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
@@ -84,11 +99,13 @@ ExpectedPicture readExpectedPicture(const std::string& file, const InputJson& va
     if (!value.is_object()) {
         fail("pictures", "expected an object in braces for " + file + ".");
     }
+    refuseUnknownKeys(value, "pictures, " + file + ", ", {"masks", "limits"});
     for (const InputJson& mask : value.value("masks", InputJson::array())) {
-        picture.options.masks.push_back(readMask(mask));
+        picture.options.masks.push_back(readMask(mask, "pictures, " + file + ", masks"));
     }
     if (value.contains("limits")) {
         const InputJson limits = objectAt(value, "limits");
+        refuseUnknownKeys(limits, "pictures, " + file + ", limits, ", {"pixels", "worst"});
         picture.limits = {shareAt(limits, "pixels", render::kStrictLimits.pixels),
                           shareAt(limits, "worst", render::kStrictLimits.worst)};
     }
@@ -98,15 +115,22 @@ ExpectedPicture readExpectedPicture(const std::string& file, const InputJson& va
 Tolerances readTolerances(const InputJson& top) {
     Tolerances tolerances;
     const InputJson given = objectAt(top, "tolerances");
+    refuseUnknownKeys(given, "tolerances, ", {"positions", "volume"});
     tolerances.positions = shareAt(given, "positions", tolerances.positions);
     tolerances.volume = shareAt(given, "volume", tolerances.volume);
     return tolerances;
 }
 
 Expectation parseExpectation(const InputJson& top) {
-    if (textAt(top, "format") != kFormat || numberIn(at(top, "version"), "version", 1, 1) != 1) {
+    if (textAt(top, "format") != kFormat) {
         fail("format", std::string("expected \"") + kFormat + "\"; this is some other file.");
     }
+    if (at(top, "version") != 1) {
+        fail("version", "expected 1, the only one that this Kerf knows.");
+    }
+    refuseUnknownKeys(
+        top, "",
+        {"format", "version", "made_with", "steps", "state_hash", "tolerances", "pictures"});
     Expectation expectation;
     const InputJson& made = at(top, "made_with");
     expectation.kerf = textAt(made, "kerf");
@@ -147,7 +171,8 @@ Expectation readExpectation(const std::filesystem::path& file) {
     try {
         return parseExpectation(parseJson(text));
     } catch (const InputError& error) {
-        throw InputError(file.string() + ": " + error.what());
+        throw InputError(file.string() + ": " + error.what() +
+                         " Mend it, or remove it and run kerf test --update.");
     }
 }
 

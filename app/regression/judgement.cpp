@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -27,9 +28,25 @@ struct Expected {
     PieceCourse pieces;
 };
 
+/// A table that was cut short would hold less, and nobody would know.
+void requireSteps(const std::filesystem::path& file, int steps, int expected) {
+    if (steps != expected) {
+        throw InputError(
+            fmt::format("{}: it has {} where {} says {}; make it anew with kerf test "
+                        "--update.",
+                        file.string(), counted(steps, "step", "steps"), kExpectedFile, expected));
+    }
+}
+
 Expected readExpected(const std::filesystem::path& folder) {
-    return {readExpectation(folder / kExpectedFile), HashCourse::read(folder / kHashesFile),
-            readCourse(folder / kCourseFile), readPieces(folder / kPieceBoxesFile)};
+    Expected expected{readExpectation(folder / kExpectedFile),
+                      HashCourse::read(folder / kHashesFile), readCourse(folder / kCourseFile),
+                      readPieces(folder / kPieceBoxesFile)};
+    const int steps = expected.expectation.steps;
+    requireSteps(folder / kHashesFile, expected.hashes.steps(), steps);
+    requireSteps(folder / kCourseFile, static_cast<int>(expected.course.size()), steps);
+    requireSteps(folder / kPieceBoxesFile, lastStepOf(expected.pieces) + 1, steps);
+    return expected;
 }
 
 Deviation largest(const std::vector<Deviation>& deviations) {
@@ -162,14 +179,21 @@ std::string sentenceAbout(const std::vector<NewParts>& course) {
     return text;
 }
 
+/// A share as "1.25 %"; less than a thousandth of a percent is rounding, so no digits are told.
+std::string percent(double share) {
+    return share < 1e-5 ? "less than 0.001 %" : fmt::format("{:.2g} %", 100 * share);
+}
+
 /// How far off a run is at most, as the end of a sentence.
 std::string howFar(const Judgement& judgement, const Expected& expected) {
     const Deviation position = largest(judgement.positions);
     const Deviation volume = compareVolume(expected.course, judgement.course);
-    std::string text =
-        fmt::format("; at most {:.3g} m away, at step {}", position.value, position.step);
+    std::string text;
+    if (position.value > 0) {
+        text += fmt::format("; at most {:.3g} m away, at step {}", position.value, position.step);
+    }
     if (volume.value > 0) {
-        text += fmt::format("; volume off by {:.2g} % at step {}", 100 * volume.value, volume.step);
+        text += fmt::format("; volume off by {} at step {}", percent(volume.value), volume.step);
     }
     const auto counts = compareCounts(expected.course, judgement.course);
     return text + (counts ? "; " + lowerCase(counts->sentence) : ".");
@@ -181,6 +205,10 @@ void judgeBits(const Expected& expected, const RunResults& results, Judgement& j
     if (!parts.empty()) {
         judgement.findings.push_back({enumerated(parts.front().names), parts.front().step,
                                       sentenceAbout(parts) + howFar(judgement, expected)});
+    } else if (results.stateHash != expected.expectation.stateHash) {
+        judgement.findings.push_back(
+            {"state", expected.expectation.steps,
+             "The state at the end differs, after the last step's events."});
     }
 }
 
@@ -203,9 +231,9 @@ std::optional<Finding> judgeVolume(const Expected& expected, const Judgement& ju
         return std::nullopt;
     }
     return Finding{"volume", off.step,
-                   fmt::format("Step {}: the volume is off by {:.2g} %, {:.2g} % are allowed on "
-                               "another driver.",
-                               off.step, 100 * off.value, 100 * allowed)};
+                   fmt::format("Step {}: the volume is off by {}, {} are allowed on another "
+                               "driver.",
+                               off.step, percent(off.value), percent(allowed))};
 }
 
 std::optional<Finding> judgePieces(const Expected& expected, const Judgement& judgement) {
@@ -246,14 +274,20 @@ void judgePictures(const Expected& expected, const std::filesystem::path& folder
     }
 }
 
+PictureCheck withoutExpectation(const std::string& file) {
+    PictureCheck check;
+    check.file = file;
+    check.unknown = true;
+    return check;
+}
+
 /// A picture that nobody looks at would hold nothing.
 void judgeNewPictures(const Expected& expected, const RunResults& results, Judgement& judgement) {
     for (const std::string& file : results.pictures) {
         const auto& known = expected.expectation.pictures;
         if (std::ranges::find(known, file, &ExpectedPicture::file) == known.end()) {
-            judgement.findings.push_back(
-                {"picture", -1,
-                 "The picture " + file + " has no expectation; kerf test --update makes it."});
+            judgement.pictures.push_back(withoutExpectation(file));
+            judgement.findings.push_back({"picture", -1, sentenceAbout(judgement.pictures.back())});
         }
     }
 }
@@ -272,11 +306,18 @@ RunResults readResults(const std::filesystem::path& folder, const Session& sessi
             readPieces(folder / kPiecesFile)};
 }
 
+std::vector<PictureCheck> picturesWithoutExpectation(const RunResults& results) {
+    std::vector<PictureCheck> checks;
+    std::ranges::transform(results.pictures, std::back_inserter(checks), withoutExpectation);
+    return checks;
+}
+
 Judgement judge(const std::filesystem::path& expectationFolder, const RunResults& results,
                 const std::filesystem::path& differences) {
     const Expected expected = readExpected(expectationFolder);
     Judgement judgement;
     judgement.otherDriver = expected.expectation.driver != results.driver;
+    judgement.expectedDriver = expected.expectation.driver;
     judgement.expectedCourse = expected.course;
     judgement.course = results.course;
     judgement.positions = comparePositions(expected.pieces, results.pieces);

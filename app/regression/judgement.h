@@ -44,6 +44,7 @@ struct Deviation {
 /// What came of comparing a run with its expectation.
 struct Judgement {
     bool otherDriver = false;  ///< judged by tolerance then
+    Driver expectedDriver;     ///< that of the expectation
     std::vector<Finding> findings;
     std::vector<PictureCheck> pictures;
     Course expectedCourse;
@@ -53,6 +54,9 @@ struct Judgement {
 
     bool holds() const { return findings.empty(); }
 };
+
+/// The pictures of a run that has nothing to be compared with.
+std::vector<PictureCheck> picturesWithoutExpectation(const RunResults& results);
 
 /// Compares a run with the expectation in a folder, which must have one, and writes pictures of
 /// what differs into `differences`. Throws InputError where the expectation can't be read,

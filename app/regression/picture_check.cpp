@@ -23,7 +23,8 @@ PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem:
     PictureCheck check;
     check.file = picture.file;
     check.missing = !std::filesystem::exists(run / picture.file);
-    if (check.missing) {
+    check.unknown = !std::filesystem::exists(expected / picture.file);
+    if (check.missing || check.unknown) {
         return check;
     }
     const render::Image before = readPicture(expected / picture.file);
@@ -42,7 +43,10 @@ PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem:
 std::string sentenceAbout(const PictureCheck& check) {
     const render::PictureComparison& found = check.comparison;
     if (check.missing) {
-        return "The picture " + check.file + " is missing.";
+        return "The run made no picture " + check.file + " any more.";
+    }
+    if (check.unknown) {
+        return "The picture " + check.file + " has no expectation; kerf test --update makes it.";
     }
     if (!found.sameSize) {
         return "The picture " + check.file + " has another size.";

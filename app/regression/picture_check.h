@@ -13,6 +13,7 @@ struct PictureCheck {
     std::string file;
     bool alike = false;
     bool missing = false;                  ///< the run did not give it
+    bool unknown = false;                  ///< the folder of expectations lacks it
     render::PictureComparison comparison;  ///< without its errors by pixel
     std::filesystem::path difference;      ///< a picture of it; empty where there is none
 };

@@ -94,7 +94,7 @@ std::string formatPieces(const PieceCourse& pieces) {
 
 PieceCourse thinnedOut(const PieceCourse& pieces) {
     PieceCourse kept;
-    const int last = pieces.empty() ? 0 : pieces.rbegin()->first;
+    const int last = std::max(0, lastStepOf(pieces));
     const int spacing = std::max(1, (last + kSamples) / kSamples);
     for (const auto& entry : pieces) {
         if (entry.first % spacing == 0 || entry.first == last) {
@@ -102,6 +102,10 @@ PieceCourse thinnedOut(const PieceCourse& pieces) {
         }
     }
     return kept;
+}
+
+int lastStepOf(const PieceCourse& pieces) {
+    return pieces.empty() ? -1 : pieces.rbegin()->first;
 }
 
 Bounds boxAround(const std::vector<PieceBox>& pieces) {

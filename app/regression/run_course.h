@@ -40,6 +40,9 @@ std::string formatPieces(const PieceCourse& pieces);
 /// Some thirty steps of a run, evenly spaced, the last one among them.
 PieceCourse thinnedOut(const PieceCourse& pieces);
 
+/// The last of these steps; -1 where there is none.
+int lastStepOf(const PieceCourse& pieces);
+
 /// The box around all pieces.
 Bounds boxAround(const std::vector<PieceBox>& pieces);
 

@@ -1,7 +1,9 @@
 #include "app/regression/test_report.h"
 
 #include <nettle/base64.h>
+#include <spdlog/fmt/chrono.h>
 
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "app/files/file_io.h"
@@ -40,6 +42,7 @@ Json toJson(const PictureCheck& picture, const TestResult& result) {
             {"mean", picture.comparison.mean},
             {"worst", picture.comparison.worst},
             {"pixels", picture.comparison.pixelsDiffering},
+            {"verdict", picture.alike ? "alike" : sentenceAbout(picture)},
             {"expected", imageAddress(expectationFolder(result.session) / picture.file)},
             {"actual", imageAddress(result.results / picture.file)},
             {"difference", imageAddress(picture.difference)}};
@@ -58,9 +61,18 @@ Json curve(const Course& course, Value value) {
     return {{"x", std::move(x)}, {"y", std::move(y)}};
 }
 
+/// What a plot is called, and how its axis reads.
+struct PlotScale {
+    const char* title;
+    double least = 0;    ///< span of the axis at least, in the unit of the title
+    bool whole = false;  ///< what is counted
+};
+
 template <class Value>
-Json plot(const char* title, const Judgement& judgement, Value value) {
-    return {{"title", title},
+Json plot(const PlotScale& scale, const Judgement& judgement, Value value) {
+    return {{"title", scale.title},
+            {"least", scale.least},
+            {"whole", scale.whole},
             {"expected", curve(judgement.expectedCourse, value)},
             {"actual", curve(judgement.course, value)}};
 }
@@ -73,6 +85,8 @@ Json positionPlot(const Judgement& judgement) {
         y.push_back(1000 * deviation.value);
     }
     return {{"title", "Farthest side of a piece's box, mm off"},
+            {"least", 0.01},
+            {"whole", false},
             {"actual", {{"x", std::move(x)}, {"y", std::move(y)}}}};
 }
 
@@ -83,10 +97,15 @@ Json plots(const Judgement& judgement) {
     const double start = judgement.expectedCourse.front().volume;
     return Json::array(
         {positionPlot(judgement),
-         plot("Volume, % of the first step", judgement,
+         plot({"Volume, % of the first step", 0.1}, judgement,
               [start](const CourseRow& row) { return 100 * row.volume / start; }),
-         plot("Pieces", judgement, [](const CourseRow& row) { return row.pieces; }),
-         plot("Triangles", judgement, [](const CourseRow& row) { return row.triangles; })});
+         plot({"Pieces", 2, true}, judgement, [](const CourseRow& row) { return row.pieces; }),
+         plot({"Triangles", 10, true}, judgement,
+              [](const CourseRow& row) { return row.triangles; })});
+}
+
+std::string nameOf(const Driver& driver) {
+    return driver.renderer.empty() ? "" : driver.renderer + ", OpenGL " + driver.version;
 }
 
 Json toJson(const TestResult& result) {
@@ -103,7 +122,10 @@ Json toJson(const TestResult& result) {
             {"failed", result.failed()},
             {"seconds", result.seconds},
             {"other_driver", result.judgement.otherDriver},
+            {"driver", nameOf(result.driver)},
+            {"made_with", nameOf(result.judgement.expectedDriver)},
             {"findings", std::move(findings)},
+            {"notes", result.notes},
             {"pictures", std::move(pictures)},
             {"plots", plots(result.judgement)}};
 }
@@ -115,6 +137,11 @@ std::string scriptText(const Json& json) {
         text += c == '<' ? "\\u003c" : std::string(1, c);
     }
     return text;
+}
+
+/// "2026-03-09 14:05 UTC".
+std::string timeOfDay() {
+    return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
 }
 
 }  // namespace
@@ -129,7 +156,8 @@ std::string formatTestReport(const std::vector<TestResult>& results) {
     if (place == std::string::npos) {
         throw InputError("assets/report/test-report.html: the place of the data is missing.");
     }
-    return page.replace(place, kPlaceOfData.size(), scriptText({{"tests", std::move(tests)}}));
+    const Json data = {{"kerf", KERF_VERSION}, {"time", timeOfDay()}, {"tests", std::move(tests)}};
+    return page.replace(place, kPlaceOfData.size(), scriptText(data));
 }
 
 }  // namespace kerf::app

@@ -64,7 +64,8 @@ Json toJson(const TestResult& result) {
             {"status", nameOf(result.status)},
             {"seconds", result.seconds},
             {"other_driver", result.judgement.otherDriver},
-            {"findings", std::move(findings)}};
+            {"findings", std::move(findings)},
+            {"notes", result.notes}};
 }
 
 }  // namespace

@@ -25,6 +25,9 @@ struct TestResult {
     double seconds = 0;             ///< of the run, wall clock
     Judgement judgement;            ///< its findings say why it failed, or what was renewed
     std::filesystem::path results;  ///< folder of the run
+    Driver driver;                  ///< of the run; empty where there was none
+    /// Sentences that no test fails for, but its owner should know.
+    std::vector<std::string> notes;
 
     bool failed() const { return status == TestStatus::failed || status == TestStatus::unreadable; }
 };

@@ -1,10 +1,11 @@
 #include "app/regression/test_session.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "app/files/model_source.h"
 #include "app/regression/expectation_writer.h"
+#include "gpu/context.h"
 
 namespace kerf::app {
 
@@ -17,18 +18,26 @@ constexpr std::string_view kSessionEnding = ".kerf.json";
 constexpr int kDone = 0;
 constexpr int kCheckFailed = 1;
 constexpr int kInputError = 3;
+constexpr int kNoOpenGl = 4;
 
 bool isSession(const fs::path& file) {
     return file.filename().string().ends_with(kSessionEnding);
 }
 
-void searchFolder(const fs::path& folder, std::set<fs::path>& sessions) {
+/// Sessions by the file that they are, whichever way leads there.
+using FoundSessions = std::map<fs::path, fs::path>;
+
+void add(const fs::path& session, FoundSessions& sessions) {
+    sessions.emplace(fs::weakly_canonical(session), session.lexically_normal());
+}
+
+void searchFolder(const fs::path& folder, FoundSessions& sessions) {
     for (auto entry = fs::recursive_directory_iterator(folder);
          entry != fs::recursive_directory_iterator(); ++entry) {
         if (entry->is_directory() && entry->path().extension() == ".expected") {
             entry.disable_recursion_pending();
         } else if (entry->is_regular_file() && isSession(entry->path())) {
-            sessions.insert(entry->path().lexically_normal());
+            add(entry->path(), sessions);
         }
     }
 }
@@ -41,30 +50,71 @@ std::string nameOfTest(const fs::path& session) {
     return name;
 }
 
+TestResult resultOf(const fs::path& session) {
+    TestResult result;
+    result.name = nameOfTest(session);
+    result.session = session;
+    return result;
+}
+
 void fail(TestResult& result, TestStatus status, const std::string& part,
           const std::string& sentence) {
     result.status = status;
     result.judgement.findings.push_back({part, -1, sentence});
 }
 
-void renew(TestResult& result, const RunResults& run, bool isNew) {
+/// What a run broke of its own session is no expectation.
+void refuse(TestResult& result, const RunResults& run, bool isNew) {
+    result.status = TestStatus::failed;
+    for (const std::string& failure : run.failures) {
+        if (isNew) {
+            result.judgement.findings.push_back({"check", -1, failure});
+        }
+    }
+    result.notes.push_back("So nothing was written: mend the session's checks first.");
+}
+
+/// Hashes in the session's own checks, which `kerf replay` goes by and this test does not.
+void noteOldChecks(TestResult& result, const Session& session, const RunResults& run) {
+    for (const SessionEvent& event : session.events) {
+        const auto* check = std::get_if<CheckEvent>(&event.action);
+        const bool known =
+            check != nullptr && check->hash && event.step > 0 && event.step <= run.hashes.steps();
+        if (known && run.hashes.stateHash(event.step - 1) != *check->hash) {
+            result.notes.push_back("kerf replay will fail: the session's own check before step " +
+                                   std::to_string(event.step) +
+                                   " has another state hash; remove such checks, they are not "
+                                   "needed here.");
+            return;
+        }
+    }
+}
+
+void renew(TestResult& result, const Session& session, const RunResults& run, bool isNew) {
     if (!run.failures.empty()) {
-        result.status = TestStatus::failed;
+        refuse(result, run, isNew);
         return;
     }
     if (isNew || !result.judgement.holds() || result.judgement.otherDriver) {
         writeExpectation(expectationFolder(result.session), run);
         result.status = isNew ? TestStatus::made : TestStatus::renewed;
+        noteOldChecks(result, session, run);
+    }
+    if (isNew && run.pictures.empty()) {
+        result.notes.push_back("It has no picture; a screenshot event in the session makes one.");
     }
 }
 
 void judgeResults(TestResult& result, bool update) {
-    const RunResults run = readResults(result.results, readSession(result.session));
+    const Session session = readSession(result.session);
+    const RunResults run = readResults(result.results, session);
+    result.driver = run.driver;
     const fs::path expected = expectationFolder(result.session);
     const bool isNew = !fs::exists(expected / kExpectedFile);
     if (!isNew) {
         result.judgement = judge(expected, run, result.results / "diff");
     } else if (!update) {
+        result.judgement.pictures = picturesWithoutExpectation(run);
         fail(result, TestStatus::failed, "expectation",
              "There is no " + (expected / kExpectedFile).string() +
                  "; make it with kerf test --update " + result.session.string() + ".");
@@ -72,19 +122,19 @@ void judgeResults(TestResult& result, bool update) {
     }
     result.status = result.judgement.holds() ? TestStatus::passed : TestStatus::failed;
     if (update) {
-        renew(result, run, isNew);
+        renew(result, session, run, isNew);
     }
 }
 
 }  // namespace
 
 std::vector<fs::path> findSessions(const std::vector<fs::path>& paths) {
-    std::set<fs::path> sessions;
+    FoundSessions sessions;
     for (const fs::path& path : paths) {
         if (fs::is_directory(path)) {
             searchFolder(path, sessions);
         } else if (fs::exists(path)) {
-            sessions.insert(path.lexically_normal());
+            add(path, sessions);
         } else {
             throw InputError(path.string() + ": there is no such file or folder.");
         }
@@ -93,23 +143,48 @@ std::vector<fs::path> findSessions(const std::vector<fs::path>& paths) {
         throw InputError(paths.front().string() +
                          ": there is no session (*.kerf.json) in this folder.");
     }
-    return {sessions.begin(), sessions.end()};
+    std::vector<fs::path> found;
+    for (const auto& [canonical, session] : sessions) {
+        found.push_back(session);
+    }
+    std::ranges::sort(found);
+    return found;
 }
 
 std::vector<std::string> runArguments(const fs::path& session, const fs::path& results) {
-    return {"replay",   session.string(), "--out",       results.string(),
-            "--hashes", "--pieces",       "--keep-going"};
+    return {"replay",   session.string(), "--out",        results.string(),
+            "--hashes", "--pieces",       "--keep-going", "--no-hash-checks"};
+}
+
+std::optional<TestResult> judgeUnreadable(const fs::path& session) {
+    const fs::path file = expectationFolder(session) / kExpectedFile;
+    try {
+        if (fs::exists(file)) {
+            readExpectation(file);
+        }
+        return std::nullopt;
+    } catch (const InputError& error) {
+        TestResult result = resultOf(session);
+        fail(result, TestStatus::unreadable, "expectation", error.what());
+        return result;
+    }
 }
 
 TestResult judgeRun(const fs::path& session, const fs::path& results, const ChildOutcome& outcome,
                     bool update) {
-    TestResult result{nameOfTest(session), session, {}, outcome.seconds, {}, results};
+    TestResult result = resultOf(session);
+    result.seconds = outcome.seconds;
+    result.results = results;
+    if (outcome.exitCode == kNoOpenGl) {
+        throw gpu::ContextError(lastWords(outcome));
+    }
     try {
         if (outcome.exitCode == kDone || outcome.exitCode == kCheckFailed) {
             judgeResults(result, update);
+        } else if (outcome.exitCode == kInputError) {
+            fail(result, TestStatus::unreadable, "session", lastWords(outcome));
         } else {
-            const bool unreadable = outcome.exitCode == kInputError;
-            fail(result, unreadable ? TestStatus::unreadable : TestStatus::failed, "run",
+            fail(result, TestStatus::failed, "run",
                  "The replay did not finish: " + sentenceAbout(outcome));
         }
     } catch (const InputError& error) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,13 @@ std::vector<std::filesystem::path> findSessions(const std::vector<std::filesyste
 std::vector<std::string> runArguments(const std::filesystem::path& session,
                                       const std::filesystem::path& results);
 
+/// The result of a test whose expectation can't be read, which needs no run to be known; nothing
+/// where it can, or where there is none yet.
+std::optional<TestResult> judgeUnreadable(const std::filesystem::path& session);
+
 /// Judges a run that has ended, whose results lie in `results`, by the expectation beside the
 /// session. With `update` that is made or renewed instead, unless a check of the session failed.
+/// Throws gpu::ContextError where the run found no usable OpenGL.
 TestResult judgeRun(const std::filesystem::path& session, const std::filesystem::path& results,
                     const ChildOutcome& outcome, bool update);
 

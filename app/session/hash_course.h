@@ -23,8 +23,10 @@ class HashCourse {
 
     /// Number of steps in the file.
     int steps() const { return static_cast<int>(rows_.size()); }
-    /// State hash after the last step; "" without steps.
-    std::string finalHash() const { return rows_.empty() ? "" : rows_.back().state; }
+    /// State hash after a step below steps().
+    const std::string& stateHash(int step) const {
+        return rows_[static_cast<std::size_t>(step)].state;
+    }
     /// Compares the state after a step. Returns the names of the parts that are not as the file has
     /// them; none where all that it holds agrees. `step` is below steps().
     std::vector<std::string> differingParts(int step, const StateHashes& hashes) const;

@@ -119,7 +119,7 @@ TEST_F(TestVerb, APictureTooManyOrTooFewIsNoticed) {
     writeText(session_, replaced(smallSession(), shot, replaced(shot, "end.png", "last.png")));
     const ProgramRun other = run();
     EXPECT_EQ(other.exitCode, 1);
-    EXPECT_THAT(other.out, HasSubstr("The picture end.png is missing."));
+    EXPECT_THAT(other.out, HasSubstr("The run made no picture end.png any more."));
     EXPECT_THAT(other.out, HasSubstr("The picture last.png has no expectation"));
     EXPECT_EQ(run({"--update"}).exitCode, 0);
     EXPECT_FALSE(std::filesystem::exists(expected("end.png")));
@@ -144,7 +144,59 @@ TEST_F(TestVerb, AFailedCheckOfTheSessionIsNeverAnExpectation) {
     writeText(session_, smallSession(R"(, {"step": 20, "type": "check", "pieces": 5})"));
     const ProgramRun made = run({"--update"});
     EXPECT_EQ(made.exitCode, 1);
+    EXPECT_THAT(made.out, HasSubstr("where the session expects 5"));
+    EXPECT_THAT(made.out, HasSubstr("nothing was written"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "ball.expected"));
+}
+
+// The editor records state hashes as checks. They would hold a test to what it was for ever.
+TEST_F(TestVerb, OldHashesInTheSessionsOwnChecksStandInNoWay) {
+    const std::string hash(16, '0');
+    writeText(session_, smallSession(R"(, {"step": 20, "type": "check", "hash": ")" + hash +
+                                     R"("}, {"step": 20, "type": "check", "pieces": 2})"));
+    const ProgramRun made = run({"--update"});
+    EXPECT_EQ(made.exitCode, 0) << made.out;
+    EXPECT_THAT(made.out,
+                HasSubstr("kerf replay will fail: the session's own check before step 20"));
+    EXPECT_EQ(run().exitCode, 0);
+}
+
+TEST_F(TestVerb, ATableCutShortIsNoExpectation) {
+    makeExpectation();
+    for (const char* name : {"hashes.csv", "course.csv", "pieces.csv"}) {
+        const std::string whole = readBytes(expected(name));
+        writeText(expected(name), whole.substr(0, whole.find('\n', whole.size() / 2) + 1));
+        const ProgramRun cut = run();
+        EXPECT_EQ(cut.exitCode, 3) << name;
+        EXPECT_THAT(cut.out, HasSubstr("steps where expected.json says 40"));
+        writeText(expected(name), whole);
+    }
+    EXPECT_EQ(run().exitCode, 0);
+}
+
+TEST_F(TestVerb, AnUnknownKeyHoldsNothingSoItIsRefused) {
+    makeExpectation();
+    const std::string text = readBytes(expected("expected.json"));
+    writeText(expected("expected.json"),
+              replaced(text, "\"end.png\": {}", "\"end.png\": {\"mask\": [[0, 0, 80, 20]]}"));
+    const ProgramRun typo = run({"--update"});
+    EXPECT_EQ(typo.exitCode, 3);
+    EXPECT_THAT(typo.out, HasSubstr("pictures, end.png, mask: there is no such key"));
+}
+
+TEST_F(TestVerb, ADeletedPictureIsNamedAndMadeAnew) {
+    makeExpectation();
+    std::filesystem::remove(expected("end.png"));
+    expectFailure("The picture end.png has no expectation; kerf test --update makes it.");
+    EXPECT_EQ(run({"--update"}).exitCode, 0);
+    EXPECT_EQ(run().exitCode, 0);
+}
+
+TEST_F(TestVerb, ASessionThatIsNamedTwiceIsRunOnce) {
+    const std::string other = (folder_ / "../").string() +
+                              std::filesystem::path(folder_.path()).filename().string() +
+                              "/ball.kerf.json";
+    EXPECT_THAT(run({other, session_.string()}).out, HasSubstr("1 test, 1 failed"));
 }
 
 TEST_F(TestVerb, WhatCannotBeReadIsSaidAndTheOthersAreRun) {
@@ -176,7 +228,7 @@ TEST_F(TestVerb, AnExpectationReachesNoFileElsewhere) {
 TEST_F(TestVerb, ReportsForProgramsAndPeople) {
     makeExpectation();
     writeText(folder_ / "a<b>&.kerf.json", sessionThatDoes(""));
-    const ProgramRun both = run({"--json", "--junit", folder_ / "junit.xml", "--report",
+    const ProgramRun both = run({"--json", "--junit", folder_ / "new/junit.xml", "--report",
                                  folder_ / "report.html", "--jobs", "2"});
     EXPECT_EQ(both.exitCode, 1);
     const auto json = nlohmann::json::parse(both.out);
@@ -185,7 +237,7 @@ TEST_F(TestVerb, ReportsForProgramsAndPeople) {
     ASSERT_EQ(json["tests"].size(), 2u);
     EXPECT_EQ(json["tests"][0]["status"], "failed") << "in the order of their names";
     EXPECT_EQ(json["tests"][0]["findings"][0]["part"], "expectation");
-    const std::string junit = readBytes(folder_ / "junit.xml");
+    const std::string junit = readBytes(folder_ / "new/junit.xml");
     EXPECT_THAT(junit, HasSubstr(R"(tests="2" failures="1" errors="0")"));
     EXPECT_THAT(junit, HasSubstr("a&lt;b&gt;&amp;"));
     const std::string page = readBytes(folder_ / "report.html");
