@@ -39,10 +39,6 @@ Json imageAddress(const fs::path& file) {
 Json toJson(const PictureCheck& picture, const TestResult& result) {
     return {{"file", picture.file},
             {"alike", picture.alike},
-            {"mean", picture.comparison.mean},
-            {"worst", picture.comparison.worst},
-            {"pixels", picture.comparison.pixelsDiffering},
-            {"verdict", picture.alike ? "alike" : sentenceAbout(picture)},
             {"expected", imageAddress(expectationFolder(result.session) / picture.file)},
             {"actual", imageAddress(result.results / picture.file)},
             {"difference", imageAddress(picture.difference)}};
