@@ -39,6 +39,7 @@ xvfb                is a display for the window tests
 xauth               lets programs onto that display
 xdotool             moves the mouse in the window tests
 python3-numpy       remakes the builtin models, to compare them
+python3-jsonschema  checks sessions by their JSON Schema
 '
 bench_packages='
 libcgal-dev         is the peer of the planar cut
