@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/builtin_models.h"
 #include "app/files/model_source.h"
 #include "app/session/paper_experiments.h"
 #include "gpu/context.h"

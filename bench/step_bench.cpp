@@ -6,6 +6,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
+#include "app/files/builtin_models.h"
 #include "app/files/model_source.h"
 #include "bench/timing.h"
 #include "gpu/context.h"

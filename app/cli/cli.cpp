@@ -27,6 +27,7 @@
 #include "app/files/import_process.h"
 #include "app/files/model_source.h"
 #include "app/session/paper_experiments.h"
+#include "app/session/session_schema.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
@@ -57,6 +58,7 @@ struct Parser {
     CLI::App* inspect = nullptr;
     CLI::App* compare = nullptr;
     CLI::App* test = nullptr;
+    CLI::App* schema = nullptr;
     CLI::App* worker = nullptr;
 };
 
@@ -252,6 +254,11 @@ void describeTest(Parser& parser, Arguments& arguments) {
     parser.test->add_flag("--json", arguments.test.json, "Print one JSON object");
 }
 
+void describeSchema(Parser& parser) {
+    parser.schema = parser.app.add_subcommand(
+        "schema", "Print the JSON Schema of sessions, by which text editors complete and check");
+}
+
 /// Not for people: model_source runs it to keep the file readers in a process of their own.
 void describeWorker(Parser& parser, Arguments& arguments) {
     parser.worker = parser.app.add_subcommand("import-worker")->group("");
@@ -269,6 +276,7 @@ void describe(Parser& parser, Arguments& arguments) {
     describeInspect(parser, arguments);
     describeCompare(parser, arguments);
     describeTest(parser, arguments);
+    describeSchema(parser);
     describeWorker(parser, arguments);
 }
 
@@ -312,6 +320,11 @@ int runEditorVerb(const std::filesystem::path& file) {
     return runEditor(file);
 }
 
+int schemaVerb(std::ostream& out) {
+    out << sessionSchema();
+    return kExitDone;
+}
+
 int runVerb(const Parser& parser, const Arguments& arguments) {
     if (parser.replay->parsed()) return replayVerb(arguments.replay, std::cout, std::cerr);
     if (parser.experiment->parsed()) {
@@ -320,6 +333,7 @@ int runVerb(const Parser& parser, const Arguments& arguments) {
     if (parser.inspect->parsed()) return inspectVerb(arguments.inspect, std::cout);
     if (parser.compare->parsed()) return compareVerb(arguments.compare, std::cout);
     if (parser.test->parsed()) return testVerb(arguments.test, std::cout);
+    if (parser.schema->parsed()) return schemaVerb(std::cout);
     if (parser.worker->parsed()) return runImportWorker(arguments.workerFile);
     return runEditorVerb(arguments.file);
 }

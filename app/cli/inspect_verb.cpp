@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "app/cli/exit_codes.h"
+#include "app/files/builtin_models.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 

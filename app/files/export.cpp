@@ -1,7 +1,6 @@
 #include "app/files/export.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstring>
 #include <tuple>
@@ -10,7 +9,6 @@
 #include "app/files/export_gltf.h"
 #include "app/files/export_mesh.h"
 #include "app/files/file_io.h"
-#include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::app {
@@ -139,27 +137,6 @@ std::string encode(const ExportMesh& mesh, MeshFormat format) {
 }
 
 }  // namespace
-
-std::span<const MeshFormatInfo> meshFormats() {
-    static constexpr std::array kFormats{
-        MeshFormatInfo{MeshFormat::obj, ".obj", "OBJ"},
-        MeshFormatInfo{MeshFormat::ply, ".ply", "PLY"},
-        MeshFormatInfo{MeshFormat::stl, ".stl", "STL"},
-        MeshFormatInfo{MeshFormat::glb, ".glb", "glTF, binary"},
-        MeshFormatInfo{MeshFormat::gltf, ".gltf", "glTF"},
-    };
-    return kFormats;
-}
-
-std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file) {
-    const std::string extension = lowerCase(file.extension().string());
-    for (const MeshFormatInfo& info : meshFormats()) {
-        if (info.extension == extension) {
-            return info.format;
-        }
-    }
-    return std::nullopt;
-}
 
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
                        const std::vector<CornerUvs>& uvs) {

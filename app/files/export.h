@@ -1,30 +1,15 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "app/files/mesh_formats.h"
 #include "sim/mesh/corner_uvs.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::app {
-
-/// Formats that a mesh can be written in.
-enum class MeshFormat { ply, obj, stl, glb, gltf };
-
-struct MeshFormatInfo {
-    MeshFormat format = MeshFormat::obj;
-    std::string_view extension;  ///< ".obj"
-    std::string_view name;       ///< as people call it
-};
-/// All formats; the one that is offered first stands first.
-std::span<const MeshFormatInfo> meshFormats();
-/// The format of a file's extension; none for any other extension.
-std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file);
 
 /// The living triangles at their current positions and the vertices that they use, as the bytes of
 /// a file. `pieces` must be those of `mesh`; `uvs` its texture coordinates by slot (see carryUvs),

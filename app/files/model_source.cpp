@@ -7,7 +7,6 @@
 
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
-#include "gpu/data_path.h"
 #include "sim/base/text.h"
 #include "sim/mesh/hole_filling.h"
 
@@ -146,20 +145,6 @@ int holesThatHelp(TriangleSoup soup, const MeshReport& report) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& builtinModels() {
-    static const std::vector<std::string> names = {"sphere20", "sphere80", "sphere768", "banana",
-                                                   "octopus"};
-    return names;
-}
-
-fs::path builtinModelFile(const std::string& name) {
-    if (std::ranges::find(builtinModels(), name) == builtinModels().end()) {
-        throw InputError("there is no builtin model '" + name + "'; choose one of " +
-                         joined(builtinModels(), ", "));
-    }
-    return gpu::dataPath("assets/models/" + name + ".obj");
-}
 
 TriangleSoup importModel(const fs::path& file, const ImportLimits& limits, WorkProgress* progress) {
     try {

@@ -39,11 +39,6 @@ struct ModelMesh {
     std::vector<CornerUvs> uvs;  ///< by triangle slot, or none
 };
 
-/// Names of the builtin models: sphere20, sphere80, sphere768, banana, octopus.
-const std::vector<std::string>& builtinModels();
-/// The file of a builtin model below assets/models. Throws InputError for an unknown name.
-std::filesystem::path builtinModelFile(const std::string& name);
-
 /// Largest model file that is read [bytes].
 inline constexpr std::uintmax_t kMaxModelBytes = 1'000'000'000;
 

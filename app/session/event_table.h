@@ -1,17 +1,26 @@
-// One description of each session event: its type and its fields. Reader, writer, the list of types
-// in errors and the test of docs/session-format.md are made from these.
+// One description of each session event: its type and its fields. Reader, writer, the schema for
+// text editors, the list of types in errors and the test of docs/session-format.md are made from
+// these. session_table.h has the rest of a session.
 #pragma once
 
-#include <filesystem>
 #include <initializer_list>
+#include <span>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
-#include "app/files/export.h"
-#include "app/files/file_io.h"
+#include "app/files/mesh_formats.h"
 #include "app/session/session.h"
 
 namespace kerf::app {
+
+/// A key, or a type of events, and a sentence for people who write sessions by hand.
+struct Word {
+    const char* name;
+    const char* meaning;
+};
+/// Names of some keys.
+using Keys = std::initializer_list<const char*>;
 
 /// The smallest and the largest value of a number, or of each coordinate of a vector.
 struct Limits {
@@ -26,153 +35,177 @@ constexpr Limits within(double limit) {
 struct HexDigits {
     std::size_t count;
 };
-/// Keys of some fields.
-using Keys = std::initializer_list<const char*>;
-/// The name of a file below the output folder that no replay writes of itself.
-struct OutputName {};
+/// The name of a file below the output folder that no replay writes of itself, with one of these
+/// endings (".png"), in capitals or not.
+struct OutputName {
+    std::vector<std::string_view> endings;
+};
+
+/// The key of an event that names its type.
+inline constexpr const char* kTypeKey = "type";
 
 inline constexpr Limits kCoordinates = within(kMaxSessionCoordinate);         // [m]
 inline constexpr Limits kRadii{1e-9, kMaxSessionCoordinate};                  // [m]
 inline constexpr Limits kHands{0, 99};                                        // their numbers
 inline constexpr Limits kBoxNumbers{0, static_cast<double>(kMostBoxes) - 1};  // from 0
+inline constexpr Limits kBoxSizes{kLeastBoxSize, kLargestBoxSize};            // [m]
+inline constexpr Limits kTurns = within(kLargestBoxTurn);                     // [degrees]
 inline constexpr Limits kPictureSizes{1, kMaxPictureSize};                    // [pixels]
 inline constexpr HexDigits kStateHashDigits{16};
 
+inline constexpr Word kRotate{"rotate",
+                              "Turns about the world's x, then y, then z axis, in degrees."};
+inline constexpr Word kHand{"hand", "The number of the hand."};
+
 // describe(fields, item) names what an item consists of to `fields`, which reads or writes it, by:
-// - type(name): the `type` of an event; type(name, otherwise, flag): that of a true or false flag.
-// - required(key, value, limits), optional(key, value, limits): a field. One that is left out keeps
-//   its value, which is false for a bool and empty for a std::optional; these are not written then.
-// - either(region, keys, otherKeys, problem): whether fields of a ball or of a box follow.
-// - param(nameKey, name, valueKey, value): a parameter of the simulation and its value.
+// - type(word): the `type` of an event; type(word, otherwise, flag): that of a true or false flag.
+// - required(word, value, rule), optional(word, value, rule): a field, and what it must be like.
+//   One that is left out keeps its value, which is false for a bool and empty for a std::optional;
+//   these are not written then.
+// - exactlyOneOf(keys, problem), atLeastOneOf(keys, problem): which optional fields must be there.
+// - oneOf(region, problem): the fields of a ball or those of a box.
+// - param(nameWord, name, valueWord, value): a parameter of the simulation and its value.
 // - check(holds, key, problem): more that must hold, with the key that is to blame ("": the item).
+//   A schema can't tell these.
+
+/// `fields` to which nothing matters; those to which something does hide that.
+struct NoFields {
+    void type(const Word&) {}
+    void type(const Word&, const Word&, bool) {}
+    void required(const Word&, const auto&, const auto&...) {}
+    void optional(const Word&, const auto&, const auto&...) {}
+    void exactlyOneOf(Keys, std::string_view) {}
+    void atLeastOneOf(Keys, std::string_view) {}
+    void oneOf(const Region&, std::string_view) {}
+    void param(const Word&, const std::string&, const Word&, const ParamValue&) {}
+    void check(bool, const char*, std::string_view) {}
+};
 
 void describe(auto& fields, Ball& ball) {
-    fields.required("center", ball.center, kCoordinates);
-    fields.required("radius", ball.radius, kRadii);
+    fields.required({"center", "The middle of the ball [m]."}, ball.center, kCoordinates);
+    fields.required({"radius", "The radius of the ball [m]."}, ball.radius, kRadii);
 }
 
 void describe(auto& fields, Bounds& box) {
-    fields.required("low", box.low, kCoordinates);
-    fields.required("high", box.high, kCoordinates);
+    fields.required({"low", "The lowest corner of the box [m]."}, box.low, kCoordinates);
+    fields.required({"high", "The highest corner of the box [m]."}, box.high, kCoordinates);
     fields.check((box.low.array() <= box.high.array()).all(), "low",
                  "a box needs low to be no higher than high, in each direction.");
 }
 
 void describe(auto& fields, Region& region) {
-    fields.either(region, {"center", "radius"}, {"low", "high"},
-                  "expected either a ball (\"center\", \"radius\") or a box (\"low\", \"high\").");
-    std::visit([&](auto& shape) { describe(fields, shape); }, region);
+    fields.oneOf(region,
+                 "expected either a ball (\"center\", \"radius\") or a box (\"low\", \"high\").");
 }
 
 void describe(auto& fields, StaticBox& box) {
-    fields.required("center", box.center, within(kFarthestBox));
-    fields.required("size", box.size, within(kLargestBoxSize));
-    fields.check(box.size.minCoeff() >= kLeastBoxSize, "size",
-                 "each side of a box must be at least " + formatNumber(kLeastBoxSize) + " m long.");
-    fields.optional("rotate", box.rotate, within(kLargestBoxTurn));
-}
-
-void describe(auto& fields, Placement& placement) {
-    fields.optional("scale", placement.scale, Limits{1e-6, 1e6});
-    fields.optional("rotate", placement.rotate, within(kLargestBoxTurn));
-    fields.optional("translate", placement.translate, kCoordinates);
+    fields.required({"center", "The middle of the box [m]."}, box.center, within(kFarthestBox));
+    fields.required({"size", "Lengths of the sides along the box's own axes [m]."}, box.size,
+                    kBoxSizes);
+    fields.optional(kRotate, box.rotate, kTurns);
 }
 
 // The events, in the order of SessionAction.
 
 void describe(auto& fields, MoveBlade& move) {
-    fields.type("blade");
-    fields.required("a", move.blade.a, kCoordinates);
-    fields.required("b", move.blade.b, kCoordinates);
+    fields.type({"blade",
+                 "A key pose of the blade. The first one places it; on the way to each further one "
+                 "it cuts."});
+    fields.required({"a", "One end of the blade [m]."}, move.blade.a, kCoordinates);
+    fields.required({"b", "The other end of the blade [m]."}, move.blade.b, kCoordinates);
     fields.check(move.blade.a != move.blade.b, "a",
                  "a and b are the same point; a blade needs a length.");
 }
 
 void describe(auto& fields, LiftBlade&) {
-    fields.type("lift");
+    fields.type({"lift", "Takes the blade away and ends the stroke."});
 }
 
 void describe(auto& fields, SetParam& set) {
-    fields.type("set");
-    fields.param("name", set.name, "value", set.value);
-    fields.optional("continues", set.continues);
+    fields.type({"set", "Changes a parameter."});
+    fields.param({"name", "The parameter."}, set.name, {"value", "Its new value."}, set.value);
+    fields.optional({"continues", "One change with the set of this parameter before it."},
+                    set.continues);
 }
 
 void describe(auto& fields, Grab& grab) {
-    fields.type("grab");
-    fields.optional("hand", grab.hand, kHands);
-    fields.required("at", grab.at, kCoordinates);
-    fields.required("radius", grab.radius, kRadii);
+    fields.type({"grab", "A hand takes hold of what lies about a point."});
+    fields.optional(kHand, grab.hand, kHands);
+    fields.required({"at", "The point [m]."}, grab.at, kCoordinates);
+    fields.required({"radius", "How far about the point the hand reaches [m]."}, grab.radius,
+                    kRadii);
 }
 
 void describe(auto& fields, Drag& drag) {
-    fields.type("drag");
-    fields.optional("hand", drag.hand, kHands);
-    fields.required("to", drag.to, kCoordinates);
+    fields.type({"drag", "A key pose of a hand, to which it moves with what it holds."});
+    fields.optional(kHand, drag.hand, kHands);
+    fields.required({"to", "Where the hand is then [m]."}, drag.to, kCoordinates);
 }
 
 void describe(auto& fields, Release& release) {
-    fields.type("release");
-    fields.optional("hand", release.hand, kHands);
+    fields.type({"release", "A hand lets go."});
+    fields.optional(kHand, release.hand, kHands);
 }
 
 void describe(auto& fields, Pin& pin) {
-    fields.type("pin", "unpin", pin.pinned);
+    fields.type({"pin", "What is now in the ball or box stays where it is."},
+                {"unpin", "What is now in the ball or box is free again."}, pin.pinned);
     describe(fields, pin.region);
-    fields.optional("continues", pin.continues);
+    fields.optional({"continues", "One change with the pin or unpin before it."}, pin.continues);
 }
 
 void describe(auto& fields, AddBox& add) {
-    fields.type("add_box");
+    fields.type({"add_box", "Puts up a box, at the end of their list."});
     describe(fields, add.box);
 }
 
 void describe(auto& fields, ChangeBox& change) {
-    fields.type("change_box");
-    fields.required("box", change.index, kBoxNumbers);
+    fields.type({"change_box", "Puts a box elsewhere, at once."});
+    fields.required({"box", "The number of the box, from 0."}, change.index, kBoxNumbers);
     describe(fields, change.box);
-    fields.optional("continues", change.continues);
+    fields.optional({"continues", "One change with the change_box before it."}, change.continues);
 }
 
 void describe(auto& fields, RemoveBox& remove) {
-    fields.type("remove_box");
-    fields.required("box", remove.index, kBoxNumbers);
+    fields.type({"remove_box", "Takes a box away. Those behind it in the list move up."});
+    fields.required({"box", "The number of the box, from 0."}, remove.index, kBoxNumbers);
 }
 
 void describe(auto& fields, Restart&) {
-    fields.type("restart");
+    fields.type({"restart", "The uncut body at rest, without blade, hands and pins."});
 }
 
 void describe(auto& fields, Undo&) {
-    fields.type("undo");
+    fields.type({"undo", "Takes back the last change."});
 }
 
 void describe(auto& fields, Redo&) {
-    fields.type("redo");
+    fields.type({"redo", "Brings back what the last undo took."});
 }
 
 void describe(auto& fields, ScreenshotEvent& event) {
-    fields.type("screenshot");
-    fields.required("file", event.file, OutputName{});
-    fields.check(std::filesystem::path(event.file).extension() == ".png", "file",
-                 "'" + event.file + "' must end in .png.");
-    fields.optional("width", event.width, kPictureSizes);
-    fields.optional("height", event.height, kPictureSizes);
+    fields.type({"screenshot", "Writes a picture."});
+    fields.required({"file", "The picture, below the output folder: a .png."}, event.file,
+                    OutputName{{".png"}});
+    fields.optional({"width", "How wide it is [pixels]."}, event.width, kPictureSizes);
+    fields.optional({"height", "How high it is [pixels]."}, event.height, kPictureSizes);
 }
 
 void describe(auto& fields, ExportEvent& event) {
-    fields.type("export");
-    fields.required("file", event.file, OutputName{});
-    fields.check(meshFormatOf(event.file).has_value(), "file",
-                 "'" + event.file + "' must end in .ply, .obj, .stl, .glb or .gltf.");
-    fields.optional("per_piece", event.filePerPiece);
+    std::vector<std::string_view> endings;
+    for (const MeshFormatInfo& format : meshFormats()) endings.push_back(format.extension);
+    fields.type({"export", "Writes the mesh."});
+    fields.required({"file", "The file, below the output folder. Its ending names the format."},
+                    event.file, OutputName{endings});
+    fields.optional({"per_piece", "A file for each piece."}, event.filePerPiece);
 }
 
 void describe(auto& fields, CheckEvent& event) {
-    fields.type("check");
-    fields.optional("hash", event.hash, kStateHashDigits);
-    fields.optional("pieces", event.pieces, Limits{1, kMaxSteps});
-    fields.check(event.hash || event.pieces, "", "a check needs \"hash\" or \"pieces\".");
+    fields.type({"check", "What must be found, else the replay fails."});
+    fields.optional({"hash", "The state hash: 16 lower-case hexadecimal digits."}, event.hash,
+                    kStateHashDigits);
+    fields.optional({"pieces", "The number of pieces."}, event.pieces, Limits{1, kMaxSteps});
+    fields.atLeastOneOf({"hash", "pieces"}, "a check needs \"hash\" or \"pieces\".");
 }
 
 /// Calls `visit` with an event of each kind, as it is before any field is known, in the order of

@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "app/files/builtin_models.h"
 #include "app/files/import_protocol.h"
 #include "app/files/sha256.h"
 #include "sim/mesh/invariants.h"

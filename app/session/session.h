@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,6 +28,9 @@ inline constexpr const char* kMeshFile = "final.ply";
 /// Those that it writes where it is asked for them.
 inline constexpr const char* kHashesFile = "hashes.csv";
 inline constexpr const char* kPiecesFile = "pieces.csv";
+/// All of them.
+inline constexpr std::array kReplayFiles{kMetricsFile, kSummaryFile, kMeshFile, kHashesFile,
+                                         kPiecesFile};
 
 /// Scale, then rotate (about the world's x, then y, then z axis; degrees), then translate [m].
 struct Placement {

@@ -3,9 +3,10 @@
 #include <cmath>
 #include <set>
 
+#include "app/files/builtin_models.h"
 #include "app/files/file_io.h"
-#include "app/session/event_table.h"
 #include "app/session/session_json.h"
+#include "app/session/session_table.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -13,11 +14,6 @@ namespace kerf::app {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kLeastFieldOfView = 1;
-constexpr double kLargestFieldOfView = 150;  // [degrees]
-constexpr double kLeastSine = 1e-6;          // between the line of sight and the camera's up
-constexpr std::size_t kSha256Digits = 64;
 
 /// A value and where it stands in the file: "events[3].a".
 struct Node {
@@ -27,6 +23,16 @@ struct Node {
 
 [[noreturn]] void fail(const std::string& path, std::string_view problem) {
     throw InputError(path + ": " + std::string(problem));
+}
+
+/// A text of the file as an error quotes it, cut between two characters of UTF-8.
+std::string shortened(const std::string& text) {
+    std::size_t size = 60;
+    if (text.size() <= size) {
+        return text;
+    }
+    while ((static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
+    return text.substr(0, size) + "...";
 }
 
 std::string rangeText(const Limits& limits) {
@@ -86,7 +92,7 @@ ParamValue readParamValue(const Node& node) {
 void requireKnownParam(const std::string& name, const std::string& path) {
     if (findParam(name) == nullptr) {
         Params scratch;
-        fail(path, setParam(scratch, name, std::monostate{}) + ".");
+        fail(path, setParam(scratch, shortened(name), std::monostate{}) + ".");
     }
 }
 
@@ -97,15 +103,20 @@ void applyParam(Params& params, const std::string& name, const Node& node) {
     }
 }
 
-std::vector<Node> itemsOf(const Node& list) {
-    if (!list.value->is_array()) {
-        fail(list.path, "expected a list in brackets.");
+void requireList(const Node& node) {
+    if (!node.value->is_array()) {
+        fail(node.path, "expected a list in brackets.");
     }
-    std::vector<Node> items;
+}
+
+/// Reads one item after the other: a list of millions that is wrong is so from its first item on.
+template <class Read>
+void forEachItem(const Node& list, Read read) {
+    requireList(list);
+    std::size_t number = 0;
     for (const json& item : *list.value) {
-        items.push_back({&item, list.path + "[" + std::to_string(items.size()) + "]"});
+        read(Node{&item, list.path + "[" + std::to_string(number++) + "]"});
     }
-    return items;
 }
 
 void read(const Node& node, bool& flag) {
@@ -140,21 +151,58 @@ void read(const Node& node, std::string& text, const HexDigits& digits) {
     }
 }
 
-/// Never a file outside the output folder, and none of those that a replay writes itself.
-void read(const Node& node, std::string& text, const OutputName&) {
-    const std::string name = readString(node);
+void requireInsideOutputFolder(const Node& node, const std::string& name) {
     const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
     const bool inside = !path.empty() && !path.is_absolute() && path.has_filename() &&
                         *path.begin() != ".." && *path.begin() != ".";
     if (!inside || name.find('\0') != std::string::npos) {
-        fail(node.path, "'" + name + "' is not a file inside the output folder; use a plain name.");
+        fail(node.path,
+             "'" + shortened(name) + "' is not a file inside the output folder; use a plain name.");
     }
-    for (const char* own : {kMetricsFile, kSummaryFile, kMeshFile, kHashesFile, kPiecesFile}) {
+    for (const char* own : kReplayFiles) {
         if (path == own) {
-            fail(node.path, "'" + name + "' is written by the replay itself; use another name.");
+            fail(node.path,
+                 "'" + shortened(name) + "' is written by the replay itself; use another name.");
         }
     }
-    text = path.generic_string();
+}
+
+/// ".ply, .obj or .stl".
+std::string alternatives(std::span<const std::string_view> words) {
+    const std::string first = joined(words.first(words.size() - 1), ", ");
+    return first + (first.empty() ? "" : " or ") + std::string(words.back());
+}
+
+void requireEnding(const Node& node, const std::string& name,
+                   const std::vector<std::string_view>& endings) {
+    const std::string ending = lowerCase(std::filesystem::path(name).extension().string());
+    if (std::ranges::find(endings, ending) == endings.end()) {
+        fail(node.path, "'" + shortened(name) + "' must end in " + alternatives(endings) + ".");
+    }
+}
+
+void read(const Node& node, std::string& text, const OutputName& rule) {
+    const std::string name = readString(node);
+    requireInsideOutputFolder(node, name);
+    requireEnding(node, name, rule.endings);
+    text = std::filesystem::path(name).lexically_normal().generic_string();
+}
+
+void read(const Node& node, std::string& text, const BuiltinName&) {
+    text = readString(node);
+    const auto& names = builtinModels();
+    if (std::ranges::find(names, text) == names.end()) {
+        fail(node.path, "there is no builtin model '" + shortened(text) + "'; there are " +
+                            joined(names, ", ") + ".");
+    }
+}
+
+void read(const Node& node, std::filesystem::path& path, const ModelPath&) {
+    const std::string name = readString(node);
+    if (name.find('\0') != std::string::npos) {
+        fail(node.path, "no file has a zero byte in its name.");
+    }
+    path = name;
 }
 
 template <class Value>
@@ -162,62 +210,115 @@ void read(const Node& node, std::optional<Value>& value, const auto&... limit) {
     read(node, value.emplace(), limit...);
 }
 
-/// The keys of one object, also as describe() names them; those that nobody asked for become
-/// warnings at the end.
-class ObjectReader {
+Params readParams(const Node& node) {
+    if (!node.value->is_object()) {
+        fail(node.path, "expected an object in braces.");
+    }
+    Params params;
+    for (const auto& item : node.value->items()) {
+        const std::string path = node.path + "." + shortened(item.key());
+        requireKnownParam(item.key(), path);
+        applyParam(params, item.key(), {&item.value(), path});
+    }
+    return params;
+}
+
+void requireKnownVersion(const Node& node) {
+    const double number = node.value->get<double>();
+    if (std::floor(number) != kSessionVersion) {
+        fail(node.path, "version " + formatNumber(number) +
+                            " is not supported; this kerf reads version " +
+                            std::to_string(kSessionVersion) + ".");
+    }
+}
+
+/// What a type of events is called, and an event of it before its fields are read.
+struct EventType {
+    std::string name;
+    SessionAction blank;
+};
+
+/// Collects the types of one kind of event.
+template <class Event>
+struct TypeCollector : NoFields {
+    TypeCollector(Event& blank, std::vector<EventType>& collected)
+        : event(blank), types(collected) {}
+
+    Event& event;
+    std::vector<EventType>& types;
+
+    void type(const Word& word) { types.push_back({word.name, event}); }
+    void type(const Word& word, const Word& otherwise, bool& flag) {
+        flag = true;
+        type(word);
+        flag = false;
+        type(otherwise);
+    }
+};
+
+const std::vector<EventType>& eventTypes() {
+    static const std::vector<EventType> types = [] {
+        std::vector<EventType> collected;
+        forEachKind(std::type_identity<SessionAction>{}, [&](auto event) {
+            TypeCollector collector(event, collected);
+            describe(collector, event);
+        });
+        return collected;
+    }();
+    return types;
+}
+
+/// Collects the keys of a ball or a box.
+struct KeyCollector : NoFields {
+    std::vector<std::string> keys;
+
+    void required(const Word& word, const auto&...) { keys.emplace_back(word.name); }
+};
+
+template <class Shape>
+std::vector<std::string> keysOf(Shape shape) {
+    KeyCollector collector;
+    describe(collector, shape);
+    return collector.keys;
+}
+
+/// The keys of one object, as describe() names them; those that nobody asked for become warnings
+/// at the end.
+class ObjectReader : public NoFields {
   public:
-    explicit ObjectReader(Node node) : node_(std::move(node)) {
+    ObjectReader(Node node, std::vector<std::string>& warnings)
+        : node_(std::move(node)), warnings_(&warnings) {
         if (!node_.value->is_object()) {
             fail(node_.path.empty() ? "top level" : node_.path, "expected an object in braces.");
         }
     }
 
-    /// Of a key; of the object itself for "".
-    std::string path(const std::string& key) const {
-        if (key.empty()) {
-            return node_.path;
-        }
-        return node_.path.empty() ? key : node_.path + "." + key;
+    void required(const Word& word, auto& value, const auto&... rule) {
+        readField(require(word.name), value, rule...);
     }
 
-    std::optional<Node> optional(const std::string& key) {
-        known_.insert(key);
-        const auto found = node_.value->find(key);
-        if (found == node_.value->end()) {
-            return std::nullopt;
-        }
-        return Node{&*found, path(key)};
-    }
-
-    Node required(const std::string& key) {
-        const std::optional<Node> node = optional(key);
-        if (!node) {
-            fail(path(key), "this key is missing; add it.");
-        }
-        return *node;
-    }
-
-    void type(const auto&...) {}  // known by now
-
-    void required(const char* key, auto& value, const auto&... limit) {
-        read(required(key), value, limit...);
-    }
-
-    void optional(const char* key, auto& value, const auto&... limit) {
-        if (const auto node = optional(key)) {
-            read(*node, value, limit...);
+    void optional(const Word& word, auto& value, const auto&... rule) {
+        if (const auto node = find(word.name)) {
+            readField(*node, value, rule...);
         }
     }
 
-    void either(Region& region, Keys ball, Keys box, std::string_view problem) {
-        const bool isBall = hasAnyOf(ball);
-        check(isBall != hasAnyOf(box), "", problem);
+    void exactlyOneOf(Keys keys, std::string_view problem) {
+        check(std::ranges::count_if(keys, [this](auto key) { return has(key); }) == 1, "", problem);
+    }
+
+    void atLeastOneOf(Keys keys, std::string_view problem) { check(hasAnyOf(keys), "", problem); }
+
+    void oneOf(Region& region, std::string_view problem) {
+        const bool isBall = hasAnyOf(keysOf(Ball{}));
+        check(isBall != hasAnyOf(keysOf(Bounds{})), "", problem);
         region = isBall ? Region(Ball{}) : Region(Bounds{});
+        std::visit([this](auto& shape) { describe(*this, shape); }, region);
     }
 
-    void param(const char* nameKey, std::string& name, const char* valueKey, ParamValue& value) {
-        const Node nameNode = required(nameKey);
-        const Node valueNode = required(valueKey);
+    void param(const Word& nameWord, std::string& name, const Word& valueWord, ParamValue& value) {
+        const Node nameNode = require(nameWord.name);
+        const Node valueNode = require(valueWord.name);
         name = readString(nameNode);
         requireKnownParam(name, nameNode.path);
         Params scratch;
@@ -231,198 +332,120 @@ class ObjectReader {
         }
     }
 
-    void warnAboutTheRest(std::vector<std::string>& warnings) const {
+    void ignored(const Word& word) { find(word.name); }
+
+    void format(const Word& formatWord, const Word& versionWord) {
+        const Node format = require(formatWord.name);
+        if (readString(format) != kSessionFormat) {
+            fail(format.path,
+                 "expected \"" + std::string(kSessionFormat) + "\"; this is some other file.");
+        }
+        const Node version = require(versionWord.name);
+        if (!version.value->is_number()) {
+            fail(version.path, "expected a number.");
+        }
+        requireKnownVersion(version);
+    }
+
+    void params(const Word& word, Params& params) {
+        if (const auto node = find(word.name)) {
+            params = readParams(*node);
+        }
+    }
+
+    template <class Item>
+    void list(const Word& word, std::vector<Item>& items, std::size_t most) {
+        const auto list = find(word.name);
+        if (!list) {
+            return;
+        }
+        requireList(*list);
+        check(list->value->size() <= most, word.name,
+              "at most " + std::to_string(most) + " " + word.name + ".");
+        forEachItem(*list, [&](const Node& item) { readField(item, items.emplace_back()); });
+    }
+
+    void events(const Word& word, std::vector<SessionEvent>& events, const Limits& steps) {
+        const auto list = find(word.name);
+        if (!list) {
+            return;
+        }
+        forEachItem(*list, [&](const Node& item) {
+            SessionEvent& event = events.emplace_back();
+            event.number = static_cast<int>(events.size()) - 1;
+            readField(item, event, steps);
+        });
+        std::ranges::stable_sort(events, {}, &SessionEvent::step);
+    }
+
+    void action(const Word& word, SessionAction& action) {
+        const Node type = require(word.name);
+        const std::string name = readString(type);
+        const auto found = std::ranges::find(eventTypes(), name, &EventType::name);
+        if (found == eventTypes().end()) {
+            fail(type.path, "there is no event type '" + shortened(name) + "'; there are " +
+                                joined(eventTypes(), ", ", &EventType::name) + ".");
+        }
+        action = found->blank;
+        std::visit([this](auto& event) { describe(*this, event); }, action);
+    }
+
+    void warnAboutTheRest() const {
         for (const auto& item : node_.value->items()) {
             if (!known_.contains(item.key())) {
-                warnings.push_back(path(item.key()) + ": unknown key, ignored.");
+                warnings_->push_back(path(shortened(item.key())) + ": unknown key, ignored.");
             }
         }
     }
 
   private:
-    bool hasAnyOf(Keys keys) {
-        return std::ranges::any_of(keys, [this](auto key) { return optional(key).has_value(); });
+    /// Of a key; of the object itself for "".
+    std::string path(const std::string& key) const {
+        if (key.empty()) {
+            return node_.path;
+        }
+        return node_.path.empty() ? key : node_.path + "." + key;
+    }
+
+    std::optional<Node> find(const std::string& key) {
+        known_.insert(key);
+        const auto found = node_.value->find(key);
+        if (found == node_.value->end()) {
+            return std::nullopt;
+        }
+        return Node{&*found, path(key)};
+    }
+
+    Node require(const std::string& key) {
+        const std::optional<Node> node = find(key);
+        if (!node) {
+            fail(path(key), "this key is missing; add it.");
+        }
+        return *node;
+    }
+
+    bool has(const std::string& key) { return find(key).has_value(); }
+
+    bool hasAnyOf(const auto& keys) {
+        return std::ranges::any_of(keys, [this](const auto& key) { return has(key); });
+    }
+
+    /// A value, or an object that describe() knows.
+    template <class Value, class... Rule>
+    void readField(const Node& node, Value& value, const Rule&... rule) {
+        if constexpr (requires { describe(*this, value, rule...); }) {
+            ObjectReader object(node, *warnings_);
+            describe(object, value, rule...);
+            object.warnAboutTheRest();
+        } else {
+            read(node, value, rule...);
+        }
     }
 
     Node node_;
+    std::vector<std::string>* warnings_;
     std::set<std::string> known_;
 };
-
-void readFormat(ObjectReader& top) {
-    const Node format = top.required("format");
-    if (readString(format) != "kerf-session") {
-        fail(format.path, "expected \"kerf-session\"; this is some other file.");
-    }
-    const Node version = top.required("version");
-    if (!version.value->is_number()) {
-        fail(version.path, "expected a number.");
-    }
-    const double number = version.value->get<double>();
-    if (std::floor(number) != 1) {
-        fail(version.path,
-             "version " + formatNumber(number) + " is not supported; this kerf reads version 1.");
-    }
-}
-
-ModelReference readModel(const Node& node, const std::filesystem::path& baseFolder,
-                         std::vector<std::string>& warnings) {
-    ObjectReader object(node);
-    const auto builtin = object.optional("builtin");
-    const auto path = object.optional("path");
-    if (builtin.has_value() == path.has_value()) {
-        fail(node.path, "expected either \"builtin\" or \"path\".");
-    }
-    ModelReference model;
-    if (builtin) {
-        model.builtin = readString(*builtin);
-        const auto& names = builtinModels();
-        if (std::find(names.begin(), names.end(), model.builtin) == names.end()) {
-            fail(builtin->path, "there is no builtin model '" + model.builtin + "'; there are " +
-                                    joined(names, ", ") + ".");
-        }
-    } else {
-        model.path = std::filesystem::absolute(baseFolder / readString(*path)).lexically_normal();
-    }
-    object.optional("fill_holes", model.fillHoles);
-    object.optional("sha256", model.sha256, HexDigits{kSha256Digits});
-    object.warnAboutTheRest(warnings);
-    return model;
-}
-
-Placement readPlacement(const Node& node, std::vector<std::string>& warnings) {
-    ObjectReader object(node);
-    Placement placement;
-    describe(object, placement);
-    object.warnAboutTheRest(warnings);
-    return placement;
-}
-
-Params readParams(const Node& node) {
-    ObjectReader object(node);
-    Params params;
-    for (const auto& item : node.value->items()) {
-        const std::string path = object.path(item.key());
-        requireKnownParam(item.key(), path);
-        applyParam(params, item.key(), {&item.value(), path});
-    }
-    return params;
-}
-
-std::vector<StaticBox> readBoxes(const Node& node, std::vector<std::string>& warnings) {
-    const std::vector<Node> items = itemsOf(node);
-    if (items.size() > kMostBoxes) {
-        fail(node.path, "at most " + std::to_string(kMostBoxes) + " boxes.");
-    }
-    std::vector<StaticBox> boxes;
-    for (const Node& item : items) {
-        ObjectReader object(item);
-        describe(object, boxes.emplace_back());
-        object.warnAboutTheRest(warnings);
-    }
-    return boxes;
-}
-
-/// What a type of events is called, and an event of it before its fields are read.
-struct EventType {
-    std::string name;
-    SessionAction blank;
-};
-
-/// Collects the types of one kind of event.
-template <class Event>
-struct TypeCollector {
-    Event& event;
-    std::vector<EventType>& types;
-
-    void type(const char* name) { types.push_back({name, event}); }
-    void type(const char* name, const char* otherwise, bool& flag) {
-        flag = true;
-        type(name);
-        flag = false;
-        type(otherwise);
-    }
-    void required(const auto&...) {}
-    void optional(const auto&...) {}
-    void either(const Region&, Keys, Keys, std::string_view) {}
-    void param(const auto&...) {}
-    void check(const auto&...) {}
-};
-
-std::vector<EventType> collectTypes() {
-    std::vector<EventType> types;
-    forEachKind(std::type_identity<SessionAction>{}, [&](auto event) {
-        TypeCollector<decltype(event)> collector{event, types};
-        describe(collector, event);
-    });
-    return types;
-}
-
-SessionAction readAction(ObjectReader& object) {
-    static const std::vector<EventType> types = collectTypes();
-    const Node type = object.required("type");
-    const std::string name = readString(type);
-    const auto found = std::ranges::find(types, name, &EventType::name);
-    if (found == types.end()) {
-        fail(type.path, "there is no event type '" + name + "'; there are " +
-                            joined(types, ", ", &EventType::name) + ".");
-    }
-    SessionAction action = found->blank;
-    std::visit([&](auto& event) { describe(object, event); }, action);
-    return action;
-}
-
-std::vector<SessionEvent> readEvents(const Node& node, int steps,
-                                     std::vector<std::string>& warnings) {
-    std::vector<SessionEvent> events;
-    for (const Node& item : itemsOf(node)) {
-        ObjectReader object(item);
-        SessionEvent& event = events.emplace_back();
-        object.required("step", event.step, Limits{0, double(steps)});
-        event.action = readAction(object);
-        event.number = static_cast<int>(events.size()) - 1;
-        object.warnAboutTheRest(warnings);
-    }
-    const auto earlier = [](const SessionEvent& a, const SessionEvent& b) {
-        return a.step < b.step;
-    };
-    std::stable_sort(events.begin(), events.end(), earlier);
-    return events;
-}
-
-Vec3 readColor(const Node& node) {
-    Vec3 color = readVector(node, within(1));
-    if (color.minCoeff() < 0) {
-        fail(node.path, "expected red, green and blue from 0 to 1.");
-    }
-    return color;
-}
-
-/// The camera, and beside it the colours.
-void readView(const Node& node, Session& session) {
-    ObjectReader object(node);
-    render::Camera camera;
-    object.required("eye", camera.eye, kCoordinates);
-    object.required("target", camera.target, kCoordinates);
-    object.optional("up", camera.up, kCoordinates);
-    object.optional("fov_y", camera.fovY, Limits{kLeastFieldOfView, kLargestFieldOfView});
-    object.optional("orthographic", camera.orthographic);
-    if (const auto skin = object.optional("skin")) {
-        session.colors.skin = readColor(*skin);
-    }
-    if (const auto flesh = object.optional("flesh")) {
-        session.colors.flesh = readColor(*flesh);
-    }
-    const Vec3 forward = camera.target - camera.eye;
-    if (forward.norm() == 0) {
-        fail(node.path, "eye and target are the same point.");
-    }
-    if (forward.cross(camera.up).norm() < kLeastSine * forward.norm() * camera.up.norm() ||
-        camera.up.norm() == 0) {
-        fail(object.path("up"), "up must not point along the line of sight.");
-    }
-    object.warnAboutTheRest(session.warnings);
-    session.view = camera;
-}
 
 /// The text of a value as JSON; a word that is none as a text.
 json parseValue(const std::string& text) {
@@ -447,27 +470,14 @@ void setParamFromText(Params& params, const std::string& name, const std::string
 
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder) {
     const json document = parseJson(text);
-    ObjectReader top({&document, ""});
-    readFormat(top);
     Session session;
-    session.model = readModel(top.required("model"), baseFolder, session.warnings);
-    if (const auto placement = top.optional("placement")) {
-        session.placement = readPlacement(*placement, session.warnings);
+    ObjectReader top({&document, ""}, session.warnings);
+    describe(top, session);
+    top.warnAboutTheRest();
+    if (session.model.builtin.empty()) {
+        session.model.path =
+            std::filesystem::absolute(baseFolder / session.model.path).lexically_normal();
     }
-    if (const auto params = top.optional("params")) {
-        session.params = readParams(*params);
-    }
-    if (const auto boxes = top.optional("boxes")) {
-        session.boxes = readBoxes(*boxes, session.warnings);
-    }
-    top.required("steps", session.steps, Limits{1, kMaxSteps});
-    if (const auto events = top.optional("events")) {
-        session.events = readEvents(*events, session.steps, session.warnings);
-    }
-    if (const auto view = top.optional("view")) {
-        readView(*view, session);
-    }
-    top.warnAboutTheRest(session.warnings);
     return session;
 }
 

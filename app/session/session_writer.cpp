@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "app/session/event_table.h"
 #include "app/session/session_json.h"
+#include "app/session/session_table.h"
 
 namespace kerf::app {
 
@@ -35,22 +35,8 @@ Json toJson(const ParamValue& value) {
     return nullptr;
 }
 
-Json toJson(const ModelReference& model, const std::filesystem::path& baseFolder) {
-    Json json;
-    if (!model.builtin.empty()) {
-        json["builtin"] = model.builtin;
-    } else {
-        json["path"] =
-            (baseFolder.empty() ? model.path : model.path.lexically_proximate(baseFolder))
-                .generic_string();
-    }
-    if (!model.sha256.empty()) {
-        json["sha256"] = model.sha256;
-    }
-    if (model.fillHoles) {
-        json["fill_holes"] = true;
-    }
-    return json;
+Json toJson(const std::filesystem::path& path) {
+    return path.generic_string();
 }
 
 Json toJson(const Params& params) {
@@ -61,99 +47,142 @@ Json toJson(const Params& params) {
     return json;
 }
 
-Json toJson(const render::Camera& camera) {
-    return {{"eye", toJson(camera.eye)},
-            {"target", toJson(camera.target)},
-            {"up", toJson(camera.up)},
-            {"fov_y", toJson(camera.fovY)},
-            {"orthographic", camera.orthographic}};
+template <class Value>
+Json toJson(const std::optional<Value>& value) {
+    return toJson(*value);
 }
 
-/// The colours lie beside the camera.
-Json viewOf(const Session& session) {
-    Json json = toJson(*session.view);
-    if (session.colors.skin) {
-        json["skin"] = toJson(*session.colors.skin);
-    }
-    if (session.colors.flesh) {
-        json["flesh"] = toJson(*session.colors.flesh);
-    }
-    return json;
+/// Whether a field that may be left out must be written.
+bool isGiven(const auto&) {
+    return true;
+}
+bool isGiven(bool flag) {
+    return flag;
+}
+bool isGiven(const std::string& text) {
+    return !text.empty();
+}
+bool isGiven(const std::filesystem::path& path) {
+    return !path.empty();
+}
+template <class Value>
+bool isGiven(const std::optional<Value>& value) {
+    return value.has_value();
+}
+bool isGiven(const SessionView& view) {
+    return view.camera.has_value();
 }
 
 /// Writes the fields of an object as describe() names them.
-struct FieldWriter {
+struct FieldWriter : NoFields {
+    explicit FieldWriter(Json& written) : json(written) {}
+
     Json& json;
 
-    void type(const char* name) { json["type"] = name; }
-    void type(const char* name, const char* otherwise, bool flag) { type(flag ? name : otherwise); }
-    void required(const char* key, const auto& value, const auto&...) { json[key] = toJson(value); }
-    void optional(const char* key, const auto& value, const auto&...) { json[key] = toJson(value); }
-    void optional(const char* key, bool flag) {
-        if (flag) {
-            json[key] = true;
+    void type(const Word& word) { json[kTypeKey] = word.name; }
+    void type(const Word& word, const Word& otherwise, bool flag) { type(flag ? word : otherwise); }
+    void required(const Word& word, const auto& value, const auto&...) {
+        json[word.name] = toJson(value);
+    }
+    void optional(const Word& word, const auto& value, const auto&...) {
+        if (isGiven(value)) {
+            json[word.name] = toJson(value);
         }
     }
-    template <class Value>
-    void optional(const char* key, const std::optional<Value>& value, const auto&...) {
-        if (value) {
-            json[key] = toJson(*value);
-        }
+    void oneOf(Region& region, std::string_view) {
+        std::visit([this](auto& shape) { describe(*this, shape); }, region);
     }
-    void either(const Region&, Keys, Keys, std::string_view) {}
-    void param(const char* nameKey, const std::string& name, const char* valueKey,
+    void param(const Word& nameWord, const std::string& name, const Word& valueWord,
                const ParamValue& value) {
-        json[nameKey] = name;
-        json[valueKey] = toJson(value);
+        json[nameWord.name] = name;
+        json[valueWord.name] = toJson(value);
     }
-    void check(bool, const char*, std::string_view) {}
+    void action(const Word&, SessionAction& action) {
+        std::visit([this](auto& event) { describe(*this, event); }, action);
+    }
 };
 
-template <class Described>
-requires requires(FieldWriter fields, Described item) {
-    describe(fields, item);
+template <class Described, class... Rule>
+requires requires(FieldWriter fields, Described item, Rule... rule) {
+    describe(fields, item, rule...);
 }
-Json toJson(Described item) {
+Json toJson(Described item, const Rule&... rule) {
     Json json;
-    FieldWriter fields{json};
-    describe(fields, item);
+    FieldWriter fields(json);
+    describe(fields, item, rule...);
     return json;
 }
 
-Json toJson(SessionEvent event) {
-    Json json;
-    json["step"] = event.step;
-    FieldWriter fields{json};
-    std::visit([&](auto& action) { describe(fields, action); }, event.action);
-    return json;
-}
+/// Writes a session, with a line for each key, each box and each event.
+class DocumentWriter {
+  public:
+    std::string text() const { return text_ + "\n}\n"; }
 
-/// A list with one line each.
-template <class Item>
-std::string linesOf(const std::vector<Item>& items) {
-    std::string lines;
-    for (const Item& item : items) {
-        lines += (lines.empty() ? "\n    " : ",\n    ") + toJson(item).dump();
+    void ignored(const Word&) {}
+    void format(const Word& formatWord, const Word& versionWord) {
+        line(formatWord, Json(kSessionFormat).dump());
+        text_ += ", " + field(versionWord, std::to_string(kSessionVersion));
     }
-    return lines.empty() ? "[]" : "[" + lines + "\n  ]";
+    void required(const Word& word, const auto& value, const auto&...) {
+        line(word, toJson(value).dump());
+    }
+    void optional(const Word& word, const auto& value, const auto&...) {
+        if (isGiven(value)) {
+            line(word, toJson(value).dump());
+        }
+    }
+    void params(const Word& word, const Params& params) { line(word, toJson(params).dump()); }
+    void list(const Word& word, const auto& items, std::size_t) {
+        if (!items.empty()) {
+            line(word, linesOf(items));
+        }
+    }
+    void events(const Word& word, const std::vector<SessionEvent>& events, const Limits& steps) {
+        line(word, linesOf(events, steps));
+    }
+
+  private:
+    static std::string field(const Word& word, const std::string& value) {
+        return "\"" + std::string(word.name) + "\": " + value;
+    }
+    void line(const Word& word, const std::string& value) {
+        text_ += (text_.empty() ? "{\n  " : ",\n  ") + field(word, value);
+    }
+    /// A list with one line each.
+    template <class Item, class... Rule>
+    static std::string linesOf(const std::vector<Item>& items, const Rule&... rule) {
+        std::string lines;
+        for (const Item& item : items) {
+            lines += (lines.empty() ? "\n    " : ",\n    ") + toJson(item, rule...).dump();
+        }
+        return lines.empty() ? "[]" : "[" + lines + "\n  ]";
+    }
+
+    std::string text_;
+};
+
+/// JSON is UTF-8, names of files are any bytes.
+std::string textOf(Session& session) {
+    try {
+        DocumentWriter writer;
+        describe(writer, session);
+        return writer.text();
+    } catch (const Json::type_error&) {
+        throw InputError(
+            "A session can't hold a name that is not UTF-8; rename the model's file and folders.");
+    }
 }
 
 }  // namespace
 
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder) {
-    std::string text = "{\n  \"format\": \"kerf-session\", \"version\": 1,\n";
-    text += "  \"model\": " + toJson(session.model, baseFolder).dump() + ",\n";
-    text += "  \"placement\": " + toJson(session.placement).dump() + ",\n";
-    text += "  \"params\": " + toJson(session.params).dump() + ",\n";
-    if (!session.boxes.empty()) {
-        text += "  \"boxes\": " + linesOf(session.boxes) + ",\n";
+    Session written = session;
+    if (!session.model.builtin.empty()) {
+        written.model.path.clear();
+    } else if (!baseFolder.empty()) {
+        written.model.path = session.model.path.lexically_proximate(baseFolder);
     }
-    text += "  \"steps\": " + std::to_string(session.steps) + ",\n";
-    text += "  \"events\": " + linesOf(session.events);
-    if (session.view) {
-        text += ",\n  \"view\": " + viewOf(session).dump();
-    }
-    return text + "\n}\n";
+    return textOf(written);
 }
 
 }  // namespace kerf::app

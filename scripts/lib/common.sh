@@ -39,6 +39,7 @@ xvfb                is a display for the window tests
 xauth               lets programs onto that display
 xdotool             moves the mouse in the window tests
 python3-numpy       remakes the builtin models, to compare them
+python3-jsonschema  checks sessions by their JSON Schema
 '
 bench_packages='
 libcgal-dev         is the peer of the planar cut
@@ -46,6 +47,11 @@ libbullet-dev       is the peer of projecting constraints
 '
 format_packages='
 clang-format        checks the layout of the code
+'
+fuzz_packages='
+clang               compiles what libFuzzer drives
+libclang-rt-dev     is libFuzzer and the sanitizers of clang
+llvm                names the functions in reports of the sanitizers
 '
 tidy_packages='
 clang-tidy          checks the code for likely mistakes and for names

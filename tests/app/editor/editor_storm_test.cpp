@@ -6,6 +6,7 @@
 #include "app/scene/editor_scene.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
+#include "tests/support/session_validator.h"
 #include "ui/action_table.h"
 
 namespace kerf::app {
@@ -307,6 +308,10 @@ class EditorStormTest : public EditorTest {
         if (const char* kept = std::getenv("KERF_STORM_KEEP")) {
             std::filesystem::copy_file(folder / "storm.kerf.json", kept,
                                        std::filesystem::copy_options::overwrite_existing);
+        }
+        if (test::hasSchemaValidator()) {
+            const std::string text = test::readBytes(folder / "storm.kerf.json");
+            EXPECT_EQ(test::placesWrongBySchema({text})[0], std::vector<std::string>{});
         }
         const Session session = readSession(folder / "storm.kerf.json");
         expectReplayed(session, {document.mesh, document.uvs});

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "app/files/builtin_models.h"
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"

@@ -21,38 +21,45 @@ using nlohmann::json;
 using KeyTable = std::map<std::string, std::optional<json>>;
 
 /// What describe() says of one kind of event.
-struct Collector {
+struct Collector : NoFields {
     std::vector<std::string> types;
     KeyTable keys;
 
-    void type(const char* name) { types.emplace_back(name); }
-    void type(const char* name, const char* otherwise, bool) { types = {name, otherwise}; }
-    template <class... Rest>
-    void required(const char* key, const Rest&...) {
-        keys[key] = std::nullopt;
-    }
-    template <class Value, class... Limit>
-    void optional(const char* key, const Value& value, const Limit&...) {
-        keys[key] = value;
-    }
-    template <class... Limit>
-    void optional(const char* key, const Vec3& value, const Limit&...) {
-        keys[key] = {value.x(), value.y(), value.z()};
-    }
-    template <class Value, class... Limit>
-    void optional(const char* key, const std::optional<Value>&, const Limit&...) {
-        keys[key] = std::nullopt;
-    }
-    void either(const Region&, Keys first, Keys second, std::string_view) {
-        for (const auto& some : {first, second}) {
-            for (const char* key : some) keys[key] = std::nullopt;
-        }
-    }
-    void param(const char* nameKey, const std::string&, const char* valueKey, const ParamValue&) {
-        keys[nameKey] = keys[valueKey] = std::nullopt;
+    void type(const Word& word) { types.emplace_back(word.name); }
+    void type(const Word& word, const Word& otherwise, bool) {
+        types = {word.name, otherwise.name};
     }
     template <class... Rest>
-    void check(const Rest&...) {}
+    void required(const Word& word, const Rest&...) {
+        add(word, std::nullopt);
+    }
+    template <class Value, class... Rule>
+    void optional(const Word& word, const Value& value, const Rule&...) {
+        add(word, value);
+    }
+    template <class... Rule>
+    void optional(const Word& word, const Vec3& value, const Rule&...) {
+        add(word, json{value.x(), value.y(), value.z()});
+    }
+    template <class Value, class... Rule>
+    void optional(const Word& word, const std::optional<Value>&, const Rule&...) {
+        add(word, std::nullopt);
+    }
+    void oneOf(const Region&, std::string_view) {
+        Ball ball;
+        describe(*this, ball);
+        Bounds box;
+        describe(*this, box);
+    }
+    void param(const Word& nameWord, const std::string&, const Word& valueWord, const ParamValue&) {
+        add(nameWord, std::nullopt);
+        add(valueWord, std::nullopt);
+    }
+
+    void add(const Word& word, const std::optional<json>& otherwise) {
+        EXPECT_TRUE(keys.emplace(word.name, otherwise).second)
+            << types.front() << " has two keys '" << word.name << "'";
+    }
 };
 
 std::map<std::string, KeyTable> describedEvents() {
@@ -60,7 +67,10 @@ std::map<std::string, KeyTable> describedEvents() {
     forEachKind(std::type_identity<SessionAction>{}, [&](auto event) {
         Collector collector;
         describe(collector, event);
-        for (const std::string& type : collector.types) events[type] = collector.keys;
+        for (const std::string& type : collector.types) {
+            EXPECT_TRUE(events.emplace(type, collector.keys).second)
+                << "two kinds of events have the type '" << type << "'";
+        }
     });
     return events;
 }
@@ -94,6 +104,10 @@ std::map<std::string, KeyTable> documentedEvents() {
         }
     }
     return events;
+}
+
+TEST(EventTable, NoTwoKindsShareATypeAndNoTwoFieldsAKey) {
+    EXPECT_FALSE(describedEvents().empty());  // looks for both
 }
 
 TEST(EventTable, PageNamesEveryEventWithItsKeysAndWhatTheyAreWhereLeftOut) {

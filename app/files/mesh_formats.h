@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace kerf::app {
+
+/// Formats that a mesh can be written in.
+enum class MeshFormat { ply, obj, stl, glb, gltf };
+
+struct MeshFormatInfo {
+    MeshFormat format = MeshFormat::obj;
+    std::string_view extension;  ///< ".obj"
+    std::string_view name;       ///< as people call it
+};
+/// All formats; the one that is offered first stands first.
+std::span<const MeshFormatInfo> meshFormats();
+/// The format of a file's extension; none for any other extension.
+std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file);
+
+}  // namespace kerf::app

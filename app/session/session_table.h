@@ -1,0 +1,117 @@
+// One description of what a session consists of besides its events (event_table.h). Reader, writer
+// and the schema for text editors are made from it. The parameters stand in sim/base/params.cpp.
+#pragma once
+
+#include "app/session/event_table.h"
+
+namespace kerf::app {
+
+/// The name of a builtin model.
+struct BuiltinName {};
+/// The name of a model file.
+struct ModelPath {};
+
+inline constexpr const char* kSessionFormat = "kerf-session";
+inline constexpr int kSessionVersion = 1;
+
+inline constexpr HexDigits kSha256Digits{64};
+inline constexpr Limits kScales{1e-6, 1e6};
+inline constexpr Limits kFieldsOfView{1, 150};  // [degrees]
+inline constexpr Limits kColorParts{0, 1};
+inline constexpr double kLeastSineOfUp = 1e-6;  // between the line of sight and the camera's up
+
+/// The view of a session: the camera and, beside it, the colours.
+struct SessionView {
+    std::optional<render::Camera>& camera;
+    render::ChosenColors& colors;
+};
+
+// describe(fields, item) as in event_table.h, with some fields that only a session has:
+// - ignored(word): a key that is no mistake, and means nothing.
+// - format(formatWord, versionWord): that this is a session, and of which version.
+// - params(word, params): parameters by name.
+// - list(word, items, most): at most so many items.
+// - events(word, events, steps): what happens, each at one of these steps.
+// - action(word, action): the type of an event, and what describe() says of it.
+
+void describe(auto& fields, ModelReference& model) {
+    fields.exactlyOneOf({"builtin", "path"}, "expected either \"builtin\" or \"path\".");
+    fields.optional({"builtin", "The name of a model that comes with Kerf."}, model.builtin,
+                    BuiltinName{});
+    fields.optional({"path", "A model file, relative to the session file."}, model.path,
+                    ModelPath{});
+    fields.optional({"sha256",
+                     "The SHA-256 that the file must have: 64 lower-case hexadecimal "
+                     "digits."},
+                    model.sha256, kSha256Digits);
+    fields.optional({"fill_holes", "Fills holes before the model is cut."}, model.fillHoles);
+}
+
+void describe(auto& fields, Placement& placement) {
+    fields.optional({"scale", "Scales the model, before it is turned."}, placement.scale, kScales);
+    fields.optional(kRotate, placement.rotate, kTurns);
+    fields.optional({"translate", "Moves the model at last [m]."}, placement.translate,
+                    kCoordinates);
+}
+
+void describe(auto& fields, SessionEvent& event, const Limits& steps) {
+    fields.required({"step",
+                     "The event applies before this step; after the last one where it is "
+                     "the number of steps."},
+                    event.step, steps);
+    fields.action({kTypeKey, "What happens."}, event.action);
+}
+
+void describe(auto& fields, render::Camera& camera) {
+    fields.required({"eye", "Where the camera is [m]."}, camera.eye, kCoordinates);
+    fields.required({"target", "The point that it looks at [m]."}, camera.target, kCoordinates);
+    fields.optional({"up", "The direction that is up in the picture."}, camera.up, kCoordinates);
+    fields.optional({"fov_y", "The vertical field of view, in degrees."}, camera.fovY,
+                    kFieldsOfView);
+    fields.optional({"orthographic",
+                     "Parallel rays: as high as the perspective picture at the "
+                     "target."},
+                    camera.orthographic);
+    const Vec3 forward = camera.target - camera.eye;
+    fields.check(forward.norm() != 0, "", "eye and target are the same point.");
+    fields.check(camera.up.norm() != 0 && forward.cross(camera.up).norm() >=
+                                              kLeastSineOfUp * forward.norm() * camera.up.norm(),
+                 "up", "up must not point along the line of sight.");
+}
+
+void describe(auto& fields, render::ChosenColors& colors) {
+    fields.optional({"skin",
+                     "Colour of the skin: red, green and blue, 0 to 1 as displays take "
+                     "them."},
+                    colors.skin, kColorParts);
+    fields.optional({"flesh", "Colour of the faces of cuts: red, green and blue, 0 to 1."},
+                    colors.flesh, kColorParts);
+}
+
+void describe(auto& fields, SessionView& view) {
+    describe(fields, view.camera ? *view.camera : view.camera.emplace());
+    describe(fields, view.colors);
+}
+
+void describe(auto& fields, Session& session) {
+    SessionView view{session.view, session.colors};
+    fields.ignored({"$schema", "The schema by which an editor checks this file. Kerf ignores it."});
+    fields.format({"format", "Says that this is a session."},
+                  {"version", "The version of the format."});
+    fields.required({"model", "What is cut."}, session.model);
+    fields.optional({"placement", "Where the model lies: scaled, turned, then moved."},
+                    session.placement);
+    fields.params({"params", "The parameters at the start. One left out has its default."},
+                  session.params);
+    fields.list({"boxes", "What the body collides with besides the floor."}, session.boxes,
+                kMostBoxes);
+    fields.required({"steps", "How many steps to run."}, session.steps, Limits{1, kMaxSteps});
+    fields.events({"events", "What happens, before which step."}, session.events,
+                  Limits{0, static_cast<double>(session.steps)});
+    fields.optional({"view",
+                     "The camera, and colours instead of the model's own. Without it the "
+                     "model is seen from the front right above."},
+                    view);
+}
+
+}  // namespace kerf::app
