@@ -76,6 +76,7 @@ void RunningBody::apply(const Params& params) {
     cutter->setWallCoarsening(params.wallCoarsening);
     cutter->setDebrisVolume(params.debrisVolume);
     cutter->setOpenCut(params.openCut != 0);
+    cutter->setSearch(params.cutSearch);
     solver.setContact(contactSettings(params));
 }
 
@@ -140,16 +141,17 @@ void RunningBody::bringLostPiecesBack() {
     measure = solver.measure();
 }
 
-void RunningBody::endStep() {
+double RunningBody::endStep() {
     if (!volumesHeld) {
         volumeTargets.startAt(measure.pieceVolumes);
     }
     solver.saveState();
-    sync.takePrefetched();
+    const double prefetchMs = sync.takePrefetched();
     sync.setBounds(measure.bounds);
     if (readsAllBack) {
         mesh.bringAll();
     }
+    return prefetchMs;
 }
 
 /// By the box of the body, which is at hand, and that of the strip, then by what lies in the

@@ -45,8 +45,9 @@ struct RunningBody {
     void bringLostPiecesBack();
     /// Measures what the solver's step has moved; waits for the GPU.
     void measureStep();
-    /// The solver's step is over, with lost pieces back.
-    void endStep();
+    /// The solver's step is over, with lost pieces back. Returns how long it took to list what lies
+    /// near the blade, which the GPU has found [ms].
+    double endStep();
 
     /// Tells whether what is swept between these points [m] comes near the body.
     bool isNear(std::span<const Vec3> strip);
