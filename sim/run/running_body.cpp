@@ -6,7 +6,6 @@
 #include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/contact/paper_contact.h"
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/oriented_box.h"
 
@@ -114,18 +113,6 @@ void RunningBody::prepareStep(double timeStep) {
         solver.setVolumeTargets(volumeTargets.targets());
     }
     solver.setPulls(hands.advance(timeStep));
-}
-
-int RunningBody::collideAsThePaper(double timeStep) {
-    if (model().pieces.size() < 2) {
-        return 0;
-    }
-    BodyState state = solver.readState();
-    const int met = respondAsThePaper(model(), timeStep, state);
-    if (met > 0) {
-        solver.setState(state);
-    }
-    return met;
 }
 
 /// What needs no result is done while the GPU measures.

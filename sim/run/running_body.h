@@ -39,9 +39,6 @@ struct RunningBody {
 
     /// Lets targets of volumes fade and hands move, before the solver's step of `timeStep` [s].
     void prepareStep(double timeStep);
-    /// Lets pieces answer to each other as in the paper: the state comes back from the GPU and goes
-    /// up again. Returns how many pairs of triangles met.
-    int collideAsThePaper(double timeStep);
     void bringLostPiecesBack();
     /// Measures what the solver's step has moved; waits for the GPU.
     void measureStep();
