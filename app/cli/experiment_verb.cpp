@@ -13,6 +13,7 @@
 #include "app/cli/replay.h"
 #include "app/files/file_io.h"
 #include "app/files/progress_line.h"
+#include "app/session/hollow_session.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "ui/plot_picture.h"
@@ -23,6 +24,7 @@ namespace {
 
 constexpr const char* kReportFile = "report.md";
 constexpr const char* kPlotFile = "plots.png";
+constexpr const char* kHollowFolder = "hollow";
 constexpr int kPlotWidth = 900;
 constexpr int kPlotHeight = 560;
 
@@ -83,6 +85,20 @@ Session sessionOf(const PaperExperiment& experiment, bool published) {
     return session;
 }
 
+/// Runs the experiment once more up to the middle of its cut, with hands that draw the lips apart.
+/// Returns its picture, relative to the report, if there is one.
+std::vector<std::string> pictureHollow(const PaperExperiment& experiment, const Session& session,
+                                       const std::filesystem::path& folder) {
+    ModelMesh model = loadSessionModel(session);
+    const std::optional<Session> hollow = hollowSession(session, model.mesh);
+    if (!hollow) {
+        return {};
+    }
+    const std::string place = std::string(experiment.name) + "/" + kHollowFolder;
+    replaySession(*hollow, std::move(model), folder / place, {});
+    return {place + "/" + kHollowFile};
+}
+
 ExperimentResult runExperiment(const PaperExperiment& experiment,
                                const ExperimentArguments& arguments) {
     const std::filesystem::path& folder = arguments.out;
@@ -101,6 +117,12 @@ ExperimentResult runExperiment(const PaperExperiment& experiment,
     for (const std::string& file : replay.files) {
         if (std::filesystem::path(file).extension() == ".png") {
             result.pictures.push_back(std::string(experiment.name) + "/" + file);
+        }
+    }
+    if (arguments.published) {
+        const auto afterCutting = result.pictures.begin() + 1;
+        for (const std::string& picture : pictureHollow(experiment, session, folder)) {
+            result.pictures.insert(afterCutting, picture);
         }
     }
     return result;

@@ -13,6 +13,7 @@
 #include "app/session/iteration_watch.h"
 #include "app/session/scene_view.h"
 #include "app/session/session_runner.h"
+#include "app/session/volume_watch.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
 #include "sim/base/stopwatch.h"
@@ -118,6 +119,7 @@ class Replay {
             checkLength();
         }
         remark(iterations_.sentence());
+        remark(volumes_.sentence());
         writeResults();
     }
 
@@ -172,6 +174,9 @@ class Replay {
     void publish(const MetricsRow& row, const ReplayListener& listener) {
         files_.write(row);
         summary_.statistics.add(row);
+        if (!row.report.open) {
+            volumes_.add(step_, simulation_.measuredPieces());
+        }
         if (files_.wantsPieces()) {
             files_.write(step_, simulation_.measuredPieces(), simulation_.pieceBounds());
         }
@@ -303,6 +308,7 @@ class Replay {
     Bounds restBounds_;
     SessionRunner runner_;
     IterationWatch iterations_;
+    VolumeWatch volumes_;
     render::Camera camera_;
     RunSummary summary_;
     TimeOutside outside_;

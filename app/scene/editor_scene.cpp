@@ -48,6 +48,7 @@ void EditorScene::startAnew() {
     runner_.setStrokePoses({});
     journal_.clear();
     readings_.clear();
+    volumes_ = {};
     start_ = {};
     seekTarget_.reset();
     const bool loop = playback_ && playback_->loop;
@@ -87,6 +88,7 @@ std::string EditorScene::execute(const Command& command) {
     std::string problem = perform(command);
     if (problem.empty() && takesBodyElsewhere(command)) {
         followUndo(before);
+        volumes_ = {};
         releaseAllHands();
         readings_.addJump(timeNow(), simulation_);
         readings_.mark(timeNow(), markOf(command));
@@ -162,6 +164,7 @@ void EditorScene::reset() {
     perform(Restart{});
     start_ = {simulation_.stepCount(), simulation_.report().time};
     readings_.clear();
+    volumes_ = {};
     refreshPieces();
 }
 
@@ -179,8 +182,15 @@ void EditorScene::step() {
         readings_.mark(timeNow(), "cut");
     }
     readings_.addStep(timeNow(), simulation_);
+    watchVolumes(report);
     checkNowAndThen();
     wrapPlayback();
+}
+
+void EditorScene::watchVolumes(const StepReport& report) {
+    if (!report.open && volumes_.add(report.step, simulation_.measuredPieces())) {
+        messages_.push_back(volumes_.sentence());
+    }
 }
 
 int EditorScene::strokeSteps() const {

@@ -11,6 +11,7 @@
 #include "app/scene/session_playback.h"
 #include "app/scene/surface_look.h"
 #include "app/session/session_runner.h"
+#include "app/session/volume_watch.h"
 #include "render/renderer.h"
 #include "sim/run/simulation.h"
 #include "ui/panel_model.h"
@@ -115,6 +116,7 @@ class EditorScene {
     void startAnew();
     void putUp(const std::vector<StaticBox>& boxes);
     void checkNowAndThen();
+    void watchVolumes(const StepReport& report);
     void refreshPieces();
     void describeChanges(ui::ChangeList& list) const;
     void describePlayback(ui::PlaybackState& state) const;
@@ -139,6 +141,7 @@ class EditorScene {
     } start_;
     SurfaceLook look_;
     EditorReadings readings_;
+    VolumeWatch volumes_;
     std::vector<std::string> messages_;
     std::vector<ui::PieceRow> pieces_;
     int piecesStep_ = -1;  ///< step that pieces_ tells of

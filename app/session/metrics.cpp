@@ -44,6 +44,9 @@ std::string textOf(double value) {
 std::string textOf(int value) {
     return std::to_string(value);
 }
+std::string textOf(long value) {
+    return std::to_string(value);
+}
 std::string textOf(bool value) {
     return value ? "1" : "0";
 }
@@ -68,6 +71,10 @@ std::string measured(const MetricsRow& row) {
 template <auto member>
 std::string removed(const MetricsRow& row) {
     return textOf(row.report.debris.*member);
+}
+template <auto member>
+std::string searched(const MetricsRow& row) {
+    return textOf(row.report.search.*member);
 }
 template <SubdivisionPattern pattern>
 std::string divided(const MetricsRow& row) {
@@ -107,6 +114,10 @@ constexpr Column kColumns[] = {
     {"debris_volume", removed<&Debris::volume>},
     {"strain_energy", reported<&StepReport::strainEnergy>},
     {"lost_pieces", reported<&StepReport::lostPieces>},
+    {"search_ms", searched<&SearchWork::milliseconds>},
+    {"search_walk_ms", searched<&SearchWork::walkMilliseconds>},
+    {"search_seeds", searched<&SearchWork::seeds>},
+    {"search_tests", searched<&SearchWork::tests>},
 };
 
 }  // namespace
@@ -169,6 +180,7 @@ void RunStatistics::add(const MetricsRow& row) {
     deformMs.add(row.report.deformMs);
     collideMs.add(row.report.collideMs);
     cutMs.add(row.report.cutMs);
+    searchMs.add(row.report.search.milliseconds);
     addTo(subdivisions, row.report.subdivisions);
     closedEveryStep = closedEveryStep && row.report.closed;
     lostPieces += row.report.lostPieces;
@@ -193,7 +205,8 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     json["fps"] = {{"mean", run.meanFps()}, {"min", run.fps.min()}, {"max", run.fps.max()}};
     json["stages_ms"] = {{"deform", toJson(run.deformMs)},
                          {"collide", toJson(run.collideMs)},
-                         {"cut", toJson(run.cutMs)}};
+                         {"cut", toJson(run.cutMs)},
+                         {"search", toJson(run.searchMs)}};
     json["subdivisions"] = toJson(run.subdivisions);
     json["closed_every_step"] = run.closedEveryStep;
     json["lost_pieces"] = run.lostPieces;

@@ -60,6 +60,7 @@ struct RunStatistics {
     Range deformMs;
     Range collideMs;
     Range cutMs;
+    Range searchMs;
     SubdivisionCounts subdivisions{};
     bool closedEveryStep = true;
     int lostPieces = 0;  ///< taken back, over all steps

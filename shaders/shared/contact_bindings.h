@@ -32,5 +32,11 @@ SHARED_CONST uint kContactBucketsBinding = 14u;     // uint per triangle: its bu
 SHARED_CONST uint kContactStateBinding = 15u;       // ContactState
 SHARED_CONST uint kContactRingsBinding = 10u;       // as kContactIncidenceBinding
 
+// Of the kernels of the paper's contact, besides those of the grid.
+SHARED_CONST uint kPaperRequestsBinding = 3u;   // PaperRequest per triangle
+SHARED_CONST uint kPaperPiecesBinding = 4u;     // PieceBounds per piece
+SHARED_CONST uint kPaperRangesBinding = 6u;     // as kContactRangesBinding
+SHARED_CONST uint kPaperIncidenceBinding = 7u;  // as kContactIncidenceBinding
+
 SHARED_END
 #endif

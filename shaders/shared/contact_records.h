@@ -116,5 +116,18 @@ struct ContactState {
     uint largest[kGridLevels];  // as bits of a float: longest side of the boxes of a size [m]
 };
 
+// In the paper's contact: normals face the same way where their difference, squared, is below this.
+SHARED_CONST float kFacesAlike = 0.25f;
+// Triangles approach each other where they do so by more than this, times a push, in a time step.
+SHARED_CONST float kStandsStill = 1e-3f;
+
+// What the triangles of other pieces that a triangle meets ask of it in the paper's contact: fixed
+// point, in units of the uniforms, and sums over all of them.
+struct PaperRequest {
+    int loss_x, loss_y, loss_z;  // of velocity, as the way of a time step
+    int push_x, push_y, push_z;  // of positions alone
+    uint count;                  // of triangles that it meets
+};
+
 SHARED_END
 #endif

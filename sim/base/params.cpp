@@ -12,11 +12,13 @@ namespace kerf {
 
 namespace {
 
-using Member = std::variant<double Params::*, int Params::*, Vec3 Params::*,
-                            std::optional<double> Params::*, SolverMode Params::*>;
+using Member =
+    std::variant<double Params::*, int Params::*, Vec3 Params::*, std::optional<double> Params::*,
+                 SolverMode Params::*, CutSearch Params::*>;
 
-// In the order of SolverMode.
+// In the order of the enumerators.
 constexpr std::array<std::string_view, 2> kSolverModes{"small_steps", "pbd"};
+constexpr std::array<std::string_view, 3> kCutSearches{"tree", "adjacency", "all"};
 
 struct Row {
     ParamInfo info;
@@ -122,6 +124,13 @@ const std::array kRows = {
          "each wound is patched when the stroke ends. From the next stroke on.",
          ParamType::integer, 0, 1, false},
         &Params::openCut},
+    Row{{"cut_search", "Cut search", "",
+         "How the triangles near the blade are found, for comparison; the cut is the same. tree: "
+         "by "
+         "where they lie; adjacency: the paper's walk from seed to neighbours; all: each one is "
+         "tested.",
+         ParamType::choice, 0, 2, false, kCutSearches, false},
+        &Params::cutSearch},
     Row{{"solver", "Solver", "",
          "small_steps: substeps and a material in pascals; pbd: the paper's sweeps and stiffness "
          "factors, which lose volume.",
@@ -199,13 +208,14 @@ struct Setter {
         params.*member = *vector;
         return "";
     }
-    std::string operator()(SolverMode Params::*member) const {
+    template <class Choice>
+    std::string operator()(Choice Params::*member) const {
         const std::string* name = std::get_if<std::string>(&value);
         const auto choice = name ? std::ranges::find(info.choices, *name) : info.choices.end();
         if (choice == info.choices.end()) {
             return quoted(info.name) + " must be one of " + joined(info.choices, ", ");
         }
-        params.*member = static_cast<SolverMode>(choice - info.choices.begin());
+        params.*member = static_cast<Choice>(choice - info.choices.begin());
         return "";
     }
 
@@ -227,6 +237,7 @@ struct Setter {
 /// Reads a member as the value that sets it.
 struct Getter {
     const Params& params;
+    const ParamInfo& info;
 
     ParamValue operator()(double Params::*member) const { return params.*member; }
     ParamValue operator()(int Params::*member) const { return static_cast<double>(params.*member); }
@@ -235,8 +246,9 @@ struct Getter {
         const std::optional<double>& x = params.*member;
         return x ? ParamValue(*x) : ParamValue(std::monostate{});
     }
-    ParamValue operator()(SolverMode Params::*member) const {
-        return std::string(kSolverModes[static_cast<std::size_t>(params.*member)]);
+    template <class Choice>
+    ParamValue operator()(Choice Params::*member) const {
+        return std::string(info.choices[static_cast<std::size_t>(params.*member)]);
     }
 };
 
@@ -261,7 +273,7 @@ const ParamInfo* findParam(std::string_view name) {
 
 ParamValue getParam(const Params& params, std::string_view name) {
     const Row* row = findRow(name);
-    return row ? std::visit(Getter{params}, row->member) : ParamValue(std::monostate{});
+    return row ? std::visit(Getter{params, row->info}, row->member) : ParamValue(std::monostate{});
 }
 
 std::string setParam(Params& params, std::string_view name, const ParamValue& value) {
@@ -271,7 +283,8 @@ std::string setParam(Params& params, std::string_view name, const ParamValue& va
 
 bool operator==(const Params& a, const Params& b) {
     return std::ranges::all_of(kRows, [&](const Row& row) {
-        return std::visit(Getter{a}, row.member) == std::visit(Getter{b}, row.member);
+        return std::visit(Getter{a, row.info}, row.member) ==
+               std::visit(Getter{b, row.info}, row.member);
     });
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "sim/base/cut_search.h"
 #include "sim/base/math.h"
 
 namespace kerf {
@@ -33,14 +34,15 @@ struct Params {
     double wallCoarsening = 1;          ///< edge length inside finished walls over that at the rim
     double debrisVolume = 1e-5;         ///< share of the body below which what comes off goes
     int openCut = 0;                    ///< 1: the paper's course, hollow until the stroke ends
-    double friction = 0.5;              ///< Coulomb coefficient of all contacts
-    int contact = 1;                    ///< 1: pieces, slits and arms meet one another; 0: not
-    int paperContact = 0;               ///< 1: the paper's response of pieces instead
-    double contactThickness = 0.05;     ///< distance kept, as a share of the edge length of walls
-    double depenetrationSpeed = 1;      ///< at which penetrations are taken back [m/s]
-    int bladePush = 0;                  ///< 1: the blunt body of the blade pushes; 0: it only cuts
-    double bladeWidth = 0.15;           ///< of that body, as a share of the uncut body's diagonal
-    double bladeThickness = 0.01;       ///< the same of its thickness
+    CutSearch cutSearch = CutSearch::tree;  ///< how triangles near the blade are found
+    double friction = 0.5;                  ///< Coulomb coefficient of all contacts
+    int contact = 1;                        ///< 1: pieces, slits and arms meet one another; 0: not
+    int paperContact = 0;                   ///< 1: the paper's response of pieces instead
+    double contactThickness = 0.05;  ///< distance kept, as a share of the edge length of walls
+    double depenetrationSpeed = 1;   ///< at which penetrations are taken back [m/s]
+    int bladePush = 0;               ///< 1: the blunt body of the blade pushes; 0: it only cuts
+    double bladeWidth = 0.15;        ///< of that body, as a share of the uncut body's diagonal
+    double bladeThickness = 0.01;    ///< the same of its thickness
 };
 
 /// A number, a vector, nothing (for parameters that may be absent, as the floor), or a choice.
@@ -60,6 +62,7 @@ struct ParamInfo {
     double high = 0;                                 ///< largest
     bool logarithmic = false;                        ///< slider scale
     std::span<const std::string_view> choices = {};  ///< what a choice may be
+    bool changesStates = true;                       ///< whether what comes hangs on it
 };
 
 /// All parameters, in the order in which panels and sessions list them.

@@ -1,7 +1,6 @@
 #include "sim/contact/contact_solver.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -35,16 +34,13 @@ constexpr int kSweeps = 2;               // over the contacts of a substep, as i
 constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
-uint bucketsFor(uint triangles) {
-    return std::max(shared::kGroupSize, std::bit_ceil(2 * triangles));
-}
-
 }  // namespace
 
 ContactSettings contactSettings(const Params& params) {
     ContactSettings settings;
     const shared::SolverUniforms solver = solverUniforms(params);
     settings.enabled = params.contact != 0 && params.paperContact == 0;
+    settings.paper = params.paperContact != 0;
     settings.thickness = params.contactThickness;
     settings.sweeps = static_cast<int>(solver.sweeps);
     settings.liftSpeed = params.depenetrationSpeed / settings.sweeps;
@@ -94,10 +90,6 @@ shared::ContactUniforms contactUniforms(const ContactSettings& settings, double 
 
 ContactSolver::ContactSolver() {
     kernels_.normals = gpu::Program::compute("sim/contact/normals.comp");
-    kernels_.boxes = gpu::Program::compute("sim/contact/boxes.comp");
-    kernels_.scan = gpu::Program::compute("sim/contact/scan.comp");
-    kernels_.scanBlocks = gpu::Program::compute("sim/contact/scan_blocks.comp");
-    kernels_.fill = gpu::Program::compute("sim/contact/fill.comp");
     kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
     kernels_.edgePairs = gpu::Program::compute("sim/contact/edge_pairs.comp");
     kernels_.detectEdges = gpu::Program::compute("sim/contact/detect_edges.comp");
@@ -137,16 +129,9 @@ void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
 // Not before contact is on: the buffers are larger than the body's own.
 void ContactSolver::takeBody() {
     const std::size_t n = body_.vertexCount;
-    const std::size_t triangles = std::max(body_.triangleCount, 1u);
-    const std::size_t buckets = bucketsFor(body_.triangleCount);
     normals_.resize(n * sizeof(shared::vec4));
     restNormals_.resize(n * sizeof(shared::vec4));
-    boxes_.resize(triangles * sizeof(shared::ContactBox));
-    buckets_.resize(triangles * sizeof(uint));
-    entries_.resize(triangles * sizeof(uint));
-    counts_.resize(buckets * sizeof(uint));
-    starts_.resize(buckets * sizeof(shared::ContactBucket));
-    blocks_.resize(buckets / shared::kGroupSize * sizeof(uint));
+    grid_.resize(body_.triangleCount);
     candidates_.resize(n * kCandidatesPerPoint * sizeof(shared::ContactCandidate));
     points_.resize(n * sizeof(uint));
     edgePairs_.resize(n * shared::kEdgePairsPerPoint * sizeof(shared::EdgePair));
@@ -159,7 +144,7 @@ void ContactSolver::takeBody() {
 void ContactSolver::uploadUniforms() {
     uniforms_.vertex_count = body_.vertexCount;
     uniforms_.triangle_count = body_.triangleCount;
-    uniforms_.bucket_count = bucketsFor(body_.triangleCount);
+    uniforms_.bucket_count = TriangleGrid::bucketsFor(body_.triangleCount);
     uniformBuffer_.assign(std::span<const shared::ContactUniforms>(&uniforms_, 1));
 }
 
@@ -199,7 +184,7 @@ void ContactSolver::search() {
 
 void ContactSolver::findFromSearched() {
     runNormals(searchedPositions_, normals_);
-    fillGrid();
+    grid_.fill(searchedPositions_);
     findCandidates();
     ++searches_;
     hasCandidates_ = true;
@@ -239,21 +224,6 @@ void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& 
     normals.bindStorage(shared::kContactNormalsBinding);
     state_.bindStorage(shared::kContactStateBinding);
     run(kernels_.normals, body_.vertexCount);
-}
-
-void ContactSolver::fillGrid() {
-    starts_.clear();
-    searchedPositions_.bindStorage(shared::kContactPositionsBinding);
-    boxes_.bindStorage(shared::kContactBoxesBinding);
-    buckets_.bindStorage(shared::kContactBucketsBinding);
-    counts_.bindStorage(shared::kContactCountsBinding);
-    starts_.bindStorage(shared::kContactStartsBinding);
-    blocks_.bindStorage(shared::kContactBlocksBinding);
-    entries_.bindStorage(shared::kContactEntriesBinding);
-    run(kernels_.boxes, body_.triangleCount);
-    run(kernels_.scan, uniforms_.bucket_count);
-    run(kernels_.scanBlocks, 1);
-    run(kernels_.fill, body_.triangleCount);
 }
 
 void ContactSolver::findCandidates() {

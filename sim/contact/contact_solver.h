@@ -9,6 +9,7 @@
 #include "shaders/shared/contact_records.h"
 #include "sim/base/params.h"
 #include "sim/body/body_model.h"
+#include "sim/contact/triangle_grid.h"
 
 namespace kerf {
 
@@ -30,6 +31,7 @@ struct ContactBody {
 /// How surfaces answer to one another.
 struct ContactSettings {
     bool enabled = false;
+    bool paper = false;         ///< instead, as PaperContact
     double thickness = 0.05;    ///< distance kept, as a share of the edge length of walls
     double liftSpeed = 1;       ///< at which a sweep takes penetrations back [m/s]
     int sweeps = 1;             ///< of a substep
@@ -137,20 +139,20 @@ class ContactSolver {
 
   private:
     struct Kernels {
-        gpu::Program normals, boxes, scan, scanBlocks, fill, candidates, edgePairs, detect,
-            detectEdges, respond, apply, respondAgain, applyLast;
+        gpu::Program normals, candidates, edgePairs, detect, detectEdges, respond, apply,
+            respondAgain, applyLast;
     };
     const gpu::Program& detect() const;
     void takeBody();
     void uploadUniforms();
     void findFromSearched();
     void runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
-    void fillGrid();
     void findCandidates();
     void run(const gpu::Program& kernel, std::uint32_t threads);
     void runIndirect(const gpu::Program& kernel, std::size_t offset);
 
     Kernels kernels_;
+    TriangleGrid grid_;
     std::optional<gpu::Program> detectBesideFolds_;  ///< compiled when first needed
     const gpu::Buffer* folds_ = nullptr;
     ContactBody body_;
@@ -168,7 +170,6 @@ class ContactSolver {
     gpu::Buffer uniformBuffer_, state_;
     gpu::Buffer searchedPositions_, searchedVelocities_;
     gpu::Buffer normals_, restNormals_;
-    gpu::Buffer boxes_, buckets_, counts_, starts_, blocks_, entries_;
     gpu::Buffer candidates_, points_, edgePairs_, records_, shares_, sums_;
 };
 

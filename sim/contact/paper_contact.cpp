@@ -1,162 +1,100 @@
 #include "sim/contact/paper_contact.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
+#include <span>
+#include <vector>
 
-#include "sim/base/boxes.h"
-#include "sim/contact/octree.h"
-#include "sim/mesh/triangle.h"
+#include "shaders/shared/body_records.h"
+#include "shaders/shared/box_records.h"
+#include "shaders/shared/contact_bindings.h"
 
 namespace kerf {
 
 namespace {
 
-/// Whether the edge from p to q meets a triangle (Möller and Trumbore, 1997).
-bool meets(const Vec3& p, const Vec3& q, const Corners& t) {
-    const Vec3 way = q - p;
-    const Vec3 first = t[1] - t[0];
-    const Vec3 second = t[2] - t[0];
-    const Vec3 across = way.cross(second);
-    const double scale = first.dot(across);
-    if (scale == 0) {
-        return false;
-    }
-    const Vec3 from = p - t[0];
-    const double u = from.dot(across) / scale;
-    const Vec3 over = from.cross(first);
-    const double v = way.dot(over) / scale;
-    const double along = second.dot(over) / scale;
-    return u >= 0 && v >= 0 && u + v <= 1 && along >= 0 && along <= 1;
+using shared::uint;
+
+static_assert(sizeof(shared::PaperRequest) == 28);
+
+constexpr double kFarthestWay = 0.5;   // h: that one pair may move a vertex in a time step
+constexpr double kFarthestPush = 0.1;  // h: of it, by being pushed apart
+constexpr double kStepsOfAWay = 0x1p20;
+
+/// One thread each, then a storage barrier.
+void runOver(const gpu::Program& kernel, uint threads) {
+    kernel.dispatch(threads, shared::kGroupSize);
+    gpu::storageBarrier();
 }
-
-bool intersect(const Corners& a, const Corners& b) {
-    for (int k = 0; k < 3; ++k) {
-        if (meets(a[k], a[(k + 1) % 3], b) || meets(b[k], b[(k + 1) % 3], a)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// The triangles of one piece and where they are.
-struct PieceSurface {
-    std::vector<int> triangles;
-    std::vector<Corners> corners;
-    Bounds box;
-};
-
-/// What the triangles at a vertex ask of its velocity.
-struct Asked {
-    Vec3 sum = Vec3::Zero();
-    int count = 0;
-};
-
-class PaperContact {
-  public:
-    PaperContact(const BodyModel& model, BodyState& state)
-        : model_(model), state_(state), surfaces_(surfaces()), asked_(state.positions.size()) {}
-
-    int collide() {
-        int pairs = 0;
-        for (std::size_t a = 0; a < surfaces_.size(); ++a) {
-            for (std::size_t b = a + 1; b < surfaces_.size(); ++b) {
-                if (surfaces_[a].box.overlaps(surfaces_[b].box)) {
-                    pairs += collide(surfaces_[a], surfaces_[b]);
-                }
-            }
-        }
-        return pairs;
-    }
-
-    void apply(double timeStep) {
-        for (std::size_t v = 0; v < asked_.size(); ++v) {
-            if (asked_[v].count > 0) {
-                const Vec3 change = asked_[v].sum / asked_[v].count;
-                state_.velocities[v] += change.cast<float>();
-                state_.positions[v] += (timeStep * change).cast<float>();
-            }
-        }
-    }
-
-  private:
-    std::vector<PieceSurface> surfaces() const {
-        std::vector<PieceSurface> out(model_.pieces.size());
-        for (std::size_t t = 0; t < model_.triangles.size(); ++t) {
-            const auto& record = model_.triangles[t];
-            PieceSurface& piece = out[record[3] >> 8];
-            Corners corners;
-            for (int k = 0; k < 3; ++k) {
-                corners[k] = state_.positions[record[k]].cast<double>();
-                piece.box.add(corners[k]);
-            }
-            piece.triangles.push_back(static_cast<int>(t));
-            piece.corners.push_back(corners);
-        }
-        return out;
-    }
-
-    static Octree treeOf(const PieceSurface& surface) {
-        std::vector<Bounds> boxes;
-        for (const Corners& corners : surface.corners) {
-            boxes.push_back(boxOf(corners));
-        }
-        return Octree(std::move(boxes));
-    }
-
-    int collide(const PieceSurface& a, const PieceSurface& b) {
-        const Octree tree = treeOf(b);
-        int pairs = 0;
-        for (std::size_t i = 0; i < a.triangles.size(); ++i) {
-            const Bounds box = boxOf(a.corners[i]);
-            if (!box.overlaps(b.box)) {
-                continue;
-            }
-            tree.query(box, [&](int j) {
-                if (intersect(a.corners[i], b.corners[j])) {
-                    respond(a.triangles[i], b.triangles[j]);
-                    ++pairs;
-                }
-            });
-        }
-        return pairs;
-    }
-
-    Vec3 meanVelocity(int triangle) const {
-        Vec3 sum = Vec3::Zero();
-        for (int k = 0; k < 3; ++k) {
-            sum += state_.velocities[model_.triangles[triangle][k]].cast<double>();
-        }
-        return sum / 3;
-    }
-
-    void respond(int a, int b) {
-        const Vec3 relative = meanVelocity(a) - meanVelocity(b);
-        ask(a, -0.5 * relative);
-        ask(b, 0.5 * relative);
-    }
-
-    void ask(int triangle, const Vec3& change) {
-        for (int k = 0; k < 3; ++k) {
-            Asked& asked = asked_[model_.triangles[triangle][k]];
-            asked.sum += change;
-            ++asked.count;
-        }
-    }
-
-    const BodyModel& model_;
-    BodyState& state_;
-    std::vector<PieceSurface> surfaces_;
-    std::vector<Asked> asked_;
-};
 
 }  // namespace
 
-int respondAsThePaper(const BodyModel& model, double timeStep, BodyState& state) {
-    PaperContact contact(model, state);
-    const int pairs = contact.collide();
-    contact.apply(timeStep);
-    return pairs;
+shared::ContactUniforms paperContactUniforms(const ContactSettings& settings, double edgeLength) {
+    const double timeStep = settings.substep * settings.substeps;
+    const double lift = settings.liftSpeed * settings.sweeps * timeStep;
+    shared::ContactUniforms u{};
+    u.h = static_cast<float>(edgeLength);
+    u.interval = static_cast<float>(timeStep);
+    u.cell = static_cast<float>(edgeLength);
+    u.reach = static_cast<float>(kFarthestWay * edgeLength);
+    u.margin = static_cast<float>(std::min(lift, kFarthestPush * edgeLength));
+    u.unit = static_cast<float>(kFarthestWay * edgeLength / kStepsOfAWay);
+    return u;
+}
+
+PaperContact::PaperContact() {
+    state_.resize(sizeof(shared::ContactState));
+}
+
+void PaperContact::setBody(const ContactBody& body, double edgeLength) {
+    body_ = body;
+    edgeLength_ = edgeLength;
+}
+
+void PaperContact::respond(uint pieces) {
+    state_.clear();
+    if (pieces < 2) {
+        return;
+    }
+    if (!kernels_) {
+        kernels_.emplace(Kernels{gpu::Program::compute("sim/paper_contact/pieces.comp"),
+                                 gpu::Program::compute("sim/paper_contact/meet.comp"),
+                                 gpu::Program::compute("sim/paper_contact/answer.comp"),
+                                 TriangleGrid()});
+    }
+    makeRoom(pieces);
+    bind();
+    runOver(kernels_->pieces, body_.triangleCount);
+    kernels_->grid.fill(*body_.positions);
+    kernels_->meet.set("pieceCount", pieces);
+    runOver(kernels_->meet, body_.triangleCount);
+    runOver(kernels_->answer, body_.vertexCount);
+}
+
+/// Pieces begin with empty boxes.
+void PaperContact::makeRoom(uint pieces) {
+    constexpr uint kMost = ~0u;
+    kernels_->grid.resize(body_.triangleCount);
+    asked_.resize(std::max(body_.triangleCount, 1u) * sizeof(shared::PaperRequest));
+    asked_.clear();
+    pieceBounds_.assign(std::vector<shared::PieceBounds>(pieces, {kMost, kMost, kMost, 0, 0, 0}));
+    shared::ContactUniforms uniforms = paperContactUniforms(settings_, edgeLength_);
+    uniforms.vertex_count = body_.vertexCount;
+    uniforms.triangle_count = body_.triangleCount;
+    uniforms.bucket_count = TriangleGrid::bucketsFor(body_.triangleCount);
+    uniforms_.assign(std::span<const shared::ContactUniforms>(&uniforms, 1));
+}
+
+void PaperContact::bind() const {
+    uniforms_.bindStorage(shared::kContactUniformsBinding);
+    body_.positions->bindStorage(shared::kContactPositionsBinding);
+    body_.velocities->bindStorage(shared::kContactVelocitiesBinding);
+    body_.triangles->bindStorage(shared::kContactTrianglesBinding);
+    body_.incidenceRanges->bindStorage(shared::kPaperRangesBinding);
+    body_.incidence->bindStorage(shared::kPaperIncidenceBinding);
+    asked_.bindStorage(shared::kPaperRequestsBinding);
+    pieceBounds_.bindStorage(shared::kPaperPiecesBinding);
+    state_.bindStorage(shared::kContactStateBinding);
 }
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/cut_search.h"
 #include "sim/base/math.h"
 #include "sim/cut/subdivision_pattern.h"
 
@@ -128,6 +129,24 @@ struct CutSettings {
     /// The paper's course: the walls of a stroke are absent from the body (SurfaceMesh::absent)
     /// while it lasts, and patches close the wounds when it has ended.
     bool openCut = false;
+    /// How the triangles near the strip are found; the cut is the same.
+    CutSearch search = CutSearch::tree;
+};
+
+/// What searches for the triangles near the strip took, over all pieces and tries of a step.
+struct SearchWork {
+    double milliseconds = 0;      ///< wall clock
+    double walkMilliseconds = 0;  ///< of it, until the walk from the first seed was over
+    int seeds = 0;   ///< groups of neighbours that needed a seed (CutSearch::adjacency)
+    long tests = 0;  ///< triangles that were tested
+
+    /// Adds another search.
+    void add(const SearchWork& other) {
+        milliseconds += other.milliseconds;
+        walkMilliseconds += other.walkMilliseconds;
+        seeds += other.seeds;
+        tests += other.tests;
+    }
 };
 
 }  // namespace kerf

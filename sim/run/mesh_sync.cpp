@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/sort_unique.h"
+#include "sim/base/stopwatch.h"
 
 namespace kerf {
 
@@ -34,11 +35,17 @@ void MeshSync::invalidate() {
     mesh_.leaveTo(*this);
 }
 
-void MeshSync::takePrefetched() {
+double MeshSync::takePrefetched() {
+    const Stopwatch watch;
     const std::optional<OrientedBox> box = std::exchange(prefetched_, std::nullopt);
     if (!box) {
-        return;
+        return 0;
     }
+    takeWatched(*box);
+    return watch.milliseconds();
+}
+
+void MeshSync::takeWatched(const OrientedBox& box) {
     const VertexStates watched = solver_.takeWatched();
     adopt(watched.records);
     if (!watched.complete) {

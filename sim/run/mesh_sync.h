@@ -25,8 +25,8 @@ class MeshSync final : public VertexSource, public TriangleFinder {
     void prefetch(const OrientedBox& box, std::span<const int> vertices);
     /// The solver has moved the body.
     void invalidate();
-    /// After the measure: takes what prefetch() asked for.
-    void takePrefetched();
+    /// After the measure: takes what prefetch() asked for. Returns how long that took [ms].
+    double takePrefetched();
     /// The mesh has become another one, of which nothing is old.
     void forget();
     /// Number of times that all of the body came back.
@@ -47,6 +47,7 @@ class MeshSync final : public VertexSource, public TriangleFinder {
 
   private:
     void adopt(const std::vector<shared::NearbyVertex>& states);
+    void takeWatched(const OrientedBox& box);
     /// Triangles around the vertices of which nothing is old, ascending.
     std::vector<int> trianglesAround(const std::vector<shared::NearbyVertex>& states) const;
     void lookAround(const OrientedBox& box);

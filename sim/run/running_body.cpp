@@ -6,7 +6,6 @@
 #include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/contact/paper_contact.h"
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/oriented_box.h"
 
@@ -76,6 +75,7 @@ void RunningBody::apply(const Params& params) {
     cutter->setWallCoarsening(params.wallCoarsening);
     cutter->setDebrisVolume(params.debrisVolume);
     cutter->setOpenCut(params.openCut != 0);
+    cutter->setSearch(params.cutSearch);
     solver.setContact(contactSettings(params));
 }
 
@@ -115,18 +115,6 @@ void RunningBody::prepareStep(double timeStep) {
     solver.setPulls(hands.advance(timeStep));
 }
 
-int RunningBody::collideAsThePaper(double timeStep) {
-    if (model().pieces.size() < 2) {
-        return 0;
-    }
-    BodyState state = solver.readState();
-    const int met = respondAsThePaper(model(), timeStep, state);
-    if (met > 0) {
-        solver.setState(state);
-    }
-    return met;
-}
-
 /// What needs no result is done while the GPU measures.
 void RunningBody::measureStep() {
     solver.startMeasure();
@@ -140,16 +128,17 @@ void RunningBody::bringLostPiecesBack() {
     measure = solver.measure();
 }
 
-void RunningBody::endStep() {
+double RunningBody::endStep() {
     if (!volumesHeld) {
         volumeTargets.startAt(measure.pieceVolumes);
     }
     solver.saveState();
-    sync.takePrefetched();
+    const double prefetchMs = sync.takePrefetched();
     sync.setBounds(measure.bounds);
     if (readsAllBack) {
         mesh.bringAll();
     }
+    return prefetchMs;
 }
 
 /// By the box of the body, which is at hand, and that of the strip, then by what lies in the

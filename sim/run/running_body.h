@@ -39,14 +39,12 @@ struct RunningBody {
 
     /// Lets targets of volumes fade and hands move, before the solver's step of `timeStep` [s].
     void prepareStep(double timeStep);
-    /// Lets pieces answer to each other as in the paper: the state comes back from the GPU and goes
-    /// up again. Returns how many pairs of triangles met.
-    int collideAsThePaper(double timeStep);
     void bringLostPiecesBack();
     /// Measures what the solver's step has moved; waits for the GPU.
     void measureStep();
-    /// The solver's step is over, with lost pieces back.
-    void endStep();
+    /// The solver's step is over, with lost pieces back. Returns how long it took to list what lies
+    /// near the blade, which the GPU has found [ms].
+    double endStep();
 
     /// Tells whether what is swept between these points [m] comes near the body.
     bool isNear(std::span<const Vec3> strip);

@@ -52,7 +52,6 @@ void Simulation::State::beginAtRest() {
     paramsChanged = true;
     blade = {};
     lastCut = {};
-    paperContacts = 0;
     applyParameters();
     body.measureAtRest();
     publish();
@@ -82,12 +81,12 @@ void Simulation::State::solve() {
     body.prepareStep(params.timeStep);
     prefetchCut();
     moveBody();
-    const double paperContactMs = collideAsThePaper();
     body.measureStep();
     takeBackLostPieces();
-    body.endStep();
+    const double prefetchMs = body.endStep();
+    report.search.milliseconds += params.cutSearch == CutSearch::tree ? prefetchMs : 0;
     report.deformMs = body.solver.takeDeformMilliseconds();
-    report.collideMs = body.solver.takeCollideMilliseconds() + paperContactMs;
+    report.collideMs = body.solver.takeCollideMilliseconds();
 }
 
 void Simulation::State::prefetchCut() {
@@ -105,13 +104,6 @@ void Simulation::State::moveBody() {
     body.solver.unfoldFirmly(!body.cutter->inStroke());
     body.solver.step();
     front.release();
-}
-
-/// Returns how long it took [ms].
-double Simulation::State::collideAsThePaper() {
-    const Stopwatch watch;
-    paperContacts = params.paperContact != 0 ? body.collideAsThePaper(params.timeStep) : 0;
-    return watch.milliseconds();
 }
 
 /// The others go on. Where it happens step after step, only the first of them says so.
@@ -153,7 +145,6 @@ void Simulation::State::publish() {
     ++bodyRevision;
     report.time = time;
     report.describe(body.model(), body.measure);
-    report.contacts += paperContacts;
     if (params.solver != SolverMode::smallSteps) {
         report.strainEnergy.reset();
     }

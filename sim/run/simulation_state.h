@@ -67,7 +67,6 @@ struct Simulation::State {
     int bodyRevision = 0;
     double time = 0;        ///< [s]
     int lastLossStep = -2;  ///< the last step that lost a piece
-    int paperContacts = 0;  ///< pairs of triangles, with paper_contact
 
   private:
     void startRun();
@@ -79,7 +78,6 @@ struct Simulation::State {
     void solve();
     void prefetchCut();
     void moveBody();
-    double collideAsThePaper();
     void takeBackLostPieces();
     void cutAll();
     void mendFolds();

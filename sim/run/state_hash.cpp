@@ -56,8 +56,10 @@ void addValue(StateHash& hash, const ParamValue& value) {
 
 void addParameters(StateHash& hash, const Params& params) {
     for (const ParamInfo& info : paramTable()) {
-        hash.add(info.name);
-        addValue(hash, getParam(params, info.name));
+        if (info.changesStates) {
+            hash.add(info.name);
+            addValue(hash, getParam(params, info.name));
+        }
     }
 }
 

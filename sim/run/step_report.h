@@ -34,6 +34,7 @@ struct StepReport {
     double deformMs = 0;
     double collideMs = 0;
     double cutMs = 0;
+    SearchWork search;  ///< for the triangles near the blade: part of cutMs but for the prefetch
 
     /// Adds what a movement of the blade did.
     void add(const CutStatistics& cut);

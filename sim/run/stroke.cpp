@@ -63,6 +63,7 @@ void Simulation::State::endStroke() {
 void Simulation::State::accept(const CutResult& result) {
     lastCut = result;
     report.add(result.statistics);
+    report.search.add(body.cutter->takeSearchWork());
     addTo(body.subdivisions, result.statistics.patterns);
     for (std::string& sentence : sentencesAbout(result, stepsDone)) {
         messages.push_back(std::move(sentence));

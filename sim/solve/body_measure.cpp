@@ -41,12 +41,12 @@ BodyMeasurer::BodyMeasurer(SolverBody& body)
       measure_(gpu::Program::compute("sim/measure.comp")),
       collect_(gpu::Program::compute("sim/collect.comp")) {}
 
-void BodyMeasurer::start(const ContactSolver& contacts) {
+void BodyMeasurer::start(const ContactReadings& contacts) {
     body_.bind();
     slot_ = body_.pieces.blockMeasures.bindNext(shared::kBlockSumsBinding);
-    contacts.state().bindStorage(shared::kContactCountsOfStepBinding);
+    contacts.state.bindStorage(shared::kContactCountsOfStepBinding);
     // Of another body it has another size; candidates are then looked for anyway.
-    const gpu::Buffer& searched = contacts.searchedPositions();
+    const gpu::Buffer& searched = contacts.searched;
     const gpu::Buffer& positions = body_.state.positions;
     (searched.size() == positions.size() ? searched : positions)
         .bindStorage(shared::kSearchedBinding);
@@ -60,7 +60,7 @@ void BodyMeasurer::start(const ContactSolver& contacts) {
     collectAsked(nearby_);
 }
 
-SolverMeasure BodyMeasurer::take(const ContactSolver& contacts) const {
+SolverMeasure BodyMeasurer::take(const ContactReadings& contacts) const {
     const std::vector<shared::BlockRecord>& blocks = body_.pieces.blocks();
     const std::size_t pieceCount = body_.pieces.pieces().size();
     const auto measures =
@@ -81,7 +81,7 @@ SolverMeasure BodyMeasurer::take(const ContactSolver& contacts) const {
         }
     }
     const shared::vec4& ofContacts = measures[blocks.size()].low_volume;
-    body.contacts = contacts.enabled() ? static_cast<int>(ofContacts.x) : 0;
+    body.contacts = contacts.counts ? static_cast<int>(ofContacts.x) : 0;
     out.hasCandidates = ofContacts.y > 0;
     return out;
 }
@@ -104,7 +104,7 @@ VertexStates BodyMeasurer::statesOf(std::span<const int> vertices) {
 }
 
 /// The kernel that measures finds them; what it measures besides is left where it is.
-VertexStates BodyMeasurer::statesNear(const OrientedBox& box, const ContactSolver& contacts) {
+VertexStates BodyMeasurer::statesNear(const OrientedBox& box, const ContactReadings& contacts) {
     for (;;) {
         nearby_.ask(box, {});
         start(contacts);

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "sim/base/math.h"
-#include "sim/contact/contact_solver.h"
 #include "sim/solve/nearby_vertices.h"
 #include "sim/solve/solver_body.h"
 
@@ -42,6 +42,13 @@ struct SolverMeasure {
     bool hasCandidates = false;
 };
 
+/// What a measure reads of contact between the parts of a body.
+struct ContactReadings {
+    const gpu::Buffer& state;     ///< a ContactState: its counts
+    const gpu::Buffer& searched;  ///< X when candidates were looked for; of some size where never
+    bool counts;                  ///< whether contact is on
+};
+
 /// Measures a body on the GPU, and brings the state of some of its vertices back.
 class BodyMeasurer {
   public:
@@ -49,16 +56,16 @@ class BodyMeasurer {
     explicit BodyMeasurer(SolverBody& body);
 
     /// Lets the GPU begin to measure the positions between steps.
-    void start(const ContactSolver& contacts);
+    void start(const ContactReadings& contacts);
     /// The measure that start() asked for, with the same pieces still; waits for the GPU.
-    SolverMeasure take(const ContactSolver& contacts) const;
+    SolverMeasure take(const ContactReadings& contacts) const;
     /// See GpuSolver.
     void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
         nearby_.ask(box, vertices);
     }
     VertexStates takeWatched() { return nearby_.take(); }
     VertexStates statesOf(std::span<const int> vertices);
-    VertexStates statesNear(const OrientedBox& box, const ContactSolver& contacts);
+    VertexStates statesNear(const OrientedBox& box, const ContactReadings& contacts);
 
   private:
     void bindConstraints() const;

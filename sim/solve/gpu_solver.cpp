@@ -93,12 +93,14 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
 void GpuSolver::setContactBody() {
     const ContactBody body = contactBodyOf(body_);
     contacts_.setBody(body, contactEdgeLength_);
+    paperContact_.setBody(body, contactEdgeLength_);
     boxes_.setBody(body, contactEdgeLength_);
     blade_.setBody(body, contactEdgeLength_);
 }
 
 void GpuSolver::setContact(const ContactSettings& settings) {
     contacts_.setSettings(settings);
+    paperContact_.setSettings(settings);
     boxes_.setSettings(settings);
     blade_.setSettings(settings);
 }
@@ -128,6 +130,11 @@ void GpuSolver::step() {
     phases_.setFolds(folds);
     smallBody_.setFolds(folds);
     contacts_.setFolds(folds);
+    solve();
+    collideAsThePaper();
+}
+
+void GpuSolver::solve() {
     if (sweepsInOneGroup() && smallBody_.large()) {
         stepTheFasterWay();
     } else if (sweepsInOneGroup()) {
@@ -139,6 +146,23 @@ void GpuSolver::step() {
     } else {
         stepBySubsteps();
     }
+}
+
+/// It moves X past what candidates were found from.
+void GpuSolver::collideAsThePaper() {
+    if (!paperContact_.enabled()) {
+        return;
+    }
+    contacts_.forgetCandidates();
+    collideTimer_.begin();
+    paperContact_.respond(static_cast<uint>(body_.pieces.pieces().size()));
+    collideTimer_.end();
+}
+
+ContactReadings GpuSolver::contactReadings() const {
+    const bool paper = paperContact_.enabled();
+    return {paper ? paperContact_.state() : contacts_.state(), contacts_.searchedPositions(),
+            paper || contacts_.enabled()};
 }
 
 bool GpuSolver::meetsOnlyTheFloor() const {
@@ -285,7 +309,7 @@ void GpuSolver::searchContacts() {
 }
 
 BodyMeasure GpuSolver::takeMeasure() {
-    SolverMeasure found = measurer_.take(contacts_);
+    SolverMeasure found = measurer_.take(contactReadings());
     setReach(found.body.bounds, found.body.lostPieces.empty() ? found.velocities : Bounds{});
     motion_.drift = found.ways.diagonal();
     motion_.touching = found.body.contacts > 0;

@@ -13,6 +13,7 @@
 #include "sim/contact/box_obstacles.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/contact/obstacle_contact.h"
+#include "sim/contact/paper_contact.h"
 #include "sim/solve/body_measure.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/constraint_view.h"
@@ -60,7 +61,8 @@ class GpuSolver {
     /// How folds are unfolded from now on (see Unfolding): firmly, or, as at first, gently, as
     /// beside a blade that cuts.
     void unfoldFirmly(bool firmly) { body_.unfoldFirmly(firmly); }
-    /// Contact of the body with itself, off until then, and with boxes.
+    /// Contact of the body with itself, off until then, or of its pieces as the paper has it, and
+    /// with boxes.
     void setContact(const ContactSettings& settings);
     /// Sets the boxes that the body collides with. Throws gpu::ShaderError.
     void setBoxes(std::vector<StaticBox> boxes) {
@@ -125,6 +127,9 @@ class GpuSolver {
     void collideBoxes(std::uint32_t substep) { boxes_.respond(static_cast<int>(substep)); }
     void collideFloor() { phases_.collideFloor(); }
     void finishSubstep() { phases_.finish(); }
+    /// Lets pieces respond to each other as the paper has it, where they are to: once a time step,
+    /// after the last substep.
+    void collideAsThePaper();
 
     /// Measures the body between steps; waits for the GPU. The next step counts on its box and
     /// speeds.
@@ -134,7 +139,7 @@ class GpuSolver {
     }
     /// measure() in two parts, between which the CPU may do something else that changes nothing
     /// here.
-    void startMeasure() { measurer_.start(contacts_); }
+    void startMeasure() { measurer_.start(contactReadings()); }
     BodyMeasure takeMeasure();
     /// Has the coming measure() find out besides what takeWatched() gives; see NearbyVertices.
     void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
@@ -145,7 +150,9 @@ class GpuSolver {
     /// Positions and velocities of these vertices; waits for the GPU.
     VertexStates statesOf(std::span<const int> vertices) { return measurer_.statesOf(vertices); }
     /// The states of all vertices of triangles that meet `box`; waits for the GPU. Between steps.
-    VertexStates statesNear(const OrientedBox& box) { return measurer_.statesNear(box, contacts_); }
+    VertexStates statesNear(const OrientedBox& box) {
+        return measurer_.statesNear(box, contactReadings());
+    }
     /// Looks for what may touch now, as the beginning of a step does.
     void searchContacts();
     const ContactSolver& contacts() const { return contacts_; }
@@ -177,7 +184,10 @@ class GpuSolver {
     void setContactBody();
     void setReach(const Bounds& positions, const Bounds& velocities);
 
+    ContactReadings contactReadings() const;
+
     // The ways through a step.
+    void solve();
     void stepByPhases();
     void stepBySweeps();
     void stepTheFasterWay();
@@ -201,6 +211,7 @@ class GpuSolver {
     bool settlingAllowed_ = true;
 
     ContactSolver contacts_;
+    PaperContact paperContact_;
     ObstacleContact boxes_{BoxObstacles::kind()};
     ObstacleContact blade_{BladeObstacle::kind()};
     double contactEdgeLength_ = 0;  ///< [m]

@@ -278,6 +278,14 @@ void Cutter::setOpenCut(bool open) {
     state_->settings.openCut = open;
 }
 
+void Cutter::setSearch(CutSearch search) {
+    state_->settings.search = search;
+}
+
+SearchWork Cutter::takeSearchWork() {
+    return std::exchange(state_->searchWork, {});
+}
+
 bool Cutter::inStroke() const {
     return state_->inStroke;
 }

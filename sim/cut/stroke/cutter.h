@@ -47,6 +47,10 @@ class Cutter {
 
     /// Sets CutSettings::openCut from the next stroke on.
     void setOpenCut(bool open);
+    /// Sets CutSettings::search.
+    void setSearch(CutSearch search);
+    /// What searches took since this was last asked.
+    SearchWork takeSearchWork();
 
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);

@@ -73,6 +73,7 @@ struct Cutter::State {
     bool groupsHold = false;            ///< since they were made nothing has moved or been cut
     int firstTriangle = 0;              ///< slot from which on the stroke made triangles
     Mirrors mirrors = Mirrors::wanted;  ///< for the step in hand
+    SearchWork searchWork{};            ///< since it was last taken
     std::set<int> piecesToCross{};      ///< pieces in which the step must cross the stroke's walls
     double restVolume = 0;              ///< rest volume of the body before the stroke [m^3]
     cut::StrokeSurface surface{mesh};   ///< the surface before the stroke

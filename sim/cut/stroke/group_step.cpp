@@ -193,7 +193,8 @@ cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const GroupStroke
             kBinSize * group.edgeLength,
             [this, number = group.number](int t) {
                 return groupOfVertex(mesh.triangle(t)[0]) == number;
-            }};
+            },
+            {settings.search, &searchWork}};
 }
 
 // Nothing is committed until one attempt succeeds.

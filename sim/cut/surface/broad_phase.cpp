@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "sim/cut/surface/candidate_search.h"
+
 namespace kerf::cut {
 
 namespace {
@@ -44,10 +46,11 @@ Eigen::Matrix3d sweptAxes(const Blade& blade, const std::vector<Vec3>& points) {
 
 BroadPhase::BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Blade& blade,
                        const std::vector<Vec3>& points, double margin, double binSize,
-                       std::function<bool(int)> counts)
+                       std::function<bool(int)> counts, SearchOrder order)
     : mesh_(mesh),
       finder_(finder),
       counts_(std::move(counts)),
+      order_(order),
       frame_(sweptAxes(blade, points).transpose()),
       points_(points),
       margin_(margin),
@@ -66,27 +69,31 @@ void BroadPhase::take(double margin) const {
     binSize_ = std::max(leastBinSize_, (box_.high.x() - box_.low.x()) / kMostBins);
     OrientedBox reach = orientedBoxAlong(frame_.transpose(), points_);
     reach.widen(margin + kRotationRounding * binSize_);
-    const std::vector<int> near = finder_.near(reach);
     entries_.clear();
-    entries_.reserve(near.size());
-    for (const int t : near) {
-        if (counts_(t)) {
-            add(t);
-        }
+    const SearchWork work = searchCandidates(
+        {mesh_, finder_, order_.way, reach, [this](int t) { return counts_(t) && add(t); }});
+    if (order_.work != nullptr) {
+        order_.work->add(work);
+    }
+    if (order_.way == CutSearch::adjacency) {
+        std::ranges::sort(entries_, {}, &Entry::triangle);
     }
     std::vector<int> all(entries_.size());
     std::iota(all.begin(), all.end(), 0);
     bins_ = binsOf(all);
 }
 
-void BroadPhase::add(int triangle) const {
+/// Whether the triangle is near.
+bool BroadPhase::add(int triangle) const {
     Bounds bounds;
     for (const int v : mesh_.triangle(triangle)) {
         bounds.add(toFrame(mesh_.position(v)));
     }
-    if (bounds.overlaps(box_)) {
+    const bool near = bounds.overlaps(box_);
+    if (near) {
         entries_.push_back({triangle, bounds, binOf(bounds.low.x())});
     }
+    return near;
 }
 
 BroadPhase::Bins BroadPhase::binsOf(std::span<const int> places) const {

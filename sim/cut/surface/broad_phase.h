@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/cut/blade.h"
+#include "sim/cut/cut_types.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_finder.h"
 
@@ -13,6 +14,12 @@ namespace kerf::cut {
 /// The axes of a strip, as columns: along the blade, along the farthest of the `points` aside of
 /// it, and across both.
 Eigen::Matrix3d sweptAxes(const Blade& blade, const std::vector<Vec3>& points);
+
+/// How a broad phase searches; what it finds does not hang on that.
+struct SearchOrder {
+    CutSearch way = CutSearch::tree;  ///< how it finds triangles
+    SearchWork* work = nullptr;       ///< where it adds up what that takes; null: nowhere
+};
 
 /// Finds the triangles near parts of one strip, from the current positions: what meets the strip's
 /// oriented box, binned along the blade. It begins with little around the strip, which most steps
@@ -24,7 +31,7 @@ class BroadPhase {
     /// while this is used.
     BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Blade& blade,
                const std::vector<Vec3>& points, double margin, double binSize,
-               std::function<bool(int)> counts);
+               std::function<bool(int)> counts, SearchOrder order = {});
 
     /// The triangles whose box meets the box of abc widened by `pad` <= margin; ascending.
     std::vector<int> query(const Vec3& a, const Vec3& b, const Vec3& c, double pad) const;
@@ -62,7 +69,7 @@ class BroadPhase {
   private:
     int binOf(double x) const;
     void take(double margin) const;
-    void add(int triangle) const;
+    bool add(int triangle) const;
     Bounds reachOf(std::span<const Vec3> points, double pad) const;
     Bounds widened(Bounds box, double pad) const;
     void findIn(const Bounds& bounds, const Bins& bins, std::vector<int>& found) const;
@@ -71,6 +78,7 @@ class BroadPhase {
     const SurfaceMesh& mesh_;
     TriangleFinder& finder_;
     std::function<bool(int)> counts_;
+    SearchOrder order_;
     Eigen::Matrix3d frame_;  ///< rows: along the blade, along the strip, across both
     std::vector<Vec3> points_;
     double margin_;

@@ -79,6 +79,10 @@ TEST(Experiment, RunsAsPublished) {
     EXPECT_TRUE(summary["failures"].empty());
     const std::string report = readBytes(folder / "out/report.md");
     EXPECT_NE(report.find("(`solver` pbd, `paper_contact`, `open_cut`)"), std::string::npos);
+    const std::size_t cutting = report.find("](sphere20/cutting.png)");
+    EXPECT_LT(cutting, report.find("](sphere20/hollow/hollow.png)")) << report;
+    EXPECT_LT(report.find("](sphere20/hollow/hollow.png)"), report.find("](sphere20/impact.png)"));
+    EXPECT_EQ(render::readPng(folder / "out/sphere20/hollow/hollow.png").width, 640);
 }
 
 TEST(Experiment, WithoutOpenGlNothingIsWritten) {
@@ -101,6 +105,7 @@ TEST(ExperimentReport, NamesWhatDidNotHoldAndWhatIsToBeKnown) {
               std::string::npos);
     EXPECT_NE(report.find("some GPU"), std::string::npos);
     EXPECT_NE(report.find("91.1"), std::string::npos);
+    EXPECT_NE(report.find("| 81.1 | 51.7 |"), std::string::npos) << "its previous method's frames";
 }
 
 }  // namespace

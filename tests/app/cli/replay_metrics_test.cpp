@@ -45,14 +45,17 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
         "step,time,volume,volume_ratio,pieces,vertices,triangles,ispcs,touched_triangles,"
         "closed,deform_ms,collide_ms,cut_ms,render_ms,frame_ms,contacts,one_to_four,one_to_three_a,"
         "one_to_two,one_to_three_b,other_patterns,seeds,kinetic_energy,potential_energy,"
-        "debris_pieces,debris_volume,strain_energy,lost_pieces\n");
+        "debris_pieces,debris_volume,strain_energy,lost_pieces,search_ms,search_walk_ms,"
+        "search_seeds,search_tests\n");
     EXPECT_EQ(formatMetrics(row),
-              "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,,0\n")
+              "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,,0,0,0,0,0\n")
         << "with plain PBD there is no energy of strained material";
     row.report.strainEnergy = 0.75;
     row.report.lostPieces = 2;
-    EXPECT_EQ(formatMetrics(row),
-              "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75,2\n");
+    row.report.search = {1.5, 0.25, 2, 80};
+    EXPECT_EQ(
+        formatMetrics(row),
+        "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75,2,1.5,0.25,2,80\n");
 }
 
 TEST(Metrics, RangeOfASeries) {
@@ -73,6 +76,7 @@ TEST(Metrics, SummaryHoldsWhatScriptsReadFromIt) {
     MetricsRow row;
     row.frameMs = 10;
     row.report.volumeRatio = 1;
+    row.report.search.milliseconds = 3;
     summary.statistics.add(row);
     row.frameMs = 30;
     row.report.volumeRatio = 0.5;
@@ -95,6 +99,7 @@ TEST(Metrics, SummaryHoldsWhatScriptsReadFromIt) {
     EXPECT_EQ(json["fps"]["mean"], 50);
     EXPECT_EQ(json["fps"]["max"], 100);
     EXPECT_EQ(json["stages_ms"]["cut"]["max"], 0);
+    EXPECT_EQ(json["stages_ms"]["search"]["max"], 3);
     EXPECT_EQ(json["closed_every_step"], false);
 }
 

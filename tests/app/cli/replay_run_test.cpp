@@ -223,6 +223,27 @@ TEST(Replay, TooFewIterationsForTheStiffnessAreARemarkAndNoFailure) {
     EXPECT_TRUE(nlohmann::json::parse(soft.out)["remarks"].empty());
 }
 
+TEST(Replay, ABodyThatTurnsInsideOutIsARemarkAndNoFailure) {
+    const TemporaryFolder folder;
+    // Two hands draw the top and the bottom through each other.
+    const std::string session = R"({"format": "kerf-session", "version": 1, "steps": 16,
+        "model": {"builtin": "sphere20"},
+        "params": {"gravity": [0, 0, 0], "floor": null, "ispc_stiffness": 0, "iterations": 2,
+                   "youngs_modulus": 1000, "contact": 0},
+        "events": [{"step": 0, "type": "grab", "hand": 0, "at": [0, 0.45, 0], "radius": 0.4},
+                   {"step": 0, "type": "grab", "hand": 1, "at": [0, -0.45, 0], "radius": 0.4},
+                   {"step": 15, "type": "drag", "hand": 0, "to": [0, -0.7, 0]},
+                   {"step": 15, "type": "drag", "hand": 1, "to": [0, 0.7, 0]}]})";
+    const ProgramRun run = replay(folder, session, "out");
+    EXPECT_EQ(run.exitCode, 0);
+    const auto summary = nlohmann::json::parse(readBytes(folder / "out/summary.json"));
+    EXPECT_LT(summary["volume_ratio"]["min"], 0);
+    ASSERT_EQ(summary["remarks"].size(), 1u);
+    const std::string remark = summary["remarks"][0];
+    EXPECT_NE(remark.find(": the body turned inside out, with -"), std::string::npos) << remark;
+    EXPECT_NE(run.errors.find("test.kerf.json: " + remark), std::string::npos) << run.errors;
+}
+
 TEST(Replay, WithoutOpenGlNothingIsWritten) {
     const TemporaryFolder folder;
     const ProgramRun run = replay(folder, smallSession(), "out", {{"KERF_FORCE_NO_GL", "1"}});

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <iterator>
+
+#include "app/scene/editor_scene.h"
 #include "render/scene/picture_comparison.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
@@ -137,6 +141,28 @@ TEST_F(EditorTest, UndoInTheMiddleOfAStrokeEndsIt) {
     settle();
     EXPECT_EQ(panels().triangles, 768);
     EXPECT_FALSE(panels().stroking);
+}
+
+TEST_F(EditorTest, ABodyThatTurnsInsideOutSaysSoOnce) {
+    EditorScene& scene = *editor->scene();
+    for (const auto& [name, value] : {std::pair("ispc_stiffness", 0.0),
+                                      {"youngs_modulus", 1e3},
+                                      {"contact", 0.0},
+                                      {"floor", -3.0}}) {
+        ASSERT_EQ(scene.execute(SetParam{name, value}), "");
+    }
+    ASSERT_EQ(scene.execute(Grab{1, {0, 0.45, 0}, 0.4}), "");
+    ASSERT_EQ(scene.execute(Grab{2, {0, -0.45, 0}, 0.4}), "");
+    std::vector<std::string> told;
+    for (int step = 0; step < 16; ++step) {
+        const double top = 0.45 - 0.08 * step;
+        scene.execute(Drag{1, {0, top, 0}});
+        scene.execute(Drag{2, {0, -top, 0}});
+        scene.step();
+        std::ranges::move(scene.takeMessages(), std::back_inserter(told));
+    }
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_THAT(told[0], ::testing::HasSubstr("the body turned inside out"));
 }
 
 TEST_F(EditorTest, OneUndoTakesBackAllOfASliderDrag) {

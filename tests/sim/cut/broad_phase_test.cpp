@@ -70,6 +70,50 @@ TEST(BroadPhase, FindsAllWithinThePadHoweverMuchWasTakenBefore) {
     EXPECT_GT(found, 1000);
 }
 
+/// What a broad phase finds around a strip through `mesh`, and what that took.
+struct Found {
+    Found(const SurfaceMesh& mesh, CutSearch way) {
+        TriangleTree tree(mesh);
+        const Blade blade{{-1.3, 0.02, -1.3}, {1.3, 0.03, -1.3}};
+        const std::vector<Vec3> points{blade.a, blade.b, {-1.3, 0.04, 1.3}, {1.3, 0.01, 1.3}};
+        const cut::BroadPhase broadPhase(mesh, tree, blade, points, kMargin, kEdge,
+                                         [](int) { return true; }, {way, &work});
+        broadPhase.takeAround(points, kMargin);
+        for (const cut::BroadPhase::Entry& entry : broadPhase.entries()) {
+            triangles.push_back(entry.triangle);
+        }
+    }
+
+    std::vector<int> triangles;
+    SearchWork work;
+};
+
+TEST(CutSearch, EveryWayFindsTheSame) {
+    const TriangleSoup arm = test::boxSoup({0.2, 2, 0.2}, 6);
+    for (const SurfaceMesh& mesh : {test::icosphere(4), test::torus(),
+                                    test::meshOf(test::joined(arm, arm, {0.5, 0.1, 0.3}))}) {
+        const Found tree(mesh, CutSearch::tree);
+        const Found adjacency(mesh, CutSearch::adjacency);
+        const Found all(mesh, CutSearch::all);
+        EXPECT_GT(tree.triangles.size(), 10u);
+        EXPECT_EQ(adjacency.triangles, tree.triangles);
+        EXPECT_EQ(all.triangles, tree.triangles);
+        EXPECT_LT(tree.work.tests, all.work.tests);
+        EXPECT_EQ(adjacency.work.tests, all.work.tests) << "to find every group";
+        EXPECT_LE(adjacency.work.walkMilliseconds, adjacency.work.milliseconds);
+    }
+}
+
+// The paper's walk from one seed alone misses the second arm.
+TEST(CutSearch, TheWalkNeedsASeedForEachArm) {
+    const TriangleSoup arm = test::boxSoup({0.2, 2, 0.2}, 6);
+    // Two searches: the first takes little around the strip, the second all within the margin.
+    EXPECT_EQ(Found(test::meshOf(arm), CutSearch::adjacency).work.seeds, 2 * 1);
+    const SurfaceMesh two = test::meshOf(test::joined(arm, arm, {0.5, 0.1, 0.3}));
+    EXPECT_EQ(Found(two, CutSearch::adjacency).work.seeds, 2 * 2);
+    EXPECT_EQ(Found(two, CutSearch::all).work.seeds, 0);
+}
+
 TEST(DirectedEdges, KeepsTheFirstNumberOfAnEdge) {
     cut::DirectedEdges edges(3);
     EXPECT_TRUE(edges.add(0, 1, 5));

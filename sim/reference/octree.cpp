@@ -1,4 +1,4 @@
-#include "sim/contact/octree.h"
+#include "sim/reference/octree.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "shaders/shared/contact_records.h"
+#include "sim/body/body_model.h"
+#include "sim/body/body_state.h"
+
+namespace kerf {
+
+/// Computes what PaperContact does, in double precision, with the paper's octree in the place of
+/// the grid and one pair after the other: the truth that the kernels are tested against. All
+/// vertices are free. `uniforms`: see paperContactUniforms(). Returns how many pairs of triangles
+/// meet.
+int respondAsThePaper(const BodyModel& model, const shared::ContactUniforms& uniforms,
+                      BodyState& state);
+
+}  // namespace kerf

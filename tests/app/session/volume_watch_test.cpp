@@ -1,0 +1,36 @@
+#include "app/session/volume_watch.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf::app {
+namespace {
+
+Piece pieceOf(double volume, double restVolume) {
+    return {100, 52, volume, restVolume, 1};
+}
+
+TEST(VolumeWatch, NamesTheFirstStepInWhichTheBodyTurned) {
+    VolumeWatch watch;
+    EXPECT_FALSE(watch.add(0, {pieceOf(2, 2)}));
+    EXPECT_FALSE(watch.add(1, {pieceOf(0.02, 2)}));
+    EXPECT_EQ(watch.sentence(), "") << "flat is not inside out";
+    EXPECT_TRUE(watch.add(2, {pieceOf(-0.1, 2)}));
+    EXPECT_EQ(watch.sentence().find("negative"), std::string::npos) << "one step says it all";
+    EXPECT_FALSE(watch.add(3, {pieceOf(-0.4, 2)})) << "told already";
+    const std::string sentence = watch.sentence();
+    EXPECT_TRUE(
+        sentence.starts_with("Step 2: the body turned inside out, with -5.0 % of its volume"))
+        << sentence;
+    EXPECT_TRUE(sentence.ends_with(" In 2 steps a volume was negative.")) << sentence;
+}
+
+TEST(VolumeWatch, APieceCountsWhereTheSumHidesItAndDebrisDoesNot) {
+    VolumeWatch watch;
+    EXPECT_FALSE(watch.add(0, {pieceOf(1, 1), pieceOf(-1e-6, 1e-5)}));
+    EXPECT_EQ(watch.sentence(), "");
+    EXPECT_TRUE(watch.add(1, {pieceOf(1, 1), pieceOf(-0.25, 1)}));
+    EXPECT_TRUE(watch.sentence().starts_with("Step 1: a piece turned inside out, with -25.0 %"));
+}
+
+}  // namespace
+}  // namespace kerf::app
