@@ -209,7 +209,10 @@ void drawReference(ImDrawList& draw, const PlotFrame& frame, const PlotReference
         drawDashed(draw, {frame.low.x, y}, {frame.high.x, y}, palette().mark, std::max(1.0F, unit),
                    {5 * unit, 4 * unit});
     }
-    draw.AddText({frame.high.x - width - 0.3F * line, top}, palette().dimText, text.c_str());
+    // Curves and marks may pass here.
+    const float left = frame.high.x - width - 0.3F * line;
+    draw.AddRectFilled({left - 0.2F * line, top}, {frame.high.x, top + line}, palette().plotGround);
+    draw.AddText({left, top}, palette().dimText, text.c_str());
 }
 
 void drawCurve(ImDrawList& draw, const PlotFrame& frame, const PlotCurve& curve) {
@@ -287,8 +290,9 @@ PlotRange shownValues(const PlotSpec& spec, const PlotRange& x) {
         range.low = std::min(range.low, own.low);
         range.high = std::max(range.high, own.high);
     }
-    if (range.low > range.high && spec.reference) {
-        range = {spec.reference->value, spec.reference->value};
+    if (spec.reference && (spec.showsReference || range.low > range.high)) {
+        range.low = std::min(range.low, spec.reference->value);
+        range.high = std::max(range.high, spec.reference->value);
     }
     PlotRange padded = paddedRange(range, spec.minSpan);
     if (range.low >= 0 && padded.low < 0) {

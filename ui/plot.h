@@ -37,8 +37,9 @@ struct PlotSpec {
     std::vector<PlotCurve> curves;
     std::span<const PlotMark> marks;  ///< by rising x
     std::optional<PlotReference> reference;
-    double minSpan = 1;       ///< the y axis never shows less than this
-    int readoutDecimals = 1;  ///< of the last value, and of the one under the pointer
+    bool showsReference = false;  ///< the y axis reaches to the reference
+    double minSpan = 1;           ///< the y axis never shows less than this
+    int readoutDecimals = 1;      ///< of the last value, and of the one under the pointer
 };
 
 /// The time axis that all plots share.

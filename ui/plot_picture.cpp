@@ -1,11 +1,6 @@
 #include "ui/plot_picture.h"
 
-#include <backends/imgui_impl_opengl3.h>
-#include <glad/gl.h>
 #include <imgui.h>
-
-#include "gpu/framebuffer.h"
-#include "ui/widgets.h"
 
 namespace kerf::ui {
 namespace {
@@ -21,29 +16,11 @@ void drawAll(std::span<const PlotSpec> plots, const PlotView& view) {
 
 }  // namespace
 
-PlotPainter::PlotPainter(Theme theme) : context_(theme, 1) {}
+PlotPainter::PlotPainter(Theme theme, float scale) : painter_(theme, scale) {}
 
 render::Image PlotPainter::draw(std::span<const PlotSpec> plots, const PlotView& view, int width,
                                 int height) {
-    context_.makeCurrent();
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-    const gpu::Framebuffer picture(GL_RGBA8, GL_DEPTH_COMPONENT24, width, height);
-    // A new window is laid out in its first frame and shown from the second on.
-    for (int frame = 0; frame < 2; ++frame) {
-        ImGui_ImplOpenGL3_NewFrame();
-        ImGui::NewFrame();
-        beginPanel("plots", {0, 0, io.DisplaySize.x, io.DisplaySize.y});
-        drawAll(plots, view);
-        ImGui::End();
-        ImGui::Render();
-    }
-    glUseProgram(0);  // ImGui brings back the one in use, which its owner may have deleted
-    picture.bind();
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    return {width, height, picture.readColor()};
+    return painter_.draw(width, height, [&] { drawAll(plots, view); });
 }
 
 }  // namespace kerf::ui

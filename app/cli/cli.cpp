@@ -38,6 +38,7 @@ namespace kerf::app {
 namespace {
 
 constexpr int kMostJobs = 256;
+constexpr int kMostRuns = 100;
 
 /// What the command line asks for.
 struct Arguments {
@@ -167,6 +168,11 @@ void describeExperiment(Parser& parser, Arguments& arguments) {
         ->type_name("DIR");
     parser.experiment->add_flag("--published", arguments.experiment.published,
                                 "Solve, answer contact and cut as the paper does");
+    parser.experiment
+        ->add_option("--runs", arguments.experiment.runs,
+                     "Runs of each stroke, for the spread of frame rates (5)")
+        ->check(CLI::Range(1, kMostRuns))
+        ->type_name("N");
     parser.experiment->add_flag("--json", arguments.experiment.json, "Print one JSON object");
 }
 
@@ -394,9 +400,11 @@ int runCommandLine(int argc, char** argv) {
     if (!arguments.file.empty() && !parser.app.get_subcommands().empty()) {
         return complain("A verb comes first and takes its own files; see kerf --help.", kExitUsage);
     }
-    if (arguments.experiment.published && arguments.experiment.name == kBarExperiment) {
-        return complain("'bar' is none of the paper's experiments and takes no --published.",
-                        kExitUsage);
+    const bool likePaper = arguments.experiment.published || parser.experiment->count("--runs") > 0;
+    if (likePaper && arguments.experiment.name == kBarExperiment) {
+        return complain(
+            "'bar' is none of the paper's experiments and takes neither --published nor --runs.",
+            kExitUsage);
     }
     return runVerbSafely(parser, arguments);
 }

@@ -82,7 +82,10 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
     expectMistake(runKerf({"experiment", "--out", "x"}), 2, "NAME");
     expectMistake(runKerf({"experiment", "all"}), 2, "--out");
     expectMistake(runKerf({"experiment", "bar", "--published", "--out", "x"}), 2,
-                  "takes no --published");
+                  "takes neither --published nor --runs");
+    expectMistake(runKerf({"experiment", "bar", "--runs", "2", "--out", "x"}), 2,
+                  "takes neither --published nor --runs");
+    expectMistake(runKerf({"experiment", "all", "--runs", "0", "--out", "x"}), 2, "--runs");
     expectMistake(runKerf({"experiment", "cube", "--out", "x"}), 2,
                   "there is no experiment 'cube'; there are sphere20, ");
     expectMistake(runKerf({"compare", "a.png"}), 2, "B");

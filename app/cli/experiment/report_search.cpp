@@ -1,0 +1,78 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "app/cli/experiment/report_figures.h"
+#include "app/cli/experiment/report_markdown.h"
+#include "app/cli/experiment/report_sections.h"
+
+namespace kerf::app {
+
+namespace {
+
+constexpr const char* kPaperWay = "adjacency";
+constexpr const char* kFormerWay = "all";
+
+const StrokeTimes* timesOf(const ExperimentResult& result, std::string_view way) {
+    const auto found = std::ranges::find(result.searches, way, &SearchRun::way);
+    return found == result.searches.end() ? nullptr : &found->times;
+}
+
+std::string ways(const ReportData& data) {
+    std::vector<Cells> rows;
+    for (const ExperimentResult& result : data.results) {
+        for (const SearchRun& run : result.searches) {
+            const StrokeTimes& times = run.times;
+            rows.push_back({result.paper->label, run.way,
+                            fmt::format("{:.0f}", times.searchTests.mean()), spread(times.searchMs),
+                            run.way == kPaperWay ? spread(times.walkMs) : kNotGiven,
+                            run.way == kPaperWay ? fmt::format("{}", times.mostSeeds) : kNotGiven,
+                            spread(times.cutMs), fmt::format("{:.1f}", times.fps())});
+        }
+    }
+    return markdownTable(
+        {"model", "`cut_search`", "triangles tested", "search, ms",
+         "of it, walk from the first seed, ms", "most seeds", "cut, ms", "frames/s"},
+        rows);
+}
+
+/// By how much frames come faster where they take `now` instead of `before` [%].
+std::string gain(double before, double now) {
+    return now > 0 ? fmt::format("{:.2f}", 100 * (before / now - 1)) : kNotGiven;
+}
+
+Cells gainsOf(const ExperimentResult& result) {
+    const StrokeTimes* walk = timesOf(result, kPaperWay);
+    const StrokeTimes* all = timesOf(result, kFormerWay);
+    if (walk == nullptr || all == nullptr) {
+        return {result.paper->label, kNotGiven, kNotGiven, kNotGiven, kNotGiven};
+    }
+    const double saved = all->searchMs.mean() - walk->searchMs.mean();
+    const double frame = all->frameMs.mean();
+    const double cut = all->cutMs.mean();
+    return {result.paper->label,
+            result.paper->gain > 0 ? fmt::format("{:.2f}", result.paper->gain) : kNotGiven,
+            gain(frame, walk->frameMs.mean()), gain(frame, frame - saved), gain(cut, cut - saved)};
+}
+
+std::string gains(const ReportData& data) {
+    return experimentTable({"model", "paper: gain, %", "frames/s, as measured, %",
+                            "frames/s, by the search alone, %", "cuts/s, by the search alone, %"},
+                           data.results, gainsOf);
+}
+
+}  // namespace
+
+std::string searchSection(const ReportData& data) {
+    return "## The search for triangles (the paper's section 4)\n\n"
+           "The paper attributes its gain to a search among adjacent triangles instead of all. "
+           "`cut_search` has both, and the tree that Kerf uses; all three find the same triangles, "
+           "so the cut is the same bit for bit. Each row is one run of the stroke alone.\n\n" +
+           ways(data) + markdownPicture("Times of the three ways to search", kSearchFile) +
+           "Gain of `adjacency` over `all`: as measured, with all that disturbs the times of two "
+           "runs; and as the search alone would give it, with all other times as they are with "
+           "`all`.\n\n" +
+           gains(data);
+}
+
+}  // namespace kerf::app
