@@ -20,6 +20,7 @@
 #include "app/cli/experiment_verb.h"
 #include "app/cli/inspect_verb.h"
 #include "app/cli/replay_verb.h"
+#include "app/cli/sweep_verb.h"
 #include "app/cli/test_verb.h"
 #include "app/cli/usage_error.h"
 #include "app/editor/editor.h"
@@ -27,6 +28,7 @@
 #include "app/files/import_process.h"
 #include "app/files/model_source.h"
 #include "app/session/paper_experiments.h"
+#include "app/study/study.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
@@ -46,6 +48,7 @@ struct Arguments {
     InspectArguments inspect;
     CompareArguments compare;
     TestArguments test;
+    SweepArguments sweep;
     std::filesystem::path workerFile;
 };
 
@@ -57,6 +60,7 @@ struct Parser {
     CLI::App* inspect = nullptr;
     CLI::App* compare = nullptr;
     CLI::App* test = nullptr;
+    CLI::App* sweep = nullptr;
     CLI::App* worker = nullptr;
 };
 
@@ -250,6 +254,39 @@ void describeTest(Parser& parser, Arguments& arguments) {
     parser.test->add_flag("--json", arguments.test.json, "Print one JSON object");
 }
 
+/// What is done instead of the whole sweep; one of these at most.
+void describePartsOfSweep(CLI::App& sweep, SweepArguments& arguments) {
+    CLI::Option* run =
+        sweep.add_option("--run", arguments.run, "Do this run alone, from 0; gather nothing")
+            ->check(CLI::Range(std::size_t{0}, kMostRuns - 1))
+            ->type_name("K");
+    CLI::Option* list =
+        sweep.add_flag("--list", arguments.list, "Print a line for each run, and run nothing")
+            ->excludes(run);
+    sweep
+        .add_flag("--gather", arguments.gather,
+                  "Write the table and the plots of the runs that are done, and run nothing")
+        ->excludes(run)
+        ->excludes(list);
+    sweep.add_flag("--json", arguments.json, "Print one JSON object")->excludes(run);
+}
+
+void describeSweep(Parser& parser, Arguments& arguments) {
+    parser.sweep = parser.app.add_subcommand(
+        "sweep", "Run sessions with many values of parameters; begun anew, it goes on");
+    parser.sweep->add_option("STUDY", arguments.sweep.study, "A study: see docs/sweeps.md")
+        ->required()
+        ->check(refuseEmpty);
+    parser.sweep->add_option("--out", arguments.sweep.out, "Folder for the results")
+        ->check(refuseEmpty)
+        ->type_name("DIR");
+    parser.sweep
+        ->add_option("--jobs", arguments.sweep.jobs, "Runs at a time; one per core otherwise")
+        ->check(CLI::Range(1, kMostJobs))
+        ->type_name("N");
+    describePartsOfSweep(*parser.sweep, arguments.sweep);
+}
+
 /// Not for people: model_source runs it to keep the file readers in a process of their own.
 void describeWorker(Parser& parser, Arguments& arguments) {
     parser.worker = parser.app.add_subcommand("import-worker")->group("");
@@ -267,6 +304,7 @@ void describe(Parser& parser, Arguments& arguments) {
     describeInspect(parser, arguments);
     describeCompare(parser, arguments);
     describeTest(parser, arguments);
+    describeSweep(parser, arguments);
     describeWorker(parser, arguments);
 }
 
@@ -318,6 +356,7 @@ int runVerb(const Parser& parser, const Arguments& arguments) {
     if (parser.inspect->parsed()) return inspectVerb(arguments.inspect, std::cout);
     if (parser.compare->parsed()) return compareVerb(arguments.compare, std::cout);
     if (parser.test->parsed()) return testVerb(arguments.test, std::cout);
+    if (parser.sweep->parsed()) return sweepVerb(arguments.sweep, std::cout, std::cerr);
     if (parser.worker->parsed()) return runImportWorker(arguments.workerFile);
     return runEditorVerb(arguments.file);
 }

@@ -40,6 +40,7 @@ TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
                                                  {"experiment", "--help"},
                                                  {"inspect", "--help"},
                                                  {"compare", "--help"},
+                                                 {"sweep", "--help"},
                                                  {"--version"}}) {
         const ProgramRun run = runKerf(call);
         EXPECT_EQ(run.exitCode, 0) << call[0];
@@ -65,7 +66,7 @@ TEST(CommandLine, MasksOfCompareStandBeforeOrBehindThePictures) {
 
 TEST(CommandLine, HelpNamesEveryVerbThatIsForPeople) {
     const std::string help = runKerf({"--help"}).out;
-    for (const char* verb : {"replay", "experiment", "inspect", "compare"}) {
+    for (const char* verb : {"replay", "experiment", "inspect", "compare", "sweep"}) {
         EXPECT_NE(help.find(verb), std::string::npos) << verb;
     }
     EXPECT_EQ(help.find("import-worker"), std::string::npos);
