@@ -123,12 +123,27 @@ void drawLegend(const PlotSpec& spec) {
     ImGui::Dummy({1, line});
 }
 
+/// A dim line that ends with dots where it is too long.
+void drawNote(const std::string& note) {
+    const float line = ImGui::GetFontSize();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float end = corner.x + ImGui::GetContentRegionAvail().x;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().dimText);
+    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), corner, {end, corner.y + line}, end, end,
+                              note.data(), note.data() + note.size(), nullptr);
+    ImGui::PopStyleColor();
+    ImGui::Dummy({1, line});
+}
+
 void drawHeader(const PlotSpec& spec) {
     ImGui::TextUnformatted(spec.title.data(), spec.title.data() + spec.title.size());
     if (spec.curves.size() == 1) {
         drawLastValue(spec);
     } else {
         drawLegend(spec);
+    }
+    for (const std::string& note : spec.notes) {
+        drawNote(note);
     }
 }
 
@@ -284,6 +299,9 @@ void drawCrosshair(ImDrawList& draw, const PlotFrame& frame, const PlotSpec& spe
 }
 
 PlotRange shownValues(const PlotSpec& spec, const PlotRange& x) {
+    if (spec.yRange) {
+        return *spec.yRange;
+    }
     PlotRange range{1e300, -1e300};
     for (const PlotCurve& curve : spec.curves) {
         const PlotRange own = valueRange(bucketsIn(curve.series->buckets(), x));

@@ -33,13 +33,15 @@ struct PlotReference {
 struct PlotSpec {
     const char* id = "";     ///< unique among the plots of a frame; its name in settings and files
     std::string_view title;  ///< "Volume, % of rest"
+    std::vector<std::string> notes{};  ///< dim lines below the title
     std::string_view xUnit = "s";
     std::vector<PlotCurve> curves;
     std::span<const PlotMark> marks;  ///< by rising x
     std::optional<PlotReference> reference;
-    bool showsReference = false;  ///< the y axis reaches to the reference
-    double minSpan = 1;           ///< the y axis never shows less than this
-    int readoutDecimals = 1;      ///< of the last value, and of the one under the pointer
+    bool showsReference = false;        ///< the y axis reaches to the reference
+    double minSpan = 1;                 ///< the y axis never shows less than this
+    std::optional<PlotRange> yRange{};  ///< what the y axis shows, whatever the values
+    int readoutDecimals = 1;            ///< of the last value, and of the one under the pointer
 };
 
 /// The time axis that all plots share.
@@ -52,8 +54,9 @@ struct PlotTimeline {
 double newestOf(std::span<const PlotSpec> plots);
 
 /// Draws the plot as the next item, `height` pixels high over the whole width: title, last value or
-/// legend, axes with round ticks, for each curve the band from lowest to highest and the mean,
-/// marks, and a crosshair under the pointer. Wheel, drag and double click answer with another view.
+/// legend, notes, axes with round ticks, for each curve the band from lowest to highest and the
+/// mean, marks, and a crosshair under the pointer. Wheel, drag and double click answer with another
+/// view.
 std::optional<PlotView> drawPlot(const PlotSpec& spec, const PlotTimeline& timeline, float height);
 
 }  // namespace kerf::ui

@@ -1,12 +1,22 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "render/scene/image.h"
 #include "ui/picture_painter.h"
 #include "ui/plot.h"
 
 namespace kerf::ui {
+
+/// Small multiples: a plot per panel, in rows.
+struct PlotSheet {
+    std::string title;  ///< above all of them
+    std::span<const PlotSpec> panels;
+    int columns = 1;
+    int panelWidth = 320;   ///< [pixels]
+    int panelHeight = 180;  ///< [pixels]
+};
 
 /// Draws plots into pictures, for reports and exports: the same plots as in the editor.
 class PlotPainter {
@@ -17,6 +27,8 @@ class PlotPainter {
     /// The plots one below the other, of equal heights. `width`, `height` of the picture [pixels].
     render::Image draw(std::span<const PlotSpec> plots, const PlotView& view, int width,
                        int height);
+    /// The panels of a sheet, with one time axis for all; the picture is as large as they need.
+    render::Image draw(const PlotSheet& sheet);
 
   private:
     PicturePainter painter_;

@@ -20,6 +20,7 @@
 #include "app/cli/experiment_verb.h"
 #include "app/cli/inspect_verb.h"
 #include "app/cli/replay_verb.h"
+#include "app/cli/sweep_verb.h"
 #include "app/cli/test_verb.h"
 #include "app/cli/usage_error.h"
 #include "app/editor/editor.h"
@@ -28,6 +29,7 @@
 #include "app/files/model_source.h"
 #include "app/session/paper_experiments.h"
 #include "app/session/session_schema.h"
+#include "app/study/study.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
@@ -48,6 +50,7 @@ struct Arguments {
     InspectArguments inspect;
     CompareArguments compare;
     TestArguments test;
+    SweepArguments sweep;
     std::filesystem::path workerFile;
 };
 
@@ -60,6 +63,7 @@ struct Parser {
     CLI::App* compare = nullptr;
     CLI::App* test = nullptr;
     CLI::App* schema = nullptr;
+    CLI::App* sweep = nullptr;
     CLI::App* worker = nullptr;
 };
 
@@ -265,6 +269,39 @@ void describeSchema(Parser& parser) {
         "schema", "Print the JSON Schema of sessions, by which text editors complete and check");
 }
 
+/// What is done instead of the whole sweep; one of these at most.
+void describePartsOfSweep(CLI::App& sweep, SweepArguments& arguments) {
+    CLI::Option* run =
+        sweep.add_option("--run", arguments.run, "Do this run alone, from 0; gather nothing")
+            ->check(CLI::Range(std::size_t{0}, kMostRuns - 1))
+            ->type_name("K");
+    CLI::Option* list =
+        sweep.add_flag("--list", arguments.list, "Print a line for each run, and run nothing")
+            ->excludes(run);
+    sweep
+        .add_flag("--gather", arguments.gather,
+                  "Write the table and the plots of the runs that are done, and run nothing")
+        ->excludes(run)
+        ->excludes(list);
+    sweep.add_flag("--json", arguments.json, "Print one JSON object")->excludes(run);
+}
+
+void describeSweep(Parser& parser, Arguments& arguments) {
+    parser.sweep = parser.app.add_subcommand(
+        "sweep", "Run sessions with many values of parameters; begun anew, it goes on");
+    parser.sweep->add_option("STUDY", arguments.sweep.study, "A study: see docs/sweeps.md")
+        ->required()
+        ->check(refuseEmpty);
+    parser.sweep->add_option("--out", arguments.sweep.out, "Folder for the results")
+        ->check(refuseEmpty)
+        ->type_name("DIR");
+    parser.sweep
+        ->add_option("--jobs", arguments.sweep.jobs, "Runs at a time; one per core otherwise")
+        ->check(CLI::Range(1, kMostJobs))
+        ->type_name("N");
+    describePartsOfSweep(*parser.sweep, arguments.sweep);
+}
+
 /// Not for people: model_source runs it to keep the file readers in a process of their own.
 void describeWorker(Parser& parser, Arguments& arguments) {
     parser.worker = parser.app.add_subcommand("import-worker")->group("");
@@ -283,6 +320,7 @@ void describe(Parser& parser, Arguments& arguments) {
     describeCompare(parser, arguments);
     describeTest(parser, arguments);
     describeSchema(parser);
+    describeSweep(parser, arguments);
     describeWorker(parser, arguments);
 }
 
@@ -340,6 +378,7 @@ int runVerb(const Parser& parser, const Arguments& arguments) {
     if (parser.compare->parsed()) return compareVerb(arguments.compare, std::cout);
     if (parser.test->parsed()) return testVerb(arguments.test, std::cout);
     if (parser.schema->parsed()) return schemaVerb(std::cout);
+    if (parser.sweep->parsed()) return sweepVerb(arguments.sweep, std::cout, std::cerr);
     if (parser.worker->parsed()) return runImportWorker(arguments.workerFile);
     return runEditorVerb(arguments.file);
 }

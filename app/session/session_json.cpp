@@ -10,8 +10,6 @@ namespace kerf::app {
 
 namespace {
 
-using nlohmann::json;
-
 std::string lineAndColumn(std::string_view text, std::size_t position) {
     const std::string_view before = text.substr(0, std::min(position, text.size()));
     const auto lines = std::count(before.begin(), before.end(), '\n');
@@ -29,24 +27,29 @@ std::string excerpt(std::string token) {
 }
 
 /// Builds the document while it is read, and stops at what must not be kept.
-class DocumentBuilder : public nlohmann::json_sax<json> {
+template <class Json>
+class DocumentBuilder : public nlohmann::json_sax<Json> {
+    using Sax = nlohmann::json_sax<Json>;
+
   public:
     explicit DocumentBuilder(std::string_view text) : text_(text) {}
-    json take() { return std::move(root_); }
+    Json take() { return std::move(root_); }
 
     bool null() override { return put(nullptr); }
     bool boolean(bool value) override { return put(value); }
-    bool number_integer(number_integer_t value) override { return put(value); }
-    bool number_unsigned(number_unsigned_t value) override { return put(value); }
-    bool number_float(number_float_t value, const string_t&) override { return put(value); }
-    bool string(string_t& value) override { return put(std::move(value)); }
-    bool binary(binary_t&) override { return false; }
-    bool start_object(std::size_t) override { return open(json::object()); }
-    bool start_array(std::size_t) override { return open(json::array()); }
+    bool number_integer(typename Sax::number_integer_t value) override { return put(value); }
+    bool number_unsigned(typename Sax::number_unsigned_t value) override { return put(value); }
+    bool number_float(typename Sax::number_float_t value, const typename Sax::string_t&) override {
+        return put(value);
+    }
+    bool string(typename Sax::string_t& value) override { return put(std::move(value)); }
+    bool binary(typename Sax::binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
 
-    bool key(string_t& name) override {
+    bool key(typename Sax::string_t& name) override {
         if (open_.back()->contains(name)) {
             throw InputError(place() + ": the key '" + excerpt(name) +
                              "' stands there twice; keep one.");
@@ -65,27 +68,27 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     }
 
   private:
-    bool put(json value) {
+    bool put(Json value) {
         insert(std::move(value));
         return true;
     }
 
-    json* insert(json value) {
+    Json* insert(Json value) {
         if (open_.empty()) {
             root_ = std::move(value);
             return &root_;
         }
-        json& parent = *open_.back();
+        Json& parent = *open_.back();
         if (parent.is_array()) {
             parent.push_back(std::move(value));
             return &parent.back();
         }
-        json& slot = parent[keys_.back()];
+        Json& slot = parent[keys_.back()];
         slot = std::move(value);
         return &slot;
     }
 
-    bool open(json container) {
+    bool open(Json container) {
         if (open_.size() >= kMaxJsonDepth) {
             const std::string key = keys_.front().empty() ? "" : excerpt(keys_.front()) + ": ";
             throw InputError(key + "nested deeper than " + std::to_string(kMaxJsonDepth) +
@@ -116,22 +119,31 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     }
 
     std::string_view text_;
-    json root_;
-    std::vector<json*> open_;
+    Json root_;
+    std::vector<Json*> open_;
     std::vector<std::string> keys_;  ///< the key being filled at each open level
 };
 
-}  // namespace
-
 // The parser takes a zero byte for the end of the text.
-json parseJson(std::string_view text) {
+template <class Json>
+Json parse(std::string_view text) {
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
         throw InputError(lineAndColumn(text, zero) + ": a zero byte is not valid JSON.");
     }
-    DocumentBuilder builder(text);
+    DocumentBuilder<Json> builder(text);
     // Every error throws out of the builder, so the result needs no look.
-    json::sax_parse(text, &builder);
+    Json::sax_parse(text, &builder);
     return builder.take();
+}
+
+}  // namespace
+
+nlohmann::json parseJson(std::string_view text) {
+    return parse<nlohmann::json>(text);
+}
+
+nlohmann::ordered_json parseOrderedJson(std::string_view text) {
+    return parse<nlohmann::ordered_json>(text);
 }
 
 }  // namespace kerf::app

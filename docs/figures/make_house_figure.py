@@ -13,15 +13,16 @@ from svg import (BLUE, BROWN, GREEN, GREY, INK, ORANGE, ROOT, Drawing, mixed, ro
 COLORS = {"app": ORANGE, "ui": BROWN, "render": GREEN, "sim": BLUE, "gpu": GREY}
 # Where a room stands: its left side, its top and its width; and what it is for.
 FLOORS = {
-    "app/files": (30, 82, 86, "import, export,\nsaving"),
-    "app/session": (127, 82, 86, "session files,\nmetrics"),
-    "app/regression": (224, 82, 86, "expectations,\nreports"),
-    "app/scene": (321, 82, 86, "the body that\nis edited"),
-    "app/tools": (418, 82, 86, "blades, pulling,\ncamera"),
-    "app/editor": (515, 82, 86, "what keys and\nmenus do"),
-    "app/window": (612, 82, 86, "the window\nand its loop"),
-    "app/cli": (709, 82, 86, "verbs, replay,\nexperiments"),
-    "app": (806, 82, 85, "main()"),
+    "app/files": (24, 82, 78, "import,\nexport, CSV"),
+    "app/session": (112, 82, 78, "their files,\nmetrics"),
+    "app/regression": (200, 82, 86, "sessions as\ntests"),
+    "app/study": (296, 82, 74, "many runs,\none table"),
+    "app/scene": (380, 82, 78, "the edited\nbody"),
+    "app/tools": (468, 82, 78, "blades,\ncamera"),
+    "app/editor": (556, 82, 82, "keys and\nmenus"),
+    "app/window": (648, 82, 80, "the window\nand its loop"),
+    "app/cli": (738, 82, 74, "verbs,\nreplay"),
+    "app": (822, 82, 74, "main()"),
     "ui": (252, 210, 338, "panels, plots, themes, keys; they queue actions"),
     "render/scene": (30, 296, 150, "what is drawn"),
     "render/passes": (212, 296, 150, "one pass a file"),
@@ -45,7 +46,7 @@ FLOORS = {
 }
 # Where the straight way would lead through rooms: corners of the arrow.
 WAYS = {
-    ("app/session", "sim/run"): [(191, 144), (191, 166), (620, 166), (620, 397)],
+    ("app/session", "sim/run"): [(151, 144), (151, 166), (620, 166), (620, 397)],
     ("ui", "sim/run"): [(575, 254), (575, 397)],
     ("sim/contact", "gpu"): [(239, 460), (239, 727)],
     ("sim/cut/exact", "sim/base"): [(392, 649), (225, 649)],

@@ -41,6 +41,7 @@ TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
                                                  {"inspect", "--help"},
                                                  {"compare", "--help"},
                                                  {"schema", "--help"},
+                                                 {"sweep", "--help"},
                                                  {"--version"}}) {
         const ProgramRun run = runKerf(call);
         EXPECT_EQ(run.exitCode, 0) << call[0];
@@ -66,7 +67,8 @@ TEST(CommandLine, MasksOfCompareStandBeforeOrBehindThePictures) {
 
 TEST(CommandLine, HelpNamesEveryVerbThatIsForPeople) {
     const std::string help = runKerf({"--help"}).out;
-    for (const char* verb : {"replay", "experiment", "inspect", "compare", "schema"}) {
+    for (const char* verb :
+         {"replay", "experiment", "inspect", "compare", "test", "schema", "sweep"}) {
         EXPECT_NE(help.find(verb), std::string::npos) << verb;
     }
     EXPECT_EQ(help.find("import-worker"), std::string::npos);

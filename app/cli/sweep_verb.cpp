@@ -1,0 +1,271 @@
+#include "app/cli/sweep_verb.h"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <thread>
+
+#include "app/cli/exit_codes.h"
+#include "app/cli/usage_error.h"
+#include "app/files/child_runs.h"
+#include "app/files/file_io.h"
+#include "app/files/output_folder.h"
+#include "app/study/study_plots.h"
+#include "app/study/study_run.h"
+#include "app/study/study_table.h"
+#include "gpu/context.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Numbers = std::vector<std::size_t>;
+
+constexpr std::size_t kMostNamed = 10;
+
+int jobsOf(const SweepArguments& arguments) {
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    return arguments.jobs > 0 ? arguments.jobs : static_cast<int>(cores);
+}
+
+/// "runs 3, 5 and 7"; of many the first ones.
+std::string nameRuns(const Numbers& numbers) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < std::min(numbers.size(), kMostNamed); ++i) {
+        names.push_back(std::to_string(numbers[i]));
+    }
+    if (numbers.size() > kMostNamed) {
+        names.push_back(std::to_string(numbers.size() - kMostNamed) + " more");
+    }
+    return (numbers.size() == 1 ? "run " : "runs ") + enumerated(names);
+}
+
+/// "3 a.kerf.json time_step=0.003".
+std::string describeRun(const Study& study, std::size_t number) {
+    const StudyRun& run = study.runs[number];
+    const std::string settings = settingsText(run);
+    return fmt::format("{} {}{}{}", number, study.sessionOf(run).name, settings.empty() ? "" : " ",
+                       settings);
+}
+
+// --- --list ------------------------------------------------------------------------------------
+
+/// "done", "failed" or "missing".
+std::string stateName(const RunState& state) {
+    if (!state.record) {
+        return "missing";
+    }
+    return state.record->exitCode == 0 ? "done" : "failed";
+}
+
+Json describeAsJson(const Study& study, std::size_t number, const fs::path& out) {
+    const StudyRun& run = study.runs[number];
+    Json json{{"run", number}, {"session", study.sessionOf(run).name}, {"params", Json::object()}};
+    for (const Setting& setting : run.settings) {
+        json["params"][setting.name] = Json::parse(setting.value);
+    }
+    if (!out.empty()) {
+        json["state"] = stateName(stateOfRun(study, number, out));
+    }
+    return json;
+}
+
+int listRuns(const Study& study, const SweepArguments& arguments, std::ostream& out) {
+    Json list = Json::array();
+    for (std::size_t number = 0; number < study.runs.size(); ++number) {
+        if (arguments.json) {
+            list.push_back(describeAsJson(study, number, arguments.out));
+        } else {
+            const std::string state =
+                arguments.out.empty() ? ""
+                                      : " " + stateName(stateOfRun(study, number, arguments.out));
+            out << describeRun(study, number) << state << "\n";
+        }
+    }
+    if (arguments.json) {
+        out << Json{{"runs", std::move(list)}}.dump() << "\n";
+    }
+    return kExitDone;
+}
+
+// --- --run -------------------------------------------------------------------------------------
+
+int runOne(const Study& study, const SweepArguments& arguments, std::ostream& out,
+           std::ostream& errors) {
+    const std::size_t number = *arguments.run;
+    if (number >= study.runs.size()) {
+        throw UsageError(
+            fmt::format("--run {}: the study has runs 0 to {}", number, study.runs.size() - 1));
+    }
+    const RunEnd end = performRun(study, number, arguments.out);
+    errors << end.log;
+    if (end.noOpenGl) {
+        return kExitNoOpenGl;
+    }
+    const RunRecord& record = end.record;
+    out << (end.wasDone            ? "was done"
+            : record.exitCode == 0 ? "done    "
+                                   : "failed  ")
+        << " " << describeRun(study, number) << "\n";
+    return record.exitCode;
+}
+
+// --- All of them -------------------------------------------------------------------------------
+
+/// The runs that are to be done. Says which of them had results.
+Numbers pendingRuns(const Study& study, const fs::path& out) {
+    Numbers pending;
+    for (std::size_t number = 0; number < study.runs.size(); ++number) {
+        const RunState state = stateOfRun(study, number, out);
+        if (!state.done()) {
+            pending.push_back(number);
+        }
+        if (!state.reason.empty()) {
+            spdlog::warn("Run {} is run again: {}.", number, state.reason);
+        }
+    }
+    return pending;
+}
+
+std::vector<std::string> childArguments(const SweepArguments& arguments, std::size_t number) {
+    return {"sweep", arguments.study.string(), "--out", arguments.out.string(),
+            "--run", std::to_string(number)};
+}
+
+std::string lineAbout(const Study& study, std::size_t number, const fs::path& out,
+                      const ChildOutcome& outcome) {
+    const std::string line =
+        fmt::format("{:<7} {} ({:.1f} s)\n", outcome.exitCode == kExitDone ? "done" : "failed",
+                    describeRun(study, number), outcome.seconds);
+    if (outcome.exitCode == kExitDone) {
+        return line;
+    }
+    const std::optional<RunRecord> record = readRecord(folderOfRun(out, number));
+    return line + "        " + (record ? record->problem : sentenceAbout(outcome)) + "\n";
+}
+
+/// Each run is a program of its own, the same that a cluster would start.
+void runPending(const Study& study, const Numbers& pending, const SweepArguments& arguments,
+                std::ostream& out) {
+    std::vector<std::vector<std::string>> children;
+    for (const std::size_t number : pending) {
+        children.push_back(childArguments(arguments, number));
+    }
+    runChildren(children, jobsOf(arguments), [&](std::size_t i, const ChildOutcome& outcome) {
+        if (outcome.exitCode == kExitNoOpenGl) {
+            throw gpu::ContextError("Run " + std::to_string(pending[i]) + ": " +
+                                    sentenceAbout(outcome));
+        }
+        if (!arguments.json) {
+            out << lineAbout(study, pending[i], arguments.out, outcome) << std::flush;
+        }
+    });
+}
+
+// --- Gathering ---------------------------------------------------------------------------------
+
+void warnAboutRenderers(const StudyTable& table) {
+    if (table.renderers.size() > 1) {
+        spdlog::warn("The runs were made on {} drivers, whose state hashes can't be compared: {}.",
+                     table.renderers.size(), joined(table.renderers, "; "));
+    }
+}
+
+/// The table is complete without pictures: the machine that gathers may have no OpenGL.
+std::vector<std::string> drawPlots(const Study& study, const fs::path& out) {
+    if (study.runs.size() > kMostDrawnRuns) {
+        spdlog::warn("The plots show the first {} of {} runs.", kMostDrawnRuns, study.runs.size());
+    }
+    try {
+        const gpu::EglContext context;
+        drawStudy(study, out);
+        return studyPictures(study);
+    } catch (const gpu::ContextError& error) {
+        spdlog::warn("The plots were not drawn. {}", error.what());
+        return {};
+    }
+}
+
+void print(const Study& study, const StudyTable& table, const std::vector<std::string>& files,
+           const SweepArguments& arguments, std::ostream& out) {
+    if (arguments.json) {
+        out << Json{{"runs", study.runs.size()},
+                    {"failed", table.failed},
+                    {"missing", table.missing},
+                    {"files", files}}
+                   .dump()
+            << "\n";
+        return;
+    }
+    out << counted(study.runs.size(), "run", "runs") << ", "
+        << (table.failed.empty() ? "none" : std::to_string(table.failed.size())) << " failed";
+    if (!table.failed.empty()) {
+        out << " (" << nameRuns(table.failed) << ")";
+    }
+    if (!table.missing.empty()) {
+        out << ", " << table.missing.size() << " missing (" << nameRuns(table.missing) << ")";
+    }
+    out << "\nwritten to " << arguments.out.string() << ": " << joined(files, " ") << "\n";
+}
+
+/// Of earlier results, which nobody shall take for these.
+void removeGathered(const Study& study, const OutputFolder& folder) {
+    folder.remove(kTableFile);
+    for (const std::string& picture : studyPictures(study)) {
+        folder.remove(picture);
+    }
+}
+
+int gather(const Study& study, const SweepArguments& arguments, std::ostream& out) {
+    OutputFolder folder(arguments.out);
+    removeGathered(study, folder);
+    const StudyTable table = gatherTable(study, arguments.out);
+    warnAboutRenderers(table);
+    std::vector<std::string> files = drawPlots(study, arguments.out);
+    folder.write(kTableFile, table.text);
+    files.insert(files.begin(), kTableFile);
+    print(study, table, files, arguments, out);
+    return table.failed.empty() && table.missing.empty() ? kExitDone : kExitCheckFailed;
+}
+
+int sweep(const Study& study, const SweepArguments& arguments, std::ostream& out) {
+    const Numbers pending = pendingRuns(study, arguments.out);
+    if (!pending.empty()) {
+        removeGathered(study, OutputFolder(arguments.out));
+        runPending(study, pending, arguments, out);
+    }
+    return gather(study, arguments, out);
+}
+
+Study read(const SweepArguments& arguments) {
+    Study study = arguments.run ? readStudyForRun(arguments.study, *arguments.run)
+                                : readStudy(arguments.study);
+    for (const std::string& warning : study.warnings) {
+        spdlog::warn(warning);
+    }
+    return study;
+}
+
+}  // namespace
+
+int sweepVerb(const SweepArguments& arguments, std::ostream& out, std::ostream& errors) {
+    if (arguments.out.empty() && !arguments.list) {
+        throw UsageError("--out is missing; name the folder for the results");
+    }
+    const Study study = read(arguments);
+    if (arguments.list) {
+        return listRuns(study, arguments, out);
+    }
+    if (arguments.run) {
+        return runOne(study, arguments, out, errors);
+    }
+    return arguments.gather ? gather(study, arguments, out) : sweep(study, arguments, out);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,103 @@
+#include "app/study/study_run.h"
+
+#include <spdlog/spdlog.h>
+
+#include "app/files/child_runs.h"
+#include "app/files/file_io.h"
+#include "app/files/output_folder.h"
+#include "app/study/run_lock.h"
+
+namespace kerf::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kNoOpenGl = 4;  // docs/cli.md
+constexpr int kSignalled = 128;
+
+/// Where a run writes until it is complete.
+fs::path unfinishedFolder(const fs::path& out, std::size_t number) {
+    return out / ("." + std::to_string(number) + ".part");
+}
+
+void removeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::remove_all(folder, error);
+    if (error) {
+        throw OutputError(folder.string() + ": an older result could not be removed (" +
+                          error.message() + ").");
+    }
+}
+
+/// What is no run of a sweep was put there by somebody else, who may want to keep it.
+void requireReplaceable(const fs::path& folder) {
+    std::error_code error;
+    if (fs::exists(folder) && !readRecord(folder) && !fs::is_empty(folder, error)) {
+        throw OutputError(folder.string() +
+                          ": there is something else than a run of a sweep; choose another --out.");
+    }
+}
+
+std::vector<std::string> replayArguments(const Study& study, const StudyRun& run,
+                                         const fs::path& folder) {
+    std::vector<std::string> words{"replay", study.sessionOf(run).file.string(), "--out",
+                                   folder.string()};
+    for (const Setting& setting : run.settings) {
+        words.insert(words.end(), {"--set", setting.name + "=" + setting.value});
+    }
+    return words;
+}
+
+ChildOutcome replay(const Study& study, const StudyRun& run, const fs::path& folder) {
+    ChildOutcome outcome;
+    runChildren({replayArguments(study, run, folder)}, 1,
+                [&](std::size_t, const ChildOutcome& end) { outcome = end; });
+    return outcome;
+}
+
+RunRecord recordOf(const RunIdentity& identity, const ChildOutcome& outcome) {
+    const int exitCode = outcome.signal != 0 ? kSignalled + outcome.signal : outcome.exitCode;
+    return {identity, exitCode, exitCode == 0 ? "" : sentenceAbout(outcome)};
+}
+
+void moveFolder(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error) {
+        throw OutputError(to.string() + ": this folder could not be made (" + error.message() +
+                          ").");
+    }
+}
+
+/// Runs it and lets its folder appear.
+RunEnd replaceRun(const Study& study, std::size_t number, const fs::path& out) {
+    const fs::path folder = folderOfRun(out, number);
+    const fs::path unfinished = unfinishedFolder(out, number);
+    const StudyRun& run = study.runs[number];
+    requireReplaceable(folder);
+    removeFolder(unfinished);
+    const ChildOutcome outcome = replay(study, run, unfinished);
+    if (outcome.exitCode == kNoOpenGl) {
+        return {.record = {}, .log = outcome.log, .noOpenGl = true};
+    }
+    RunEnd end{.record = recordOf(identityOf(study, run), outcome), .log = outcome.log};
+    OutputFolder(unfinished).write(kRecordFile, formatRecord(end.record));
+    removeFolder(folder);
+    moveFolder(unfinished, folder);
+    return end;
+}
+
+}  // namespace
+
+RunEnd performRun(const Study& study, std::size_t number, const fs::path& out) {
+    OutputFolder folder(out);
+    const RunLock lock(out, number);
+    const RunState state = stateOfRun(study, number, out);
+    if (state.done()) {
+        return {.record = *state.record, .wasDone = true, .log = {}};
+    }
+    return replaceRun(study, number, out);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,125 @@
+#include "app/study/study_table.h"
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
+#include "app/session/session.h"
+#include "app/session/session_json.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::uintmax_t kMaxSummaryBytes = 256u << 20;
+constexpr const char* kResultColumns =
+    "exit,state_hash,pieces,volume_mean,volume_min,volume_final,fps_mean";
+constexpr std::size_t kSummaryColumns = 6;  // of these, all but exit
+
+/// As RFC 4180 has it: quotes only around what needs them.
+std::string cell(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
+    std::string quoted = "\"";
+    for (const char c : text) {
+        quoted += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return quoted + "\"";
+}
+
+/// Without the quotes of JSON around a word.
+std::string valueCell(const std::string& value) {
+    return value.starts_with('"') ? value.substr(1, value.size() - 2) : cell(value);
+}
+
+/// The summary of a run; null where it wrote none.
+json readSummary(const fs::path& folder) {
+    const fs::path file = folder / kSummaryFile;
+    return fs::exists(file) ? parseJson(readInputFile(file, kMaxSummaryBytes)) : json();
+}
+
+/// The columns from state_hash on.
+std::vector<std::string> summaryCells(const json& summary) {
+    if (summary.is_null()) {
+        return std::vector<std::string>(kSummaryColumns);
+    }
+    const json& volume = summary.at("volume_ratio");
+    std::vector<std::string> cells{summary.at("state_hash").get<std::string>(),
+                                   std::to_string(summary.at("pieces").size())};
+    for (const json& number :
+         {volume.at("mean"), volume.at("min"), volume.at("final"), summary.at("fps").at("mean")}) {
+        cells.push_back(number.is_null() ? "" : formatNumber(number.get<double>()));
+    }
+    return cells;
+}
+
+std::vector<std::string> headCells(const Study& study, std::size_t number) {
+    const StudyRun& run = study.runs[number];
+    std::vector<std::string> cells{std::to_string(number), cell(study.sessionOf(run).name)};
+    for (const std::string& parameter : study.parameters) {
+        cells.push_back(valueCell(startValue(study, run, parameter)));
+    }
+    return cells;
+}
+
+void noteRenderer(StudyTable& table, const json& summary) {
+    if (summary.is_null()) {
+        return;
+    }
+    const std::string name = summary.at("renderer").get<std::string>() + ", OpenGL " +
+                             summary.at("driver").get<std::string>();
+    if (std::ranges::count(table.renderers, name) == 0) {
+        table.renderers.push_back(name);
+    }
+}
+
+/// The cells behind the parameters, as far as the run has results.
+std::vector<std::string> resultCells(StudyTable& table, const RunState& state, std::size_t number,
+                                     const fs::path& folder) {
+    if (!state.record) {
+        table.missing.push_back(number);
+        return std::vector<std::string>(1 + kSummaryColumns);
+    }
+    if (state.record->exitCode != 0) {
+        table.failed.push_back(number);
+    }
+    std::vector<std::string> cells{std::to_string(state.record->exitCode)};
+    try {
+        const json summary = readSummary(folder);
+        noteRenderer(table, summary);
+        std::ranges::move(summaryCells(summary), std::back_inserter(cells));
+    } catch (const json::exception&) {
+        throw InputError((folder / kSummaryFile).string() +
+                         ": this is no summary of a replay; remove the folder and run it again.");
+    }
+    return cells;
+}
+
+}  // namespace
+
+StudyTable gatherTable(const Study& study, const fs::path& out) {
+    StudyTable table;
+    const std::string parameters = joined(study.parameters, ",");
+    table.text =
+        "run,session," + parameters + (parameters.empty() ? "" : ",") + kResultColumns + "\n";
+    for (std::size_t number = 0; number < study.runs.size(); ++number) {
+        std::vector<std::string> cells = headCells(study, number);
+        std::ranges::move(
+            resultCells(table, stateOfRun(study, number, out), number, folderOfRun(out, number)),
+            std::back_inserter(cells));
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            table.text += (i == 0 ? "" : ",") + cells[i];
+        }
+        table.text += "\n";
+    }
+    return table;
+}
+
+}  // namespace kerf::app
