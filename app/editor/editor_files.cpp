@@ -4,6 +4,7 @@
 #include "app/files/file_io.h"
 #include "app/files/free_file.h"
 #include "sim/base/text.h"
+#include "ui/action_table.h"
 
 namespace kerf::app {
 namespace {
@@ -14,8 +15,8 @@ constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over s
 
 void Editor::State::saveSession(const std::filesystem::path& file) {
     if (startsSaving()) {
-        saving = startSaving(
-            file, scene->recordedSession(cameraFlight.destination(camera), display.colors));
+        saving = startSaving(file,
+                             scene->savedSession(cameraFlight.destination(camera), display.colors));
     }
 }
 
@@ -143,6 +144,7 @@ void Editor::State::show(UploadedDocument uploaded) {
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     renderer.setRestDepth(uploaded.depth);
     scene = std::move(next);
+    pictureOffer.reset();
     landCamera();
     camera = scene->document().camera;
     display.colors = scene->document().session.colors;
@@ -169,13 +171,24 @@ void Editor::State::followSavings() {
         } else {
             spdlog::info("{}", outcome.sentence);
         }
+        tellOfSaving(outcome);
+    }
+}
+
+void Editor::State::tellOfSaving(const SavingQueue::Outcome& outcome) {
+    if (pictureOffer && pictureOffer->saving == outcome.number && !outcome.failed) {
+        toast.offer(outcome.sentence, {ui::ActionId::addPicture, "Add to the session"});
+    } else {
         toast.show(outcome.sentence, outcome.failed);
     }
 }
 
 void Editor::State::saveScreenshot() {
     screenshotWanted = false;
-    savePicture({options.width, options.height, picture.readColor()}, "kerf");
+    const int number = savePicture({options.width, options.height, picture.readColor()}, "kerf");
+    if (scene != nullptr && scene->recording()) {
+        pictureOffer = {scene->here(), number};
+    }
 }
 
 void Editor::State::saveSceneScreenshot() {
@@ -187,8 +200,8 @@ void Editor::State::saveSceneScreenshot() {
     savePicture(std::move(image), "kerf-scene");
 }
 
-void Editor::State::savePicture(render::Image image, const std::string& name) {
-    savings.add([image = std::move(image), name, folder = options.screenshotFolder] {
+int Editor::State::savePicture(render::Image image, const std::string& name) {
+    return savings.add([image = std::move(image), name, folder = options.screenshotFolder] {
         const std::filesystem::path file = freeFile(folder, name, ".png");
         writePicture(image, file);
         return "Saved " + file.string();

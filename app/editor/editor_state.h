@@ -88,6 +88,12 @@ struct Editor::State {
         ui::Question question;
     };
     std::optional<OpenFault> fault;
+    /// A screenshot that was taken while recording: the session may have its picture too.
+    struct PictureOffer {
+        JournalPlace place;
+        int saving = 0;  ///< its number in `savings`
+    };
+    std::optional<PictureOffer> pictureOffer;
     bool sceneChanged = true;
     bool closing = false;
     bool helpOpen = false;
@@ -124,6 +130,7 @@ struct Editor::State {
     void placeBox();
     void goToChange(std::size_t done);
     void seekTo(int step);
+    void removeMark(int id);
     void setTools(const ui::ToolSettings& settings);
 
     // The view: editor_view.cpp.
@@ -174,7 +181,8 @@ struct Editor::State {
     std::vector<ui::FolderLink> bookmarks(ui::FilePurpose purpose) const;
     void saveScreenshot();
     void saveSceneScreenshot();
-    void savePicture(render::Image image, const std::string& name);
+    int savePicture(render::Image image, const std::string& name);
+    void tellOfSaving(const SavingQueue::Outcome& outcome);
 
     // Time: editor_time.cpp.
     void advance(double elapsedSeconds);

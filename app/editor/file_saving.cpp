@@ -46,13 +46,13 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
         title, [input](WorkProgress& progress) { return exportBody(*input, progress); });
 }
 
-std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Session session) {
+std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved) {
     return std::make_unique<FileSaving>(
         "Saving " + file.filename().string(),
-        [file, session = std::move(session)](WorkProgress& progress) {
+        [file, saved = std::move(saved)](WorkProgress& progress) {
             progress.enter("Writing");
-            writeOutputFile(file, formatSession(session, file.parent_path()));
-            return "Saved " + file.string();
+            writeOutputFile(file, formatSession(saved.session, file.parent_path()));
+            return "Saved " + file.string() + (saved.remark.empty() ? "" : ". " + saved.remark);
         });
 }
 
