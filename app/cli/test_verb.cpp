@@ -1,7 +1,6 @@
 #include "app/cli/test_verb.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/progress_line.h"
+#include "app/files/temporary_folder.h"
 #include "app/regression/test_report.h"
 #include "app/regression/test_session.h"
 #include "gpu/context.h"
@@ -25,30 +25,14 @@ namespace fs = std::filesystem;
 /// Where the runs leave their results: the folder that is to keep them, or one that goes with this.
 class ResultFolder {
   public:
-    explicit ResultFolder(const fs::path& kept) : path_(kept) {
-        if (kept.empty()) {
-            std::string name = (fs::temp_directory_path() / "kerf-test-XXXXXX").string();
-            if (::mkdtemp(name.data()) == nullptr) {
-                throw OutputError(name + ": no temporary folder could be made; set TMPDIR.");
-            }
-            path_ = name;
-            temporary_ = true;
-        }
-    }
-    ~ResultFolder() {
-        std::error_code error;
-        if (temporary_) {
-            fs::remove_all(path_, error);
-        }
-    }
-    ResultFolder(const ResultFolder&) = delete;
-    ResultFolder& operator=(const ResultFolder&) = delete;
+    explicit ResultFolder(const fs::path& kept)
+        : path_(kept.empty() ? temporary_.emplace("kerf-test").path() : kept) {}
 
     fs::path of(std::size_t run) const { return path_ / std::to_string(run); }
 
   private:
+    std::optional<TemporaryFolder> temporary_;
     fs::path path_;
-    bool temporary_ = false;
 };
 
 int jobsOf(const TestArguments& arguments) {
@@ -71,6 +55,7 @@ std::string lineAbout(const TestResult& result) {
 std::vector<TestResult> runTests(const std::vector<fs::path>& sessions, const ResultFolder& folder,
                                  const TestArguments& arguments, std::ostream& out) {
     std::vector<std::vector<std::string>> runs;
+    runs.reserve(sessions.size());
     for (const fs::path& session : sessions) {
         runs.push_back(runArguments(session, folder.of(runs.size())));
     }
