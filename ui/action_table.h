@@ -17,6 +17,7 @@ namespace kerf::ui {
 enum class ActionId : std::uint8_t {
     openFile,
     saveSession,
+    saveTest,
     exportBody,
     screenshot,
     sceneScreenshot,
@@ -128,6 +129,8 @@ inline constexpr std::array kActions{
               "File", always},
     ActionRow{ActionId::saveSession, at(Key::s, kControl, "Ctrl+S"), "Save all since the start...",
               "File", withBody},
+    ActionRow{ActionId::saveTest, at(Key::t, kControl, "Ctrl+T"), "Save as a test...", "File",
+              withBody},
     ActionRow{ActionId::exportBody, at(Key::e, kControl, "Ctrl+E"), "Export the body...", "File",
               withBody},
     ActionRow{ActionId::screenshot, at(Key::f12, kPlain, "F12"), "Save a screenshot here", "File",

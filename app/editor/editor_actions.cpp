@@ -193,6 +193,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
     Handler{ActionId::saveSession, Needs::body,
             [](State& s) { s.browse(FilePurpose::saveSession); }},
+    Handler{ActionId::saveTest, Needs::body, [](State& s) { s.beginTest(); }},
     Handler{ActionId::exportBody, Needs::body, [](State& s) { s.browse(FilePurpose::exportMesh); }},
     Handler{ActionId::screenshot, Needs::nothing, [](State& s) { s.screenshotWanted = true; }},
     Handler{ActionId::sceneScreenshot, Needs::body, [](State& s) { s.saveSceneScreenshot(); }},

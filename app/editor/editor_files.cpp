@@ -9,6 +9,9 @@
 namespace kerf::app {
 namespace {
 
+/// The choices of beginTest().
+enum PictureChoice { kAddPicture, kNoPicture, kCancel };
+
 constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over sooner
 
 }  // namespace
@@ -22,6 +25,35 @@ void Editor::State::saveSession(const std::filesystem::path& file) {
 
 void Editor::State::saveRecording() {
     saveSession(freeFile(options.screenshotFolder, scene->document().name, ".kerf.json"));
+}
+
+/// A test without a picture is one too, but it can't show what has changed.
+void Editor::State::beginTest() {
+    testGetsPicture = false;
+    if (scene->takesPictures()) {
+        browse(ui::FilePurpose::saveTest);
+        return;
+    }
+    asked = {{"The session takes no picture yet",
+              "A test compares the states, counts and volumes of its session, and its pictures.",
+              {"Add a picture of the end", "Go without", "Cancel"}},
+             [this](int choice) {
+                 if (choice != kCancel) {
+                     testGetsPicture = choice == kAddPicture;
+                     browse(ui::FilePurpose::saveTest);
+                 }
+             }};
+}
+
+void Editor::State::saveTest(const std::filesystem::path& file) {
+    if (!startsSaving()) {
+        return;
+    }
+    if (testGetsPicture) {
+        scene->addPicture(scene->end());
+    }
+    saving = startSavingTest(
+        file, scene->savedSession(cameraFlight.destination(camera), display.colors, SavedAs::test));
 }
 
 void Editor::State::exportBody(const std::filesystem::path& file, bool filePerPiece) {
@@ -40,7 +72,7 @@ bool Editor::State::startsSaving() {
 
 void Editor::State::open(const std::filesystem::path& file, bool fillHoles) {
     cancelLoading();
-    fault.reset();
+    asked.reset();
     loading = std::make_unique<DocumentLoading>(file, fillHoles);
 }
 
@@ -87,11 +119,15 @@ void Editor::State::askAboutHoles(const ModelFault& found) {
         sentence.replace(0, whole.size(), loading->file().filename().string());
     }
     const std::string holes = counted(found.fillableHoles(), "hole", "holes");
-    fault = {loading->file(),
-             {"This model can't be cut as it is",
+    asked = {{"This model can't be cut as it is",
               sentence.substr(0, sentence.find(';')) + ". Filling " + holes +
                   " would close it; the file stays as it is.",
-              {"Fill " + holes, "Cancel"}}};
+              {"Fill " + holes, "Cancel"}},
+             [this, file = loading->file()](int choice) {
+                 if (choice == 0) {
+                     open(file, true);
+                 }
+             }};
 }
 
 void Editor::State::followSaving() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,12 +83,14 @@ struct Editor::State {
     ui::PlotView plotView;
     BladeTool bladeTool;
     PullTool pullTool;
-    /// A model with holes that could be filled, while the person is asked about that.
-    struct OpenFault {
-        std::filesystem::path file;
+    /// A question that waits for the person, and what is done with the choice.
+    struct Asked {
         ui::Question question;
+        std::function<void(int choice)> answer;
     };
-    std::optional<OpenFault> fault;
+    std::optional<Asked> asked;
+    /// The test that a dialog asks a name for gets a picture of its end.
+    bool testGetsPicture = false;
     /// A screenshot that was taken while recording: the session may have its picture too.
     struct PictureOffer {
         JournalPlace place;
@@ -166,6 +169,8 @@ struct Editor::State {
     ui::WorkState workState() const;
     void saveSession(const std::filesystem::path& file);
     void saveRecording();
+    void beginTest();
+    void saveTest(const std::filesystem::path& file);
     void exportBody(const std::filesystem::path& file, bool filePerPiece);
     bool startsSaving();
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/files/file_io.h"
+#include "app/regression/test_maker.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -44,6 +45,18 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
                     simulation.mesh()});
     return std::make_unique<FileSaving>(
         title, [input](WorkProgress& progress) { return exportBody(*input, progress); });
+}
+
+std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved) {
+    return std::make_unique<FileSaving>(
+        "Saving the test " + file.filename().string(),
+        [file, saved = std::move(saved)](WorkProgress& progress) {
+            makeTest(saved.session, file, progress);
+            const std::size_t pictures = pictureFiles(saved.session).size();
+            return "Saved the test " + file.string() + " with " +
+                   (pictures == 0 ? "no picture" : counted(pictures, "picture", "pictures")) +
+                   (saved.remark.empty() ? "" : ". " + saved.remark);
+        });
 }
 
 std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved) {

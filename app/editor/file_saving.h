@@ -26,5 +26,7 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
                                         Simulation& simulation);
 /// Begins to write a session.
 std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved);
+/// Begins to write a session and what a run of it comes out like, which takes as long as that.
+std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved);
 
 }  // namespace kerf::app

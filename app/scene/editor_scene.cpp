@@ -385,26 +385,29 @@ CheckEvent EditorScene::checkOfNow() {
     return {simulation_.stateHash(), pieceCount()};
 }
 
-/// Whether it is a session without events, as it was opened.
+/// Whether it is a session without events to which nobody did anything.
 bool EditorScene::isUntouched() const {
-    return document_.session.steps > 0 && !recorded_ && journal_.entries().empty() &&
-           !journal_.firstChange();
+    return document_.session.steps > 0 && !recorded_ && !journal_.firstChange();
 }
 
 SavedSession EditorScene::savedSession(const render::Camera& camera,
-                                       const render::ChosenColors& colors) {
-    SavedSession saved = sessionAsSaved(document_.session, journal_);
+                                       const render::ChosenColors& colors, SavedAs purpose) {
+    SavedSession saved = sessionAsSaved(document_.session, journal_, purpose);
     Session& session = saved.session;
-    if (playback_) {
-        session.steps = playback_->steps();
-    } else if (!isUntouched()) {
-        session.steps = std::max(1, simulation_.stepCount());
-    }
-    if (endsNow()) {
+    session.steps = stepsAsSaved();
+    if (purpose == SavedAs::session && endsNow()) {
         session.events.push_back({session.steps, checkOfNow()});
     }
     setView(session, camera, colors);
     return saved;
+}
+
+int EditorScene::stepsAsSaved() const {
+    if (playback_) {
+        return playback_->steps();
+    }
+    return isUntouched() ? std::max(document_.session.steps, journal_.lastStep())
+                         : std::max(1, simulation_.stepCount());
 }
 
 /// Whether a session that is saved now ends with what a person did last.
@@ -432,6 +435,17 @@ void EditorScene::setView(Session& session, const render::Camera& camera,
 }
 
 // --- Pictures, exports and checks of the session -----------------------------------------------
+
+JournalPlace EditorScene::end() const {
+    const auto& entries = journal_.entries();
+    return {stepsAsSaved(), entries.empty() ? 0 : entries.back().id};
+}
+
+bool EditorScene::takesPictures() const {
+    return std::ranges::any_of(journal_.entries(), [](const JournalEntry& entry) {
+        return std::holds_alternative<ScreenshotEvent>(entry.event.action);
+    });
+}
 
 std::string EditorScene::addPicture(const JournalPlace& place) {
     std::string file = freeOutputName(journal_, document_.name, place.step, ".png");

@@ -70,13 +70,18 @@ class EditorScene {
     /// Writes down all that was done since the start, as a session that ends here with a check of
     /// the state. A session that is played is written whole, with what a person added, wherever it
     /// stands; it keeps its view. Other documents get `camera`, unless useView() gave one to them.
-    SavedSession savedSession(const render::Camera& camera, const render::ChosenColors& colors);
+    SavedSession savedSession(const render::Camera& camera, const render::ChosenColors& colors,
+                              SavedAs purpose = SavedAs::session);
     /// The view for the pictures of the session.
     void useView(const render::Camera& camera) { chosenView_ = camera; }
 
     // Pictures, exports and checks of the session.
     /// The present in the session, to add a picture of it later on.
     JournalPlace here() const { return journal_.here(simulation_.stepCount()); }
+    /// The last place in the session as it would be saved now.
+    JournalPlace end() const;
+    /// Whether a replay of the session would take any.
+    bool takesPictures() const;
     /// Adds a picture under a name of its own, which it returns.
     std::string addPicture(const JournalPlace& place);
     /// Adds an export of the body as it is under a name of its own, which it returns.
@@ -134,6 +139,7 @@ class EditorScene {
     void atEndOfSession();
     void addMark(const JournalPlace& place, SessionAction action);
     bool isUntouched() const;
+    int stepsAsSaved() const;
     bool endsNow() const;
     CheckEvent checkOfNow();
     void setView(Session& session, const render::Camera& camera,

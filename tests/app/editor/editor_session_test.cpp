@@ -1,9 +1,12 @@
 // Pictures, checks and exports of a session, added and removed in the window.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "app/scene/editor_scene.h"
 #include "app/session/session.h"
 #include "tests/app/editor/editor_fixture.h"
+#include "tests/support/run_kerf.h"
 
 namespace kerf::app {
 namespace {
@@ -38,6 +41,27 @@ class EditorSessionTest : public EditorTest {
         tap(Key::enter);
         waitForWork();
         return readSession(folder / (name + ".kerf.json"));
+    }
+    std::filesystem::path sessionFile(const std::string& name) {
+        return folder / (name + ".kerf.json");
+    }
+    /// Asks for a test. A question about its picture is answered by Enter.
+    void askForTest(const std::string& name, bool picture) {
+        tap(Key::t, {.control = true});
+        frames(2);
+        if (picture) {
+            ASSERT_FALSE(panels().question.text.empty());
+            tap(Key::enter);
+            frames(2);
+        }
+        ASSERT_EQ(panels().files.purpose, ui::FilePurpose::saveTest);
+        type(name);
+        tap(Key::enter);
+    }
+    void expectTestHolds(const std::string& name) {
+        const test::ProgramRun run = test::runKerf({"test", sessionFile(name)});
+        EXPECT_EQ(run.exitCode, 0) << run.out << run.errors;
+        EXPECT_THAT(run.out, HasSubstr("passed "));
     }
     std::vector<Kind> kinds() {
         std::vector<Kind> all;
@@ -180,6 +204,89 @@ TEST_F(EditorSessionTest, TheViewOfASessionIsChosenByAKey) {
     EXPECT_FALSE(savedAs("own").view);
     tap(Key::home, {.shift = true});
     EXPECT_TRUE(savedAs("chosen").view);
+}
+
+TEST_F(EditorSessionTest, ATestThatFailsFromTheStartIsRefusedAndOneThatHoldsIsSaved) {
+    openSession();
+    askForTest("kept", false);
+    waitForWork();
+    EXPECT_TRUE(panels().toastIsError);
+    EXPECT_THAT(panels().toast, HasSubstr("No test was saved: "));
+    EXPECT_THAT(panels().toast, HasSubstr("0123456789abcdef"));
+    EXPECT_FALSE(std::filesystem::exists(sessionFile("kept")));
+    EXPECT_FALSE(std::filesystem::exists(folder / "kept.expected"));
+
+    clickMark(60, Button::right);
+    click("mark.remove.60");
+    frames(2);
+    goTo(30);
+    tap(Key::c, {.shift = true});
+    askForTest("kept", false);
+    waitForWork();
+    EXPECT_FALSE(panels().toastIsError) << panels().toast;
+    EXPECT_THAT(panels().toast, HasSubstr("kept.kerf.json with 1 picture"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "kept.expected/half.png"));
+    EXPECT_EQ(readSession(sessionFile("kept")).events.size(), 5U);
+    expectTestHolds("kept");
+}
+
+TEST_F(EditorSessionTest, WhatWasDoneSinceTheStartIsSavedAsATestWithAPictureOfItsEnd) {
+    drag(kTop, kBottom, 6);
+    settle();
+    askForTest("cut", true);
+    waitForWork();
+    EXPECT_FALSE(panels().toastIsError) << panels().toast;
+    const Session session = readSession(sessionFile("cut"));
+    const SessionEvent& last = session.events.back();
+    EXPECT_EQ(last.step, session.steps);
+    ASSERT_TRUE(std::holds_alternative<ScreenshotEvent>(last.action)) << "no check of the editor's";
+    const std::string picture = std::get<ScreenshotEvent>(last.action).file;
+    EXPECT_TRUE(std::filesystem::exists(folder / "cut.expected" / picture));
+    EXPECT_EQ(kinds(), std::vector{Kind::picture}) << "what is open has it too";
+    expectTestHolds("cut");
+}
+
+TEST_F(EditorSessionTest, ATestMayGoWithoutAPictureOrNotBeSavedAtAll) {
+    tap(Key::t, {.control = true});
+    frames(2);
+    tap(Key::escape);
+    frames(2);
+    EXPECT_TRUE(panels().question.text.empty());
+    EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
+    tap(Key::t, {.control = true});
+    frames(3);
+    click("question.1");
+    frames(2);
+    type("bare");
+    tap(Key::enter);
+    waitForWork();
+    EXPECT_THAT(panels().toast, HasSubstr("with no picture"));
+    EXPECT_THAT(kinds(), ::testing::IsEmpty());
+    expectTestHolds("bare");
+}
+
+TEST_F(EditorSessionTest, TheWindowGoesOnWhileALongTestIsSavedAndCancellingLeavesNothing) {
+    test::writeText(folder / "long.kerf.json", R"({
+        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+        "steps": 1000000,
+        "events": [{"step": 9, "type": "screenshot", "file": "9.png"}]})");
+    editor->open(folder / "long.kerf.json");
+    waitForWork();
+    askForTest("mine", false);
+    const auto isReplaying = [&] {
+        frames(1);
+        return panels().work.stage.starts_with("Replaying step ");
+    };
+    for (int i = 0; i < 6000 && !isReplaying(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_THAT(panels().work.title, HasSubstr("mine.kerf.json"));
+    EXPECT_THAT(panels().work.stage, HasSubstr("of 1000000"));
+    tap(Key::escape);
+    EXPECT_FALSE(editor->working());
+    editor.reset();  // waits for what was cancelled
+    EXPECT_FALSE(std::filesystem::exists(sessionFile("mine")));
+    EXPECT_FALSE(std::filesystem::exists(folder / "mine.expected"));
 }
 
 }  // namespace

@@ -6,8 +6,11 @@
 #include <random>
 
 #include "app/cli/replay.h"
+#include "app/regression/expectation.h"
+#include "app/regression/test_session.h"
 #include "app/scene/document_loading.h"
 #include "app/scene/editor_scene.h"
+#include "gpu/context.h"
 #include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
@@ -26,16 +29,17 @@ unsigned environmentNumber(const char* name, unsigned otherwise) {
     return text == nullptr ? otherwise : static_cast<unsigned>(std::atol(text));
 }
 
-std::vector<std::filesystem::path> shippedSessions() {
-    std::vector<std::filesystem::path> files;
-    for (const char* folder : {"assets/sessions", "tests/sessions"}) {
-        for (const auto& entry :
-             std::filesystem::directory_iterator(std::filesystem::path(KERF_SOURCE_DIR) / folder)) {
-            files.push_back(entry.path());
-        }
+/// The sessions in some folders of the source.
+std::vector<std::filesystem::path> sessionsIn(const std::vector<std::string>& folders) {
+    std::vector<std::filesystem::path> paths;
+    for (const std::string& folder : folders) {
+        paths.push_back(std::filesystem::path(KERF_SOURCE_DIR) / folder);
     }
-    std::ranges::sort(files);
-    return files;
+    return findSessions(paths);
+}
+
+std::vector<std::filesystem::path> shippedSessions() {
+    return sessionsIn({"assets/sessions", "tests/sessions"});
 }
 
 /// An editor without a window, with a session open.
@@ -240,6 +244,36 @@ TEST_F(KeptSessions, ShippedOnesAreSavedAsTheyWereWhereverTheyStand) {
             EXPECT_EQ(opened.text(), text) << "at the start again";
         }
     }
+}
+
+TEST_F(KeptSessions, ThoseOfTheTestsEndAsTheirReplaysWereExpectedTo) {
+    for (const std::filesystem::path& file : sessionsIn({"tests/regression"})) {
+        SCOPED_TRACE(file.filename().string());
+        OpenedSession opened(file);
+        const int steps = opened->document().session.steps;
+        EXPECT_EQ(opened.text(), opened.openedText()) << "at once";
+        opened.goTo(steps / 2);
+        opened.goTo(steps / 2 - 3);
+        EXPECT_EQ(opened.text(), opened.openedText()) << "after scrubbing back";
+        opened.goTo(steps);
+        EXPECT_EQ(opened.text(), opened.openedText()) << "at the end";
+        const Expectation expected = readExpectation(expectationFolder(file) / kExpectedFile);
+        const gpu::DeviceInfo device = gpu::queryDevice();
+        const bool sameBits = expected.driver == Driver{device.renderer, device.version};
+        EXPECT_EQ(opened.stateHash(), sameBits ? expected.stateHash : opened.replay().stateHash);
+    }
+}
+
+TEST_F(KeptSessions, APictureAddedToASessionWithoutEventsLeavesItsLength) {
+    OpenedSession opened(std::filesystem::path(KERF_SOURCE_DIR) /
+                         "assets/sessions/drop-in.kerf.json");
+    const int steps = opened->document().session.steps;
+    opened.run(3);
+    opened->addPicture(opened->end());
+    const Session session = opened.saved().session;
+    EXPECT_EQ(session.steps, steps);
+    ASSERT_EQ(session.events.size(), 1U);
+    EXPECT_EQ(session.events[0].step, steps);
 }
 
 TEST_F(KeptSessions, RandomOnesAreSavedAsTheyWereWhereverTheyStand) {

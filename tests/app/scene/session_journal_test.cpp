@@ -42,6 +42,17 @@ const CheckEvent& checkAt(const std::vector<SessionEvent>& events, std::size_t i
     return std::get<CheckEvent>(events.at(index).action);
 }
 
+TEST(SessionJournal, ATestLacksTheChecksThatARecordingMakesAlone) {
+    SessionJournal journal;
+    journal.note(3, pose(1));
+    journal.note(5, CheckEvent{"0123456789abcdef", 1});
+    journal.add(journal.here(6), CheckEvent{"fedcba9876543210", 2});
+    EXPECT_EQ(eventsOf(journal).size(), 3U);
+    const auto events = sessionAsSaved({}, journal, SavedAs::test).session.events;
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(checkAt(events, 1).pieces, 2) << "a person's own";
+}
+
 TEST(SessionJournal, ABladeThatStoodStillIsSaidToHave) {
     SessionJournal journal;
     journal.note(3, pose(1));
