@@ -31,6 +31,10 @@ struct SetSpeed {
 struct SeekTo {
     int step = 0;
 };
+/// Takes a picture, an export or a check out of the session, by its SessionMark::id.
+struct RemoveMark {
+    int id = 0;
+};
 /// Takes another tool, or another depth or radius of it.
 struct SetTools {
     ToolSettings settings;
@@ -81,8 +85,8 @@ struct ShowPiece {
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
 using Action =
-    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, SetTools, SetDisplay, PlaceBox,
-                 ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
+    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
+                 PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
                  OpenExperiment, HoverPiece, FramePiece, ShowPiece, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

@@ -54,6 +54,17 @@ void drawPreview(const FileDialogState& state) {
     }
 }
 
+const char* adviceFor(FilePurpose purpose) {
+    switch (purpose) {
+        case FilePurpose::open:
+            return "Type to find, Enter opens, Backspace goes up.";
+        case FilePurpose::saveTest:
+            return "What it comes out like goes into NAME.expected beside it.";
+        default:
+            return "";
+    }
+}
+
 }  // namespace
 
 std::string_view titleOf(FilePurpose purpose) {
@@ -62,6 +73,8 @@ std::string_view titleOf(FilePurpose purpose) {
             return "Open a model or a session";
         case FilePurpose::saveSession:
             return "Save all since the start as a session";
+        case FilePurpose::saveTest:
+            return "Save all since the start as a test";
         case FilePurpose::exportMesh:
             return "Export the body as it is";
         case FilePurpose::none:
@@ -75,6 +88,7 @@ std::string_view verbOf(FilePurpose purpose) {
         case FilePurpose::open:
             return "Open";
         case FilePurpose::saveSession:
+        case FilePurpose::saveTest:
             return "Save";
         case FilePurpose::exportMesh:
             return "Export";
@@ -314,7 +328,9 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
     if (state.asksToOverwrite) {
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::orange));
-        ImGui::TextUnformatted("There is a file of this name already. Replace it?");
+        ImGui::TextUnformatted(state.purpose == FilePurpose::saveTest
+                                   ? "There is a test of this name already. Replace it?"
+                                   : "There is a file of this name already. Replace it?");
         ImGui::PopStyleColor();
         return;
     }
@@ -334,8 +350,7 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
         return;
     }
     ImGui::AlignTextToFramePadding();
-    drawDim(state.purpose == FilePurpose::open ? "Type to find, Enter opens, Backspace goes up."
-                                               : "");
+    drawDim(adviceFor(state.purpose));
 }
 
 void FileDialog::drawButtons(const FileDialogState& state, std::vector<Action>& actions) {

@@ -22,6 +22,7 @@
 #include "ui/pieces_panel.h"
 #include "ui/plots_panel.h"
 #include "ui/sections.h"
+#include "ui/session_panel.h"
 #include "ui/splitter.h"
 #include "ui/stages_panel.h"
 #include "ui/status_bar.h"
@@ -151,32 +152,44 @@ void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>
     ImGui::End();
 }
 
+/// A tab of many: its name needs the room more than its sides do.
+bool beginTab(const char* name) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {style.FramePadding.x / 3, style.FramePadding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
+                        {style.ItemInnerSpacing.x / 2, style.ItemInnerSpacing.y});
+    const bool open = ImGui::BeginTabItem(name);
+    ImGui::PopStyleVar(2);
+    noteItem(std::string("tab.") + name);
+    return open;
+}
+
 void drawTabs(const PanelModel& model, std::vector<Action>& actions) {
     if (!ImGui::BeginTabBar("readings")) {
         return;
     }
-    const auto tab = [](const char* name) {
-        const bool open = ImGui::BeginTabItem(name);
-        noteItem(std::string("tab.") + name);
-        return open;
-    };
-    if (tab("Times")) {
+    if (beginTab("Times")) {
         ImGui::BeginChild("times");
         drawStages(model);
         ImGui::EndChild();
         ImGui::EndTabItem();
     }
-    if (tab("History")) {
+    if (beginTab("History")) {
         drawChanges(model, actions);
         ImGui::EndTabItem();
     }
-    if (tab("Boxes")) {
+    if (beginTab("Session")) {
+        drawSessionMarks(model, actions);
+        ImGui::EndTabItem();
+    }
+    if (beginTab("Boxes")) {
         ImGui::BeginChild("boxes");
         drawBoxes(model, actions);
         ImGui::EndChild();
         ImGui::EndTabItem();
     }
-    if (tab("Log")) {
+    if (beginTab("Log")) {
         drawLog(model);
         ImGui::EndTabItem();
     }
@@ -241,7 +254,7 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     drawHelp(model, actions);
     fileDialog_.draw(model.files, actions);
     questionBox_.draw(model.question, actions);
-    drawToast(model, layout.view);
+    drawToast(model, layout.view, actions);
     ImGui::Render();
     return actions;
 }

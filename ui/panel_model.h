@@ -49,6 +49,16 @@ struct PlaybackState {
     std::optional<int> divergedAt;  ///< the first step that came out differently
 };
 
+/// Something that a replay of the session does at a step and that changes nothing.
+struct SessionMark {
+    enum class Kind { picture, exported, check };
+
+    int id = 0;  ///< what RemoveMark asks for
+    int step = 0;
+    Kind kind = Kind::picture;
+    std::string text;  ///< name of the file, or what is checked: "2 pieces, state"
+};
+
 /// One of the paper's experiments: its figures beside ours.
 struct ExperimentCard {
     std::string name;     ///< "sphere768": what OpenExperiment asks for
@@ -110,6 +120,7 @@ struct PanelModel {
     ViewAxes axes;
     bool orthographic = false;
     PlaybackState playback;
+    std::vector<SessionMark> marks;  ///< of the session that would be saved now, by step
     bool recording = false;
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
     bool helpOpen = false;
@@ -128,9 +139,10 @@ struct PanelModel {
     Question question;
     std::string toast;  ///< what just happened; empty for none
     bool toastIsError = false;
-    float toastOpacity = 1;            ///< 0 to 1, while it fades
-    std::vector<LogLine> log;          ///< oldest first
-    SubdivisionCounts subdivisions{};  ///< of the surface, since the body was whole
+    float toastOpacity = 1;                 ///< 0 to 1, while it fades
+    std::optional<HintChoice> toastChoice;  ///< what can be done about it
+    std::vector<LogLine> log;               ///< oldest first
+    SubdivisionCounts subdivisions{};       ///< of the surface, since the body was whole
     std::vector<PieceRow> pieces;
     int hoveredPiece = -1;             ///< in that list; -1 for none
     const History* history = nullptr;  ///< never null while panels are drawn

@@ -2,19 +2,26 @@
 
 #include <imgui.h>
 
+#include "ui/offer.h"
 #include "ui/theme.h"
-#include "ui/widgets.h"
 
 namespace kerf::ui {
 
-void drawToast(const PanelModel& model, const Rect& view) {
+void drawToast(const PanelModel& model, const Rect& view, std::vector<Action>& actions) {
     if (model.toast.empty()) {
         return;
     }
     const float line = ImGui::GetFontSize();
-    drawBanner("toast", model.toast, view.x + view.width / 2, view.y + 2.5F * line, view.width,
-               {.accent = palette().of(model.toastIsError ? Hue::vermillion : Hue::blue),
-                .opacity = model.toastOpacity});
+    BannerStyle style{.accent = palette().of(model.toastIsError ? Hue::vermillion : Hue::blue),
+                      .opacity = model.toastOpacity};
+    if (model.toastChoice) {
+        style.takesInput = true;
+        drawOffer("toast", {model.toast, {*model.toastChoice}}, view, view.y + 5 * line, style,
+                  actions);
+    } else {
+        drawBanner("toast", model.toast, view.x + view.width / 2, view.y + 2.5F * line, view.width,
+                   style);
+    }
 }
 
 }  // namespace kerf::ui

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <vector>
+
 #include "ui/layout.h"
 #include "ui/panel_model.h"
 
 namespace kerf::ui {
 
-/// Draws what just happened at the upper edge of the view. It takes no input and fades by itself.
-void drawToast(const PanelModel& model, const Rect& view);
+/// Draws what just happened at the upper edge of the view, with a button where something can be
+/// done about it. It fades by itself.
+void drawToast(const PanelModel& model, const Rect& view, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -9,7 +9,9 @@
 
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
+#include "ui/session_panel.h"
 #include "ui/theme.h"
+#include "ui/timeline.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -44,42 +46,26 @@ void recordButton(bool recording, float width, std::vector<Action>& actions) {
     }
 }
 
-/// A red mark on the item above, where the replay first came out differently.
-void markDivergence(const PlaybackState& playback) {
-    if (!playback.divergedAt) {
-        return;
-    }
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    const float share =
-        static_cast<float>(*playback.divergedAt) / static_cast<float>(playback.steps);
-    const float x = low.x + share * (high.x - low.x);
-    const float half = 0.12F * (high.y - low.y);
-    ImGui::GetWindowDrawList()->AddRectFilled({x - half, low.y}, {x + half, high.y},
-                                              IM_COL32(235, 52, 43, 255));
-}
-
-void drawScrubber(const PlaybackState& playback, std::vector<Action>& actions) {
-    int step = std::min(playback.step, playback.steps);
-    const std::string format = "session step %d of " + std::to_string(playback.steps);
-    const float box = ImGui::GetFrameHeight() + ImGui::CalcTextSize("Loop").x +
-                      2 * ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::SetNextItemWidth(-box);
-    if (ImGui::SliderInt("##scrub", &step, 0, playback.steps, format.c_str(),
-                         ImGuiSliderFlags_AlwaysClamp)) {
-        actions.emplace_back(SeekTo{step});
-    }
-    noteItem("scrubber");
-    markDivergence(playback);
-    itemTooltip(playback.divergedAt
-                    ? "Go to a step. Red: here it came out differently than recorded"
-                    : "Go to a step of the session");
-    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+void drawLoop(const PlaybackState& playback, std::vector<Action>& actions) {
     bool loop = playback.loop;
     if (ImGui::Checkbox("Loop", &loop)) {
         actions.emplace_back(ActionId::loop);
     }
+    noteItem("loop");
     itemTooltip(describeAction(ActionId::loop));
+}
+
+/// Pictures, checks and exports of this step.
+void drawAddButton(float width, std::vector<Action>& actions) {
+    if (ImGui::Button("Add \u25be", {width, 0})) {
+        ImGui::OpenPopup("add");
+    }
+    noteItem("session.add");
+    itemTooltip("Add a picture, a check or an export of this step to the session");
+    if (ImGui::BeginPopup("add")) {
+        drawSessionAdditions(actions);
+        ImGui::EndPopup();
+    }
 }
 
 void drawSpeed(double speed, std::vector<Action>& actions) {
@@ -117,8 +103,16 @@ void drawTransport(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
     drawSpeed(model.speed, actions);
-    if (model.playback.steps > 0) {
-        drawScrubber(model.playback, actions);
+    const bool played = model.playback.steps > 0;
+    if (played) {
+        drawTimeline(model, actions);
+    }
+    if (played || model.recording) {
+        drawAddButton(width, actions);
+    }
+    if (played) {
+        ImGui::SameLine();
+        drawLoop(model.playback, actions);
     }
 }
 

@@ -1,7 +1,6 @@
 #include "app/cli/test_verb.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/interruption.h"
+#include "app/files/temporary_folder.h"
 #include "app/regression/test_report.h"
 #include "app/regression/test_session.h"
 #include "sim/base/text.h"
@@ -35,17 +35,9 @@ void makeFolder(const fs::path& folder) {
 class ResultFolder {
   public:
     explicit ResultFolder(const fs::path& kept)
-        : path_(kept.empty() ? makeTemporary() : kept), temporary_(kept.empty()) {
+        : path_(kept.empty() ? temporary_.emplace("kerf-test").path() : kept) {
         makeFolder(path_);
     }
-    ~ResultFolder() {
-        std::error_code error;
-        if (temporary_) {
-            fs::remove_all(path_, error);
-        }
-    }
-    ResultFolder(const ResultFolder&) = delete;
-    ResultFolder& operator=(const ResultFolder&) = delete;
 
     /// "3-slice": sessions of several folders may have one name.
     fs::path of(std::size_t number, const fs::path& session) const {
@@ -54,17 +46,8 @@ class ResultFolder {
     }
 
   private:
-    static fs::path makeTemporary() {
-        std::error_code error;
-        std::string name = (fs::temp_directory_path(error) / "kerf-test-XXXXXX").string();
-        if (error || ::mkdtemp(name.data()) == nullptr) {
-            throw OutputError("No temporary folder could be made; set TMPDIR to one that exists.");
-        }
-        return name;
-    }
-
+    std::optional<TemporaryFolder> temporary_;
     fs::path path_;
-    bool temporary_;
 };
 
 int jobsOf(const TestArguments& arguments) {

@@ -96,6 +96,7 @@ void reset(State& s) {
 }
 
 void toggleRecording(State& s) {
+    s.pictureOffer.reset();
     if (!s.scene->recording()) {
         s.releaseTools();
         s.scene->startRecording();
@@ -104,6 +105,33 @@ void toggleRecording(State& s) {
     }
     s.scene->stopRecording();
     s.saveRecording();
+}
+
+/// Of this step, or of the one that the screenshot shows which the toast offers.
+void addPicture(State& s) {
+    const bool offered = s.pictureOffer && s.toast.offers();
+    const JournalPlace place = offered ? s.pictureOffer->place : s.scene->here();
+    s.pictureOffer.reset();
+    const std::string file = s.scene->addPicture(place);
+    s.toast.show(file + " is a picture of step " + std::to_string(place.step) + " in the session.",
+                 false);
+}
+
+void addCheck(State& s) {
+    s.scene->addCheck();
+    s.toast.show("The session checks step " + std::to_string(s.scene->here().step) + ".", false);
+}
+
+void addExport(State& s) {
+    const std::string file = s.scene->addExport();
+    s.toast.show(
+        file + " is an export of step " + std::to_string(s.scene->here().step) + " in the session.",
+        false);
+}
+
+void useView(State& s) {
+    s.scene->useView(s.cameraFlight.destination(s.camera));
+    s.toast.show("The pictures of the session are taken from here.", false);
 }
 
 void frameBody(State& s) {
@@ -165,6 +193,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
     Handler{ActionId::saveSession, Needs::body,
             [](State& s) { s.browse(FilePurpose::saveSession); }},
+    Handler{ActionId::saveTest, Needs::body, [](State& s) { s.beginTest(); }},
     Handler{ActionId::exportBody, Needs::body, [](State& s) { s.browse(FilePurpose::exportMesh); }},
     Handler{ActionId::screenshot, Needs::nothing, [](State& s) { s.screenshotWanted = true; }},
     Handler{ActionId::sceneScreenshot, Needs::body, [](State& s) { s.saveSceneScreenshot(); }},
@@ -189,6 +218,10 @@ constexpr std::array kHandlers{
     Handler{ActionId::faster, Needs::body, [](State& s) { s.clock.setSpeed(s.clock.speed() * 2); }},
     Handler{ActionId::record, Needs::body, toggleRecording},
     Handler{ActionId::loop, Needs::body, [](State& s) { s.scene->toggleLoop(); }},
+    Handler{ActionId::addPicture, Needs::body, addPicture},
+    Handler{ActionId::addCheck, Needs::body, addCheck},
+    Handler{ActionId::addExport, Needs::body, addExport},
+    Handler{ActionId::useView, Needs::body, useView},
     Handler{ActionId::frameBody, Needs::body, frameBody},
     Handler{ActionId::resetView, Needs::body,
             [](State& s) { s.cameraFlight.start(s.camera, s.scene->document().camera); }},
@@ -226,6 +259,7 @@ struct Answer {
     void operator()(const ui::GoToChange& wanted) const { state.goToChange(wanted.done); }
     void operator()(const ui::SetSpeed& wanted) const { state.clock.setSpeed(wanted.factor); }
     void operator()(const ui::SeekTo& wanted) const { state.seekTo(wanted.step); }
+    void operator()(const ui::RemoveMark& removal) const { state.removeMark(removal.id); }
     void operator()(const ui::SetTools& wanted) const { state.setTools(wanted.settings); }
     void operator()(const ui::SetDisplay& wanted) const { state.setDisplay(wanted.settings); }
     void operator()(const ui::PlaceBox&) const { state.placeBox(); }
@@ -311,6 +345,13 @@ void Editor::State::seekTo(int step) {
     if (scene != nullptr) {
         scene->seek(step);
         sceneChanged = true;
+        settleUpdates = kSettleUpdates;
+    }
+}
+
+void Editor::State::removeMark(int id) {
+    if (scene != nullptr) {
+        scene->removeMark(id);
         settleUpdates = kSettleUpdates;
     }
 }

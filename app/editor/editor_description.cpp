@@ -84,8 +84,8 @@ void Editor::State::describe(bool withOverlay) {
         model.files = browser->state();
         model.files.preview = preview.lines();
     }
-    if (fault) {
-        model.question = fault->question;
+    if (asked) {
+        model.question = asked->question;
     }
     toast.describe(model);
 }

@@ -1,4 +1,5 @@
 #include <cstdlib>
+#include <utility>
 
 #include "app/editor/editor_state.h"
 #include "app/files/free_file.h"
@@ -15,6 +16,8 @@ std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder
     switch (purpose) {
         case ui::FilePurpose::saveSession:
             return freeFile(folder, document, ".kerf.json").filename().string();
+        case ui::FilePurpose::saveTest:
+            return document + ".kerf.json";  // replaced more often than the others
         case ui::FilePurpose::exportMesh:
             return document + std::string(meshFormats().front().extension);
         case ui::FilePurpose::open:
@@ -99,6 +102,10 @@ void Editor::State::takeFile(const std::filesystem::path& file) {
             saveSession(file);
             recent.add(file);
             return;
+        case ui::FilePurpose::saveTest:
+            saveTest(file);
+            recent.add(file);
+            return;
         case ui::FilePurpose::exportMesh:
             exportBody(file, dialog.filePerPiece);
             return;
@@ -117,14 +124,10 @@ void Editor::State::followPreview() {
 }
 
 void Editor::State::answer(int choice) {
-    if (!fault) {
-        return;
-    }
-    const std::filesystem::path file = fault->file;
-    fault.reset();
-    settleUpdates = kSettleUpdates;
-    if (choice == 0) {
-        open(file, true);
+    if (asked) {
+        const Asked answered = *std::exchange(asked, std::nullopt);
+        settleUpdates = kSettleUpdates;
+        answered.answer(choice);
     }
 }
 

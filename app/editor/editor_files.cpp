@@ -4,9 +4,13 @@
 #include "app/files/file_io.h"
 #include "app/files/free_file.h"
 #include "sim/base/text.h"
+#include "ui/action_table.h"
 
 namespace kerf::app {
 namespace {
+
+/// The choices of beginTest().
+enum PictureChoice { kAddPicture, kNoPicture, kCancel };
 
 constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over sooner
 
@@ -14,13 +18,42 @@ constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over s
 
 void Editor::State::saveSession(const std::filesystem::path& file) {
     if (startsSaving()) {
-        saving = startSaving(
-            file, scene->recordedSession(cameraFlight.destination(camera), display.colors));
+        saving = startSaving(file,
+                             scene->savedSession(cameraFlight.destination(camera), display.colors));
     }
 }
 
 void Editor::State::saveRecording() {
     saveSession(freeFile(options.screenshotFolder, scene->document().name, ".kerf.json"));
+}
+
+/// A test without a picture is one too, but it can't show what has changed.
+void Editor::State::beginTest() {
+    testGetsPicture = false;
+    if (scene->takesPictures()) {
+        browse(ui::FilePurpose::saveTest);
+        return;
+    }
+    asked = {{"The session takes no picture yet",
+              "A test compares the states, counts and volumes of its session, and its pictures.",
+              {"Add a picture of the end", "Go without", "Cancel"}},
+             [this](int choice) {
+                 if (choice != kCancel) {
+                     testGetsPicture = choice == kAddPicture;
+                     browse(ui::FilePurpose::saveTest);
+                 }
+             }};
+}
+
+void Editor::State::saveTest(const std::filesystem::path& file) {
+    if (!startsSaving()) {
+        return;
+    }
+    if (testGetsPicture) {
+        scene->addPicture(scene->end());
+    }
+    saving = startSavingTest(
+        file, scene->savedSession(cameraFlight.destination(camera), display.colors, SavedAs::test));
 }
 
 void Editor::State::exportBody(const std::filesystem::path& file, bool filePerPiece) {
@@ -39,7 +72,7 @@ bool Editor::State::startsSaving() {
 
 void Editor::State::open(const std::filesystem::path& file, bool fillHoles) {
     cancelLoading();
-    fault.reset();
+    asked.reset();
     loading = std::make_unique<DocumentLoading>(file, fillHoles);
 }
 
@@ -86,11 +119,15 @@ void Editor::State::askAboutHoles(const ModelFault& found) {
         sentence.replace(0, whole.size(), loading->file().filename().string());
     }
     const std::string holes = counted(found.fillableHoles(), "hole", "holes");
-    fault = {loading->file(),
-             {"This model can't be cut as it is",
+    asked = {{"This model can't be cut as it is",
               sentence.substr(0, sentence.find(';')) + ". Filling " + holes +
                   " would close it; the file stays as it is.",
-              {"Fill " + holes, "Cancel"}}};
+              {"Fill " + holes, "Cancel"}},
+             [this, file = loading->file()](int choice) {
+                 if (choice == 0) {
+                     open(file, true);
+                 }
+             }};
 }
 
 void Editor::State::followSaving() {
@@ -143,6 +180,7 @@ void Editor::State::show(UploadedDocument uploaded) {
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     renderer.setRestDepth(uploaded.depth);
     scene = std::move(next);
+    pictureOffer.reset();
     landCamera();
     camera = scene->document().camera;
     display.colors = scene->document().session.colors;
@@ -169,13 +207,24 @@ void Editor::State::followSavings() {
         } else {
             spdlog::info("{}", outcome.sentence);
         }
+        tellOfSaving(outcome);
+    }
+}
+
+void Editor::State::tellOfSaving(const SavingQueue::Outcome& outcome) {
+    if (pictureOffer && pictureOffer->saving == outcome.number && !outcome.failed) {
+        toast.offer(outcome.sentence, {ui::ActionId::addPicture, "Add to the session"});
+    } else {
         toast.show(outcome.sentence, outcome.failed);
     }
 }
 
 void Editor::State::saveScreenshot() {
     screenshotWanted = false;
-    savePicture({options.width, options.height, picture.readColor()}, "kerf");
+    const int number = savePicture({options.width, options.height, picture.readColor()}, "kerf");
+    if (scene != nullptr && scene->recording()) {
+        pictureOffer = {scene->here(), number};
+    }
 }
 
 void Editor::State::saveSceneScreenshot() {
@@ -187,8 +236,8 @@ void Editor::State::saveSceneScreenshot() {
     savePicture(std::move(image), "kerf-scene");
 }
 
-void Editor::State::savePicture(render::Image image, const std::string& name) {
-    savings.add([image = std::move(image), name, folder = options.screenshotFolder] {
+int Editor::State::savePicture(render::Image image, const std::string& name) {
+    return savings.add([image = std::move(image), name, folder = options.screenshotFolder] {
         const std::filesystem::path file = freeFile(folder, name, ".png");
         writePicture(image, file);
         return "Saved " + file.string();

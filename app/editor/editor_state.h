@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,12 +83,20 @@ struct Editor::State {
     ui::PlotView plotView;
     BladeTool bladeTool;
     PullTool pullTool;
-    /// A model with holes that could be filled, while the person is asked about that.
-    struct OpenFault {
-        std::filesystem::path file;
+    /// A question that waits for the person, and what is done with the choice.
+    struct Asked {
         ui::Question question;
+        std::function<void(int choice)> answer;
     };
-    std::optional<OpenFault> fault;
+    std::optional<Asked> asked;
+    /// The test that a dialog asks a name for gets a picture of its end.
+    bool testGetsPicture = false;
+    /// A screenshot that was taken while recording: the session may have its picture too.
+    struct PictureOffer {
+        JournalPlace place;
+        int saving = 0;  ///< its number in `savings`
+    };
+    std::optional<PictureOffer> pictureOffer;
     bool sceneChanged = true;
     bool closing = false;
     bool helpOpen = false;
@@ -124,6 +133,7 @@ struct Editor::State {
     void placeBox();
     void goToChange(std::size_t done);
     void seekTo(int step);
+    void removeMark(int id);
     void setTools(const ui::ToolSettings& settings);
 
     // The view: editor_view.cpp.
@@ -159,6 +169,8 @@ struct Editor::State {
     ui::WorkState workState() const;
     void saveSession(const std::filesystem::path& file);
     void saveRecording();
+    void beginTest();
+    void saveTest(const std::filesystem::path& file);
     void exportBody(const std::filesystem::path& file, bool filePerPiece);
     bool startsSaving();
 
@@ -174,7 +186,8 @@ struct Editor::State {
     std::vector<ui::FolderLink> bookmarks(ui::FilePurpose purpose) const;
     void saveScreenshot();
     void saveSceneScreenshot();
-    void savePicture(render::Image image, const std::string& name);
+    int savePicture(render::Image image, const std::string& name);
+    void tellOfSaving(const SavingQueue::Outcome& outcome);
 
     // Time: editor_time.cpp.
     void advance(double elapsedSeconds);

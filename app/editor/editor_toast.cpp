@@ -7,6 +7,7 @@ namespace kerf::app {
 namespace {
 
 constexpr double kNoticeSeconds = 5;
+constexpr double kOfferSeconds = 10;
 constexpr double kErrorSeconds = 12;
 constexpr double kFadeSeconds = 0.5;
 constexpr std::size_t kMostLogLines = 200;
@@ -16,11 +17,18 @@ constexpr std::size_t kMostLogLines = 200;
 void EditorToast::show(std::string text, bool isError) {
     text_ = std::move(text);
     isError_ = isError;
+    choice_.reset();
     if (log_.size() == kMostLogLines) {
         log_.erase(log_.begin());
     }
     log_.push_back({text_, isError});
     remaining_ = isError ? kErrorSeconds : kNoticeSeconds;
+}
+
+void EditorToast::offer(std::string text, ui::HintChoice choice) {
+    show(std::move(text), false);
+    choice_ = std::move(choice);
+    remaining_ = kOfferSeconds;
 }
 
 void EditorToast::elapse(double elapsedSeconds) {
@@ -33,6 +41,7 @@ double EditorToast::steadySeconds() const {
 
 void EditorToast::describe(ui::PanelModel& model) const {
     model.toast = visible() ? text_ : "";
+    model.toastChoice = visible() ? choice_ : std::nullopt;
     model.log = log_;
     model.toastIsError = isError_;
     model.toastOpacity = static_cast<float>(std::min(1.0, remaining_ / kFadeSeconds));

@@ -9,6 +9,7 @@
 
 #include "app/files/export.h"
 #include "app/files/model_source.h"
+#include "app/regression/expectation.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -27,6 +28,7 @@ std::vector<std::string> kindsOf(FilePurpose purpose) {
         case FilePurpose::open:
             return {"Models and sessions", "Models", "Sessions", "All files"};
         case FilePurpose::saveSession:
+        case FilePurpose::saveTest:
             return {"Session (.kerf.json)"};
         case FilePurpose::exportMesh:
         case FilePurpose::none:
@@ -174,6 +176,7 @@ bool FileBrowser::isOffered(const fs::path& file) const {
         case FilePurpose::open:
             break;
         case FilePurpose::saveSession:
+        case FilePurpose::saveTest:
             return session;
         case FilePurpose::exportMesh:
         case FilePurpose::none:
@@ -295,7 +298,9 @@ std::optional<fs::path> FileBrowser::acceptToOpen(const fs::path& path) {
 }
 
 std::optional<fs::path> FileBrowser::acceptToWrite(fs::path path, bool overwrite) {
-    if (state_.purpose == FilePurpose::saveSession && !path.string().ends_with(kSessionEnding)) {
+    const bool test = state_.purpose == FilePurpose::saveTest;
+    if ((test || state_.purpose == FilePurpose::saveSession) &&
+        !path.string().ends_with(kSessionEnding)) {
         path += kSessionEnding;
     }
     if (state_.purpose == FilePurpose::exportMesh && !meshFormatOf(path)) {
@@ -307,7 +312,9 @@ std::optional<fs::path> FileBrowser::acceptToWrite(fs::path path, bool overwrite
     }
     std::error_code error;
     const fs::path first = state_.filePerPiece ? pieceFile(path, 0) : path;
-    if (!overwrite && fs::exists(first, error)) {
+    const bool taken =
+        fs::exists(first, error) || (test && fs::exists(expectationFolder(path), error));
+    if (!overwrite && taken) {
         state_.asksToOverwrite = true;
         return std::nullopt;
     }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/files/file_io.h"
+#include "app/regression/test_maker.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -46,13 +47,25 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
         title, [input](WorkProgress& progress) { return exportBody(*input, progress); });
 }
 
-std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Session session) {
+std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved) {
+    return std::make_unique<FileSaving>(
+        "Saving the test " + file.filename().string(),
+        [file, saved = std::move(saved)](WorkProgress& progress) {
+            makeTest(saved.session, file, progress);
+            const std::size_t pictures = pictureFiles(saved.session).size();
+            return "Saved the test " + file.string() + " with " +
+                   (pictures == 0 ? "no picture" : counted(pictures, "picture", "pictures")) +
+                   (saved.remark.empty() ? "" : ". " + saved.remark);
+        });
+}
+
+std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved) {
     return std::make_unique<FileSaving>(
         "Saving " + file.filename().string(),
-        [file, session = std::move(session)](WorkProgress& progress) {
+        [file, saved = std::move(saved)](WorkProgress& progress) {
             progress.enter("Writing");
-            writeOutputFile(file, formatSession(session, file.parent_path()));
-            return "Saved " + file.string();
+            writeOutputFile(file, formatSession(saved.session, file.parent_path()));
+            return "Saved " + file.string() + (saved.remark.empty() ? "" : ". " + saved.remark);
         });
 }
 

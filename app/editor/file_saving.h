@@ -6,6 +6,7 @@
 #include "app/files/background_job.h"
 #include "app/files/export.h"
 #include "app/scene/editor_document.h"
+#include "app/scene/saved_session.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {
@@ -24,6 +25,8 @@ struct FileSaving {
 std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
                                         Simulation& simulation);
 /// Begins to write a session.
-std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Session session);
+std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved);
+/// Begins to write a session and what a run of it comes out like, which takes as long as that.
+std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved);
 
 }  // namespace kerf::app

@@ -1,18 +1,22 @@
 #include "app/files/child_runs.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <exception>
 #include <mutex>
+#include <string_view>
 #include <thread>
+#include <utility>
 
 #include "app/files/descriptor.h"
 #include "app/files/file_io.h"
@@ -25,6 +29,7 @@ namespace kerf::app {
 namespace {
 
 constexpr std::size_t kKeptLog = 16 * 1024;
+constexpr int kCancelPoll = 50;  // [ms]
 
 /// The words of a command line as the system takes them.
 class ArgumentList {
@@ -43,30 +48,39 @@ class ArgumentList {
 };
 
 /// In the child, where nothing but system calls is safe: its parent has threads.
-[[noreturn]] void becomeProgram(const char* program, const ArgumentList& arguments, int log,
-                                pid_t parent) {
+[[noreturn]] void becomeProgram(const char* program, const ArgumentList& arguments, int output,
+                                int log, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     const int nothing = ::open("/dev/null", O_RDWR);
     const bool ready = ::getppid() == parent && ::dup2(nothing, STDIN_FILENO) >= 0 &&
-                       ::dup2(nothing, STDOUT_FILENO) >= 0 && ::dup2(log, STDERR_FILENO) >= 0;
+                       ::dup2(output >= 0 ? output : nothing, STDOUT_FILENO) >= 0 &&
+                       ::dup2(log, STDERR_FILENO) >= 0;
     if (ready) {
         ::execv(program, arguments.get());
     }
     ::_exit(127);
 }
 
-/// Reads until the child closes its end, keeping the last bytes.
-std::string readEnd(const Descriptor& from) {
-    std::string log;
-    char block[4096];
-    for (;;) {
-        const ssize_t count = ::read(from.get(), block, sizeof block);
-        if (count == 0 || (count < 0 && errno != EINTR)) {
-            return log;
-        }
-        log.append(block, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-        log.erase(0, log.size() - std::min(log.size(), kKeptLog));
+/// What a child writes, block by block.
+using Reader = std::function<void(std::string_view block)>;
+
+/// Hands on what is there; closes at the end of the stream.
+void readSome(Descriptor& from, const Reader& reader) {
+    std::array<char, 4096> block;
+    const ssize_t count = ::read(from.get(), block.data(), block.size());
+    if (count > 0) {
+        reader({block.data(), static_cast<std::size_t>(count)});
+    } else if (count == 0 || errno != EINTR) {
+        from.close();
     }
+}
+
+/// Keeps the last bytes of a log.
+Reader keepEnd(std::string& log) {
+    return [&log](std::string_view block) {
+        log.append(block);
+        log.erase(0, log.size() - std::min(log.size(), kKeptLog));
+    };
 }
 
 void waitFor(pid_t child, ChildOutcome& outcome) {
@@ -80,28 +94,75 @@ void waitFor(pid_t child, ChildOutcome& outcome) {
     }
 }
 
-ChildOutcome runChild(const std::vector<std::string>& arguments) {
-    const Stopwatch watch;
+/// Starts this program, which writes to `log`, and to `output` unless that is -1.
+pid_t startChild(const std::vector<std::string>& arguments, int output, int log) {
     const std::string program = kerfProgram().string();
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const ArgumentList list(std::move(words));
-    Pipe log;
     const pid_t parent = ::getpid();
     const pid_t child = ::fork();
     if (child == 0) {
-        becomeProgram(program.c_str(), list, log.write.get(), parent);
+        becomeProgram(program.c_str(), list, output, log, parent);
     }
     if (child < 0) {
         throw OutputError(std::string("Another process can't be started (") + std::strerror(errno) +
                           ").");
     }
+    return child;
+}
+
+/// A child that is gone at the end of the scope, whatever happens.
+class Child {
+  public:
+    Child(const std::vector<std::string>& arguments, int output, int log)
+        : id_(startChild(arguments, output, log)) {}
+    ~Child() {
+        if (id_ != 0) {
+            ::kill(id_, SIGKILL);
+            ChildOutcome unheard;
+            waitFor(id_, unheard);
+        }
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+    void wait(ChildOutcome& outcome) { waitFor(std::exchange(id_, 0), outcome); }
+
+  private:
+    pid_t id_;
+};
+
+ChildOutcome runChild(const std::vector<std::string>& arguments) {
+    const Stopwatch watch;
+    Pipe log;
+    Child child(arguments, -1, log.write.get());
     log.write.close();
     ChildOutcome outcome;
-    outcome.log = readEnd(log.read);
-    waitFor(child, outcome);
-    outcome.seconds = watch.milliseconds() / 1000;
+    while (log.read.get() >= 0) {
+        readSome(log.read, keepEnd(outcome.log));
+    }
+    child.wait(outcome);
+    outcome.seconds = watch.seconds();
     return outcome;
+}
+
+/// Reads both streams until they end.
+void readUnlessCancelled(Pipe& output, const Reader& ofOutput, Pipe& log, const Reader& ofLog,
+                         const WorkProgress& progress) {
+    while (output.read.get() >= 0 || log.read.get() >= 0) {
+        if (progress.cancelled()) {
+            throw WorkCancelled();
+        }
+        std::array<pollfd, 2> waiting{
+            {{output.read.get(), POLLIN, 0}, {log.read.get(), POLLIN, 0}}};
+        ::poll(waiting.data(), waiting.size(), kCancelPoll);
+        if (waiting[0].revents != 0) {
+            readSome(output.read, ofOutput);
+        }
+        if (waiting[1].revents != 0) {
+            readSome(log.read, ofLog);
+        }
+    }
 }
 
 /// Shares out runs among threads. The first error stops it.
@@ -174,6 +235,26 @@ std::string lastWords(const ChildOutcome& outcome) {
     constexpr std::string_view kName = "kerf: ";
     const std::string said = lastLine(outcome.log);
     return said.starts_with(kName) ? said.substr(kName.size()) : said;
+}
+
+ChildOutcome runChild(const std::vector<std::string>& arguments, const WorkProgress& progress,
+                      const std::function<void(int count)>& lines) {
+    const Stopwatch watch;
+    Pipe output;
+    Pipe log;
+    Child child(arguments, output.write.get(), log.write.get());
+    output.write.close();
+    log.write.close();
+    ChildOutcome outcome;
+    int count = 0;
+    const Reader countLines = [&](std::string_view block) {
+        count += static_cast<int>(std::ranges::count(block, '\n'));
+        lines(count);
+    };
+    readUnlessCancelled(output, countLines, log, keepEnd(outcome.log), progress);
+    child.wait(outcome);
+    outcome.seconds = watch.seconds();
+    return outcome;
 }
 
 std::string sentenceAbout(const ChildOutcome& outcome) {

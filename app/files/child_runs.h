@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/files/work_progress.h"
+
 namespace kerf::app {
 
 /// The end of a program that ran as a child of this one.
@@ -23,7 +25,13 @@ struct ChildOutcome {
 void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
                  const std::function<void(std::size_t run, const ChildOutcome& outcome)>& done);
 
-/// The program that runChildren() starts: $KERF_EXECUTABLE where it is set, else this one.
+/// Runs this program once and tells `lines` after each of its lines on standard output how many
+/// there were. Throws WorkCancelled soon after `progress` was cancelled, when the child is gone,
+/// and OutputError where it can't be started.
+ChildOutcome runChild(const std::vector<std::string>& arguments, const WorkProgress& progress,
+                      const std::function<void(int count)>& lines);
+
+/// The program that these start: $KERF_EXECUTABLE where it is set, else this one.
 std::filesystem::path kerfProgram();
 
 /// The last line that a child said, without the program's name before it; "" where it said nothing.

@@ -5,11 +5,12 @@
 
 namespace kerf::app {
 
-void SavingQueue::add(Work work) {
+int SavingQueue::add(Work work) {
     waiting_.push_back(std::move(work));
     if (!busy()) {
         startNext();
     }
+    return ++added_;
 }
 
 void SavingQueue::startNext() {
@@ -22,10 +23,11 @@ void SavingQueue::startNext() {
 }
 
 void SavingQueue::takeRunning() {
+    ++ended_;
     try {
-        outcomes_.push_back({running_->take(), false});
+        outcomes_.push_back({ended_, running_->take(), false});
     } catch (const std::exception& error) {
-        outcomes_.push_back({error.what(), true});
+        outcomes_.push_back({ended_, error.what(), true});
     }
     running_.reset();
     startNext();

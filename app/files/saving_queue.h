@@ -18,11 +18,13 @@ class SavingQueue {
     using Work = std::function<std::string()>;
     /// The end of a saving.
     struct Outcome {
+        int number = 0;  ///< that add() gave it
         std::string sentence;
         bool failed = false;
     };
 
-    void add(Work work);
+    /// Returns the number of this saving, from 1.
+    int add(Work work);
     /// Savings that have ended since the last call, oldest first.
     std::vector<Outcome> takeOutcomes();
     /// Something is not written yet, or its outcome not taken.
@@ -37,6 +39,8 @@ class SavingQueue {
     std::deque<Work> waiting_;
     std::unique_ptr<BackgroundJob<std::string>> running_;
     std::vector<Outcome> outcomes_;
+    int added_ = 0;
+    int ended_ = 0;
 };
 
 }  // namespace kerf::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scene/session_marks.h"
 #include "app/session/scene_view.h"
 #include "sim/body/rest_geometry.h"
 
@@ -36,6 +37,7 @@ EditorScene::EditorScene(Document document, BodyUpload body)
       edgeLength_(meanRestEdgeLength(document_.mesh)),
       simulation_(std::move(body), document_.session.params, document_.session.boxes) {
     simulation_.setUndoBudget(kUndoBudget);
+    journal_.open(document_.session.events);
     startAnew();
 }
 
@@ -46,16 +48,11 @@ void EditorScene::startAnew() {
     dragTo_.reset();
     stroke_.clear();
     runner_.setStrokePoses({});
-    journal_.clear();
     readings_.clear();
     volumes_ = {};
     start_ = {};
     seekTarget_.reset();
-    const bool loop = playback_ && playback_->loop;
-    playback_.reset();
-    if (!document_.session.events.empty()) {
-        playback_.emplace(document_.session).loop = loop;
-    }
+    beginPlayback();
     for (const SetParam& choice : choices_) {
         if (getParam(simulation_.params(), choice.name) != choice.value) {
             perform(choice);
@@ -64,28 +61,48 @@ void EditorScene::startAnew() {
     refreshPieces();
 }
 
+/// From its start, where there is a session.
+void EditorScene::beginPlayback() {
+    const bool loop = playback_ && playback_->loop;
+    playback_.reset();
+    journal_.restart();
+    if (!document_.session.events.empty()) {
+        playback_.emplace(document_.session).loop = loop;
+        playback_->extendTo(journal_.lastStep());
+    }
+}
+
 // --- What is done to the body ------------------------------------------------------------------
 
-/// The one way in which anything reaches the simulation.
+/// The one way in which anything that a person does reaches the simulation.
 std::string EditorScene::perform(const Command& command) {
     std::string problem = simulation_.execute(command);
     if (problem.empty()) {
-        journal_.note(simulation_.stepCount(), command);
+        const int step = simulation_.stepCount();
+        if (playback_) {
+            playback_->changedAt(step, journal_.commandsDone());
+            playback_->extendTo(step);
+        }
+        journal_.note(step, command);
     }
     return problem;
 }
 
 std::string EditorScene::execute(const Command& command) {
     if (takesBodyElsewhere(command)) {
-        takeBlade();
+        if (!playsOnAfter(command)) {
+            takeBlade();
+        }
         letGo();
         stroke_.clear();
         runner_.setStrokePoses({});
-    } else if (playback_) {
-        playback_->changedAt(simulation_.stepCount());
     }
     const Params before = simulation_.params();
+    const bool bladeIsDown = simulation_.blade().has_value();
     std::string problem = perform(command);
+    if (!problem.empty() && bladeIsDown && !simulation_.blade()) {
+        perform(LiftBlade{});  // an undo with nothing to undo puts the blade away
+    }
     if (problem.empty() && takesBodyElsewhere(command)) {
         followUndo(before);
         volumes_ = {};
@@ -140,15 +157,51 @@ void EditorScene::releaseAllHands() {
     }
 }
 
-void EditorScene::takeBlade() {
-    if (playingBack()) {
-        releaseAllHands();
-        if (simulation_.blade()) {
-            perform(LiftBlade{});
-        }
+/// Whether a session that is played goes on after an undo or a redo: between two strokes and
+/// pulls, where no shape comes back.
+bool EditorScene::playsOnAfter(const Command& command) const {
+    const UndoHistory& history = simulation_.history();
+    const bool undo = std::holds_alternative<Undo>(command);
+    const bool redo = std::holds_alternative<Redo>(command);
+    if (simulation_.blade() || !simulation_.hands().empty() || (!undo && !redo)) {
+        return false;
     }
+    if (undo ? !history.canUndo() : !history.canRedo()) {
+        return true;  // nothing happens
+    }
+    const UndoEntry& entry = undo ? history.lastDone() : history.firstUndone();
+    return !std::holds_alternative<UndoEntry::BodySnapshotChange>(entry.change);
+}
+
+/// A person takes the blade or the body in hand: what is left of a played session is off.
+void EditorScene::takeBlade() {
+    if (!playback_) {
+        return;
+    }
+    journal_.takeOver(simulation_.stepCount(), movesOnTheirWay());
     playback_.reset();
     seekTarget_.reset();
+    releaseAllHands();
+    if (simulation_.blade()) {
+        perform(LiftBlade{});
+    }
+}
+
+/// The poses before the last step of the moves of a played session that have not come to their end.
+std::vector<PlayedAction> EditorScene::movesOnTheirWay() const {
+    if (!playingBack()) {
+        return {};
+    }
+    std::vector<PlayedAction> poses =
+        playback_->player().posesBetweenKeys(simulation_.stepCount() - 1);
+    const auto isGone = [&](const PlayedAction& pose) {
+        const auto* drag = std::get_if<Drag>(&pose.action);
+        return drag != nullptr
+                   ? std::ranges::count(simulation_.hands(), drag->hand, &Hands::Hand::number) == 0
+                   : !simulation_.blade();
+    };
+    std::erase_if(poses, isGone);
+    return poses;
 }
 
 void EditorScene::reset() {
@@ -171,6 +224,7 @@ void EditorScene::reset() {
 void EditorScene::step() {
     keepKeyframe();
     if (const std::optional<Command> command = stroke_.next()) {
+        takeBlade();
         perform(*command);
     } else if (playingBack()) {
         playSessionEvents();
@@ -204,33 +258,45 @@ bool EditorScene::playingBack() const {
     return playback_.has_value() && simulation_.stepCount() < playback_->steps();
 }
 
-/// What the events of a played session do here: what goes wrong is a message.
-struct EditorScene::PlaybackHost {
-    EditorScene& scene;
-
-    void perform(const Command& command, int) { tell(scene.perform(command)); }
-    void take(const CheckEvent& check) {
-        tell(scene.playback_->compare(check, scene.runner_.compare(check),
-                                      scene.simulation_.stepCount()));
+void EditorScene::tell(std::string message) {
+    if (!message.empty()) {
+        messages_.push_back(std::move(message));
     }
-    template <class Event>
-    void take(const Event&) {}  // pictures and exports are a replay's: a person only watches
+}
 
-    void tell(std::string message) {
-        if (!message.empty()) {
-            scene.messages_.push_back(std::move(message));
+/// What goes wrong is a message, and the session goes on.
+void EditorScene::playSessionEvents() {
+    const int step = simulation_.stepCount();
+    while (JournalEntry* entry = journal_.takeDue(step)) {
+        play(*entry);
+    }
+    for (const PlayedAction& pose : playback_->player().posesBetweenKeys(step)) {
+        tell(simulation_.execute(*commandOf(pose.action)));
+    }
+}
+
+/// Pictures and exports are a replay's: a person only watches.
+void EditorScene::play(JournalEntry& entry) {
+    const SessionAction& action = entry.event.action;
+    if (const std::optional<Command> command = commandOf(action)) {
+        std::string problem = simulation_.execute(*command);
+        entry.failed = !problem.empty();
+        tell(std::move(problem));
+    } else if (const auto* check = std::get_if<CheckEvent>(&action)) {
+        const CheckDifference difference = runner_.compare(*check);
+        if (entry.doubtful) {
+            entry.found = corrected(*check, difference);
+        } else {
+            tell(playback_->compare(*check, difference, simulation_.stepCount()));
         }
     }
-};
-
-void EditorScene::playSessionEvents() {
-    runner_.applyActions(playback_->player(), PlaybackHost{*this});
 }
 
 void EditorScene::keepKeyframe() {
     const int step = simulation_.stepCount();
     if (playback_ && playback_->wantsKeyframe(step)) {
-        playback_->keep(step, {simulation_.moment(), journal_.mark(), runner_.strokePoses()},
+        playback_->keep(step,
+                        {simulation_.moment(), journal_.commandsDone(), runner_.strokePoses()},
                         snapshotBytes(simulation_.mesh()));
     }
 }
@@ -250,12 +316,11 @@ void EditorScene::seek(int step) {
 
 void EditorScene::goTo(int step, const Keyframe& keyframe) {
     simulation_.goTo(keyframe.moment);
-    journal_.goBackTo(keyframe.journal);
+    journal_.goTo(step, keyframe.commandsDone);
     runner_.setStrokePoses(keyframe.strokePoses);
     stroke_.clear();
     pulling_ = false;
     dragTo_.reset();
-    playback_->wentTo(step);
     readings_.forgetAfter(timeNow());
     refreshPieces();
 }
@@ -270,14 +335,20 @@ void EditorScene::toggleLoop() {
     }
 }
 
-/// At its end a session stops once, or begins again.
+/// At its end a session stops once, or begins again. What a person changed goes on.
 void EditorScene::wrapPlayback() {
     if (seekSteps() == 0) {
         seekTarget_.reset();
     }
-    if (!playback_ || simulation_.stepCount() != playback_->steps()) {
-        return;
+    const int step = simulation_.stepCount();
+    if (playback_ && step > playback_->steps() && journal_.firstChange()) {
+        playback_->extendTo(step);
+    } else if (playback_ && step == playback_->steps()) {
+        atEndOfSession();
     }
+}
+
+void EditorScene::atEndOfSession() {
     playSessionEvents();
     if (playing && playback_->loop) {
         seek(0);
@@ -294,9 +365,10 @@ void EditorScene::startRecording() {
     simulation_.reset();
     playback_.reset();
     document_.session.events.clear();
+    journal_.clear();
     startAnew();
     putUp(boxes);
-    recording_ = true;
+    recording_ = recorded_ = true;
 }
 
 /// Instead of the boxes there are.
@@ -315,23 +387,98 @@ void EditorScene::putUp(const std::vector<StaticBox>& boxes) {
 void EditorScene::checkNowAndThen() {
     const int step = simulation_.stepCount();
     if (recording_ && step % kCheckEvery == 0) {
-        journal_.note(step, CheckEvent{simulation_.stateHash(), pieceCount()});
+        journal_.note(step, checkOfNow());
     }
 }
 
-Session EditorScene::recordedSession(const render::Camera& camera,
-                                     const render::ChosenColors& colors) {
-    Session session = document_.session;
-    session.warnings.clear();
-    session.events = journal_.events();
-    session.steps = std::max(1, simulation_.stepCount());
-    if (simulation_.stepCount() > 0) {
-        session.events.push_back(
-            {session.steps, CheckEvent{simulation_.stateHash(), pieceCount()}});
+CheckEvent EditorScene::checkOfNow() {
+    return {simulation_.stateHash(), pieceCount()};
+}
+
+/// Whether it is a session without events to which nobody did anything.
+bool EditorScene::isUntouched() const {
+    return document_.session.steps > 0 && !recorded_ && !journal_.firstChange();
+}
+
+SavedSession EditorScene::savedSession(const render::Camera& camera,
+                                       const render::ChosenColors& colors, SavedAs purpose) {
+    SavedSession saved = sessionAsSaved(document_.session, journal_, purpose);
+    Session& session = saved.session;
+    session.steps = stepsAsSaved();
+    if (purpose == SavedAs::session && endsNow()) {
+        session.events.push_back({session.steps, checkOfNow()});
     }
-    session.view = camera;
+    setView(session, camera, colors);
+    return saved;
+}
+
+int EditorScene::stepsAsSaved() const {
+    if (playback_) {
+        return playback_->steps();
+    }
+    return isUntouched() ? std::max(document_.session.steps, journal_.lastStep())
+                         : std::max(1, simulation_.stepCount());
+}
+
+/// Whether a session that is saved now ends with what a person did last.
+bool EditorScene::endsNow() const {
+    const int step = simulation_.stepCount();
+    if (playback_) {
+        return journal_.firstChange() && step > document_.session.steps &&
+               step == playback_->steps();
+    }
+    return step > 0 && !isUntouched();
+}
+
+/// The pictures of a session that was opened depend on its view.
+void EditorScene::setView(Session& session, const render::Camera& camera,
+                          const render::ChosenColors& colors) const {
+    const bool keepsView = !document_.session.events.empty() || isUntouched();
+    if (chosenView_) {
+        session.view = chosenView_;
+    } else if (!keepsView) {
+        session.view = camera;
+    } else if (!session.view && (colors.skin || colors.flesh)) {
+        session.view = document_.camera;  // the one that it has of itself
+    }
     session.colors = colors;
-    return session;
+}
+
+// --- Pictures, exports and checks of the session -----------------------------------------------
+
+JournalPlace EditorScene::end() const {
+    const auto& entries = journal_.entries();
+    return {stepsAsSaved(), entries.empty() ? 0 : entries.back().id};
+}
+
+bool EditorScene::takesPictures() const {
+    return std::ranges::any_of(journal_.entries(), [](const JournalEntry& entry) {
+        return std::holds_alternative<ScreenshotEvent>(entry.event.action);
+    });
+}
+
+std::string EditorScene::addPicture(const JournalPlace& place) {
+    std::string file = freeOutputName(journal_, document_.name, place.step, ".png");
+    addMark(place, ScreenshotEvent{file});
+    return file;
+}
+
+std::string EditorScene::addExport() {
+    const JournalPlace place = here();
+    std::string file = freeOutputName(journal_, document_.name, place.step, ".ply");
+    addMark(place, ExportEvent{file});
+    return file;
+}
+
+void EditorScene::addCheck() {
+    addMark(here(), checkOfNow());
+}
+
+void EditorScene::addMark(const JournalPlace& place, SessionAction action) {
+    journal_.add(place, std::move(action));
+    if (playback_) {
+        playback_->extendTo(place.step);
+    }
 }
 
 // --- What is shown -----------------------------------------------------------------------------
@@ -399,6 +546,15 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.history = &readings_.history();
     model.recording = recording_;
     describePlayback(model.playback);
+    describeMarks(model);
+}
+
+void EditorScene::describeMarks(ui::PanelModel& model) {
+    if (marksRevision_ != journal_.revision()) {
+        marks_ = marksOf(journal_);
+        marksRevision_ = journal_.revision();
+    }
+    model.marks = marks_;
 }
 
 void EditorScene::describePlayback(ui::PlaybackState& state) const {

@@ -7,6 +7,7 @@
 #include "app/scene/editor_document.h"
 #include "app/scene/editor_readings.h"
 #include "app/scene/editor_stroke.h"
+#include "app/scene/saved_session.h"
 #include "app/scene/session_journal.h"
 #include "app/scene/session_playback.h"
 #include "app/scene/surface_look.h"
@@ -39,8 +40,7 @@ class EditorScene {
     void reset();
 
     // The stroke.
-    /// A person takes the blade: what is left of a played session is off.
-    void takeBlade();
+    /// Its first pose ends the session that is played: a person goes on alone.
     BladeStroke& stroke() { return stroke_; }
     const BladeStroke& stroke() const { return stroke_; }
     /// Steps that the stroke needs for the coming picture so as not to fall behind the hand.
@@ -69,8 +69,28 @@ class EditorScene {
     void stopRecording() { recording_ = false; }
     bool recording() const { return recording_; }
     /// Writes down all that was done since the start, as a session that ends here with a check of
-    /// the state.
-    Session recordedSession(const render::Camera& camera, const render::ChosenColors& colors);
+    /// the state. A session that is played is written whole, with what a person added, wherever it
+    /// stands; it keeps its view. Other documents get `camera`, unless useView() gave one to them.
+    SavedSession savedSession(const render::Camera& camera, const render::ChosenColors& colors,
+                              SavedAs purpose = SavedAs::session);
+    /// The view for the pictures of the session.
+    void useView(const render::Camera& camera) { chosenView_ = camera; }
+
+    // Pictures, exports and checks of the session.
+    /// The present in the session, to add a picture of it later on.
+    JournalPlace here() const { return journal_.here(simulation_.stepCount()); }
+    /// The last place in the session as it would be saved now.
+    JournalPlace end() const;
+    /// Whether a replay of the session would take any.
+    bool takesPictures() const;
+    /// Adds a picture under a name of its own, which it returns.
+    std::string addPicture(const JournalPlace& place);
+    /// Adds an export of the body as it is under a name of its own, which it returns.
+    std::string addExport();
+    /// Adds a check of the state as it is.
+    void addCheck();
+    /// Takes out one of those by its ui::SessionMark::id.
+    void removeMark(int id) { journal_.remove(id); }
 
     /// Notes a picture while time runs: how long after the one before it came [s], and how long it
     /// took to draw [ms].
@@ -103,16 +123,28 @@ class EditorScene {
     void describe(ui::PanelModel& model);
 
   private:
-    struct PlaybackHost;
     std::string perform(const Command& command);
     void followUndo(const Params& before);
     void moveHand();
     void releaseAllHands();
+    bool playsOnAfter(const Command& command) const;
+    void takeBlade();
+    std::vector<PlayedAction> movesOnTheirWay() const;
     void playSessionEvents();
+    void play(JournalEntry& entry);
+    void tell(std::string message);
     void keepKeyframe();
     void goTo(int step, const Keyframe& keyframe);
-    void endPlayback();
+    void beginPlayback();
     void wrapPlayback();
+    void atEndOfSession();
+    void addMark(const JournalPlace& place, SessionAction action);
+    bool isUntouched() const;
+    int stepsAsSaved() const;
+    bool endsNow() const;
+    CheckEvent checkOfNow();
+    void setView(Session& session, const render::Camera& camera,
+                 const render::ChosenColors& colors) const;
     void startAnew();
     void putUp(const std::vector<StaticBox>& boxes);
     void checkNowAndThen();
@@ -120,6 +152,7 @@ class EditorScene {
     void refreshPieces();
     void describeChanges(ui::ChangeList& list) const;
     void describePlayback(ui::PlaybackState& state) const;
+    void describeMarks(ui::PanelModel& model);
     double timeNow() const { return simulation_.report().time - start_.time; }
 
     Document document_;
@@ -133,7 +166,9 @@ class EditorScene {
     bool pulling_ = false;
     std::optional<Vec3> dragTo_;  ///< where the hand is to go, until it is told
     SessionJournal journal_;
+    std::optional<render::Camera> chosenView_;
     bool recording_ = false;
+    bool recorded_ = false;  ///< the document was begun anew by a recording
     /// The last restart: what the panels count from.
     struct Start {
         int step = 0;
@@ -146,6 +181,8 @@ class EditorScene {
     std::vector<ui::PieceRow> pieces_;
     int piecesStep_ = -1;  ///< step that pieces_ tells of
     int piecesTriangles_ = -1;
+    std::vector<ui::SessionMark> marks_;
+    int marksRevision_ = -1;  ///< of the journal that marks_ tells of
 };
 
 }  // namespace kerf::app

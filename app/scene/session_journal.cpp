@@ -1,43 +1,111 @@
 #include "app/scene/session_journal.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace kerf::app {
 namespace {
+
+using Origin = JournalEntry::Origin;
 
 SessionAction actionOf(const Command& command) {
     return std::visit([](const auto& c) { return SessionAction(c); }, command);
 }
 
-/// What a slider changes that is dragged while time stands: only its last value counts. Returns
-/// whether `before` was changed instead of noting a later event.
-bool extend(SessionEvent& before, const Command& command) {
-    if (const auto* later = std::get_if<SetParam>(&command); later != nullptr && later->continues) {
-        auto* set = std::get_if<SetParam>(&before.action);
-        if (set != nullptr && set->name == later->name) {
-            set->value = later->value;
-            return true;
-        }
+bool isCommand(const JournalEntry& entry) {
+    return commandOf(entry.event.action).has_value();
+}
+
+bool isChange(const JournalEntry& entry) {
+    return entry.origin == Origin::person && isCommand(entry);
+}
+
+/// Whether both give a value to the same thing: of what is dragged, the last one counts.
+bool setTheSame(const SessionAction& earlier, const Command& later) {
+    if (const auto* set = std::get_if<SetParam>(&later)) {
+        const auto* before = std::get_if<SetParam>(&earlier);
+        return before != nullptr && before->name == set->name;
     }
-    if (const auto* later = std::get_if<ChangeBox>(&command); later && later->continues) {
-        auto* change = std::get_if<ChangeBox>(&before.action);
-        if (change != nullptr && change->index == later->index) {
-            change->box = later->box;
-            return true;
-        }
+    if (const auto* change = std::get_if<ChangeBox>(&later)) {
+        const auto* before = std::get_if<ChangeBox>(&earlier);
+        return before != nullptr && before->index == change->index;
     }
     return false;
 }
 
+bool continuesGesture(const Command& command) {
+    const auto* set = std::get_if<SetParam>(&command);
+    const auto* change = std::get_if<ChangeBox>(&command);
+    return (set != nullptr && set->continues) || (change != nullptr && change->continues);
+}
+
+/// Gives the value of `later` to what set the same thing.
+void takeValue(SessionAction& earlier, const Command& later) {
+    if (const auto* set = std::get_if<SetParam>(&later)) {
+        std::get<SetParam>(earlier).value = set->value;
+    } else {
+        std::get<ChangeBox>(earlier).box = std::get<ChangeBox>(later).box;
+    }
+}
+
 }  // namespace
 
+// --- What a person does ------------------------------------------------------------------------
+
 void SessionJournal::note(int step, const Command& command) {
-    if (!events_.empty() && events_.back().step == step && extend(events_.back(), command)) {
-        return;
+    firstChange_ = std::min(step, firstChange_.value_or(step));
+    if (!mergeIntoLast(step, command)) {
+        notePose(step, command);
+        noteHand(step, command);
+        noted_ = insert(done_, Origin::person, {step, actionOf(command)}).id;
     }
-    notePose(step, command);
-    noteHand(step, command);
-    events_.push_back({step, actionOf(command)});
+    voidLater(command);
+    doubtChecksFrom(done_);
+}
+
+void SessionJournal::note(int step, CheckEvent check) {
+    insert(done_, Origin::editor, {step, std::move(check)});
+}
+
+void SessionJournal::clear() {
+    const int id = lastId_;
+    const int revision = revision_;
+    *this = SessionJournal{};
+    lastId_ = id;
+    revision_ = revision + 1;
+}
+
+/// What a slider changes that is dragged while time stands: only its last value counts.
+bool SessionJournal::mergeIntoLast(int step, const Command& command) {
+    if (done_ == 0 || !continuesGesture(command)) {
+        return false;
+    }
+    JournalEntry& last = entries_[done_ - 1];
+    const bool merges =
+        last.id == noted_ && last.event.step == step && setTheSame(last.event.action, command);
+    if (merges) {
+        takeValue(last.event.action, command);
+    }
+    return merges;
+}
+
+/// A slider stays where it was moved to last, whenever in the session that was.
+void SessionJournal::voidLater(const Command& command) {
+    const auto isVoid = [&](const JournalEntry& entry) {
+        return isChange(entry) && setTheSame(entry.event.action, command);
+    };
+    entries_.erase(std::remove_if(entries_.begin() + static_cast<std::ptrdiff_t>(done_),
+                                  entries_.end(), isVoid),
+                   entries_.end());
+}
+
+void SessionJournal::doubtChecksFrom(std::size_t index) {
+    for (; index < entries_.size(); ++index) {
+        JournalEntry& entry = entries_[index];
+        entry.doubtful |= std::holds_alternative<CheckEvent>(entry.event.action);
+        entry.found.reset();
+    }
 }
 
 void SessionJournal::notePose(int step, const Command& command) {
@@ -69,18 +137,117 @@ void SessionJournal::noteHand(int step, const Command& command) {
 /// In a session blade and hands move from each pose to the next. Where one stood still until the
 /// step before, that must be said.
 void SessionJournal::hold(const SessionEvent& last, int step) {
-    if (last.step >= step - 1) {
-        return;
+    if (last.step < step - 1) {
+        insert(indexOf({step, 0}), Origin::editor, {step - 1, last.action});
     }
-    const auto later = [](int value, const SessionEvent& event) { return value < event.step; };
-    events_.insert(std::upper_bound(events_.begin(), events_.end(), step - 1, later),
-                   {step - 1, last.action});
 }
 
-void SessionJournal::goBackTo(const Mark& mark) {
-    events_.resize(std::min(mark.events, events_.size()));
-    lastPose_ = mark.lastPose;
-    lastDrags_ = mark.lastDrags;
+// --- A session that is played ------------------------------------------------------------------
+
+void SessionJournal::open(const std::vector<SessionEvent>& events) {
+    clear();
+    for (const SessionEvent& event : events) {
+        insert(entries_.size(), Origin::session, event);
+    }
+    done_ = 0;
+}
+
+void SessionJournal::restart() {
+    const bool changed = firstChange_.has_value();
+    dropTakeOver();
+    std::erase_if(entries_, isChange);
+    for (JournalEntry& entry : entries_) {
+        const bool check = std::holds_alternative<CheckEvent>(entry.event.action);
+        entry.failed = false;
+        entry.found.reset();
+        entry.doubtful = check && entry.origin == Origin::person && (changed || entry.doubtful);
+    }
+    done_ = 0;
+    noted_.reset();
+    firstChange_.reset();
+    lastPose_.reset();
+    lastDrags_.clear();
+    ++revision_;
+}
+
+void SessionJournal::dropTakeOver() {
+    if (takenOver_) {
+        std::erase_if(entries_, [&](const JournalEntry& entry) { return entry.id > *takenOver_; });
+        std::ranges::move(rest_, std::back_inserter(entries_));
+    }
+    takenOver_.reset();
+    rest_.clear();
+}
+
+JournalEntry* SessionJournal::takeDue(int step) {
+    noted_.reset();
+    const bool due = done_ < entries_.size() && entries_[done_].event.step == step;
+    return due ? &entries_[done_++] : nullptr;
+}
+
+std::size_t SessionJournal::commandsDone() const {
+    return static_cast<std::size_t>(std::count_if(
+        entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(done_), isCommand));
+}
+
+void SessionJournal::goTo(int step, std::size_t commandsDone) {
+    noted_.reset();
+    done_ = 0;
+    for (std::size_t commands = 0; done_ < entries_.size(); ++done_) {
+        const bool command = isCommand(entries_[done_]);
+        if (commands == commandsDone && (command || entries_[done_].event.step >= step)) {
+            return;
+        }
+        commands += command ? 1 : 0;
+    }
+}
+
+void SessionJournal::takeOver(int step, const std::vector<PlayedAction>& cutShort) {
+    firstChange_ = std::min(step, firstChange_.value_or(step));
+    takenOver_ = lastId_;
+    const auto present = entries_.begin() + static_cast<std::ptrdiff_t>(done_);
+    std::move(present, entries_.end(), std::back_inserter(rest_));
+    entries_.erase(present, entries_.end());
+    for (const PlayedAction& pose : cutShort) {
+        insert(indexOf({step, 0}), Origin::editor, {step - 1, pose.action});
+    }
+    ++revision_;
+}
+
+// --- Pictures, exports and checks --------------------------------------------------------------
+
+JournalPlace SessionJournal::here(int step) const {
+    return {step, done_ == 0 ? 0 : entries_[done_ - 1].id};
+}
+
+void SessionJournal::add(const JournalPlace& place, SessionAction action) {
+    insert(indexOf(place), Origin::person, {place.step, std::move(action)});
+    ++revision_;
+}
+
+void SessionJournal::remove(int id) {
+    const auto found = std::ranges::find(entries_, id, &JournalEntry::id);
+    if (found != entries_.end()) {
+        done_ -= static_cast<std::size_t>(found - entries_.begin()) < done_ ? 1 : 0;
+        entries_.erase(found);
+        ++revision_;
+    }
+}
+
+/// Before all that is noted for its step, unless it is to stand behind some of that.
+std::size_t SessionJournal::indexOf(const JournalPlace& place) const {
+    const auto first = std::ranges::lower_bound(
+        entries_, place.step, {}, [](const JournalEntry& entry) { return entry.event.step; });
+    const auto behind = std::ranges::find(entries_, place.behind, &JournalEntry::id);
+    const auto next = behind == entries_.end() ? first : std::max(first, std::next(behind));
+    return static_cast<std::size_t>(next - entries_.begin());
+}
+
+JournalEntry& SessionJournal::insert(std::size_t index, Origin origin, SessionEvent event) {
+    const auto at = entries_.begin() + static_cast<std::ptrdiff_t>(index);
+    const auto entry = entries_.insert(at, {++lastId_, origin, std::move(event), false, false, {}});
+    done_ += index <= done_ ? 1 : 0;
+    return *entry;
 }
 
 }  // namespace kerf::app

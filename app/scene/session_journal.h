@@ -2,7 +2,6 @@
 
 #include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/session/session.h"
@@ -10,33 +9,93 @@
 
 namespace kerf::app {
 
+/// An event in a journal.
+struct JournalEntry {
+    enum class Origin {
+        session,  ///< that is played
+        person,
+        editor,  ///< of itself: a check of a recording, or where a move was cut short
+    };
+
+    int id = 0;  ///< of this entry alone
+    Origin origin = Origin::editor;
+    SessionEvent event;
+    bool failed = false;    ///< a command that could not be carried out when it was played
+    bool doubtful = false;  ///< a check: something before it has changed since it was written
+    /// What a doubtful check found when it was played, instead of what it says.
+    std::optional<CheckEvent> found;
+};
+
+/// A place in a journal: before a step, behind an entry (its id, 0 for none).
+struct JournalPlace {
+    int step = 0;
+    int behind = 0;
+};
+
 /// Writes down all that is done to a simulation since its start, so that it can be saved as a
-/// session that replays to the same bits.
+/// session that replays to the same bits. Where a session is played it holds the session's events
+/// too, those to come included, and what a person adds stands among them at the present.
 class SessionJournal {
   public:
-    /// Notes a command that is executed before step `step`, which never falls.
+    /// Notes a command of a person that is executed before step `step`, which never falls while no
+    /// session is played. What the person had set a parameter or a box to later is void then.
     void note(int step, const Command& command);
-    void note(int step, CheckEvent check) { events_.push_back({step, std::move(check)}); }
-    void clear() { *this = SessionJournal{}; }
+    /// Notes a check that a recording makes.
+    void note(int step, CheckEvent check);
+    void clear();
 
-    /// A state of the journal, to come back to.
-    struct Mark {
-        std::size_t events = 0;
-        std::optional<SessionEvent> lastPose;
-        std::map<int, SessionEvent> lastDrags;
-    };
-    Mark mark() const { return {events_.size(), lastPose_, lastDrags_}; }
-    void goBackTo(const Mark& mark);
+    // A session that is played.
+    /// Begins anew with its events, all of them to come.
+    void open(const std::vector<SessionEvent>& events);
+    /// Begins it again: what a person did is forgotten. Pictures, exports and checks stay.
+    void restart();
+    /// The next event where it is due before `step`, which counts as done then; else null.
+    JournalEntry* takeDue(int step);
+    /// Commands that are done so far: with the step, what goTo() takes.
+    std::size_t commandsDone() const;
+    /// Another present: before `step`, when so many commands were done.
+    void goTo(int step, std::size_t commandsDone);
+    /// A person goes on alone at `step`: what is to come is left out. `cutShort`: the poses before
+    /// the last step of the moves that end here on their way.
+    void takeOver(int step, const std::vector<PlayedAction>& cutShort);
 
-    const std::vector<SessionEvent>& events() const { return events_; }
+    // Pictures, exports and checks.
+    /// The present, before step `step`.
+    JournalPlace here(int step) const;
+    /// Adds one that a person wants.
+    void add(const JournalPlace& place, SessionAction action);
+    void remove(int id);
+
+    const std::vector<JournalEntry>& entries() const { return entries_; }
+    /// The first step before which a person changed the run of a played session or took it over.
+    std::optional<int> firstChange() const { return firstChange_; }
+    /// Events that were to come when a person took over.
+    std::size_t leftOut() const { return rest_.size(); }
+    /// Step of the last entry; 0 where there is none.
+    int lastStep() const { return entries_.empty() ? 0 : entries_.back().event.step; }
+    /// Grows when entries come or go that are no commands.
+    int revision() const { return revision_; }
 
   private:
+    JournalEntry& insert(std::size_t index, JournalEntry::Origin origin, SessionEvent event);
+    std::size_t indexOf(const JournalPlace& place) const;
+    bool mergeIntoLast(int step, const Command& command);
+    void voidLater(const Command& command);
+    void doubtChecksFrom(std::size_t index);
     void notePose(int step, const Command& command);
     void noteHand(int step, const Command& command);
     void hold(const SessionEvent& last, int step);
+    void dropTakeOver();
 
-    std::vector<SessionEvent> events_;
-    std::optional<SessionEvent> lastPose_;   ///< while the blade is placed
+    std::vector<JournalEntry> entries_;  ///< by step
+    std::size_t done_ = 0;               ///< so many of them
+    int lastId_ = 0;
+    int revision_ = 0;
+    std::optional<int> noted_;  ///< id of the last command, while it may still be extended
+    std::optional<int> firstChange_;
+    std::optional<int> takenOver_;           ///< last id before a person took over
+    std::vector<JournalEntry> rest_;         ///< what was to come then
+    std::optional<SessionEvent> lastPose_;   ///< while a person's blade is placed
     std::map<int, SessionEvent> lastDrags_;  ///< of hands that hold something, by number
 };
 

@@ -14,10 +14,10 @@ constexpr std::size_t kKeyframeBudget = 256'000'000;  // [bytes]
 }  // namespace
 
 SessionPlayback::SessionPlayback(const Session& session)
-    : session_(&session), player_(session), spacing_(std::max(1, session.steps / kKeyframes)) {}
+    : steps_(session.steps), player_(session), spacing_(std::max(1, session.steps / kKeyframes)) {}
 
 bool SessionPlayback::wantsKeyframe(int step) const {
-    return step % spacing_ == 0 && step < steps() && !keyframes_.contains(step) && !changed();
+    return step % spacing_ == 0 && step < steps() && !keyframes_.contains(step);
 }
 
 void SessionPlayback::keep(int step, Keyframe keyframe, std::size_t bytes) {
@@ -43,21 +43,16 @@ const Keyframe* SessionPlayback::keyframeBefore(int step) const {
     return found < 0 ? nullptr : &keyframes_.at(found);
 }
 
-void SessionPlayback::changedAt(int step) {
-    changedAt_ = std::min(step, changedAt_.value_or(step));
-    keyframes_.erase(keyframes_.upper_bound(step), keyframes_.end());
-}
-
-void SessionPlayback::wentTo(int step) {
-    if (changedAt_ && step <= *changedAt_) {
-        changedAt_.reset();
-    }
+void SessionPlayback::changedAt(int step, std::size_t commandsDone) {
+    std::erase_if(keyframes_, [&](const auto& entry) {
+        return entry.first > step || entry.second.commandsDone > commandsDone;
+    });
 }
 
 std::string SessionPlayback::compare(const CheckEvent& check, const CheckDifference& difference,
                                      int step) {
     const bool asExpected = !difference.hash && !difference.pieces;
-    if (changed() || (divergedAt_ && *divergedAt_ <= step) || asExpected) {
+    if ((divergedAt_ && *divergedAt_ <= step) || asExpected) {
         return "";
     }
     divergedAt_ = step;

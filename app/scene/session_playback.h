@@ -1,19 +1,20 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/scene/session_journal.h"
 #include "app/session/session_runner.h"
+#include "sim/run/moment.h"
 
 namespace kerf::app {
 
 /// A moment at which a played session can be taken up again.
 struct Keyframe {
     Moment moment;
-    SessionJournal::Mark journal;
+    std::size_t commandsDone = 0;    ///< in the journal
     std::vector<Blade> strokePoses;  ///< poses of the running stroke
 };
 
@@ -24,7 +25,9 @@ class SessionPlayback {
     /// The session must outlive it.
     explicit SessionPlayback(const Session& session);
 
-    int steps() const { return session_->steps; }
+    int steps() const { return steps_; }
+    /// A person lets the session go on until step `step`.
+    void extendTo(int step) { steps_ = std::max(steps_, step); }
     bool loop = false;
 
     const SessionPlayer& player() const { return player_; }
@@ -36,14 +39,12 @@ class SessionPlayback {
     const Keyframe* keyframeBefore(int step) const;
     /// Step of the last keyframe at or before `step`; -1 where there is none.
     int keyframeStepBefore(int step) const;
-    /// A person changed something before step `step`: what the session says of later ones no longer
-    /// holds.
-    void changedAt(int step);
-    bool changed() const { return changedAt_.has_value(); }
-    /// Time went back to `step`.
-    void wentTo(int step);
+    /// A person changes something before step `step`, when so many commands are done: keyframes
+    /// behind that no longer hold.
+    void changedAt(int step, std::size_t commandsDone);
 
-    /// Takes note of how a check before step `step` came out. Returns "" or one sentence.
+    /// Takes note of how a check of an unchanged session came out before step `step`. Returns "" or
+    /// one sentence.
     std::string compare(const CheckEvent& check, const CheckDifference& difference, int step);
     /// The first step at which a check failed.
     std::optional<int> divergedAt() const { return divergedAt_; }
@@ -51,11 +52,10 @@ class SessionPlayback {
   private:
     void thinOut();
 
-    const Session* session_;
+    int steps_;
     SessionPlayer player_;
     std::map<int, Keyframe> keyframes_;  ///< by step
     int spacing_ = 1;                    ///< steps between two keyframes
-    std::optional<int> changedAt_;
     std::optional<int> divergedAt_;
 };
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 #include <sstream>
+#include <type_traits>
 
 #include "app/files/builtin_models.h"
 #include "app/files/import_protocol.h"
@@ -89,6 +90,18 @@ render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
     return camera;
 }
 
+std::optional<Command> commandOf(const SessionAction& action) {
+    return std::visit(
+        [](const auto& kind) -> std::optional<Command> {
+            if constexpr (std::is_constructible_v<Command, decltype(kind)>) {
+                return Command(kind);
+            } else {
+                return std::nullopt;
+            }
+        },
+        action);
+}
+
 std::vector<std::string> pictureFiles(const Session& session) {
     std::vector<std::string> files;
     for (const SessionEvent& event : session.events) {
@@ -164,11 +177,17 @@ std::vector<PlayedAction> SessionPlayer::actionsAt(int step) const {
          event != events.end() && event->step == step; ++event) {
         actions.push_back({event->action, event->number});
     }
-    if (const auto pose = poseBetweenKeys(step)) {
-        actions.push_back(*pose);
-    }
-    std::ranges::copy(dragsBetweenKeys(step), std::back_inserter(actions));
+    std::ranges::move(posesBetweenKeys(step), std::back_inserter(actions));
     return actions;
+}
+
+std::vector<PlayedAction> SessionPlayer::posesBetweenKeys(int step) const {
+    std::vector<PlayedAction> poses;
+    if (const auto pose = poseBetweenKeys(step)) {
+        poses.push_back(*pose);
+    }
+    std::ranges::copy(dragsBetweenKeys(step), std::back_inserter(poses));
+    return poses;
 }
 
 std::vector<PlayedAction> SessionPlayer::dragsBetweenKeys(int step) const {

@@ -107,6 +107,8 @@ struct Session {
     std::vector<std::string> warnings;  ///< unknown extra keys
 };
 
+/// The command that an action is; none where it changes no simulation.
+std::optional<Command> commandOf(const SessionAction& action);
 /// The files of its screenshot events, each once.
 std::vector<std::string> pictureFiles(const Session& session);
 /// Tells whether the blade is gone after an action, so that the next pose places it anew.
@@ -153,6 +155,8 @@ class SessionPlayer {
     /// Everything that happens before step `step`, in order; where the blade is between two key
     /// poses, its pose of this step comes last. `step` equal to session.steps: after the run.
     std::vector<PlayedAction> actionsAt(int step) const;
+    /// Of these the poses between two key poses alone, the blade's before those of hands.
+    std::vector<PlayedAction> posesBetweenKeys(int step) const;
 
   private:
     /// The blade moves from one key pose to the next.

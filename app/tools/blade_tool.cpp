@@ -124,7 +124,6 @@ void BladeTool::press(const ViewFrame& view, const Vec2& pixel, EditorScene& sce
 void BladeTool::pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
     const std::optional<double> depth =
         settings_.throughAll ? std::nullopt : std::optional(settings_.strokeDepth);
-    scene.takeBlade();
     // Where an earlier stroke is still being cut, this one's poses queue up behind it.
     scene.stroke().begin(StrokeSpace(view.camera, view.aspect(), scene.bounds(), depth),
                          view.toNdc(pixel));
@@ -162,7 +161,6 @@ void BladeTool::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScen
         if (scene.stroke().drawing()) {
             scene.stroke().moveTo(pose);
         } else {
-            scene.takeBlade();
             scene.stroke().begin(pose, {0.5, maxStrokeStep(scene.bounds())});
         }
     }
@@ -203,7 +201,6 @@ void BladeTool::lowerTo(double lowered, EditorScene& scene) {
         return;
     }
     if (!scene.stroke().drawing()) {
-        scene.takeBlade();
         scene.stroke().begin(guillotine_.at(settings_.lowered),
                              {0.5, maxStrokeStep(scene.bounds())});
     }

@@ -38,6 +38,12 @@ class EditorPanelsTest : public test::GlTest {
             options, openDocument(gpu::dataPath("assets/sessions/sphere20.kerf.json")));
         frames(2);
     }
+    /// Folds a section first, so that there is room.
+    void chooseLight() {
+        clickOn("section.simulation");
+        clickOn("section.window");
+        clickOn("window.light");
+    }
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
             editor->frame(1.0 / 60);
@@ -164,16 +170,15 @@ TEST_F(EditorPanelsTest, TheLogKeepsWhatWasSaid) {
 }
 
 TEST_F(EditorPanelsTest, SettingsAreKeptWhereAFileIsNamed) {
-    clickOn("section.window");
-    clickOn("window.light");
+    chooseLight();
+    EXPECT_EQ(panels().settings.theme, ui::Theme::light);
     EXPECT_TRUE(files().empty()) << "without a file nothing is written";
     options.settingsFile = folder / "settings.json";
     start();
     tap(Key::tab);
     EXPECT_FALSE(panels().settings.showControls);
     tap(Key::tab);
-    clickOn("section.window");
-    clickOn("window.light");
+    chooseLight();
     EXPECT_EQ(SettingsFile(options.settingsFile).now.theme, ui::Theme::light);
     start();
     EXPECT_EQ(panels().settings.theme, ui::Theme::light);

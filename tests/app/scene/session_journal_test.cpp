@@ -1,12 +1,56 @@
 #include "app/scene/session_journal.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include "app/scene/saved_session.h"
+#include "app/scene/session_marks.h"
 
 namespace kerf::app {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
 MoveBlade pose(double y) {
     return {{Vec3(-1, y, 0), Vec3(1, y, 0)}};
+}
+
+std::vector<SessionEvent> eventsOf(const SessionJournal& journal) {
+    return sessionAsSaved({}, journal).session.events;
+}
+Session sessionOf(const SessionJournal& journal, int steps) {
+    Session session;
+    session.steps = steps;
+    session.events = eventsOf(journal);
+    return session;
+}
+std::vector<int> stepsOf(const SessionJournal& journal) {
+    std::vector<int> steps;
+    for (const SessionEvent& event : eventsOf(journal)) {
+        steps.push_back(event.step);
+    }
+    return steps;
+}
+/// Lets everything up to a step happen.
+void playTo(SessionJournal& journal, int step) {
+    for (int s = 0; s < step; ++s) {
+        while (journal.takeDue(s) != nullptr) {
+        }
+    }
+}
+const CheckEvent& checkAt(const std::vector<SessionEvent>& events, std::size_t index) {
+    return std::get<CheckEvent>(events.at(index).action);
+}
+
+TEST(SessionJournal, ATestLacksTheChecksThatARecordingMakesAlone) {
+    SessionJournal journal;
+    journal.note(3, pose(1));
+    journal.note(5, CheckEvent{"0123456789abcdef", 1});
+    journal.add(journal.here(6), CheckEvent{"fedcba9876543210", 2});
+    EXPECT_EQ(eventsOf(journal).size(), 3U);
+    const auto events = sessionAsSaved({}, journal, SavedAs::test).session.events;
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(checkAt(events, 1).pieces, 2) << "a person's own";
 }
 
 TEST(SessionJournal, ABladeThatStoodStillIsSaidToHave) {
@@ -15,9 +59,7 @@ TEST(SessionJournal, ABladeThatStoodStillIsSaidToHave) {
     journal.note(4, pose(0.9));
     journal.note(9, pose(0.8));
     journal.note(10, LiftBlade{});
-    Session session;
-    session.steps = 12;
-    session.events = journal.events();
+    const Session session = sessionOf(journal, 12);
     const SessionPlayer player(session);
     for (const int step : {5, 6, 7}) {
         const auto actions = player.actionsAt(step);
@@ -33,9 +75,7 @@ TEST(SessionJournal, AHandThatStoodStillIsSaidToHave) {
     journal.note(7, Drag{0, Vec3(2, 0, 0)});
     journal.note(12, Drag{0, Vec3(3, 0, 0)});
     journal.note(13, Release{0});
-    Session session;
-    session.steps = 15;
-    session.events = journal.events();
+    const Session session = sessionOf(journal, 15);
     const SessionPlayer player(session);
     const auto drags = [&](int step) {
         std::vector<double> places;
@@ -61,22 +101,146 @@ TEST(SessionJournal, OfASliderDragAtOneStepOnlyTheLastValueIsKept) {
     journal.note(2, SetParam{"friction", 0.1});
     journal.note(2, SetParam{"friction", 0.2, true});
     journal.note(3, SetParam{"friction", 0.3, true});
-    ASSERT_EQ(journal.events().size(), 2U);
-    const auto& first = std::get<SetParam>(journal.events()[0].action);
+    const std::vector<SessionEvent> events = eventsOf(journal);
+    ASSERT_EQ(events.size(), 2U);
+    const auto& first = std::get<SetParam>(events[0].action);
     EXPECT_EQ(std::get<double>(first.value), 0.2);
     EXPECT_FALSE(first.continues);
-    EXPECT_TRUE(std::get<SetParam>(journal.events()[1].action).continues);
+    EXPECT_TRUE(std::get<SetParam>(events[1].action).continues);
 }
 
-TEST(SessionJournal, GoesBackToAMark) {
+TEST(SessionJournal, WhatAPersonAddsStandsAtThePresentOfThePlayedSession) {
     SessionJournal journal;
-    journal.note(1, pose(1));
-    const SessionJournal::Mark mark = journal.mark();
-    journal.note(2, LiftBlade{});
-    journal.goBackTo(mark);
-    EXPECT_EQ(journal.events().size(), 1U);
-    journal.note(8, pose(0.5));
-    EXPECT_EQ(journal.events().size(), 3U) << "with the pose that was held";
+    journal.open({{2, pose(1)}, {5, SetParam{"friction", 0.5}}, {9, pose(0)}});
+    playTo(journal, 5);
+    journal.note(5, SetParam{"friction", 0.1});
+    const auto values = [&] {
+        std::vector<double> found;
+        for (const SessionEvent& event : eventsOf(journal)) {
+            if (const auto* set = std::get_if<SetParam>(&event.action)) {
+                found.push_back(std::get<double>(set->value));
+            }
+        }
+        return found;
+    };
+    EXPECT_THAT(stepsOf(journal), ElementsAre(2, 5, 5, 9));
+    EXPECT_THAT(values(), ElementsAre(0.1, 0.5)) << "what the session does at this step comes then";
+    journal.goTo(0, 0);
+    journal.note(0, SetParam{"friction", 0.2});
+    EXPECT_THAT(values(), ElementsAre(0.2, 0.5)) << "a slider stays where it was moved to last";
+    journal.restart();
+    EXPECT_THAT(values(), ElementsAre(0.5));
+    EXPECT_FALSE(journal.firstChange());
+}
+
+TEST(SessionJournal, GoesToWhereSoManyCommandsWereDone) {
+    SessionJournal journal;
+    journal.open({{2, pose(1)}, {2, CheckEvent{{}, 1}}, {4, pose(0)}, {4, LiftBlade{}}});
+    playTo(journal, 4);
+    journal.note(4, SetParam{"friction", 0.1});
+    EXPECT_EQ(journal.commandsDone(), 2U);
+    EXPECT_EQ(journal.takeDue(4)->event.step, 4);
+    journal.add(journal.here(4), ScreenshotEvent{"a.png"});
+    journal.goTo(4, 2);
+    journal.note(4, SetParam{"density", 100.0});
+    const std::vector<SessionEvent> events = eventsOf(journal);
+    ASSERT_EQ(events.size(), 7U);
+    EXPECT_EQ(std::get<SetParam>(events[2].action).name, "friction");
+    EXPECT_EQ(std::get<SetParam>(events[3].action).name, "density");
+    journal.goTo(3, 1);
+    EXPECT_EQ(journal.takeDue(3), nullptr);
+    EXPECT_EQ(std::get<SetParam>(journal.takeDue(4)->event.action).name, "friction");
+}
+
+TEST(SessionJournal, ChecksBehindAChangeAreRenewedOrLoseTheirHash) {
+    const std::string hash(16, 'a');
+    SessionJournal journal;
+    journal.open({{1, CheckEvent{hash, 1}},
+                  {3, CheckEvent{hash, {}}},
+                  {5, CheckEvent{hash, 2}},
+                  {7, CheckEvent{hash, {}}},
+                  {9, CheckEvent{{}, 2}}});
+    playTo(journal, 2);
+    journal.note(2, SetParam{"friction", 0.1});
+    journal.takeDue(3)->found = CheckEvent{std::string(16, 'b'), {}};
+    const SavedSession saved = sessionAsSaved({}, journal);
+    const std::vector<SessionEvent>& events = saved.session.events;
+    ASSERT_EQ(events.size(), 5U) << "the one at step 7 has nothing left to check";
+    EXPECT_EQ(checkAt(events, 0).hash, hash) << "it stands before the change";
+    EXPECT_EQ(checkAt(events, 2).hash, std::string(16, 'b'));
+    EXPECT_FALSE(checkAt(events, 3).hash);
+    EXPECT_EQ(checkAt(events, 3).pieces, 2);
+    EXPECT_EQ(checkAt(events, 4).pieces, 2);
+    EXPECT_EQ(saved.remark,
+              "Since you changed it at step 2, 1 check was renewed, 1 check lost its state hash, 1 "
+              "check was dropped.");
+    journal.restart();
+    EXPECT_EQ(checkAt(eventsOf(journal), 4).pieces, 2);
+    EXPECT_EQ(checkAt(eventsOf(journal), 3).hash, hash) << "nothing is changed any more";
+}
+
+TEST(SessionJournal, AMoveThatATakeOverCutsShortEndsWhereTheBladeIs) {
+    SessionJournal journal;
+    journal.open({{2, pose(1)}, {10, pose(0)}, {11, ScreenshotEvent{"end.png"}}});
+    playTo(journal, 6);
+    journal.note(6, SetParam{"friction", 0.1});
+    journal.takeOver(6, {{pose(0.6), -1}});
+    journal.note(6, LiftBlade{});
+    EXPECT_THAT(stepsOf(journal), ElementsAre(2, 5, 6, 6));
+    EXPECT_EQ(sessionAsSaved({}, journal).remark,
+              "Since you went on alone at step 6, 2 later events were left out.");
+    journal.restart();
+    EXPECT_THAT(stepsOf(journal), ElementsAre(2, 10, 11));
+}
+
+TEST(SessionJournal, WhatFailedIsLeftOutOnlyOfAChangedSession) {
+    SessionJournal journal;
+    journal.open({{1, RemoveBox{0}}, {2, LiftBlade{}}});
+    journal.takeDue(1)->failed = true;
+    EXPECT_EQ(eventsOf(journal).size(), 2U);
+    journal.note(2, SetParam{"friction", 0.1});
+    EXPECT_THAT(stepsOf(journal), ElementsAre(2, 2));
+    EXPECT_THAT(sessionAsSaved({}, journal).remark, ::testing::HasSubstr("impossible"));
+}
+
+TEST(SessionJournal, PicturesStandWhereTheyWereAskedForAndCanBeRemoved) {
+    SessionJournal journal;
+    journal.note(3, pose(1));
+    const JournalPlace then = journal.here(3);
+    journal.note(3, LiftBlade{});
+    journal.note(8, pose(0));
+    journal.add(then, ScreenshotEvent{freeOutputName(journal, "ball", 3, ".png")});
+    journal.add(journal.here(8), ScreenshotEvent{freeOutputName(journal, "ball", 3, ".png")});
+    EXPECT_THAT(stepsOf(journal), ElementsAre(3, 3, 3, 8, 8));
+    EXPECT_TRUE(std::holds_alternative<ScreenshotEvent>(eventsOf(journal)[1].action));
+    const std::vector<ui::SessionMark> marks = marksOf(journal);
+    ASSERT_EQ(marks.size(), 2U);
+    EXPECT_EQ(marks[0].text, "ball-3.png");
+    EXPECT_EQ(marks[1].text, "ball-3-2.png");
+    journal.remove(marks[0].id);
+    journal.note(9, pose(-1));
+    EXPECT_THAT(stepsOf(journal), ElementsAre(3, 3, 8, 8, 9));
+    EXPECT_EQ(marksOf(journal).size(), 1U);
+}
+
+TEST(SessionJournal, ChecksThatARecordingMakesAreNoMarks) {
+    SessionJournal journal;
+    journal.note(50, CheckEvent{std::string(16, 'a'), 1});
+    EXPECT_THAT(marksOf(journal), IsEmpty());
+    EXPECT_EQ(eventsOf(journal).size(), 1U);
+}
+
+TEST(SessionJournal, PicturesSurviveARestartAndChecksBehindChangesAreInDoubtThen) {
+    SessionJournal journal;
+    journal.open({{2, pose(1)}});
+    journal.note(0, SetParam{"friction", 0.1});
+    playTo(journal, 4);
+    journal.add(journal.here(4), CheckEvent{std::string(16, 'a'), 2});
+    journal.add(journal.here(4), ScreenshotEvent{"a.png"});
+    EXPECT_TRUE(checkAt(eventsOf(journal), 2).hash);
+    journal.restart();
+    EXPECT_THAT(stepsOf(journal), ElementsAre(2, 4, 4));
+    EXPECT_FALSE(checkAt(eventsOf(journal), 1).hash);
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "app/scene/session_journal.h"
+#include "app/session/session_runner.h"
+
+namespace kerf::app {
+
+/// A session as the editor saves it.
+struct SavedSession {
+    Session session;
+    /// Names the events that are not in it as they were, and why: one sentence; empty for none.
+    std::string remark;
+};
+
+/// The purpose for which a session is saved.
+enum class SavedAs {
+    session,
+    test,  ///< without the editor's own checks: the expectation beside it says more
+};
+
+/// A session with the events of its journal, where an opened one was played or a person did all.
+/// Checks that a change before them left in doubt say what was found, where they were played since;
+/// otherwise they lose their state hash. What could not be carried out after a change is left out.
+SavedSession sessionAsSaved(const Session& opened, const SessionJournal& journal,
+                            SavedAs purpose = SavedAs::session);
+
+/// A check of what is found instead of what differs.
+CheckEvent corrected(CheckEvent check, const CheckDifference& difference);
+
+}  // namespace kerf::app

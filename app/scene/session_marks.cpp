@@ -1,0 +1,66 @@
+#include "app/scene/session_marks.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+using Kind = ui::SessionMark::Kind;
+
+std::string textOf(const CheckEvent& check) {
+    std::string pieces = check.pieces ? counted(*check.pieces, "piece", "pieces") : "";
+    if (!check.hash) {
+        return pieces;
+    }
+    return pieces.empty() ? "state" : pieces + ", state";
+}
+
+std::optional<ui::SessionMark> markOf(const JournalEntry& entry) {
+    const SessionAction& action = entry.event.action;
+    const int step = entry.event.step;
+    if (const auto* picture = std::get_if<ScreenshotEvent>(&action)) {
+        return ui::SessionMark{entry.id, step, Kind::picture, picture->file};
+    }
+    if (const auto* exported = std::get_if<ExportEvent>(&action)) {
+        return ui::SessionMark{entry.id, step, Kind::exported, exported->file};
+    }
+    const auto* check = std::get_if<CheckEvent>(&action);
+    if (check == nullptr || entry.origin == JournalEntry::Origin::editor) {
+        return std::nullopt;
+    }
+    return ui::SessionMark{entry.id, step, Kind::check, textOf(*check)};
+}
+
+/// The file that an event writes; empty for none.
+std::string fileOf(const JournalEntry& entry) {
+    const std::optional<ui::SessionMark> mark = markOf(entry);
+    return mark && mark->kind != Kind::check ? mark->text : "";
+}
+
+}  // namespace
+
+std::vector<ui::SessionMark> marksOf(const SessionJournal& journal) {
+    std::vector<ui::SessionMark> marks;
+    for (const JournalEntry& entry : journal.entries()) {
+        if (auto mark = markOf(entry)) {
+            marks.push_back(std::move(*mark));
+        }
+    }
+    return marks;
+}
+
+std::string freeOutputName(const SessionJournal& journal, const std::string& name, int step,
+                           const std::string& ending) {
+    const std::string stem = name + "-" + std::to_string(step);
+    std::string file = stem + ending;
+    for (int n = 2; std::ranges::count(journal.entries(), file, fileOf) > 0; ++n) {
+        file = stem;
+        file.append("-").append(std::to_string(n)).append(ending);
+    }
+    return file;
+}
+
+}  // namespace kerf::app

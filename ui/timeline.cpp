@@ -1,0 +1,218 @@
+#include "ui/timeline.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "ui/item_rects.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr float kStripHeight = 0.75F;  // of a line
+constexpr float kMarkSize = 0.27F;     // half of it, of a line
+constexpr std::size_t kMostListed = 8;
+
+/// The steps along a slider, as its knob stands at them.
+class StepScale {
+  public:
+    /// Of the slider that was drawn last.
+    explicit StepScale(int steps) : steps_(static_cast<float>(steps)) {
+        constexpr float kInset = 2;  // ImGui's, of the knob
+        const float width = ImGui::GetItemRectSize().x - 2 * kInset;
+        const float knob = std::clamp(ImGui::GetStyle().GrabMinSize, width / (steps_ + 1), width);
+        left_ = ImGui::GetItemRectMin().x + kInset + knob / 2;
+        width_ = width - knob;
+    }
+    float xOf(int step) const {
+        return std::floor(left_ + width_ * static_cast<float>(step) / steps_) + 0.5F;
+    }
+    /// Where a row of this width begins that stands about a step, as far as there is room.
+    float startOf(int step, float width) const {
+        return std::max(left_, std::min(xOf(step) - width / 2, left_ + width_ - width));
+    }
+
+  private:
+    float steps_;
+    float left_;
+    float width_;
+};
+
+/// A red mark on the item above, where the replay first came out differently.
+void markDivergence(const PlaybackState& playback, const StepScale& scale) {
+    if (!playback.divergedAt) {
+        return;
+    }
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float x = scale.xOf(*playback.divergedAt);
+    const float half = 0.12F * (high.y - low.y);
+    ImGui::GetWindowDrawList()->AddRectFilled({x - half, low.y}, {x + half, high.y},
+                                              IM_COL32(235, 52, 43, 255));
+}
+
+StepScale drawSlider(const PlaybackState& playback, std::vector<Action>& actions) {
+    int step = std::min(playback.step, playback.steps);
+    const std::string format = "step %d of " + std::to_string(playback.steps);
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::SliderInt("##scrub", &step, 0, playback.steps, format.c_str(),
+                         ImGuiSliderFlags_AlwaysClamp)) {
+        actions.emplace_back(SeekTo{step});
+    }
+    noteItem("scrubber");
+    const StepScale scale(playback.steps);
+    markDivergence(playback, scale);
+    if (!ImGui::IsItemActive()) {
+        itemTooltip(playback.divergedAt
+                        ? "Go to a step. Red: here it came out differently than recorded"
+                        : "Go to a step of the session");
+    }
+    return scale;
+}
+
+ImU32 colorOf(SessionMark::Kind kind) {
+    switch (kind) {
+        case SessionMark::Kind::picture:
+            return palette().of(Hue::cyan);
+        case SessionMark::Kind::exported:
+            return palette().of(Hue::orange);
+        case SessionMark::Kind::check:
+            break;
+    }
+    return palette().of(Hue::green);
+}
+
+/// A triangle for a picture, a square for an export, a disc for a check.
+void drawMark(SessionMark::Kind kind, const ImVec2& center, float size) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImU32 color = colorOf(kind);
+    const auto& [x, y] = center;
+    switch (kind) {
+        case SessionMark::Kind::picture:
+            draw.AddTriangleFilled({x, y - size}, {x + size, y + size}, {x - size, y + size},
+                                   color);
+            return;
+        case SessionMark::Kind::exported:
+            draw.AddRectFilled({x - size, y - size}, {x + size, y + size}, color);
+            return;
+        case SessionMark::Kind::check:
+            draw.AddCircleFilled(center, size, color);
+            return;
+    }
+}
+
+/// A mark where it is drawn.
+struct PlacedMark {
+    const SessionMark* mark = nullptr;
+    float x = 0;  ///< of its middle [px]
+};
+
+float markSize() {
+    return kMarkSize * ImGui::GetFontSize();
+}
+
+/// Those of one step stand side by side.
+std::vector<PlacedMark> placed(const std::vector<SessionMark>& marks, const StepScale& scale) {
+    const float apart = 2.4F * markSize();
+    std::vector<PlacedMark> all;
+    for (auto first = marks.begin(); first != marks.end();) {
+        const auto isOther = [&](const SessionMark& mark) { return mark.step != first->step; };
+        const auto end = std::find_if(first, marks.end(), isOther);
+        float x = scale.startOf(first->step, apart * static_cast<float>(end - first - 1));
+        for (; first != end; ++first, x += apart) {
+            all.push_back({&*first, x});
+        }
+    }
+    return all;
+}
+
+/// The marks that a pointer at `x` points at, the first ones of many.
+std::vector<const SessionMark*> marksAt(float x, const std::vector<PlacedMark>& marks) {
+    std::vector<const SessionMark*> found;
+    for (const PlacedMark& place : marks) {
+        if (std::abs(place.x - x) <= 1.2F * markSize() && found.size() < kMostListed) {
+            found.push_back(place.mark);
+        }
+    }
+    return found;
+}
+
+std::string withStep(const SessionMark& mark) {
+    return labelOf(mark) + ", step " + std::to_string(mark.step);
+}
+
+void tellOf(const std::vector<const SessionMark*>& marks) {
+    std::string text;
+    for (const SessionMark* mark : marks) {
+        text += withStep(*mark) + "\n";
+    }
+    itemTooltip(text + "Click to go there, right click to remove");
+}
+
+/// What a right click offers, where the pointer was then.
+void drawRemovals(const std::vector<PlacedMark>& marks, std::vector<Action>& actions) {
+    const ImGuiID place = ImGui::GetID("right click");
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+        storage.SetFloat(place, ImGui::GetIO().MousePos.x);
+        ImGui::OpenPopup("marks");
+    }
+    const std::vector<const SessionMark*> found = marksAt(storage.GetFloat(place), marks);
+    if (found.empty() || !ImGui::BeginPopup("marks")) {
+        return;
+    }
+    for (const SessionMark* mark : found) {
+        ImGui::PushID(mark->id);
+        if (ImGui::MenuItem(("Remove: " + withStep(*mark)).c_str())) {
+            actions.emplace_back(RemoveMark{mark->id});
+        }
+        noteItem("mark.remove." + std::to_string(mark->step));
+        ImGui::PopID();
+    }
+    ImGui::EndPopup();
+}
+
+void drawMarks(const PanelModel& model, const StepScale& scale, std::vector<Action>& actions) {
+    const float height = kStripHeight * ImGui::GetFontSize();
+    const float y = ImGui::GetCursorScreenPos().y + height / 2;
+    ImGui::InvisibleButton("##marks", {ImGui::GetContentRegionAvail().x, height},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    noteItem("timeline.marks");
+    const std::vector<PlacedMark> marks = placed(model.marks, scale);
+    for (const PlacedMark& place : marks) {
+        drawMark(place.mark->kind, {place.x, y}, markSize());
+    }
+    const auto under = marksAt(ImGui::GetIO().MousePos.x, marks);
+    if (!under.empty()) {
+        tellOf(under);
+    }
+    if (!under.empty() && ImGui::IsItemClicked()) {
+        actions.emplace_back(SeekTo{under.front()->step});
+    }
+    drawRemovals(marks, actions);
+}
+
+}  // namespace
+
+std::string labelOf(const SessionMark& mark) {
+    switch (mark.kind) {
+        case SessionMark::Kind::picture:
+            return "Picture " + mark.text;
+        case SessionMark::Kind::exported:
+            return "Export " + mark.text;
+        case SessionMark::Kind::check:
+            break;
+    }
+    return "Check: " + mark.text;
+}
+
+void drawTimeline(const PanelModel& model, std::vector<Action>& actions) {
+    const StepScale scale = drawSlider(model.playback, actions);
+    drawMarks(model, scale, actions);
+}
+
+}  // namespace kerf::ui
