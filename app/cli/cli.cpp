@@ -40,7 +40,7 @@ namespace kerf::app {
 namespace {
 
 constexpr int kMostJobs = 256;
-constexpr int kMostRuns = 100;
+constexpr int kMostRepeats = 100;
 
 /// What the command line asks for.
 struct Arguments {
@@ -175,7 +175,7 @@ void describeExperiment(Parser& parser, Arguments& arguments) {
     parser.experiment
         ->add_option("--runs", arguments.experiment.runs,
                      "Runs of each stroke, for the spread of frame rates (5)")
-        ->check(CLI::Range(1, kMostRuns))
+        ->check(CLI::Range(1, kMostRepeats))
         ->type_name("N");
     parser.experiment->add_flag("--json", arguments.experiment.json, "Print one JSON object");
 }
