@@ -48,6 +48,11 @@ libbullet-dev       is the peer of projecting constraints
 format_packages='
 clang-format        checks the layout of the code
 '
+fuzz_packages='
+clang               compiles what libFuzzer drives
+libclang-rt-dev     is libFuzzer and the sanitizers of clang
+llvm                names the functions in reports of the sanitizers
+'
 tidy_packages='
 clang-tidy          checks the code for likely mistakes and for names
 '
