@@ -1,5 +1,6 @@
 // Writes what libFuzzer starts from: DIR/corpus with a text a file, DIR/session.dict with the
 // words.
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -49,6 +50,11 @@ int main(int count, char** arguments) {
         std::cerr << "usage: kerf_fuzz_seeds DIR\n";
         return 2;
     }
-    kerf::test::writeSeeds(arguments[1]);
-    return 0;
+    try {
+        kerf::test::writeSeeds(arguments[1]);
+        return 0;
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
+        return 1;
+    }
 }
