@@ -79,8 +79,11 @@ VertexStates NearbyVertices::take() {
         query_.capacity = 2 * answer.count;
     }
     std::ranges::sort(out.records, {}, &NearbyVertex::vertex);
-    const auto repeated = std::ranges::unique(out.records, {}, &NearbyVertex::vertex);
-    out.records.erase(repeated.begin(), repeated.end());
+    const auto sameVertex = [](const NearbyVertex& a, const NearbyVertex& b) {
+        return a.vertex == b.vertex;
+    };
+    out.records.erase(std::unique(out.records.begin(), out.records.end(), sameVertex),
+                      out.records.end());
     ask(std::nullopt, {});
     return out;
 }

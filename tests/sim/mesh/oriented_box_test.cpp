@@ -105,6 +105,7 @@ TEST_F(OrientedBoxes, HoldTheirPointsAndFollowTheirSpread) {
     for (int i = 0; i < 50; ++i) {
         const OrientedBox around = randomBox();
         std::vector<Vec3> points;
+        points.reserve(200);
         for (int k = 0; k < 200; ++k) {
             points.push_back(around.center + around.axes * Vec3(uniform(-4, 4), uniform(-1, 1),
                                                                 uniform(-0.1, 0.1)));
