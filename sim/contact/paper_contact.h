@@ -19,8 +19,9 @@ shared::ContactUniforms paperContactUniforms(const ContactSettings& settings, do
 /// Broad phase: boxes of the pieces, then a hash grid over the triangles, in the place of the
 /// paper's octree, which has to be built level after level. Narrow phase: an edge of one triangle
 /// meets the other one (Möller and Trumbore, 1997). Two triangles that approach each other lose
-/// their relative mean velocity, each by half of it, and are pushed apart against its direction;
-/// others are pushed apart along the difference of their normals. No pair asks for more than a
+/// their relative mean velocity, each by half of it. All that meet are pushed apart along the
+/// difference of their normals: pushed against their velocity, as one may read the paper, bodies
+/// deep in each other gained energy and stayed there. No pair asks for more than a
 /// share of an edge. A vertex takes the mean of what its triangles ask for: of the loss in its
 /// velocity and its position, of the push in its position alone. Walls of a slit and arms of one
 /// piece do not meet. Pinned vertices stay. Floats and fixed point agree with the reference in

@@ -156,7 +156,7 @@ class ReferencePaperContact {
         const bool closing = -relative.dot(apart) > shared::kStandsStill * uniforms_.margin;
         const Vec3 against = closing ? Vec3(-relative / speed) : Vec3::Zero();
         const Vec3 loss = std::min(0.5 * speed, static_cast<double>(uniforms_.reach)) * against;
-        const Vec3 push = 0.5 * uniforms_.margin * (closing ? against : apart);
+        const Vec3 push = 0.5 * uniforms_.margin * apart;
         ask(a, loss, push);
         ask(b, -loss, -push);
     }

@@ -62,5 +62,5 @@ PaperResponse responseOf(MovingTriangle s, MovingTriangle t) {
     bool closing = -dot(relative, apart) > kStandsStill * uniforms.margin;
     vec3 against = closing ? -relative / speed : vec3(0.0);
     return PaperResponse(min(0.5 * speed, uniforms.reach) * against,
-                         0.5 * uniforms.margin * (closing ? against : apart));
+                         0.5 * uniforms.margin * apart);
 }
