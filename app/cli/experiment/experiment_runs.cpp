@@ -68,8 +68,9 @@ StrokeTimes timeStroke(const Session& session, const Moments& at,
 }
 
 /// The stroke with each way of finding triangles; it was run with the session's own way already.
-std::vector<SearchRun> runSearches(const Session& stroke, const StrokeTimes& ownWay,
-                                   const std::filesystem::path& folder, const std::string& name) {
+std::vector<SearchRun> runSearches(const Session& stroke, const Moments& at,
+                                   const StrokeTimes& ownWay, const std::filesystem::path& folder,
+                                   const std::string& name) {
     const ParamInfo& parameter = *findParam(kSearchParameter);
     const ParamValue own = getParam(stroke.params, kSearchParameter);
     std::vector<SearchRun> runs;
@@ -81,7 +82,7 @@ std::vector<SearchRun> runSearches(const Session& stroke, const StrokeTimes& own
         }
         Session other = stroke;
         setParam(other.params, kSearchParameter, way);
-        runs.push_back({way, timeStroke(other, momentsOf(other), folder / "search" / way,
+        runs.push_back({way, timeStroke(other, at, folder / "search" / way,
                                         fmt::format("{}, search {}", name, way))});
     }
     return runs;
@@ -128,7 +129,7 @@ ExperimentResult runExperiment(const PaperExperiment& experiment, const Experime
                                             fmt::format("{}, stroke {}", experiment.name, name)));
     }
     result.searches =
-        runSearches(stroke, result.strokes.back(), plan.out / experiment.name, experiment.name);
+        runSearches(stroke, at, result.strokes.back(), plan.out / experiment.name, experiment.name);
     if (plan.published) {
         const Session session = paperSession(experiment, plan.published);
         if (const auto hollow = pictureHollow(session, plan.out / experiment.name)) {

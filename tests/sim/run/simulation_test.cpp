@@ -400,7 +400,8 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
     const std::string unchanged = simulation.stateHash();
     // Without a blade these wait for the next stroke.
     const std::set<std::string_view> waiting{"blade_push",      "blade_width",   "blade_thickness",
-                                             "wall_coarsening", "debris_volume", "open_cut"};
+                                             "wall_coarsening", "debris_volume", "open_cut",
+                                             "cut_search"};
     for (const ParamInfo& info : paramTable()) {
         SCOPED_TRACE(info.name);
         simulation.goTo(moment);
