@@ -34,8 +34,8 @@ std::vector<const PaperExperiment*> chosenExperiments(const std::string& name) {
 
 /// Results of an earlier run that are written after summary.json.
 std::vector<std::filesystem::path> laterFiles(const std::vector<const PaperExperiment*>& chosen) {
-    std::vector<std::filesystem::path> files{kReportFile, kFigure2File, kFigure9File,
-                                             kFigure10File, kSearchFile};
+    std::vector<std::filesystem::path> files{kReportFile, kFigure2File, kFigure9File, kFigure10File,
+                                             kSearchFile};
     for (const PaperExperiment* experiment : chosen) {
         files.push_back(std::filesystem::path(experiment->name) / kPlotFile);
         files.emplace_back(cuttingFigure(*experiment).file());

@@ -10,9 +10,9 @@ SHARED_CONST uint kUniformsBinding = 0u;      // one: SolverUniforms, what all k
 SHARED_CONST uint kPositionsBinding = 1u;     // per vertex: base position X [m], inverse unit mass
 SHARED_CONST uint kVelocitiesBinding = 2u;    // per vertex: velocity [m/s]
 SHARED_CONST uint kDisplacementBinding = 3u;  // per vertex: d = P - X of this substep [m]
-SHARED_CONST uint kLinksBinding = 4u;         // per vertex: VertexLinks, numbers of constraints, piece
-SHARED_CONST uint kConstraintsBinding = 5u;   // per bend or ISPC: BendRecord or IspcConstraint
-SHARED_CONST uint kRangesBinding = 6u;        // per vertex: where its entries begin, how many
+SHARED_CONST uint kLinksBinding = 4u;  // per vertex: VertexLinks, numbers of constraints, piece
+SHARED_CONST uint kConstraintsBinding = 5u;  // per bend or ISPC: BendRecord or IspcConstraint
+SHARED_CONST uint kRangesBinding = 6u;       // per vertex: where its entries begin, how many
 SHARED_CONST uint kEntriesBinding = 7u;  // per neighbour, spoke, bend or ISPC of a vertex: which
 SHARED_CONST uint kCorrectionsBinding = 8u;  // per bend, two, or per ISPC: correction (bend.comp)
 SHARED_CONST uint kPlacesBinding = 9u;       // per place on a page: vertex, kNoVertex for holes
