@@ -93,6 +93,8 @@ std::vector<Record> sharedRecords() {
         RECORD(ContactBox, AT(low), AT(high)),
         RECORD(ContactBucket, AT(start), AT(directions)),
         RECORD(ContactCandidate, AT(triangle), AT(thickness)),
+        RECORD(PaperRequest, AT(loss_x), AT(loss_y), AT(loss_z), AT(push_x), AT(push_y), AT(push_z),
+               AT(count)),
         RECORD(EdgePair, AT(other), AT(edge), AT(thickness)),
         RECORD(ContactRecord, AT(normal), AT(impulse), AT(gains), AT(v0), AT(v1), AT(v2), AT(v3)),
         RECORD(ContactState, AT(point_groups), AT(point_groups_y), AT(point_groups_z),

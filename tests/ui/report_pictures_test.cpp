@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "tests/support/gl_fixture.h"
@@ -38,14 +39,18 @@ int count(const render::Image& image, const Colour& colour) {
 
 class ReportPicturesTest : public test::GlTest {
   protected:
-    PicturePainter painter{Theme::light};
+    void SetUp() override {
+        GlTest::SetUp();
+        painter.emplace(Theme::light);
+    }
+    std::optional<PicturePainter> painter;  ///< made when there is a context
 };
 
 TEST_F(ReportPicturesTest, AStripHasEachPictureWhole) {
     const std::vector<StripPicture> pictures{{filled(60, 40, 10), "before"},
                                              {filled(60, 40, 20), "after\nstep 3"},
                                              {filled(60, 40, 30), ""}};
-    const render::Image strip = drawStrip(painter, "(a) Sphere", pictures);
+    const render::Image strip = drawStrip(*painter, "(a) Sphere", pictures);
     EXPECT_GT(strip.width, 180);
     EXPECT_GT(strip.height, 40 + 3 * 15) << "a title and two lines of caption";
     for (const StripPicture& picture : pictures) {
@@ -56,22 +61,22 @@ TEST_F(ReportPicturesTest, AStripHasEachPictureWhole) {
 
 TEST_F(ReportPicturesTest, AStripWritesItsCaptions) {
     const auto draw = [&](const std::string& caption) {
-        return drawStrip(painter, "title", std::vector{StripPicture{filled(60, 40, 9), caption}});
+        return drawStrip(*painter, "title", std::vector{StripPicture{filled(60, 40, 9), caption}});
     };
     EXPECT_NE(draw("before").pixels, draw("beyond").pixels);
 }
 
 TEST_F(ReportPicturesTest, AStripTakesPicturesOfOneSizeOnly) {
     const std::vector<StripPicture> pictures{{filled(60, 40, 1), ""}, {filled(61, 40, 1), ""}};
-    EXPECT_THROW(drawStrip(painter, "", pictures), std::invalid_argument);
-    EXPECT_THROW(drawStrip(painter, "", {}), std::invalid_argument);
+    EXPECT_THROW(drawStrip(*painter, "", pictures), std::invalid_argument);
+    EXPECT_THROW(drawStrip(*painter, "", {}), std::invalid_argument);
 }
 
 TEST_F(ReportPicturesTest, BarsAreAsHighAsTheirValues) {
     BarChart chart{"rates", {{"paper", Hue::gray}, {"ours", Hue::blue}}, {}, 1};
     chart.groups = {{"one", {Bar{100, {}}, Bar{50, {}}}}, {"none", {std::nullopt, std::nullopt}}};
-    const render::Image picture = drawBarChart(painter, chart, 600, 400);
-    painter.makeCurrent();
+    const render::Image picture = drawBarChart(*painter, chart, 600, 400);
+    painter->makeCurrent();
     const auto pixelsOf = [&](Hue hue) {
         const ImVec4 c = ImGui::ColorConvertU32ToFloat4(palette().of(hue));
         const auto byte = [](float x) { return static_cast<std::uint8_t>(x * 255 + 0.5F); };
@@ -84,7 +89,7 @@ TEST_F(ReportPicturesTest, BarsAreAsHighAsTheirValues) {
 TEST_F(ReportPicturesTest, ABarShowsItsSpread) {
     const auto draw = [&](double low, double high) {
         const BarChart chart{"", {{"ours", Hue::blue}}, {{"one", {Bar{50, {{low, high}}}}}}, 1};
-        return drawBarChart(painter, chart, 400, 300);
+        return drawBarChart(*painter, chart, 400, 300);
     };
     EXPECT_NE(draw(40, 60).pixels, draw(45, 60).pixels);
 }

@@ -2,7 +2,6 @@
 
 #include "app/cli/experiment/report_markdown.h"
 #include "app/cli/experiment/report_sections.h"
-#include "app/files/file_io.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -11,11 +10,11 @@ namespace {
 
 /// A value as a session has it.
 struct ValueText {
-    std::string operator()(double value) const { return formatNumber(value); }
+    std::string operator()(double value) const { return fmt::format("{:g}", value); }
     std::string operator()(const Vec3& value) const {
         return "[" +
                joined(std::array{value.x(), value.y(), value.z()}, ", ",
-                      [](double x) { return formatNumber(x); }) +
+                      [](double x) { return fmt::format("{:g}", x); }) +
                "]";
     }
     std::string operator()(std::monostate) const { return "none"; }

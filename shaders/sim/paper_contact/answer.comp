@@ -1,7 +1,7 @@
 // Each vertex takes the mean of what triangles of other pieces ask of its own triangles in the
 // paper's contact: the loss of velocity, which moves it too, and the push, which changes its
-// position alone. Reads requests, triangles around each vertex. Changes X and velocities of what has
-// mass, and the number of contacts. One thread per vertex. A storage barrier follows.
+// position alone. Reads requests, triangles around each vertex. Changes X and velocities of what
+// has mass, and the number of contacts. One thread per vertex. A storage barrier follows.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"

@@ -1,5 +1,5 @@
-// Whether two triangles meet, and how they answer to each other in the paper's contact. The includer
-// declares `uniforms`.
+// Whether two triangles meet, and how they answer to each other in the paper's contact. The
+// includer declares `uniforms`.
 struct MovingTriangle {
     vec3 a;
     vec3 b;

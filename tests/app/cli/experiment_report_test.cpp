@@ -108,11 +108,14 @@ TEST(ExperimentReport, ComparesTheHalvesOfFigureTwo) {
     ReportData data = dataOf({resultOf("sphere768")});
     data.figure2.emplace();
     data.figure2->without.pictureVolume = 0.44;
-    expectHas(methodSection(data, {}), "As in the paper, the halves collapse");
-    expectHas(methodSection(data, {}), "(a): the volume is 44.00 % in the picture");
+    expectHas(methodSection(data, readShaderInventory(gpu::shaderRoot())),
+              "As in the paper, the halves collapse");
+    expectHas(methodSection(data, readShaderInventory(gpu::shaderRoot())),
+              "(a): the volume is 44.00 % in the picture");
     data.figure2->without.pictureVolume = 0.96;
     data.published = true;
-    expectHas(methodSection(data, {}), "the bends of plain PBD hold the skin up alone");
+    expectHas(methodSection(data, readShaderInventory(gpu::shaderRoot())),
+              "the bends of plain PBD hold the skin up alone");
 }
 
 TEST(ExperimentReport, ListsEverySetting) {

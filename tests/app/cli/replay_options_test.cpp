@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -88,6 +89,8 @@ TEST_F(ReplayOptions, JsonLinesHaveTheColumnsOfTheMetrics) {
     const ProgramRun run = replay("out", {"--jsonl"});
     ASSERT_EQ(run.exitCode, 0) << run.errors;
     const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
+    const std::string table = readBytes(folder_ / "out/metrics.csv");
+    const auto columns = 1 + std::ranges::count(table.substr(0, table.find('\n')), ',');
     std::istringstream lines(run.out);
     std::size_t row = 0;
     for (std::string line; std::getline(lines, line); ++row) {
@@ -97,7 +100,7 @@ TEST_F(ReplayOptions, JsonLinesHaveTheColumnsOfTheMetrics) {
             EXPECT_EQ(item.value().dump(), nlohmann::json::parse(metrics.cell(row, column)).dump())
                 << item.key();
         }
-        EXPECT_EQ(json.size(), 28u);
+        EXPECT_EQ(std::ssize(json), columns);
     }
     EXPECT_EQ(row, 40u);
     EXPECT_EQ(replay("out", {"--jsonl", "--json"}).exitCode, 2);
