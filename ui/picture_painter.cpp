@@ -9,7 +9,9 @@
 
 namespace kerf::ui {
 
-PicturePainter::PicturePainter(Theme theme, float scale) : context_(theme, scale) {}
+PicturePainter::PicturePainter(Theme theme, float scale) : context_(theme, scale) {
+    draw(1, 1, [] {});  // fonts can be measured after a first frame
+}
 
 render::Image PicturePainter::draw(int width, int height, const std::function<void()>& content) {
     context_.makeCurrent();

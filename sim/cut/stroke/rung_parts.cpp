@@ -203,7 +203,7 @@ std::vector<RungNode> replaced(const std::vector<RungNode>& rung, const RungPart
     const auto repeated = [](const RungNode& p, const RungNode& q) {
         return p.vertex < 0 && q.vertex < 0 && p.position == q.position;
     };
-    result.erase(std::ranges::unique(result, repeated).begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end(), repeated), result.end());
     return result;
 }
 
