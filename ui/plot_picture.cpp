@@ -19,7 +19,9 @@ void drawAll(std::span<const PlotSpec> plots, const PlotView& view) {
     }
 }
 
-constexpr int kSheetMargin = 12;  // [pixels], around the panels and between them
+// [pixels]
+constexpr int kSheetMargin = 16;  // around the panels and between them
+constexpr int kSheetTitle = 30;   // the line of the title
 
 /// A panel in a child window of its own, whose width the plot fills.
 void drawPanel(const PlotSheet& sheet, int number, float top, const PlotTimeline& timeline) {
@@ -37,15 +39,11 @@ void drawPanel(const PlotSheet& sheet, int number, float top, const PlotTimeline
     ImGui::PopID();
 }
 
-int titleHeight() {
-    return static_cast<int>(2 * ImGui::GetFontSize());
-}
-
 void drawSheet(const PlotSheet& sheet) {
     const PlotTimeline timeline{{}, newestOf(sheet.panels), false};
     ImGui::SetCursorPos({kSheetMargin, kSheetMargin});
     ImGui::TextUnformatted(sheet.title.c_str());
-    const auto top = static_cast<float>(kSheetMargin + titleHeight());
+    const auto top = static_cast<float>(kSheetMargin + kSheetTitle);
     for (int number = 0; number < static_cast<int>(sheet.panels.size()); ++number) {
         drawPanel(sheet, number, top, timeline);
     }
@@ -61,11 +59,10 @@ render::Image PlotPainter::draw(std::span<const PlotSpec> plots, const PlotView&
 }
 
 render::Image PlotPainter::draw(const PlotSheet& sheet) {
-    context_.makeCurrent();
     const auto rows = (static_cast<int>(sheet.panels.size()) + sheet.columns - 1) / sheet.columns;
     return drawPicture([&] { drawSheet(sheet); },
                        kSheetMargin + sheet.columns * (sheet.panelWidth + kSheetMargin),
-                       kSheetMargin + titleHeight() + rows * (sheet.panelHeight + kSheetMargin));
+                       kSheetMargin + kSheetTitle + rows * (sheet.panelHeight + kSheetMargin));
 }
 
 render::Image PlotPainter::drawPicture(const std::function<void()>& drawContent, int width,
@@ -85,7 +82,8 @@ render::Image PlotPainter::drawPicture(const std::function<void()>& drawContent,
     }
     glUseProgram(0);  // ImGui brings back the one in use, which its owner may have deleted
     picture.bind();
-    glClearColor(0, 0, 0, 1);
+    const ImVec4 ground = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);  // behind round corners
+    glClearColor(ground.x, ground.y, ground.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return {width, height, picture.readColor()};
