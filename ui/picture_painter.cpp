@@ -29,7 +29,8 @@ render::Image PicturePainter::draw(int width, int height, const std::function<vo
     }
     glUseProgram(0);  // ImGui brings back the one in use, which its owner may have deleted
     picture.bind();
-    glClearColor(0, 0, 0, 1);
+    const ImVec4 ground = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);  // behind round corners
+    glClearColor(ground.x, ground.y, ground.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return {width, height, picture.readColor()};

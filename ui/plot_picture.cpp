@@ -14,7 +14,9 @@ void drawAll(std::span<const PlotSpec> plots, const PlotView& view) {
     }
 }
 
-constexpr int kSheetMargin = 12;  // [pixels], around the panels and between them
+// [pixels]
+constexpr int kSheetMargin = 16;  // around the panels and between them
+constexpr int kSheetTitle = 30;   // the line of the title
 
 /// A panel in a child window of its own, whose width the plot fills.
 void drawPanel(const PlotSheet& sheet, int number, float top, const PlotTimeline& timeline) {
@@ -32,15 +34,11 @@ void drawPanel(const PlotSheet& sheet, int number, float top, const PlotTimeline
     ImGui::PopID();
 }
 
-int titleHeight() {
-    return static_cast<int>(2 * ImGui::GetFontSize());
-}
-
 void drawSheet(const PlotSheet& sheet) {
     const PlotTimeline timeline{{}, newestOf(sheet.panels), false};
     ImGui::SetCursorPos({kSheetMargin, kSheetMargin});
     ImGui::TextUnformatted(sheet.title.c_str());
-    const auto top = static_cast<float>(kSheetMargin + titleHeight());
+    const auto top = static_cast<float>(kSheetMargin + kSheetTitle);
     for (int number = 0; number < static_cast<int>(sheet.panels.size()); ++number) {
         drawPanel(sheet, number, top, timeline);
     }
@@ -56,10 +54,9 @@ render::Image PlotPainter::draw(std::span<const PlotSpec> plots, const PlotView&
 }
 
 render::Image PlotPainter::draw(const PlotSheet& sheet) {
-    painter_.makeCurrent();
     const auto rows = (static_cast<int>(sheet.panels.size()) + sheet.columns - 1) / sheet.columns;
     const int width = kSheetMargin + sheet.columns * (sheet.panelWidth + kSheetMargin);
-    const int height = kSheetMargin + titleHeight() + rows * (sheet.panelHeight + kSheetMargin);
+    const int height = kSheetMargin + kSheetTitle + rows * (sheet.panelHeight + kSheetMargin);
     return painter_.draw(width, height, [&] { drawSheet(sheet); });
 }
 

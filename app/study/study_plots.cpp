@@ -42,7 +42,7 @@ struct Quantity {
 /// The first steps of a run, and steps that the machine was busy in, are far slower than all
 /// others.
 constexpr Quantity kQuantities[] = {
-    {"volume", "volume_ratio", "Volume, % of rest", 100, 1, 2},
+    {"volume", "volume_ratio", "Volume, % of rest", 100, 0.1, 3},
     {"kinetic_energy", "kinetic_energy", "Kinetic energy, J", 1, 1e-3, 3, true},
     {"frame_time", "frame_ms", "Time of a step, ms", 1, 1, 1, true, kPeakShare},
 };

@@ -102,6 +102,7 @@ TEST_F(Sweep, GathersARowForEachRunAndPlots) {
     for (const char* picture : {"volume.png", "kinetic_energy.png", "frame_time.png"}) {
         const render::Image image = render::readPng(folder_ / "out" / picture);
         EXPECT_GT(image.width, 2 * 300) << "two panels in a row";
+        EXPECT_EQ(image.height, 458) << "and two rows, whole";
         EXPECT_THAT(run.out, HasSubstr(picture));
     }
 }
@@ -236,6 +237,7 @@ TEST_F(Sweep, VectorsAndWordsStandInOneCell) {
 TEST_F(Sweep, SeveralProgramsMayDoTheSameRun) {
     std::vector<ProgramRun> runs(3);
     std::vector<std::thread> threads;
+    threads.reserve(runs.size());
     for (ProgramRun& run : runs) {
         threads.emplace_back([&] { run = sweep("out", {"--run", "0"}); });
     }
