@@ -88,7 +88,7 @@ class TestRun {
         const std::vector<fs::path> readable = judgeUnreadableOnes();
         std::vector<std::vector<std::string>> runs;
         for (const fs::path& session : readable) {
-            runs.push_back(runArguments(session, folder_.of(runs.size(), session)));
+            runs.push_back(runArguments(session, folder_.of(runs.size(), session), false));
         }
         runChildren(runs, jobsOf(arguments_), [&](std::size_t run, const ChildOutcome& outcome) {
             const fs::path& session = readable[run];

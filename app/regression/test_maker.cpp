@@ -33,7 +33,7 @@ std::string without(const std::string& folder, std::string sentence) {
 
 /// Runs a session file into `results`.
 void run(const fs::path& file, int steps, const fs::path& results, WorkProgress& progress) {
-    std::vector<std::string> arguments = runArguments(file, results);
+    std::vector<std::string> arguments = runArguments(file, results, true);
     arguments.emplace_back("--jsonl");  // a line per step
     const auto tell = [&](int done) {
         progress.enter("Replaying step " + std::to_string(std::min(done, steps)) + " of " +

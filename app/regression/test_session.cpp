@@ -151,9 +151,15 @@ std::vector<fs::path> findSessions(const std::vector<fs::path>& paths) {
     return found;
 }
 
-std::vector<std::string> runArguments(const fs::path& session, const fs::path& results) {
-    return {"replay",   session.string(), "--out",        results.string(),
-            "--hashes", "--pieces",       "--keep-going", "--no-hash-checks"};
+std::vector<std::string> runArguments(const fs::path& session, const fs::path& results,
+                                      bool hashChecks) {
+    std::vector<std::string> arguments{"replay",         session.string(), "--out",
+                                       results.string(), "--hashes",       "--pieces",
+                                       "--keep-going"};
+    if (!hashChecks) {
+        arguments.emplace_back("--no-hash-checks");
+    }
+    return arguments;
 }
 
 std::optional<TestResult> judgeUnreadable(const fs::path& session) {

@@ -14,9 +14,10 @@ namespace kerf::app {
 /// name. Throws InputError for a path that is missing and where there is none at all.
 std::vector<std::filesystem::path> findSessions(const std::vector<std::filesystem::path>& paths);
 
-/// The arguments of the run of a session into a folder.
+/// The arguments of the run of a session into a folder, with or without the state hashes in the
+/// session's own checks.
 std::vector<std::string> runArguments(const std::filesystem::path& session,
-                                      const std::filesystem::path& results);
+                                      const std::filesystem::path& results, bool hashChecks);
 
 /// The result of a test whose expectation can't be read, which needs no run to be known; nothing
 /// where it can, or where there is none yet.

@@ -74,16 +74,16 @@ std::vector<std::string> paragraphs(const ReportData& data) {
     return {
         volumeParagraph(data.published),
         timesParagraph(data),
-        "**No drawing.** A frame here is a step without a picture. The paper's frames are drawn by "
-        "Unity.",
-        "**Machine.** The paper's computer had an NVIDIA GeForce RTX 3060 Ti and an Intel Core "
-        "i7-7700, so times and frame rates do not compare from one machine to the other.",
+        ("**No drawing.** A frame here is a step without a picture. The paper's frames are drawn "
+         "by Unity."),
+        ("**Machine.** The paper's computer had an NVIDIA GeForce RTX 3060 Ti and an Intel Core "
+         "i7-7700, so times and frame rates do not compare from one machine to the other."),
         courseParagraph(data.published),
-        "**Search.** The paper walks over adjacent triangles from one that is hit, and owes its "
-        "gain to that. Kerf finds all triangles in a tree.",
+        ("**Search.** The paper walks over adjacent triangles from one that is hit, and owes its "
+         "gain to that. Kerf finds all triangles in a tree."),
         "**Solver.** The paper's is \"Gauss-Seidel-like\". Kerf solves constraints of one kind at "
-        "once (Jacobi), which is softer at equal iterations but gives the same bits on any "
-        "machine." +
+        "once (Jacobi), which is softer at equal iterations but gives the same bits for any "
+        "number of threads." +
             std::string(data.published ? ""
                                        : " Its iterations are substeps of one sweep each, not "
                                          "sweeps of one step."),
