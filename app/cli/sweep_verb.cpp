@@ -140,7 +140,7 @@ std::vector<std::string> childArguments(const SweepArguments& arguments, std::si
 
 std::string lineAbout(const Study& study, std::size_t number, const fs::path& out,
                       const ChildOutcome& outcome) {
-    const std::string line =
+    std::string line =
         fmt::format("{:<7} {} ({:.1f} s)\n", outcome.exitCode == kExitDone ? "done" : "failed",
                     describeRun(study, number), outcome.seconds);
     if (outcome.exitCode == kExitDone) {

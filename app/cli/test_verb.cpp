@@ -87,6 +87,7 @@ class TestRun {
     const std::vector<TestResult>& run() {
         const std::vector<fs::path> readable = judgeUnreadableOnes();
         std::vector<std::vector<std::string>> runs;
+        runs.reserve(readable.size());
         for (const fs::path& session : readable) {
             runs.push_back(runArguments(session, folder_.of(runs.size(), session), false));
         }
