@@ -66,7 +66,7 @@ double shareAt(const InputJson& object, const std::string& key, double otherwise
 
 /// An object under a key, which may be missing.
 InputJson objectAt(const InputJson& object, const std::string& key) {
-    const InputJson value = object.value(key, InputJson::object());
+    InputJson value = object.value(key, InputJson::object());
     if (!value.is_object()) {
         fail(key, "expected an object in braces.");
     }
