@@ -32,6 +32,7 @@ unsigned environmentNumber(const char* name, unsigned otherwise) {
 /// The sessions in some folders of the source.
 std::vector<std::filesystem::path> sessionsIn(const std::vector<std::string>& folders) {
     std::vector<std::filesystem::path> paths;
+    paths.reserve(folders.size());
     for (const std::string& folder : folders) {
         paths.push_back(std::filesystem::path(KERF_SOURCE_DIR) / folder);
     }
