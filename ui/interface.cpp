@@ -152,21 +152,27 @@ void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>
     ImGui::End();
 }
 
-/// A tab of many: its name needs the room more than its sides do.
-bool beginTab(const char* name) {
+/// Calls `begin` for one of many tabs: its name needs the room more than its sides do.
+template <class Begin>
+bool narrowly(Begin begin) {
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {style.FramePadding.x / 3, style.FramePadding.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
                         {style.ItemInnerSpacing.x / 2, style.ItemInnerSpacing.y});
-    const bool open = ImGui::BeginTabItem(name);
+    const bool open = begin();
     ImGui::PopStyleVar(2);
+    return open;
+}
+
+bool beginTab(const char* name) {
+    const bool open = narrowly([name] { return ImGui::BeginTabItem(name); });
     noteItem(std::string("tab.") + name);
     return open;
 }
 
 void drawTabs(const PanelModel& model, std::vector<Action>& actions) {
-    if (!ImGui::BeginTabBar("readings")) {
+    if (!narrowly([] { return ImGui::BeginTabBar("readings"); })) {
         return;
     }
     if (beginTab("Times")) {

@@ -71,7 +71,7 @@ void drawTexts(const StripLayout& layout, const std::string& title,
 /// Copies a picture to a place inside `target`.
 void paste(render::Image& target, const render::Image& picture, int left, int top) {
     const auto rowOf = [](const render::Image& image, int x, int y) {
-        return static_cast<std::ptrdiff_t>((y * image.width + x) * 4);
+        return 4 * (std::ptrdiff_t{y} * image.width + x);
     };
     for (int y = 0; y < picture.height; ++y) {
         std::copy_n(picture.pixels.begin() + rowOf(picture, 0, y), picture.width * 4,

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -79,7 +80,7 @@ TEST_F(ReportPicturesTest, BarsAreAsHighAsTheirValues) {
     painter->makeCurrent();
     const auto pixelsOf = [&](Hue hue) {
         const ImVec4 c = ImGui::ColorConvertU32ToFloat4(palette().of(hue));
-        const auto byte = [](float x) { return static_cast<std::uint8_t>(x * 255 + 0.5F); };
+        const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(x * 255)); };
         return count(picture, {byte(c.x), byte(c.y), byte(c.z), 255});
     };
     EXPECT_GT(pixelsOf(Hue::blue), 1000);
