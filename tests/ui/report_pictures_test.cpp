@@ -24,7 +24,9 @@ render::Image filled(int width, int height, std::uint8_t red) {
 using Colour = std::array<std::uint8_t, 4>;
 
 Colour at(const render::Image& image, int x, int y) {
-    const auto* pixel = &image.pixels[static_cast<std::size_t>((y * image.width + x) * 4)];
+    const auto* pixel =
+        &image
+             .pixels[4 * (static_cast<std::size_t>(y) * image.width + static_cast<std::size_t>(x))];
     return {pixel[0], pixel[1], pixel[2], pixel[3]};
 }
 
