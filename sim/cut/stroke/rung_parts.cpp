@@ -33,6 +33,7 @@ std::vector<double> progress(const Blade& blade, const Vec3& heading,
                              const std::vector<RungNode>& rung) {
     const Vec3 direction = forwards(blade, heading);
     std::vector<double> result;
+    result.reserve(rung.size());
     for (const RungNode& node : rung) {
         result.push_back((pointOn(blade, node.s) - node.position).dot(direction));
     }
