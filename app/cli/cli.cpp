@@ -34,6 +34,7 @@
 #include "gpu/context.h"
 #include "gpu/program.h"
 #include "sim/base/freed_memory.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
@@ -331,13 +332,6 @@ void setUpLog() {
     const auto mode = plain ? spdlog::color_mode::never : spdlog::color_mode::automatic;
     spdlog::set_default_logger(spdlog::stderr_color_mt("kerf", mode));
     spdlog::set_pattern("%^%l%$: %v");
-}
-
-/// Names of files may hold anything; nothing of it may break the line or steer the terminal.
-std::string printable(std::string text) {
-    std::ranges::replace_if(
-        text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
-    return text;
 }
 
 int complain(const std::string& sentence, int exitCode) {

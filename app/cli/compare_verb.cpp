@@ -9,6 +9,7 @@
 #include <ostream>
 
 #include "app/cli/exit_codes.h"
+#include "app/cli/usage_error.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "sim/base/text.h"
@@ -55,6 +56,17 @@ void checkMasks(const Image& a, const Image& b, const std::vector<PixelRect>& ma
                 fmt::format("--mask {},{},{},{}: this lies outside of the picture, "
                             "which is {}x{}.",
                             mask.x, mask.y, mask.width, mask.height, a.width, a.height));
+        }
+    }
+}
+
+/// The picture of the difference must not take the place of what was compared.
+void checkTarget(const CompareArguments& arguments) {
+    for (const std::filesystem::path& picture : {arguments.a, arguments.b}) {
+        std::error_code error;
+        if (std::filesystem::equivalent(arguments.diff, picture, error)) {
+            throw UsageError("--diff " + arguments.diff.string() +
+                             ": this is one of the two pictures; choose another name");
         }
     }
 }
@@ -173,6 +185,7 @@ std::string describeComparison(const PictureComparison& comparison, const Pictur
 }
 
 int compareVerb(const CompareArguments& arguments, std::ostream& out) {
+    checkTarget(arguments);
     const Image a = readPicture(arguments.a);
     const Image b = readPicture(arguments.b);
     checkMasks(a, b, arguments.masks);

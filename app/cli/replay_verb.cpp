@@ -12,6 +12,7 @@
 #include "app/cli/replay.h"
 #include "app/cli/usage_error.h"
 #include "app/files/progress_line.h"
+#include "app/regression/expectation.h"
 #include "app/regression/reference_pictures.h"
 #include "gpu/context.h"
 #include "sim/base/text.h"
@@ -146,7 +147,20 @@ void setParameters(Params& params, const std::vector<std::string>& settings) {
     }
 }
 
+namespace {
+
+/// What a test expects would be taken for results of an earlier replay, and removed.
+void requireNoExpectations(const std::filesystem::path& folder) {
+    if (std::filesystem::exists(folder / kExpectedFile)) {
+        throw UsageError("--out " + folder.string() +
+                         ": this folder holds what a test expects; choose another");
+    }
+}
+
+}  // namespace
+
 int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors) {
+    requireNoExpectations(arguments.out);
     Session session = readSession(arguments.session);
     setParameters(session.params, arguments.set);
     for (const std::string& warning : session.warnings) {

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/cli/exit_codes.h"
+#include "app/cli/usage_error.h"
 #include "app/files/file_io.h"
 #include "app/files/interruption.h"
 #include "app/files/temporary_folder.h"
@@ -56,18 +57,56 @@ int jobsOf(const TestArguments& arguments) {
 }
 
 std::string lineAbout(const TestResult& result) {
-    std::string line =
-        fmt::format("{:<10} {} ({:.1f} s)", nameOf(result.status), result.name, result.seconds);
+    std::string line = fmt::format("{:<10} {} ({:.1f} s)", nameOf(result.status),
+                                   printable(result.name), result.seconds);
     if (result.judgement.otherDriver) {
         line += " [another driver: by tolerance]";
     }
     for (const Finding& finding : result.judgement.findings) {
-        line += "\n           " + finding.sentence;
+        line += "\n           " + printable(finding.sentence);
     }
     for (const std::string& note : result.notes) {
-        line += "\n           " + note;
+        line += "\n           " + printable(note);
     }
     return line + "\n";
+}
+
+/// A report that is asked for: whether it can be written is known before the tests run.
+class ReportFile {
+  public:
+    explicit ReportFile(const fs::path& file) {
+        if (!file.empty()) {
+            makeFolder(file.parent_path());
+            file_.emplace(file);
+        }
+    }
+    void write(const std::string& text) {
+        if (file_) {
+            file_->write(text);
+            file_->commit();
+        }
+    }
+
+  private:
+    std::optional<AtomicFile> file_;
+};
+
+/// A report must take the place neither of what the tests read nor of the other report.
+void checkTargets(const TestArguments& arguments, const std::vector<fs::path>& sessions) {
+    if (!arguments.junit.empty() &&
+        arguments.junit.lexically_normal() == arguments.report.lexically_normal()) {
+        throw UsageError("--junit and --report name one file; choose two");
+    }
+    std::error_code error;
+    for (const fs::path& target : {arguments.junit, arguments.report}) {
+        for (const fs::path& session : sessions) {
+            if (fs::equivalent(target, session, error) ||
+                fs::equivalent(target.parent_path(), expectationFolder(session), error)) {
+                throw UsageError(target.string() +
+                                 ": the tests read this file; choose another for the report");
+            }
+        }
+    }
 }
 
 /// The tests of one call: which there are, and what came of them.
@@ -78,9 +117,7 @@ class TestRun {
           out_(out),
           sessions_(findSessions(arguments.paths)),
           folder_(arguments.out) {
-        for (const fs::path& file : {arguments.junit, arguments.report}) {
-            makeFolder(file.parent_path());
-        }
+        checkTargets(arguments, sessions_);
     }
 
     /// Those that were done, by name.
@@ -154,14 +191,12 @@ int exitCodeOf(const std::vector<TestResult>& results) {
 int testVerb(const TestArguments& arguments, std::ostream& out) {
     const Interruption interruption;
     TestRun run(arguments, out);
+    ReportFile junit(arguments.junit);
+    ReportFile report(arguments.report);
     const std::vector<TestResult>& results = run.run();
-    if (!arguments.junit.empty()) {
-        writeOutputFile(arguments.junit, formatJUnit(results));
-    }
-    if (!arguments.report.empty()) {
-        writeOutputFile(arguments.report, formatTestReport(results));
-    }
-    out << (arguments.json ? formatJson(results) : run.lastLine());
+    out << (arguments.json ? formatJson(results) : run.lastLine()) << std::flush;
+    junit.write(formatJUnit(results));
+    report.write(formatTestReport(results));
     return run.stopped() ? kExitCheckFailed : exitCodeOf(results);
 }
 

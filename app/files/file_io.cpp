@@ -39,14 +39,19 @@ void requireReadableSize(const std::filesystem::path& file, std::uintmax_t limit
     }
 }
 
-/// A device or a pipe must not be replaced by a file.
-void requireReplaceable(const std::filesystem::path& file) {
+/// The file that a result takes the place of. A link stays, and what it leads to is replaced; a
+/// device or a pipe must not be.
+std::filesystem::path replaceable(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    if (!std::filesystem::exists(status)) {
+        return file;
+    }
+    if (!std::filesystem::is_regular_file(status)) {
         throw OutputError(file.string() +
                           ": there is something else than a file; choose another name.");
     }
+    return std::filesystem::is_symlink(file) ? std::filesystem::canonical(file) : file;
 }
 
 template <class T>
@@ -68,9 +73,8 @@ std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limi
     return bytes;
 }
 
-AtomicFile::AtomicFile(std::filesystem::path file)
-    : file_(std::move(file)), hidden_(hiddenNameBeside(file_)) {
-    requireReplaceable(file_);
+AtomicFile::AtomicFile(const std::filesystem::path& file)
+    : file_(replaceable(file)), hidden_(hiddenNameBeside(file_)) {
     descriptor_ = ::open(hidden_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
         fail();
@@ -133,7 +137,7 @@ render::Image readPicture(const std::filesystem::path& file) {
 
 void writePicture(const render::Image& picture, const std::filesystem::path& file) {
     try {
-        render::writePng(picture, file);
+        render::writePng(picture, replaceable(file));
     } catch (const std::runtime_error& error) {
         throw OutputError(error.what());
     }

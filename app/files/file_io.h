@@ -22,11 +22,12 @@ class OutputError : public std::runtime_error {
 std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limit);
 
 /// A file that appears under its name only once it is complete: what is written goes into a hidden
-/// file of the same folder, which commit() renames. Without commit() nothing is left.
+/// file of the same folder, which commit() renames. Without commit() nothing is left. A link is
+/// followed; a device or a pipe is refused.
 class AtomicFile {
   public:
     /// Throws OutputError, as all functions here.
-    explicit AtomicFile(std::filesystem::path file);
+    explicit AtomicFile(const std::filesystem::path& file);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;

@@ -80,7 +80,11 @@ PixelRect readMask(const InputJson& value, const std::string& place) {
     }
     int numbers[4];
     for (std::size_t i = 0; i < 4; ++i) {
-        numbers[i] = static_cast<int>(numberIn(value[i], place, 0, kMostPixels));
+        const double number = numberIn(value[i], place, i < 2 ? 0 : 1, kMostPixels);
+        numbers[i] = static_cast<int>(number);
+        if (numbers[i] != number) {
+            fail(place, "expected whole pixels.");
+        }
     }
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }

@@ -153,10 +153,11 @@ struct NewParts {
     std::vector<std::string> names;
 };
 
-/// By step: what differs, and what follows from it later on.
-std::vector<NewParts> compareHashes(const HashCourse& expected, const HashCourse& found) {
+/// By step: what differs, and what follows from it later on. The parts `ignored` do not count.
+std::vector<NewParts> compareHashes(const HashCourse& expected, const HashCourse& found,
+                                    const std::set<std::string>& ignored = {}) {
     std::vector<NewParts> course;
-    std::set<std::string> known;
+    std::set<std::string> known = ignored;
     for (int step = 0; step < std::min(expected.steps(), found.steps()); ++step) {
         NewParts now{step, expected.differingParts(step, found)};
         std::erase_if(now.names, [&](const auto& name) { return !known.insert(name).second; });
@@ -248,11 +249,21 @@ std::optional<Finding> judgePieces(const Expected& expected, const Judgement& ju
                                expected.course[last].pieces)};
 }
 
+/// What goes into a run is the same on each driver.
+std::optional<Finding> judgeInput(const Expected& expected, const RunResults& results) {
+    const std::vector<NewParts> parts =
+        compareHashes(expected.hashes, results.hashes, {"topology", "positions", "velocities"});
+    if (parts.empty()) {
+        return std::nullopt;
+    }
+    return Finding{enumerated(parts.front().names), parts.front().step, sentenceAbout(parts) + "."};
+}
+
 /// Another driver rounds otherwise, and what touches follows from that.
-void judgeByTolerance(const Expected& expected, Judgement& judgement) {
+void judgeByTolerance(const Expected& expected, const RunResults& results, Judgement& judgement) {
     for (std::optional<Finding> finding :
-         {judgePieces(expected, judgement), judgePositions(expected, judgement),
-          judgeVolume(expected, judgement)}) {
+         {judgeInput(expected, results), judgePieces(expected, judgement),
+          judgePositions(expected, judgement), judgeVolume(expected, judgement)}) {
         if (finding) {
             judgement.findings.push_back(std::move(*finding));
         }
@@ -328,7 +339,7 @@ Judgement judge(const std::filesystem::path& expectationFolder, const RunResults
         judgement.findings.push_back(std::move(*length));
     }
     if (judgement.otherDriver) {
-        judgeByTolerance(expected, judgement);
+        judgeByTolerance(expected, results, judgement);
     } else {
         judgeBits(expected, results, judgement);
     }

@@ -30,7 +30,8 @@ PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem:
     const render::Image before = readPicture(expected / picture.file);
     check.comparison =
         render::comparePictures(before, readPicture(run / picture.file), picture.options);
-    check.alike = render::withinLimits(check.comparison, limitsOf(picture, otherDriver));
+    check.alike = check.comparison.pixelsCompared > 0 &&
+                  render::withinLimits(check.comparison, limitsOf(picture, otherDriver));
     if (!check.alike && check.comparison.sameSize) {
         check.difference = differences.pathOf(picture.file);
         writePicture(render::differencePicture(before, check.comparison, picture.options),
@@ -50,6 +51,9 @@ std::string sentenceAbout(const PictureCheck& check) {
     }
     if (!found.sameSize) {
         return "The picture " + check.file + " has another size.";
+    }
+    if (found.pixelsCompared == 0) {
+        return "The masks leave nothing of the picture " + check.file + " to compare.";
     }
     const render::PixelRect& place = found.worstPlace;
     return fmt::format(

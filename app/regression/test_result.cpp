@@ -17,10 +17,22 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 5> kStatusNames = {"passed", "failed", "unreadable", "made",
                                                           "renewed"};
 
+/// The text as UTF-8 that XML can hold: U+FFFD stands for what names of files may have besides.
+std::string asUtf8(const std::string& text) {
+    std::string valid =
+        Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+    for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
+        for (std::size_t at = 0; (at = valid.find(none, at)) != std::string::npos;) {
+            valid.replace(at, none.size(), "\xEF\xBF\xBD");
+        }
+    }
+    return valid;
+}
+
 /// Text as XML holds it. Control characters have no place there.
-std::string escaped(std::string_view text) {
+std::string escaped(const std::string& text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : asUtf8(text)) {
         switch (c) {
             case '&':
                 out += "&amp;";

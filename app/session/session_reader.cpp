@@ -468,12 +468,34 @@ void setParamFromText(Params& params, const std::string& name, const std::string
     }
 }
 
+/// Of two files of one name the earlier is lost.
+void warnAboutOneName(Session& session) {
+    std::set<std::string> names;
+    for (const SessionEvent& event : session.events) {
+        const std::string* file = std::visit(
+            [](const auto& action) -> const std::string* {
+                if constexpr (requires { action.file; }) {
+                    return &action.file;
+                } else {
+                    return nullptr;
+                }
+            },
+            event.action);
+        if (file != nullptr && !names.insert(*file).second) {
+            session.warnings.push_back("events: at step " + std::to_string(event.step) + " " +
+                                       shortened(*file) +
+                                       " takes the place of an earlier file of that name.");
+        }
+    }
+}
+
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder) {
     const json document = parseJson(text);
     Session session;
     ObjectReader top({&document, ""}, session.warnings);
     describe(top, session);
     top.warnAboutTheRest();
+    warnAboutOneName(session);
     if (session.model.builtin.empty()) {
         session.model.path =
             std::filesystem::absolute(baseFolder / session.model.path).lexically_normal();

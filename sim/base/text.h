@@ -35,6 +35,15 @@ std::string enumerated(const Words& words) {
     return text;
 }
 
+/// The text with '?' for each control character. Names of files may hold anything; nothing of it
+/// may break a line or steer the terminal.
+inline std::string printable(std::string text) {
+    for (char& c : text) {
+        c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+    }
+    return text;
+}
+
 /// ASCII letters in lower case.
 inline std::string lowerCase(std::string text) {
     for (char& c : text) {

@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/cli/usage_error.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "tests/support/run_kerf.h"
@@ -145,6 +147,27 @@ TEST_F(CompareVerb, DifferenceThatCannotBeWrittenIsAnOutputError) {
     write("b.png", 100, 200);
     arguments_.diff = folder_ / "nowhere" / "diff.png";
     EXPECT_THAT([this] { run(); }, testing::ThrowsMessage<OutputError>(HasSubstr("nowhere")));
+}
+
+TEST_F(CompareVerb, TheDifferenceTakesThePlaceOfNoInputAndNoPipe) {
+    arguments_.b = write("b.png", 100, 200);
+    arguments_.diff = folder_ / "link.png";
+    std::filesystem::create_symlink("a.png", arguments_.diff);
+    EXPECT_THAT([this] { run(); }, testing::ThrowsMessage<UsageError>(HasSubstr("link.png")));
+    arguments_.diff = folder_ / "pipe";
+    ASSERT_EQ(::mkfifo(arguments_.diff.c_str(), 0600), 0);
+    EXPECT_THAT([this] { run(); }, testing::ThrowsMessage<OutputError>(HasSubstr("pipe")));
+    EXPECT_TRUE(std::filesystem::is_fifo(arguments_.diff));
+}
+
+TEST_F(CompareVerb, ALinkStaysAndWhatItLeadsToIsReplaced) {
+    arguments_.b = write("b.png", 100, 200);
+    write("old.png", 7);
+    arguments_.diff = folder_ / "link.png";
+    std::filesystem::create_symlink("old.png", arguments_.diff);
+    EXPECT_EQ(run(), 1);
+    EXPECT_TRUE(std::filesystem::is_symlink(arguments_.diff));
+    EXPECT_NE(render::readPng(folder_ / "old.png").pixels[0], 7);
 }
 
 TEST_F(CompareVerb, JsonIsOneObjectWithTheKeysOfTheContract) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "render/scene/image.h"
@@ -40,6 +41,18 @@ class TestVerb : public testing::Test {
     void makeExpectation() { ASSERT_EQ(run({"--update"}).exitCode, 0); }
     std::filesystem::path expected(const std::string& name) {
         return folder_ / ("ball.expected/" + name);
+    }
+    /// What another driver would have had of a part after the first step.
+    void changeHashes(const std::string& part) {
+        const std::string table = readBytes(expected("hashes.csv"));
+        const std::string header = table.substr(0, table.find(part));
+        std::size_t place = table.find('\n') + 1;
+        for (auto commas = std::ranges::count(header, ','); commas > 0; --commas) {
+            place = table.find(',', place) + 1;
+        }
+        const std::string hash = table.substr(place, 16);
+        writeText(expected("hashes.csv"),
+                  replaced(table, hash, std::string(hash.rbegin(), hash.rend())));
     }
     /// Fails once, with these words.
     void expectFailure(const std::string& words) {
@@ -130,7 +143,7 @@ TEST_F(TestVerb, OnAnotherDriverItJudgesByToleranceAndSaysSo) {
     makeExpectation();
     const std::string text = readBytes(expected("expected.json"));
     writeText(expected("expected.json"), replaced(text, "\"driver\": \"", "\"driver\": \"Other "));
-    writeText(session_, replaced(smallSession(), "[0, -9.81, 0]", "[0, -9.8100001, 0]"));
+    changeHashes("positions");
     const ProgramRun near = run();
     EXPECT_EQ(near.exitCode, 0) << near.out;
     EXPECT_THAT(near.out, HasSubstr("[another driver: by tolerance]"));
@@ -138,6 +151,44 @@ TEST_F(TestVerb, OnAnotherDriverItJudgesByToleranceAndSaysSo) {
     const ProgramRun far = run();
     EXPECT_EQ(far.exitCode, 1) << far.out;
     EXPECT_THAT(far.out, HasSubstr("are allowed on another driver"));
+}
+
+TEST_F(TestVerb, WhatGoesIntoARunIsTheSameOnEachDriver) {
+    makeExpectation();
+    const std::string text = readBytes(expected("expected.json"));
+    writeText(expected("expected.json"), replaced(text, "\"driver\": \"", "\"driver\": \"Other "));
+    writeText(session_, replaced(smallSession(), "[0, -9.81, 0]", "[0, -9.8100001, 0]"));
+    expectFailure("Step 16: parameters differ.");
+    writeText(session_, replaced(smallSession(), "0.62, 0.02", "0.62, 0.021"));
+    expectFailure("Step 1: blade differs.");
+}
+
+TEST_F(TestVerb, MasksThatHideAWholePictureHoldNothing) {
+    makeExpectation();
+    const std::string text = readBytes(expected("expected.json"));
+    writeText(expected("expected.json"),
+              replaced(text, "\"end.png\": {}", "\"end.png\": {\"masks\": [[0, 0, 96, 64]]}"));
+    expectFailure("The masks leave nothing of the picture end.png to compare.");
+}
+
+TEST_F(TestVerb, AReportTakesThePlaceOfNothingThatTheTestsRead) {
+    makeExpectation();
+    const std::filesystem::path read = expected("expected.json");
+    const std::string before = readBytes(read);
+    EXPECT_EQ(run({"--report", read}).exitCode, 2);
+    EXPECT_EQ(run({"--junit", session_}).exitCode, 2);
+    EXPECT_EQ(run({"--junit", folder_ / "a.xml", "--report", folder_ / "a.xml"}).exitCode, 2);
+    EXPECT_EQ(readBytes(read), before);
+    EXPECT_EQ(readBytes(session_), smallSession());
+    EXPECT_EQ(runKerf({"replay", session_, "--out", read.parent_path()}).exitCode, 2);
+    EXPECT_TRUE(std::filesystem::exists(expected("hashes.csv")));
+}
+
+TEST_F(TestVerb, AReportThatCannotBeWrittenIsToldBeforeAnythingRuns) {
+    const ProgramRun refused = run({"--update", "--junit", folder_ / "ball.kerf.json/a.xml"});
+    EXPECT_EQ(refused.exitCode, 5) << refused.out;
+    EXPECT_EQ(refused.out, "");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "ball.expected"));
 }
 
 TEST_F(TestVerb, AFailedCheckOfTheSessionIsNeverAnExpectation) {
@@ -244,6 +295,15 @@ TEST_F(TestVerb, ReportsForProgramsAndPeople) {
     EXPECT_THAT(page, HasSubstr("data:image/png;base64,iVBOR"));
     EXPECT_THAT(page, Not(HasSubstr("a<b>"))) << "nothing ends the script";
     EXPECT_THAT(page, HasSubstr("a\\u003cb>&"));
+}
+
+TEST_F(TestVerb, NamesThatAreNoTextLeaveTheReportsWhole) {
+    writeText(folder_ / "a\xff\x1b[31m\xEF\xBF\xBE.kerf.json", sessionThatDoes(""));
+    const ProgramRun ran = run({"--junit", folder_ / "junit.xml"});
+    EXPECT_THAT(ran.out, Not(HasSubstr("\x1b")));
+    const std::string junit = readBytes(folder_ / "junit.xml");
+    EXPECT_THAT(junit, HasSubstr("a\xEF\xBF\xBD [31m\xEF\xBF\xBD"));
+    EXPECT_THAT(junit, Not(HasSubstr("\xff")));
 }
 
 TEST_F(TestVerb, WithoutOpenGlThatIsSaid) {

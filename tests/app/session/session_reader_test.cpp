@@ -3,6 +3,7 @@
 #include "app/files/sha256.h"
 #include "app/session/session.h"
 #include "tests/support/session_samples.h"
+#include "tests/support/small_sessions.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
@@ -21,6 +22,16 @@ std::string errorOf(const std::string& text) {
         return error.what();
     }
     return "no error";
+}
+
+TEST(SessionReader, WarnsOfTwoFilesOfOneName) {
+    const Session session = parseSession(test::sessionThatDoes(R"(
+        {"step": 1, "type": "screenshot", "file": "a.png"},
+        {"step": 3, "type": "screenshot", "file": "a.png"})"),
+                                         "");
+    EXPECT_EQ(session.warnings, std::vector<std::string>{
+                                    "events: at step 3 a.png takes the place of an earlier file of "
+                                    "that name."});
 }
 
 TEST(SessionReader, MinimalSessionHasDefaults) {
