@@ -105,8 +105,9 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
         return true;
     }
 
-    /// Where the container that is open now stands: "events[3]".
+    /// Where the container that is open now stands: "events[3]"; of a long way there, the end.
     std::string place() const {
+        constexpr std::size_t longest = 120;
         std::string text;
         for (std::size_t level = 0; level + 1 < open_.size(); ++level) {
             if (open_[level]->is_array()) {
@@ -114,6 +115,9 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
             } else {
                 text += (text.empty() ? "" : ".") + excerpt(keys_[level]);
             }
+        }
+        if (text.size() > longest) {
+            return "..." + text.substr(text.size() - longest);
         }
         return text.empty() ? "top level" : text;
     }

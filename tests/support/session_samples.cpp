@@ -4,6 +4,14 @@ namespace kerf::test {
 
 namespace {
 
+/// A text inside so many objects, each under a key of the one around it.
+std::string nested(std::string text, const std::string& key, int levels) {
+    for (int level = 0; level < levels; ++level) {
+        text = R"({")" + key + R"(": )" + text + "}";
+    }
+    return text;
+}
+
 constexpr const char* kHead =
     R"("format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": 100)";
 
@@ -86,6 +94,7 @@ const std::vector<BrokenSession>& brokenSessions() {
         {"NoSuchSolver", sessionWith(R"("params": {"solver": "fem"})"), "params.solver: \"solver\" must be one of small_steps, pbd."},
         {"TwoKeys", R"({"a": 1, "a": 2})", "top level: the key 'a' stands there twice"},
         {"TwoKeysInside", R"({"e": [{}, {"s": {"a": 1, "a": 2}}]})", "e[1].s: the key 'a' stands there twice"},
+        {"TwoKeysDeepInside", nested(R"({"a": 1, "a": 2})", std::string(20, 'k'), 30), "...kkk"},
         {"TrailingText", "{} {}", "line 1, column 4: this is not valid JSON near"},
         {"NotUtf8", "{\"\xff\": 1}", "line 1, column 3: this is not valid JSON near"},
         {"OtherFormat", R"({"format": "gltf", "version": 1})", "format: expected \"kerf-session\""},
