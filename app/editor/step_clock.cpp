@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scene/editor_scene.h"
+#include "sim/base/stopwatch.h"
+
 namespace kerf::app {
 namespace {
 
 constexpr double kMostDue = 4;  // steps, at speed 1
 constexpr double kRateSmoothing = 0.1;
+constexpr double kStepBudgetSeconds = 0.012;  // more than one step only while they are this fast
 
 }  // namespace
 
@@ -21,6 +25,16 @@ int StepClock::takeDue(double elapsedSeconds, double timeStep) {
     const int whole = static_cast<int>(due_);
     due_ -= whole;
     return whole;
+}
+
+void StepClock::run(EditorScene& scene, int needed, int due) const {
+    const Stopwatch watch;
+    for (int n = 0; n < std::max(needed, due); ++n) {
+        if (n >= std::max(1, needed) && byTheClock_ && watch.seconds() > kStepBudgetSeconds) {
+            return;
+        }
+        scene.step();
+    }
 }
 
 bool StepClock::measure(double elapsedSeconds, bool ran) {

@@ -2,6 +2,8 @@
 
 namespace kerf::app {
 
+class EditorScene;
+
 /// Turns the time between two pictures into steps, and measures how fast pictures follow each
 /// other while time runs.
 class StepClock {
@@ -20,6 +22,8 @@ class StepClock {
     /// Steps that are due for a picture `elapsedSeconds` after the last one; what a slow picture
     /// leaves behind is not caught up with.
     int takeDue(double elapsedSeconds, double timeStep);
+    /// Runs `needed` steps whatever they cost, and up to `due` ones while they are fast.
+    void run(EditorScene& scene, int needed, int due) const;
     /// Forgets what is due, since time stands still.
     void stop() { due_ = 0; }
 

@@ -52,7 +52,7 @@ class DocumentLoading {
     /// The thread ends soon; what it has made is lost.
     void cancel() { job_.cancel(); }
     /// The thread has ended, so that nobody has to wait for it.
-    bool ended() const { return job_.done(); }
+    bool done() const { return job_.done(); }
 
   private:
     std::filesystem::path file_;

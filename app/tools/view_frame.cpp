@@ -1,6 +1,16 @@
 #include "app/tools/view_frame.h"
 
+#include <tuple>
+
 namespace kerf::app {
+
+bool ViewFrame::operator==(const ViewFrame& other) const {
+    const auto all = [](const ViewFrame& v) {
+        return std::tie(v.camera.eye, v.camera.target, v.camera.up, v.camera.fovY,
+                        v.camera.orthographic, v.width, v.height);
+    };
+    return all(*this) == all(other);
+}
 
 std::optional<ui::PlotPoint> ViewFrame::toPixel(const Vec3& point) const {
     const Eigen::Vector4f at(static_cast<float>(point.x()), static_cast<float>(point.y()),
@@ -11,6 +21,15 @@ std::optional<ui::PlotPoint> ViewFrame::toPixel(const Vec3& point) const {
     }
     return ui::PlotPoint{(clip.x() / clip.w() + 1) * 0.5 * width,
                          (1 - clip.y() / clip.w()) * 0.5 * height};
+}
+
+void ViewFrame::addLine(const Vec3& from, const Vec3& to,
+                        std::vector<ui::Overlay::Line>& lines) const {
+    const auto a = toPixel(from);
+    const auto b = toPixel(to);
+    if (a && b) {
+        lines.push_back({*a, *b});
+    }
 }
 
 Vec3 ViewFrame::onPlaneThrough(const Vec3& point, const Vec2& pixel) const {
