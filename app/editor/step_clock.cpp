@@ -9,8 +9,7 @@
 namespace kerf::app {
 namespace {
 
-constexpr double kMostDue = 4;  // steps, at speed 1
-constexpr double kRateSmoothing = 0.1;
+constexpr double kMostDue = 4;                // steps, at speed 1
 constexpr double kStepBudgetSeconds = 0.012;  // more than one step only while they are this fast
 
 }  // namespace
@@ -39,12 +38,7 @@ void StepClock::run(EditorScene& scene, int needed, int due) const {
 
 bool StepClock::measure(double elapsedSeconds, bool ran) {
     // Only between two pictures that both ran: a pause in between is no frame time.
-    const bool counts = std::exchange(ranBefore_, ran) && ran && elapsedSeconds > 0;
-    if (counts) {
-        const double now = 1 / elapsedSeconds;
-        rate_ = rate_ > 0 ? rate_ + kRateSmoothing * (now - rate_) : now;
-    }
-    return counts;
+    return std::exchange(ranBefore_, ran) && ran && elapsedSeconds > 0;
 }
 
 }  // namespace kerf::app

@@ -4,8 +4,8 @@ namespace kerf::app {
 
 class EditorScene;
 
-/// Turns the time between two pictures into steps, and measures how fast pictures follow each
-/// other while time runs.
+/// Turns the time between two pictures into steps, and tells which pictures follow each other while
+/// time runs.
 class StepClock {
   public:
     static constexpr double kSlowest = 0.25;
@@ -30,14 +30,11 @@ class StepClock {
     /// Notes a picture and whether steps ran for it. True where both it and the one before ran, so
     /// that the time between them is a frame time.
     bool measure(double elapsedSeconds, bool ran);
-    /// Smoothed frame rate [1/s]; 0 before the first measurement.
-    double rate() const { return rate_; }
 
   private:
     bool byTheClock_;
     double speed_ = 1;
     double due_ = 0;  ///< steps
-    double rate_ = 0;
     bool ranBefore_ = false;
 };
 

@@ -47,7 +47,7 @@ class DocumentLoading {
     bool preparing() const { return uploaded_ == nullptr; }
 
     const std::filesystem::path& file() const { return file_; }
-    std::string stage() const;
+    std::string stage() const { return job_.stage(); }
     double seconds() const { return job_.seconds(); }
     /// The thread ends soon; what it has made is lost.
     void cancel() { job_.cancel(); }
