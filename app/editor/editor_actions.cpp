@@ -51,6 +51,12 @@ void take(State& s) {
     s.view.setTools(settings, *s.scene);
 }
 
+/// Holds what is shown now, or follows what comes.
+void holdPlots(State& s) {
+    std::optional<double>& end = s.panels.plotView.end;
+    end = end ? std::nullopt : std::optional(s.panels.model.time);
+}
+
 void freePins(State& s) {
     if (s.scene->simulation().pinnedVertices().empty()) {
         return;
@@ -223,7 +229,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::showBoxes, Needs::body, toggleOverlay<&Overlays::boxes>},
     Handler{ActionId::fineQuality, Needs::body, toggleQuality},
     Handler{ActionId::togglePanels, Needs::nothing, [](State& s) { s.panels.toggle(); }},
-    Handler{ActionId::holdPlots, Needs::nothing, [](State& s) { s.panels.holdPlots(); }},
+    Handler{ActionId::holdPlots, Needs::nothing, holdPlots},
     Handler{ActionId::fitPlots, Needs::nothing, [](State& s) { s.panels.plotView = {}; }},
     Handler{ActionId::help, Needs::nothing,
             [](State& s) { s.panels.helpOpen = !s.panels.helpOpen; }},
@@ -253,9 +259,7 @@ struct Answer {
 
     void operator()(ActionId id) const { s.perform(id); }
     void operator()(const ui::SetSpeed& wanted) const { s.clock.setSpeed(wanted.factor); }
-    void operator()(const ui::SetDisplay& wanted) const {
-        s.view.display.settings = wanted.settings;
-    }
+    void operator()(const ui::SetDisplay& to) const { s.view.display.settings = to.settings; }
     void operator()(const ui::CancelWork&) const { s.work.cancel(); }
     void operator()(const ui::AnswerQuestion& answer) const {
         if (s.asked) {
@@ -267,18 +271,14 @@ struct Answer {
             s.take(*chosen);
         }
     }
-    void operator()(const ui::SetSettings& wanted) const {
-        s.panels.settings.now = wanted.settings;
-    }
+    void operator()(const ui::SetSettings& to) const { s.panels.settings.now = to.settings; }
     void operator()(const ui::SetPlotView& wanted) const { s.panels.plotView = wanted.view; }
     void operator()(const ui::ExportPlots& wanted) const { exportPlots(s, wanted.asPicture); }
     void operator()(const ui::OpenExperiment& wanted) const {
         s.open(gpu::dataPath("assets/sessions/" + wanted.name + ".kerf.json"));
     }
     void operator()(const ui::HoverPiece& hover) const { s.view.display.hover(hover.piece); }
-    void operator()(const ui::ShowPiece& wanted) const {
-        s.view.display.show(wanted.piece, wanted.visible);
-    }
+    void operator()(const ui::ShowPiece& row) const { s.view.display.show(row.piece, row.visible); }
     template <class OnBody>
     void operator()(const OnBody& action) const {
         if (s.scene != nullptr) {

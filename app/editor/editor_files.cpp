@@ -144,10 +144,11 @@ void Editor::State::followFiles() {
 
 /// The scene stays as it is until the new one stands and the hand is free.
 void Editor::State::followOpening() {
-    const std::filesystem::path file = work.opening() == nullptr ? "" : work.opening()->file();
-    if (!file.empty()) {
-        redraw.panels();
+    if (work.opening() == nullptr) {
+        return;
     }
+    const std::filesystem::path file = work.opening()->file();
+    redraw.panels();
     try {
         if (auto uploaded = work.advanceOpening(!view.holds())) {
             show(std::move(*uploaded));

@@ -61,10 +61,6 @@ void EditorPanels::toggle() {
         !(settings.now.showControls || settings.now.showReadings);
 }
 
-void EditorPanels::holdPlots() {
-    plotView.end = plotView.end ? std::nullopt : std::optional(model.time);
-}
-
 render::Image EditorPanels::drawPlots(std::span<const ui::PlotSpec> plots) const {
     return ui::PlotPainter(settings.now.theme)
         .draw(plots, plotView, kPlotPictureWidth,

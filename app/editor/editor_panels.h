@@ -40,8 +40,6 @@ struct EditorPanels {
 
     /// Shows both side panels, or none.
     void toggle();
-    /// Holds what the plots show now, or follows what comes.
-    void holdPlots();
     /// The plots one below the other, as they are shown.
     render::Image drawPlots(std::span<const ui::PlotSpec> plots) const;
 };

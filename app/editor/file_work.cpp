@@ -23,11 +23,7 @@ void FileWork::open(const std::filesystem::path& file, bool fillHoles) {
 }
 
 std::optional<UploadedDocument> FileWork::advanceOpening(bool mayTake) {
-    opening_.forgetEnded();
     std::unique_ptr<DocumentLoading> opening = opening_.take();
-    if (opening == nullptr) {
-        return std::nullopt;
-    }
     opening->advance();
     if (opening->ready() && mayTake) {
         return opening->take();
@@ -46,6 +42,7 @@ int FileWork::saveBehind(const std::string& name, const std::string& ending,
 }
 
 std::optional<SavingQueue::Outcome> FileWork::takeOutcome() {
+    opening_.forgetEnded();
     saving_.forgetEnded();
     const bool ended = saving() != nullptr && saving()->done();
     return ended ? SavingQueue::endOf(*saving_.take(), 0) : behind_.takeOutcome();

@@ -29,8 +29,8 @@ class FileWork {
     void open(const std::filesystem::path& file, bool fillHoles);
     /// The file that is being opened; null for none.
     const DocumentLoading* opening() const { return opening_.now(); }
-    /// Goes on with it, once a picture. Returns the document once it is ready and `mayTake`. Then,
-    /// and where it throws as DocumentLoading::advance(), nothing is being opened any more.
+    /// Goes on with that file, once a picture. Returns the document once it is ready and `mayTake`.
+    /// Then, and where it throws as DocumentLoading::advance(), nothing is being opened any more.
     std::optional<UploadedDocument> advanceOpening(bool mayTake);
 
     /// Follows a saving that has begun; there is only one at a time.

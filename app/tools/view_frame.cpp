@@ -1,15 +1,12 @@
 #include "app/tools/view_frame.h"
 
-#include <tuple>
-
 namespace kerf::app {
 
 bool ViewFrame::operator==(const ViewFrame& other) const {
-    const auto all = [](const ViewFrame& v) {
-        return std::tie(v.camera.eye, v.camera.target, v.camera.up, v.camera.fovY,
-                        v.camera.orthographic, v.width, v.height);
-    };
-    return all(*this) == all(other);
+    const render::Camera& theirs = other.camera;
+    return camera.eye == theirs.eye && camera.target == theirs.target && camera.up == theirs.up &&
+           camera.fovY == theirs.fovY && camera.orthographic == theirs.orthographic &&
+           width == other.width && height == other.height;
 }
 
 std::optional<ui::PlotPoint> ViewFrame::toPixel(const Vec3& point) const {
