@@ -1,6 +1,13 @@
+#include <utility>
+
 #include "app/editor/editor_state.h"
+#include "app/editor/plot_export.h"
+#include "app/files/file_io.h"
+#include "app/files/free_file.h"
 #include "app/tools/box_placement.h"
+#include "gpu/data_path.h"
 #include "ui/action_table.h"
+#include "ui/plots_panel.h"
 
 namespace kerf::app {
 namespace {
@@ -13,28 +20,11 @@ constexpr double kApart = 0.5;  // of DisplaySettings::apart, by its key
 // --- What the keys, the menus and the buttons ask for ------------------------------------------
 
 void cancel(State& s) {
-    if (s.helpOpen) {
-        s.helpOpen = false;
-    } else if (s.isWorking() && !s.toolIsBusy()) {
-        s.cancelWork();
-    } else if (s.scene != nullptr) {
-        s.releaseTools();
-        s.sceneChanged = true;
-    }
-}
-
-void togglePanels(State& s) {
-    ui::Settings& settings = s.settingsFile.now;
-    settings.showControls = settings.showReadings =
-        !(settings.showControls || settings.showReadings);
-}
-
-/// Holds what is shown now, or follows what comes.
-void holdPlots(State& s) {
-    if (s.plotView.end) {
-        s.plotView.end.reset();
-    } else {
-        s.plotView.end = s.model.time;
+    if (s.panels.helpOpen) {
+        s.panels.helpOpen = false;
+    } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
+        s.view.cancelTools(*s.scene);
+        s.redraw.scene();
     }
 }
 
@@ -56,9 +46,15 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
 
 template <ui::Tool tool>
 void take(State& s) {
-    ui::ToolSettings settings = s.bladeTool.settings();
+    ui::ToolSettings settings = s.view.bladeTool.settings();
     settings.tool = tool;
-    s.setTools(settings);
+    s.view.setTools(settings, *s.scene);
+}
+
+/// Holds what is shown now, or follows what comes.
+void holdPlots(State& s) {
+    std::optional<double>& end = s.panels.plotView.end;
+    end = end ? std::nullopt : std::optional(s.panels.model.time);
 }
 
 void freePins(State& s) {
@@ -91,27 +87,26 @@ void stepOnce(State& s) {
 }
 
 void reset(State& s) {
-    s.releaseTools();
+    s.view.cancelTools(*s.scene);
     s.scene->reset();
 }
 
 void toggleRecording(State& s) {
-    s.pictureOffer.reset();
+    s.toast.withdrawOffer();
     if (!s.scene->recording()) {
-        s.releaseTools();
+        s.view.cancelTools(*s.scene);
         s.scene->startRecording();
         s.toast.show("Recording. Ctrl+R stops it and saves a session.", false);
         return;
     }
     s.scene->stopRecording();
-    s.saveRecording();
+    s.save({ui::FilePurpose::saveSession,
+            freeFile(s.chooser.here(), s.scene->document().name, ".kerf.json")});
 }
 
 /// Of this step, or of the one that the screenshot shows which the toast offers.
 void addPicture(State& s) {
-    const bool offered = s.pictureOffer && s.toast.offers();
-    const JournalPlace place = offered ? s.pictureOffer->place : s.scene->here();
-    s.pictureOffer.reset();
+    const JournalPlace place = s.toast.takeOffer().value_or(s.scene->here());
     const std::string file = s.scene->addPicture(place);
     s.toast.show(file + " is a picture of step " + std::to_string(place.step) + " in the session.",
                  false);
@@ -130,47 +125,34 @@ void addExport(State& s) {
 }
 
 void useView(State& s) {
-    s.scene->useView(s.cameraFlight.destination(s.camera));
+    s.scene->useView(s.view.camera.destination());
     s.toast.show("The pictures of the session are taken from here.", false);
 }
 
-void frameBody(State& s) {
-    render::Camera wanted = s.cameraFlight.destination(s.camera);
-    wanted.frame(s.scene->bounds());
-    s.cameraFlight.start(s.camera, wanted);
-}
-
-template <AxisView view>
+template <AxisView axis>
 void lookFrom(State& s) {
-    render::Camera wanted = s.cameraFlight.destination(s.camera);
-    lookAlong(wanted, view);
-    s.cameraFlight.start(s.camera, wanted);
-}
-
-void toggleOrthographic(State& s) {
-    s.landCamera();
-    s.camera.orthographic = !s.camera.orthographic;
+    s.view.camera.flyTo(axis);
 }
 
 template <bool ui::DisplaySettings::*member>
 void toggle(State& s) {
-    s.display.*member = !(s.display.*member);
+    s.view.display.settings.*member = !(s.view.display.settings.*member);
 }
 
 template <bool render::Overlays::*member>
 void toggleOverlay(State& s) {
-    s.display.overlays.*member = !(s.display.overlays.*member);
+    render::Overlays& overlays = s.view.display.settings.overlays;
+    overlays.*member = !(overlays.*member);
 }
 
 void toggleApart(State& s) {
-    s.display.apart = s.display.apart > 0 || s.scene->pieceCount() < 2 ? 0 : kApart;
+    double& apart = s.view.display.settings.apart;
+    apart = apart > 0 || s.scene->pieceCount() < 2 ? 0 : kApart;
 }
 
 void toggleQuality(State& s) {
-    ui::DisplaySettings wanted = s.display;
-    wanted.quality =
-        wanted.quality == render::Quality::full ? render::Quality::light : render::Quality::full;
-    s.setDisplay(wanted);
+    render::Quality& quality = s.view.display.settings.quality;
+    quality = quality == render::Quality::full ? render::Quality::light : render::Quality::full;
 }
 
 /// Whether an action does something while nothing is open. With a body its picture is drawn anew.
@@ -193,10 +175,11 @@ constexpr std::array kHandlers{
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
     Handler{ActionId::saveSession, Needs::body,
             [](State& s) { s.browse(FilePurpose::saveSession); }},
-    Handler{ActionId::saveTest, Needs::body, [](State& s) { s.beginTest(); }},
+    Handler{ActionId::saveTest, Needs::body, [](State& s) { s.askAboutTest(); }},
     Handler{ActionId::exportBody, Needs::body, [](State& s) { s.browse(FilePurpose::exportMesh); }},
     Handler{ActionId::screenshot, Needs::nothing, [](State& s) { s.screenshotWanted = true; }},
-    Handler{ActionId::sceneScreenshot, Needs::body, [](State& s) { s.saveSceneScreenshot(); }},
+    Handler{ActionId::sceneScreenshot, Needs::body,
+            [](State& s) { s.savePicture(s.picture.readScene(*s.scene, s.view), "kerf-scene"); }},
     Handler{ActionId::quit, Needs::nothing, [](State& s) { s.closing = true; }},
     Handler{ActionId::undo, Needs::body, [](State& s) { stepThroughHistory(s, Undo{}); }},
     Handler{ActionId::redo, Needs::body, [](State& s) { stepThroughHistory(s, Redo{}); }},
@@ -207,7 +190,8 @@ constexpr std::array kHandlers{
     Handler{ActionId::toolGuillotine, Needs::body, take<Tool::guillotine>},
     Handler{ActionId::toolGrab, Needs::body, take<Tool::grab>},
     Handler{ActionId::toolPin, Needs::body, take<Tool::pin>},
-    Handler{ActionId::bringDown, Needs::body, [](State& s) { s.bladeTool.bringDown(*s.scene); }},
+    Handler{ActionId::bringDown, Needs::body,
+            [](State& s) { s.view.bladeTool.bringDown(*s.scene); }},
     Handler{ActionId::freePins, Needs::body, freePins},
     Handler{ActionId::playPause, Needs::body,
             [](State& s) { s.scene->playing = !s.scene->playing; }},
@@ -222,16 +206,18 @@ constexpr std::array kHandlers{
     Handler{ActionId::addCheck, Needs::body, addCheck},
     Handler{ActionId::addExport, Needs::body, addExport},
     Handler{ActionId::useView, Needs::body, useView},
-    Handler{ActionId::frameBody, Needs::body, frameBody},
+    Handler{ActionId::frameBody, Needs::body,
+            [](State& s) { s.view.camera.flyToFrame(s.scene->bounds()); }},
     Handler{ActionId::resetView, Needs::body,
-            [](State& s) { s.cameraFlight.start(s.camera, s.scene->document().camera); }},
+            [](State& s) { s.view.camera.flyTo(s.scene->document().camera); }},
     Handler{ActionId::viewFront, Needs::body, lookFrom<AxisView::front>},
     Handler{ActionId::viewBack, Needs::body, lookFrom<AxisView::back>},
     Handler{ActionId::viewRight, Needs::body, lookFrom<AxisView::right>},
     Handler{ActionId::viewLeft, Needs::body, lookFrom<AxisView::left>},
     Handler{ActionId::viewTop, Needs::body, lookFrom<AxisView::top>},
     Handler{ActionId::viewBottom, Needs::body, lookFrom<AxisView::bottom>},
-    Handler{ActionId::orthographic, Needs::body, toggleOrthographic},
+    Handler{ActionId::orthographic, Needs::body,
+            [](State& s) { s.view.camera.toggleOrthographic(); }},
     Handler{ActionId::wireframe, Needs::body, toggle<&DisplaySettings::wireframe>},
     Handler{ActionId::showCutLines, Needs::body, toggle<&DisplaySettings::cutLines>},
     Handler{ActionId::showApart, Needs::body, toggleApart},
@@ -242,53 +228,90 @@ constexpr std::array kHandlers{
     Handler{ActionId::showContacts, Needs::body, toggleOverlay<&Overlays::contacts>},
     Handler{ActionId::showBoxes, Needs::body, toggleOverlay<&Overlays::boxes>},
     Handler{ActionId::fineQuality, Needs::body, toggleQuality},
-    Handler{ActionId::togglePanels, Needs::nothing, togglePanels},
+    Handler{ActionId::togglePanels, Needs::nothing, [](State& s) { s.panels.toggle(); }},
     Handler{ActionId::holdPlots, Needs::nothing, holdPlots},
-    Handler{ActionId::fitPlots, Needs::nothing, [](State& s) { s.plotView = {}; }},
-    Handler{ActionId::help, Needs::nothing, [](State& s) { s.helpOpen = !s.helpOpen; }},
+    Handler{ActionId::fitPlots, Needs::nothing, [](State& s) { s.panels.plotView = {}; }},
+    Handler{ActionId::help, Needs::nothing,
+            [](State& s) { s.panels.helpOpen = !s.panels.helpOpen; }},
 };
 static_assert(ui::coversActions(kHandlers), "an ActionId has no handler, or not at its place");
 
 // --- What the panels answer with ---------------------------------------------------------------
 
+void exportPlots(State& s, bool asPicture) {
+    using std::filesystem::path;
+    const std::vector<ui::PlotSpec> plots = ui::chosenPlots(s.panels.model);
+    if (plots.empty()) {
+        s.toast.show("No plot is chosen that could be saved.", true);
+    } else if (asPicture) {
+        // Drawn here, since that needs OpenGL; encoded and written behind.
+        s.savePicture(s.panels.drawPlots(plots), "kerf-plots");
+    } else {
+        s.work.saveBehind("kerf-plots", ".csv", [text = formatPlots(plots)](const path& file) {
+            writeOutputFile(file, text);
+        });
+    }
+}
+
 /// Answers to each kind of ui::Action.
 struct Answer {
-    State& state;
+    State& s;
 
-    void operator()(ActionId id) const { state.perform(id); }
-    void operator()(const ui::GoToChange& wanted) const { state.goToChange(wanted.done); }
-    void operator()(const ui::SetSpeed& wanted) const { state.clock.setSpeed(wanted.factor); }
-    void operator()(const ui::SeekTo& wanted) const { state.seekTo(wanted.step); }
-    void operator()(const ui::RemoveMark& removal) const { state.removeMark(removal.id); }
-    void operator()(const ui::SetTools& wanted) const { state.setTools(wanted.settings); }
-    void operator()(const ui::SetDisplay& wanted) const { state.setDisplay(wanted.settings); }
-    void operator()(const ui::PlaceBox&) const { state.placeBox(); }
-    void operator()(const ChangeBox& change) const { state.execute(change); }
-    void operator()(const RemoveBox& removal) const { state.execute(removal); }
-    void operator()(const SetParam& change) const { state.execute(change); }
-    void operator()(const ui::CancelWork&) const { state.cancelWork(); }
-    void operator()(const ui::AnswerQuestion& answer) const { state.answer(answer.choice); }
-    void operator()(const ui::FileAction& action) const { state.applyToFiles(action); }
-    void operator()(const ui::SetSettings& wanted) const {
-        settling().settingsFile.now = wanted.settings;
+    void operator()(ActionId id) const { s.perform(id); }
+    void operator()(const ui::SetSpeed& wanted) const { s.clock.setSpeed(wanted.factor); }
+    void operator()(const ui::SetDisplay& to) const { s.view.display.settings = to.settings; }
+    void operator()(const ui::CancelWork&) const { s.work.cancel(); }
+    void operator()(const ui::AnswerQuestion& answer) const {
+        if (s.asked) {
+            std::exchange(s.asked, std::nullopt)->answer(answer.choice);
+        }
     }
-    void operator()(const ui::SetPlotView& wanted) const { settling().plotView = wanted.view; }
-    void operator()(const ui::ExportPlots& wanted) const {
-        settling().exportPlots(wanted.asPicture);
+    void operator()(const ui::FileAction& action) const {
+        if (const std::optional<ChosenFile> chosen = s.chooser.take(action)) {
+            s.take(*chosen);
+        }
     }
+    void operator()(const ui::SetSettings& to) const { s.panels.settings.now = to.settings; }
+    void operator()(const ui::SetPlotView& wanted) const { s.panels.plotView = wanted.view; }
+    void operator()(const ui::ExportPlots& wanted) const { exportPlots(s, wanted.asPicture); }
     void operator()(const ui::OpenExperiment& wanted) const {
-        settling().openExperiment(wanted.name);
+        s.open(gpu::dataPath("assets/sessions/" + wanted.name + ".kerf.json"));
     }
-    void operator()(const ui::HoverPiece& hover) const { settling().hoverPiece(hover.piece); }
-    void operator()(const ui::FramePiece& wanted) const { settling().framePiece(wanted.piece); }
-    void operator()(const ui::ShowPiece& wanted) const {
-        settling().showPiece(wanted.piece, wanted.visible);
+    void operator()(const ui::HoverPiece& hover) const { s.view.display.hover(hover.piece); }
+    void operator()(const ui::ShowPiece& row) const { s.view.display.show(row.piece, row.visible); }
+    template <class OnBody>
+    void operator()(const OnBody& action) const {
+        if (s.scene != nullptr) {
+            onBody(action);
+        }
     }
 
-    /// The panels show it only in their next updates.
-    State& settling() const {
-        state.settleUpdates = kSettleUpdates;
-        return state;
+    // What needs an open document.
+    void onBody(const Command& command) const { s.execute(command); }
+    void onBody(const ui::PlaceBox&) const {
+        s.execute(AddBox{boxBeside(s.scene->bounds(), s.scene->simulation().params().floor)});
+    }
+    void onBody(const ui::GoToChange& wanted) const {
+        const UndoHistory& history = s.scene->simulation().history();
+        while (history.done() > wanted.done && history.canUndo()) {
+            s.execute(Undo{});
+        }
+        while (history.done() < wanted.done && history.canRedo()) {
+            s.execute(Redo{});
+        }
+    }
+    void onBody(const ui::SeekTo& wanted) const {
+        s.scene->seek(wanted.step);
+        s.redraw.scene();
+    }
+    void onBody(const ui::RemoveMark& removal) const { s.scene->removeMark(removal.id); }
+    void onBody(const ui::SetTools& wanted) const { s.view.setTools(wanted.settings, *s.scene); }
+    void onBody(const ui::FramePiece& wanted) const {
+        const std::vector<Bounds>& pieces = s.scene->simulation().pieceBounds();
+        const auto index = static_cast<std::size_t>(wanted.piece);
+        if (wanted.piece >= 0 && index < pieces.size() && !pieces[index].empty()) {
+            s.view.camera.flyToFrame(pieces[index]);
+        }
     }
 };
 
@@ -299,34 +322,18 @@ void Editor::State::apply(const ui::Action& action) {
 }
 
 void Editor::State::perform(ui::ActionId id) {
-    settleUpdates = kSettleUpdates;
     const Handler& handler = kHandlers[static_cast<std::size_t>(id)];
     if (handler.needs == Needs::nothing) {
         handler.perform(*this);
     } else if (scene != nullptr) {
         handler.perform(*this);
-        sceneChanged = true;
+        redraw.scene();
     }
-}
-
-void Editor::State::placeBox() {
-    if (scene != nullptr) {
-        execute(AddBox{boxBeside(scene->bounds(), scene->simulation().params().floor)});
-    }
-}
-
-/// Before the body goes elsewhere: neither a stroke nor a pull goes on there.
-void Editor::State::releaseTools() {
-    bladeTool.cancel(*scene);
-    pullTool.cancel(*scene);
 }
 
 bool Editor::State::execute(const Command& command) {
-    if (scene == nullptr) {
-        return false;
-    }
     if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
-        releaseTools();
+        view.cancelTools(*scene);  // Neither a stroke nor a pull goes on elsewhere.
     }
     const std::string problem = scene->execute(command);
     say(problem);
@@ -337,47 +344,7 @@ void Editor::State::say(const std::string& problem) {
     if (!problem.empty()) {
         toast.show(problem, true);
     }
-    sceneChanged = true;
-    settleUpdates = kSettleUpdates;
-}
-
-void Editor::State::seekTo(int step) {
-    if (scene != nullptr) {
-        scene->seek(step);
-        sceneChanged = true;
-        settleUpdates = kSettleUpdates;
-    }
-}
-
-void Editor::State::removeMark(int id) {
-    if (scene != nullptr) {
-        scene->removeMark(id);
-        settleUpdates = kSettleUpdates;
-    }
-}
-
-void Editor::State::setTools(const ui::ToolSettings& settings) {
-    if (scene != nullptr) {
-        if (settings.tool != bladeTool.settings().tool) {
-            joinPieces();
-            pullTool.cancel(*scene);
-        }
-        bladeTool.set(settings, *scene);
-        settleUpdates = kSettleUpdates;
-    }
-}
-
-void Editor::State::goToChange(std::size_t done) {
-    if (scene == nullptr) {
-        return;
-    }
-    const UndoHistory& history = scene->simulation().history();
-    while (history.done() > done && history.canUndo()) {
-        execute(Undo{});
-    }
-    while (history.done() < done && history.canRedo()) {
-        execute(Redo{});
-    }
+    redraw.scene();
 }
 
 }  // namespace kerf::app

@@ -1,35 +1,75 @@
 #include <spdlog/spdlog.h>
 
+#include <utility>
+
 #include "app/editor/editor_state.h"
 #include "app/files/file_io.h"
-#include "app/files/free_file.h"
 #include "sim/base/text.h"
-#include "ui/action_table.h"
 
 namespace kerf::app {
 namespace {
 
-/// The choices of beginTest().
+/// The choices of askAboutTest().
 enum PictureChoice { kAddPicture, kNoPicture, kCancel };
-
-constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over sooner
 
 }  // namespace
 
-void Editor::State::saveSession(const std::filesystem::path& file) {
-    if (startsSaving()) {
-        saving = startSaving(file,
-                             scene->savedSession(cameraFlight.destination(camera), display.colors));
+// --- Opening -----------------------------------------------------------------------------------
+
+void Editor::State::open(const std::filesystem::path& file, bool fillHoles) {
+    asked.reset();
+    work.open(file, fillHoles);
+}
+
+void Editor::State::show(UploadedDocument uploaded) {
+    const std::string note = uploaded.document.note;
+    // Either may fail for want of memory; what is open stays then.
+    auto next =
+        std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
+    picture.setRestDepth(uploaded.depth);
+    scene = std::move(next);
+    view.begin(*scene);
+    guide.begin();
+    panels.plotView = {};
+    clock.stop();
+    toast.withdrawOffer();
+    redraw.scene();
+    if (!note.empty()) {
+        spdlog::info("{}: {}", scene->document().name, note);
+        toast.show(note, false);
     }
 }
 
-void Editor::State::saveRecording() {
-    saveSession(freeFile(options.screenshotFolder, scene->document().name, ".kerf.json"));
+/// Only what would really help is offered.
+void Editor::State::askAboutHoles(const ModelFault& fault, const std::filesystem::path& file) {
+    if (fault.fillableHoles() == 0) {
+        toast.show(fault.what(), true);
+        return;
+    }
+    std::string sentence = fault.what();
+    if (const std::string whole = file.string(); sentence.starts_with(whole)) {
+        sentence.replace(0, whole.size(), file.filename().string());
+    }
+    const std::string holes = counted(fault.fillableHoles(), "hole", "holes");
+    asked = {{"This model can't be cut as it is",
+              sentence.substr(0, sentence.find(';')) + ". Filling " + holes +
+                  " would close it; the file stays as it is.",
+              {"Fill " + holes, "Cancel"}},
+             [this, file](int choice) {
+                 if (choice == 0) {
+                     open(file, true);
+                 }
+             }};
+}
+
+// --- Choosing and saving -----------------------------------------------------------------------
+
+void Editor::State::browse(ui::FilePurpose purpose, bool testGetsPicture) {
+    chooser.browse(purpose, scene == nullptr ? "" : scene->document().name, testGetsPicture);
 }
 
 /// A test without a picture is one too, but it can't show what has changed.
-void Editor::State::beginTest() {
-    testGetsPicture = false;
+void Editor::State::askAboutTest() {
     if (scene->takesPictures()) {
         browse(ui::FilePurpose::saveTest);
         return;
@@ -39,209 +79,88 @@ void Editor::State::beginTest() {
               {"Add a picture of the end", "Go without", "Cancel"}},
              [this](int choice) {
                  if (choice != kCancel) {
-                     testGetsPicture = choice == kAddPicture;
-                     browse(ui::FilePurpose::saveTest);
+                     browse(ui::FilePurpose::saveTest, choice == kAddPicture);
                  }
              }};
 }
 
-void Editor::State::saveTest(const std::filesystem::path& file) {
-    if (!startsSaving()) {
+void Editor::State::take(const ChosenFile& chosen) {
+    if (chosen.purpose == ui::FilePurpose::open) {
+        open(chosen.file);
         return;
     }
-    if (testGetsPicture) {
-        scene->addPicture(scene->end());
-    }
-    saving = startSavingTest(
-        file, scene->savedSession(cameraFlight.destination(camera), display.colors, SavedAs::test));
-}
-
-void Editor::State::exportBody(const std::filesystem::path& file, bool filePerPiece) {
-    if (startsSaving()) {
-        saving = startExport({file, filePerPiece}, scene->document(), scene->simulation());
+    save(chosen);
+    if (chosen.purpose != ui::FilePurpose::exportMesh) {
+        chooser.addRecent(chosen.file);
     }
 }
 
 /// One file after the other.
-bool Editor::State::startsSaving() {
-    if (saving != nullptr) {
-        toast.show(saving->title + " is not done yet; save again after it.", true);
-    }
-    return scene != nullptr && saving == nullptr;
-}
-
-void Editor::State::open(const std::filesystem::path& file, bool fillHoles) {
-    cancelLoading();
-    asked.reset();
-    loading = std::make_unique<DocumentLoading>(file, fillHoles);
-}
-
-void Editor::State::followWork() {
-    followLoading();
-    followSaving();
-    followSavings();
-    followPreview();
-}
-
-/// The scene stays as it is until the new one stands and the hand is free.
-void Editor::State::followLoading() {
-    std::erase_if(cancelledLoadings, [](const auto& cancelled) { return cancelled->ended(); });
-    if (loading == nullptr) {
+void Editor::State::save(const ChosenFile& chosen) {
+    if (const FileSaving* const before = work.saving()) {
+        toast.show(before->title + " is not done yet; save again after it.", true);
         return;
     }
-    settleUpdates = kSettleUpdates;
-    try {
-        loading->advance();
-        if (loading->ready() && !toolIsBusy()) {
-            show(loading->take());
-            recent.add(loading->file());
-            loading.reset();
-        }
-    } catch (const ModelFault& found) {
-        spdlog::error("{}", found.what());
-        askAboutHoles(found);
-        loading.reset();
-    } catch (const std::exception& error) {
-        spdlog::error("{}", error.what());
-        toast.show(error.what(), true);
-        loading.reset();
-    }
-}
-
-/// Only what would really help is offered.
-void Editor::State::askAboutHoles(const ModelFault& found) {
-    if (found.fillableHoles() == 0) {
-        toast.show(found.what(), true);
+    if (scene == nullptr) {
         return;
     }
-    std::string sentence = found.what();
-    if (const std::string whole = loading->file().string(); sentence.starts_with(whole)) {
-        sentence.replace(0, whole.size(), loading->file().filename().string());
-    }
-    const std::string holes = counted(found.fillableHoles(), "hole", "holes");
-    asked = {{"This model can't be cut as it is",
-              sentence.substr(0, sentence.find(';')) + ". Filling " + holes +
-                  " would close it; the file stays as it is.",
-              {"Fill " + holes, "Cancel"}},
-             [this, file = loading->file()](int choice) {
-                 if (choice == 0) {
-                     open(file, true);
-                 }
-             }};
-}
-
-void Editor::State::followSaving() {
-    std::erase_if(cancelledSavings, [](const auto& cancelled) { return cancelled->job.done(); });
-    if (saving == nullptr || !saving->job.done()) {
+    if (chosen.purpose == ui::FilePurpose::exportMesh) {
+        work.save(startExport({chosen.file, chosen.filePerPiece}, scene->document(),
+                              scene->simulation()));
         return;
     }
-    settleUpdates = kSettleUpdates;
-    try {
-        const std::string sentence = saving->job.take();
-        spdlog::info("{}", sentence);
-        toast.show(sentence, false);
-    } catch (const std::exception& error) {
-        toast.show(error.what(), true);
+    if (chosen.testGetsPicture) {
+        scene->addPicture(scene->end());
     }
-    saving.reset();
-}
-
-void Editor::State::cancelWork() {
-    if (loading != nullptr) {
-        cancelLoading();
-    } else if (saving != nullptr) {
-        saving->job.cancel();
-        cancelledSavings.push_back(std::move(saving));
-    }
-}
-
-void Editor::State::cancelLoading() {
-    if (loading != nullptr) {
-        loading->cancel();
-        cancelledLoadings.push_back(std::move(loading));
-    }
-}
-
-ui::WorkState Editor::State::workState() const {
-    ui::WorkState work;
-    if (loading != nullptr) {
-        work = {"Opening " + loading->file().filename().string(), loading->stage(),
-                loading->seconds()};
-    } else if (saving != nullptr) {
-        work = {saving->title, saving->job.stage(), saving->job.seconds()};
-    }
-    return work.seconds < kQuietSeconds ? ui::WorkState{} : work;
-}
-
-void Editor::State::show(UploadedDocument uploaded) {
-    const std::string note = uploaded.document.note;
-    // Either may fail for want of memory; what is open stays then.
-    auto next =
-        std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
-    renderer.setRestDepth(uploaded.depth);
-    scene = std::move(next);
-    pictureOffer.reset();
-    landCamera();
-    camera = scene->document().camera;
-    display.colors = scene->document().session.colors;
-    bladeTool.fitTo(scene->bounds());
-    pullTool = {};
-    cameraControl.releaseAll();
-    cutWatch = {};
-    display.apart = 0;
-    pieceDisplay.clear();
-    plotView = {};
-    sceneChanged = true;
-    clock.stop();
-    if (!note.empty()) {
-        spdlog::info("{}: {}", scene->document().name, note);
-        toast.show(note, false);
-    }
-}
-
-void Editor::State::followSavings() {
-    for (const SavingQueue::Outcome& outcome : savings.takeOutcomes()) {
-        settleUpdates = kSettleUpdates;
-        if (outcome.failed) {
-            spdlog::error("{}", outcome.sentence);
-        } else {
-            spdlog::info("{}", outcome.sentence);
-        }
-        tellOfSaving(outcome);
-    }
-}
-
-void Editor::State::tellOfSaving(const SavingQueue::Outcome& outcome) {
-    if (pictureOffer && pictureOffer->saving == outcome.number && !outcome.failed) {
-        toast.offer(outcome.sentence, {ui::ActionId::addPicture, "Add to the session"});
-    } else {
-        toast.show(outcome.sentence, outcome.failed);
-    }
-}
-
-void Editor::State::saveScreenshot() {
-    screenshotWanted = false;
-    const int number = savePicture({options.width, options.height, picture.readColor()}, "kerf");
-    if (scene != nullptr && scene->recording()) {
-        pictureOffer = {scene->here(), number};
-    }
-}
-
-void Editor::State::saveSceneScreenshot() {
-    render::SceneView view = sceneToDraw();
-    view.transparent = true;
-    renderer.draw(view, camera, options.width, options.height);
-    render::Image image = renderer.readPicture();
-    render::divideByAlpha(image);
-    savePicture(std::move(image), "kerf-scene");
+    const bool isTest = chosen.purpose == ui::FilePurpose::saveTest;
+    SavedSession saved =
+        scene->savedSession(view.camera.destination(), view.display.settings.colors,
+                            isTest ? SavedAs::test : SavedAs::session);
+    work.save(isTest ? startSavingTest(chosen.file, std::move(saved))
+                     : startSaving(chosen.file, std::move(saved)));
 }
 
 int Editor::State::savePicture(render::Image image, const std::string& name) {
-    return savings.add([image = std::move(image), name, folder = options.screenshotFolder] {
-        const std::filesystem::path file = freeFile(folder, name, ".png");
-        writePicture(image, file);
-        return "Saved " + file.string();
-    });
+    return work.saveBehind(name, ".png",
+                           [image = std::move(image)](const std::filesystem::path& file) {
+                               writePicture(image, file);
+                           });
+}
+
+// --- Once a picture ----------------------------------------------------------------------------
+
+void Editor::State::followFiles() {
+    followOpening();
+    while (const auto outcome = work.takeOutcome()) {
+        spdlog::log(outcome->failed ? spdlog::level::err : spdlog::level::info, "{}",
+                    outcome->sentence);
+        toast.show(*outcome);
+        redraw.panels();
+    }
+    if (chooser.followPreview()) {
+        redraw.panels();
+    }
+}
+
+/// The scene stays as it is until the new one stands and the hand is free.
+void Editor::State::followOpening() {
+    if (work.opening() == nullptr) {
+        return;
+    }
+    const std::filesystem::path file = work.opening()->file();
+    redraw.panels();
+    try {
+        if (auto uploaded = work.advanceOpening(!view.holds())) {
+            show(std::move(*uploaded));
+            chooser.addRecent(file);
+        }
+    } catch (const ModelFault& fault) {
+        spdlog::error("{}", fault.what());
+        askAboutHoles(fault, file);
+    } catch (const std::exception& error) {
+        spdlog::error("{}", error.what());
+        toast.show(error.what(), true);
+    }
 }
 
 }  // namespace kerf::app

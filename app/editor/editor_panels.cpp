@@ -1,82 +1,70 @@
-#include <spdlog/spdlog.h>
+#include "app/editor/editor_panels.h"
 
-#include "app/editor/editor_state.h"
-#include "app/editor/plot_export.h"
-#include "app/files/file_io.h"
-#include "app/files/free_file.h"
-#include "gpu/data_path.h"
+#include <algorithm>
+#include <cmath>
+
+#include "ui/layout.h"
 #include "ui/plot_picture.h"
-#include "ui/plots_panel.h"
 
 namespace kerf::app {
 namespace {
 
 constexpr int kPlotPictureWidth = 1200;  // [px]
 constexpr int kPlotPictureHeight = 300;  // of each plot [px]
+constexpr float kPanelRounding = 8;      // [px] at scale 1, at least that of the theme
 
 }  // namespace
 
-/// Once a drag of an edge is over, not at each of its moves.
-void Editor::State::keepSettings() {
-    if (interface.isDragging()) {
-        return;
-    }
-    if (const std::string problem = settingsFile.save(); !problem.empty()) {
-        spdlog::error("{}", problem);
-        toast.show(problem, true);
-    }
+EditorPanels::EditorPanels(const EditorOptions& options)
+    : displayScale(options.scale),
+      device(options.device),
+      settings(options.settingsFile),
+      interface(settings.now.theme, scale(options.width, options.height)) {}
+
+float EditorPanels::scale(int width, int height) const {
+    return std::min(displayScale * static_cast<float>(settings.now.uiScale),
+                    ui::largestScale(width, height));
 }
 
-/// Drawn here, since that needs OpenGL; encoded and written behind.
-void Editor::State::exportPlots(bool asPicture) {
-    const std::vector<ui::PlotSpec> plots = ui::chosenPlots(model);
-    if (plots.empty()) {
-        toast.show("No plot is chosen that could be saved.", true);
-        return;
-    }
-    const auto save = [this](const char* ending, auto write) {
-        savings.add([folder = options.screenshotFolder, ending, write = std::move(write)] {
-            const std::filesystem::path file = freeFile(folder, "kerf-plots", ending);
-            write(file);
-            return "Saved " + file.string();
-        });
-    };
-    if (asPicture) {
-        const int height = kPlotPictureHeight * static_cast<int>(plots.size());
-        save(".png", [picture = ui::PlotPainter(settingsFile.now.theme)
-                                    .draw(plots, plotView, kPlotPictureWidth, height)](
-                         const std::filesystem::path& file) { writePicture(picture, file); });
-    } else {
-        save(".csv", [text = formatPlots(plots)](const std::filesystem::path& file) {
-            writeOutputFile(file, text);
-        });
-    }
+void EditorPanels::describe() {
+    static const ui::History kNoHistory{};
+    const ui::PanelModel blank;  // GCC 12 takes parts of a temporary for uninitialized
+    model = blank;
+    model.history = &kNoHistory;
+    model.settings = settings.now;
+    model.plotView = plotView;
+    model.helpOpen = helpOpen;
+    model.device = device;
 }
 
-void Editor::State::openExperiment(const std::string& name) {
-    open(gpu::dataPath("assets/sessions/" + name + ".kerf.json"));
+std::vector<ui::Action> EditorPanels::update(std::span<const ui::InputEvent> batch, int width,
+                                             int height, double elapsedSeconds) {
+    interface.restyle(settings.now.theme, scale(width, height));
+    return interface.update(batch, model, width, height, elapsedSeconds);
 }
 
-void Editor::State::framePiece(int piece) {
-    const std::vector<Bounds>* boxes =
-        scene == nullptr ? nullptr : &scene->simulation().pieceBounds();
-    const auto index = static_cast<std::size_t>(piece);
-    if (boxes != nullptr && piece >= 0 && index < boxes->size() && !(*boxes)[index].empty()) {
-        render::Camera wanted = cameraFlight.destination(camera);
-        wanted.frame((*boxes)[index]);
-        cameraFlight.start(camera, wanted);
+/// Their rounded corners are left out.
+std::vector<render::PixelRect> EditorPanels::covered(int width, int height) const {
+    const int inset = static_cast<int>(std::ceil(kPanelRounding * scale(width, height)));
+    std::vector<render::PixelRect> hidden;
+    for (const ui::Rect& rect : interface.covered()) {
+        const int x = static_cast<int>(std::ceil(rect.x)) + inset;
+        const int y = static_cast<int>(std::ceil(rect.y)) + inset;
+        hidden.push_back({x, y, static_cast<int>(rect.x + rect.width) - inset - x,
+                          static_cast<int>(rect.y + rect.height) - inset - y});
     }
+    return hidden;
 }
 
-void Editor::State::showPiece(int piece, bool visible) {
-    if (piece >= 0) {
-        pieceDisplay.show(piece, visible);
-        sceneChanged = true;
-    }
+void EditorPanels::toggle() {
+    settings.now.showControls = settings.now.showReadings =
+        !(settings.now.showControls || settings.now.showReadings);
 }
 
-void Editor::State::hoverPiece(int piece) {
-    sceneChanged = pieceDisplay.hover(piece) || sceneChanged;
+render::Image EditorPanels::drawPlots(std::span<const ui::PlotSpec> plots) const {
+    return ui::PlotPainter(settings.now.theme)
+        .draw(plots, plotView, kPlotPictureWidth,
+              kPlotPictureHeight * static_cast<int>(plots.size()));
 }
 
 }  // namespace kerf::app

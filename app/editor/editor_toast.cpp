@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/action_table.h"
+
 namespace kerf::app {
 namespace {
 
@@ -25,10 +27,17 @@ void EditorToast::show(std::string text, bool isError) {
     remaining_ = isError ? kErrorSeconds : kNoticeSeconds;
 }
 
-void EditorToast::offer(std::string text, ui::HintChoice choice) {
-    show(std::move(text), false);
-    choice_ = std::move(choice);
-    remaining_ = kOfferSeconds;
+void EditorToast::show(const SavingQueue::Outcome& outcome) {
+    show(outcome.sentence, outcome.failed);
+    if (offer_ && offer_->saving == outcome.number && !outcome.failed) {
+        choice_ = {ui::ActionId::addPicture, "Add to the session"};
+        remaining_ = kOfferSeconds;
+    }
+}
+
+std::optional<JournalPlace> EditorToast::takeOffer() {
+    const std::optional<Offer> offer = std::exchange(offer_, std::nullopt);
+    return offer && choice_ && visible() ? std::optional(offer->place) : std::nullopt;
 }
 
 void EditorToast::elapse(double elapsedSeconds) {

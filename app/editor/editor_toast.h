@@ -4,20 +4,26 @@
 #include <string>
 #include <vector>
 
+#include "app/files/saving_queue.h"
+#include "app/scene/session_journal.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {
 
 /// A sentence in the view that fades by itself; errors stay longer. All that was shown stays in the
-/// log.
+/// log. The sentence about a screenshot may offer it as a picture of the session.
 class EditorToast {
   public:
     /// Shows a sentence instead of the one before, and notes it in the log.
     void show(std::string text, bool isError);
-    /// The same with a button for what can be done about it.
-    void offer(std::string text, ui::HintChoice choice);
-    /// Whether such a button is there.
-    bool offers() const { return visible() && choice_.has_value(); }
+    /// Shows the end of a saving, which may be that of offerOnceSaved().
+    void show(const SavingQueue::Outcome& outcome);
+    /// Offers the screenshot taken at `place`, once the saving of that number has ended.
+    void offerOnceSaved(const JournalPlace& place, int saving) { offer_ = {place, saving}; }
+    void withdrawOffer() { offer_.reset(); }
+    /// The place of the screenshot that is offered in the view, and no more from now on; none where
+    /// none is.
+    std::optional<JournalPlace> takeOffer();
     /// Lets time go by.
     void elapse(double elapsedSeconds);
     bool visible() const { return remaining_ > 0; }
@@ -30,8 +36,13 @@ class EditorToast {
     std::string text_;
     std::vector<ui::LogLine> log_;
     bool isError_ = false;
-    std::optional<ui::HintChoice> choice_;
+    std::optional<ui::HintChoice> choice_;  ///< what can be done about it
     double remaining_ = 0;
+    struct Offer {
+        JournalPlace place;
+        int saving = 0;  ///< its number
+    };
+    std::optional<Offer> offer_;
 };
 
 }  // namespace kerf::app

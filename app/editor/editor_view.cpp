@@ -1,20 +1,93 @@
-#include "app/editor/editor_state.h"
+#include "app/editor/editor_view.h"
 
 namespace kerf::app {
+namespace {
 
-void Editor::State::setDisplay(const ui::DisplaySettings& settings) {
-    renderer.setQuality(settings.quality);
-    display = settings;
-    sceneChanged = true;
-    settleUpdates = kSettleUpdates;
+const Vec2 kNowhere(-1e5, -1e5);  // [px]
+
+}  // namespace
+
+bool EditorView::resize(int newWidth, int newHeight) {
+    const bool other = newWidth != width || newHeight != height;
+    if (!other || newWidth <= 0 || newHeight <= 0) {
+        return false;
+    }
+    width = newWidth;
+    height = newHeight;
+    return true;
 }
 
-/// What is done while the camera flies is done in the view at the end.
-void Editor::State::landCamera() {
-    if (cameraFlight.flying()) {
-        cameraFlight.land(camera);
-        sceneChanged = true;
+void EditorView::begin(const EditorScene& scene) {
+    camera = EditorCamera(scene.document().camera);
+    display.begin(scene.document());
+    bladeTool.fitTo(scene.bounds());
+    pullTool = {};
+}
+
+// --- The pointer -------------------------------------------------------------------------------
+
+void EditorView::move(const ui::PointerMove& move, EditorScene* scene) {
+    const Vec2 from = pointer;
+    pointer = {move.x, move.y};
+    const bool turned = camera.drag(pointer - from, height);
+    if (scene == nullptr) {
+        return;
     }
+    if (turned) {
+        camera.keepNear(scene->bounds());
+    }
+    bladeTool.move(frame(), pointer, move.modifiers.shift, *scene);
+    pullTool.move(frame(), pointer, *scene);
+}
+
+std::string EditorView::press(const ui::ButtonChange& change, EditorScene* scene) {
+    if (holds() || camera.press(change) || change.button != ui::Button::left || scene == nullptr) {
+        return "";
+    }
+    const ui::ToolSettings& settings = bladeTool.settings();
+    if (display.join() && settings.tool != ui::Tool::stroke) {
+        return "";  // What was aimed at is elsewhere.
+    }
+    bladeTool.press(frame(), pointer, *scene);
+    return pullTool.press(frame(), pointer, settings, change.modifiers, *scene);
+}
+
+std::string EditorView::release(ui::Button button, EditorScene* scene) {
+    camera.release(button);
+    if (button != ui::Button::left || scene == nullptr) {
+        return "";
+    }
+    bladeTool.release(*scene);
+    return pullTool.release(frame(), *scene);
+}
+
+void EditorView::zoom(double notches, EditorScene* scene) {
+    camera.zoom(notches, frame().toNdc(pointer), frame().aspect());
+    if (scene != nullptr) {
+        camera.keepNear(scene->bounds());
+    }
+}
+
+// --- The tools ---------------------------------------------------------------------------------
+
+void EditorView::setTools(const ui::ToolSettings& settings, EditorScene& scene) {
+    if (settings.tool != bladeTool.settings().tool) {
+        display.join();
+        pullTool.cancel(scene);
+    }
+    bladeTool.set(settings, scene);
+}
+
+void EditorView::cancelTools(EditorScene& scene) {
+    bladeTool.cancel(scene);
+    pullTool.cancel(scene);
+}
+
+ui::Overlay EditorView::overlay(bool inView, EditorScene& scene) const {
+    const Vec2 at = inView ? pointer : kNowhere;
+    ui::Overlay overlay = bladeTool.overlay(frame(), at, scene);
+    pullTool.addTo(overlay, frame(), at, bladeTool.settings(), scene);
+    return overlay;
 }
 
 }  // namespace kerf::app

@@ -29,7 +29,6 @@ void ExperimentBoard::note(const EditorScene& scene) {
 
 void ExperimentBoard::describe(const EditorScene* scene, ui::PanelModel& model) const {
     const PaperExperiment* open = experimentOf(scene);
-    model.experiments.clear();
     for (const PaperExperiment& paper : paperExperiments()) {
         ui::ExperimentCard& card = model.experiments.emplace_back();
         card.name = paper.name;

@@ -114,27 +114,23 @@ std::vector<std::string> describeFile(const fs::path& file, WorkProgress& progre
 }
 
 void FilePreview::select(const fs::path& file) {
-    std::erase_if(letGo_, [](const auto& job) { return job->done(); });
+    job_.forgetEnded();
     if (file == file_) {
         return;
     }
     file_ = file;
     lines_.clear();
     changed_ = true;
-    if (job_ != nullptr) {
-        job_->cancel();
-        letGo_.push_back(std::move(job_));
-    }
+    job_.cancel();
     if (!file.empty()) {
-        job_ = std::make_unique<Job>(
-            [file](WorkProgress& progress) { return describeFile(file, progress); });
+        job_.start(std::make_unique<Job>(
+            [file](WorkProgress& progress) { return describeFile(file, progress); }));
     }
 }
 
 bool FilePreview::advance() {
-    if (job_ != nullptr && job_->done()) {
-        lines_ = job_->take();
-        job_.reset();
+    if (working() && job_.now()->done()) {
+        lines_ = job_.take()->take();
         changed_ = true;
     }
     return std::exchange(changed_, false);

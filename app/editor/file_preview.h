@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/files/background_job.h"
+#include "app/files/current_job.h"
 
 namespace kerf::app {
 
@@ -21,7 +21,7 @@ class FilePreview {
     /// Whether the lines have changed since the last call; once a picture.
     bool advance();
     const std::vector<std::string>& lines() const { return lines_; }
-    bool working() const { return job_ != nullptr; }
+    bool working() const { return job_.now() != nullptr; }
 
   private:
     using Job = BackgroundJob<std::vector<std::string>>;
@@ -29,8 +29,7 @@ class FilePreview {
     std::filesystem::path file_;
     std::vector<std::string> lines_;
     bool changed_ = false;
-    std::unique_ptr<Job> job_;
-    std::vector<std::unique_ptr<Job>> letGo_;  ///< until their threads end
+    CurrentJob<Job> job_;
 };
 
 }  // namespace kerf::app

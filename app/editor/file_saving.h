@@ -13,12 +13,12 @@ namespace kerf::app {
 
 /// Something on its way into files, on a thread of its own. Nothing is written once it was
 /// cancelled.
-struct FileSaving {
-    FileSaving(std::string what, BackgroundJob<std::string>::Work work)
-        : title(std::move(what)), job(std::move(work)) {}
+struct FileSaving : BackgroundJob<std::string> {
+    /// `work` ends with a sentence for the person. Throws OutputError.
+    FileSaving(std::string what, Work work)
+        : BackgroundJob(std::move(work)), title(std::move(what)) {}
 
-    std::string title;               ///< "Exporting slice.obj"
-    BackgroundJob<std::string> job;  ///< ends with a sentence for the person; throws OutputError
+    std::string title;  ///< "Exporting slice.obj"
 };
 
 /// Begins to export the body as it is now.

@@ -4,6 +4,26 @@
 #include "ui/action_table.h"
 
 namespace kerf::app {
+namespace {
+
+Situation situationOf(const EditorScene* scene, const EditorView& view, StrokeOutcome outcome) {
+    Situation now;
+    now.tool = view.bladeTool.settings().tool;
+    if (scene == nullptr) {
+        return now;
+    }
+    now.open = true;
+    now.playing = scene->playing;
+    now.weightless = scene->simulation().params().gravity.norm() == 0;
+    now.session = scene->playingBack();
+    now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
+    now.touching = view.pullTool.holds();
+    now.pieces = scene->pieceCount();
+    now.outcome = outcome;
+    return now;
+}
+
+}  // namespace
 
 using ui::ActionId;
 using ui::Hint;
@@ -133,6 +153,19 @@ Hint FirstSteps::beforeStroke(const Situation& now) const {
                 {}};
     }
     return {};
+}
+
+bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view) {
+    const StrokeOutcome before = cutWatch_.outcome();
+    Situation now = situationOf(&scene, view, before);
+    cutWatch_.follow(now.cutting, now.pieces, scene.simulation().report().triangles);
+    now.outcome = cutWatch_.outcome();
+    firstSteps_.follow(now);
+    return now.outcome != before;
+}
+
+ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view) const {
+    return firstSteps_.hint(situationOf(scene, view, cutWatch_.outcome()));
 }
 
 }  // namespace kerf::app

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "app/editor/editor_view.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {
@@ -71,6 +72,22 @@ class FirstSteps {
     bool weighed_ = false;                 ///< time ran with gravity
     bool fell_ = false;                    ///< and did so with pieces
     bool wentOn_ = false;                  ///< a stroke was drawn after that
+};
+
+/// Watches what a newcomer does, and says what to do first or next.
+class NewcomerGuide {
+  public:
+    /// Looks at the open document once a picture. Whether another outcome of the last stroke is
+    /// known since.
+    bool follow(const EditorScene& scene, const EditorView& view);
+    /// Forgets the last stroke: another document was opened.
+    void begin() { cutWatch_ = {}; }
+    /// The hint of now; `scene` is null while nothing is open.
+    ui::Hint hint(const EditorScene* scene, const EditorView& view) const;
+
+  private:
+    CutWatch cutWatch_;
+    FirstSteps firstSteps_;
 };
 
 }  // namespace kerf::app

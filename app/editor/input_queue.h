@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <deque>
 #include <vector>
 
@@ -16,7 +15,6 @@ class InputQueue {
   public:
     void push(ui::InputEvent event) { events_.push_back(std::move(event)); }
     bool empty() const { return events_.empty(); }
-    std::size_t size() const { return events_.size(); }
 
     /// The longest start of the queue that keeps the rule; empty only where the queue is.
     std::vector<ui::InputEvent> takeBatch();

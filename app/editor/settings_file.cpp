@@ -52,11 +52,19 @@ constexpr std::array kNames{
     NamesRow{"folded", &Settings::folded},
 };
 
+/// Visits the rows of all kinds.
+template <class Visit>
+void forEachRow(Visit visit) {
+    std::ranges::for_each(kNumbers, visit);
+    std::ranges::for_each(kSwitches, visit);
+    std::ranges::for_each(kNames, visit);
+}
+
 [[noreturn]] void fail(const std::string& key, const std::string& problem) {
     throw InputError(key + ": " + problem);
 }
 
-double readNumber(const NumberRow& row, const nlohmann::json& value) {
+double read(const NumberRow& row, const nlohmann::json& value) {
     const double number = value.is_number() ? value.get<double>() : row.low - 1;
     if (!(number >= row.low && number <= row.high)) {
         fail(row.key, "expected a number from " + formatNumber(row.low) + " to " +
@@ -65,17 +73,17 @@ double readNumber(const NumberRow& row, const nlohmann::json& value) {
     return number;
 }
 
-bool readSwitch(const char* key, const nlohmann::json& value) {
+bool read(const SwitchRow& row, const nlohmann::json& value) {
     if (!value.is_boolean()) {
-        fail(key, "expected true or false.");
+        fail(row.key, "expected true or false.");
     }
     return value.get<bool>();
 }
 
-std::vector<std::string> readNames(const char* key, const nlohmann::json& value) {
+std::vector<std::string> read(const NamesRow& row, const nlohmann::json& value) {
     const auto isName = [](const nlohmann::json& entry) { return entry.is_string(); };
     if (!value.is_array() || value.size() > kMostNames || !std::ranges::all_of(value, isName)) {
-        fail(key, "expected a list of names.");
+        fail(row.key, "expected a list of names.");
     }
     return value.get<std::vector<std::string>>();
 }
@@ -95,15 +103,7 @@ ui::Theme readTheme(const nlohmann::json& value) {
 std::string formatSettings(const Settings& settings) {
     Json json;
     json["theme"] = settings.theme == ui::Theme::light ? "light" : "dark";
-    for (const NumberRow& row : kNumbers) {
-        json[row.key] = settings.*row.member;
-    }
-    for (const SwitchRow& row : kSwitches) {
-        json[row.key] = settings.*row.member;
-    }
-    for (const NamesRow& row : kNames) {
-        json[row.key] = settings.*row.member;
-    }
+    forEachRow([&](const auto& row) { json[row.key] = settings.*row.member; });
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -116,21 +116,11 @@ Settings parseSettings(const std::string& text) {
     if (json.contains("theme")) {
         settings.theme = readTheme(json["theme"]);
     }
-    for (const NumberRow& row : kNumbers) {
+    forEachRow([&](const auto& row) {
         if (json.contains(row.key)) {
-            settings.*row.member = readNumber(row, json[row.key]);
+            settings.*row.member = read(row, json[row.key]);
         }
-    }
-    for (const SwitchRow& row : kSwitches) {
-        if (json.contains(row.key)) {
-            settings.*row.member = readSwitch(row.key, json[row.key]);
-        }
-    }
-    for (const NamesRow& row : kNames) {
-        if (json.contains(row.key)) {
-            settings.*row.member = readNames(row.key, json[row.key]);
-        }
-    }
+    });
     return settings;
 }
 

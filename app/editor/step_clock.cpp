@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scene/editor_scene.h"
+#include "sim/base/stopwatch.h"
+
 namespace kerf::app {
 namespace {
 
-constexpr double kMostDue = 4;  // steps, at speed 1
-constexpr double kRateSmoothing = 0.1;
+constexpr double kMostDue = 4;                // steps, at speed 1
+constexpr double kStepBudgetSeconds = 0.012;  // more than one step only while they are this fast
 
 }  // namespace
 
@@ -23,14 +26,19 @@ int StepClock::takeDue(double elapsedSeconds, double timeStep) {
     return whole;
 }
 
+void StepClock::run(EditorScene& scene, int needed, int due) const {
+    const Stopwatch watch;
+    for (int n = 0; n < std::max(needed, due); ++n) {
+        if (n >= std::max(1, needed) && byTheClock_ && watch.seconds() > kStepBudgetSeconds) {
+            return;
+        }
+        scene.step();
+    }
+}
+
 bool StepClock::measure(double elapsedSeconds, bool ran) {
     // Only between two pictures that both ran: a pause in between is no frame time.
-    const bool counts = std::exchange(ranBefore_, ran) && ran && elapsedSeconds > 0;
-    if (counts) {
-        const double now = 1 / elapsedSeconds;
-        rate_ = rate_ > 0 ? rate_ + kRateSmoothing * (now - rate_) : now;
-    }
-    return counts;
+    return std::exchange(ranBefore_, ran) && ran && elapsedSeconds > 0;
 }
 
 }  // namespace kerf::app

@@ -2,8 +2,10 @@
 
 namespace kerf::app {
 
-/// Turns the time between two pictures into steps, and measures how fast pictures follow each
-/// other while time runs.
+class EditorScene;
+
+/// Turns the time between two pictures into steps, and tells which pictures follow each other while
+/// time runs.
 class StepClock {
   public:
     static constexpr double kSlowest = 0.25;
@@ -20,20 +22,19 @@ class StepClock {
     /// Steps that are due for a picture `elapsedSeconds` after the last one; what a slow picture
     /// leaves behind is not caught up with.
     int takeDue(double elapsedSeconds, double timeStep);
+    /// Runs `needed` steps whatever they cost, and up to `due` ones while they are fast.
+    void run(EditorScene& scene, int needed, int due) const;
     /// Forgets what is due, since time stands still.
     void stop() { due_ = 0; }
 
     /// Notes a picture and whether steps ran for it. True where both it and the one before ran, so
     /// that the time between them is a frame time.
     bool measure(double elapsedSeconds, bool ran);
-    /// Smoothed frame rate [1/s]; 0 before the first measurement.
-    double rate() const { return rate_; }
 
   private:
     bool byTheClock_;
     double speed_ = 1;
     double due_ = 0;  ///< steps
-    double rate_ = 0;
     bool ranBefore_ = false;
 };
 

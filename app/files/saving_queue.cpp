@@ -5,6 +5,14 @@
 
 namespace kerf::app {
 
+SavingQueue::Outcome SavingQueue::endOf(BackgroundJob<std::string>& job, int number) {
+    try {
+        return {number, job.take(), false};
+    } catch (const std::exception& error) {
+        return {number, error.what(), true};
+    }
+}
+
 int SavingQueue::add(Work work) {
     waiting_.push_back(std::move(work));
     if (!busy()) {
@@ -22,28 +30,19 @@ void SavingQueue::startNext() {
     waiting_.pop_front();
 }
 
-void SavingQueue::takeRunning() {
-    ++ended_;
-    try {
-        outcomes_.push_back({ended_, running_->take(), false});
-    } catch (const std::exception& error) {
-        outcomes_.push_back({ended_, error.what(), true});
+std::optional<SavingQueue::Outcome> SavingQueue::takeOutcome() {
+    if (!busy() || !running_->done()) {
+        return std::nullopt;
     }
-    running_.reset();
+    const Outcome outcome = endOf(*std::exchange(running_, nullptr), ++ended_);
     startNext();
-}
-
-std::vector<SavingQueue::Outcome> SavingQueue::takeOutcomes() {
-    if (busy() && running_->done()) {
-        takeRunning();
-    }
-    return std::exchange(outcomes_, {});
+    return outcome;
 }
 
 void SavingQueue::finish() {
     while (busy()) {
         running_->wait();
-        takeRunning();
+        takeOutcome();
     }
 }
 

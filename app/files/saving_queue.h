@@ -3,8 +3,8 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "app/files/background_job.h"
 
@@ -23,10 +23,13 @@ class SavingQueue {
         bool failed = false;
     };
 
+    /// The end of a job that is done, under a number.
+    static Outcome endOf(BackgroundJob<std::string>& job, int number);
+
     /// Returns the number of this saving, from 1.
     int add(Work work);
-    /// Savings that have ended since the last call, oldest first.
-    std::vector<Outcome> takeOutcomes();
+    /// The end of the oldest saving whose outcome was not taken yet; none before it has ended.
+    std::optional<Outcome> takeOutcome();
     /// Something is not written yet, or its outcome not taken.
     bool busy() const { return running_ != nullptr; }
     /// Waits until all is written.
@@ -34,11 +37,9 @@ class SavingQueue {
 
   private:
     void startNext();
-    void takeRunning();
 
     std::deque<Work> waiting_;
     std::unique_ptr<BackgroundJob<std::string>> running_;
-    std::vector<Outcome> outcomes_;
     int added_ = 0;
     int ended_ = 0;
 };

@@ -45,8 +45,4 @@ void DocumentLoading::advance() {
     }
 }
 
-std::string DocumentLoading::stage() const {
-    return job_.stage();
-}
-
 }  // namespace kerf::app

@@ -47,12 +47,12 @@ class DocumentLoading {
     bool preparing() const { return uploaded_ == nullptr; }
 
     const std::filesystem::path& file() const { return file_; }
-    std::string stage() const;
+    std::string stage() const { return job_.stage(); }
     double seconds() const { return job_.seconds(); }
     /// The thread ends soon; what it has made is lost.
     void cancel() { job_.cancel(); }
     /// The thread has ended, so that nobody has to wait for it.
-    bool ended() const { return job_.done(); }
+    bool done() const { return job_.done(); }
 
   private:
     std::filesystem::path file_;

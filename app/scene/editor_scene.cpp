@@ -247,6 +247,10 @@ void EditorScene::watchVolumes(const StepReport& report) {
     }
 }
 
+bool EditorScene::running() const {
+    return playing || pulling_ || stroke_.pending() > 0 || seekSteps() > 0;
+}
+
 int EditorScene::strokeSteps() const {
     const int backlog = static_cast<int>((stroke_.pending() + kStrokeBacklog - 1) / kStrokeBacklog);
     return std::min(backlog, kMaxStrokeSteps);
@@ -511,7 +515,6 @@ void EditorScene::refreshPieces() {
 
 void EditorScene::describeChanges(ui::ChangeList& list) const {
     const UndoHistory& history = simulation_.history();
-    list.rows.clear();
     for (const UndoEntry& entry : history.entries()) {
         list.rows.push_back({entry.name, entry.time});
     }
@@ -532,6 +535,7 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.params = simulation_.params();
     model.startParams = document_.session.params;
     model.boxes = simulation_.boxes();
+    model.pinned = simulation_.pinnedVertices().size();
     model.bodySize = document_.restBounds.diagonal();
     model.edgeLength = edgeLength_;
     model.playing = playing;

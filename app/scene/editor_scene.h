@@ -56,6 +56,8 @@ class EditorScene {
 
     // The session that is played.
     bool playing = false;
+    /// Whether steps are due: time runs, or a stroke or a seek is under way.
+    bool running() const;
     /// Tells whether events of the session are still to come.
     bool playingBack() const;
     /// Goes to a step of it, at once where it is a keyframe; otherwise seekSteps() are left to do.

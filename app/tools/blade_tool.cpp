@@ -31,23 +31,14 @@ std::vector<Blade> thinned(const std::vector<Blade>& way) {
     return few;
 }
 
-void addLine(const ViewFrame& view, const Vec3& from, const Vec3& to,
-             std::vector<ui::Overlay::Line>& lines) {
-    const auto a = view.toPixel(from);
-    const auto b = view.toPixel(to);
-    if (a && b) {
-        lines.push_back({*a, *b});
-    }
-}
-
 /// The outline of the way.
 void addSwept(const ViewFrame& view, const std::vector<Blade>& way, ui::Overlay& overlay) {
     for (std::size_t i = 1; i < way.size(); ++i) {
-        addLine(view, way[i - 1].a, way[i].a, overlay.swept);
-        addLine(view, way[i - 1].b, way[i].b, overlay.swept);
+        view.addLine(way[i - 1].a, way[i].a, overlay.swept);
+        view.addLine(way[i - 1].b, way[i].b, overlay.swept);
     }
-    addLine(view, way.front().a, way.front().b, overlay.swept);
-    addLine(view, way.back().a, way.back().b, overlay.swept);
+    view.addLine(way.front().a, way.front().b, overlay.swept);
+    view.addLine(way.back().a, way.back().b, overlay.swept);
 }
 
 /// Adds the triangles that face the eye.
@@ -265,7 +256,7 @@ ui::Overlay BladeTool::overlay(const ViewFrame& view, const Vec2& pixel, EditorS
         const CutPreview& preview = scene.preview(way);
         addTouched(view, scene.simulation().meshAsRead(), preview.touched, overlay);
         for (const auto& line : preview.wound) {
-            addLine(view, line[0], line[1], overlay.wound);
+            view.addLine(line[0], line[1], overlay.wound);
         }
     }
     if (settings_.tool == ui::Tool::guillotine) {

@@ -32,48 +32,17 @@ Vec3 directionOf(AxisView view) {
     return Vec3::UnitZ();
 }
 
+/// Columns: right, up, back.
+Eigen::Quaterniond orientationOf(const render::Camera& camera) {
+    const Eigen::Matrix3d turn = camera.view().topLeftCorner<3, 3>().cast<double>().transpose();
+    return Eigen::Quaterniond(turn).normalized();
+}
+
+double distanceOf(const render::Camera& camera) {
+    return std::max((camera.eye - camera.target).norm(), 1e-9);
+}
+
 }  // namespace
-
-bool CameraControl::press(const ui::ButtonChange& change) {
-    if (dragging()) {
-        return true;
-    }
-    const bool orbits = (change.button == ui::Button::right && !change.modifiers.shift) ||
-                        (change.button == ui::Button::left && change.modifiers.alt);
-    const bool pans = change.button == ui::Button::middle ||
-                      (change.button == ui::Button::right && change.modifiers.shift);
-    if (!orbits && !pans) {
-        return false;
-    }
-    motion_ = pans ? Motion::pan : Motion::orbit;
-    button_ = change.button;
-    return true;
-}
-
-void CameraControl::release(ui::Button button) {
-    if (button == button_) {
-        motion_ = Motion::none;
-    }
-}
-
-bool CameraControl::move(render::Camera& camera, double dx, double dy, double height) const {
-    switch (motion_) {
-        case Motion::none:
-            return false;
-        case Motion::orbit:
-            camera.orbit(-kRadiansPerHeight * dx / height, kRadiansPerHeight * dy / height);
-            return true;
-        case Motion::pan:
-            camera.pan(-dx / height, dy / height);
-            return true;
-    }
-    return false;
-}
-
-void CameraControl::zoom(render::Camera& camera, double notches, const Vec2& ndc, double aspect) {
-    notches = std::clamp(notches, -kMostNotches, kMostNotches);
-    camera.zoom(std::pow(kZoomPerNotch, notches), ndc, aspect);
-}
 
 void keepNear(render::Camera& camera, const Bounds& body) {
     const double size = body.diagonal();
@@ -93,6 +62,95 @@ void lookAlong(render::Camera& camera, AxisView view) {
     const double distance = (camera.eye - camera.target).norm();
     camera.up = Vec3::UnitY();
     camera.eye = camera.target + distance * directionOf(view);
+}
+
+render::Camera between(const render::Camera& from, const render::Camera& to, double share) {
+    const Eigen::Matrix3d turn =
+        orientationOf(from).slerp(share, orientationOf(to)).toRotationMatrix();
+    const double distance = distanceOf(from) * std::pow(distanceOf(to) / distanceOf(from), share);
+    render::Camera camera = to;
+    camera.target = from.target + share * (to.target - from.target);
+    camera.eye = camera.target + distance * turn.col(2);
+    camera.up = turn.col(1);
+    camera.fovY = from.fovY + share * (to.fovY - from.fovY);
+    return camera;
+}
+
+// --- Flights -----------------------------------------------------------------------------------
+
+void EditorCamera::advance(double seconds) {
+    if (!flight_) {
+        return;
+    }
+    flight_->flown += seconds;
+    if (flight_->flown >= kFlightSeconds) {
+        land();
+    } else {
+        const double t = flight_->flown / kFlightSeconds;
+        shown_ = between(flight_->from, flight_->to, t * t * (3 - 2 * t));
+    }
+}
+
+void EditorCamera::land() {
+    shown_ = destination();
+    flight_.reset();
+}
+
+void EditorCamera::flyToFrame(const Bounds& bounds) {
+    render::Camera wanted = destination();
+    wanted.frame(bounds);
+    flyTo(wanted);
+}
+
+void EditorCamera::flyTo(AxisView view) {
+    render::Camera wanted = destination();
+    lookAlong(wanted, view);
+    flyTo(wanted);
+}
+
+void EditorCamera::toggleOrthographic() {
+    land();
+    shown_.orthographic = !shown_.orthographic;
+}
+
+// --- The pointer -------------------------------------------------------------------------------
+
+bool EditorCamera::press(const ui::ButtonChange& change) {
+    land();
+    if (dragging()) {
+        return true;
+    }
+    const bool orbits = (change.button == ui::Button::right && !change.modifiers.shift) ||
+                        (change.button == ui::Button::left && change.modifiers.alt);
+    const bool pans = change.button == ui::Button::middle ||
+                      (change.button == ui::Button::right && change.modifiers.shift);
+    if (!orbits && !pans) {
+        return false;
+    }
+    motion_ = pans ? Motion::pan : Motion::orbit;
+    button_ = change.button;
+    return true;
+}
+
+void EditorCamera::release(ui::Button button) {
+    if (button == button_) {
+        motion_ = Motion::none;
+    }
+}
+
+bool EditorCamera::drag(const Vec2& by, double height) {
+    if (motion_ == Motion::orbit) {
+        shown_.orbit(-kRadiansPerHeight * by.x() / height, kRadiansPerHeight * by.y() / height);
+    } else if (motion_ == Motion::pan) {
+        shown_.pan(-by.x() / height, by.y() / height);
+    }
+    return dragging();
+}
+
+void EditorCamera::zoom(double notches, const Vec2& ndc, double aspect) {
+    land();
+    notches = std::clamp(notches, -kMostNotches, kMostNotches);
+    shown_.zoom(std::pow(kZoomPerNotch, notches), ndc, aspect);
 }
 
 }  // namespace kerf::app

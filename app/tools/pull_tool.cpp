@@ -16,14 +16,6 @@ constexpr double kBoxMargin = 0.01;     // beyond the body, of its diagonal
 constexpr double kFarthestCorner = 20;  // of a box to be pinned, of the distance to the body
 constexpr int kRingPoints = 40;
 
-void addLine(const ViewFrame& view, const Vec3& from, const Vec3& to, ui::Overlay& overlay) {
-    const auto a = view.toPixel(from);
-    const auto b = view.toPixel(to);
-    if (a && b) {
-        overlay.guides.push_back({*a, *b});
-    }
-}
-
 /// A circle on the surface.
 void addRing(const ViewFrame& view, const SurfacePoint& point, double radius,
              ui::Overlay& overlay) {
@@ -34,7 +26,7 @@ void addRing(const ViewFrame& view, const SurfacePoint& point, double radius,
         return Vec3(point.position + radius * (std::cos(angle) * u + std::sin(angle) * v));
     };
     for (int i = 0; i < kRingPoints; ++i) {
-        addLine(view, at(i), at(i + 1), overlay);
+        view.addLine(at(i), at(i + 1), overlay.guides);
     }
 }
 
@@ -42,7 +34,7 @@ void addBox(const ViewFrame& view, const Bounds& box, ui::Overlay& overlay) {
     for (int corner = 0; corner < 8; ++corner) {
         for (const int bit : {1, 2, 4}) {
             if ((corner & bit) == 0) {
-                addLine(view, box.corner(corner), box.corner(corner | bit), overlay);
+                view.addLine(box.corner(corner), box.corner(corner | bit), overlay.guides);
             }
         }
     }
@@ -101,7 +93,8 @@ std::string PullTool::press(const ViewFrame& view, const Vec2& pixel,
         paint(view, pixel, scene);
         return "";
     }
-    const auto point = scene.pick(view.rayThrough(pixel));
+    const auto point =
+        settings.tool == ui::Tool::grab ? scene.pick(view.rayThrough(pixel)) : std::nullopt;
     if (!point) {
         return "";
     }

@@ -15,8 +15,8 @@ namespace kerf::app {
 /// again (Tool::pin), with a brush or a box.
 class PullTool {
   public:
-    /// Takes hold of the body, or begins a brush or a box, at a pixel of the picture. Returns "" or
-    /// one sentence.
+    /// Takes hold of the body, or begins a brush or a box, at a pixel of the picture, where one of
+    /// its tools is chosen. Returns "" or one sentence.
     std::string press(const ViewFrame& view, const Vec2& pixel, const ui::ToolSettings& settings,
                       const ui::Modifiers& modifiers, EditorScene& scene);
     void move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "render/scene/camera.h"
-#include "ui/plot_math.h"
+#include "ui/overlay.h"
 
 namespace kerf::app {
 
@@ -13,6 +13,7 @@ struct ViewFrame {
     int width = 1;  ///< [px]
     int height = 1;
 
+    bool operator==(const ViewFrame& other) const;
     double aspect() const { return double(width) / height; }
     Vec2 toNdc(const Vec2& pixel) const {
         return {2 * pixel.x() / width - 1, 1 - 2 * pixel.y() / height};
@@ -20,6 +21,8 @@ struct ViewFrame {
     render::Ray rayThrough(const Vec2& pixel) const { return camera.ray(toNdc(pixel), aspect()); }
     /// The pixel that shows a point; none for points that are not before the eye.
     std::optional<ui::PlotPoint> toPixel(const Vec3& point) const;
+    /// Adds the line between two points to `lines`, where both are before the eye.
+    void addLine(const Vec3& from, const Vec3& to, std::vector<ui::Overlay::Line>& lines) const;
     /// The point in which the ray through a pixel meets the plane through `point` that faces the
     /// eye.
     Vec3 onPlaneThrough(const Vec3& point, const Vec2& pixel) const;

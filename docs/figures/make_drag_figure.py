@@ -12,7 +12,7 @@ COLUMNS = [
     ("1  The pointer moves", ORANGE, [
         ("the system tells of a move", "Window::State::onMove", "app/window"),
         ("it waits for the next picture", "Editor::post", "app/editor"),
-        ("the editor takes all that waits", "Editor::State::onMove", "app/editor"),
+        ("the editor takes all that waits", "EditorView::move", "app/editor"),
         ("pixels become poses of the blade", "BladeTool::move", "app/tools"),
         ("poses queue up, close together", "BladeStroke::moveTo", "app/scene"),
     ]),

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/tools/camera_flight.h"
-
 namespace kerf::app {
 namespace {
 
@@ -13,32 +11,33 @@ render::Camera camera() {
     return {.eye = {0, 0, 5}};
 }
 
-TEST(CameraControl, TheLeftButtonBelongsToTheBlade) {
-    EXPECT_FALSE(CameraControl{}.press({Button::left, true, {}}));
-    EXPECT_FALSE(CameraControl{}.press({Button::left, true, {.shift = true}}));
+TEST(EditorCamera, TheLeftButtonBelongsToTheBlade) {
+    EXPECT_FALSE(EditorCamera{}.press({Button::left, true, {}}));
+    EXPECT_FALSE(EditorCamera{}.press({Button::left, true, {.shift = true}}));
 }
 
-TEST(CameraControl, RightOrAltLeftOrbits) {
+TEST(EditorCamera, RightOrAltLeftOrbits) {
     for (const ui::ButtonChange press : {ui::ButtonChange{Button::right, true, {}},
                                          ui::ButtonChange{Button::left, true, {.alt = true}}}) {
-        CameraControl control;
-        render::Camera moved = camera();
+        EditorCamera control(camera());
         ASSERT_TRUE(control.press(press));
-        EXPECT_TRUE(control.move(moved, 100, 0, 720));
+        EXPECT_TRUE(control.drag({100, 0}, 720));
+        const render::Camera moved = control.shown();
         EXPECT_EQ(moved.target, camera().target);
         EXPECT_LT(moved.eye.x(), -0.1) << "the scene follows the pointer to the right";
         EXPECT_NEAR((moved.eye - moved.target).norm(), 5, 1e-9);
     }
 }
 
-TEST(CameraControl, NoZoomOrPanLosesTheBody) {
+TEST(EditorCamera, NoZoomOrPanLosesTheBody) {
     Bounds body;
     body.add(Vec3(-1, -1, -1));
     body.add(Vec3(1, 1, 1));
     for (const double notches : {400.0, -400.0}) {
-        render::Camera moved = camera();
-        const Vec3 before = moved.forward();
-        CameraControl::zoom(moved, notches, Vec2(0.3, 0.2), 1.5);
+        EditorCamera control(camera());
+        control.zoom(notches, Vec2(0.3, 0.2), 1.5);
+        render::Camera moved = control.shown();
+        const Vec3 before = camera().forward();
         moved.pan(1e9, 1e9);
         keepNear(moved, body);
         EXPECT_TRUE(moved.eye.allFinite());
@@ -51,34 +50,34 @@ TEST(CameraControl, NoZoomOrPanLosesTheBody) {
     }
 }
 
-TEST(CameraControl, MiddleOrShiftRightPans) {
+TEST(EditorCamera, MiddleOrShiftRightPans) {
     for (const ui::ButtonChange press : {ui::ButtonChange{Button::middle, true, {}},
                                          ui::ButtonChange{Button::right, true, {.shift = true}}}) {
-        CameraControl control;
-        render::Camera moved = camera();
+        EditorCamera control(camera());
         ASSERT_TRUE(control.press(press));
-        EXPECT_TRUE(control.move(moved, 72, 0, 720));
+        EXPECT_TRUE(control.drag({72, 0}, 720));
+        const render::Camera moved = control.shown();
         EXPECT_LT(moved.target.x(), -0.01);
         EXPECT_EQ(moved.eye - moved.target, camera().eye - camera().target);
     }
 }
 
-TEST(CameraControl, ReleaseEndsTheDrag) {
-    CameraControl control;
-    render::Camera moved = camera();
+TEST(EditorCamera, ReleaseEndsTheDrag) {
+    EditorCamera control(camera());
     control.press({Button::right, true, {}});
     control.release(Button::left);
     EXPECT_TRUE(control.dragging());
     control.release(Button::right);
-    EXPECT_FALSE(control.move(moved, 100, 100, 720));
-    EXPECT_EQ(moved.eye, camera().eye);
+    EXPECT_FALSE(control.drag({100, 100}, 720));
+    EXPECT_EQ(control.shown().eye, camera().eye);
 }
 
-TEST(CameraControl, TheWheelZoomsIn) {
-    render::Camera moved = camera();
-    CameraControl::zoom(moved, 1, {0, 0}, 1.5);
+TEST(EditorCamera, TheWheelZoomsIn) {
+    EditorCamera control(camera());
+    const render::Camera& moved = control.shown();
+    control.zoom(1, {0, 0}, 1.5);
     EXPECT_LT((moved.eye - moved.target).norm(), 5);
-    CameraControl::zoom(moved, -1, {0, 0}, 1.5);
+    control.zoom(-1, {0, 0}, 1.5);
     EXPECT_NEAR((moved.eye - moved.target).norm(), 5, 1e-9);
 }
 
@@ -103,16 +102,18 @@ TEST(LookAlong, FromAboveTheRightStaysRight) {
     EXPECT_NEAR((right - Eigen::Vector3f::UnitX()).norm(), 0, 1e-3);
 }
 
-TEST(CameraFlight, EndsAtItsDestinationAndKeepsTheDistanceOnTheWay) {
-    render::Camera shown = camera();
+TEST(EditorCamera, EndsAtItsDestinationAndKeepsTheDistanceOnTheWay) {
+    EditorCamera flight(camera());
+    const render::Camera& shown = flight.shown();
     render::Camera wanted = shown;
     lookAlong(wanted, AxisView::right);
-    CameraFlight flight;
-    flight.start(shown, wanted);
+    flight.flyTo(wanted);
     double last = (shown.eye - wanted.eye).norm();
     int pictures = 0;
     for (; flight.flying(); ++pictures) {
-        ASSERT_TRUE(flight.advance(shown, 1.0 / 60));
+        const Vec3 before = shown.eye;
+        flight.advance(1.0 / 60);
+        ASSERT_NE(shown.eye, before);
         ASSERT_LE((shown.eye - wanted.eye).norm(), last + 1e-9);
         last = (shown.eye - wanted.eye).norm();
         ASSERT_NEAR((shown.eye - shown.target).norm(), 5, 1e-5);
@@ -121,20 +122,33 @@ TEST(CameraFlight, EndsAtItsDestinationAndKeepsTheDistanceOnTheWay) {
     EXPECT_LT(pictures, 20);
     EXPECT_EQ(shown.eye, wanted.eye);
     EXPECT_EQ(shown.up, wanted.up);
-    EXPECT_FALSE(flight.advance(shown, 1));
+    flight.advance(1);
+    EXPECT_EQ(shown.eye, wanted.eye);
 }
 
-TEST(CameraFlight, LandsAtOnceWhereSomethingIsDone) {
-    render::Camera shown = camera();
-    render::Camera wanted = shown;
+TEST(EditorCamera, LandsAtOnceWhereSomethingIsDone) {
+    EditorCamera flight(camera());
+    render::Camera wanted = flight.shown();
     lookAlong(wanted, AxisView::top);
-    CameraFlight flight;
-    flight.start(shown, wanted);
-    flight.advance(shown, 0.05);
-    EXPECT_EQ(flight.destination(shown).eye, wanted.eye);
-    flight.land(shown);
-    EXPECT_EQ(shown.eye, wanted.eye);
+    flight.flyTo(wanted);
+    flight.advance(0.05);
+    EXPECT_EQ(flight.destination().eye, wanted.eye);
+    EXPECT_FALSE(flight.press({Button::left, true, {}})) << "that belongs to a tool";
+    EXPECT_EQ(flight.shown().eye, wanted.eye);
     EXPECT_FALSE(flight.flying());
+}
+
+TEST(EditorCamera, AFlightGoesOnFromWhereTheOneBeforeEnds) {
+    EditorCamera shown(camera());
+    shown.flyTo(AxisView::top);
+    shown.advance(0.05);
+    Bounds body;
+    body.add(Vec3(-1, -1, -1));
+    body.add(Vec3(1, 1, 1));
+    shown.flyToFrame(body);
+    shown.advance(1);
+    EXPECT_FALSE(shown.flying());
+    EXPECT_LT(shown.shown().forward().y(), -0.99);
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/editor/editor.h"
+#include "app/editor/settings_file.h"
+#include "render/scene/image.h"
+#include "ui/interface.h"
+#include "ui/plot.h"
+
+namespace kerf::app {
+
+/// The panels with what they show, and what of that is the person's choice alone: the settings,
+/// the part of the time that the plots show, and the help.
+struct EditorPanels {
+    /// Needs a current OpenGL 4.5 context. Reads the person's settings.
+    explicit EditorPanels(const EditorOptions& options);
+
+    float displayScale;  ///< 1 = 96 dpi
+    std::string device;  ///< what draws
+    SettingsFile settings;
+    ui::Interface interface;
+    ui::PanelModel model;
+    ui::PlotView plotView;
+    bool helpOpen = false;
+
+    /// Scale of the panels in a picture of this size [px]: the display's times the person's choice,
+    /// as far as they have room.
+    float scale(int width, int height) const;
+    /// Begins the model anew, with what is known here.
+    void describe();
+    /// Lays the panels out anew with the input of one batch, in a picture of this size [px].
+    /// Returns the answers of the person.
+    std::vector<ui::Action> update(std::span<const ui::InputEvent> batch, int width, int height,
+                                   double elapsedSeconds);
+    /// The parts of such a picture that the panels hid in the last update.
+    std::vector<render::PixelRect> covered(int width, int height) const;
+
+    /// Shows both side panels, or none.
+    void toggle();
+    /// The plots one below the other, as they are shown.
+    render::Image drawPlots(std::span<const ui::PlotSpec> plots) const;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/editor/editor_view.h"
+#include "gpu/framebuffer.h"
+#include "gpu/timer.h"
+#include "render/renderer.h"
+
+namespace kerf::app {
+
+/// The picture of the editor: the scene, drawn only where it has changed, and room for the panels
+/// over a copy of it.
+class EditorPicture {
+  public:
+    /// Throws gpu::ShaderError.
+    explicit EditorPicture(render::Quality quality) : renderer_(quality) {}
+
+    /// Takes the depth of each point below the skin of the uncut body.
+    void setRestDepth(const render::DepthField& depth) { renderer_.setRestDepth(depth); }
+    /// Draws the scene where it has `changed`, or is seen otherwise than in the last picture. What
+    /// lies in `covered` need not be drawn. `scene` is null while nothing is open. Throws
+    /// gpu::ShaderError.
+    void draw(EditorScene* scene, const EditorView& view, std::vector<render::PixelRect> covered,
+              bool changed);
+    /// The picture, over which the panels go.
+    const gpu::Framebuffer& target() const { return target_; }
+    /// Time that the scene took to draw since the last call [ms].
+    double takeSceneMilliseconds() { return sceneTimer_.takeMilliseconds(); }
+
+    /// A copy of target() in main memory.
+    render::Image read() const { return {target_.width(), target_.height(), target_.readColor()}; }
+    /// The scene alone, without panels and background.
+    render::Image readScene(EditorScene& scene, const EditorView& view);
+
+  private:
+    /// All that a scene is drawn with, apart from itself.
+    struct Shot {
+        ViewFrame frame;
+        BodyDisplay display;
+        std::vector<render::PixelRect> covered;
+        bool operator==(const Shot&) const = default;
+    };
+    void drawScene(EditorScene& scene, const Shot& shot, bool transparent);
+
+    render::Renderer renderer_;
+    gpu::Timer sceneTimer_;
+    gpu::Framebuffer target_;
+    std::optional<Shot> drawn_;  ///< the picture of the scene that the renderer holds
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "app/editor/body_display.h"
+#include "app/tools/blade_tool.h"
+#include "app/tools/editor_camera.h"
+#include "app/tools/pull_tool.h"
+
+namespace kerf::app {
+
+/// The view of the body: from where it is seen, how it is shown, and what the pointer does there.
+/// Where a function takes a scene, null means that none is open.
+struct EditorView {
+    int width = 0;  ///< of the picture [px]
+    int height = 0;
+    Vec2 pointer = Vec2::Zero();  ///< [px]
+    EditorCamera camera;
+    BodyDisplay display;
+    BladeTool bladeTool;
+    PullTool pullTool;
+
+    ViewFrame frame() const { return {camera.shown(), width, height}; }
+    /// Whether this is another size than before. Ignores a side of 0, as of a hidden window.
+    bool resize(int newWidth, int newHeight);
+    /// Shows a document that was just opened.
+    void begin(const EditorScene& scene);
+
+    // The pointer.
+    void move(const ui::PointerMove& move, EditorScene* scene);
+    /// Takes hold of the view, the blade or the body. Returns "" or one sentence.
+    std::string press(const ui::ButtonChange& change, EditorScene* scene);
+    /// Lets go of what that button holds. Returns "" or one sentence.
+    std::string release(ui::Button button, EditorScene* scene);
+    void zoom(double notches, EditorScene* scene);
+
+    // The tools of its left button.
+    /// Whether a stroke or a pull is under way.
+    bool holds() const { return bladeTool.holds() || pullTool.holds(); }
+    /// Takes another tool, which lets go, or another depth.
+    void setTools(const ui::ToolSettings& settings, EditorScene& scene);
+    /// Gives up the stroke and lets go of everything.
+    void cancelTools(EditorScene& scene);
+    /// What the tools show over the body; `inView` tells whether the pointer is over no panel.
+    ui::Overlay overlay(bool inView, EditorScene& scene) const;
+};
+
+}  // namespace kerf::app

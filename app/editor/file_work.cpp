@@ -1,0 +1,62 @@
+#include "app/editor/file_work.h"
+
+#include <utility>
+
+#include "app/files/free_file.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over sooner
+
+}  // namespace
+
+FileWork::~FileWork() {
+    if (saving_.now() != nullptr) {
+        saving_.now()->wait();
+    }
+    behind_.finish();
+}
+
+void FileWork::open(const std::filesystem::path& file, bool fillHoles) {
+    opening_.start(std::make_unique<DocumentLoading>(file, fillHoles));
+}
+
+std::optional<UploadedDocument> FileWork::advanceOpening(bool mayTake) {
+    std::unique_ptr<DocumentLoading> opening = opening_.take();
+    opening->advance();
+    if (opening->ready() && mayTake) {
+        return opening->take();
+    }
+    opening_.start(std::move(opening));
+    return std::nullopt;
+}
+
+int FileWork::saveBehind(const std::string& name, const std::string& ending,
+                         std::function<void(const std::filesystem::path& file)> write) {
+    return behind_.add([folder = folder_, name, ending, write = std::move(write)] {
+        const std::filesystem::path file = freeFile(folder, name, ending);
+        write(file);
+        return "Saved " + file.string();
+    });
+}
+
+std::optional<SavingQueue::Outcome> FileWork::takeOutcome() {
+    opening_.forgetEnded();
+    saving_.forgetEnded();
+    const bool ended = saving() != nullptr && saving()->done();
+    return ended ? SavingQueue::endOf(*saving_.take(), 0) : behind_.takeOutcome();
+}
+
+ui::WorkState FileWork::state() const {
+    ui::WorkState work;
+    if (const DocumentLoading* const loading = opening()) {
+        work = {"Opening " + loading->file().filename().string(), loading->stage(),
+                loading->seconds()};
+    } else if (const FileSaving* const file = saving()) {
+        work = {file->title, file->stage(), file->seconds()};
+    }
+    return work.seconds < kQuietSeconds ? ui::WorkState{} : work;
+}
+
+}  // namespace kerf::app

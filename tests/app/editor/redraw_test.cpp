@@ -1,0 +1,46 @@
+#include "app/editor/redraw.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf::app {
+namespace {
+
+Redraw drawn() {
+    Redraw redraw;
+    redraw.takeScene();
+    while (redraw.pending()) {
+        redraw.countUpdate(true);
+    }
+    return redraw;
+}
+
+TEST(Redraw, AtFirstAllIsDrawn) {
+    Redraw redraw;
+    EXPECT_TRUE(redraw.takeScene());
+    EXPECT_TRUE(redraw.pending()) << "the panels";
+    EXPECT_FALSE(drawn().takeScene());
+}
+
+TEST(Redraw, PanelsSettleInTwoQuietUpdates) {
+    Redraw redraw = drawn();
+    redraw.panels();
+    redraw.countUpdate(true);
+    EXPECT_TRUE(redraw.pending());
+    redraw.countUpdate(false);  // something was said or done meanwhile
+    redraw.countUpdate(true);
+    EXPECT_TRUE(redraw.pending());
+    redraw.countUpdate(true);
+    EXPECT_FALSE(redraw.pending());
+    EXPECT_FALSE(redraw.takeScene());
+}
+
+TEST(Redraw, ASceneThatChangedIsShownByThePanelsToo) {
+    Redraw redraw = drawn();
+    redraw.scene();
+    EXPECT_TRUE(redraw.takeScene());
+    EXPECT_FALSE(redraw.takeScene());
+    EXPECT_TRUE(redraw.pending());
+}
+
+}  // namespace
+}  // namespace kerf::app
