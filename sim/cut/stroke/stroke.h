@@ -5,7 +5,6 @@
 
 #include "sim/cut/blade.h"
 #include "sim/cut/cleanup/cleanup.h"
-#include "sim/cut/patch/wound.h"
 #include "sim/cut/stroke/cut_body.h"
 #include "sim/cut/stroke/group_stroke.h"
 
