@@ -24,7 +24,7 @@ COLUMNS = [
         ("the cutter takes the pose", "Cutter::advance", "sim/cut/stroke"),
         ("it plans one try after the other", "cut::planStep", "sim/cut/plan"),
         ("one succeeds: the mesh changes", "cut::commit", "sim/cut/commit"),
-        ("model and GPU follow the change", "RunningBody::adopt", "sim/run"),
+        ("model and GPU follow the change", "followCut", "sim/run"),
         ("counts and volumes are there", "Simulation::State::publish", "sim/run"),
     ]),
     ("3  The picture", GREEN, [

@@ -7,101 +7,111 @@ template <>
 std::string Simulation::State::carryOut(const MoveBlade& move) {
     std::string error = checkBlade(move.blade);
     if (error.empty()) {
-        blade.tell(move);
+        input.blade.tell(move);
     }
     return error;
 }
 
 template <>
 std::string Simulation::State::carryOut(const LiftBlade& lift) {
-    blade.tell(lift);
+    input.blade.tell(lift);
     return "";
 }
 
 template <>
 std::string Simulation::State::carryOut(const SetParam& set) {
-    const ParamValue before = getParam(params, set.name);
-    if (std::string error = setParam(params, set.name, set.value); !error.empty()) {
+    const ParamValue before = getParam(input.params, set.name);
+    if (std::string error = setParam(input.params, set.name, set.value); !error.empty()) {
         return error;
     }
-    const ParamValue after = getParam(params, set.name);
+    const ParamValue after = getParam(input.params, set.name);
     if (after != before) {
-        touch();
-        paramsChanged = true;
-        log.noteParam(set.name, before, after, set.continues, time);
+        log.touch();
+        input.paramsChanged = true;
+        log.noteParam(set.name, before, after, set.continues, output.clock.time);
     }
     return "";
 }
 
 template <>
 std::string Simulation::State::carryOut(const Grab& grab) {
-    const SnapshotPointer before = captureForUndo();
-    touch();
-    std::string error = body.hands.grab(grab, body.mesh);
+    const SnapshotPointer before = log.captureForUndo(body);
+    log.touch();
+    std::string error = body.memory.hands.grab(grab, body.mesh);
     if (error.empty()) {
-        tellOf(log.noteBody("Pull", before, time));
+        log.noteBody("Pull", before, output);
     }
     return error;
 }
 
 template <>
 std::string Simulation::State::carryOut(const Drag& drag) {
-    touch();
-    return body.hands.drag(drag);
+    log.touch();
+    return body.memory.hands.drag(drag);
 }
 
 template <>
 std::string Simulation::State::carryOut(const Release& release) {
-    touch();
-    return body.hands.release(release);
+    log.touch();
+    return body.memory.hands.release(release);
 }
 
 template <>
 std::string Simulation::State::carryOut(const Pin& pin) {
-    touch();
-    Pins before = body.pins;
-    if (body.pins.change(pin.region, pin.pinned, body.mesh) == 0) {
+    log.touch();
+    Pins before = body.memory.pins;
+    if (body.memory.pins.change(pin.region, pin.pinned, body.mesh) == 0) {
         return pin.pinned ? "No free vertex lies in that region; nothing was pinned."
                           : "No pinned vertex lies in that region; nothing was freed.";
     }
-    body.solver.setPinned(body.pins.vertices());
-    log.notePins(std::move(before), body.pins, pin, time);
+    body.solver.setPinned(body.memory.pins.vertices());
+    log.notePins(std::move(before), body.memory.pins, pin, output.clock.time);
     return "";
 }
 
 template <>
 std::string Simulation::State::carryOut(const AddBox& add) {
-    return apply(edited(boxes, add));
+    return apply(edited(input.boxes, add));
 }
 
 template <>
 std::string Simulation::State::carryOut(const ChangeBox& change) {
-    return apply(edited(boxes, change));
+    return apply(edited(input.boxes, change));
 }
 
 template <>
 std::string Simulation::State::carryOut(const RemoveBox& remove) {
-    return apply(edited(boxes, remove));
+    return apply(edited(input.boxes, remove));
 }
 
 std::string Simulation::State::apply(BoxEdit edit) {
-    if (!edit.error.empty() || edit.after == boxes) {
+    if (!edit.error.empty() || edit.after == input.boxes) {
         return edit.error;
     }
-    log.noteBoxes(boxes, edit, time);
+    log.noteBoxes(input.boxes, edit, output.clock.time);
     setBoxes(std::move(edit.after));
     return "";
 }
 
 void Simulation::State::setBoxes(std::vector<StaticBox> now) {
-    boxes = std::move(now);
-    body.solver.setBoxes(boxes);
+    input.boxes = std::move(now);
+    body.solver.setBoxes(input.boxes);
+}
+
+/// Whatever the blade was about to do, it does no more.
+void Simulation::State::putBladeAway() {
+    input.blade.forgetActions();
+    if (input.blade.isPlaced()) {
+        log.touch();
+        stroke.lift();
+        publish();
+    }
 }
 
 template <>
 std::string Simulation::State::carryOut(const Restart&) {
     putBladeAway();
-    tellOf(log.noteBody("Restart", captureForUndo(), time));
+    log.noteBody("Restart", log.captureForUndo(body), output);
     startBody();
     return "";
 }

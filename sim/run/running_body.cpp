@@ -4,23 +4,12 @@
 #include <utility>
 
 #include "sim/base/boxes.h"
-#include "sim/base/float_rounding.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/cut/cut_change.h"
 #include "sim/mesh/oriented_box.h"
 
 namespace kerf {
 
 namespace {
-
-/// Vertices become what the GPU will hold, so that both sides go on from the same numbers.
-void roundVertices(SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {
-    for (const std::uint32_t vertex : vertices) {
-        const int v = static_cast<int>(vertex);
-        mesh.setPosition(v, nearestFloats(mesh.position(v)));
-        mesh.setVelocity(v, nearestFloats(mesh.velocity(v)));
-    }
-}
 
 OrientedBox oriented(const Bounds& box) {
     return {box.center(), Eigen::Matrix3d::Identity(), 0.5 * (box.high - box.low)};
@@ -35,8 +24,7 @@ RunningBody::RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loade
       meshOwner(std::move(prepared.mesh)),
       updater(std::move(prepared.body)),
       solverOwner(std::move(loadedSolver)),
-      cutter(std::move(*prepared.cutter)),
-      closed(uncut->closed) {
+      cutter(std::move(*prepared.cutter)) {
     lookUpTriangles();
     beginAtRest();
 }
@@ -45,7 +33,6 @@ void RunningBody::startAnew() {
     mesh = uncut->mesh;
     updater = std::make_unique<BodyUpdater>(uncut->body);
     solver.setModel(model(), stateOf(mesh));
-    closed = uncut->closed;
     cutter.emplace(uncut->cutter);
     lookUpTriangles();
     beginAtRest();
@@ -53,37 +40,35 @@ void RunningBody::startAnew() {
 
 /// With updater, solver and cutter as new.
 void RunningBody::beginAtRest() {
-    volumeTargets.reset(model());
+    memory = {};
+    memory.volumeTargets.reset(model());
+    memory.closed = uncut->closed;
     sync.invalidate();  // by the rounding to float
-    hands = {};
-    pins = {};
-    subdivisions = {};
-    foldedSteps = 0;
-    pieces_.reset();
+    forgetPieces();
 }
 
 void RunningBody::measureAtRest() {
-    measure = solver.measure();
-    sync.setBounds(measure.bounds);
+    memory.measure = solver.measure();
+    sync.setBounds(memory.measure.bounds);
     solver.saveState();
 }
 
 void RunningBody::apply(const Params& params) {
     solver.setUniforms(solverUniforms(params));
     volumesHeld = holdsVolume(params);
-    solver.setVolumeTargets(volumeTargets.targets());
-    cutter->setWallCoarsening(params.wallCoarsening);
-    cutter->setDebrisVolume(params.debrisVolume);
-    cutter->setOpenCut(params.openCut != 0);
-    cutter->setSearch(params.cutSearch);
+    solver.setVolumeTargets(memory.volumeTargets.targets());
+    CutSettings& settings = cutter->settings();
+    settings.wallCoarsening = params.wallCoarsening;
+    settings.debrisVolume = params.debrisVolume;
+    settings.openCut = params.openCut != 0;
+    settings.search = params.cutSearch;
     solver.setContact(contactSettings(params));
 }
 
 SnapshotPointer RunningBody::capture() {
     mesh.bringAll();
     return std::make_shared<const Snapshot>(
-        Snapshot{mesh, *updater, *cutter, solver.pages(), volumeTargets, hands, pins, measure,
-                 solver.contactMemory(), closed, subdivisions, foldedSteps});
+        Snapshot{mesh, *updater, *cutter, solver.pages(), memory, solver.contactMemory()});
 }
 
 void RunningBody::restore(const Snapshot& snapshot) {
@@ -92,49 +77,43 @@ void RunningBody::restore(const Snapshot& snapshot) {
     updater = std::make_unique<BodyUpdater>(snapshot.body);
     cutter.emplace(snapshot.cutter);
     lookUpTriangles();
-    volumeTargets = snapshot.volumeTargets;
-    hands = snapshot.hands;
-    pins = snapshot.pins;
-    measure = snapshot.measure;
-    sync.setBounds(measure.bounds);
-    closed = snapshot.closed;
-    subdivisions = snapshot.subdivisions;
-    foldedSteps = snapshot.foldedSteps;
+    memory = snapshot.memory;
+    sync.setBounds(memory.measure.bounds);
     solver.restoreModel(model(), stateOf(mesh), snapshot.pages);
     solver.rememberContacts(snapshot.contact);
-    solver.setVolumeTargets(volumeTargets.targets());
-    solver.setPinned(pins.vertices());
+    solver.setVolumeTargets(memory.volumeTargets.targets());
+    solver.setPinned(memory.pins.vertices());
     solver.saveState();
-    pieces_.reset();
+    forgetPieces();
 }
 
 void RunningBody::prepareStep(double timeStep) {
-    if (volumesHeld && volumeTargets.fade(timeStep)) {
-        solver.setVolumeTargets(volumeTargets.targets());
+    if (volumesHeld && memory.volumeTargets.fade(timeStep)) {
+        solver.setVolumeTargets(memory.volumeTargets.targets());
     }
-    solver.setPulls(hands.advance(timeStep));
+    solver.setPulls(memory.hands.advance(timeStep));
 }
 
 /// What needs no result is done while the GPU measures.
 void RunningBody::measureStep() {
     solver.startMeasure();
     sync.invalidate();
-    pieces_.reset();
-    measure = solver.takeMeasure();
+    forgetPieces();
+    memory.measure = solver.takeMeasure();
 }
 
 void RunningBody::bringLostPiecesBack() {
-    solver.restorePiecesAtRest(measure.lostPieces);
-    measure = solver.measure();
+    solver.restorePiecesAtRest(memory.measure.lostPieces);
+    memory.measure = solver.measure();
 }
 
 double RunningBody::endStep() {
     if (!volumesHeld) {
-        volumeTargets.startAt(measure.pieceVolumes);
+        memory.volumeTargets.startAt(memory.measure.pieceVolumes);
     }
     solver.saveState();
     const double prefetchMs = sync.takePrefetched();
-    sync.setBounds(measure.bounds);
+    sync.setBounds(memory.measure.bounds);
     if (readsAllBack) {
         mesh.bringAll();
     }
@@ -146,12 +125,12 @@ double RunningBody::endStep() {
 bool RunningBody::isNear(std::span<const Vec3> strip) {
     Bounds swept = boxOf(strip);
     swept.widen(model().edgeLength);
-    if (!swept.overlaps(measure.bounds)) {
+    if (!swept.overlaps(memory.measure.bounds)) {
         return false;
     }
     OrientedBox sweptBox = orientedBoxOf(strip);
     sweptBox.widen(model().edgeLength);
-    if (!overlap(sweptBox, oriented(measure.bounds))) {
+    if (!overlap(sweptBox, oriented(memory.measure.bounds))) {
         return false;
     }
     if (readsAllBack) {
@@ -168,26 +147,6 @@ std::vector<RungNode> RunningBody::front() const {
         }
     }
     return nodes;
-}
-
-std::string RunningBody::adopt(const CutDelta& delta) {
-    const bool wasOpen = isOpen();
-    const std::vector<std::uint32_t> written = rewrittenVertices(mesh, delta);
-    roundVertices(mesh, written);
-    const BodyChange change = updater->update(delta);
-    solver.update(model(), change, written, stateOf(mesh, written));
-    if (change.pieces.piecesChanged || isOpen() != wasOpen) {
-        measure = solver.measure();
-    }
-    volumeTargets.follow(change.pieces.source, model(), measure.pieceVolumes);
-    solver.setVolumeTargets(volumeTargets.targets());
-    if (pins.follow(mesh, delta)) {
-        solver.setPinned(pins.vertices());
-    }
-    pieces_.reset();
-    std::string defect = checkClosedManifoldAround(mesh, changedTriangles(delta));
-    closed = closed && defect.empty();
-    return defect;
 }
 
 void RunningBody::readAllBack(bool all) {

@@ -3,20 +3,16 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "sim/base/params.h"
 #include "sim/body/body_updater.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/run/hands.h"
 #include "sim/run/mesh_sync.h"
-#include "sim/run/pins.h"
 #include "sim/run/prepared_body.h"
 #include "sim/run/snapshot.h"
 #include "sim/solve/gpu_solver.h"
-#include "sim/solve/volume_targets.h"
 
 namespace kerf {
 
@@ -50,8 +46,8 @@ struct RunningBody {
     bool isNear(std::span<const Vec3> strip);
     /// The rung where the blade last cut, as it lies now.
     std::vector<RungNode> front() const;
-    /// After a cut. Returns "" or what makes the mesh no closed manifold.
-    std::string adopt(const CutDelta& delta);
+    /// The mesh has changed.
+    void forgetPieces() { pieces_.reset(); }
 
     /// See Simulation::readAllBack().
     void readAllBack(bool all);
@@ -74,13 +70,7 @@ struct RunningBody {
     MeshSync sync{mesh, solver};
     bool readsAllBack = false;
     std::optional<Cutter> cutter;
-    VolumeTargets volumeTargets;
-    Hands hands;
-    Pins pins;
-    BodyMeasure measure;  ///< as of the last step
-    SubdivisionCounts subdivisions{};
-    int foldedSteps = 0;  ///< without a stroke, since it was last mended
-    bool closed = true;
+    BodyMemory memory;
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:

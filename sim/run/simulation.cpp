@@ -5,6 +5,7 @@
 #include "sim/base/stopwatch.h"
 #include "sim/base/text.h"
 #include "sim/body/folded_triangles.h"
+#include "sim/run/cut_followers.h"
 #include "sim/run/front_hold.h"
 #include "sim/run/simulation_state.h"
 #include "sim/run/state_hash.h"
@@ -30,14 +31,13 @@ void Simulation::State::start() {
 
 /// With the first parameters, at step 0.
 void Simulation::State::startRun() {
-    params = setup.params;
+    input.params = setup.params;
     setBoxes(setup.boxes);
-    messages.clear();
     log.clear();
-    stepsDone = 0;
-    time = 0;
-    lastLossStep = -2;
-    report = {};
+    output.messages.clear();
+    output.clock = {};
+    output.report = {};
+    lastLossStep_ = -2;
 }
 
 /// The uncut body at rest, with the parameters and at the time that are.
@@ -47,60 +47,61 @@ void Simulation::State::startBody() {
 }
 
 void Simulation::State::beginAtRest() {
-    touch();
+    log.touch();
     log.endStroke();
-    paramsChanged = true;
-    blade = {};
-    lastCut = {};
+    input.paramsChanged = true;
+    input.blade = {};
+    output.lastCut = {};
     applyParameters();
     body.measureAtRest();
     publish();
 }
 
 const StepReport& Simulation::State::step() {
-    touch();
-    report = {};
-    report.step = stepsDone;
+    log.touch();
+    output.report = {};
+    output.report.step = output.clock.stepsDone;
     applyParameters();
     solve();
-    cutAll();
+    stroke.step();
     mendFolds();
-    ++stepsDone;
-    time += params.timeStep;
+    ++output.clock.stepsDone;
+    output.clock.time += input.params.timeStep;
     publish();
-    return report;
+    return output.report;
 }
 
 void Simulation::State::applyParameters() {
-    if (std::exchange(paramsChanged, false)) {
-        body.apply(params);
+    if (std::exchange(input.paramsChanged, false)) {
+        body.apply(input.params);
     }
 }
 
 void Simulation::State::solve() {
-    body.prepareStep(params.timeStep);
+    body.prepareStep(input.params.timeStep);
     prefetchCut();
     moveBody();
     body.measureStep();
     takeBackLostPieces();
     const double prefetchMs = body.endStep();
-    report.search.milliseconds += params.cutSearch == CutSearch::tree ? prefetchMs : 0;
+    StepReport& report = output.report;
+    report.search.milliseconds += input.params.cutSearch == CutSearch::tree ? prefetchMs : 0;
     report.deformMs = body.solver.takeDeformMilliseconds();
     report.collideMs = body.solver.takeCollideMilliseconds();
 }
 
 void Simulation::State::prefetchCut() {
-    const bool looks = blade.isTold() || body.cutter->inStroke();
-    const std::vector<Blade> path = blade.path();
+    const bool looks = input.blade.isTold() || body.cutter->inStroke();
+    const std::vector<Blade> path = input.blade.path();
     if (looks && !path.empty() && !body.readsAllBack) {
-        body.sync.prefetch(body.cutter->reach(path, params.timeStep),
+        body.sync.prefetch(body.cutter->reach(path, input.params.timeStep),
                            body.cutter->followedVertices());
     }
 }
 
 void Simulation::State::moveBody() {
-    FrontHold front(body, params.timeStep);
-    body.solver.setBlade(bladeMotion());
+    FrontHold front(body, input.params.timeStep);
+    body.solver.setBlade(stroke.bladeMotion());
     body.solver.unfoldFirmly(!body.cutter->inStroke());
     body.solver.step();
     front.release();
@@ -108,14 +109,17 @@ void Simulation::State::moveBody() {
 
 /// The others go on. Where it happens step after step, only the first of them says so.
 void Simulation::State::takeBackLostPieces() {
-    report.lostPieces = static_cast<int>(body.measure.lostPieces.size());
-    if (report.lostPieces == 0) {
+    const int lost = static_cast<int>(body.memory.measure.lostPieces.size());
+    output.report.lostPieces = lost;
+    if (lost == 0) {
         return;
     }
-    if (std::exchange(lastLossStep, stepsDone) != stepsDone - 1) {
-        say("step {}: {} of {} left the range of numbers and went back to where the step began, at "
-            "rest. More iterations or more damping make the body steadier.",
-            stepsDone, counted(report.lostPieces, "piece", "pieces"), body.model().pieces.size());
+    const int now = output.clock.stepsDone;
+    if (std::exchange(lastLossStep_, now) != now - 1) {
+        output.say(
+            "{} of {} left the range of numbers and went back to where the step began, at rest. "
+            "More iterations or more damping make the body steadier.",
+            counted(lost, "piece", "pieces"), body.model().pieces.size());
     }
     body.bringLostPiecesBack();
 }
@@ -123,33 +127,35 @@ void Simulation::State::takeBackLostPieces() {
 /// What the solver can't unfold in kPatience steps lies at short edges that a cut left there: these
 /// are removed.
 void Simulation::State::mendFolds() {
+    int& foldedSteps = body.memory.foldedSteps;
     if (body.cutter->inStroke()) {
-        body.foldedSteps = 0;
+        foldedSteps = 0;
     } else if (body.solver.unfolds()) {
-        ++body.foldedSteps;  // not in a row: much comes and goes
+        ++foldedSteps;  // not in a row: much comes and goes
     }
-    if (body.foldedSteps < kPatience) {
+    if (foldedSteps < kPatience) {
         return;
     }
-    body.foldedSteps = 0;
+    foldedSteps = 0;
     const Stopwatch watch;
     const std::vector<int> triangles = foldedTriangles(body.mesh, body.uncut->mesh.triangleSlots());
     const CutDelta mended = triangles.empty() ? CutDelta{} : body.cutter->mend(triangles);
     if (!mended.empty()) {
-        adopt(mended);
+        followCut(mended, body, log.history(), output);
     }
-    report.cutMs += watch.milliseconds();
+    output.report.cutMs += watch.milliseconds();
 }
 
 void Simulation::State::publish() {
-    ++bodyRevision;
-    report.time = time;
-    report.describe(body.model(), body.measure);
-    if (params.solver != SolverMode::smallSteps) {
+    ++output.bodyRevision;
+    StepReport& report = output.report;
+    report.time = output.clock.time;
+    report.describe(body.model(), body.memory.measure);
+    if (input.params.solver != SolverMode::smallSteps) {
         report.strainEnergy.reset();
     }
     report.open = body.isOpen();
-    report.closed = body.closed && !report.open;
+    report.closed = body.memory.closed && !report.open;
 }
 
 Simulation::Simulation(SurfaceMesh mesh, const Params& params, std::vector<StaticBox> boxes)
@@ -196,47 +202,47 @@ void Simulation::goTo(const Moment& moment) {
     state_->goTo(moment.content());
 }
 int Simulation::bodyRevision() const {
-    return state_->bodyRevision;
+    return state_->output.bodyRevision;
 }
 int Simulation::stepCount() const {
-    return state_->stepsDone;
+    return state_->output.clock.stepsDone;
 }
 const Params& Simulation::params() const {
-    return state_->params;
+    return state_->input.params;
 }
 const StepReport& Simulation::report() const {
-    return state_->report;
+    return state_->output.report;
 }
 std::optional<Blade> Simulation::blade() const {
-    return state_->blade.pose();
+    return state_->input.blade.pose();
 }
 std::optional<BladeMotion> Simulation::bladeBody() const {
-    return state_->bladeBody();
+    return state_->stroke.bladeBody();
 }
 const std::vector<RungNode>& Simulation::rung() const {
     return state_->body.cutter->rung();
 }
 const SubdivisionCounts& Simulation::subdivisions() const {
-    return state_->body.subdivisions;
+    return state_->body.memory.subdivisions;
 }
 const CutResult& Simulation::lastCut() const {
-    return state_->lastCut;
+    return state_->output.lastCut;
 }
 
 std::vector<std::string> Simulation::takeMessages() {
-    return std::exchange(state_->messages, {});
+    return std::exchange(state_->output.messages, {});
 }
 
 const std::vector<StaticBox>& Simulation::boxes() const {
-    return state_->boxes;
+    return state_->input.boxes;
 }
 
 const std::vector<std::uint32_t>& Simulation::pinnedVertices() const {
-    return state_->body.pins.vertices();
+    return state_->body.memory.pins.vertices();
 }
 
 const std::vector<Hands::Hand>& Simulation::hands() const {
-    return state_->body.hands.hands();
+    return state_->body.memory.hands.hands();
 }
 
 BodyView Simulation::bodyView() const {
@@ -248,7 +254,7 @@ ConstraintView Simulation::constraintView() const {
 }
 
 const Bounds& Simulation::bounds() const {
-    return state_->body.measure.bounds;
+    return state_->body.memory.measure.bounds;
 }
 
 std::vector<Piece> Simulation::measuredPieces() const {
@@ -257,13 +263,14 @@ std::vector<Piece> Simulation::measuredPieces() const {
     for (std::size_t p = 0; p < model.pieces.size(); ++p) {
         const PieceModel& piece = model.pieces[p];
         out.push_back({static_cast<int>(piece.triangleCount), static_cast<int>(piece.vertexCount),
-                       state_->body.measure.pieceVolumes[p], piece.restVolume, piece.restArea});
+                       state_->body.memory.measure.pieceVolumes[p], piece.restVolume,
+                       piece.restArea});
     }
     return out;
 }
 
 const std::vector<Bounds>& Simulation::pieceBounds() const {
-    return state_->body.measure.pieceBounds;
+    return state_->body.memory.measure.pieceBounds;
 }
 
 const SurfaceMesh& Simulation::mesh() {
@@ -284,11 +291,11 @@ const PieceMap& Simulation::pieces() {
 }
 
 std::string Simulation::stateHash() {
-    return hashScene(mesh(), state_->boxes).hexadecimal();
+    return hashScene(mesh(), state_->input.boxes).hexadecimal();
 }
 
 StateHashes Simulation::stateHashes() {
-    return hashParts(mesh(), state_->boxes, params(), blade());
+    return hashParts(mesh(), state_->input.boxes, params(), blade());
 }
 
 }  // namespace kerf

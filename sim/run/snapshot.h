@@ -14,6 +14,17 @@
 
 namespace kerf {
 
+/// What a simulation remembers of its body beside mesh, model, cutter and GPU.
+struct BodyMemory {
+    VolumeTargets volumeTargets;
+    Hands hands;
+    Pins pins;
+    BodyMeasure measure;  ///< as of the last step
+    SubdivisionCounts subdivisions{};
+    int foldedSteps = 0;  ///< without a stroke, since it was last mended
+    bool closed = true;   ///< no cut has left a defect; see checkClosedManifold
+};
+
 /// The body of a simulation between two steps, and all that cutting and solving remember of it. One
 /// that is restored goes on bit for bit as it would have. Body, cutter and trees refer to the mesh
 /// of the simulation that made it, so it is of use to that one alone and must not outlive it.
@@ -22,14 +33,8 @@ struct Snapshot {
     BodyUpdater body;
     Cutter cutter;
     VertexPages pages;
-    VolumeTargets volumeTargets;
-    Hands hands;
-    Pins pins;
-    BodyMeasure measure;
+    BodyMemory memory;
     ContactMemory contact;
-    bool closed = true;
-    SubdivisionCounts subdivisions;
-    int foldedSteps = 0;  ///< see RunningBody
 };
 using SnapshotPointer = std::shared_ptr<const Snapshot>;
 

@@ -10,6 +10,19 @@ void UndoLog::clear() {
     endStroke();
 }
 
+SnapshotPointer UndoLog::capture(RunningBody& body) {
+    body.mesh.bringAll();
+    if (!current_) {
+        current_ = body.capture();
+    }
+    return current_;
+}
+
+SnapshotPointer UndoLog::captureForUndo(RunningBody& body) {
+    const bool fits = history_.keeps() && snapshotBytes(body.mesh) <= history_.budget();
+    return fits ? capture(body) : nullptr;
+}
+
 void UndoLog::noteParam(const std::string& param, const ParamValue& before, const ParamValue& after,
                         bool continues, double time) {
     std::string name = nameOfChange(*findParam(param), after);
@@ -42,27 +55,35 @@ void UndoLog::noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, doub
     }
 }
 
-UndoLog::Noted UndoLog::noteBody(std::string name, SnapshotPointer before, double time) {
+void UndoLog::noteBody(std::string name, SnapshotPointer before, SimulationOutput& output) {
     if (before) {
-        history_.add(
-            {std::move(name), time, UndoEntry::BodySnapshotChange{std::move(before), nullptr}});
-        return Noted::kept;
+        history_.add({std::move(name), output.clock.time,
+                      UndoEntry::BodySnapshotChange{std::move(before), nullptr}});
+        output.toldTooLarge = false;
+    } else if (history_.keeps()) {
+        history_.forgetAll();
+        if (!std::exchange(output.toldTooLarge, true)) {
+            output.say(
+                "the body is larger than the undo memory ({} MB), so what has changed it so far "
+                "can't be undone",
+                history_.budget() >> 20);
+        }
     }
-    if (!history_.keeps()) {
-        return Noted::nothing;
-    }
-    history_.forgetAll();
-    return Noted::tooLarge;
 }
 
-UndoLog::Noted UndoLog::noteCut(double time) {
+void UndoLog::beginStroke(RunningBody& body) {
+    if (!strokeNoted_ && !beforeStroke_) {
+        beforeStroke_ = captureForUndo(body);
+    }
+}
+
+void UndoLog::noteCut(SimulationOutput& output) {
     if (!history_.keeps() || strokeNoted_) {
-        return Noted::nothing;
+        return;
     }
     strokeNoted_ = true;
     ++cutsSoFar_;
-    return noteBody("Cut " + std::to_string(cutsSoFar_), std::exchange(beforeStroke_, nullptr),
-                    time);
+    noteBody("Cut " + std::to_string(cutsSoFar_), std::exchange(beforeStroke_, nullptr), output);
 }
 
 void UndoLog::endStroke() {

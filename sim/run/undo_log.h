@@ -3,6 +3,8 @@
 #include <string>
 
 #include "sim/run/box_edit.h"
+#include "sim/run/running_body.h"
+#include "sim/run/simulation_parts.h"
 #include "sim/run/undo_history.h"
 
 namespace kerf {
@@ -11,17 +13,20 @@ namespace kerf {
 /// one, however often it cuts.
 class UndoLog {
   public:
-    /// The fate of a change of the body.
-    enum class Noted {
-        kept,
-        tooLarge,  ///< for the undo memory: neither it nor what was before can be taken back
-        nothing,   ///< there is none to note, or none are kept
-    };
-
     UndoHistory& history() { return history_; }
     const UndoHistory& history() const { return history_; }
     /// Forgets everything but the budget.
     void clear();
+
+    /// The body as it is; never null. Taken anew only where something differs from the last one.
+    SnapshotPointer capture(RunningBody& body);
+    /// The body as it is. Null where nothing is kept, or where a snapshot would not fit: a large
+    /// body is not copied for nothing.
+    SnapshotPointer captureForUndo(RunningBody& body);
+    /// Something is about to differ from the last snapshot.
+    void touch() { current_.reset(); }
+    /// The body has become that of a snapshot.
+    void isAt(const SnapshotPointer& snapshot) { current_ = snapshot; }
 
     /// Changes from one value to another; `continues`: with the gesture of the last one. `time`:
     /// simulated [s].
@@ -29,18 +34,19 @@ class UndoLog {
                    bool continues, double time);
     void notePins(Pins before, Pins after, const Pin& pin, double time);
     void noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, double time);
-    /// Notes a change of the body. `before` is null where no snapshot fits, or none is kept.
-    Noted noteBody(std::string name, SnapshotPointer before, double time);
+    /// Notes a change of the body. `before` is null where no snapshot fits, or none is kept. Says
+    /// where one is too large, so that neither it nor what was before can be taken back.
+    void noteBody(std::string name, SnapshotPointer before, SimulationOutput& output);
 
     /// A stroke counts from its first change of the body, back to where the blade came near it.
-    bool strokeNeedsSnapshot() const { return !strokeNoted_ && !beforeStroke_; }
-    void beginStroke(SnapshotPointer before) { beforeStroke_ = std::move(before); }
-    Noted noteCut(double time);
+    void beginStroke(RunningBody& body);
+    void noteCut(SimulationOutput& output);
     /// The blade is lifted, or was never placed.
     void endStroke();
 
   private:
     UndoHistory history_;
+    SnapshotPointer current_;       ///< equal to the state as it is; null where none is known to be
     SnapshotPointer beforeStroke_;  ///< while the blade is placed and has not changed the body
     bool strokeNoted_ = false;      ///< since the blade was placed
     int cutsSoFar_ = 0;

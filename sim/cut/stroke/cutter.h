@@ -40,15 +40,9 @@ class Cutter {
     /// Promises that since the previous call of this, begin(), advance() or finish() no vertex has
     /// moved farther than `distance` [m]. A step that was promised nothing looks at the whole mesh.
     void boundMotion(double distance);
-    /// Sets CutSettings::wallCoarsening, >= 1, from now on.
-    void setWallCoarsening(double factor);
-    /// Sets CutSettings::debrisVolume, >= 0, from now on.
-    void setDebrisVolume(double share);
-
-    /// Sets CutSettings::openCut from the next stroke on.
-    void setOpenCut(bool open);
-    /// Sets CutSettings::search.
-    void setSearch(CutSearch search);
+    /// How finely it cuts. wallCoarsening, debrisVolume and search may be set at any time, openCut
+    /// for the next stroke; the others must stay as they are.
+    CutSettings& settings();
     /// What searches took since this was last asked.
     SearchWork takeSearchWork();
 

@@ -1,8 +1,15 @@
-// A step of the blade through one group of pieces.
+// From top to bottom: the blade has moved; in which strips the group goes on; how a valid try is
+// found for one strip; one try; what else there is to a step.
+
+#include "sim/cut/stroke/group_step.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "sim/cut/commit/commit.h"
@@ -10,15 +17,15 @@
 #include "sim/cut/plan/air_edges.h"
 #include "sim/cut/plan/bridges.h"
 #include "sim/cut/plan/mirrors.h"
-#include "sim/cut/plan/strip.h"
-#include "sim/cut/stroke/cutter_state.h"
+#include "sim/cut/plan/plan.h"
+#include "sim/cut/plan/slit_opening.h"
+#include "sim/cut/stroke/group_rung.h"
 #include "sim/cut/stroke/ladder.h"
 #include "sim/cut/stroke/resume.h"
+#include "sim/cut/stroke/rung_parts.h"
 #include "sim/cut/stroke/step_result.h"
 
-namespace kerf {
-
-using cut::GroupStroke;
+namespace kerf::cut {
 
 namespace {
 
@@ -36,437 +43,409 @@ constexpr int kAttemptsOfResumption = 2;
 // with what the transit has divided of them.
 constexpr std::array kOpenings{0.1, 0.2, 0.3};
 constexpr int kAttemptsOfOpening = 2;
-const cut::SlitOpening kNoOpening;
+const SlitOpening kNoOpening;
 
-bool isInAir(const std::vector<RungNode>& rung) {
-    return std::all_of(rung.begin(), rung.end(), [](const RungNode& n) { return n.vertex < 0; });
-}
-
-}  // namespace
-
-void Cutter::State::startTransit(GroupStroke& group) {
-    group.transit = ++transit;
-    group.firstVertexOfTransit = mesh.vertexCount();
-    group.onSeams.clear();
-    group.sides.clear();
-    group.opensSlits = true;
-}
-
-// The rung carries the offset of the transit from the start: otherwise a blade that is put down
-// exactly on a vertex would stay there in every retry.
-void Cutter::State::placeRung(const Blade& at, GroupStroke& group) {
-    startTransit(group);
-    const auto end = [&](const Vec3& p, double s) {
-        const Vec3 offset =
-            cut::bladeOffset(settings.offset * h, 1, settings.seed, group.transit, s);
-        return RungNode{p + offset, s, -1, false};
-    };
-    setRung({end(at.a, 0), end(at.b, 1)}, group);
-    group.blade = at;
-    group.lastAdvance = Vec3::Zero();
-}
-
-/// `from`: the rung, measured along `to`. It stays as far behind the blade as it is: started anew,
-/// a blade that is drawn through the body along itself would never be far enough ahead to cut.
-void Cutter::State::slideRung(const Blade& to, const std::vector<RungNode>& from,
-                              GroupStroke& group) {
-    const auto behind = [&](const RungNode& node) -> Vec3 {
-        return node.position - (to.a + (to.b - to.a) * node.s);
-    };
-    group.blade = {to.a + behind(from.front()), to.b + behind(from.back())};
-    setRung({{group.blade.a, 0, -1, false}, {group.blade.b, 1, -1, false}}, group);
-}
-
-void Cutter::State::setRung(std::vector<RungNode> next, GroupStroke& group) {
-    group.rung = std::move(next);
-    if (isInAir(group.rung)) {
-        group.heading = Vec3::Zero();
-    }
-    tie(group);
-}
-
-// While all lies where it rests, ties would hold the rung where it is. They can wait: where they
-// are to be made is known also when the body has begun to move.
-void Cutter::State::tie(GroupStroke& group) {
-    group.edgeLength = edgeLengthAbout(group.rung);
-    group.tiesWait = atRest && finder == nullptr;
-    if (group.tiesWait) {
-        group.airTies = {};
-        findTriangles().bounds();  // the tree knows the shape at rest from now on
-    } else {
-        group.airTies = cut::AirTies(mesh, findTriangles(), isOuter(group), group.edgeLength,
-                                     group.rung, cut::SkinShape::current);
-    }
-}
-
-/// Before the tree hears that anything has moved.
-void Cutter::State::makeWaitingTies(GroupStroke& group) {
-    if (std::exchange(group.tiesWait, false)) {
-        group.airTies = cut::AirTies(mesh, findTriangles(), isOuter(group), group.edgeLength,
-                                     group.rung, cut::SkinShape::rest);
-    }
-}
-
-std::function<bool(int)> Cutter::State::isOuter(const GroupStroke& group) const {
-    return [this, number = group.number](int t) {
-        const bool ownWall = mesh.kind(t) == SurfaceKind::wall && mesh.wallLabel(t) / 2 == stroke;
-        return !ownWall && groupOfVertex(mesh.triangle(t)[0]) == number;
-    };
-}
-
-CutResult Cutter::State::advance(const Blade& to, Gate gate, GroupStroke& group) {
-    std::vector<RungNode> from = group.rung;
-    const double least = gateLength(gate, group.edgeLength);
-    const cut::BladeMotion motion = cut::reparametrize(to, h, from);
-    if (goesInParts(to, from, group)) {
-        const CutOutcome otherwise = cut::isWithdrawing(mesh, to, h, group.lastAdvance, from)
-                                         ? CutOutcome::withdrawing
-                                         : CutOutcome::waiting;
-        const std::vector<cut::RungPart> parts =
-            cut::partsAhead(to, group.edgeLength, least, group.heading, from);
-        return parts.empty() ? outcome(otherwise) : cutParts(to, parts, group);
-    }
-    if (motion.advance < std::max(least, kStandingStill * h)) {
-        const bool slides = motion.axial > kAxialSlide * motion.advance && motion.axial > least;
-        if (!motion.anyAttached && slides) {
-            slideRung(to, from, group);
-        }
-        return outcome(CutOutcome::waiting);
-    }
-    if (cut::isWithdrawing(mesh, to, h, group.lastAdvance, from)) {
-        return outcome(CutOutcome::withdrawing);
-    }
-    if (isInAir(from)) {
-        const std::vector<cut::RungPart> parts = cut::partsInAir(to, group.edgeLength, from);
-        if (!parts.empty()) {
-            return cutParts(to, parts, group);
-        }
-    }
-    return cut(to, from, group);
-}
-
-// A part that the blade has left behind stays until the blade is ahead of it again.
-bool Cutter::State::goesInParts(const Blade& to, const std::vector<RungNode>& from,
-                                const GroupStroke& group) {
-    return !group.heading.isZero(0) &&
-           (group.isUneven || cut::isPartlyBehind(to, group.edgeLength, group.heading, from));
-}
-
-/// From the last part to the first: the nodes before it keep their places in the rung. Where one is
-/// refused the whole blade goes on.
-CutResult Cutter::State::cutParts(const Blade& to, const std::vector<cut::RungPart>& parts,
-                                  GroupStroke& group) {
-    CutResult sum = outcome(CutOutcome::air);
-    int staying = cut::sizeOf(group.rung);
-    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-        CutResult result = outcome(CutOutcome::refused);
-        if (!findStep([&] { return climb(to, *part, group, result); })) {
-            tie(group);
-            std::vector<RungNode> from = group.rung;
-            cut::reparametrize(to, h, from);
-            addTo(sum, cut(to, from, group));
-            return sum;
-        }
-        addTo(sum, result);
-        staying -= part->count;
-    }
-    moveOn(to, sum, group);
-    sum.statistics.cutPieces = std::min(sum.statistics.cutPieces, 1);
-    group.isUneven = staying > 0;
-    if (!group.isUneven && isInAir(group.rung)) {
-        setRung({group.rung.front(), group.rung.back()}, group);  // without where it crossed
-    }
-    return sum;
-}
-
-cut::BroadPhase Cutter::State::findCandidates(const Blade& to, const GroupStroke& group,
-                                              const std::vector<RungNode>& from) {
-    std::vector<Vec3> points{to.a, to.b};
-    for (const RungNode& node : from) {
-        points.push_back(node.position);
-    }
-    return {mesh,
-            findTriangles(),
-            to,
-            points,
-            margin(group.edgeLength),
-            kBinSize * group.edgeLength,
-            [this, number = group.number](int t) {
-                return groupOfVertex(mesh.triangle(t)[0]) == number;
-            },
-            {settings.search, &searchWork}};
-}
-
-// Nothing is committed until one attempt succeeds.
-CutResult Cutter::State::cut(const Blade& to, const std::vector<RungNode>& from,
-                             GroupStroke& group) {
-    CutResult result = outcome(CutOutcome::refused);
-    const cut::RungPart whole{from, {}, 0, cut::sizeOf(group.rung)};
-    if (findStep(
-            [&] { return climb(to, whole, group, result) || resume(to, from, group, result); })) {
-        moveOn(to, result, group);
-        group.isUneven = false;
-        return result;
-    }
-    result.statistics.refusedPieces = 1;
-    countRefusal(to, group);
-    return result;
-}
-
-// First with walls mirrored, and without where that alone is in the way.
-bool Cutter::State::findStep(const std::function<bool()>& find) {
-    mirrors = Mirrors::wanted;
-    if (find()) {
-        return true;
-    }
-    if (mirrors != Mirrors::missed) {
-        return false;
-    }
-    mirrors = Mirrors::waived;
-    return find();
-}
-
-// The retry ladder: with older slits along the blade seen open, then with all as they are; a
-// transit that once had to do without stays so.
-bool Cutter::State::climb(const Blade& to, const cut::RungPart& part, GroupStroke& group,
-                          CutResult& result) {
-    const cut::BroadPhase candidates = findCandidates(to, group, part.rung);
-    if (group.opensSlits && climbOpened(to, part, candidates, group, result)) {
-        return true;
-    }
-    return !group.opensSlits &&
-           tryLevels(to, part, candidates, kNoOpening, cut::attemptCount(), group, result);
-}
-
-// A blade that leaves an older slit at an angle may meet walls again that it saw open before: they
-// are then seen open farther.
-bool Cutter::State::climbOpened(const Blade& to, const cut::RungPart& part,
-                                const cut::BroadPhase& candidates, GroupStroke& group,
-                                CutResult& result) {
-    const auto opened = [&](double opening, bool takesSeamsAlong) {
-        return cut::SlitOpening(
-            mesh, candidates,
-            {part.rung, to, group.edgeLength, stroke, group.firstVertexOfTransit, group.onSeams,
-             group.sides, opening, takesSeamsAlong});
-    };
-    const cut::SlitOpening first = opened(kOpenings.front(), false);
-    if (tryLevels(to, part, candidates, first, cut::attemptCount(), group, result)) {
-        return true;
-    }
-    if (first.empty()) {
-        return false;
-    }
-    const std::map<int, Vec3> sides = group.sides;
-    for (const double opening : kOpenings) {
-        if (tryLevels(to, part, candidates, opened(opening, true), kAttemptsOfOpening, group,
-                      result)) {
-            return true;
-        }
-        group.sides = sides;
-    }
-    group.opensSlits = false;
-    return false;
-}
-
-bool Cutter::State::tryLevels(const Blade& to, const cut::RungPart& part,
-                              const cut::BroadPhase& candidates, const cut::SlitOpening& opening,
-                              int levels, GroupStroke& group, CutResult& result) {
-    cut::RungPart clear = part;
-    cut::AirTies ties;
-    cut::clearAirEdges(
-        mesh, candidates, opening, to, group.edgeLength,
-        [&]() -> const cut::AirTies& {
-            makeWaitingTies(group);
-            return ties = group.airTies.part(part.first, part.first + part.count - 1,
-                                             part.beforeFirst);
-        },
-        clear.rung);
-    for (int i = 0; i < levels; ++i) {
-        if (attempt(to, clear, candidates, opening, i, group, result)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-// What a moving body does not let through now it often does in the next step.
-bool Cutter::State::mayWait(const GroupStroke& group) const {
-    return group.refusedInARow + 1 < kRefusalsBeforeDetach &&
-           std::ranges::any_of(group.rung, [&](const RungNode& node) {
-               return node.vertex >= 0 && !mesh.velocity(node.vertex).isZero(0);
-           });
-}
-
-// Lets go of the front, and cuts anew across the walls behind it: close beside them where the
-// body surely parts so, and then on to the blade; otherwise steeply, and if need be without proof.
-bool Cutter::State::resume(const Blade& to, const std::vector<RungNode>& from, GroupStroke& group,
-                           CutResult& result) {
-    if (mayWait(group)) {
-        return false;
-    }
-    const auto startsBy = [&](const std::vector<cut::Resumption>& ways) {
-        return std::ranges::any_of(
-            ways, [&](const cut::Resumption& way) { return startAnew(way, group, result); });
-    };
-    piecesToCross = cut::piecesOfFront(from, pieces.ofVertex());
-    const bool mayProve = !piecesToCross.empty();
-    if (mayProve && startsBy(cut::crossings(from, to, std::min(h, group.edgeLength)))) {
-        piecesToCross.clear();
-        goOn(to, group, result);
-        return true;
-    }
-    const std::vector<cut::Resumption> steep = cut::resumptions(from, to, group.edgeLength);
-    const bool crosses = mayProve && startsBy(steep);
-    piecesToCross.clear();
-    return crosses || startsBy(steep);
-}
-
-bool Cutter::State::startAnew(const cut::Resumption& way, GroupStroke& group, CutResult& result) {
-    GroupStroke anew = group;
-    startTransit(anew);
-    cut::RungPart start{way.rung, {}, 0, cut::sizeOf(anew.rung)};
-    cut::reparametrize(way.blade, h, start.rung);
-    const cut::BroadPhase candidates = findCandidates(way.blade, anew, start.rung);
-    for (int i = 0; i < kAttemptsOfResumption; ++i) {
-        if (attempt(way.blade, start, candidates, kNoOpening, i, anew, result)) {
-            group = std::move(anew);
-            group.opensSlits = false;
-            result.statistics.resumed = 1;
-            return true;
-        }
-    }
-    return false;
-}
-
-// What can't be done now waits for the next step.
-void Cutter::State::goOn(const Blade& to, GroupStroke& group, CutResult& result) {
-    tie(group);
-    cut::RungPart whole{group.rung, {}, 0, cut::sizeOf(group.rung)};
-    cut::reparametrize(to, h, whole.rung);
-    CutResult more = outcome(CutOutcome::refused);
-    if (climb(to, whole, group, more)) {
-        addTo(result, more);
-        result.statistics.cutPieces = 1;
-    }
-}
-
-void Cutter::State::requireVolume(const cut::StepPlan& plan) const {
-    const double allowed = kMostVolumeChange * restVolume;
-    if (std::fabs(plan.volumeChange) > allowed || std::fabs(plan.restVolumeChange) > allowed) {
-        throw cut::StepFailure{"the step would change the volume"};
-    }
-}
-
-void Cutter::State::requireCrossing(const cut::PlannedStep& step) const {
-    if (!piecesToCross.empty() &&
-        (step.air || cut::leavesBridge(mesh, stroke, piecesToCross, step.plan))) {
-        throw cut::StepFailure{"the new walls do not cross the old ones"};
-    }
-}
-
-void Cutter::State::requireMirrors(const cut::StepPlan& plan, double edge) {
-    if (mirrors != Mirrors::waived && !cut::keepsMirrors(mesh, plan, cut::kCloseNoise * edge)) {
-        mirrors = Mirrors::missed;
-        throw cut::StepFailure{"the two sides of a wall would divide differently"};
-    }
-}
-
-bool Cutter::State::attempt(const Blade& to, const cut::RungPart& part,
-                            const cut::BroadPhase& candidates, const cut::SlitOpening& opening,
-                            int level, GroupStroke& group, CutResult& result) {
-    const std::uint64_t retrySeed =
-        settings.seed * 7 + static_cast<std::uint64_t>(mesh.triangleSlots());
-    const double edge = group.edgeLength;
-    const double scale = h / edge;  // shares that stay shares of h
-    Bounds bodyBox = findTriangles().bounds();
-    bodyBox.widen(kBroadPhaseMargin * edge);  // predicates may see vertices that far outside
-    const cut::StepInput in{
-        .mesh = mesh,
-        .broadPhase = candidates,
-        .pieceOfVertex = pieces.ofVertex(),
-        .surface = surface,
-        .opening = opening,
-        .rung = part.rung,
-        .blade = to,
-        .span = part.span,
-        .h = edge,
-        .offset = settings.offset * scale,
-        .edgeLengths = *edgeLengths,
-        .seed = settings.seed,
-        .stroke = stroke,
-        .transit = group.transit,
-        .firstVertexOfTransit = group.firstVertexOfTransit,
-        .attempt = cut::attemptAt(level, settings.tolerance * scale, retrySeed),
-        .body = bodyBox,
-        .atRest = atRest,
-    };
-    const int tries = result.statistics.tries + 1;
-    const std::string reason = result.reason;
-    result.statistics.tries = tries;
-    try {
-        const cut::PlannedStep step = cut::planStep(in);
-        requireCrossing(step);
-        requireVolume(step.plan);
-        requireMirrors(step.plan, edge);
-        result = accept(to, step, part, group);
-        result.statistics.tries = tries;
-        result.reason = reason;
-        return true;
-    } catch (const cut::StepFailure& failure) {
-        result.reason = failure.reason;
-        return false;
-    }
-}
-
-CutResult Cutter::State::accept(const Blade& to, const cut::PlannedStep& step,
-                                const cut::RungPart& part, GroupStroke& group) {
-    group.refusedInARow = 0;
-    if (step.air) {
-        setRung(cut::replaced(group.rung, part, {step.air->endA, step.air->endB}), group);
-        return outcome(CutOutcome::air);
-    }
-    if (settings.cleanUp && !cleanup) {
-        cleanup.emplace(mesh, *edgeLengths);
-    }
-    cut::CommitResult committed =
-        cut::commit(mesh, step.plan, group.edgeLength, stroke, cut::stayingFront(group.rung, part));
-    const std::vector<int> changed = changedTriangles(committed.delta);
-    follow(changed, group.number);
-    surface.follow(changed, 0);
-    madeWalls = true;
-    group.onSeams.insert(committed.onSeams.begin(), committed.onSeams.end());
+CutResult resultOf(const PlannedStep& step, CommitResult committed) {
     CutResult result = outcome(CutOutcome::cut);
     result.delta = std::move(committed.delta);
     result.statistics.cutPieces = 1;
-    result.statistics.touchedTriangles = cut::sizeOf(step.plan.subdivision.replaced);
+    result.statistics.touchedTriangles = sizeOf(step.plan.subdivision.replaced);
     result.statistics.wallTriangles = step.wallTriangles;
     result.statistics.splitVertices = committed.splitVertices;
     result.statistics.patterns = step.plan.subdivision.patterns;
     result.statistics.seeds = step.seeds;
     result.statistics.volumeChange = step.plan.volumeChange;
-    const Vec3 way = cut::advanceOf(to, group.edgeLength, part.rung, committed.rung);
-    group.heading = way.isZero(0) ? group.heading : way;
-    std::vector<RungNode> next = cut::replaced(group.rung, part, committed.rung);
-    if (isInAir(next)) {
-        group.heading = Vec3::Zero();
-        startTransit(group);
-    }
-    group.rung = std::move(next);  // tied once all of the step is done
     return result;
 }
 
-void Cutter::State::moveOn(const Blade& to, const CutResult& result, GroupStroke& group) {
-    const Blade from = std::exchange(group.blade, to);
-    if (result.outcome == CutOutcome::cut) {
-        group.lastAdvance = 0.5 * (to.a - from.a + to.b - from.b);
+/// A step of the blade through one group of pieces, made for that step alone.
+class GroupStep {
+  public:
+    GroupStep(CutBody& body, Stroke& stroke, GroupStroke& group)
+        : body_(body), stroke_(stroke), group_(group) {}
+
+    CutResult take(Gate gate) {
+        std::vector<RungNode> from = group_.rung;
+        const double least = body_.gateLength(gate, group_.edgeLength);
+        const BladeMotion motion = reparametrize(to_, body_.h(), from);
+        if (goesInParts(from)) {
+            return cutAhead(from, least);
+        }
+        if (motion.advance < std::max(least, kStandingStill * body_.h())) {
+            const bool slides = motion.axial > kAxialSlide * motion.advance && motion.axial > least;
+            if (!motion.anyAttached && slides) {
+                rung_.slide(to_, from);
+            }
+            return outcome(CutOutcome::waiting);
+        }
+        if (isWithdrawing(body_.mesh, to_, body_.h(), group_.lastAdvance, from)) {
+            return outcome(CutOutcome::withdrawing);
+        }
+        const std::vector<RungPart> parts =
+            isInAir(from) ? partsInAir(to_, group_.edgeLength, from) : std::vector<RungPart>{};
+        return parts.empty() ? cutWhole(from) : cutParts(parts);
     }
+
+  private:
+    /// Whether older walls must stay mirrored. No step is refused for their sake alone.
+    enum class Mirrors {
+        wanted,  ///< a try fails where they do not
+        missed,  ///< some try has failed for them alone
+        waived,  ///< tries do not look at them
+    };
+    /// The tries of a step so far.
+    struct Tries {
+        int count = 0;
+        std::string reason;  ///< why the last one that failed did
+    };
+    /// What a try goes by besides the group.
+    struct Try {
+        const Blade& to;
+        const RungPart& part;
+        const BroadPhase& candidates;
+        const SlitOpening& opening;
+        int level = 0;              ///< of the retry ladder
+        std::set<int> mustCross{};  ///< pieces in which it must cross the stroke's walls
+    };
+
+    /// Whether parts of the rung go on by themselves. A part that the blade has left behind stays
+    /// until the blade is ahead of it again.
+    bool goesInParts(const std::vector<RungNode>& from) const {
+        return !group_.heading.isZero(0) &&
+               (group_.isUneven || isPartlyBehind(to_, group_.edgeLength, group_.heading, from));
+    }
+
+    CutResult cutAhead(const std::vector<RungNode>& from, double least) {
+        const CutOutcome otherwise =
+            isWithdrawing(body_.mesh, to_, body_.h(), group_.lastAdvance, from)
+                ? CutOutcome::withdrawing
+                : CutOutcome::waiting;
+        const std::vector<RungPart> parts =
+            partsAhead(to_, group_.edgeLength, least, group_.heading, from);
+        return parts.empty() ? outcome(otherwise) : cutParts(parts);
+    }
+
+    /// From the last part to the first: the nodes before it keep their places in the rung. Where
+    /// one is refused the whole blade goes on.
+    CutResult cutParts(const std::vector<RungPart>& parts) {
+        CutResult sum = outcome(CutOutcome::air);
+        int staying = sizeOf(group_.rung);
+        for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+            const std::optional<CutResult> result = find(*part, false);
+            if (!result) {
+                rung_.tie();
+                addTo(sum, cutWhole(wholeRung().rung));
+                return sum;
+            }
+            addTo(sum, *result);
+            staying -= part->count;
+        }
+        moveOn(sum);
+        sum.statistics.cutPieces = std::min(sum.statistics.cutPieces, 1);
+        group_.isUneven = staying > 0;
+        if (!group_.isUneven && isInAir(group_.rung)) {
+            // Without where it crossed.
+            rung_.set({group_.rung.front(), group_.rung.back()});
+        }
+        return sum;
+    }
+
+    CutResult cutWhole(const std::vector<RungNode>& from) {
+        if (std::optional<CutResult> result = find({from, {}, 0, sizeOf(group_.rung)}, true)) {
+            moveOn(*result);
+            group_.isUneven = false;
+            return std::move(*result);
+        }
+        countRefusal();
+        CutResult refused = outcome(CutOutcome::refused);
+        refused.statistics.refusedPieces = 1;
+        refused.statistics.tries = tries_.count;
+        refused.reason = tries_.reason;
+        return refused;
+    }
+
+    /// First with walls mirrored, and without where that alone is in the way. Nothing is committed
+    /// until one try succeeds.
+    std::optional<CutResult> find(const RungPart& part, bool mayResume) {
+        tries_ = {};
+        for (mirrors_ = Mirrors::wanted;; mirrors_ = Mirrors::waived) {
+            std::optional<CutResult> result = climb(part);
+            if (!result && mayResume) {
+                result = resume(part.rung);
+            }
+            if (result || mirrors_ != Mirrors::missed) {
+                return result;
+            }
+        }
+    }
+
+    /// The retry ladder: with older slits along the blade seen open, then with all as they are; a
+    /// transit that once had to do without stays so. A blade that leaves an older slit at an angle
+    /// may meet walls again that it saw open before: they are then seen open farther.
+    std::optional<CutResult> climb(const RungPart& part) {
+        const BroadPhase candidates = findCandidates(to_, part.rung);
+        const auto opened = [&](double opening, bool takesSeamsAlong) {
+            return SlitOpening(body_.mesh, candidates,
+                               {.rung = part.rung,
+                                .blade = to_,
+                                .h = group_.edgeLength,
+                                .stroke = stroke_.number,
+                                .firstVertexOfTransit = group_.firstVertexOfTransit,
+                                .onSeams = group_.onSeams,
+                                .sides = group_.sides,
+                                .opening = opening,
+                                .takesSeamsAlong = takesSeamsAlong});
+        };
+        if (group_.opensSlits) {
+            const SlitOpening first = opened(kOpenings.front(), false);
+            std::optional<CutResult> result = tryLevels(part, candidates, first, attemptCount());
+            if (result || first.empty()) {
+                return result;
+            }
+            const std::map<int, Vec3> sides = group_.sides;
+            for (const double opening : kOpenings) {
+                result = tryLevels(part, candidates, opened(opening, true), kAttemptsOfOpening);
+                if (result) {
+                    return result;
+                }
+                group_.sides = sides;
+            }
+            group_.opensSlits = false;
+        }
+        return tryLevels(part, candidates, kNoOpening, attemptCount());
+    }
+
+    std::optional<CutResult> tryLevels(const RungPart& part, const BroadPhase& candidates,
+                                       const SlitOpening& opening, int levels) {
+        RungPart clear = part;
+        AirTies ties;
+        clearAirEdges(
+            body_.mesh, candidates, opening, to_, group_.edgeLength,
+            [&]() -> const AirTies& {
+                rung_.makeWaitingTies();
+                return ties = group_.airTies.part(part.first, part.first + part.count - 1,
+                                                  part.beforeFirst);
+            },
+            clear.rung);
+        std::optional<CutResult> result;
+        for (int i = 0; i < levels && !result; ++i) {
+            result = attempt({.to = to_,
+                              .part = clear,
+                              .candidates = candidates,
+                              .opening = opening,
+                              .level = i});
+        }
+        return result;
+    }
+
+    /// Lets go of the front, and cuts anew across the walls behind it: close beside them where the
+    /// body surely parts so, and then on to the blade; otherwise steeply, and if need be without
+    /// proof.
+    std::optional<CutResult> resume(const std::vector<RungNode>& from) {
+        if (mayWait()) {
+            return std::nullopt;
+        }
+        const std::set<int> pieces = piecesOfFront(from, body_.pieces.labels().ofVertex());
+        const double edge = group_.edgeLength;
+        if (!pieces.empty()) {
+            if (auto start = startAnew(crossings(from, to_, std::min(body_.h(), edge)), pieces)) {
+                return goOn(std::move(*start));
+            }
+        }
+        const std::vector<Resumption> steep = resumptions(from, to_, edge);
+        std::optional<CutResult> result;
+        if (!pieces.empty()) {
+            result = startAnew(steep, pieces);
+        }
+        return result ? result : startAnew(steep, {});
+    }
+
+    std::optional<CutResult> startAnew(const std::vector<Resumption>& ways,
+                                       const std::set<int>& mustCross) {
+        for (const Resumption& way : ways) {
+            GroupStroke before = group_;
+            rung_.startTransit();
+            RungPart start{way.rung, {}, 0, sizeOf(group_.rung)};
+            reparametrize(way.blade, body_.h(), start.rung);
+            const BroadPhase candidates = findCandidates(way.blade, start.rung);
+            for (int i = 0; i < kAttemptsOfResumption; ++i) {
+                if (auto result =
+                        attempt({way.blade, start, candidates, kNoOpening, i, mustCross})) {
+                    group_.opensSlits = false;
+                    result->statistics.resumed = 1;
+                    return result;
+                }
+            }
+            group_ = std::move(before);
+        }
+        return std::nullopt;
+    }
+
+    /// On to the blade after a start close beside the old walls. What can't be done now waits for
+    /// the next step.
+    CutResult goOn(CutResult start) {
+        rung_.tie();
+        tries_ = {};
+        if (const std::optional<CutResult> more = climb(wholeRung())) {
+            addTo(start, *more);
+            start.statistics.cutPieces = 1;
+        }
+        return start;
+    }
+
+    std::optional<CutResult> attempt(const Try& one) {
+        ++tries_.count;
+        try {
+            const PlannedStep step = planStep(inputOf(one));
+            require(one, step);
+            CutResult result = accept(one, step);
+            result.statistics.tries = tries_.count;
+            result.reason = tries_.reason;
+            return result;
+        } catch (const StepFailure& failure) {
+            tries_.reason = failure.reason;
+            return std::nullopt;
+        }
+    }
+
+    StepInput inputOf(const Try& one) {
+        const CutSettings& settings = body_.settings;
+        const std::uint64_t retrySeed =
+            settings.seed * 7 + static_cast<std::uint64_t>(body_.mesh.triangleSlots());
+        const double edge = group_.edgeLength;
+        const double scale = body_.h() / edge;  // shares that stay shares of h
+        Bounds bodyBox = body_.triangles.finder().bounds();
+        bodyBox.widen(kBroadPhaseMargin * edge);  // predicates may see vertices that far outside
+        return {
+            .mesh = body_.mesh,
+            .broadPhase = one.candidates,
+            .pieceOfVertex = body_.pieces.labels().ofVertex(),
+            .surface = body_.surface,
+            .opening = one.opening,
+            .rung = one.part.rung,
+            .blade = one.to,
+            .span = one.part.span,
+            .h = edge,
+            .offset = settings.offset * scale,
+            .edgeLengths = *body_.edgeLengths,
+            .seed = settings.seed,
+            .stroke = stroke_.number,
+            .transit = group_.transit,
+            .firstVertexOfTransit = group_.firstVertexOfTransit,
+            .attempt = attemptAt(one.level, settings.tolerance * scale, retrySeed),
+            .body = bodyBox,
+            .atRest = body_.atRest,
+        };
+    }
+
+    /// Carries out a planned step.
+    CutResult accept(const Try& one, const PlannedStep& step) {
+        group_.refusedInARow = 0;
+        if (step.air) {
+            rung_.set(replaced(group_.rung, one.part, {step.air->endA, step.air->endB}));
+            return outcome(CutOutcome::air);
+        }
+        if (body_.settings.cleanUp && !stroke_.cleanup) {
+            stroke_.cleanup.emplace(body_.mesh, *body_.edgeLengths);
+        }
+        CommitResult committed = commit(body_.mesh, step.plan, group_.edgeLength, stroke_.number,
+                                        stayingFront(group_.rung, one.part));
+        const std::vector<int> changed = changedTriangles(committed.delta);
+        body_.follow({.triangles = changed, .groupOfNewPieces = group_.number});
+        stroke_.madeWalls = true;
+        group_.onSeams.insert(committed.onSeams.begin(), committed.onSeams.end());
+        const Vec3 way = advanceOf(one.to, group_.edgeLength, one.part.rung, committed.rung);
+        group_.heading = way.isZero(0) ? group_.heading : way;
+        std::vector<RungNode> next = replaced(group_.rung, one.part, committed.rung);
+        if (isInAir(next)) {
+            group_.heading = Vec3::Zero();
+            rung_.startTransit();
+        }
+        group_.rung = std::move(next);  // tied once all of the step is done
+        return resultOf(step, std::move(committed));
+    }
+
+    /// Throws StepFailure where a step that could be planned is not to be done.
+    void require(const Try& one, const PlannedStep& step) {
+        const StepPlan& plan = step.plan;
+        if (!one.mustCross.empty() &&
+            (step.air || leavesBridge(body_.mesh, stroke_.number, one.mustCross, plan))) {
+            throw StepFailure{"the new walls do not cross the old ones"};
+        }
+        const double most = kMostVolumeChange * stroke_.start.restVolume;
+        if (std::fabs(plan.volumeChange) > most || std::fabs(plan.restVolumeChange) > most) {
+            throw StepFailure{"the step would change the volume"};
+        }
+        if (mirrors_ != Mirrors::waived &&
+            !keepsMirrors(body_.mesh, plan, kCloseNoise * group_.edgeLength)) {
+            mirrors_ = Mirrors::missed;
+            throw StepFailure{"the two sides of a wall would divide differently"};
+        }
+    }
+
+    /// The rung as it is, measured along the blade.
+    RungPart wholeRung() const {
+        RungPart whole{group_.rung, {}, 0, sizeOf(group_.rung)};
+        reparametrize(to_, body_.h(), whole.rung);
+        return whole;
+    }
+
+    /// The triangles of the group near the way from a rung to a blade.
+    BroadPhase findCandidates(const Blade& to, const std::vector<RungNode>& from) {
+        std::vector<Vec3> points{to.a, to.b};
+        for (const RungNode& node : from) {
+            points.push_back(node.position);
+        }
+        return {body_.mesh,
+                body_.triangles.finder(),
+                to,
+                points,
+                body_.margin(group_.edgeLength),
+                kBinSize * group_.edgeLength,
+                [this, number = group_.number](int t) {
+                    return body_.pieces.groupOf(body_.mesh.triangle(t)[0]) == number;
+                },
+                {body_.settings.search, &body_.searchWork}};
+    }
+
+    /// Whether a refused step may wait for the next one before the front is let go: what a moving
+    /// body does not let through now it often does in the next step.
+    bool mayWait() const {
+        return group_.refusedInARow + 1 < kRefusalsBeforeDetach &&
+               std::ranges::any_of(group_.rung, [&](const RungNode& node) {
+                   return node.vertex >= 0 && !body_.mesh.velocity(node.vertex).isZero(0);
+               });
+    }
+
+    /// Remembers the blade of a step that was taken.
+    void moveOn(const CutResult& result) {
+        const Blade from = std::exchange(group_.blade, to_);
+        if (result.outcome == CutOutcome::cut) {
+            group_.lastAdvance = 0.5 * (to_.a - from.a + to_.b - from.b);
+        }
+    }
+
+    /// After several the front is let go.
+    void countRefusal() {
+        if (++group_.refusedInARow >= kRefusalsBeforeDetach) {
+            group_.refusedInARow = 0;
+            rung_.place(to_);
+        }
+    }
+
+    CutBody& body_;
+    Stroke& stroke_;
+    GroupStroke& group_;
+    GroupRung rung_{body_, stroke_, group_};
+    const Blade to_ = stroke_.blade;
+    Tries tries_;
+    Mirrors mirrors_ = Mirrors::wanted;
+};
+
+}  // namespace
+
+CutResult takeStep(CutBody& body, Stroke& stroke, GroupStroke& group, Gate gate) {
+    return GroupStep(body, stroke, group).take(gate);
 }
 
-void Cutter::State::countRefusal(const Blade& to, GroupStroke& group) {
-    if (++group.refusedInARow >= kRefusalsBeforeDetach) {
-        group.refusedInARow = 0;
-        placeRung(to, group);
-    }
-}
-
-}  // namespace kerf
+}  // namespace kerf::cut

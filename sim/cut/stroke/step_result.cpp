@@ -69,4 +69,11 @@ void addTo(CutResult& sum, const CutResult& part) {
     sum.reason = part.reason.empty() ? sum.reason : part.reason;
 }
 
+void addTo(CleanupStatistics& sum, const CleanupStatistics& later) {
+    sum.collapses += later.collapses;
+    sum.flips += later.flips;
+    sum.slides += later.slides;
+    sum.volumeSpent = later.volumeSpent;
+}
+
 }  // namespace kerf

@@ -11,4 +11,7 @@ CutResult outcome(CutOutcome what);
 /// list of CutOutcome, but a cut goes before a refusal, since it changed the mesh.
 void addTo(CutResult& sum, const CutResult& part);
 
+/// Adds a later clean-up of a stroke to an earlier one.
+void addTo(CleanupStatistics& sum, const CleanupStatistics& later);
+
 }  // namespace kerf

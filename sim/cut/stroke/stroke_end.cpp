@@ -1,4 +1,4 @@
-// What follows the cutting: clean-up behind the front and at the end of a stroke, and debris.
+// What follows the cutting: clean-up behind the front and at the end of a stroke, patches, debris.
 
 #include <algorithm>
 #include <iterator>
@@ -6,103 +6,107 @@
 #include "sim/cut/commit/debris.h"
 #include "sim/cut/cut_change.h"
 #include "sim/cut/patch/patch_commit.h"
-#include "sim/cut/stroke/cutter_state.h"
+#include "sim/cut/stroke/stroke.h"
 
-namespace kerf {
+namespace kerf::cut {
 
-void Cutter::State::cleanUpBehindFront(CutResult& result) {
-    if (!cleanup) {
-        return;
-    }
-    const std::vector<int> before = changedTriangles(result.delta);
-    result.statistics.cleanup = cleanup->behindFront(rung, result.delta);
-    followCleanUp(before, result.delta);
-    holdLivingVertices();
-}
+namespace {
 
 /// The clean-up takes triangles that the step had added out of its delta.
-void Cutter::State::followCleanUp(const std::vector<int>& changedBefore, const CutDelta& delta) {
+void followCleanUp(CutBody& body, const std::vector<int>& changedBefore, const CutDelta& delta,
+                   Cleanup& cleanup) {
     std::vector<int> changed;
     std::ranges::set_union(changedBefore, changedTriangles(delta), std::back_inserter(changed));
-    atRest =
-        atRest && std::ranges::all_of(delta.movedVertices, [this](int v) { return liesAtRest(v); });
-    surface.follow(changed, cleanup->takeRestMotion());
-    follow(changed, -1);
+    body.follow({.triangles = changed,
+                 .movedVertices = delta.movedVertices,
+                 .restMotion = cleanup.takeRestMotion()});
 }
 
-void Cutter::State::cleanUpAtEnd(CutResult& result) {
-    if (!cleanup) {
-        return;
-    }
-    const std::vector<int> changedBefore = changedTriangles(result.delta);
-    const CleanupStatistics before = result.statistics.cleanup;
-    CleanupStatistics& sum = result.statistics.cleanup = cleanup->atEnd(result.delta);
-    if (settings.wallCoarsening > 1) {
-        cleanup->coarsen(settings.wallCoarsening, result.delta);
-    }
-    followCleanUp(changedBefore, result.delta);
-    sum.collapses += before.collapses;
-    sum.flips += before.flips;
-    sum.slides += before.slides;
-    cleanup.reset();
-}
-
-void Cutter::State::mend(const std::vector<int>& triangles, CutDelta& delta) {
-    cleanup.emplace(mesh, *edgeLengths);
-    cleanup->mend(triangles, delta);
-    followCleanUp({}, delta);
-    cleanup.reset();
-}
-
-/// Walls that no patch replaces are part of the body from now on.
-void Cutter::State::closeWounds(CutResult& result) {
-    for (const cut::Wound& wound : cut::findWounds(mesh)) {
-        patch(wound, result);
-    }
-    std::vector<int> added = result.delta.addedTriangles;
-    std::ranges::sort(added);
-    std::ranges::set_difference(absentTriangles(mesh), added,
-                                std::back_inserter(result.delta.changedTriangles));
-    mesh.setOpenStroke(-1);
-}
-
-void Cutter::State::patch(const cut::Wound& wound, CutResult& result) {
-    WoundClosing& closing = result.statistics.closing;
+/// Patches one wound, or counts why not.
+void patch(CutBody& body, const Wound& wound, WoundClosing& closing, CutDelta& delta) {
     if (wound.endsInside) {
         ++closing.slits;
         return;
     }
     try {
-        const cut::PatchPlan plan = cut::planPatch(mesh, wound, h);
-        const std::vector<int> changed = cut::commitPatch(mesh, wound, plan, result.delta);
-        surface.follow(changed, 0);
-        follow(changed, -1);
+        const PatchPlan plan = planPatch(body.mesh, wound, body.h());
+        body.follow({.triangles = commitPatch(body.mesh, wound, plan, delta)});
         ++closing.patches;
-        closing.patchTriangles += 2 * cut::sizeOf(plan.triangles);
-        closing.removedWalls += 2 * cut::sizeOf(wound.plus);
-    } catch (const cut::StepFailure& failure) {
+        closing.patchTriangles += 2 * sizeOf(plan.triangles);
+        closing.removedWalls += 2 * sizeOf(wound.plus);
+    } catch (const StepFailure& failure) {
         ++closing.unpatched;
         closing.reason = failure.reason;
     }
 }
 
-void Cutter::State::removeDebris(CutResult& result) {
-    if (settings.debrisVolume <= 0) {
-        return;
+}  // namespace
+
+CleanupStatistics Stroke::cleanUpBehindFront(CutBody& body, CutDelta& delta) {
+    if (!cleanup) {
+        return {};
     }
-    const std::vector<int> debris =
-        cut::findDebris(mesh, pieces, firstTriangle, settings.debrisVolume * restVolume);
-    if (debris.empty()) {
-        return;
-    }
-    for (const int piece : debris) {
-        ++result.statistics.debris.pieces;
-        result.statistics.debris.volume += pieces.pieces()[piece].restVolume;
-    }
-    const std::vector<int> removed =
-        cut::removePieces(mesh, pieces, debris, firstTriangle, result.delta);
-    surface.follow(removed, 0);
-    follow(removed, -1);
+    const std::vector<int> before = changedTriangles(delta);
+    const CleanupStatistics statistics = cleanup->behindFront(rung, delta);
+    followCleanUp(body, before, delta, *cleanup);
+    return statistics;
 }
 
-}  // namespace kerf
+CleanupStatistics Stroke::cleanUpAtEnd(CutBody& body, CutDelta& delta) {
+    if (!cleanup) {
+        return {};
+    }
+    const std::vector<int> before = changedTriangles(delta);
+    const CleanupStatistics statistics = cleanup->atEnd(delta);
+    if (const double coarsening = body.settings.wallCoarsening; coarsening > 1) {
+        cleanup->coarsen(coarsening, delta);
+    }
+    followCleanUp(body, before, delta, *cleanup);
+    cleanup.reset();
+    return statistics;
+}
+
+WoundClosing closeWounds(CutBody& body, CutDelta& delta) {
+    WoundClosing closing;
+    for (const Wound& wound : findWounds(body.mesh)) {
+        patch(body, wound, closing, delta);
+    }
+    std::vector<int> added = delta.addedTriangles;
+    std::ranges::sort(added);
+    std::ranges::set_difference(absentTriangles(body.mesh), added,
+                                std::back_inserter(delta.changedTriangles));
+    body.mesh.setOpenStroke(-1);
+    return closing;
+}
+
+Debris Stroke::removeDebris(CutBody& body, CutDelta& delta) const {
+    const double share = body.settings.debrisVolume;
+    const PieceLabels& pieces = body.pieces.labels();
+    const std::vector<int> found =
+        share > 0 ? findDebris(body.mesh, pieces, start.firstTriangle, share * start.restVolume)
+                  : std::vector<int>{};
+    Debris debris;
+    for (const int piece : found) {
+        ++debris.pieces;
+        debris.volume += pieces.pieces()[piece].restVolume;
+    }
+    if (debris.pieces > 0) {
+        const std::vector<int> removed =
+            removePieces(body.mesh, pieces, found, start.firstTriangle, delta);
+        body.follow({.triangles = removed});
+    }
+    return debris;
+}
+
+CutDelta mend(CutBody& body, const std::vector<int>& triangles) {
+    CutDelta delta;
+    delta.firstNewVertex = body.mesh.vertexCount();
+    if (body.settings.cleanUp) {
+        Cleanup cleanup(body.mesh, *body.edgeLengths);
+        cleanup.mend(triangles, delta);
+        followCleanUp(body, {}, delta, cleanup);
+    }
+    return delta;
+}
+
+}  // namespace kerf::cut

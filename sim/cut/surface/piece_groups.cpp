@@ -59,4 +59,40 @@ std::vector<int> groupPieces(const SurfaceMesh& mesh, const PieceLabels& pieces,
     return result;
 }
 
+void GroupedPieces::group(double tolerance) {
+    groupOfPiece_ = groupPieces(mesh_, labels_, tolerance, {});
+    hold_ = true;
+}
+
+std::optional<std::vector<int>> GroupedPieces::divide(double tolerance) {
+    if (std::exchange(hold_, true)) {
+        return std::nullopt;
+    }
+    return std::exchange(groupOfPiece_, groupPieces(mesh_, labels_, tolerance, groupOfPiece_));
+}
+
+void GroupedPieces::update(std::span<const int> changed, int groupOfNewPieces) {
+    hold_ = false;
+    const std::vector<int> source = labels_.update(mesh_, changed).source;
+    const std::vector<int> before = std::exchange(groupOfPiece_, {});
+    for (const int piece : source) {
+        groupOfPiece_.push_back(piece < 0 ? groupOfNewPieces : before[piece]);
+    }
+}
+
+int GroupedPieces::groupOf(int vertex) const {
+    const int piece = labels_.ofVertex()[vertex];
+    return piece < 0 ? -1 : groupOfPiece_[piece];
+}
+
+std::vector<int> GroupedPieces::lowestVertices(std::set<int> numbers) const {
+    std::vector<int> found;
+    for (int v = 0; v < mesh_.vertexCount() && !numbers.empty(); ++v) {
+        if (numbers.erase(groupOf(v)) > 0) {
+            found.push_back(v);
+        }
+    }
+    return found;
+}
+
 }  // namespace kerf::cut

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <set>
+#include <span>
 #include <vector>
 
 #include "sim/mesh/piece_labels.h"
@@ -15,5 +18,44 @@ namespace kerf::cut {
 /// has several pieces.
 std::vector<int> groupPieces(const SurfaceMesh& mesh, const PieceLabels& pieces, double tolerance,
                              const std::vector<int>& before);
+
+/// The pieces of a body, and the groups of those that are cut together (groupPieces). They follow
+/// each change of the mesh within a step, where a BodyUpdater follows steps as a whole: so the two
+/// may number pieces differently.
+class GroupedPieces {
+  public:
+    /// The mesh must outlive the object and its copies. O(n).
+    explicit GroupedPieces(const SurfaceMesh& mesh)
+        : mesh_(mesh), labels_(mesh, PieceLabels::Measures::none) {}
+
+    /// The pieces; their volumes are known once measureVolumes() was called.
+    const PieceLabels& labels() const { return labels_; }
+    void measureVolumes() { labels_.measureVolumes(mesh_); }
+
+    /// Makes all groups anew, by pieces that lie within `tolerance` [m] of each other.
+    void group(double tolerance);
+    /// Parts groups of which pieces now lie apart by more than `tolerance` [m]. Returns the group
+    /// that each piece had; nothing where no vertex has moved and no triangle changed since the
+    /// groups were made.
+    std::optional<std::vector<int>> divide(double tolerance);
+    /// Vertices may have moved.
+    void noteMotion() { hold_ = false; }
+    /// Follows a change of the mesh. `changed`: each once. Pieces that come off stay in the group
+    /// until they part; those that are all new get the group `groupOfNewPieces`.
+    void update(std::span<const int> changed, int groupOfNewPieces);
+
+    /// The numbers of all groups.
+    std::set<int> groups() const { return {groupOfPiece_.begin(), groupOfPiece_.end()}; }
+    /// The number of the group of a vertex, -1 for none.
+    int groupOf(int vertex) const;
+    /// The lowest vertex of each of these groups, ascending. O(n), where there is one.
+    std::vector<int> lowestVertices(std::set<int> numbers) const;
+
+  private:
+    const SurfaceMesh& mesh_;
+    PieceLabels labels_;
+    std::vector<int> groupOfPiece_;  ///< the number of the group of each piece
+    bool hold_ = false;              ///< since they were made nothing has moved or been cut
+};
 
 }  // namespace kerf::cut

@@ -1,0 +1,101 @@
+#include "sim/cut/stroke/group_rung.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/cut/plan/strip.h"
+
+namespace kerf::cut {
+
+bool isInAir(const std::vector<RungNode>& rung) {
+    return std::all_of(rung.begin(), rung.end(), [](const RungNode& n) { return n.vertex < 0; });
+}
+
+void GroupRung::startTransit() {
+    group_.transit = ++stroke_.transit;
+    group_.firstVertexOfTransit = body_.mesh.vertexCount();
+    group_.onSeams.clear();
+    group_.sides.clear();
+    group_.opensSlits = true;
+}
+
+// The rung carries the offset of the transit from the start: otherwise a blade that is put down
+// exactly on a vertex would stay there in every retry.
+void GroupRung::place(const Blade& at) {
+    startTransit();
+    const CutSettings& settings = body_.settings;
+    const auto end = [&](const Vec3& p, double s) {
+        const Vec3 offset =
+            bladeOffset(settings.offset * body_.h(), 1, settings.seed, group_.transit, s);
+        return RungNode{p + offset, s, -1, false};
+    };
+    set({end(at.a, 0), end(at.b, 1)});
+    group_.blade = at;
+    group_.lastAdvance = Vec3::Zero();
+}
+
+/// It stays as far behind the blade as it is: started anew, a blade that is drawn through the body
+/// along itself would never be far enough ahead to cut.
+void GroupRung::slide(const Blade& to, const std::vector<RungNode>& from) {
+    const auto behind = [&](const RungNode& node) -> Vec3 {
+        return node.position - (to.a + (to.b - to.a) * node.s);
+    };
+    group_.blade = {to.a + behind(from.front()), to.b + behind(from.back())};
+    set({{group_.blade.a, 0, -1, false}, {group_.blade.b, 1, -1, false}});
+}
+
+void GroupRung::set(std::vector<RungNode> next) {
+    group_.rung = std::move(next);
+    if (isInAir(group_.rung)) {
+        group_.heading = Vec3::Zero();
+    }
+    tie();
+}
+
+void GroupRung::keepOwn(std::vector<RungNode> nodes) {
+    std::erase_if(nodes, [&](const RungNode& node) {
+        return node.vertex >= 0 && body_.pieces.groupOf(node.vertex) != group_.number;
+    });
+    if (nodes.size() < 2) {
+        // All of the front is in other pieces, both ends too: for this one the blade begins here.
+        place(group_.blade);
+        return;
+    }
+    set(std::move(nodes));
+}
+
+// While all lies where it rests, ties would hold the rung where it is. They can wait: where they
+// are to be made is known also when the body has begun to move.
+void GroupRung::tie() {
+    group_.edgeLength = body_.edgeLengthAbout(group_.rung);
+    group_.tiesWait = body_.atRest && body_.triangles.hasOwnTree();
+    if (group_.tiesWait) {
+        group_.airTies = {};
+        body_.triangles.finder().bounds();  // the tree knows the shape at rest from now on
+    } else {
+        group_.airTies = tiesIn(SkinShape::current);
+    }
+}
+
+/// Before the tree hears that anything has moved.
+void GroupRung::makeWaitingTies() {
+    if (std::exchange(group_.tiesWait, false)) {
+        group_.airTies = tiesIn(SkinShape::rest);
+    }
+}
+
+AirTies GroupRung::tiesIn(SkinShape shape) {
+    return {body_.mesh, body_.triangles.finder(), isOuter(), group_.edgeLength, group_.rung, shape};
+}
+
+/// Tells the triangles of the group that were there before the stroke, or divide such.
+std::function<bool(int)> GroupRung::isOuter() const {
+    return [this](int t) {
+        const SurfaceMesh& mesh = body_.mesh;
+        const bool ownWall =
+            mesh.kind(t) == SurfaceKind::wall && mesh.wallLabel(t) / 2 == stroke_.number;
+        return !ownWall && body_.pieces.groupOf(mesh.triangle(t)[0]) == group_.number;
+    };
+}
+
+}  // namespace kerf::cut

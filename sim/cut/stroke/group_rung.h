@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/cut/blade.h"
+#include "sim/cut/stroke/cut_body.h"
+#include "sim/cut/stroke/stroke.h"
+
+namespace kerf::cut {
+
+/// Whether no node of a rung is in the material.
+bool isInAir(const std::vector<RungNode>& rung);
+
+/// Places the rung of one group of pieces and ties it to the skin beside it.
+class GroupRung {
+  public:
+    /// All must outlive the object; `group` is one of the stroke.
+    GroupRung(CutBody& body, Stroke& stroke, GroupStroke& group)
+        : body_(body), stroke_(stroke), group_(group) {}
+
+    /// Begins a transit: the blade starts from the air.
+    void startTransit();
+    /// Places the rung at a blade, with its offset, as a new transit.
+    void place(const Blade& at);
+    /// Takes a rung in the air along with a blade that slides along itself. `from`: the rung,
+    /// measured along `to`.
+    void slide(const Blade& to, const std::vector<RungNode>& from);
+    /// Sets the rung and ties it.
+    void set(std::vector<RungNode> next);
+    /// Makes the rung of those `nodes` that are not in other groups.
+    void keepOwn(std::vector<RungNode> nodes);
+    /// Ties the rung to the skin, or notes that this can wait.
+    void tie();
+    /// Makes the ties that wait, in the rest shape.
+    void makeWaitingTies();
+
+  private:
+    AirTies tiesIn(SkinShape shape);
+    std::function<bool(int)> isOuter() const;
+
+    CutBody& body_;
+    Stroke& stroke_;
+    GroupStroke& group_;
+};
+
+}  // namespace kerf::cut

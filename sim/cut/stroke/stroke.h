@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/cut/blade.h"
+#include "sim/cut/cleanup/cleanup.h"
+#include "sim/cut/stroke/cut_body.h"
+#include "sim/cut/stroke/group_stroke.h"
+
+namespace kerf::cut {
+
+/// The way below which the blade stands still, as a share of h.
+inline constexpr double kStandingStill = 1e-9;
+
+/// The body when a stroke began.
+struct StrokeStart {
+    int firstTriangle = 0;  ///< slot from which on the stroke made triangles
+    double restVolume = 0;  ///< rest volume of the body [m^3]
+};
+
+/// A stroke of the blade; between strokes the last one. Its functions take the body that it cuts.
+struct Stroke {
+    /// Begins the next stroke, at a blade.
+    void begin(CutBody& body, const Blade& at);
+    /// Lets every group take a step to where the blade was told to go.
+    CutResult advance(CutBody& body, Gate gate);
+    /// Ends the stroke: see Cutter::finish().
+    CutResult finish(CutBody& body);
+    /// Makes the ties of all groups that wait, in the rest shape.
+    void makeWaitingTies(CutBody& body);
+
+    int number = 0;                     ///< as in wall labels
+    int transit = 0;                    ///< number of the last transit of any group, ever
+    bool goesOn = false;                ///< it has begun and not finished
+    bool madeWalls = false;             ///< some step of it has cut
+    StrokeStart start{};                ///< the body when it began
+    Blade blade{};                      ///< where it was last told to go
+    std::vector<GroupStroke> groups{};  ///< the stroke by group of pieces
+    std::vector<RungNode> rung{};       ///< rungs of all groups in turn
+    std::optional<Cleanup> cleanup{};   ///< its clean-up, once it has cut
+
+  private:
+    void divideGroups(CutBody& body);
+    void holdLivingVertices(const CutBody& body);
+    void joinRungs();
+
+    // What else a step and a stroke do, in stroke_end.cpp. Each adds its changes to `delta`.
+    CleanupStatistics cleanUpBehindFront(CutBody& body, CutDelta& delta);
+    CleanupStatistics cleanUpAtEnd(CutBody& body, CutDelta& delta);
+    Debris removeDebris(CutBody& body, CutDelta& delta) const;
+};
+
+/// Patches the wounds of the open course. Walls that no patch replaces are part of the body from
+/// now on. Adds the changes to `delta`.
+WoundClosing closeWounds(CutBody& body, CutDelta& delta);
+/// Removes short edges at some triangles between strokes. Returns the change.
+CutDelta mend(CutBody& body, const std::vector<int>& triangles);
+
+}  // namespace kerf::cut

@@ -1,0 +1,94 @@
+#include "sim/run/stroke_course.h"
+
+#include <utility>
+
+#include "sim/base/stopwatch.h"
+#include "sim/run/cut_followers.h"
+
+namespace kerf {
+
+void StrokeCourse::step() {
+    if (!input_.blade.isTold()) {
+        return;
+    }
+    const Stopwatch watch;
+    for (const BladeAction& action : input_.blade.takeActions()) {
+        std::visit([this](const auto& a) { carryOut(a); }, action);
+    }
+    output_.report.cutMs = watch.milliseconds();
+}
+
+void StrokeCourse::carryOut(const MoveBlade& move) {
+    LedBlade& blade = input_.blade;
+    if (blade.isAt(move.blade)) {
+        return;
+    }
+    if (blade.isPlaced() && mayTouch(move.blade)) {
+        if (!body_.cutter->inStroke()) {
+            begin();
+        }
+        accept(body_.cutter->advance(move.blade));
+    } else {
+        end();
+    }
+    blade.moveTo(move.blade, push().size.width);
+}
+
+void StrokeCourse::lift() {
+    if (input_.blade.lift()) {
+        end();
+    }
+    log_.endStroke();
+}
+
+/// Whether the cutter must look: a front is in the material, or the strip comes near the body.
+bool StrokeCourse::mayTouch(const Blade& to) {
+    const std::vector<RungNode>& rung = body_.cutter->rung();
+    const Blade from = *input_.blade.pose();
+    std::vector<Vec3> strip{from.a, from.b, to.a, to.b};
+    for (const RungNode& node : rung) {
+        strip.push_back(node.position);
+    }
+    return standsInMaterial(rung) || body_.isNear(strip);
+}
+
+void StrokeCourse::begin() {
+    log_.beginStroke(body_);
+    body_.cutter->begin(*input_.blade.pose());
+}
+
+void StrokeCourse::end() {
+    accept(body_.cutter->inStroke() ? body_.cutter->finish() : CutResult{});
+}
+
+void StrokeCourse::accept(const CutResult& result) {
+    output_.lastCut = result;
+    output_.report.add(result.statistics);
+    output_.report.search.add(body_.cutter->takeSearchWork());
+    addTo(body_.memory.subdivisions, result.statistics.patterns);
+    for (std::string& sentence : sentencesAbout(result, output_.clock.stepsDone)) {
+        output_.messages.push_back(std::move(sentence));
+    }
+    if (!result.delta.empty()) {
+        log_.noteCut(output_);
+        followCut(result.delta, body_, log_.history(), output_);
+    }
+}
+
+BladePush StrokeCourse::push() const {
+    const Params& params = input_.params;
+    return {{params.bladeWidth * body_.diagonal, params.bladeThickness * body_.diagonal},
+            body_.wallEdge,
+            contactSettings(params).substeps};
+}
+
+std::optional<BladeMotion> StrokeCourse::bladeBody() const {
+    return input_.params.bladePush != 0 ? input_.blade.body(push()) : std::nullopt;
+}
+
+std::optional<BladeMotion> StrokeCourse::bladeMotion() const {
+    const bool pushes = input_.params.bladePush != 0 && input_.blade.isPlaced();
+    return pushes ? input_.blade.motion(push(), body_.front()) : std::nullopt;
+}
+
+}  // namespace kerf
