@@ -88,12 +88,10 @@ SolverMeasure BodyMeasurer::take(const ContactReadings& contacts) const {
 
 /// As texels: the triangles around each vertex are read besides.
 void BodyMeasurer::bindConstraints() const {
-    const SolverModel& model = body_.model;
-    model.edgeRanges.bindTexels(shared::kEdgeRangesBinding, TexelFormat::uint32x2);
-    model.spokes.bindTexels(shared::kSpokesBinding, TexelFormat::uint32x4);
-    model.bends.bindTexels(shared::kBendsBinding, TexelFormat::uint32x4);
-    model.ispcs.bindTexels(shared::kIspcsBinding, TexelFormat::uint32x4);
-    model.restPositions.bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
+    bindAllConstraints(body_.model.constraints, [](const auto& buffer, auto unit, auto texels) {
+        buffer.bindTexels(unit, texels);
+    });
+    body_.model.restPositions.bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
 }
 
 VertexStates BodyMeasurer::statesOf(std::span<const int> vertices) {

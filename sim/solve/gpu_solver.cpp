@@ -30,7 +30,11 @@ void GpuSolver::restoreModel(const BodyModel& model, const BodyState& state, Ver
 /// Portions of about the same size: most are one or two of the large buffers.
 void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyState& state,
                                 VertexPages& pages) {
-    switch (portion) {
+    if (const uint type = static_cast<uint>(portion) / 2; type < kConstraintTypes) {
+        return portion % 2 == 0 ? body_.model.uploadRecords(model, type)
+                                : body_.model.uploadLists(model, type);
+    }
+    switch (portion - static_cast<int>(2 * kConstraintTypes)) {
         case 0:
             body_.model.takeVertices(model);
             masses_.freeAll();
@@ -43,20 +47,10 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
         case 3:
             return body_.model.uploadTriangles(model);
         case 4:
-            return body_.model.uploadSpokes(model);
-        case 5:
-            return body_.model.uploadBends(model);
-        case 6:
-            return body_.model.uploadIspcs(model);
-        case 7:
-            return body_.model.uploadBendLists(model);
-        case 8:
-            return body_.model.uploadIspcShares(model);
-        case 9:
             return body_.model.uploadTriangleLists(model);
-        case 10:
+        case 5:
             return uploadCounts(model);
-        case 11:
+        case 6:
             setState(state);
             contactEdgeLength_ = contactEdgeLength(model);
             return setContactBody();
@@ -130,11 +124,11 @@ void GpuSolver::step() {
     phases_.setFolds(folds);
     smallBody_.setFolds(folds);
     contacts_.setFolds(folds);
-    solve();
+    solveStep();
     collideAsThePaper();
 }
 
-void GpuSolver::solve() {
+void GpuSolver::solveStep() {
     if (sweepsInOneGroup() && smallBody_.large()) {
         stepTheFasterWay();
     } else if (sweepsInOneGroup()) {
@@ -217,10 +211,9 @@ void GpuSolver::stepByPhases() {
         for (uint sweep = 0; sweep < body_.uniforms.sweeps; ++sweep) {
             deformTimer_.begin();
             sweep == 0 ? predictAndStretch() : stretchAgain();
-            solveBends();
             const bool last = sweep + 1 == body_.uniforms.sweeps;
             const bool lifts = settles && !last && phases_.mayGatherOntoFloor();
-            lifts ? phases_.solveIspcsOntoFloor() : phases_.solveIspcs();
+            phases_.solveAll(lifts);
             deformTimer_.end();
             if (!(settles && last) && !lifts) {
                 holdVolumeAndCollide(i);

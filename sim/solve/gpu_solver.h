@@ -45,7 +45,7 @@ class GpuSolver {
     void restoreModel(const BodyModel& model, const BodyState& state, VertexPages pages);
     /// restoreModel() in so many calls, portion 0 first, so that pictures can be drawn in between.
     /// The pages are moved from.
-    static constexpr int kModelPortions = 12;
+    static constexpr int kModelPortions = 7 + 2 * kConstraintTypes;
     void setModelPortion(int portion, const BodyModel& model, const BodyState& state,
                          VertexPages& pages);
     /// Follows an update of the model, at the cost of what it changed. `written`: the vertices
@@ -109,6 +109,7 @@ class GpuSolver {
     /// touched; plain PBD only where nothing but the floor may be. Large bodies take one for each
     /// phase, in plain PBD on llvmpipe whichever is faster.
     bool solvesInOneGroup() const;
+    const SmallBodySolver& smallBody() const { return smallBody_; }
 
     /// Whether the last measure saw a folded edge that the coming step unfolds (see Unfolding).
     bool unfolds() const;
@@ -118,8 +119,8 @@ class GpuSolver {
     void predictAndStretch();
     /// Solves the edges without a prediction: in all sweeps but the first.
     void stretchAgain() { phases_.stretchAgain(); }
-    void solveBends() { phases_.solveBends(); }
-    void solveIspcs() { phases_.solveIspcs(); }
+    /// Solves the constraints of a type but edges.
+    void solve(std::uint32_t type) { phases_.solve(type); }
     void solveVolume() { phases_.solveVolume(); }
     void pull() { phases_.pull(); }
     void collideBody() { contacts_.respond(); }
@@ -187,7 +188,7 @@ class GpuSolver {
     ContactReadings contactReadings() const;
 
     // The ways through a step.
-    void solve();
+    void solveStep();
     void stepByPhases();
     void stepBySweeps();
     void stepTheFasterWay();

@@ -27,14 +27,7 @@ SmallBodyBuffers smallBodyBuffersOf(const SolverBody& body) {
             .displacement = &state.displacement,
             .swept = &state.previous,
             .links = &model.links,
-            .edgeRanges = &model.edgeRanges,
-            .spokes = &model.spokes,
-            .bends = &model.bends,
-            .bendRanges = &model.bendRanges,
-            .bendEntries = &model.bendEntries,
-            .ispcs = &model.ispcs,
-            .ispcRanges = &model.ispcRanges,
-            .ispcShares = &model.ispcShares,
+            .constraints = model.constraints,
             .neighbourRanges = &model.neighbours.ranges,
             .neighbours = &model.neighbours.entries,
             .places = &pieces.placeBuffer,
@@ -52,11 +45,11 @@ UnfoldingBody unfoldingBodyOf(const SolverBody& body) {
             .positions = &body.state.positions,
             .velocities = &body.state.velocities,
             .restPositions = &body.model.restPositions,
-            .bends = &body.model.bends,
+            .bends = &body.model.constraints[shared::kBend].records,
             .neighbourRanges = &body.model.neighbours.ranges,
             .neighbours = &body.model.neighbours.entries,
             .vertexCount = body.uniforms.vertex_count,
-            .bendCount = body.uniforms.bend_count};
+            .bendCount = body.uniforms.count[shared::kBend]};
 }
 
 BodyView bodyViewOf(const SolverBody& body) {
@@ -73,11 +66,11 @@ BodyView bodyViewOf(const SolverBody& body) {
 
 ConstraintView constraintViewOf(const SolverBody& body, const ContactSolver& contacts) {
     ConstraintView view;
-    view.bends = &body.model.bends;
-    view.ispcs = &body.model.ispcs;
+    view.bends = &body.model.constraints[shared::kBend].records;
+    view.ispcs = &body.model.constraints[shared::kIspc].records;
     view.pulls = &body.pulls;
-    view.bendCount = body.uniforms.bend_count;
-    view.ispcCount = body.uniforms.ispc_count;
+    view.bendCount = body.uniforms.count[shared::kBend];
+    view.ispcCount = body.uniforms.count[shared::kIspc];
     view.pullCount = body.uniforms.pull_count;
     if (contacts.enabled() && contacts.records().size() > 0) {
         view.contacts = &contacts.records();

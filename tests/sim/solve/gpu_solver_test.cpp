@@ -111,21 +111,21 @@ TEST_F(GpuSolverTest, PredictsLikeTheReference) {
 TEST_F(GpuSolverTest, SolvesEdgesLikeTheReference) {
     expectSamePhase(
         shared::kStretchPart | shared::kPullAsBeforePart, kDisplacementTolerance, [](GpuSolver&) {},
-        [](const ReferenceSolver& s, ReferenceState& state) { s.solveEdges(state); });
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solve(shared::kStretch, state); });
 }
 
 TEST_F(GpuSolverTest, SolvesBendsLikeTheReference) {
     expectSamePhase(
         shared::kBendPart | shared::kPullAsBeforePart, kDisplacementTolerance,
-        [](GpuSolver& s) { s.solveBends(); },
-        [](const ReferenceSolver& s, ReferenceState& state) { s.solveBends(state); });
+        [](GpuSolver& s) { s.solve(shared::kBend); },
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solve(shared::kBend, state); });
 }
 
 TEST_F(GpuSolverTest, SolvesIspcsLikeTheReference) {
     expectSamePhase(
         shared::kIspcPart | shared::kPullAsBeforePart, kDisplacementTolerance,
-        [](GpuSolver& s) { s.solveIspcs(); },
-        [](const ReferenceSolver& s, ReferenceState& state) { s.solveIspcs(state); });
+        [](GpuSolver& s) { s.solve(shared::kIspc); },
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solve(shared::kIspc, state); });
 }
 
 TEST_F(GpuSolverTest, HoldsVolumeLikeTheReference) {

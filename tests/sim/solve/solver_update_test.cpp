@@ -32,8 +32,8 @@ class SolverUpdateTest : public test::GlTest {
         EXPECT_EQ(a.bounds.high, b.bounds.high);
         for (GpuSolver* solver : {&followed, &fresh}) {
             solver->predictAndStretch();
-            solver->solveBends();
-            solver->solveIspcs();
+            solver->solve(shared::kBend);
+            solver->solve(shared::kIspc);
         }
         // All but the sum over a piece is the same arithmetic in the same order.
         EXPECT_EQ(followed.readDisplacements(), fresh.readDisplacements());
