@@ -57,14 +57,4 @@ BendRange fetchBendRange(RECORDS records, uint index) {
     uvec4 words = fetch(records, index);
     return BendRange(words.x, words.y, words.z, 0u);
 }
-
-struct SharePair {
-    ConstraintShare first, second;
-};
-
-SharePair fetchShares(RECORDS records, uint pair) {
-    uvec4 words = fetch(records, pair);
-    return SharePair(ConstraintShare(words.x, uintBitsToFloat(words.y)),
-                     ConstraintShare(words.z, uintBitsToFloat(words.w)));
-}
 #endif

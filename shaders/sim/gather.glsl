@@ -38,9 +38,9 @@ vec3 sumOfShares(RECORDS ranges, RECORDS entries, uint v) {
     uvec2 range = fetch(ranges, v).xy;
     vec3 sum = vec3(0.0);
     for (uint k = range.x; k < range.y; k += 2u) {
-        SharePair pair = fetchShares(entries, k / 2u);
-        sum += pair.first.weight * correctionAt(pair.first.constraint).xyz;
-        vec3 second = pair.second.weight * correctionAt(pair.second.constraint).xyz;
+        uvec4 pair = fetch(entries, k / 2u);  // of ConstraintShare
+        sum += uintBitsToFloat(pair.y) * correctionAt(pair.x).xyz;
+        vec3 second = uintBitsToFloat(pair.w) * correctionAt(pair.z).xyz;
         sum += k + 1u < range.y ? second : vec3(0.0);
     }
     return sum;

@@ -1,7 +1,6 @@
 #include "sim/body/solver_uniforms.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,22 +15,24 @@ float complianceOverSquare(double modulus, double h) {
     return modulus > 0 ? static_cast<float>(1 / (modulus * h * h)) : 0.0f;
 }
 
-/// Of the constraints, by type; a type without a parameter is off.
-using Stiffnesses = std::array<double, kConstraintTypes>;
-
-Stiffnesses stiffnesses(const Params& params) {
-    Stiffnesses of{};
-    of[shared::kStretch] = params.stretchStiffness;
-    of[shared::kBend] = params.bendingStiffness;
-    of[shared::kIspc] = params.ispcStiffness;
-    return of;
+/// Of a type of constraints; one without a parameter is off.
+double stiffnessOf(uint type, const Params& params) {
+    switch (type) {
+        case shared::kStretch:
+            return params.stretchStiffness;
+        case shared::kBend:
+            return params.bendingStiffness;
+        case shared::kIspc:
+            return params.ispcStiffness;
+        default:
+            return 0;
+    }
 }
 
-/// Young's moduli as multiples of the body's.
-Stiffnesses modulusFactors(const Params& params) {
-    Stiffnesses factors = stiffnesses(params);
-    factors[shared::kIspc] = ispcModulusFactor(params.ispcStiffness);
-    return factors;
+/// Young's modulus of a type of constraints as a multiple of the body's.
+double modulusFactor(uint type, const Params& params) {
+    const double stiffness = stiffnessOf(type, params);
+    return type == shared::kIspc ? ispcModulusFactor(stiffness) : stiffness;
 }
 
 // What is hollow or limp may fold.
@@ -42,7 +43,7 @@ bool unfolds(const Params& params) {
 uint activeParts(const Params& params) {
     uint parts = 0;
     for (uint type = 0; type < kConstraintTypes; ++type) {
-        parts |= stiffnesses(params)[type] > 0 ? 1u << type : 0u;
+        parts |= stiffnessOf(type, params) > 0 ? 1u << type : 0u;
     }
     parts |= holdsVolume(params) ? shared::kVolumePart : 0u;
     parts |= unfolds(params) ? shared::kUnfoldPart : 0u;
@@ -93,10 +94,11 @@ shared::SolverUniforms smallStepUniforms(const Params& params) {
     u.substeps = static_cast<uint>(params.iterations);
     u.sweeps = 1;
     u.damping_ratio = static_cast<float>(params.damping / h);
-    std::ranges::transform(modulusFactors(params), u.compliance, [&](double factor) {
-        return complianceOverSquare(params.youngsModulus * factor, h);
-    });
-    std::ranges::fill(u.share, 1.0f);
+    for (uint type = 0; type < kConstraintTypes; ++type) {
+        const double modulus = params.youngsModulus * modulusFactor(type, params);
+        u.compliance[type] = complianceOverSquare(modulus, h);
+        u.share[type] = 1;
+    }
     return u;
 }
 
@@ -105,9 +107,10 @@ shared::SolverUniforms pbdUniforms(const Params& params) {
     shared::SolverUniforms u = commonUniforms(params, params.timeStep);
     u.substeps = 1;
     u.sweeps = static_cast<uint>(params.iterations);
-    std::ranges::transform(stiffnesses(params), u.share, [&](double stiffness) {
-        return static_cast<float>(sweepStiffness(stiffness, params.iterations));
-    });
+    for (uint type = 0; type < kConstraintTypes; ++type) {
+        u.share[type] =
+            static_cast<float>(sweepStiffness(stiffnessOf(type, params), params.iterations));
+    }
     return u;
 }
 

@@ -20,46 +20,37 @@ gpu::Program compile(const SolverBody& body, const std::string& name, gpu::Defin
     return gpu::Program::compute("sim/" + name + ".comp", defines);
 }
 
-/// What kernels call a type of constraints, and how its vertices gather.
-struct KernelNames {
-    const char* type;
-    const char* gather;
-};
+using gpu::Defines;
+using ConstraintKernels = std::array<gpu::Program, kConstraintTypes>;
 
-constexpr std::array<KernelNames, kConstraintTypes> kNames{{
-#define KERF_NAMES(number, Name, list, Constraint, Gather) {#Name, #Gather},
+constexpr uint kLastType = kConstraintTypes - 1;
+
+/// What kernels call the types of constraints and the lists of their vertices.
+const std::array<Defines, kConstraintTypes> kNames{{
+#define KERF_NAMES(number, Name, list, Constraint, Gather) \
+    {{"TYPE", #number},                                    \
+     {"SOLVE", "solve" #Name},                             \
+     {"SUM", "sumOf" #Gather},                             \
+     {"RANGES", "RANGES_OF_" #Gather},                     \
+     {"ENTRIES", "ENTRIES_OF_" #Gather}},
     KERF_CONSTRAINTS(KERF_NAMES)
 #undef KERF_NAMES
 }};
-constexpr uint kLastType = kConstraintTypes - 1;
 
-gpu::Program compileGather(const SolverBody& body, uint type, gpu::Defines defines = {}) {
-    const std::string gather = kNames[type].gather;
-    defines.emplace_back("TYPE", std::to_string(type) + "u");
-    defines.emplace_back("RANGES", "RANGES_OF_" + gather);
-    defines.emplace_back("ENTRIES", "ENTRIES_OF_" + gather);
-    defines.emplace_back("SUM", "sumOf" + gather);
-    return compile(body, "gather_corrections", std::move(defines));
+gpu::Program compileFor(const SolverBody& body, const std::string& name, uint type,
+                        Defines defines = {}) {
+    defines.insert(defines.end(), kNames[type].begin(), kNames[type].end());
+    return compile(body, name, std::move(defines));
 }
 
 /// A kernel for each type but edges.
-template <class Compile>
-std::array<gpu::Program, kConstraintTypes> forEachPull(Compile&& compileFor) {
-    std::array<gpu::Program, kConstraintTypes> kernels;
+ConstraintKernels compileForEach(const SolverBody& body, const std::string& name,
+                                 const Defines& defines = {}) {
+    ConstraintKernels kernels;
     for (uint type = 1; type < kConstraintTypes; ++type) {
-        kernels[type] = compileFor(type);
+        kernels[type] = compileFor(body, name, type, defines);
     }
     return kernels;
-}
-
-std::array<gpu::Program, kConstraintTypes> compileSolves(const SolverBody& body,
-                                                         const gpu::Defines& defines) {
-    return forEachPull([&](uint type) {
-        gpu::Defines all = defines;
-        all.emplace_back("TYPE", std::to_string(type) + "u");
-        all.emplace_back("SOLVE", std::string("solve") + kNames[type].type);
-        return compile(body, "constraint", std::move(all));
-    });
 }
 
 /// llvmpipe resumes a coroutine at each barrier for every eight threads of a group, so that its
@@ -76,9 +67,10 @@ SubstepPhases::SubstepPhases(SolverBody& body)
       stretch_(compile(body, "stretch")),
       stretchAgain_{compile(body, "stretch", {{"SWEEP_AGAIN", "1"}}),
                     compile(body, "stretch", {{"SWEEP_AGAIN", "1"}, {"PLAIN_PBD", "1"}})},
-      solve_{compileSolves(body, {}), compileSolves(body, {{"PLAIN_PBD", "1"}})},
-      gather_(forEachPull([&](uint type) { return compileGather(body, type); })),
-      gatherOntoFloor_(compileGather(body, kLastType, {{"ONTO_FLOOR", "1"}})),
+      solve_{compileForEach(body, "constraint"),
+             compileForEach(body, "constraint", {{"PLAIN_PBD", "1"}})},
+      gather_(compileForEach(body, "gather_corrections")),
+      gatherOntoFloor_(compileFor(body, "gather_corrections", kLastType, {{"ONTO_FLOOR", "1"}})),
       volumeGradient_(compile(body, "volume_gradient", groupsOfSums(body))),
       volumeCorrect_(compile(body, "volume_correct")),
       pull_(gpu::Program::compute("sim/pull.comp")),
@@ -89,12 +81,10 @@ SubstepPhases::SubstepPhases(SolverBody& body)
 void SubstepPhases::setFolds(const gpu::Buffer* folds) {
     folds_ = folds;
     if (folds_ != nullptr && !foldedKernels_) {
-        const auto compileFor = [&](const std::string& name) {
-            return compile(body_, name, {{"UNFOLDS", "1"}});
-        };
-        foldedKernels_.emplace(FoldedKernels{compileFor("stretch"), compileFor("floor"),
-                                             compileFor("settle"),
-                                             compileSolves(body_, {{"UNFOLDS", "1"}})});
+        const Defines folded{{"UNFOLDS", "1"}};
+        foldedKernels_.emplace(FoldedKernels{
+            compile(body_, "stretch", folded), compile(body_, "floor", folded),
+            compile(body_, "settle", folded), compileForEach(body_, "constraint", folded)});
     }
 }
 

@@ -35,7 +35,9 @@ Momentum momentumOf(const ReferenceSolver& solver, const ReferenceState& before,
 
 TEST(ReferenceSolver, EverySweepConservesMomentum) {
     const BodyModel model = buildBodyModel(test::bentTube());
-    const ReferenceSolver solver(model, solverUniforms(Params{}, model));
+    shared::SolverUniforms uniforms = solverUniforms(Params{}, model);
+    uniforms.active_parts |= (1u << kConstraintTypes) - 1;
+    const ReferenceSolver solver(model, uniforms);
     for (std::uint32_t type = 0; type <= kConstraintTypes; ++type) {
         const ReferenceState before = test::shakenState(model, 5, 0.01, 0.001);
         ReferenceState after = before;
