@@ -64,7 +64,7 @@ std::string Simulation::State::carryOut(const Pin& pin) {
         return pin.pinned ? "No free vertex lies in that region; nothing was pinned."
                           : "No pinned vertex lies in that region; nothing was freed.";
     }
-    body.solver.setPinned(body.pins.vertices());
+    body.solver.masses().setPinned(body.pins.vertices());
     log.notePins(std::move(before), body.pins, pin, time);
     return "";
 }
@@ -95,7 +95,7 @@ std::string Simulation::State::apply(BoxEdit edit) {
 
 void Simulation::State::setBoxes(std::vector<StaticBox> now) {
     boxes = std::move(now);
-    body.solver.setBoxes(boxes);
+    body.solver.collisions().setBoxes(boxes);
 }
 
 template <>

@@ -65,7 +65,7 @@ void RunningBody::beginAtRest() {
 void RunningBody::measureAtRest() {
     measure = solver.measure();
     sync.setBounds(measure.bounds);
-    solver.saveState();
+    solver.savedPieces().save();
 }
 
 void RunningBody::apply(const Params& params) {
@@ -76,14 +76,14 @@ void RunningBody::apply(const Params& params) {
     cutter->setDebrisVolume(params.debrisVolume);
     cutter->setOpenCut(params.openCut != 0);
     cutter->setSearch(params.cutSearch);
-    solver.setContact(contactSettings(params));
+    solver.collisions().setSettings(contactSettings(params));
 }
 
 SnapshotPointer RunningBody::capture() {
     mesh.bringAll();
     return std::make_shared<const Snapshot>(
         Snapshot{mesh, *updater, *cutter, solver.pages(), volumeTargets, hands, pins, measure,
-                 solver.contactMemory(), closed, subdivisions, foldedSteps});
+                 solver.collisions().memory(), closed, subdivisions, foldedSteps});
 }
 
 void RunningBody::restore(const Snapshot& snapshot) {
@@ -101,10 +101,10 @@ void RunningBody::restore(const Snapshot& snapshot) {
     subdivisions = snapshot.subdivisions;
     foldedSteps = snapshot.foldedSteps;
     solver.restoreModel(model(), stateOf(mesh), snapshot.pages);
-    solver.rememberContacts(snapshot.contact);
+    solver.collisions().remember(snapshot.contact);
     solver.setVolumeTargets(volumeTargets.targets());
-    solver.setPinned(pins.vertices());
-    solver.saveState();
+    solver.masses().setPinned(pins.vertices());
+    solver.savedPieces().save();
     pieces_.reset();
 }
 
@@ -117,14 +117,14 @@ void RunningBody::prepareStep(double timeStep) {
 
 /// What needs no result is done while the GPU measures.
 void RunningBody::measureStep() {
-    solver.startMeasure();
+    solver.measurer().start();
     sync.invalidate();
     pieces_.reset();
-    measure = solver.takeMeasure();
+    measure = solver.measurer().take();
 }
 
 void RunningBody::bringLostPiecesBack() {
-    solver.restorePiecesAtRest(measure.lostPieces);
+    solver.savedPieces().restoreAtRest(measure.lostPieces);
     measure = solver.measure();
 }
 
@@ -132,7 +132,7 @@ double RunningBody::endStep() {
     if (!volumesHeld) {
         volumeTargets.startAt(measure.pieceVolumes);
     }
-    solver.saveState();
+    solver.savedPieces().save();
     const double prefetchMs = sync.takePrefetched();
     sync.setBounds(measure.bounds);
     if (readsAllBack) {
@@ -182,7 +182,7 @@ std::string RunningBody::adopt(const CutDelta& delta) {
     volumeTargets.follow(change.pieces.source, model(), measure.pieceVolumes);
     solver.setVolumeTargets(volumeTargets.targets());
     if (pins.follow(mesh, delta)) {
-        solver.setPinned(pins.vertices());
+        solver.masses().setPinned(pins.vertices());
     }
     pieces_.reset();
     std::string defect = checkClosedManifoldAround(mesh, changedTriangles(delta));

@@ -85,8 +85,8 @@ void Simulation::State::solve() {
     takeBackLostPieces();
     const double prefetchMs = body.endStep();
     report.search.milliseconds += params.cutSearch == CutSearch::tree ? prefetchMs : 0;
-    report.deformMs = body.solver.takeDeformMilliseconds();
-    report.collideMs = body.solver.takeCollideMilliseconds();
+    report.deformMs = body.solver.stepper().takeDeformMilliseconds();
+    report.collideMs = body.solver.stepper().takeCollideMilliseconds();
 }
 
 void Simulation::State::prefetchCut() {
@@ -100,7 +100,7 @@ void Simulation::State::prefetchCut() {
 
 void Simulation::State::moveBody() {
     FrontHold front(body, params.timeStep);
-    body.solver.setBlade(bladeMotion());
+    body.solver.collisions().setBlade(bladeMotion());
     body.solver.unfoldFirmly(!body.cutter->inStroke());
     body.solver.step();
     front.release();
@@ -125,7 +125,7 @@ void Simulation::State::takeBackLostPieces() {
 void Simulation::State::mendFolds() {
     if (body.cutter->inStroke()) {
         body.foldedSteps = 0;
-    } else if (body.solver.unfolds()) {
+    } else if (body.solver.stepper().unfolds()) {
         ++body.foldedSteps;  // not in a row: much comes and goes
     }
     if (body.foldedSteps < kPatience) {

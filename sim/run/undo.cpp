@@ -41,7 +41,7 @@ void Simulation::State::apply(const UndoEntry::ParamChange& change, bool forward
 void Simulation::State::apply(const UndoEntry::PinChange& change, bool forward) {
     touch();
     body.pins = forward ? change.after : change.before;
-    body.solver.setPinned(body.pins.vertices());
+    body.solver.masses().setPinned(body.pins.vertices());
 }
 
 void Simulation::State::apply(const UndoEntry::BodySnapshotChange& change, bool forward) {

@@ -64,13 +64,13 @@ gpu::Program SmallBodySolver::compile(uint threads, gpu::Defines defines) const 
     return gpu::Program::compute("sim/small_body.comp", defines);
 }
 
-void SmallBodySolver::run(const SmallBodyBuffers& buffers, const SubstepRun& run) {
+void SmallBodySolver::run(const SolverBody& body, const SubstepRun& run) {
     std::optional<gpu::Program>& kernel = folds_ != nullptr ? foldedKernel_ : kernel_;
     if (!kernel) {
         kernel = compile(groupSize(),
                          folds_ != nullptr ? gpu::Defines{{"UNFOLDS", "1"}} : gpu::Defines{});
     }
-    bind(buffers);
+    bind(body);
     if (folds_ != nullptr) {
         folds_->bindTexels(shared::kFoldsUnit, TexelFormat::uint32);
     }
@@ -82,25 +82,25 @@ void SmallBodySolver::run(const SmallBodyBuffers& buffers, const SubstepRun& run
     gpu::storageBarrier();
 }
 
-void SmallBodySolver::run(const SmallBodyBuffers& buffers, const SweepRun& run) {
+void SmallBodySolver::run(const SolverBody& body, const SweepRun& run) {
     std::optional<gpu::Program>& kernel = large_ ? largeSweepKernel_ : sweepKernel_;
     if (!kernel) {
         kernel = compile(groupSizeOfSweeps(), {{"PLAIN_PBD", "1"}});
     }
-    bind(buffers);
+    bind(body);
     kernel->set("firstSweep", run.first);
     kernel->set("endSweep", run.end);
     kernel->dispatch(1, groupSizeOfSweeps());
     gpu::storageBarrier();
 }
 
-void SmallBodySolver::bind(const SmallBodyBuffers& b) const {
-    b.uniforms->bindStorage(shared::kUniformsBinding);
-    b.impulses->bindStorage(shared::kSmallImpulsesBinding);
-    b.pieces->bindStorage(shared::kSmallPiecesBinding);
-    b.blocks->bindStorage(shared::kSmallBlocksBinding);
-    b.pages->bindStorage(shared::kSmallPagesBinding);
-    b.pulls->bindStorage(shared::kSmallPullsBinding);
+void SmallBodySolver::bind(const SolverBody& body) const {
+    body.uniformBuffer.bindStorage(shared::kUniformsBinding);
+    body.pieces.impulses.bindStorage(shared::kSmallImpulsesBinding);
+    body.pieces.pieceBuffer.bindStorage(shared::kSmallPiecesBinding);
+    body.pieces.blockBuffer.bindStorage(shared::kSmallBlocksBinding);
+    body.pieces.pageBuffer.bindStorage(shared::kSmallPagesBinding);
+    body.pulls.bindStorage(shared::kSmallPullsBinding);
     const auto bindImage = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
         if (memory_ == Memory::texels) {
             buffer.bindImage(unit, format);
@@ -114,18 +114,19 @@ void SmallBodySolver::bind(const SmallBodyBuffers& b) const {
         buffer.bindTexels(unit, format);
         bindImage(buffer, unit, format);
     };
-    bindState(*b.positions, shared::kPositionsBinding, TexelFormat::float32x4);
-    bindState(*b.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
-    bindState(*b.displacement, shared::kDisplacementBinding, TexelFormat::float32x4);
-    bindState(*b.swept, shared::kSmallSweptBinding, TexelFormat::float32x4);
-    bindState(*b.corrections, shared::kSmallCorrectionsBinding, TexelFormat::float32x4);
-    bindState(*b.gradients, shared::kSmallGradientsBinding, TexelFormat::float32x4);
+    bindState(body.state.positions, shared::kPositionsBinding, TexelFormat::float32x4);
+    bindState(body.state.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
+    bindState(body.state.displacement, shared::kDisplacementBinding, TexelFormat::float32x4);
+    bindState(body.state.previous, shared::kSmallSweptBinding, TexelFormat::float32x4);
+    bindState(body.state.corrections, shared::kSmallCorrectionsBinding, TexelFormat::float32x4);
+    bindState(body.state.gradients, shared::kSmallGradientsBinding, TexelFormat::float32x4);
     bindState(parts_, shared::kSmallPartsBinding, TexelFormat::float32x2);
-    bindRecords(*b.links, shared::kSmallLinksUnit, TexelFormat::uint32x4);
-    bindAllConstraints(b.constraints, bindRecords);
-    bindRecords(*b.neighbourRanges, shared::kSmallNeighbourRangesUnit, TexelFormat::uint32x2);
-    bindRecords(*b.neighbours, shared::kSmallNeighboursUnit, TexelFormat::uint32x2);
-    bindRecords(*b.places, shared::kSmallPlacesUnit, TexelFormat::uint32);
+    bindRecords(body.model.links, shared::kSmallLinksUnit, TexelFormat::uint32x4);
+    bindAllConstraints(body.model.constraints, bindRecords);
+    bindRecords(body.model.neighbours.ranges, shared::kSmallNeighbourRangesUnit,
+                TexelFormat::uint32x2);
+    bindRecords(body.model.neighbours.entries, shared::kSmallNeighboursUnit, TexelFormat::uint32x2);
+    bindRecords(body.pieces.placeBuffer, shared::kSmallPlacesUnit, TexelFormat::uint32);
 }
 
 }  // namespace kerf

@@ -8,19 +8,9 @@
 #include "gpu/program.h"
 #include "sim/body/body_model.h"
 #include "sim/solve/loop_budget.h"
-#include "sim/solve/solver_model.h"
+#include "sim/solve/solver_body.h"
 
 namespace kerf {
-
-/// The solver's buffers that a whole step needs (see small_body_bindings.h).
-struct SmallBodyBuffers {
-    const gpu::Buffer *uniforms, *positions, *velocities, *displacement, *swept;
-    const gpu::Buffer* links;
-    std::span<const ConstraintBuffers> constraints;
-    const gpu::Buffer *neighbourRanges, *neighbours, *places;
-    const gpu::Buffer *corrections, *gradients, *impulses;
-    const gpu::Buffer *pieces, *blocks, *pages, *pulls;
-};
 
 /// A run of substeps. A substep begins with the prediction and ends with floor and velocities;
 /// between them lies what may collide with the body.
@@ -72,8 +62,8 @@ class SmallBodySolver {
 
     /// One dispatch; a storage barrier follows. Compiles the kernel with the first: throws
     /// gpu::ShaderError.
-    void run(const SmallBodyBuffers& buffers, const SubstepRun& run);
-    void run(const SmallBodyBuffers& buffers, const SweepRun& run);
+    void run(const SolverBody& body, const SubstepRun& run);
+    void run(const SolverBody& body, const SweepRun& run);
 
   private:
     static std::uint32_t atOnce(std::size_t turns) {
@@ -83,7 +73,7 @@ class SmallBodySolver {
     std::uint32_t groupSizeOfSweeps() const;
     gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
     void setSweeps(const BodyModel& model);
-    void bind(const SmallBodyBuffers& buffers) const;
+    void bind(const SolverBody& body) const;
 
     Memory memory_;
     std::optional<gpu::Program> kernel_;

@@ -17,41 +17,6 @@ ContactBody contactBodyOf(const SolverBody& body) {
             .triangleCount = body.uniforms.triangle_count};
 }
 
-SmallBodyBuffers smallBodyBuffersOf(const SolverBody& body) {
-    const SolverModel& model = body.model;
-    const SolverState& state = body.state;
-    const SolverPieces& pieces = body.pieces;
-    return {.uniforms = &body.uniformBuffer,
-            .positions = &state.positions,
-            .velocities = &state.velocities,
-            .displacement = &state.displacement,
-            .swept = &state.previous,
-            .links = &model.links,
-            .constraints = model.constraints,
-            .neighbourRanges = &model.neighbours.ranges,
-            .neighbours = &model.neighbours.entries,
-            .places = &pieces.placeBuffer,
-            .corrections = &state.corrections,
-            .gradients = &state.gradients,
-            .impulses = &pieces.impulses,
-            .pieces = &pieces.pieceBuffer,
-            .blocks = &pieces.blockBuffer,
-            .pages = &pieces.pageBuffer,
-            .pulls = &body.pulls};
-}
-
-UnfoldingBody unfoldingBodyOf(const SolverBody& body) {
-    return {.uniforms = &body.uniformBuffer,
-            .positions = &body.state.positions,
-            .velocities = &body.state.velocities,
-            .restPositions = &body.model.restPositions,
-            .bends = &body.model.constraints[shared::kBend].records,
-            .neighbourRanges = &body.model.neighbours.ranges,
-            .neighbours = &body.model.neighbours.entries,
-            .vertexCount = body.uniforms.vertex_count,
-            .bendCount = body.uniforms.count[shared::kBend]};
-}
-
 BodyView bodyViewOf(const SolverBody& body) {
     const SolverModel& model = body.model;
     return {.positions = &body.state.positions,

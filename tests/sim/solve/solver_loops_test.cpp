@@ -63,9 +63,11 @@ class SolverLoops : public test::GlTest {
     std::size_t turnsOfStep(const SurfaceMesh& mesh, Memory memory, const Params& params) {
         const BodyModel model = buildBodyModel(mesh);
         GpuSolver gpu;
-        gpu.setSmallBodyMemory(memory);
+        gpu.stepper().setSmallBodyMemory(memory);
         gpu.setModel(model, stateOf(mesh));
-        gpu.setUniforms(solverUniforms(params));
+        shared::SolverUniforms uniforms = solverUniforms(params);
+        uniforms.active_parts |= (1u << kConstraintTypes) - 1;
+        gpu.setUniforms(uniforms);
         if (params.solver == SolverMode::smallSteps) {
             gpu.setPulls({{1, 0.1f, 0.2f, 0.3f, 1, 0, 0}});
         }
@@ -77,8 +79,8 @@ class SolverLoops : public test::GlTest {
         const long before = gpu.dispatches();
         gpu.step();
         EXPECT_EQ(gpu.dispatches() - before, 1);
-        reckoned_ = params.solver == SolverMode::pbd ? gpu.smallBody().turnsOfSweep()
-                                                     : gpu.smallBody().turnsOfSubstep();
+        reckoned_ = params.solver == SolverMode::pbd ? gpu.stepper().smallBody().turnsOfSweep()
+                                                     : gpu.stepper().smallBody().turnsOfSubstep();
         return std::ranges::max(turns.read<std::uint32_t>(0, kThreads / 8));
     }
 
