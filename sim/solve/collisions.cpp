@@ -54,11 +54,6 @@ void Collisions::respondAsThePaper() {
     paperContact_.respond(static_cast<std::uint32_t>(body_.pieces.pieces().size()));
 }
 
-void Collisions::searchAnew() {
-    contacts_.beginStep(motion_);
-    contacts_.search();
-}
-
 ContactReadings Collisions::readings() const {
     const bool paper = paperContact_.enabled();
     return {paper ? paperContact_.state() : contacts_.state(), contacts_.searchedPositions(),

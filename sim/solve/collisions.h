@@ -68,8 +68,6 @@ class Collisions {
     bool followsThePaper() const { return paperContact_.enabled(); }
     void respondAsThePaper();
 
-    /// search() as the beginning of a step does.
-    void searchAnew();
     const ContactSolver& contacts() const { return contacts_; }
     ContactReadings readings() const;
     /// The memory of contact for a snapshot, and back once body and settings are.

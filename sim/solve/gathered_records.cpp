@@ -1,6 +1,9 @@
 #include "sim/solve/gathered_records.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "sim/base/sort_unique.h"
 
 namespace kerf {
 

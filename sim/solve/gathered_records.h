@@ -1,12 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "shaders/shared/body_records.h"
-#include "sim/base/sort_unique.h"
-#include "sim/body/body_updater.h"
 #include "sim/body/incidence.h"
 
 namespace kerf {

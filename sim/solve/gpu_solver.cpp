@@ -44,19 +44,15 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
         case 4:
             return body_.model.uploadTriangleLists(model);
         case 5:
-            return uploadCounts(model);
+            body_.pieces.upload(model, body_.scatter);
+            stepper_.setBody(model, true);
+            return body_.setCountsOf(model);
         case 6:
             setState(state);
             return collisions_.setBody(model);
         default:
             assert(false && "portions end with kModelPortions");
     }
-}
-
-void GpuSolver::uploadCounts(const BodyModel& model) {
-    body_.pieces.upload(model, body_.scatter);
-    stepper_.takeBody(model);
-    body_.setCountsOf(model);
 }
 
 void GpuSolver::makeRoom(const BodyModel& model) {
@@ -71,7 +67,7 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     body_.model.update(model, change, body_.scatter);
     body_.state.update(written, state, body_.model.areas.size(), body_.scatter);
     makeRoom(model);
-    stepper_.followBody(model);
+    stepper_.setBody(model, false);
     body_.setCountsOf(model);
     masses_.invalidate();
     collisions_.setBody(model);

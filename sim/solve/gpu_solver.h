@@ -92,7 +92,6 @@ class GpuSolver {
     long dispatches() const { return body_.dispatches; }
 
   private:
-    void uploadCounts(const BodyModel& model);
     void makeRoom(const BodyModel& model);
 
     SolverBody body_;

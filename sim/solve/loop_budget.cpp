@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/body/incidence.h"
 #include "sim/solve/gathered_records.h"
 
 namespace kerf {

@@ -19,13 +19,9 @@ void timed(gpu::Timer& timer, F&& work) {
 
 }  // namespace
 
-void TimeStepper::takeBody(const BodyModel& model) {
-    smallBody_.setBody(model, body_.pieces.blocks(), true);
-    sweepsFaster_ = {};
-}
-
-void TimeStepper::followBody(const BodyModel& model) {
-    smallBody_.setBody(model, body_.pieces.blocks(), body_.plainPbd());
+void TimeStepper::setBody(const BodyModel& model, bool isNew) {
+    smallBody_.setBody(model, body_.pieces.blocks(), isNew || body_.plainPbd());
+    sweepsFaster_ = isNew ? FasterWay() : sweepsFaster_;
 }
 
 void TimeStepper::step() {
@@ -101,20 +97,16 @@ void TimeStepper::stepByPhases() {
         for (uint sweep = 0; sweep < body_.uniforms.sweeps; ++sweep) {
             const bool last = sweep + 1 == body_.uniforms.sweeps;
             const bool lifts = settles && !last && phases_.mayGatherOntoFloor();
-            sweepByPhases(sweep, lifts);
+            timed(deformTimer_, [&] {
+                sweep == 0 ? phases_.predictAndStretch() : phases_.stretchAgain();
+                phases_.solveAll(lifts);
+            });
             if (!(settles && last) && !lifts) {
                 holdVolumeAndCollide(i);
             }
         }
         timed(deformTimer_, [&] { settles ? phases_.settle() : phases_.finish(); });
     }
-}
-
-void TimeStepper::sweepByPhases(uint sweep, bool ontoFloor) {
-    timed(deformTimer_, [&] {
-        sweep == 0 ? phases_.predictAndStretch() : phases_.stretchAgain();
-        phases_.solveAll(ontoFloor);
-    });
 }
 
 void TimeStepper::holdVolumeAndCollide(uint substep) {

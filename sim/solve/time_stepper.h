@@ -23,9 +23,8 @@ class TimeStepper {
 
     /// Makes room for so many vertices. Throws gpu::OutOfMemory.
     void makeRoom(std::size_t vertices) { unfolding_.resize(vertices); }
-    /// A new body, or one that changed, with all of its vertices.
-    void takeBody(const BodyModel& model);
-    void followBody(const BodyModel& model);
+    /// A body that is new or changed.
+    void setBody(const BodyModel& model, bool isNew);
 
     /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps. Masses must be fresh.
     void step();
@@ -35,7 +34,7 @@ class TimeStepper {
     /// Whether the phases at the end of a substep may share a dispatch where nothing but the floor
     /// can be met, as at the start.
     void allowSettling(bool allowed) { settlingAllowed_ = allowed; }
-    /// Sets where the group that solves a small body keeps what it changes; before takeBody().
+    /// Sets where the group that solves a small body keeps what it changes; before setBody().
     void setSmallBodyMemory(SmallBodySolver::Memory memory) {
         smallBody_ = SmallBodySolver(memory);
     }
@@ -63,7 +62,6 @@ class TimeStepper {
     void stepAtOnce();
     void stepBySubsteps();
     bool sweepsInOneGroup() const;
-    void sweepByPhases(std::uint32_t sweep, bool ontoFloor);
     void holdVolumeAndCollide(std::uint32_t substep);
     void unfoldBefore();
     void searchBefore(std::uint32_t substep);

@@ -11,8 +11,6 @@ namespace {
 using gpu::TexelFormat;
 using shared::uint;
 
-static_assert(sizeof(shared::UnfoldGoal) == 80);
-
 void bindBoth(const gpu::Buffer& buffer, uint binding, TexelFormat format) {
     buffer.bindStorage(binding);
     buffer.bindTexels(binding, format);

@@ -97,9 +97,15 @@ struct Pair {
 
 class ContactSolverTest : public test::GlTest {};
 
+/// As the beginning of a step does.
+void searchAnew(Collisions& collisions) {
+    collisions.beginStep(nullptr);
+    collisions.search();
+}
+
 /// Searches, and returns how many candidates were found.
 int expectCandidatesOfTheReference(Pair& pair) {
-    pair.gpu.collisions().searchAnew();
+    searchAnew(pair.gpu.collisions());
     const auto ours = pair.gpu.collisions().contacts().readCandidates();
     const auto theirs = pair.referenceContact().findCandidates(pair.reference);
     EXPECT_EQ(ours.size(), theirs.size());
@@ -202,7 +208,7 @@ TEST_F(ContactSolverTest, RespondsLikeTheReference) {
         const int contacts = contact.respond(candidates, pair.reference);
         EXPECT_GT(contacts, 10);
 
-        pair.gpu.collisions().searchAnew();
+        searchAnew(pair.gpu.collisions());
         shared::SolverUniforms uniforms = solverUniforms(weightless());
         uniforms.active_parts = 0;
         pair.gpu.setUniforms(uniforms);
