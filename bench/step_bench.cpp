@@ -29,7 +29,7 @@ double gpuStep(const BodyModel& model, const shared::SolverUniforms& uniforms,
     GpuSolver solver;
     solver.setModel(model, atRest(model));
     solver.setUniforms(uniforms);
-    solver.setContact(contact);
+    solver.collisions().setSettings(contact);
     return medianMilliseconds(kRepeats, [&] {
         solver.step();
         solver.measure();  // waits for the GPU
@@ -39,7 +39,7 @@ double gpuStep(const BodyModel& model, const shared::SolverUniforms& uniforms,
 /// The step alone, without what the CPU wants to know of it.
 double bareStep(const BodyModel& model, const shared::SolverUniforms& uniforms, bool oneGroup) {
     GpuSolver solver;
-    solver.allowOneGroup(oneGroup);
+    solver.stepper().allowOneGroup(oneGroup);
     solver.setModel(model, atRest(model));
     solver.setUniforms(uniforms);
     return medianMilliseconds(kRepeats, [&] {

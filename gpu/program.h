@@ -23,7 +23,8 @@ using Defines = std::vector<std::pair<std::string, std::string>>;
 
 /// A linked OpenGL program (move only). Sources are paths below shaderRoot() (data_path.h);
 /// #include "x" is resolved against the including file, then against shaderRoot() and
-/// shaderRoot()/shared. The file need not carry #version: "#version 450 core" is put in front.
+/// shaderRoot()/shared; "folder/*.glsl" means all such files, by name. The file need not carry
+/// #version: "#version 450 core" is put in front.
 class Program {
   public:
     /// Compiles and links a program. Throws ShaderError.

@@ -66,6 +66,18 @@ std::optional<std::string> quotedName(const std::string& text) {
     return match[1];
 }
 
+/// The files beside `pattern` with its extension, by name.
+std::vector<fs::path> filesLike(const fs::path& pattern) {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(pattern.parent_path())) {
+        if (entry.path().extension() == pattern.extension()) {
+            files.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
 class Expander {
   public:
     explicit Expander(fs::path root) : root_(std::move(root)) {}
@@ -118,29 +130,35 @@ class Expander {
             return;
         }
         const std::string place = fmt::format("{}:{}: ", files_[index], number);
-        const std::optional<fs::path> file = find(*name);
-        if (!file) {
+        const std::vector<fs::path> files = find(*name);
+        if (files.empty()) {
             throw ShaderError(place + "the file \"" + *name + "\" to include was not found");
         }
-        if (std::find(stack_.begin(), stack_.end(), *file) != stack_.end()) {
-            throw ShaderError(place + "\"" + *name + "\" includes itself");
-        }
-        if (!once_.contains(*file)) {
-            append(*file, readFile(*file).value_or(""));
+        for (const fs::path& file : files) {
+            if (std::find(stack_.begin(), stack_.end(), file) != stack_.end()) {
+                throw ShaderError(place + "\"" + *name + "\" includes itself");
+            }
+            if (!once_.contains(file)) {
+                append(file, readFile(file).value_or(""));
+            }
         }
         out_ << lineDirective(index, number + 1);
     }
 
-    std::optional<fs::path> find(const std::string& name) const {
+    /// The file of a name, or those of "folder/*.glsl".
+    std::vector<fs::path> find(const std::string& name) const {
         const std::array<fs::path, 3> folders = {stack_.back().parent_path(), root_,
                                                  root_ / "shared"};
         for (const fs::path& folder : folders) {
             const fs::path file = (folder / name).lexically_normal();
+            if (file.stem() == "*" && fs::is_directory(file.parent_path())) {
+                return filesLike(file);
+            }
             if (fs::is_regular_file(file)) {
-                return file;
+                return {file};
             }
         }
-        return std::nullopt;
+        return {};
     }
 
     std::size_t fileIndex(const fs::path& file) {

@@ -11,10 +11,10 @@ SHARED_CONST uint kPositionsBinding = 1u;     // per vertex: base position X [m]
 SHARED_CONST uint kVelocitiesBinding = 2u;    // per vertex: velocity [m/s]
 SHARED_CONST uint kDisplacementBinding = 3u;  // per vertex: d = P - X of this substep [m]
 SHARED_CONST uint kLinksBinding = 4u;  // per vertex: VertexLinks, numbers of constraints, piece
-SHARED_CONST uint kConstraintsBinding = 5u;  // per bend or ISPC: BendRecord or IspcConstraint
+SHARED_CONST uint kConstraintsBinding = 5u;  // per constraint of one type: its record
 SHARED_CONST uint kRangesBinding = 6u;       // per vertex: where its entries begin, how many
-SHARED_CONST uint kEntriesBinding = 7u;  // per neighbour, spoke, bend or ISPC of a vertex: which
-SHARED_CONST uint kCorrectionsBinding = 8u;  // per bend, two, or per ISPC: correction (bend.comp)
+SHARED_CONST uint kEntriesBinding = 7u;      // per neighbour or constraint of a vertex: which
+SHARED_CONST uint kCorrectionsBinding = 8u;  // per constraint, one or two: its pull
 SHARED_CONST uint kPlacesBinding = 9u;       // per place on a page: vertex, kNoVertex for holes
 SHARED_CONST uint kGradientsBinding = 10u;   // per vertex: gradient of volume dV/dp [m^2]
 SHARED_CONST uint kPiecesBinding = 11u;      // per piece: PieceRecord
@@ -32,14 +32,13 @@ SHARED_CONST uint kWrittenBinding = 1u;      // any: the buffer that words are w
 SHARED_CONST uint kContactCountsOfStepBinding = 5u;  // one: ContactState
 SHARED_CONST uint kSearchedBinding = 8u;  // per vertex: X at the last search for contacts [m]
 SHARED_CONST uint kNearbyBinding = 15u;   // per vertex near the blade: NearbyVertex, NearbyQuery
+// Texture and image units of a kernel that reads all types of constraints: these + 3 * type.
+SHARED_CONST uint kAllRecordsUnit = 20u;  // per constraint: its record
+SHARED_CONST uint kAllRangesUnit = 21u;   // per vertex: where its entries begin, how many
+SHARED_CONST uint kAllEntriesUnit = 22u;  // per constraint of a vertex: which
 // Texture unit of how far the skin at each vertex is folded: see folds.glsl. No kernel has another
-// use for it.
-SHARED_CONST uint kFoldsUnit = 28u;
-// Texture units of a kernel that reads all constraints besides the triangles around each vertex.
-SHARED_CONST uint kBendsBinding = 5u;        // per bend: BendRecord
-SHARED_CONST uint kIspcsBinding = 8u;        // per ISPC: IspcConstraint
-SHARED_CONST uint kEdgeRangesBinding = 12u;  // per vertex: where its spokes begin, how many
-SHARED_CONST uint kSpokesBinding = 13u;      // per edge and end: Spoke
+// use for it; edges have no records.
+SHARED_CONST uint kFoldsUnit = kAllRecordsUnit;
 
 SHARED_END
 #endif

@@ -13,13 +13,12 @@ SHARED_CONST uint kNoVertex = 0xffffffffu;  // a place without a vertex
 SHARED_CONST uint kAfterGap =
     0x80000000u;  // of a neighbour: no triangle between it and the last one
 
-// How many constraints of each type touch a vertex: mass-splitting Jacobi gives each of them the
-// share mass / count, hence the inverse mass count * w.
+// How many constraints of each type that pulls touch a vertex: mass-splitting Jacobi gives each of
+// them the share mass / count, hence the inverse mass count * w. One texel.
+SHARED_CONST uint kMostPullingTypes = 3u;
 struct VertexLinks {
-    uint edges;
-    uint bends;
-    uint ispcs;
-    uint piece;  // kNoPiece for unused and hidden vertices
+    uint counts[kMostPullingTypes];  // of type 1, 2, ...
+    uint piece;                      // kNoPiece for unused and hidden vertices
 };
 
 // A piece: its blocks lie together.
@@ -77,10 +76,10 @@ struct BendRange {
     uint unused;
 };
 
-// An ISPC as seen from one of its vertices.
-struct IspcShare {
-    uint ispc;
-    float weight;  // of its pull: 1 on its vertex, less the barycentric weight on a corner
+// A constraint with one pull as seen from one of its vertices.
+struct ConstraintShare {
+    uint constraint;
+    float weight;  // of its pull
 };
 
 // A word that is to be written into a buffer.

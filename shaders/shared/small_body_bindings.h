@@ -22,19 +22,11 @@ SHARED_CONST uint kSmallBlocksBinding = 10u;
 SHARED_CONST uint kSmallPagesBinding = 11u;
 SHARED_CONST uint kSmallPullsBinding = 12u;
 
-// Texture units and, on llvmpipe, image units: none of those above.
+// Texture units and, on llvmpipe, image units: none of those above; constraints follow them.
 SHARED_CONST uint kSmallLinksUnit = 16u;
-SHARED_CONST uint kSmallEdgeRangesUnit = 17u;
-SHARED_CONST uint kSmallSpokesUnit = 18u;
-SHARED_CONST uint kSmallBendsUnit = 19u;
-SHARED_CONST uint kSmallBendRangesUnit = 20u;
-SHARED_CONST uint kSmallBendEntriesUnit = 21u;
-SHARED_CONST uint kSmallIspcsUnit = 22u;
-SHARED_CONST uint kSmallIspcRangesUnit = 23u;
-SHARED_CONST uint kSmallIspcSharesUnit = 24u;
-SHARED_CONST uint kSmallNeighbourRangesUnit = 25u;
-SHARED_CONST uint kSmallNeighboursUnit = 26u;
-SHARED_CONST uint kSmallPlacesUnit = 27u;
+SHARED_CONST uint kSmallNeighbourRangesUnit = 17u;
+SHARED_CONST uint kSmallNeighboursUnit = 18u;
+SHARED_CONST uint kSmallPlacesUnit = 19u;
 
 SHARED_END
 #endif

@@ -1,4 +1,5 @@
-// The angle of a bend, see bend.comp.
+// The angle of a bend, see constraints/bend.glsl.
+#pragma once
 #include "sim/inverse_tangent.glsl"
 
 struct Wings {

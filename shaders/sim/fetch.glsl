@@ -27,6 +27,12 @@ uvec4 fetch(readonly uimageBuffer texels, uint index) {
 #define RECORDS usamplerBuffer
 #endif
 
+// The lists by which the vertices gather (constraints.h).
+#define RANGES_OF_WingPulls(unit) RECORD_QUADS(unit)
+#define ENTRIES_OF_WingPulls(unit) RECORD_PAIRS(unit)
+#define RANGES_OF_Shares(unit) RECORD_PAIRS(unit)
+#define ENTRIES_OF_Shares(unit) RECORD_QUADS(unit)
+
 vec4 fetch(samplerBuffer texels, uint index) {
     return texelFetch(texels, int(index));
 }
@@ -50,24 +56,5 @@ BendRecord fetchBend(RECORDS records, uint index) {
 BendRange fetchBendRange(RECORDS records, uint index) {
     uvec4 words = fetch(records, index);
     return BendRange(words.x, words.y, words.z, 0u);
-}
-
-struct IspcSharePair {
-    IspcShare first, second;
-};
-
-IspcSharePair fetchIspcShares(RECORDS records, uint pair) {
-    uvec4 words = fetch(records, pair);
-    return IspcSharePair(IspcShare(words.x, uintBitsToFloat(words.y)),
-                         IspcShare(words.z, uintBitsToFloat(words.w)));
-}
-#endif
-
-#ifdef KERF_CONSTRAINTS_H
-IspcConstraint fetchIspc(RECORDS records, uint index) {
-    uvec4 corners = fetch(records, 2u * index);
-    vec4 rest = uintBitsToFloat(fetch(records, 2u * index + 1u));
-    return IspcConstraint(corners.x, corners.y, corners.z, corners.w,
-                          rest.x, rest.y, rest.z, rest.w);
 }
 #endif

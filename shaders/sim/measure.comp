@@ -49,6 +49,10 @@ uint neighbourAt(uint place) {
     return (place & 1u) == 0u ? pair.x : pair.y;
 }
 
+// Kernels that solve constraints have more.
+vec4 displacementOf(uint v) { return vec4(0.0); }
+void setCorrection(uint index, vec4 pull) {}
+
 #include "sim/strain_energy.glsl"
 #include "sim/sixfold_gradient.glsl"
 

@@ -32,14 +32,14 @@ uint blocksInAll = blockCount;
 #endif
 
 RECORD_QUADS(kSmallLinksUnit) links;
-RECORD_PAIRS(kSmallEdgeRangesUnit) edgeRanges;
-RECORD_QUADS(kSmallSpokesUnit) spokes;
-RECORD_QUADS(kSmallBendsUnit) bends;
-RECORD_QUADS(kSmallBendRangesUnit) bendRanges;
-RECORD_PAIRS(kSmallBendEntriesUnit) bendEntries;
-RECORD_QUADS(kSmallIspcsUnit) ispcs;
-RECORD_PAIRS(kSmallIspcRangesUnit) ispcRanges;
-RECORD_QUADS(kSmallIspcSharesUnit) ispcShares;
+RECORD_PAIRS(kAllRangesUnit) edgeRanges;
+RECORD_QUADS(kAllEntriesUnit) spokes;
+#define DECLARE(number, Name, list, Constraint, Gather)              \
+    RECORD_QUADS(kAllRecordsUnit + 3u * number) list##Records;       \
+    RANGES_OF_##Gather(kAllRangesUnit + 3u * number) list##Ranges;   \
+    ENTRIES_OF_##Gather(kAllEntriesUnit + 3u * number) list##Entries;
+KERF_PULLING(DECLARE)
+#undef DECLARE
 RECORD_PAIRS(kSmallNeighbourRangesUnit) neighbourRanges;
 RECORD_PAIRS(kSmallNeighboursUnit) neighbours;
 RECORD_WORDS(kSmallPlacesUnit) places;
@@ -54,8 +54,6 @@ layout(std430, binding = kSmallImpulsesBinding) coherent buffer Impulses {
 #include "sim/small_body_state.glsl"
 
 Spoke spokeAt(uint place) { return fetchSpoke(spokes, place); }
-uvec2 bendEntriesAt(uint pair) { return fetch(bendEntries, pair).xy; }
-IspcSharePair ispcSharesAt(uint pair) { return fetchIspcShares(ispcShares, pair); }
 // Open pieces have no volume constraint, so gaps do not matter here.
 uvec2 neighboursAt(uint pair) { return fetch(neighbours, pair).xy & ~kAfterGap; }
 uvec2 rangeAt(uint v) { return fetch(neighbourRanges, v).xy; }
@@ -65,9 +63,8 @@ uint pieceOf(uint v) { return fetch(links, v).w; }
 
 VolumeSum sumOfBlock(uint block);
 
-#include "sim/bend.glsl"
+#include "sim/constraints.glsl"
 #include "sim/gather.glsl"
-#include "sim/ispc.glsl"
 #include "sim/mass_split.glsl"
 #include "sim/pull.glsl"
 #include "sim/settle.glsl"
@@ -82,6 +79,7 @@ VolumeSum sumOfBlock(uint block) {
 }
 
 uint self = gl_LocalInvocationID.x;
+#define FOR_EACH_OWN(i, count) for (uint i = firstOf(count); i < endOf(count); i += kStride)
 
 bool isActive(uint part) {
     return (uniforms.active_parts & part) != 0u;
@@ -93,7 +91,7 @@ vec3 startOf(uint v, float inverseUnitMass) {
 }
 
 void predict() {
-    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
+    FOR_EACH_OWN(v, uniforms.vertex_count) {
         setSwept(v, predicted(velocityOf(v).xyz, positionOf(v).w));
     }
     endPhase();
@@ -105,40 +103,40 @@ vec3 startOf(uint v, float inverseUnitMass) {
 #endif
 
 void stretchAll() {
-    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
+    FOR_EACH_OWN(v, uniforms.vertex_count) {
         vec4 own = positionOf(v);
         setDisplacement(v, vec4(stretched(v, own, fetch(edgeRanges, v).xy),
-                                firstSplit(own.w, fetch(links, v))));
+                                splitFrom(kStretch + 1u, own.w, fetch(links, v))));
     }
     endPhase();
 }
 
-void solveBends() {
-    for (uint i = firstOf(uniforms.bend_count); i < endOf(uniforms.bend_count); i += kStride) {
-        BendPull pull = bendPull(fetchBend(bends, i));
-        setCorrection(2u * i, pull.left);
-        setCorrection(2u * i + 1u, pull.right);
+#define PHASES(number, Name, list, Constraint, Gather)                                        \
+    void pullBy##Name() {                                                                     \
+        FOR_EACH_OWN(i, uniforms.count[number]) solve##Name(list##Records, i);                \
+        endPhase();                                                                           \
+    }                                                                                         \
+    vec3 after##Name(uint v, float inverseUnitMass) {                                         \
+        vec3 sum = sumOf##Gather(list##Ranges, list##Entries, v);                             \
+        return withSum(displacementOf(v).xyz, inverseUnitMass, sum);                          \
+    }                                                                                         \
+    void solveAll##Name() {                                                                   \
+        pullBy##Name();                                                                       \
+        FOR_EACH_OWN(v, uniforms.vertex_count) {                                              \
+            float inverseUnitMass = positionOf(v).w;                                          \
+            float split = splitFrom(number + 1u, inverseUnitMass, fetch(links, v));           \
+            setDisplacement(v, vec4(after##Name(v, inverseUnitMass), split));                 \
+        }                                                                                     \
+        endPhase();                                                                           \
     }
-    endPhase();
-    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
-        float inverseUnitMass = positionOf(v).w;
-        vec3 sum = bendSum(fetchBendRange(bendRanges, v));
-        setDisplacement(v, vec4(withSum(displacementOf(v).xyz, inverseUnitMass, sum),
-                                secondSplit(inverseUnitMass, fetch(links, v))));
-    }
-    endPhase();
-}
-
-void pullByIspcs() {
-    for (uint i = firstOf(uniforms.ispc_count); i < endOf(uniforms.ispc_count); i += kStride) {
-        setCorrection(i, vec4(ispcPull(fetchIspc(ispcs, i)), 0.0));
-    }
-    endPhase();
-}
-
-vec3 afterIspcs(uint v, float inverseUnitMass) {
-    return withSum(displacementOf(v).xyz, inverseUnitMass, ispcSum(fetch(ispcRanges, v).xy));
-}
+KERF_PULLING(PHASES)
+#undef PHASES
+#define SOLVE_IF_ON(number, Name, list, Constraint, Gather) \
+    if (isActive(k##Name##Part)) solveAll##Name();
+#define PULL_IF_ON(number, Name, list, Constraint, Gather) \
+    if (isActive(k##Name##Part)) pullBy##Name();
+#define GATHER_IF_ON(number, Name, list, Constraint, Gather) \
+    if (isActive(k##Name##Part)) d = after##Name(v, x.w);
 
 void end(uint v, vec3 d, vec4 x) {
     if (isActive(kFloorPart)) d = onFloor(d, x, foldAt(v));
@@ -148,12 +146,11 @@ void end(uint v, vec3 d, vec4 x) {
 
 #ifdef PLAIN_PBD
 void finishSweep(bool last) {
-    bool gathers = isActive(kIspcPart);
     bool lifts = isActive(kFloorPart);
-    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
+    FOR_EACH_OWN(v, uniforms.vertex_count) {
         vec4 x = positionOf(v);
         vec3 d = displacementOf(v).xyz;
-        if (gathers) d = afterIspcs(v, x.w);
+        KERF_PULLING_LAST(GATHER_IF_ON)
         if (last) {
             setDisplacement(v, vec4(d, 0.0));
             end(v, d, x);
@@ -166,8 +163,8 @@ void finishSweep(bool last) {
 
 void sweep(bool last) {
     stretchAll();
-    if (isActive(kBendPart)) solveBends();
-    if (isActive(kIspcPart)) pullByIspcs();
+    KERF_PULLING_FIRST(SOLVE_IF_ON)
+    KERF_PULLING_LAST(PULL_IF_ON)
     finishSweep(last);
 }
 
@@ -179,14 +176,6 @@ void main() {
     storeDisplacements(self);
 }
 #else
-void solveIspcs() {
-    pullByIspcs();
-    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
-        setDisplacement(v, vec4(afterIspcs(v, positionOf(v).w), 0.0));
-    }
-    endPhase();
-}
-
 // A block of a small body is one page.
 void sumPlaces() {
     for (uint b = 0u; b < blocksInAll; ++b) {
@@ -225,7 +214,7 @@ void sumVolume() {
 
 // What concerns each vertex alone.
 void settle(bool corrects, bool ends) {
-    for (uint v = firstOf(uniforms.vertex_count); v < endOf(uniforms.vertex_count); v += kStride) {
+    FOR_EACH_OWN(v, uniforms.vertex_count) {
         vec4 x = positionOf(v);
         vec3 d = displacementOf(v).xyz;
         if (corrects) d = heldByVolume(v, d, x.w);
@@ -239,7 +228,7 @@ void settle(bool corrects, bool ends) {
 }
 
 void pullAll() {
-    for (uint i = firstOf(uniforms.pull_count); i < endOf(uniforms.pull_count); i += kStride) {
+    FOR_EACH_OWN(i, uniforms.pull_count) {
         PullRecord pull = pulls[i];
         vec3 d = pulled(displacementOf(pull.vertex).xyz, positionOf(pull.vertex), pull);
         setDisplacement(pull.vertex, vec4(d, 0.0));
@@ -250,8 +239,7 @@ void pullAll() {
 void substep(bool ends) {
     bool volume = isActive(kVolumePart);
     stretchAll();
-    if (isActive(kBendPart)) solveBends();
-    if (isActive(kIspcPart)) solveIspcs();
+    KERF_PULLING(SOLVE_IF_ON)
     if (volume) sumVolume();
     if (uniforms.pull_count == 0u) {
         if (volume || ends) settle(volume, ends);

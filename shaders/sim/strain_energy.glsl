@@ -1,16 +1,14 @@
-// Energy of strained material at X [J]: C^2 / (2 alpha) of each constraint, and beyond the clamp of
-// a bend what its constant moment adds. What is rigid or off holds none. The includer declares
-// `uniforms`, `positions` and `restPositions`.
-layout(binding = kEdgeRangesBinding) uniform usamplerBuffer edgeRanges;
-layout(binding = kSpokesBinding) uniform usamplerBuffer spokes;
-layout(binding = kBendsBinding) uniform usamplerBuffer bends;
-layout(binding = kIspcsBinding) uniform usamplerBuffer ispcs;
+// Energy of strained material at X [J]: that of each constraint, and beyond the clamp of a bend
+// what its constant moment adds. What is off holds none. The includer declares what
+// constraints.glsl wants, `positions` and `restPositions`.
+layout(binding = kAllRangesUnit) uniform usamplerBuffer edgeRanges;
+layout(binding = kAllEntriesUnit) uniform usamplerBuffer spokes;
+#define DECLARE(number, Name, list, Constraint, Gather) \
+    layout(binding = kAllRecordsUnit + 3u * number) uniform usamplerBuffer list##Records;
+KERF_PULLING(DECLARE)
+#undef DECLARE
 
-// `square`: C^2, or what stands for it; `compliance` over h^2.
-float energyOf(float square, float geometry, float compliance) {
-    float alpha = geometry * compliance * uniforms.substep * uniforms.substep;
-    return alpha > 0.0 ? 0.5 * square / alpha : 0.0;
-}
+#include "sim/constraints.glsl"
 
 float edgeEnergy(uint v) {
     vec3 own = fetch(positions, v).xyz;
@@ -19,7 +17,7 @@ float edgeEnergy(uint v) {
     for (uint k = range.x; k < range.y; ++k) {
         Spoke spoke = fetchSpoke(spokes, k);
         float error = distance(own, fetch(positions, spoke.other).xyz) - spoke.rest_length;
-        sum += energyOf(error * error, spoke.geometry, uniforms.stretch_compliance);
+        sum += energyOf(error * error, spoke.geometry, kStretch);
     }
     return 0.5 * sum;  // the other end has the other half
 }
@@ -27,8 +25,8 @@ float edgeEnergy(uint v) {
 #include "sim/unfold/folded.glsl"
 float largestFold = 0.0;  // of the bends that this thread has summed up
 
-float bendEnergy(uint index) {
-    BendRecord bend = fetchBend(bends, index);
+float energyOfBend(RECORDS records, uint index) {
+    BendRecord bend = fetchBend(records, index);
     vec3 from = fetch(positions, bend.v0).xyz;
     Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from,
                           fetch(positions, bend.v2).xyz - from,
@@ -38,17 +36,7 @@ float bendEnergy(uint index) {
     vec2 turn = errorVector(wings, bend);
     float error = abs(inverseTangent(turn.y, turn.x));
     float elastic = min(error, kMaxBendError);
-    return energyOf(elastic * (2.0 * error - elastic), bend.geometry, uniforms.bend_compliance);
-}
-
-float ispcEnergy(uint index) {
-    IspcConstraint ispc = fetchIspc(ispcs, index);
-    vec3 x = fetch(positions, ispc.vertex).xyz;
-    vec3 span = (1.0 - ispc.b1 - ispc.b2) * (x - fetch(positions, ispc.t0).xyz) +
-        ispc.b1 * (x - fetch(positions, ispc.t1).xyz) +
-        ispc.b2 * (x - fetch(positions, ispc.t2).xyz);
-    float error = length(span) - ispc.rest_length;
-    return energyOf(error * error, ispc.geometry, uniforms.ispc_compliance);
+    return energyOf(elastic * (2.0 * error - elastic), bend.geometry, kBend);
 }
 
 uint countIf(uint part, uint count) {
@@ -59,10 +47,13 @@ uint countIf(uint part, uint count) {
 float strainEnergy(uint first, uint stride) {
     float sum = 0.0;
     uint edgeVertices = countIf(kStretchPart, uniforms.vertex_count);
-    uint bendCount = countIf(kBendPart, uniforms.bend_count);
-    uint ispcCount = countIf(kIspcPart, uniforms.ispc_count);
     for (uint v = first; v < edgeVertices; v += stride) sum += edgeEnergy(v);
-    for (uint i = first; i < bendCount; i += stride) sum += bendEnergy(i);
-    for (uint i = first; i < ispcCount; i += stride) sum += ispcEnergy(i);
+#define SUM_UP(number, Name, list, Constraint, Gather)                        \
+    uint list##Count = countIf(k##Name##Part, uniforms.count[number]);        \
+    for (uint i = first; i < list##Count; i += stride) {                      \
+        sum += energyOf##Name(list##Records, i);                              \
+    }
+    KERF_PULLING(SUM_UP)
+#undef SUM_UP
     return sum;
 }

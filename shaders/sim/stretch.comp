@@ -44,6 +44,6 @@ void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     vec4 own = positionOf(v);
-    displacement[v] =
-        vec4(stretched(v, own, fetch(ranges, v).xy), firstSplit(own.w, fetch(links, v)));
+    displacement[v] = vec4(stretched(v, own, fetch(ranges, v).xy),
+                           splitFrom(kStretch + 1u, own.w, fetch(links, v)));
 }

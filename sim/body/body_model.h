@@ -5,23 +5,12 @@
 #include <vector>
 
 #include "shaders/shared/body_records.h"
-#include "shaders/shared/constraints.h"
 #include "sim/body/body_state.h"
-#include "sim/body/shell_constraints.h"
+#include "sim/body/constraint_lists.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
-
-using shared::IncidenceRange;
-
-/// The elements that touch each vertex, in a fixed order: entries[ranges[v].first .. ranges[v].end)
-/// are 4 * element + slot (slot: which of the element's vertices v is), ascending. Between the
-/// lists there is room for them to grow.
-struct Incidence {
-    std::vector<IncidenceRange> ranges;  ///< shape [vertexCount]
-    std::vector<std::uint32_t> entries;
-};
 
 /// A piece of the body. Counts, areas and masses are those of what is present; the volume is that
 /// inside the closed mesh.
@@ -42,7 +31,7 @@ struct PieceModel {
 /// The constant set-up of a soft body: rest shape, constraints, masses. Built from a mesh in rest
 /// space; a BodyUpdater carries it through cuts. Vertex indices are the mesh's. Arrays have no gaps
 /// and no order that means anything.
-struct BodyModel {
+struct BodyModel : ConstraintLists {
     std::vector<Vec3f> restPositions;  ///< [m], shape [vertexCount]
     /// A third of the rest area around each vertex [m^2]; its mass follows from it (see unitMass).
     std::vector<double> vertexAreas;
@@ -54,14 +43,8 @@ struct BodyModel {
     std::vector<int> meshTriangle;   ///< mesh slot of each entry of `triangles`
     std::vector<int> pieceOfVertex;  ///< -1 for unused and hidden vertices
     std::vector<PieceModel> pieces;
-    std::vector<EdgeConstraint> edges;
-    std::vector<BendConstraint> bends;
-    std::vector<shared::IspcConstraint> ispcs;
     std::vector<int> ispcMeshTriangle;  ///< mesh slot of the triangle each ISPC ends on
     Incidence triangleIncidence;
-    Incidence edgeIncidence;
-    Incidence bendIncidence;
-    Incidence ispcIncidence;
     /// The vertices around each vertex, counter-clockwise, shared::kAfterGap added to those that
     /// follow an absent triangle.
     Incidence neighbours;

@@ -20,13 +20,16 @@ std::uint32_t index32(int i) {
     return static_cast<std::uint32_t>(i);
 }
 
-std::vector<std::uint32_t> merged(std::initializer_list<const std::vector<std::uint32_t>*> lists) {
-    std::vector<std::uint32_t> all;
-    for (const auto* list : lists) {
-        all.insert(all.end(), list->begin(), list->end());
+/// Adds those whose number of triangles or constraints changed.
+void addListed(BodyChange& change) {
+    const auto add = [&](const std::vector<std::uint32_t>& listed) {
+        change.vertices.insert(change.vertices.end(), listed.begin(), listed.end());
+    };
+    add(change.triangles.vertices);
+    for (const ListChange& constraints : change.constraints) {
+        add(constraints.vertices);
     }
-    sortUnique(all);
-    return all;
+    sortUnique(change.vertices);
 }
 
 Bounds boxOfUsedVertices(const BodyModel& model) {
@@ -48,9 +51,15 @@ BodyModel buildBodyModel(const SurfaceMesh& mesh) {
 BodyUpdater::BodyUpdater(const SurfaceMesh& mesh) : mesh_(mesh), labels_(mesh) {
     buildShell();
     ispcs_.emplace(mesh, model_);
-    const std::size_t n = model_.restPositions.size();
-    model_.ispcIncidence = buildIncidence(model_.ispcs, n);
-    ispcRooms_ = IncidenceRooms(model_.ispcIncidence);
+    listConstraints();
+}
+
+void BodyUpdater::listConstraints() {
+    forEachType(model_, [this](auto row, const auto& constraints) {
+        Incidence& incidence = model_.incidences[row.kType];
+        incidence = buildIncidence(constraints, model_.restPositions.size());
+        constraintRooms_[row.kType] = IncidenceRooms(incidence);
+    });
 }
 
 /// All but the ISPCs.
@@ -117,11 +126,6 @@ void BodyUpdater::buildEdgesAndBends() {
             halfEdgesOfBend_.emplace_back(h, g);
         }
     });
-    const std::size_t n = model_.restPositions.size();
-    model_.edgeIncidence = buildIncidence(model_.edges, n);
-    model_.bendIncidence = buildIncidence(model_.bends, n);
-    edgeRooms_ = IncidenceRooms(model_.edgeIncidence);
-    bendRooms_ = IncidenceRooms(model_.bendIncidence);
 }
 
 /// -1 where no triangle around the vertex is present.
@@ -159,12 +163,8 @@ BodyChange BodyUpdater::update(const CutDelta& delta) {
     updateTriangles(changed, change);
     updateNeighbours(change.neighbourLists);
     updateShell(changed, change);
-    RecordEditor ispcs(model_.ispcs, model_.ispcIncidence, ispcRooms_);
-    ispcs_->update(model_, changed, change.pieces, ispcs);
-    change.ispcs = ispcs.takeSlots();
-    change.ispcLists = ispcs.takeVertices();
-    change.vertices = merged({&change.vertices, &change.triangleLists, &change.edgeLists,
-                              &change.bendLists, &change.ispcLists});
+    updateIspcs(changed, change);
+    addListed(change);
     return change;
 }
 
@@ -178,9 +178,9 @@ void BodyUpdater::growVertices() {
     model_.pieceOfVertex.resize(n, -1);
     triangleRooms_.resize(model_.triangleIncidence, n);
     neighbourRooms_.resize(model_.neighbours, n);
-    edgeRooms_.resize(model_.edgeIncidence, n);
-    bendRooms_.resize(model_.bendIncidence, n);
-    ispcRooms_.resize(model_.ispcIncidence, n);
+    for (std::uint32_t type = 0; type < kConstraintTypes; ++type) {
+        constraintRooms_[type].resize(model_.incidences[type], n);
+    }
 }
 
 double BodyUpdater::vertexArea(int vertex) const {
@@ -306,8 +306,7 @@ void BodyUpdater::updateTriangles(std::span<const int> changed, BodyChange& chan
         slotOfTriangle_[model_.meshTriangle[to]] = to;
     });
     model_.meshTriangle.resize(model_.triangles.size());
-    change.triangles = triangles.takeSlots();
-    change.triangleLists = triangles.takeVertices();
+    change.triangles = triangles.takeChange();
 }
 
 /// A triangle that stays as it is may get a new neighbour, and with it another rim.
@@ -340,8 +339,8 @@ void BodyUpdater::updateNeighbours(std::span<const std::uint32_t> vertices) {
 
 /// Edges and bends. All that a changed triangle has a share in is made anew.
 void BodyUpdater::updateShell(std::span<const int> changed, BodyChange& change) {
-    RecordEditor edges(model_.edges, model_.edgeIncidence, edgeRooms_);
-    RecordEditor bends(model_.bends, model_.bendIncidence, bendRooms_);
+    RecordEditor edges = edit(model_.edges, shared::kStretch);
+    RecordEditor bends = edit(model_.bends, shared::kBend);
     slotsOfEdge_.resize(3 * static_cast<std::size_t>(mesh_.triangleSlots()));
     const auto drop = [&](int halfEdge) {
         if (const int edge = slotsOfEdge_[halfEdge].edge; edge >= 0) {
@@ -378,10 +377,14 @@ void BodyUpdater::updateShell(std::span<const int> changed, BodyChange& change) 
     });
     halfEdgesOfEdge_.resize(model_.edges.size());
     halfEdgesOfBend_.resize(model_.bends.size());
-    change.edges = edges.takeSlots();
-    change.edgeLists = edges.takeVertices();
-    change.bends = bends.takeSlots();
-    change.bendLists = bends.takeVertices();
+    change.constraints[shared::kStretch] = edges.takeChange();
+    change.constraints[shared::kBend] = bends.takeChange();
+}
+
+void BodyUpdater::updateIspcs(std::span<const int> changed, BodyChange& change) {
+    RecordEditor ispcs = edit(model_.ispcs, shared::kIspc);
+    ispcs_->update(model_, changed, change.pieces, ispcs);
+    change.constraints[shared::kIspc] = ispcs.takeChange();
 }
 
 void BodyUpdater::addEdge(int h, RecordEditor<EdgeConstraint>& edges,

@@ -25,17 +25,9 @@ struct BodyChange {
     /// Vertices of which the area, the skin normal, the piece or the number of constraints
     /// changed.
     std::vector<std::uint32_t> vertices;
-    /// Slots of the records that were written.
-    std::vector<std::uint32_t> triangles;
-    std::vector<std::uint32_t> edges;
-    std::vector<std::uint32_t> bends;
-    std::vector<std::uint32_t> ispcs;
-    /// Vertices whose list of what touches them changed.
-    std::vector<std::uint32_t> triangleLists;
-    std::vector<std::uint32_t> neighbourLists;
-    std::vector<std::uint32_t> edgeLists;
-    std::vector<std::uint32_t> bendLists;
-    std::vector<std::uint32_t> ispcLists;
+    ListChange triangles;
+    std::vector<std::uint32_t> neighbourLists;  ///< vertices whose list changed
+    std::array<ListChange, kConstraintTypes> constraints;
 };
 
 /// Carries the model of a body through cuts, at the cost of what each of them touches. As a set,
@@ -70,6 +62,7 @@ class BodyUpdater {
     void measureUncutBody();
     void buildTriangles();
     void buildEdgesAndBends();
+    void listConstraints();
     void growVertices();
     void updateAreas(const CutDelta& delta, std::span<const int> changed, BodyChange& change);
     void updateSkinNormals(const CutDelta& delta, std::span<const int> changed,
@@ -82,6 +75,12 @@ class BodyUpdater {
     void updateShell(std::span<const int> changed, BodyChange& change);
     void addEdge(int halfEdge, RecordEditor<EdgeConstraint>& edges,
                  RecordEditor<BendConstraint>& bends);
+    void updateIspcs(std::span<const int> changed, BodyChange& change);
+    /// Begins an edit of the constraints of a type.
+    template <class Constraint>
+    RecordEditor<Constraint> edit(std::vector<Constraint>& list, std::uint32_t type) {
+        return {list, model_.incidences[type], constraintRooms_[type]};
+    }
     void updateNeighbours(std::span<const std::uint32_t> vertices);
     std::array<std::uint32_t, 4> taggedTriangle(int triangle) const;
     int presentPieceOf(int vertex) const;
@@ -97,7 +96,8 @@ class BodyUpdater {
     std::vector<std::pair<int, int>> halfEdgesOfEdge_;  ///< by edge record
     std::vector<std::pair<int, int>> halfEdgesOfBend_;  ///< by bend record
     std::vector<int> absent_;                           ///< mesh slots, ascending
-    IncidenceRooms triangleRooms_, neighbourRooms_, edgeRooms_, bendRooms_, ispcRooms_;
+    IncidenceRooms triangleRooms_, neighbourRooms_;
+    std::array<IncidenceRooms, kConstraintTypes> constraintRooms_;
     std::optional<IspcSet> ispcs_;
 };
 

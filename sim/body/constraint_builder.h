@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "sim/body/shell_constraints.h"
 #include "sim/mesh/surface_mesh.h"
@@ -30,12 +29,5 @@ EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int halfEdge, double thic
 /// a sliver (height below 5 % of its longest edge), whose normal is noise.
 std::optional<BendConstraint> bendConstraint(const SurfaceMesh& mesh, int halfEdge,
                                              double thickness);
-
-/// A stretching constraint per edge of the rest shape, in the order of the edges' lower half-edges.
-/// `thickness` of the shell [m].
-std::vector<EdgeConstraint> buildEdges(const SurfaceMesh& mesh, double thickness);
-
-/// A bending constraint per edge that can have one, in the order of buildEdges().
-std::vector<BendConstraint> buildBends(const SurfaceMesh& mesh, double thickness);
 
 }  // namespace kerf

@@ -8,17 +8,6 @@
 
 namespace kerf {
 
-// The vertices of an element; the place of each is its slot (see Incidence).
-inline std::array<std::uint32_t, 2> verticesOf(const EdgeConstraint& c) {
-    return {c.a, c.b};
-}
-inline std::array<std::uint32_t, 4> verticesOf(const BendConstraint& c) {
-    return {c.v0, c.v1, c.v2, c.v3};
-}
-/// The vertices of an ISPC: its own first, then those of the triangle that its ray ends on.
-inline std::array<std::uint32_t, 4> verticesOf(const shared::IspcConstraint& c) {
-    return {c.vertex, c.t0, c.t1, c.t2};
-}
 /// The vertices of an entry of BodyModel::triangles.
 inline std::array<std::uint32_t, 3> verticesOf(const std::array<std::uint32_t, 4>& triangle) {
     return {triangle[0], triangle[1], triangle[2]};

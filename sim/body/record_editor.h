@@ -35,6 +35,12 @@ class IncidenceRooms {
     std::vector<std::vector<std::uint32_t>> idle_;  ///< first entries of blocks, by room / 4
 };
 
+/// What changed of records and of the lists of what touches each vertex, ascending.
+struct ListChange {
+    std::vector<std::uint32_t> slots;     ///< of the records that were written
+    std::vector<std::uint32_t> vertices;  ///< whose list changed
+};
+
 /// One edit of an array of records without gaps, and of the lists of what touches each vertex.
 /// Remove first, then add, then close: new records fill the holes, and the last ones move into
 /// those that are left. So few records move, and slots follow from the history alone.
@@ -82,20 +88,20 @@ class RecordEditor {
             }
             records_.pop_back();
         }
-        std::erase_if(slots_, [this](std::uint32_t slot) { return slot >= records_.size(); });
-        sortUnique(slots_);
-        sortUnique(vertices_);
+        std::erase_if(change_.slots,
+                      [this](std::uint32_t slot) { return slot >= records_.size(); });
+        sortUnique(change_.slots);
+        sortUnique(change_.vertices);
     }
 
     /// Changes a record in place; its vertices must stay.
     Record& rewrite(int slot) {
-        slots_.push_back(static_cast<std::uint32_t>(slot));
+        change_.slots.push_back(static_cast<std::uint32_t>(slot));
         return records_[slot];
     }
 
-    /// The slots that were written, or the vertices whose list changed, ascending; after close().
-    std::vector<std::uint32_t> takeSlots() { return std::move(slots_); }
-    std::vector<std::uint32_t> takeVertices() { return std::move(vertices_); }
+    /// After close().
+    ListChange takeChange() { return std::move(change_); }
 
   private:
     void sortHoles() {
@@ -105,18 +111,18 @@ class RecordEditor {
         }
     }
     void list(int slot) {
-        slots_.push_back(static_cast<std::uint32_t>(slot));
+        change_.slots.push_back(static_cast<std::uint32_t>(slot));
         std::uint32_t entry = 4 * static_cast<std::uint32_t>(slot);
         for (const std::uint32_t v : verticesOf(records_[slot])) {
             rooms_.add(incidence_, v, entry++);
-            vertices_.push_back(v);
+            change_.vertices.push_back(v);
         }
     }
     void unlist(int slot) {
         std::uint32_t entry = 4 * static_cast<std::uint32_t>(slot);
         for (const std::uint32_t v : verticesOf(records_[slot])) {
             rooms_.remove(incidence_, v, entry++);
-            vertices_.push_back(v);
+            change_.vertices.push_back(v);
         }
     }
 
@@ -126,8 +132,7 @@ class RecordEditor {
     std::vector<int> holes_;
     std::size_t filled_ = 0;
     bool sorted_ = true;
-    std::vector<std::uint32_t> slots_;
-    std::vector<std::uint32_t> vertices_;
+    ListChange change_;
 };
 
 }  // namespace kerf

@@ -15,6 +15,26 @@ float complianceOverSquare(double modulus, double h) {
     return modulus > 0 ? static_cast<float>(1 / (modulus * h * h)) : 0.0f;
 }
 
+/// Of a type of constraints; one without a parameter is off.
+double stiffnessOf(uint type, const Params& params) {
+    switch (type) {
+        case shared::kStretch:
+            return params.stretchStiffness;
+        case shared::kBend:
+            return params.bendingStiffness;
+        case shared::kIspc:
+            return params.ispcStiffness;
+        default:
+            return 0;
+    }
+}
+
+/// Young's modulus of a type of constraints as a multiple of the body's.
+double modulusFactor(uint type, const Params& params) {
+    const double stiffness = stiffnessOf(type, params);
+    return type == shared::kIspc ? ispcModulusFactor(stiffness) : stiffness;
+}
+
 // What is hollow or limp may fold.
 bool unfolds(const Params& params) {
     return holdsVolume(params) && params.bendingStiffness > 0;
@@ -22,9 +42,9 @@ bool unfolds(const Params& params) {
 
 uint activeParts(const Params& params) {
     uint parts = 0;
-    parts |= params.stretchStiffness > 0 ? shared::kStretchPart : 0u;
-    parts |= params.bendingStiffness > 0 ? shared::kBendPart : 0u;
-    parts |= params.ispcStiffness > 0 ? shared::kIspcPart : 0u;
+    for (uint type = 0; type < kConstraintTypes; ++type) {
+        parts |= stiffnessOf(type, params) > 0 ? 1u << type : 0u;
+    }
     parts |= holdsVolume(params) ? shared::kVolumePart : 0u;
     parts |= unfolds(params) ? shared::kUnfoldPart : 0u;
     parts |= params.floor.has_value() ? shared::kFloorPart : 0u;
@@ -70,29 +90,27 @@ shared::SolverUniforms commonUniforms(const Params& params, double h) {
 
 shared::SolverUniforms smallStepUniforms(const Params& params) {
     const double h = params.timeStep / params.iterations;
-    const double modulus = params.youngsModulus;
     shared::SolverUniforms u = commonUniforms(params, h);
     u.substeps = static_cast<uint>(params.iterations);
     u.sweeps = 1;
     u.damping_ratio = static_cast<float>(params.damping / h);
-    u.stretch_compliance = complianceOverSquare(modulus * params.stretchStiffness, h);
-    u.bend_compliance = complianceOverSquare(modulus * params.bendingStiffness, h);
-    u.ispc_compliance = complianceOverSquare(modulus * ispcModulusFactor(params.ispcStiffness), h);
-    u.stretch_share = u.bend_share = u.ispc_share = 1;
+    for (uint type = 0; type < kConstraintTypes; ++type) {
+        const double modulus = params.youngsModulus * modulusFactor(type, params);
+        u.compliance[type] = complianceOverSquare(modulus, h);
+        u.share[type] = 1;
+    }
     return u;
 }
 
 /// Rigid constraints, of whose corrections each sweep applies a share.
 shared::SolverUniforms pbdUniforms(const Params& params) {
     shared::SolverUniforms u = commonUniforms(params, params.timeStep);
-    const auto share = [&](double stiffness) {
-        return static_cast<float>(sweepStiffness(stiffness, params.iterations));
-    };
     u.substeps = 1;
     u.sweeps = static_cast<uint>(params.iterations);
-    u.stretch_share = share(params.stretchStiffness);
-    u.bend_share = share(params.bendingStiffness);
-    u.ispc_share = share(params.ispcStiffness);
+    for (uint type = 0; type < kConstraintTypes; ++type) {
+        u.share[type] =
+            static_cast<float>(sweepStiffness(stiffnessOf(type, params), params.iterations));
+    }
     return u;
 }
 
@@ -104,9 +122,9 @@ shared::SolverUniforms solverUniforms(const Params& params) {
 
 void setCounts(shared::SolverUniforms& uniforms, const BodyModel& model) {
     uniforms.vertex_count = static_cast<uint>(model.restPositions.size());
-    uniforms.edge_count = static_cast<uint>(model.edges.size());
-    uniforms.bend_count = static_cast<uint>(model.bends.size());
-    uniforms.ispc_count = static_cast<uint>(model.ispcs.size());
+    forEachType(model, [&](auto row, const auto& constraints) {
+        uniforms.count[row.kType] = static_cast<uint>(constraints.size());
+    });
     uniforms.triangle_count = static_cast<uint>(model.triangles.size());
     uniforms.piece_count = static_cast<uint>(model.pieces.size());
 }

@@ -169,12 +169,6 @@ void ContactSolver::beginStep(const RelativeMotion& motion) {
     substepsBetweenSearches_ = (settings_.substeps + searches - 1) / searches;
 }
 
-void ContactSolver::beforeSubstep(int substep) {
-    if (searchesBefore(substep)) {
-        search();
-    }
-}
-
 void ContactSolver::search() {
     searchedPositions_.copyFrom(*body_.positions);
     searchedVelocities_.copyFrom(*body_.velocities);

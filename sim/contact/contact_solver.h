@@ -110,15 +110,14 @@ class ContactSolver {
     void beginStep(const RelativeMotion& motion);
     /// Whether something may be touched in this step. A search may find more.
     bool mayTouch() const { return enabled() && !(keepsCandidates_ && foundNone_); }
+    /// Whether candidates are to be looked for before this substep.
     bool searchesBefore(int substep) const {
         return enabled() && !keepsCandidates_ && substep % substepsBetweenSearches_ == 0;
     }
-    /// Looks for candidates where this substep needs it. Positions are those between substeps.
-    void beforeSubstep(int substep);
     /// Stops d where it leads into another surface, and moves X out of where it is inside one.
     void respond();
 
-    /// Looks for candidates now.
+    /// Looks for candidates now, between substeps.
     void search();
     /// X when candidates were looked for last; of some size where they never were.
     const gpu::Buffer& searchedPositions() const { return searchedPositions_; }

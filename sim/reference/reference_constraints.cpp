@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sim/body/dihedral.h"
-#include "sim/body/incidence.h"
 
 namespace kerf {
 
@@ -46,6 +45,7 @@ struct Wings {
 
 }  // namespace
 
+/// C = length - rest length.
 Linearized<2> linearize(const EdgeConstraint& c, const ReferenceState& s, double compliance,
                         Pull pull) {
     Linearized<2> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
@@ -60,6 +60,7 @@ Linearized<2> linearize(const EdgeConstraint& c, const ReferenceState& s, double
     return result;
 }
 
+/// C = angle - rest angle, wrapped, then clamped to kMaxBendError.
 Linearized<4> linearize(const BendConstraint& c, const ReferenceState& s, double compliance,
                         Pull pull) {
     Linearized<4> result{verticesOf(c), {}, 0, c.geometry * compliance, false};
@@ -80,6 +81,7 @@ Linearized<4> linearize(const BendConstraint& c, const ReferenceState& s, double
     return result;
 }
 
+/// C = distance from the vertex to the point on the opposite side - rest length.
 Linearized<4> linearize(const shared::IspcConstraint& c, const ReferenceState& s, double compliance,
                         Pull pull) {
     Linearized<4> result{verticesOf(c), {}, 0, c.geometry * compliance, false};

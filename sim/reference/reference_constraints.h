@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 
-#include "shaders/shared/constraints.h"
+#include "sim/body/constraint_lists.h"
 #include "sim/reference/reference_solver.h"
 
 namespace kerf {
@@ -25,14 +26,15 @@ enum class Pull {
     asNow      ///< at positions + displacements
 };
 
-/// C = length - rest length.
-Linearized<2> linearize(const EdgeConstraint& c, const ReferenceState& s, double compliance,
-                        Pull pull);
-/// C = angle - rest angle, wrapped, then clamped to kMaxBendError.
-Linearized<4> linearize(const BendConstraint& c, const ReferenceState& s, double compliance,
-                        Pull pull);
-/// C = distance from the vertex to the point on the opposite side - rest length.
-Linearized<4> linearize(const shared::IspcConstraint& c, const ReferenceState& s, double compliance,
-                        Pull pull);
+/// A constraint of a type, with as many vertices as it has.
+template <class Constraint>
+using LinearizedOf = Linearized<std::tuple_size_v<decltype(verticesOf(Constraint{}))>>;
+
+// A function for each row of constraints.h.
+#define KERF_LINEARIZE(number, Name, list, Constraint, Gather)                       \
+    LinearizedOf<Constraint> linearize(const Constraint& c, const ReferenceState& s, \
+                                       double compliance, Pull pull);
+KERF_CONSTRAINTS(KERF_LINEARIZE)
+#undef KERF_LINEARIZE
 
 }  // namespace kerf

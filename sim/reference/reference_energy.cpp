@@ -46,13 +46,12 @@ double sumOver(const std::vector<Constraint>& constraints, double compliance,
 double strainEnergy(const BodyModel& model, const shared::SolverUniforms& uniforms,
                     const ReferenceState& state) {
     const double square = static_cast<double>(uniforms.substep) * uniforms.substep;
-    const auto complianceOf = [&](std::uint32_t part, double overSquare) {
-        return (uniforms.active_parts & part) != 0 ? square * overSquare : 0.0;
-    };
-    return sumOver(model.edges, complianceOf(shared::kStretchPart, uniforms.stretch_compliance),
-                   state) +
-           sumOver(model.bends, complianceOf(shared::kBendPart, uniforms.bend_compliance), state) +
-           sumOver(model.ispcs, complianceOf(shared::kIspcPart, uniforms.ispc_compliance), state);
+    double sum = 0;
+    forEachType(model, [&](auto row, const auto& constraints) {
+        const bool on = (uniforms.active_parts >> row.kType & 1u) != 0;
+        sum += sumOver(constraints, on ? square * uniforms.compliance[row.kType] : 0.0, state);
+    });
+    return sum;
 }
 
 }  // namespace kerf

@@ -16,11 +16,8 @@ namespace kerf {
 namespace {
 
 /// What C changes by for each metre of the vertex that changes it most.
-double changePerWay(const EdgeConstraint&, const Linearized<2>&) {
-    return 1;
-}
-
-double changePerWay(const shared::IspcConstraint&, const Linearized<4>&) {
+template <class Constraint, std::size_t N>
+double changePerWay(const Constraint&, const Linearized<N>&) {
     return 1;
 }
 
@@ -28,7 +25,7 @@ double changePerWay(const BendConstraint&, const Linearized<4>& c) {
     return std::max(c.gradient[2].norm(), c.gradient[3].norm());
 }
 
-/// As leastWeight in shaders/sim/bend.glsl; `lightest`: the largest inverse mass.
+/// As leastWeight in shaders/sim/constraints/bend.glsl; `lightest`: the largest inverse mass.
 double leastWeight(const BendConstraint&, const Linearized<4>& c, double lightest) {
     const double apexes = c.gradient[2].squaredNorm() + c.gradient[3].squaredNorm();
     return c.compliance > 0 ? 0 : shared::kLeastBendShare * lightest * apexes;
@@ -178,9 +175,9 @@ void ReferenceSolver::substep(ReferenceState& state) const {
     unfold(state);
     predict(state);
     for (std::uint32_t i = 0; i < uniforms_.sweeps; ++i) {
-        solveEdges(state);
-        solveBends(state);
-        solveIspcs(state);
+        for (std::uint32_t type = 0; type < kConstraintTypes; ++type) {
+            solve(type, state);
+        }
         solveVolume(state);
         pull(state);
         collideFloor(state);
@@ -205,25 +202,13 @@ void ReferenceSolver::predict(ReferenceState& state) const {
     }
 }
 
-void ReferenceSolver::solveEdges(ReferenceState& state) const {
-    if (uniforms_.active_parts & shared::kStretchPart) {
-        sweep(state, model_.edges, model_.edgeIncidence, inverseMass_, uniforms_.stretch_compliance,
-              uniforms_, uniforms_.stretch_share);
-    }
-}
-
-void ReferenceSolver::solveBends(ReferenceState& state) const {
-    if (uniforms_.active_parts & shared::kBendPart) {
-        sweep(state, model_.bends, model_.bendIncidence, inverseMass_, uniforms_.bend_compliance,
-              uniforms_, uniforms_.bend_share);
-    }
-}
-
-void ReferenceSolver::solveIspcs(ReferenceState& state) const {
-    if (uniforms_.active_parts & shared::kIspcPart) {
-        sweep(state, model_.ispcs, model_.ispcIncidence, inverseMass_, uniforms_.ispc_compliance,
-              uniforms_, uniforms_.ispc_share);
-    }
+void ReferenceSolver::solve(std::uint32_t type, ReferenceState& state) const {
+    forEachType(model_, [&](auto row, const auto& constraints) {
+        if (row.kType == type && (uniforms_.active_parts >> type & 1u) != 0) {
+            sweep(state, constraints, model_.incidences[type], inverseMass_,
+                  uniforms_.compliance[type], uniforms_, uniforms_.share[type]);
+        }
+    });
 }
 
 void ReferenceSolver::solveVolume(ReferenceState& state) const {

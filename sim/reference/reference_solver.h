@@ -25,10 +25,11 @@ ReferenceState restState(const BodyModel& model);
 
 /// XPBD with small steps and one iteration per substep (Macklin et al. 2019), mass-splitting Jacobi
 /// per constraint type (Tonge et al. 2012): the plain double-precision truth that every kernel is
-/// compared with. A substep is, in this order: unfold, predict, then per sweep edges, bends, ISPCs,
-/// volume, pulls, floor, then finish. Plain PBD is many sweeps in one substep, each with a share of
-/// the correction of rigid constraints. Each phase stands alone; constraints read `positions +
-/// displacements` as they were when the phase began and change displacements only.
+/// compared with. A substep is, in this order: unfold, predict, then per sweep the types of
+/// constraints (constraints.h), volume, pulls, floor, then finish. Plain PBD is many sweeps in one
+/// substep, each with a share of the correction of rigid constraints. Each phase stands alone;
+/// constraints read `positions + displacements` as they were when the phase began and change
+/// displacements only.
 class ReferenceSolver {
   public:
     /// `model` must outlive the solver.
@@ -54,9 +55,7 @@ class ReferenceSolver {
     /// v += h g, d = h v; kinematic vertices: d = h v.
     void predict(ReferenceState& state) const;
     /// Does one Jacobi sweep over the constraints of a type.
-    void solveEdges(ReferenceState& state) const;
-    void solveBends(ReferenceState& state) const;
-    void solveIspcs(ReferenceState& state) const;
+    void solve(std::uint32_t type, ReferenceState& state) const;
     /// Rigid volume constraint of each piece that holds one, about the mean of its vertices.
     void solveVolume(ReferenceState& state) const;
     /// Moves the vertices that hands hold as a critically damped spring of rate kPullRate, implicit

@@ -64,7 +64,7 @@ std::string Simulation::State::carryOut(const Pin& pin) {
         return pin.pinned ? "No free vertex lies in that region; nothing was pinned."
                           : "No pinned vertex lies in that region; nothing was freed.";
     }
-    body.solver.setPinned(body.memory.pins.vertices());
+    body.solver.masses().setPinned(body.memory.pins.vertices());
     log.notePins(std::move(before), body.memory.pins, pin, output.clock.time);
     return "";
 }
@@ -95,7 +95,7 @@ std::string Simulation::State::apply(BoxEdit edit) {
 
 void Simulation::State::setBoxes(std::vector<StaticBox> now) {
     input.boxes = std::move(now);
-    body.solver.setBoxes(input.boxes);
+    body.solver.collisions().setBoxes(input.boxes);
 }
 
 /// Whatever the blade was about to do, it does no more.

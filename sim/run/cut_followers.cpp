@@ -45,7 +45,7 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     body.solver.setVolumeTargets(memory.volumeTargets.targets());
     // The pins, by the mesh; and the solver with them.
     if (memory.pins.follow(body.mesh, delta)) {
-        body.solver.setPinned(memory.pins.vertices());
+        body.solver.masses().setPinned(memory.pins.vertices());
     }
     // The pieces that are measured in double precision, once somebody asks.
     body.forgetPieces();

@@ -17,13 +17,13 @@ FrontHold::FrontHold(RunningBody& body, double timeStep) : body_(body) {
     }
     anchors_ = findFrontAnchors(body_.cutter->rung(), frame(timeStep));
     for (const Anchor& anchor : anchors_) {
-        body_.solver.anchor(anchor.vertex, anchor.velocity.cast<float>());
+        body_.solver.masses().anchor(anchor.vertex, anchor.velocity.cast<float>());
     }
 }
 
 void FrontHold::release() {
     for (const Anchor& anchor : std::exchange(anchors_, {})) {
-        body_.solver.release(anchor.vertex);
+        body_.solver.masses().release(anchor.vertex);
     }
 }
 
@@ -37,7 +37,7 @@ void FrontHold::carryHidden(double timeStep) {
         velocities.push_back(anchor.velocity.cast<float>());
     }
     if (!vertices.empty()) {
-        body_.solver.carry(vertices, velocities);
+        body_.solver.masses().carry(vertices, velocities);
     }
 }
 

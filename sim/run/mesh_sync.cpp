@@ -27,7 +27,7 @@ Bounds boundsOf(const SurfaceMesh& mesh, int t) {
 
 void MeshSync::prefetch(const OrientedBox& box, std::span<const int> vertices) {
     prefetched_ = box;
-    solver_.watch(box, vertices);
+    solver_.measurer().watch(box, vertices);
 }
 
 void MeshSync::invalidate() {
@@ -46,7 +46,7 @@ double MeshSync::takePrefetched() {
 }
 
 void MeshSync::takeWatched(const OrientedBox& box) {
-    const VertexStates watched = solver_.takeWatched();
+    const VertexStates watched = solver_.measurer().takeWatched();
     adopt(watched.records);
     if (!watched.complete) {
         return;
@@ -75,7 +75,7 @@ std::vector<int> MeshSync::lookInto(const OrientedBox& box) {
     if (mesh_.isWhole()) {
         return livingTriangles(mesh_);
     }
-    const VertexStates states = solver_.statesNear(box);
+    const VertexStates states = solver_.measurer().statesNear(box);
     adopt(states.records);
     return trianglesAround(states.records);
 }
@@ -97,7 +97,7 @@ void MeshSync::bring(std::span<const int> vertices) {
     std::vector<int> old;
     std::ranges::copy_if(vertices, std::back_inserter(old),
                          [this](int v) { return mesh_.isOld(v); });
-    adopt(solver_.statesOf(old).records);
+    adopt(solver_.measurer().statesOf(old).records);
 }
 
 void MeshSync::bringAll() {

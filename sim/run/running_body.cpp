@@ -50,7 +50,7 @@ void RunningBody::beginAtRest() {
 void RunningBody::measureAtRest() {
     memory.measure = solver.measure();
     sync.setBounds(memory.measure.bounds);
-    solver.saveState();
+    solver.savedPieces().save();
 }
 
 void RunningBody::apply(const Params& params) {
@@ -62,13 +62,13 @@ void RunningBody::apply(const Params& params) {
     settings.debrisVolume = params.debrisVolume;
     settings.openCut = params.openCut != 0;
     settings.search = params.cutSearch;
-    solver.setContact(contactSettings(params));
+    solver.collisions().setSettings(contactSettings(params));
 }
 
 SnapshotPointer RunningBody::capture() {
     mesh.bringAll();
     return std::make_shared<const Snapshot>(
-        Snapshot{mesh, *updater, *cutter, solver.pages(), memory, solver.contactMemory()});
+        Snapshot{mesh, *updater, *cutter, solver.pages(), memory, solver.collisions().memory()});
 }
 
 void RunningBody::restore(const Snapshot& snapshot) {
@@ -80,10 +80,10 @@ void RunningBody::restore(const Snapshot& snapshot) {
     memory = snapshot.memory;
     sync.setBounds(memory.measure.bounds);
     solver.restoreModel(model(), stateOf(mesh), snapshot.pages);
-    solver.rememberContacts(snapshot.contact);
+    solver.collisions().remember(snapshot.contact);
     solver.setVolumeTargets(memory.volumeTargets.targets());
-    solver.setPinned(memory.pins.vertices());
-    solver.saveState();
+    solver.masses().setPinned(memory.pins.vertices());
+    solver.savedPieces().save();
     forgetPieces();
 }
 
@@ -96,14 +96,14 @@ void RunningBody::prepareStep(double timeStep) {
 
 /// What needs no result is done while the GPU measures.
 void RunningBody::measureStep() {
-    solver.startMeasure();
+    solver.measurer().start();
     sync.invalidate();
     forgetPieces();
-    memory.measure = solver.takeMeasure();
+    memory.measure = solver.measurer().take();
 }
 
 void RunningBody::bringLostPiecesBack() {
-    solver.restorePiecesAtRest(memory.measure.lostPieces);
+    solver.savedPieces().restoreAtRest(memory.measure.lostPieces);
     memory.measure = solver.measure();
 }
 
@@ -111,7 +111,7 @@ double RunningBody::endStep() {
     if (!volumesHeld) {
         memory.volumeTargets.startAt(memory.measure.pieceVolumes);
     }
-    solver.saveState();
+    solver.savedPieces().save();
     const double prefetchMs = sync.takePrefetched();
     sync.setBounds(memory.measure.bounds);
     if (readsAllBack) {

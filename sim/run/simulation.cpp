@@ -86,8 +86,8 @@ void Simulation::State::solve() {
     const double prefetchMs = body.endStep();
     StepReport& report = output.report;
     report.search.milliseconds += input.params.cutSearch == CutSearch::tree ? prefetchMs : 0;
-    report.deformMs = body.solver.takeDeformMilliseconds();
-    report.collideMs = body.solver.takeCollideMilliseconds();
+    report.deformMs = body.solver.stepper().takeDeformMilliseconds();
+    report.collideMs = body.solver.stepper().takeCollideMilliseconds();
 }
 
 void Simulation::State::prefetchCut() {
@@ -101,7 +101,7 @@ void Simulation::State::prefetchCut() {
 
 void Simulation::State::moveBody() {
     FrontHold front(body, input.params.timeStep);
-    body.solver.setBlade(stroke.bladeMotion());
+    body.solver.collisions().setBlade(stroke.bladeMotion());
     body.solver.unfoldFirmly(!body.cutter->inStroke());
     body.solver.step();
     front.release();
@@ -130,7 +130,7 @@ void Simulation::State::mendFolds() {
     int& foldedSteps = body.memory.foldedSteps;
     if (body.cutter->inStroke()) {
         foldedSteps = 0;
-    } else if (body.solver.unfolds()) {
+    } else if (body.solver.stepper().unfolds()) {
         ++foldedSteps;  // not in a row: much comes and goes
     }
     if (foldedSteps < kPatience) {

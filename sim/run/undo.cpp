@@ -41,7 +41,7 @@ void Simulation::State::apply(const UndoEntry::ParamChange& change, bool forward
 void Simulation::State::apply(const UndoEntry::PinChange& change, bool forward) {
     log.touch();
     body.memory.pins = forward ? change.after : change.before;
-    body.solver.setPinned(body.memory.pins.vertices());
+    body.solver.masses().setPinned(body.memory.pins.vertices());
 }
 
 void Simulation::State::apply(const UndoEntry::BodySnapshotChange& change, bool forward) {

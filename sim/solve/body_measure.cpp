@@ -1,6 +1,7 @@
 #include "sim/solve/body_measure.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/unfold_records.h"
@@ -14,6 +15,14 @@ using gpu::TexelFormat;
 Vec3 xyz(const shared::vec4& a) {
     return {a.x, a.y, a.z};
 }
+
+/// A measure, with what the next step of the solver counts on.
+struct SolverMeasure {
+    BodyMeasure body;
+    Bounds velocities;    ///< of all vertices [m/s]
+    Bounds ways;          ///< that they went since contacts were looked for [m]
+    bool folded = false;  ///< some edge is folded (see Unfolding)
+};
 
 /// Adds what one block measured.
 void add(const shared::BlockMeasure& block, std::uint32_t piece, SolverMeasure& sum) {
@@ -36,12 +45,14 @@ void add(const shared::BlockMeasure& block, std::uint32_t piece, SolverMeasure& 
 
 }  // namespace
 
-BodyMeasurer::BodyMeasurer(SolverBody& body)
+BodyMeasurer::BodyMeasurer(SolverBody& body, Collisions& collisions)
     : body_(body),
+      collisions_(collisions),
       measure_(gpu::Program::compute("sim/measure.comp")),
       collect_(gpu::Program::compute("sim/collect.comp")) {}
 
-void BodyMeasurer::start(const ContactReadings& contacts) {
+void BodyMeasurer::start() {
+    const ContactReadings contacts = collisions_.readings();
     body_.bind();
     slot_ = body_.pieces.blockMeasures.bindNext(shared::kBlockSumsBinding);
     contacts.state.bindStorage(shared::kContactCountsOfStepBinding);
@@ -60,7 +71,7 @@ void BodyMeasurer::start(const ContactReadings& contacts) {
     collectAsked(nearby_);
 }
 
-SolverMeasure BodyMeasurer::take(const ContactReadings& contacts) const {
+BodyMeasure BodyMeasurer::take() {
     const std::vector<shared::BlockRecord>& blocks = body_.pieces.blocks();
     const std::size_t pieceCount = body_.pieces.pieces().size();
     const auto measures =
@@ -81,19 +92,21 @@ SolverMeasure BodyMeasurer::take(const ContactReadings& contacts) const {
         }
     }
     const shared::vec4& ofContacts = measures[blocks.size()].low_volume;
-    body.contacts = contacts.counts ? static_cast<int>(ofContacts.x) : 0;
-    out.hasCandidates = ofContacts.y > 0;
-    return out;
+    body.contacts = collisions_.readings().counts ? static_cast<int>(ofContacts.x) : 0;
+    collisions_.expect(body.bounds, body.lostPieces.empty() ? out.velocities : Bounds{},
+                       {.drift = out.ways.diagonal(),
+                        .touching = body.contacts > 0,
+                        .hasCandidates = ofContacts.y > 0,
+                        .folded = out.folded});
+    return std::move(body);
 }
 
 /// As texels: the triangles around each vertex are read besides.
 void BodyMeasurer::bindConstraints() const {
-    const SolverModel& model = body_.model;
-    model.edgeRanges.bindTexels(shared::kEdgeRangesBinding, TexelFormat::uint32x2);
-    model.spokes.bindTexels(shared::kSpokesBinding, TexelFormat::uint32x4);
-    model.bends.bindTexels(shared::kBendsBinding, TexelFormat::uint32x4);
-    model.ispcs.bindTexels(shared::kIspcsBinding, TexelFormat::uint32x4);
-    model.restPositions.bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
+    bindAllConstraints(body_.model.constraints, [](const auto& buffer, auto unit, auto texels) {
+        buffer.bindTexels(unit, texels);
+    });
+    body_.model.restPositions.bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
 }
 
 VertexStates BodyMeasurer::statesOf(std::span<const int> vertices) {
@@ -104,10 +117,10 @@ VertexStates BodyMeasurer::statesOf(std::span<const int> vertices) {
 }
 
 /// The kernel that measures finds them; what it measures besides is left where it is.
-VertexStates BodyMeasurer::statesNear(const OrientedBox& box, const ContactReadings& contacts) {
+VertexStates BodyMeasurer::statesNear(const OrientedBox& box) {
     for (;;) {
         nearby_.ask(box, {});
-        start(contacts);
+        start();
         VertexStates found = nearby_.take();
         if (found.complete) {
             return found;

@@ -8,6 +8,7 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "sim/base/math.h"
+#include "sim/solve/collisions.h"
 #include "sim/solve/nearby_vertices.h"
 #include "sim/solve/solver_body.h"
 
@@ -33,45 +34,35 @@ struct BodyMeasure {
 /// A piece whose box is longer than this many diagonals of the uncut body has run away.
 inline constexpr double kLargestPiece = 20;
 
-/// A measure, with what the next step of the solver counts on.
-struct SolverMeasure {
-    BodyMeasure body;
-    Bounds velocities;    ///< of all vertices [m/s]
-    Bounds ways;          ///< that they went since contacts were looked for [m]
-    bool folded = false;  ///< some edge is folded (see Unfolding)
-    bool hasCandidates = false;
-};
-
-/// What a measure reads of contact between the parts of a body.
-struct ContactReadings {
-    const gpu::Buffer& state;     ///< a ContactState: its counts
-    const gpu::Buffer& searched;  ///< X when candidates were looked for; of some size where never
-    bool counts;                  ///< whether contact is on
-};
-
-/// Measures a body on the GPU, and brings the state of some of its vertices back.
+/// Measures a body on the GPU, tells its collisions what the next step may meet, and brings the
+/// state of some of its vertices back.
 class BodyMeasurer {
   public:
-    /// The body must outlive it. Compiles the kernels: throws gpu::ShaderError.
-    explicit BodyMeasurer(SolverBody& body);
+    /// Both must outlive it. Compiles the kernels: throws gpu::ShaderError.
+    BodyMeasurer(SolverBody& body, Collisions& collisions);
 
-    /// Lets the GPU begin to measure the positions between steps.
-    void start(const ContactReadings& contacts);
+    /// Lets the GPU begin to measure the positions between steps. Meanwhile the CPU may do
+    /// something else that changes nothing here.
+    void start();
     /// The measure that start() asked for, with the same pieces still; waits for the GPU.
-    SolverMeasure take(const ContactReadings& contacts) const;
-    /// See GpuSolver.
+    BodyMeasure take();
+    /// Has the coming start() find out besides what takeWatched() gives; see NearbyVertices.
     void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
         nearby_.ask(box, vertices);
     }
+    /// The watched vertices as of the last take(). Once for each watch().
     VertexStates takeWatched() { return nearby_.take(); }
+    /// Positions and velocities of these vertices; waits for the GPU.
     VertexStates statesOf(std::span<const int> vertices);
-    VertexStates statesNear(const OrientedBox& box, const ContactReadings& contacts);
+    /// The states of all vertices of triangles that meet `box`; waits for the GPU. Between steps.
+    VertexStates statesNear(const OrientedBox& box);
 
   private:
     void bindConstraints() const;
     void collectAsked(const NearbyVertices& query);
 
     SolverBody& body_;
+    Collisions& collisions_;
     gpu::Program measure_, collect_;
     int slot_ = 0;              ///< of the block measures that start() asked for
     NearbyVertices nearby_;     ///< of the coming start()

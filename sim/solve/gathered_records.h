@@ -4,43 +4,53 @@
 #include <vector>
 
 #include "shaders/shared/body_records.h"
-#include "sim/body/body_updater.h"
+#include "sim/body/incidence.h"
 
 namespace kerf {
 
-// The constraints of a body as the solver's kernels read them: seen from their vertices, at the
-// places of the model's incidence lists.
+// The constraints of a body as the solver's kernels read them: their records, and what they are
+// seen from their vertices, at the places of the model's incidence lists.
 
-/// The spoke at a place of the list of the edges that is in use.
-shared::Spoke spokeAt(const BodyModel& model, std::uint32_t place);
-/// All spokes, shape [edgeIncidence.entries]; places that are not in use are zero.
-std::vector<shared::Spoke> allSpokes(const BodyModel& model);
-/// Ascending: the places whose spoke a change touched, by an edge of theirs or by the number of
-/// those at its far end.
-std::vector<std::uint32_t> changedSpokes(const BodyModel& model, const BodyChange& change);
+/// The record on the GPU: that of the CPU, but for bends.
+template <class Constraint>
+const Constraint& recordOf(const Constraint& constraint) {
+    return constraint;
+}
+shared::BendRecord recordOf(const BendConstraint& bend);
 
-shared::BendRecord bendRecord(const BendConstraint& bend);
-std::vector<shared::BendRecord> allBendRecords(const BodyModel& model);
+/// The list of a vertex. Of bends those of which it is an end of the edge come first.
+template <class Gather>
+const typename Gather::Range& rangeAt(Gather, const Incidence& incidence, std::uint32_t vertex) {
+    return incidence.ranges[vertex];
+}
+shared::BendRange rangeAt(WingPulls, const Incidence& incidence, std::uint32_t vertex);
 
-/// The lists of the bends at the vertices, those of which a vertex is an end of the edge first.
-struct BendLists {
-    std::vector<shared::BendRange> ranges;  ///< shape [vertexCount]
-    std::vector<std::uint32_t> entries;     ///< shape [bendIncidence.entries], see BendRange
-
-    void assign(const BodyModel& model);
-    /// Follows the lists of these vertices.
-    void update(const BodyModel& model, const std::vector<std::uint32_t>& vertices);
-};
-
-/// The share at a place of the list of the ISPCs that is in use.
-shared::IspcShare ispcShareAt(const BodyModel& model, std::uint32_t place);
-/// All shares, shape [ispcIncidence.entries]; places that are not in use are zero.
-std::vector<shared::IspcShare> allIspcShares(const BodyModel& model);
-/// Ascending: the places whose share a change touched.
-std::vector<std::uint32_t> changedIspcShares(const BodyModel& model, const BodyChange& change);
+// What lies at a place of the lists that is in use.
+shared::Spoke entryAt(Spokes, const std::vector<EdgeConstraint>& edges, const Incidence& incidence,
+                      std::uint32_t place);
+std::uint32_t entryAt(WingPulls, const std::vector<BendConstraint>& bends,
+                      const Incidence& incidence, std::uint32_t place);
+template <class Constraint>
+shared::ConstraintShare entryAt(Shares, const std::vector<Constraint>& constraints,
+                                const Incidence& incidence, std::uint32_t place) {
+    const std::uint32_t entry = incidence.entries[place];
+    return {entry / 4, weightsOf(constraints[entry / 4])[entry % 4]};
+}
 
 /// Ascending: the places of `vertices` in the lists of an incidence.
 std::vector<std::uint32_t> placesOf(const Incidence& incidence,
                                     const std::vector<std::uint32_t>& vertices);
+
+/// Ascending: the places with entries that a change of the lists of `vertices` touched.
+template <class Gather, class Constraint>
+std::vector<std::uint32_t> changedPlaces(Gather, const std::vector<Constraint>&,
+                                         const Incidence& incidence,
+                                         const std::vector<std::uint32_t>& vertices) {
+    return placesOf(incidence, vertices);
+}
+/// A spoke tells how many there are at its far end.
+std::vector<std::uint32_t> changedPlaces(Spokes, const std::vector<EdgeConstraint>& edges,
+                                         const Incidence& incidence,
+                                         std::vector<std::uint32_t> vertices);
 
 }  // namespace kerf

@@ -7,19 +7,10 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "sim/body/body_model.h"
+#include "sim/solve/loop_budget.h"
+#include "sim/solve/solver_body.h"
 
 namespace kerf {
-
-/// The solver's buffers that a whole step needs (see small_body_bindings.h).
-struct SmallBodyBuffers {
-    const gpu::Buffer *uniforms, *positions, *velocities, *displacement, *swept;
-    const gpu::Buffer *links, *edgeRanges, *spokes;
-    const gpu::Buffer *bends, *bendRanges, *bendEntries;
-    const gpu::Buffer *ispcs, *ispcRanges, *ispcShares;
-    const gpu::Buffer *neighbourRanges, *neighbours, *places;
-    const gpu::Buffer *corrections, *gradients, *impulses;
-    const gpu::Buffer *pieces, *blocks, *pages, *pulls;
-};
 
 /// A run of substeps. A substep begins with the prediction and ends with floor and velocities;
 /// between them lies what may collide with the body.
@@ -52,14 +43,15 @@ class SmallBodySolver {
     void setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks,
                  bool asksForSweeps);
     /// Whether one group can solve it.
-    bool fits() const { return substepsAtOnce_ > 0; }
-    /// How many substeps may begin in one dispatch: Mesa's llvmpipe ends all loops of a thread
-    /// after 65,535 turns together, without a word.
-    std::uint32_t substepsAtOnce() const { return substepsAtOnce_; }
-
+    bool fits() const { return substepsAtOnce() > 0; }
+    /// How many substeps may begin in one dispatch.
+    std::uint32_t substepsAtOnce() const { return atOnce(substepTurns_); }
     /// How many sweeps of plain PBD a dispatch does at most, which one group of llvmpipe can do for
     /// larger bodies too; 0 where it can't.
-    std::uint32_t sweepsAtOnce() const { return sweepsAtOnce_; }
+    std::uint32_t sweepsAtOnce() const { return atOnce(sweepTurns_); }
+    /// Turns of loops, at most, in each of those (loop_budget.h); 0 where there are none.
+    std::size_t turnsOfSubstep() const { return substepTurns_; }
+    std::size_t turnsOfSweep() const { return sweepTurns_; }
 
     /// Whether it may be too much for one thread of llvmpipe.
     bool large() const { return large_; }
@@ -70,15 +62,18 @@ class SmallBodySolver {
 
     /// One dispatch; a storage barrier follows. Compiles the kernel with the first: throws
     /// gpu::ShaderError.
-    void run(const SmallBodyBuffers& buffers, const SubstepRun& run);
-    void run(const SmallBodyBuffers& buffers, const SweepRun& run);
+    void run(const SolverBody& body, const SubstepRun& run);
+    void run(const SolverBody& body, const SweepRun& run);
 
   private:
+    static std::uint32_t atOnce(std::size_t turns) {
+        return turns == 0 ? 0 : static_cast<std::uint32_t>(kMostTurns / turns);
+    }
     std::uint32_t groupSize() const { return memory_ == Memory::shared ? 512 : 8; }
     std::uint32_t groupSizeOfSweeps() const;
     gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
     void setSweeps(const BodyModel& model);
-    void bind(const SmallBodyBuffers& buffers) const;
+    void bind(const SolverBody& body) const;
 
     Memory memory_;
     std::optional<gpu::Program> kernel_;
@@ -88,8 +83,8 @@ class SmallBodySolver {
     const gpu::Buffer* folds_ = nullptr;
     gpu::Buffer parts_;
     std::uint32_t blocks_ = 0;
-    std::uint32_t substepsAtOnce_ = 0;
-    std::uint32_t sweepsAtOnce_ = 0;
+    std::size_t substepTurns_ = 0;
+    std::size_t sweepTurns_ = 0;
     bool large_ = false;  ///< more than kSmallBodyVertices
 };
 

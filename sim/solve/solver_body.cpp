@@ -1,5 +1,6 @@
 #include "sim/solve/solver_body.h"
 
+#include <algorithm>
 #include <span>
 
 #include "gpu/context.h"
@@ -11,9 +12,6 @@ namespace kerf {
 
 using gpu::TexelFormat;
 using shared::uint;
-
-static_assert(sizeof(shared::SolverUniforms) == 112);
-static_assert(sizeof(shared::PullRecord) == 28);
 
 double runawaySpeed(double diagonal, double gravity) {
     constexpr double kDiagonalsPerSecond = 1000;
@@ -29,9 +27,7 @@ void SolverBody::setParameters(const shared::SolverUniforms& parameters) {
     const shared::SolverUniforms counts = uniforms;
     uniforms = parameters;
     uniforms.vertex_count = counts.vertex_count;
-    uniforms.edge_count = counts.edge_count;
-    uniforms.bend_count = counts.bend_count;
-    uniforms.ispc_count = counts.ispc_count;
+    std::ranges::copy(counts.count, uniforms.count);
     uniforms.triangle_count = counts.triangle_count;
     uniforms.piece_count = counts.piece_count;
     uniforms.pull_count = counts.pull_count;
@@ -69,8 +65,7 @@ void SolverBody::uploadUniforms() {
 
 bool SolverBody::plainPbd() const {
     return !active(shared::kPullAsBeforePart) && uniforms.damping_ratio == 0 &&
-           uniforms.stretch_compliance == 0 && uniforms.bend_compliance == 0 &&
-           uniforms.ispc_compliance == 0;
+           std::ranges::count(uniforms.compliance, 0.0f) == kConstraintTypes;
 }
 
 void SolverBody::bind() const {

@@ -1,29 +1,27 @@
 #include "sim/solve/solver_model.h"
 
 #include <array>
+#include <type_traits>
 
-#include "sim/body/incidence.h"
 #include "sim/solve/float_vectors.h"
+#include "sim/solve/gathered_records.h"
 
 namespace kerf {
 
 namespace {
 
+using gpu::TexelFormat;
 using shared::uint;
 
-static_assert(sizeof(shared::BendRecord) == 32);
-static_assert(sizeof(shared::BendRange) == 16);
-static_assert(sizeof(shared::IspcShare) == 8);
-static_assert(sizeof(shared::IspcConstraint) == 32);
-static_assert(sizeof(shared::VertexLinks) == 16);
-static_assert(sizeof(shared::IncidenceRange) == 8);
-static_assert(sizeof(shared::Spoke) == 16);
+static_assert(kConstraintTypes <= 1 + shared::kMostPullingTypes, "links need another texel");
 
 shared::VertexLinks linksOf(const BodyModel& model, std::size_t v) {
     const int piece = model.pieceOfVertex[v];
-    return {valence(model.edgeIncidence, v), valence(model.bendIncidence, v),
-            valence(model.ispcIncidence, v),
-            piece < 0 ? shared::kNoPiece : static_cast<uint>(piece)};
+    shared::VertexLinks links{{}, piece < 0 ? shared::kNoPiece : static_cast<uint>(piece)};
+    for (uint type = 1; type < kConstraintTypes; ++type) {
+        links.counts[type - 1] = valence(model.incidences[type], v);
+    }
+    return links;
 }
 
 std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
@@ -32,6 +30,57 @@ std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
         links[v] = linksOf(model, v);
     }
     return links;
+}
+
+template <class Constraint>
+auto recordsOf(const std::vector<Constraint>& list) {
+    std::vector<std::decay_t<decltype(recordOf(list[0]))>> records;
+    records.reserve(list.size());
+    for (const Constraint& constraint : list) {
+        records.push_back(recordOf(constraint));
+    }
+    return records;
+}
+
+template <class Constraint>
+void updateRecords(const std::vector<Constraint>& list, const std::vector<uint>& slots,
+                   gpu::Buffer& records, Scatter& scatter) {
+    using Record = std::decay_t<decltype(recordOf(list[0]))>;
+    scatter.write<Record>(records, list.size(), slots, Scatter::Gaps::fill,
+                          [&](uint slot) { return recordOf(list[slot]); });
+}
+
+/// A texel has so many bytes, but never more than four words.
+constexpr TexelFormat texelsOf(std::size_t bytes) {
+    return bytes < 16 ? TexelFormat::uint32x2 : TexelFormat::uint32x4;
+}
+
+template <class Gather, class Constraint>
+void assignLists(Gather gather, const std::vector<Constraint>& list, const Incidence& incidence,
+                 ConstraintBuffers& buffers) {
+    std::vector<typename Gather::Range> ranges(incidence.ranges.size());
+    std::vector<typename Gather::Entry> entries(incidence.entries.size());
+    for (uint v = 0; v < ranges.size(); ++v) {
+        ranges[v] = rangeAt(gather, incidence, v);
+        for (uint place = ranges[v].first; place < ranges[v].end; ++place) {
+            entries[place] = entryAt(gather, list, incidence, place);
+        }
+    }
+    buffers.ranges.assign(ranges);
+    buffers.entries.assign(entries);
+    buffers.rangeTexels = texelsOf(sizeof(typename Gather::Range));
+    buffers.entryTexels = texelsOf(2 * sizeof(typename Gather::Entry));  // lists are read by pairs
+}
+
+template <class Gather, class Constraint>
+void updateLists(Gather gather, const std::vector<Constraint>& list, const Incidence& incidence,
+                 const std::vector<uint>& vertices, ConstraintBuffers& buffers, Scatter& scatter) {
+    scatter.write<typename Gather::Range>(buffers.ranges, incidence.ranges.size(), vertices,
+                                          Scatter::Gaps::fill,
+                                          [&](uint v) { return rangeAt(gather, incidence, v); });
+    scatter.write<typename Gather::Entry>(
+        buffers.entries, incidence.entries.size(), changedPlaces(gather, list, incidence, vertices),
+        Scatter::Gaps::keep, [&](uint place) { return entryAt(gather, list, incidence, place); });
 }
 
 }  // namespace
@@ -60,20 +109,23 @@ void SolverModel::uploadRestShape(const BodyModel& model) {
     areaBuffer.assign(areas);
 }
 
-void SolverModel::uploadSpokes(const BodyModel& model) {
-    edgeRanges.assign(model.edgeIncidence.ranges);
-    spokes.assign(allSpokes(model));
+void SolverModel::uploadRecords(const BodyModel& model, uint type) {
+    forEachType(model, [&](auto row, const auto& list) {
+        if constexpr (decltype(row)::Gathers::kPulls > 0) {
+            if (row.kType == type) {
+                constraints[type].records.assign(recordsOf(list));
+            }
+        }
+    });
 }
 
-void SolverModel::uploadBendLists(const BodyModel& model) {
-    bendLists_.assign(model);
-    bendRanges.assign(bendLists_.ranges);
-    bendEntries.assign(bendLists_.entries);
-}
-
-void SolverModel::uploadIspcShares(const BodyModel& model) {
-    ispcRanges.assign(model.ispcIncidence.ranges);
-    ispcShares.assign(allIspcShares(model));
+void SolverModel::uploadLists(const BodyModel& model, uint type) {
+    forEachType(model, [&](auto row, const auto& list) {
+        if (row.kType == type) {
+            assignLists(typename decltype(row)::Gathers{}, list, model.incidences[type],
+                        constraints[type]);
+        }
+    });
 }
 
 void SolverModel::uploadTriangleLists(const BodyModel& model) {
@@ -83,11 +135,9 @@ void SolverModel::uploadTriangleLists(const BodyModel& model) {
 
 void SolverModel::update(const BodyModel& model, const BodyChange& change, Scatter& scatter) {
     updateVertices(model, change, scatter);
-    scatter.write<std::array<uint, 4>>(triangles, model.triangles, change.triangles);
-    updateSpokes(model, change, scatter);
-    updateBends(model, change, scatter);
-    updateIspcs(model, change, scatter);
-    triangleIncidence.update(model.triangleIncidence, change.triangleLists, scatter);
+    scatter.write<std::array<uint, 4>>(triangles, model.triangles, change.triangles.slots);
+    updateConstraints(model, change, scatter);
+    triangleIncidence.update(model.triangleIncidence, change.triangles.vertices, scatter);
     neighbours.update(model.neighbours, change.neighbourLists, scatter);
 }
 
@@ -110,28 +160,17 @@ void SolverModel::updateVertices(const BodyModel& model, const BodyChange& chang
     scatter.write<float>(areaBuffer, areas, change.vertices);
 }
 
-void SolverModel::updateSpokes(const BodyModel& model, const BodyChange& change, Scatter& scatter) {
-    scatter.write<IncidenceRange>(edgeRanges, model.edgeIncidence.ranges, change.edgeLists);
-    scatter.write<shared::Spoke>(spokes, model.edgeIncidence.entries.size(),
-                                 changedSpokes(model, change), Scatter::Gaps::keep,
-                                 [&](uint place) { return spokeAt(model, place); });
-}
-
-void SolverModel::updateBends(const BodyModel& model, const BodyChange& change, Scatter& scatter) {
-    scatter.write<shared::BendRecord>(bends, model.bends.size(), change.bends, Scatter::Gaps::fill,
-                                      [&](uint b) { return bendRecord(model.bends[b]); });
-    bendLists_.update(model, change.bendLists);
-    scatter.write<shared::BendRange>(bendRanges, bendLists_.ranges, change.bendLists);
-    scatter.write<uint>(bendEntries, bendLists_.entries,
-                        placesOf(model.bendIncidence, change.bendLists));
-}
-
-void SolverModel::updateIspcs(const BodyModel& model, const BodyChange& change, Scatter& scatter) {
-    scatter.write<shared::IspcConstraint>(ispcs, model.ispcs, change.ispcs);
-    scatter.write<IncidenceRange>(ispcRanges, model.ispcIncidence.ranges, change.ispcLists);
-    scatter.write<shared::IspcShare>(ispcShares, model.ispcIncidence.entries.size(),
-                                     changedIspcShares(model, change), Scatter::Gaps::keep,
-                                     [&](uint place) { return ispcShareAt(model, place); });
+void SolverModel::updateConstraints(const BodyModel& model, const BodyChange& change,
+                                    Scatter& scatter) {
+    forEachType(model, [&](auto row, const auto& list) {
+        using Gather = typename decltype(row)::Gathers;
+        const ListChange& changed = change.constraints[row.kType];
+        if constexpr (Gather::kPulls > 0) {
+            updateRecords(list, changed.slots, constraints[row.kType].records, scatter);
+        }
+        updateLists(Gather{}, list, model.incidences[row.kType], changed.vertices,
+                    constraints[row.kType], scatter);
+    });
 }
 
 }  // namespace kerf

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "shaders/shared/bindings.h"
 #include "sim/body/body_updater.h"
-#include "sim/solve/gathered_records.h"
 #include "sim/solve/scatter.h"
 
 namespace kerf {
@@ -21,6 +23,27 @@ struct IncidenceBuffers {
                 Scatter& scatter);
 };
 
+/// The constraints of one type on the GPU, as its kernels read them; edges have no records.
+struct ConstraintBuffers {
+    gpu::Buffer records, ranges, entries;
+    gpu::TexelFormat rangeTexels = gpu::TexelFormat::uint32x2;
+    gpu::TexelFormat entryTexels = gpu::TexelFormat::uint32x2;
+};
+
+/// Calls bind(buffer, unit, texels) for all that kernels with all types of constraints read.
+template <class Bind>
+void bindAllConstraints(std::span<const ConstraintBuffers> constraints, Bind&& bind) {
+    std::uint32_t unit = 0;
+    for (const ConstraintBuffers& buffers : constraints) {
+        if (unit > 0) {  // edges have no records
+            bind(buffers.records, shared::kAllRecordsUnit + unit, gpu::TexelFormat::uint32x4);
+        }
+        bind(buffers.ranges, shared::kAllRangesUnit + unit, buffers.rangeTexels);
+        bind(buffers.entries, shared::kAllEntriesUnit + unit, buffers.entryTexels);
+        unit += 3;
+    }
+}
+
 /// The rest shape and the constraints of a body on the GPU: constant but for cuts. All that
 /// allocates throws gpu::OutOfMemory.
 struct SolverModel {
@@ -31,20 +54,15 @@ struct SolverModel {
 
     gpu::Buffer restPositions, cutSkinNormals, links, areaBuffer;
     gpu::Buffer triangles;
-    gpu::Buffer edgeRanges, spokes;
-    gpu::Buffer bends, bendRanges, bendEntries;
-    gpu::Buffer ispcs, ispcRanges, ispcShares;
+    std::array<ConstraintBuffers, kConstraintTypes> constraints;
     IncidenceBuffers triangleIncidence, neighbours;
 
     // A new body, in portions of about the same size.
     void takeVertices(const BodyModel& model);
     void uploadRestShape(const BodyModel& model);
     void uploadTriangles(const BodyModel& model) { triangles.assign(model.triangles); }
-    void uploadSpokes(const BodyModel& model);
-    void uploadBends(const BodyModel& model) { bends.assign(allBendRecords(model)); }
-    void uploadIspcs(const BodyModel& model) { ispcs.assign(model.ispcs); }
-    void uploadBendLists(const BodyModel& model);
-    void uploadIspcShares(const BodyModel& model);
+    void uploadRecords(const BodyModel& model, std::uint32_t type);
+    void uploadLists(const BodyModel& model, std::uint32_t type);
     void uploadTriangleLists(const BodyModel& model);
 
     /// Follows a change, at the cost of what changed.
@@ -52,11 +70,7 @@ struct SolverModel {
 
   private:
     void updateVertices(const BodyModel& model, const BodyChange& change, Scatter& scatter);
-    void updateSpokes(const BodyModel& model, const BodyChange& change, Scatter& scatter);
-    void updateBends(const BodyModel& model, const BodyChange& change, Scatter& scatter);
-    void updateIspcs(const BodyModel& model, const BodyChange& change, Scatter& scatter);
-
-    BendLists bendLists_;
+    void updateConstraints(const BodyModel& model, const BodyChange& change, Scatter& scatter);
 };
 
 }  // namespace kerf

@@ -12,8 +12,11 @@ void SolverState::makeRoom(const BodyModel& model) {
     displacement.resize(vertexBytes);
     previous.resize(vertexBytes);
     gradients.resize(vertexBytes);
-    corrections.resize(sizeof(shared::vec4) *
-                       std::max({2 * model.bends.size(), model.ispcs.size(), std::size_t{1}}));
+    std::size_t pulls = 1;
+    forEachType(model, [&](auto row, const auto& constraints) {
+        pulls = std::max(pulls, decltype(row)::Gathers::kPulls * constraints.size());
+    });
+    corrections.resize(pulls * sizeof(shared::vec4));
 }
 
 void SolverState::assign(const BodyState& state) {

@@ -17,48 +17,6 @@ ContactBody contactBodyOf(const SolverBody& body) {
             .triangleCount = body.uniforms.triangle_count};
 }
 
-SmallBodyBuffers smallBodyBuffersOf(const SolverBody& body) {
-    const SolverModel& model = body.model;
-    const SolverState& state = body.state;
-    const SolverPieces& pieces = body.pieces;
-    return {.uniforms = &body.uniformBuffer,
-            .positions = &state.positions,
-            .velocities = &state.velocities,
-            .displacement = &state.displacement,
-            .swept = &state.previous,
-            .links = &model.links,
-            .edgeRanges = &model.edgeRanges,
-            .spokes = &model.spokes,
-            .bends = &model.bends,
-            .bendRanges = &model.bendRanges,
-            .bendEntries = &model.bendEntries,
-            .ispcs = &model.ispcs,
-            .ispcRanges = &model.ispcRanges,
-            .ispcShares = &model.ispcShares,
-            .neighbourRanges = &model.neighbours.ranges,
-            .neighbours = &model.neighbours.entries,
-            .places = &pieces.placeBuffer,
-            .corrections = &state.corrections,
-            .gradients = &state.gradients,
-            .impulses = &pieces.impulses,
-            .pieces = &pieces.pieceBuffer,
-            .blocks = &pieces.blockBuffer,
-            .pages = &pieces.pageBuffer,
-            .pulls = &body.pulls};
-}
-
-UnfoldingBody unfoldingBodyOf(const SolverBody& body) {
-    return {.uniforms = &body.uniformBuffer,
-            .positions = &body.state.positions,
-            .velocities = &body.state.velocities,
-            .restPositions = &body.model.restPositions,
-            .bends = &body.model.bends,
-            .neighbourRanges = &body.model.neighbours.ranges,
-            .neighbours = &body.model.neighbours.entries,
-            .vertexCount = body.uniforms.vertex_count,
-            .bendCount = body.uniforms.bend_count};
-}
-
 BodyView bodyViewOf(const SolverBody& body) {
     const SolverModel& model = body.model;
     return {.positions = &body.state.positions,
@@ -73,11 +31,11 @@ BodyView bodyViewOf(const SolverBody& body) {
 
 ConstraintView constraintViewOf(const SolverBody& body, const ContactSolver& contacts) {
     ConstraintView view;
-    view.bends = &body.model.bends;
-    view.ispcs = &body.model.ispcs;
+    view.bends = &body.model.constraints[shared::kBend].records;
+    view.ispcs = &body.model.constraints[shared::kIspc].records;
     view.pulls = &body.pulls;
-    view.bendCount = body.uniforms.bend_count;
-    view.ispcCount = body.uniforms.ispc_count;
+    view.bendCount = body.uniforms.count[shared::kBend];
+    view.ispcCount = body.uniforms.count[shared::kIspc];
     view.pullCount = body.uniforms.pull_count;
     if (contacts.enabled() && contacts.records().size() > 0) {
         view.contacts = &contacts.records();

@@ -3,9 +3,7 @@
 #include "sim/contact/contact_solver.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/constraint_view.h"
-#include "sim/solve/small_body.h"
 #include "sim/solve/solver_body.h"
-#include "sim/solve/unfolding.h"
 
 namespace kerf {
 
@@ -13,8 +11,6 @@ namespace kerf {
 // body is neither uploaded nor updated.
 
 ContactBody contactBodyOf(const SolverBody& body);
-SmallBodyBuffers smallBodyBuffersOf(const SolverBody& body);
-UnfoldingBody unfoldingBodyOf(const SolverBody& body);
 BodyView bodyViewOf(const SolverBody& body);
 /// The constraints to draw, with `contacts` where they are on and were looked for.
 ConstraintView constraintViewOf(const SolverBody& body, const ContactSolver& contacts);

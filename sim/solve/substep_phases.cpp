@@ -20,6 +20,39 @@ gpu::Program compile(const SolverBody& body, const std::string& name, gpu::Defin
     return gpu::Program::compute("sim/" + name + ".comp", defines);
 }
 
+using gpu::Defines;
+using ConstraintKernels = std::array<gpu::Program, kConstraintTypes>;
+
+constexpr uint kLastType = kConstraintTypes - 1;
+
+/// What kernels call the types of constraints and the lists of their vertices.
+const std::array<Defines, kConstraintTypes> kNames{{
+#define KERF_NAMES(number, Name, list, Constraint, Gather) \
+    {{"TYPE", #number},                                    \
+     {"SOLVE", "solve" #Name},                             \
+     {"SUM", "sumOf" #Gather},                             \
+     {"RANGES", "RANGES_OF_" #Gather},                     \
+     {"ENTRIES", "ENTRIES_OF_" #Gather}},
+    KERF_CONSTRAINTS(KERF_NAMES)
+#undef KERF_NAMES
+}};
+
+gpu::Program compileFor(const SolverBody& body, const std::string& name, uint type,
+                        Defines defines = {}) {
+    defines.insert(defines.end(), kNames[type].begin(), kNames[type].end());
+    return compile(body, name, std::move(defines));
+}
+
+/// A kernel for each type but edges.
+ConstraintKernels compileForEach(const SolverBody& body, const std::string& name,
+                                 const Defines& defines = {}) {
+    ConstraintKernels kernels;
+    for (uint type = 1; type < kConstraintTypes; ++type) {
+        kernels[type] = compileFor(body, name, type, defines);
+    }
+    return kernels;
+}
+
 /// llvmpipe resumes a coroutine at each barrier for every eight threads of a group, so that its
 /// groups are small.
 gpu::Defines groupsOfSums(const SolverBody& body) {
@@ -31,12 +64,13 @@ gpu::Defines groupsOfSums(const SolverBody& body) {
 
 SubstepPhases::SubstepPhases(SolverBody& body)
     : body_(body),
-      constraints_{compileConstraints(false), compileConstraints(true)},
       stretch_(compile(body, "stretch")),
-      gatherBends_(compile(body, "gather_corrections", {{"GATHER_BENDS", "1"}})),
-      gatherIspcs_(compile(body, "gather_corrections", {{"GATHER_ISPCS", "1"}})),
-      gatherIspcsOntoFloor_(
-          compile(body, "gather_corrections", {{"GATHER_ISPCS", "1"}, {"ONTO_FLOOR", "1"}})),
+      stretchAgain_{compile(body, "stretch", {{"SWEEP_AGAIN", "1"}}),
+                    compile(body, "stretch", {{"SWEEP_AGAIN", "1"}, {"PLAIN_PBD", "1"}})},
+      solve_{compileForEach(body, "constraint"),
+             compileForEach(body, "constraint", {{"PLAIN_PBD", "1"}})},
+      gather_(compileForEach(body, "gather_corrections")),
+      gatherOntoFloor_(compileFor(body, "gather_corrections", kLastType, {{"ONTO_FLOOR", "1"}})),
       volumeGradient_(compile(body, "volume_gradient", groupsOfSums(body))),
       volumeCorrect_(compile(body, "volume_correct")),
       pull_(gpu::Program::compute("sim/pull.comp")),
@@ -44,95 +78,69 @@ SubstepPhases::SubstepPhases(SolverBody& body)
       finish_(compile(body, "finish")),
       settle_(compile(body, "settle")) {}
 
-SubstepPhases::ConstraintKernels SubstepPhases::compileConstraints(bool plainPbd) const {
-    const auto compileFor = [&](const std::string& name, gpu::Defines defines = {}) {
-        if (plainPbd) {
-            defines.emplace_back("PLAIN_PBD", "1");
-        }
-        return compile(body_, name, std::move(defines));
-    };
-    return {compileFor("stretch", {{"SWEEP_AGAIN", "1"}}), compileFor("bend"), compileFor("ispc")};
-}
-
-const SubstepPhases::ConstraintKernels& SubstepPhases::constraints() const {
-    return constraints_[body_.plainPbd() ? 1 : 0];
-}
-
 void SubstepPhases::setFolds(const gpu::Buffer* folds) {
     folds_ = folds;
     if (folds_ != nullptr && !foldedKernels_) {
-        const auto compileFor = [&](const std::string& name) {
-            return compile(body_, name, {{"UNFOLDS", "1"}});
-        };
-        foldedKernels_.emplace(FoldedKernels{compileFor("stretch"), compileFor("bend"),
-                                             compileFor("ispc"), compileFor("floor"),
-                                             compileFor("settle")});
+        const Defines folded{{"UNFOLDS", "1"}};
+        foldedKernels_.emplace(FoldedKernels{
+            compile(body_, "stretch", folded), compile(body_, "floor", folded),
+            compile(body_, "settle", folded), compileForEach(body_, "constraint", folded)});
     }
 }
 
-const gpu::Program& SubstepPhases::choose(const gpu::Program& kernel,
-                                          gpu::Program FoldedKernels::*folded) const {
-    if (folds_ == nullptr) {
-        return kernel;
+bool SubstepPhases::bindFolds() const {
+    if (folds_ != nullptr) {
+        folds_->bindTexels(shared::kFoldsUnit, TexelFormat::uint32);
     }
-    folds_->bindTexels(shared::kFoldsUnit, TexelFormat::uint32);
-    return *foldedKernels_.*folded;
+    return folds_ != nullptr;
 }
 
 void SubstepPhases::predictAndStretch() {
     body_.bind();
-    bindSpokes();
-    body_.run(choose(stretch_, &FoldedKernels::stretch), body_.uniforms.vertex_count);
+    bindLists(shared::kStretch);
+    body_.run(bindFolds() ? foldedKernels_->stretch : stretch_, body_.uniforms.vertex_count);
 }
 
 void SubstepPhases::stretchAgain() {
     std::swap(body_.state.displacement, body_.state.previous);
     body_.bind();
     body_.bindFetched(body_.state.previous, shared::kPreviousBinding, TexelFormat::float32x4);
-    bindSpokes();
-    body_.run(constraints().stretchAgain, body_.uniforms.vertex_count);
+    bindLists(shared::kStretch);
+    body_.run(stretchAgain_[solverKind()], body_.uniforms.vertex_count);
 }
 
-void SubstepPhases::bindSpokes() const {
-    body_.bindFetched(body_.model.edgeRanges, shared::kRangesBinding, TexelFormat::uint32x2);
-    body_.bindFetched(body_.model.spokes, shared::kEntriesBinding, TexelFormat::uint32x4);
+void SubstepPhases::bindLists(uint type) const {
+    const ConstraintBuffers& buffers = body_.model.constraints[type];
+    body_.bindFetched(buffers.ranges, shared::kRangesBinding, buffers.rangeTexels);
+    body_.bindFetched(buffers.entries, shared::kEntriesBinding, buffers.entryTexels);
 }
 
-void SubstepPhases::solveBends() {
-    if (!body_.active(shared::kBendPart)) {
+void SubstepPhases::solve(uint type, const gpu::Program& gather) {
+    if (!body_.active(1u << type)) {
         return;
     }
-    const SolverModel& model = body_.model;
-    body_.bindFetched(model.bends, shared::kConstraintsBinding, TexelFormat::uint32x4);
-    runOverConstraints(choose(constraints().bend, &FoldedKernels::bend), body_.uniforms.bend_count);
-    body_.bindFetched(model.bendRanges, shared::kRangesBinding, TexelFormat::uint32x4);
-    body_.bindFetched(model.bendEntries, shared::kEntriesBinding, TexelFormat::uint32x2);
-    body_.run(gatherBends_, body_.uniforms.vertex_count);
-}
-
-void SubstepPhases::solveIspcs(const gpu::Program& gather) {
-    if (!body_.active(shared::kIspcPart)) {
-        return;
-    }
-    const SolverModel& model = body_.model;
-    body_.bindFetched(model.ispcs, shared::kConstraintsBinding, TexelFormat::uint32x4);
-    runOverConstraints(choose(constraints().ispc, &FoldedKernels::ispc), body_.uniforms.ispc_count);
-    body_.bindFetched(model.ispcRanges, shared::kRangesBinding, TexelFormat::uint32x2);
-    body_.bindFetched(model.ispcShares, shared::kEntriesBinding, TexelFormat::uint32x4);
-    body_.run(gather, body_.uniforms.vertex_count);
-}
-
-bool SubstepPhases::mayGatherOntoFloor() const {
-    return body_.active(shared::kIspcPart) && body_.active(shared::kFloorPart) &&
-           !body_.active(shared::kVolumePart);
-}
-
-void SubstepPhases::runOverConstraints(const gpu::Program& kernel, uint count) {
     body_.bind();
+    body_.bindFetched(body_.model.constraints[type].records, shared::kConstraintsBinding,
+                      TexelFormat::uint32x4);
     const gpu::Buffer& corrections = body_.state.corrections;
     corrections.bindStorage(shared::kCorrectionsBinding);
     body_.bindFetched(corrections, shared::kCorrectionsBinding, TexelFormat::float32x4);
-    body_.run(kernel, count);
+    const ConstraintKernels& kernels = bindFolds() ? foldedKernels_->solve : solve_[solverKind()];
+    body_.run(kernels[type], body_.uniforms.count[type]);
+    bindLists(type);
+    body_.run(gather, body_.uniforms.vertex_count);
+}
+
+void SubstepPhases::solveAll(bool ontoFloor) {
+    for (uint type = 1; type < kLastType; ++type) {
+        solve(type);
+    }
+    solve(kLastType, ontoFloor ? gatherOntoFloor_ : gather_[kLastType]);
+}
+
+bool SubstepPhases::mayGatherOntoFloor() const {
+    return body_.active(1u << kLastType) && body_.active(shared::kFloorPart) &&
+           !body_.active(shared::kVolumePart);
 }
 
 void SubstepPhases::sumVolume() {
@@ -153,7 +161,7 @@ void SubstepPhases::solveVolume() {
 
 void SubstepPhases::settle() {
     sumVolume();
-    body_.run(choose(settle_, &FoldedKernels::settle), body_.uniforms.vertex_count);
+    body_.run(bindFolds() ? foldedKernels_->settle : settle_, body_.uniforms.vertex_count);
 }
 
 void SubstepPhases::pull() {
@@ -167,7 +175,7 @@ void SubstepPhases::pull() {
 void SubstepPhases::collideFloor() {
     if (body_.active(shared::kFloorPart)) {
         body_.bind();
-        body_.run(choose(floor_, &FoldedKernels::floor), body_.uniforms.vertex_count);
+        body_.run(bindFolds() ? foldedKernels_->floor : floor_, body_.uniforms.vertex_count);
     }
 }
 

@@ -24,10 +24,11 @@ class SubstepPhases {
     void predictAndStretch();
     /// Solves the edges without a prediction: in all sweeps but the first.
     void stretchAgain();
-    void solveBends();
-    void solveIspcs() { solveIspcs(gatherIspcs_); }
-    /// ISPCs and the floor, where that is all that follows them in a sweep.
-    void solveIspcsOntoFloor() { solveIspcs(gatherIspcsOntoFloor_); }
+    /// Solves the constraints of a type but edges.
+    void solve(std::uint32_t type) { solve(type, gather_[type]); }
+    /// Solves all but edges, with `ontoFloor` and the floor.
+    void solveAll(bool ontoFloor);
+    /// Whether the floor may be all that follows the last type in a sweep.
     bool mayGatherOntoFloor() const;
     void solveVolume();
     void pull();
@@ -37,28 +38,29 @@ class SubstepPhases {
     void settle();
 
   private:
-    struct ConstraintKernels {
-        gpu::Program stretchAgain, bend, ispc;
-    };
+    /// By type of constraint, but for edges.
+    using ConstraintKernels = std::array<gpu::Program, kConstraintTypes>;
     /// Kernels that act otherwise on folded skin: shaders/sim/folds.glsl.
     struct FoldedKernels {
-        gpu::Program stretch, bend, ispc, floor, settle;
+        gpu::Program stretch, floor, settle;
+        ConstraintKernels solve;
     };
-    ConstraintKernels compileConstraints(bool plainPbd) const;
-    const ConstraintKernels& constraints() const;
-    /// `folded` instead of `kernel` where the skin is folded.
-    const gpu::Program& choose(const gpu::Program& kernel,
-                               gpu::Program FoldedKernels::*folded) const;
-    void bindSpokes() const;
-    void solveIspcs(const gpu::Program& gather);
-    void runOverConstraints(const gpu::Program& kernel, std::uint32_t count);
+    /// Of kernels that are compiled for any solver (0) and for plain PBD (1).
+    std::size_t solverKind() const { return body_.plainPbd() ? 1 : 0; }
+    /// Whether the skin is folded; how far is bound then.
+    bool bindFolds() const;
+    void bindLists(std::uint32_t type) const;
+    void solve(std::uint32_t type, const gpu::Program& gather);
     void sumVolume();
 
     SolverBody& body_;
-    std::array<ConstraintKernels, 2> constraints_;  ///< for any solver, for plain PBD
     std::optional<FoldedKernels> foldedKernels_;
     const gpu::Buffer* folds_ = nullptr;
-    gpu::Program stretch_, gatherBends_, gatherIspcs_, gatherIspcsOntoFloor_;
+    gpu::Program stretch_;
+    std::array<gpu::Program, 2> stretchAgain_;
+    std::array<ConstraintKernels, 2> solve_;
+    ConstraintKernels gather_;
+    gpu::Program gatherOntoFloor_;  ///< the last type
     gpu::Program volumeGradient_, volumeCorrect_, pull_, floor_, finish_, settle_;
 };
 

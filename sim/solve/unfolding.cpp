@@ -11,8 +11,6 @@ namespace {
 using gpu::TexelFormat;
 using shared::uint;
 
-static_assert(sizeof(shared::UnfoldGoal) == 80);
-
 void bindBoth(const gpu::Buffer& buffer, uint binding, TexelFormat format) {
     buffer.bindStorage(binding);
     buffer.bindTexels(binding, format);
@@ -37,23 +35,24 @@ void Unfolding::resize(std::size_t vertices) {
     goals_.resize(vertices * sizeof(shared::UnfoldGoal));
 }
 
-void Unfolding::run(const UnfoldingBody& body) {
+void Unfolding::run(const SolverBody& body) {
     folds_.clear();
     bind(body);
-    runOver(findFolds_, body.bendCount);
-    runOver(sumFolds_, body.vertexCount);
-    runOver(findGoals_, body.vertexCount);
-    runOver(unfold_, body.vertexCount);
+    runOver(findFolds_, body.uniforms.count[shared::kBend]);
+    runOver(sumFolds_, body.uniforms.vertex_count);
+    runOver(findGoals_, body.uniforms.vertex_count);
+    runOver(unfold_, body.uniforms.vertex_count);
 }
 
-void Unfolding::bind(const UnfoldingBody& body) const {
-    body.uniforms->bindStorage(shared::kUniformsBinding);
-    body.positions->bindTexels(shared::kPositionsBinding, TexelFormat::float32x4);
-    bindBoth(*body.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
-    body.restPositions->bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
-    body.bends->bindTexels(shared::kUnfoldBendsBinding, TexelFormat::uint32x4);
-    body.neighbourRanges->bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
-    body.neighbours->bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
+void Unfolding::bind(const SolverBody& body) const {
+    body.uniformBuffer.bindStorage(shared::kUniformsBinding);
+    body.state.positions.bindTexels(shared::kPositionsBinding, TexelFormat::float32x4);
+    bindBoth(body.state.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
+    body.model.restPositions.bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
+    body.model.constraints[shared::kBend].records.bindTexels(shared::kUnfoldBendsBinding,
+                                                             TexelFormat::uint32x4);
+    body.model.neighbours.ranges.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
+    body.model.neighbours.entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
     bindBoth(folds_, shared::kUnfoldFoldsBinding, TexelFormat::uint32);
     bindBoth(foldSums_, shared::kUnfoldFoldSumsBinding, TexelFormat::uint32);
     bindBoth(goals_, shared::kUnfoldGoalsBinding, TexelFormat::float32x4);

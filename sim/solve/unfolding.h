@@ -1,19 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
+#include "sim/solve/solver_body.h"
 
 namespace kerf {
-
-/// The solver's buffers and counts that unfolding needs.
-struct UnfoldingBody {
-    const gpu::Buffer *uniforms, *positions, *velocities, *restPositions, *bends;
-    const gpu::Buffer *neighbourRanges, *neighbours;
-    std::uint32_t vertexCount, bendCount;
-};
 
 /// Brings a surface that is folded back, on the GPU: elastic forces alone leave triangles turned
 /// over, as their edges have the right lengths again. Between two substeps the vertices around each
@@ -29,12 +22,12 @@ class Unfolding {
     /// A body of so many vertices. Throws gpu::OutOfMemory.
     void resize(std::size_t vertices);
     /// Changes velocities; a storage barrier follows.
-    void run(const UnfoldingBody& body);
+    void run(const SolverBody& body);
     /// How far the skin at each vertex is folded, 0 to 1, as of the last run: a float each.
     const gpu::Buffer& folds() const { return folds_; }
 
   private:
-    void bind(const UnfoldingBody& body) const;
+    void bind(const SolverBody& body) const;
 
     gpu::Program findFolds_, sumFolds_, findGoals_, unfold_;
     gpu::Buffer folds_, foldSums_, goals_;

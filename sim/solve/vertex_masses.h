@@ -25,11 +25,14 @@ class VertexMasses {
     void invalidate() { stale_ = true; }
     void refresh();
 
-    // See GpuSolver.
+    /// A vertex that goes on with `velocity`, whatever pulls at it, until released.
     void anchor(int vertex, const Vec3f& velocity);
     void release(int vertex);
+    /// Vertices (ascending) that go on with these velocities in the coming step [m/s], for those
+    /// that have no mass.
     void carry(std::span<const std::uint32_t> vertices, std::span<const Vec3f> velocities);
-    /// Pins these vertices (ascending), from the next refresh() on.
+    /// The vertices that stay where they are, ascending, instead of those before, from the next
+    /// refresh() on.
     void setPinned(std::vector<std::uint32_t> vertices);
     /// Unpins all vertices: of a new body, whose masses are computed later.
     void freeAll() { pinned_.clear(); }

@@ -57,7 +57,7 @@ std::vector<Record> sharedRecords() {
     return {
         RECORD(BladeRecord, AT(box.center), AT(box.x), AT(box.y), AT(box.z), AT(shift), AT(turn),
                AT(bevel)),
-        RECORD(VertexLinks, AT(edges), AT(bends), AT(ispcs), AT(piece)),
+        RECORD(VertexLinks, AT(counts[0]), AT(piece)),
         RECORD(PieceRecord, AT(origin), AT(first_block), AT(block_count), AT(constrained),
                AT(target_volume), AT(mass_per_area), AT(least_area)),
         RECORD(BlockRecord, AT(piece), AT(first_page), AT(page_count)),
@@ -66,7 +66,7 @@ std::vector<Record> sharedRecords() {
         RECORD(BendRecord, AT(v0), AT(v1), AT(v2), AT(v3), AT(rest_cosine), AT(rest_sine),
                AT(geometry), AT(unused)),
         RECORD(BendRange, AT(first), AT(apexes), AT(end), AT(unused)),
-        RECORD(IspcShare, AT(ispc), AT(weight)),
+        RECORD(ConstraintShare, AT(constraint), AT(weight)),
         RECORD(WordWrite, AT(word), AT(value)),
         RECORD(PullRecord, AT(vertex), AT(target_x), AT(target_y), AT(target_z), AT(motion_x),
                AT(motion_y), AT(motion_z)),
@@ -101,11 +101,10 @@ std::vector<Record> sharedRecords() {
                AT(vertex_groups), AT(vertex_groups_y), AT(vertex_groups_z), AT(points), AT(levels),
                AT(contacts), AT(last_contacts), AT(largest[0])),
         RECORD(SolverUniforms, AT(gravity), AT(substep), AT(drag_factor), AT(inverse_density),
-               AT(damping_ratio), AT(stretch_compliance), AT(bend_compliance), AT(ispc_compliance),
-               AT(friction), AT(floor_height), AT(lift_speed), AT(active_parts), AT(substeps),
-               AT(sweeps), AT(stretch_share), AT(bend_share), AT(ispc_share), AT(vertex_count),
-               AT(edge_count), AT(bend_count), AT(ispc_count), AT(triangle_count), AT(piece_count),
-               AT(pull_count), AT(runaway_speed)),
+               AT(damping_ratio), AT(compliance[0]), AT(share[0]), AT(count[0]), AT(friction),
+               AT(floor_height), AT(lift_speed), AT(active_parts), AT(substeps), AT(sweeps),
+               AT(vertex_count), AT(triangle_count), AT(piece_count), AT(pull_count),
+               AT(runaway_speed)),
         RECORD(UnfoldGoal, AT(rotation), AT(center), AT(rest_center), AT(velocity), AT(spin)),
     };
 }

@@ -98,6 +98,14 @@ TEST_F(ProgramTest, IncludeOfItselfIsRefused) {
     EXPECT_EQ(failureOf(path), path + ":1: \"loop.comp\" includes itself");
 }
 
+TEST_F(ProgramTest, AStarIncludesAllFilesOfAFolderByName) {
+    fs::create_directory(folder_ / "parts");
+    write("parts/b.glsl", "const int kB = kA;\n");
+    write("parts/a.glsl", "const int kA = 1;\n");
+    write("parts/other.txt", "nonsense\n");
+    EXPECT_EQ(failureOf(write("all.comp", "#include \"parts/*.glsl\"\n" + kMain)), "compiled");
+}
+
 TEST_F(ProgramTest, PragmaOnceIncludesOnce) {
     write("once.glsl", "#pragma once\nconst int kOnce = 1;\n");
     EXPECT_EQ(

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/body/constraint_builder.h"
 #include "sim/body/dihedral.h"
+#include "tests/support/shell_lists.h"
 
 namespace kerf::test {
 

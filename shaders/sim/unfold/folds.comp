@@ -21,7 +21,7 @@ layout(std430, binding = kUnfoldFoldsBinding) buffer Folds { uint folds[]; };
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= uniforms.bend_count) return;
+    if (index >= uniforms.count[kBend]) return;
     BendRecord bend = fetchBend(bends, index);
     vec4 x0 = fetch(positions, bend.v0);
     vec4 x1 = fetch(positions, bend.v1);

@@ -176,7 +176,7 @@ TEST(ShaderInventory, ReadsBuffersAndGroupsFromTheShaders) {
         return found == shaders.buffers.end() ? -1 : found->binding;
     };
     EXPECT_EQ(binding("Positions"), static_cast<int>(shared::kPositionsBinding));
-    EXPECT_EQ(binding("Spokes"), static_cast<int>(shared::kSpokesBinding));
+    EXPECT_EQ(binding("Entries"), static_cast<int>(shared::kEntriesBinding));
     EXPECT_EQ(shaders.threads, static_cast<int>(shared::kGroupSize));
     EXPECT_GT(shaders.kernels, 20);
     for (const ShaderBuffer& buffer : shaders.buffers) {

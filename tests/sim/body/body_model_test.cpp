@@ -103,7 +103,7 @@ TEST(BodyModel, IspcsOfASphereAreItsDiameters) {
 
 TEST(BodyModel, IncidenceListsEveryElementOfAVertexInOrder) {
     const BodyModel model = buildBodyModel(test::icosphere(1));
-    const Incidence& incidence = model.ispcIncidence;
+    const Incidence& incidence = model.incidences[shared::kIspc];
     std::size_t entries = 0;
     for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
         for (std::uint32_t i = incidence.ranges[v].first; i < incidence.ranges[v].end; ++i) {
@@ -111,7 +111,8 @@ TEST(BodyModel, IncidenceListsEveryElementOfAVertexInOrder) {
             EXPECT_EQ(verticesOf(model.ispcs[entry / 4])[entry % 4], v);
             EXPECT_TRUE(i == incidence.ranges[v].first || incidence.entries[i - 1] < entry);
         }
-        EXPECT_EQ(valence(model.edgeIncidence, v), valence(model.triangleIncidence, v));
+        EXPECT_EQ(valence(model.incidences[shared::kStretch], v),
+                  valence(model.triangleIncidence, v));
         entries += valence(incidence, v);
     }
     EXPECT_EQ(entries, 4 * model.ispcs.size());

@@ -132,13 +132,11 @@ void expectFollowed(const BodyModel& model, const SurfaceMesh& mesh) {
     EXPECT_EQ(model.triangles.size(), fresh.triangles.size());
     expectIspcs(model, fresh, mesh);
     expectLists(model.triangles, model.triangleIncidence);
-    expectLists(model.edges, model.edgeIncidence);
-    expectLists(model.bends, model.bendIncidence);
-    expectLists(model.ispcs, model.ispcIncidence);
-    for (const Incidence* lists : {&model.triangleIncidence, &model.edgeIncidence,
-                                   &model.bendIncidence, &model.ispcIncidence}) {
-        expectListsDoNotOverlap(*lists);
-    }
+    expectListsDoNotOverlap(model.triangleIncidence);
+    forEachType(model, [&](auto row, const auto& constraints) {
+        expectLists(constraints, model.incidences[row.kType]);
+        expectListsDoNotOverlap(model.incidences[row.kType]);
+    });
     expectNeighbours(model, mesh);
 }
 
@@ -179,18 +177,18 @@ struct Follower {
         const BodyChange change = updater.update(result.delta);
         const BodyModel& after = updater.model();
         expectFollowed(after, mesh);
-        expectNamed(before.triangles, after.triangles, change.triangles, "triangle");
-        expectNamed(before.edges, after.edges, change.edges, "edge");
-        expectNamed(before.bends, after.bends, change.bends, "bend");
-        expectNamed(before.ispcs, after.ispcs, change.ispcs, "ISPC");
+        expectNamed(before.triangles, after.triangles, change.triangles.slots, "triangle");
+        expectNamed(before.edges, after.edges, change.constraints[shared::kStretch].slots, "edge");
+        expectNamed(before.bends, after.bends, change.constraints[shared::kBend].slots, "bend");
+        expectNamed(before.ispcs, after.ispcs, change.constraints[shared::kIspc].slots, "ISPC");
         expectNamed(before.vertexAreas, after.vertexAreas, change.vertices, "area");
         expectNamed(before.pieceOfVertex, after.pieceOfVertex, change.vertices, "piece");
-        expectNamed(before.edgeIncidence.ranges, after.edgeIncidence.ranges, change.edgeLists,
-                    "list of edges");
-        expectNamed(before.ispcIncidence.ranges, after.ispcIncidence.ranges, change.ispcLists,
-                    "list of ISPCs");
+        for (std::uint32_t type = 0; type < kConstraintTypes; ++type) {
+            expectNamed(before.incidences[type].ranges, after.incidences[type].ranges,
+                        change.constraints[type].vertices, "list of constraints");
+        }
         expectNamed(before.triangleIncidence.ranges, after.triangleIncidence.ranges,
-                    change.triangleLists, "list of triangles");
+                    change.triangles.vertices, "list of triangles");
     }
 
     void cut(const test::Stroke& stroke) {
@@ -253,7 +251,7 @@ TEST(BodyUpdater, RunsTwiceToTheSameBits) {
         EXPECT_TRUE(test::sameBits(x.ispcs[i], y.ispcs[i]));
     }
     EXPECT_EQ(x.triangles, y.triangles);
-    EXPECT_EQ(x.edgeIncidence.entries, y.edgeIncidence.entries);
+    EXPECT_EQ(x.incidences[shared::kStretch].entries, y.incidences[shared::kStretch].entries);
     EXPECT_EQ(x.neighbours.entries, y.neighbours.entries);
     EXPECT_EQ(unitMasses(x), unitMasses(y));
 }

@@ -7,6 +7,7 @@
 
 #include "sim/body/rest_geometry.h"
 #include "tests/support/shapes.h"
+#include "tests/support/shell_lists.h"
 
 namespace kerf {
 namespace {
@@ -19,7 +20,7 @@ TEST(RestGeometry, MeanEdgeOfAnIcosahedron) {
 TEST(ConstraintBuilder, EveryEdgeOnceWithItsLengthAndCrossSection) {
     const SurfaceMesh mesh = test::box(Vec3::Ones(), 1);
     const double thickness = 0.1;
-    const auto edges = buildEdges(mesh, thickness);
+    const auto edges = test::buildEdges(mesh, thickness);
     ASSERT_EQ(edges.size(), 18u);
     for (const auto& e : edges) {
         const double length = (mesh.restPosition(e.a) - mesh.restPosition(e.b)).norm();
@@ -31,7 +32,7 @@ TEST(ConstraintBuilder, EveryEdgeOnceWithItsLengthAndCrossSection) {
 TEST(ConstraintBuilder, BendsOfABoxAreRightAnglesOrFlat) {
     const SurfaceMesh mesh = test::box(Vec3::Ones(), 1);
     int right = 0;
-    const auto bends = buildBends(mesh, 0.1);
+    const auto bends = test::buildBends(mesh, 0.1);
     ASSERT_EQ(bends.size(), 18u);
     for (const auto& b : bends) {
         const bool isRight = std::abs(b.rest_angle - std::numbers::pi / 2) < 1e-6;
@@ -48,8 +49,8 @@ TEST(ConstraintBuilder, SliversGetEdgesButNoBends) {
     const Triangle t = mesh.triangle(sliver);
     const Vec3 middle = 0.5 * (mesh.restPosition(t[0]) + mesh.restPosition(t[1]));
     mesh.setRestPosition(t[2], middle + 0.01 * (mesh.restPosition(t[2]) - middle));
-    EXPECT_EQ(buildEdges(mesh, 0.1).size(), 18u);
-    const auto bends = buildBends(mesh, 0.1);
+    EXPECT_EQ(test::buildEdges(mesh, 0.1).size(), 18u);
+    const auto bends = test::buildBends(mesh, 0.1);
     EXPECT_LE(bends.size(), 15u);
     for (const auto& b : bends) {
         EXPECT_TRUE(std::isfinite(b.rest_angle));
@@ -59,7 +60,7 @@ TEST(ConstraintBuilder, SliversGetEdgesButNoBends) {
 TEST(ConstraintBuilder, AnEdgeWithoutLengthStaysFinite) {
     SurfaceMesh mesh = test::box(Vec3::Ones(), 1);
     mesh.setRestPosition(1, mesh.restPosition(0));
-    for (const auto& e : buildEdges(mesh, 0.1)) {
+    for (const auto& e : test::buildEdges(mesh, 0.1)) {
         EXPECT_TRUE(std::isfinite(e.geometry) && e.geometry >= 0) << e.a << " " << e.b;
     }
 }

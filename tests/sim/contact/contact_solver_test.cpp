@@ -69,7 +69,7 @@ struct Pair {
         }
         gpu.setModel(model, start);
         gpu.setUniforms(solverUniforms(params));
-        gpu.setContact(settings);
+        gpu.collisions().setSettings(settings);
         reference = restState(model);
         Bounds speeds;
         for (std::size_t v = 0; v < start.positions.size(); ++v) {
@@ -97,10 +97,16 @@ struct Pair {
 
 class ContactSolverTest : public test::GlTest {};
 
+/// As the beginning of a step does.
+void searchAnew(Collisions& collisions) {
+    collisions.beginStep(nullptr);
+    collisions.search();
+}
+
 /// Searches, and returns how many candidates were found.
 int expectCandidatesOfTheReference(Pair& pair) {
-    pair.gpu.searchContacts();
-    const auto ours = pair.gpu.contacts().readCandidates();
+    searchAnew(pair.gpu.collisions());
+    const auto ours = pair.gpu.collisions().contacts().readCandidates();
     const auto theirs = pair.referenceContact().findCandidates(pair.reference);
     EXPECT_EQ(ours.size(), theirs.size());
     int found = 0;
@@ -170,7 +176,7 @@ TEST_F(ContactSolverTest, KeptCandidatesMissNothing) {
         for (std::size_t v = 0; v < state.positions.size(); ++v) {
             pair.reference.positions[v] = state.positions[v].cast<double>();
         }
-        const auto kept = pair.gpu.contacts().readCandidates();
+        const auto kept = pair.gpu.collisions().contacts().readCandidates();
         const auto wanted = fresh.findCandidates(pair.reference);
         for (std::size_t v = 0; v < kept.size(); ++v) {
             const bool full = kept[v].size() == shared::kCandidatesPerPoint;
@@ -184,7 +190,7 @@ TEST_F(ContactSolverTest, KeptCandidatesMissNothing) {
     }
     EXPECT_EQ(missed, 0);
     EXPECT_GT(compared, 50);
-    EXPECT_LT(pair.gpu.contacts().searches(), 10) << "in 12 steps";
+    EXPECT_LT(pair.gpu.collisions().contacts().searches(), 10) << "in 12 steps";
 }
 
 // Displacements are 1e-4 m: a step of the fixed point is 5e-11 m.
@@ -202,13 +208,14 @@ TEST_F(ContactSolverTest, RespondsLikeTheReference) {
         const int contacts = contact.respond(candidates, pair.reference);
         EXPECT_GT(contacts, 10);
 
-        pair.gpu.searchContacts();
+        searchAnew(pair.gpu.collisions());
         shared::SolverUniforms uniforms = solverUniforms(weightless());
         uniforms.active_parts = 0;
         pair.gpu.setUniforms(uniforms);
         pair.gpu.predictAndStretch();
-        pair.gpu.collideBody();
-        EXPECT_EQ(pair.gpu.contacts().readState().last_contacts, static_cast<unsigned>(contacts));
+        pair.gpu.collisions().respond(0);
+        EXPECT_EQ(pair.gpu.collisions().contacts().readState().last_contacts,
+                  static_cast<unsigned>(contacts));
         const std::vector<Vec3f> ours = pair.gpu.readDisplacements();
         const BodyState state = pair.gpu.readState();
         double change = 0;

@@ -63,12 +63,12 @@ struct Pieces {
           settings(contactSettings(publishedParams())) {
         gpu.setModel(model, state);
         gpu.setUniforms(solverUniforms(publishedParams(), model));
-        gpu.setContact(settings);
+        gpu.collisions().setSettings(settings);
     }
 
     /// On the GPU. Returns how many pairs of triangles met.
     int respond() {
-        gpu.collideAsThePaper();
+        gpu.collisions().respondAsThePaper();
         const int pairs = gpu.measure().contacts;
         state = gpu.readState();
         return pairs;
@@ -214,7 +214,7 @@ TEST_F(PaperContactTest, WhatIsPinnedStays) {
     Pieces pieces(blocks.mesh);
     std::vector<std::uint32_t> all(pieces.state.positions.size());
     std::iota(all.begin(), all.end(), 0u);
-    pieces.gpu.setPinned(all);
+    pieces.gpu.masses().setPinned(all);
     const BodyState before = pieces.state;
     pieces.gpu.predictAndStretch();  // pins take effect with a substep
     EXPECT_GT(pieces.respond(), 20);

@@ -33,16 +33,15 @@ Momentum momentumOf(const ReferenceSolver& solver, const ReferenceState& before,
     return momentum;
 }
 
-using Phase = void (ReferenceSolver::*)(ReferenceState&) const;
-
 TEST(ReferenceSolver, EverySweepConservesMomentum) {
     const BodyModel model = buildBodyModel(test::bentTube());
-    const ReferenceSolver solver(model, solverUniforms(Params{}, model));
-    for (const Phase phase : {&ReferenceSolver::solveEdges, &ReferenceSolver::solveBends,
-                              &ReferenceSolver::solveIspcs, &ReferenceSolver::solveVolume}) {
+    shared::SolverUniforms uniforms = solverUniforms(Params{}, model);
+    uniforms.active_parts |= (1u << kConstraintTypes) - 1;
+    const ReferenceSolver solver(model, uniforms);
+    for (std::uint32_t type = 0; type <= kConstraintTypes; ++type) {
         const ReferenceState before = test::shakenState(model, 5, 0.01, 0.001);
         ReferenceState after = before;
-        (solver.*phase)(after);
+        type < kConstraintTypes ? solver.solve(type, after) : solver.solveVolume(after);
         std::vector<Vec3> change;
         for (std::size_t v = 0; v < before.positions.size(); ++v) {
             change.push_back(after.displacements[v] - before.displacements[v]);

@@ -111,32 +111,32 @@ TEST_F(GpuSolverTest, PredictsLikeTheReference) {
 TEST_F(GpuSolverTest, SolvesEdgesLikeTheReference) {
     expectSamePhase(
         shared::kStretchPart | shared::kPullAsBeforePart, kDisplacementTolerance, [](GpuSolver&) {},
-        [](const ReferenceSolver& s, ReferenceState& state) { s.solveEdges(state); });
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solve(shared::kStretch, state); });
 }
 
 TEST_F(GpuSolverTest, SolvesBendsLikeTheReference) {
     expectSamePhase(
         shared::kBendPart | shared::kPullAsBeforePart, kDisplacementTolerance,
-        [](GpuSolver& s) { s.solveBends(); },
-        [](const ReferenceSolver& s, ReferenceState& state) { s.solveBends(state); });
+        [](GpuSolver& s) { s.phases().solve(shared::kBend); },
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solve(shared::kBend, state); });
 }
 
 TEST_F(GpuSolverTest, SolvesIspcsLikeTheReference) {
     expectSamePhase(
         shared::kIspcPart | shared::kPullAsBeforePart, kDisplacementTolerance,
-        [](GpuSolver& s) { s.solveIspcs(); },
-        [](const ReferenceSolver& s, ReferenceState& state) { s.solveIspcs(state); });
+        [](GpuSolver& s) { s.phases().solve(shared::kIspc); },
+        [](const ReferenceSolver& s, ReferenceState& state) { s.solve(shared::kIspc, state); });
 }
 
 TEST_F(GpuSolverTest, HoldsVolumeLikeTheReference) {
     expectSamePhase(
-        shared::kVolumePart, kPositionTolerance, [](GpuSolver& s) { s.solveVolume(); },
+        shared::kVolumePart, kPositionTolerance, [](GpuSolver& s) { s.phases().solveVolume(); },
         [](const ReferenceSolver& s, ReferenceState& state) { s.solveVolume(state); });
 }
 
 TEST_F(GpuSolverTest, MeetsTheFloorLikeTheReference) {
     expectSamePhase(
-        shared::kFloorPart, kPositionTolerance, [](GpuSolver& s) { s.collideFloor(); },
+        shared::kFloorPart, kPositionTolerance, [](GpuSolver& s) { s.phases().collideFloor(); },
         [](const ReferenceSolver& s, ReferenceState& state) { s.collideFloor(state); });
 }
 
@@ -146,7 +146,7 @@ TEST_F(GpuSolverTest, FinishesLikeTheReference) {
     solver.predict(pair.reference);
     solver.finishSubstep(pair.reference);
     pair.gpu.predictAndStretch();
-    pair.gpu.finishSubstep();
+    pair.gpu.phases().finish();
     const BodyState state = pair.gpu.readState();
     for (std::size_t v = 0; v < state.positions.size(); ++v) {
         const Vec3 x = state.positions[v].cast<double>();
@@ -204,7 +204,7 @@ TEST_F(GpuSolverTest, LeavesChipsAlone) {
     pair.gpu.setVolumeTargets(std::span(&chip, 1));
     pair.gpu.predictAndStretch();
     const std::vector<Vec3f> before = pair.gpu.readDisplacements();
-    pair.gpu.solveVolume();
+    pair.gpu.phases().solveVolume();
     EXPECT_EQ(pair.gpu.readDisplacements(), before);
 }
 
@@ -311,10 +311,10 @@ TEST_F(GpuSolverTest, FlagsWhatIsNotFiniteOrRunsAway) {
 
 TEST_F(GpuSolverTest, RestoresTheSavedStateAtRest) {
     Pair pair(test::icosphere(2), Params{}, 0, 3);
-    pair.gpu.saveState();
+    pair.gpu.savedPieces().save();
     pair.gpu.step();
     EXPECT_NE(pair.gpu.readState().positions, pair.start.positions);
-    pair.gpu.restorePiecesAtRest(std::array{0});
+    pair.gpu.savedPieces().restoreAtRest(std::array{0});
     const BodyState state = pair.gpu.readState();
     EXPECT_EQ(state.positions, pair.start.positions);
     EXPECT_EQ(state.velocities, std::vector<Vec3f>(state.velocities.size(), Vec3f::Zero()));
@@ -328,10 +328,10 @@ TEST_F(GpuSolverTest, TakesLostPiecesBackAndLeavesTheOthersAlone) {
         BodyState state = pair.start;
         state.velocities.front().x() += badSpeed;
         pair.gpu.setState(state);
-        pair.gpu.saveState();
+        pair.gpu.savedPieces().save();
         pair.gpu.step();
         const std::vector<int> lost = pair.gpu.measure().lostPieces;
-        pair.gpu.restorePiecesAtRest(lost);
+        pair.gpu.savedPieces().restoreAtRest(lost);
         return std::tuple(lost, pair.start, pair.gpu.readState(), pair.model.pieceOfVertex);
     };
     const auto [none, start, expected, ignored] = run(0);
@@ -358,7 +358,7 @@ TEST_F(GpuSolverTest, PullsLikeTheReference) {
     solver.pull(pair.reference);
     pair.gpu.setPulls(pulls);
     pair.gpu.predictAndStretch();
-    pair.gpu.pull();
+    pair.gpu.phases().pull();
     EXPECT_LT(pair.error(), 1e-9);
     EXPECT_GT(pair.change(before), 1e-4);
     EXPECT_EQ(pair.reference.displacements[4], before[4]);
@@ -368,7 +368,7 @@ TEST_F(GpuSolverTest, PinnedVerticesStayAndAreFreedAgain) {
     Params params;
     params.floor.reset();
     Pair pair(test::icosphere(2), params, solverUniforms(params).active_parts, 3);
-    pair.gpu.setPinned({2, 7, 50});
+    pair.gpu.masses().setPinned({2, 7, 50});
     for (int step = 0; step < 5; ++step) {
         pair.gpu.step();
     }
@@ -377,7 +377,7 @@ TEST_F(GpuSolverTest, PinnedVerticesStayAndAreFreedAgain) {
         EXPECT_EQ(held.positions[v], pair.start.positions[v]);
     }
     EXPECT_NE(held.positions[3], pair.start.positions[3]);
-    pair.gpu.setPinned({7});
+    pair.gpu.masses().setPinned({7});
     pair.gpu.step();
     const BodyState freed = pair.gpu.readState();
     EXPECT_NE(freed.positions[2], held.positions[2]);
@@ -453,13 +453,13 @@ BodyState played(const SurfaceMesh& mesh, const OneGroupCase& how, bool oneGroup
     params.contact = how.contact ? 1 : 0;
     params.solver = how.solver;
     Pair pair(mesh, params, solverUniforms(params).active_parts, 21, how.shake);
-    pair.gpu.setSmallBodyMemory(how.memory);
+    pair.gpu.stepper().setSmallBodyMemory(how.memory);
     pair.gpu.setModel(pair.model, pair.start);
-    pair.gpu.setContact(contactSettings(params));
-    pair.gpu.setBoxes(how.boxes);
-    pair.gpu.allowOneGroup(oneGroup);
-    EXPECT_EQ(pair.gpu.solvesInOneGroup(), oneGroup);
-    pair.gpu.setPinned({1, 5});
+    pair.gpu.collisions().setSettings(contactSettings(params));
+    pair.gpu.collisions().setBoxes(how.boxes);
+    pair.gpu.stepper().allowOneGroup(oneGroup);
+    EXPECT_EQ(pair.gpu.stepper().solvesInOneGroup(), oneGroup);
+    pair.gpu.masses().setPinned({1, 5});
     for (int step = 0; step < 10; ++step) {
         const bool holds = step % 2 == 0;
         pair.gpu.setPulls(holds ? std::vector<shared::PullRecord>{{9, 0.1f, 0.2f, 0.3f, 1, 0, 0},
@@ -519,7 +519,7 @@ SweptSteps sweptSteps(const SurfaceMesh& mesh, uint parts, bool oneGroup) {
     params.floor = -0.45;
     params.solver = SolverMode::pbd;
     Pair pair(mesh, params, parts, 3);
-    pair.gpu.allowOneGroup(oneGroup);
+    pair.gpu.stepper().allowOneGroup(oneGroup);
     SweptSteps steps;
     for (int step = 0; step < 2 * FasterWay::kTries; ++step) {
         const long before = pair.gpu.dispatches();
@@ -597,8 +597,8 @@ TEST_F(GpuSolverTest, SettlingInOneDispatchChangesNoBit) {
             params.floor = -0.45;
             params.solver = mode;
             Pair pair(test::cubeSphere(8), params, solverUniforms(params).active_parts, 5);
-            pair.gpu.allowOneGroup(false);
-            pair.gpu.allowSettling(settles);
+            pair.gpu.stepper().allowOneGroup(false);
+            pair.gpu.stepper().allowSettling(settles);
             for (int step = 0; step < 5; ++step) {
                 pair.gpu.step();
             }
@@ -612,21 +612,21 @@ TEST_F(GpuSolverTest, SettlingInOneDispatchChangesNoBit) {
 }
 
 TEST_F(GpuSolverTest, SmallBodiesAreSolvedInOneGroup) {
-    EXPECT_TRUE(Pair(test::icosphere(1), Params{}, 0, 1).gpu.solvesInOneGroup());
+    EXPECT_TRUE(Pair(test::icosphere(1), Params{}, 0, 1).gpu.stepper().solvesInOneGroup());
     const Pair large(test::icosphere(4), Params{}, 0, 1);
     EXPECT_GT(large.model.restPositions.size(), 2048U);
-    EXPECT_FALSE(large.gpu.solvesInOneGroup());
+    EXPECT_FALSE(large.gpu.stepper().solvesInOneGroup());
     Params params;
     params.solver = SolverMode::pbd;
     Pair swept(test::icosphere(1), params, 0, 1);
-    EXPECT_TRUE(swept.gpu.solvesInOneGroup());
+    EXPECT_TRUE(swept.gpu.stepper().solvesInOneGroup());
     swept.gpu.setPulls({{9, 0.1f, 0.2f, 0.3f, 1, 0, 0}});
-    EXPECT_FALSE(swept.gpu.solvesInOneGroup());
+    EXPECT_FALSE(swept.gpu.stepper().solvesInOneGroup());
 }
 
 TEST_F(GpuSolverTest, UsesAtMostSevenDispatchesASubstep) {
     Pair pair(test::icosphere(1), Params{}, solverUniforms(Params{}).active_parts, 1);
-    pair.gpu.allowOneGroup(false);
+    pair.gpu.stepper().allowOneGroup(false);
     const long before = pair.gpu.dispatches();
     pair.gpu.step();
     EXPECT_LE(pair.gpu.dispatches() - before, 7 * Params{}.iterations);

@@ -32,13 +32,13 @@ class SolverUpdateTest : public test::GlTest {
         EXPECT_EQ(a.bounds.high, b.bounds.high);
         for (GpuSolver* solver : {&followed, &fresh}) {
             solver->predictAndStretch();
-            solver->solveBends();
-            solver->solveIspcs();
+            solver->phases().solve(shared::kBend);
+            solver->phases().solve(shared::kIspc);
         }
         // All but the sum over a piece is the same arithmetic in the same order.
         EXPECT_EQ(followed.readDisplacements(), fresh.readDisplacements());
-        followed.solveVolume();
-        fresh.solveVolume();
+        followed.phases().solveVolume();
+        fresh.phases().solveVolume();
         const std::vector<Vec3f> x = followed.readDisplacements();
         const std::vector<Vec3f> y = fresh.readDisplacements();
         for (std::size_t v = 0; v < x.size(); ++v) {
@@ -111,7 +111,7 @@ TEST_F(SolverUpdateTest, RemembersWhatACutAdded) {
     GpuSolver solver;
     solver.setModel(body.model(), stateOf(mesh));
     solver.setUniforms(solverUniforms(Params{}, body.model()));
-    solver.saveState();
+    solver.savedPieces().save();
     Cutter cutter(mesh, test::exactSettings());
     cutter.begin({{-2, 0.021, 0.013}, {2, 0.034, 0.055}});
     CutResult result = cutter.advance({{-2, 0.3, 1}, {2, 0.3, 1}});
@@ -123,7 +123,7 @@ TEST_F(SolverUpdateTest, RemembersWhatACutAdded) {
     solver.step();
     std::vector<int> all(body.model().pieces.size());
     std::iota(all.begin(), all.end(), 0);
-    solver.restorePiecesAtRest(all);
+    solver.savedPieces().restoreAtRest(all);
     EXPECT_EQ(solver.readState().positions, stateOf(mesh).positions);
 }
 

@@ -116,7 +116,7 @@ TEST_P(FirmAndGentleUnfoldingTest, DoesWhatTheReferenceDoes) {
         EXPECT_GT(body.folds(), 10);
         ReferenceState reference = body.startInDoubles();
         ReferenceSolver(body.model, body.uniforms).unfold(reference);
-        body.gpu.unfold();
+        body.gpu.stepper().unfold();
         const BodyState now = body.gpu.readState();
         const Difference difference =
             differenceOf(now.velocities, reference.velocities, body.start.velocities);
@@ -134,7 +134,7 @@ TEST_F(UnfoldingTest, AStepIsThatOfTheReference) {
         body.uniforms.floor_height = -0.3f;
         body.uniforms.substeps = 2;
         body.gpu.setUniforms(body.uniforms);
-        body.gpu.allowOneGroup(oneGroup);
+        body.gpu.stepper().allowOneGroup(oneGroup);
         ReferenceState reference = body.startInDoubles();
         ReferenceSolver(body.model, body.uniforms).step(reference);
         body.play(1);
@@ -148,7 +148,7 @@ TEST_F(UnfoldingTest, AStepIsThatOfTheReference) {
 TEST_P(FirmAndGentleUnfoldingTest, KeepsMomentum) {
     Crumpled body(test::cubeSphere(8), 0.4f, 1.0f);
     body.unfoldFirmly(GetParam());
-    body.gpu.unfold();
+    body.gpu.stepper().unfold();
     const BodyState now = body.gpu.readState();
     const std::vector<double> masses = unitMasses(body.model);
     Vec3 gained = Vec3::Zero();
@@ -167,7 +167,7 @@ TEST_P(FirmAndGentleUnfoldingTest, KeepsMomentum) {
 
 TEST_F(UnfoldingTest, ChangesNoBitWhereNothingIsFolded) {
     Crumpled body(test::cubeSphere(8), 0.05f, 1.0f);
-    body.gpu.unfold();
+    body.gpu.stepper().unfold();
     const BodyState now = body.gpu.readState();
     EXPECT_EQ(now.positions, body.start.positions);
     EXPECT_EQ(now.velocities, body.start.velocities);
@@ -184,7 +184,7 @@ TEST_F(UnfoldingTest, HoldsATriangleThatIsSquashedInItsPlane) {
         state.positions[apex] = foot + share * height;
         body.gpu.setState(state);
         EXPECT_EQ(body.folds(), 0);
-        body.gpu.unfold();
+        body.gpu.stepper().unfold();
         return body.gpu.readState().velocities[apex].dot(height.normalized());
     };
     EXPECT_EQ(pullAt(0.6f), 0.0f);
@@ -201,7 +201,7 @@ struct Touched {
 };
 
 Touched countTouched(const Crumpled& body, const std::vector<double>& folds, double thickness) {
-    const ContactSolver& contacts = body.gpu.contacts();
+    const ContactSolver& contacts = body.gpu.collisions().contacts();
     const auto candidates = contacts.readCandidates();
     const auto isWall = [&](std::uint32_t point, std::uint32_t corner) {
         return std::ranges::any_of(candidates[point], [&](const shared::ContactCandidate& c) {
@@ -231,7 +231,7 @@ Touched touchedBy(Crumpled& body) {
     params.contact = 1;
     ContactSettings settings = contactSettings(params);
     settings.edges = false;
-    body.gpu.setContact(settings);
+    body.gpu.collisions().setSettings(settings);
     body.uniforms.substeps = 1;
     body.gpu.setUniforms(body.uniforms);
     ReferenceState reference = body.startInDoubles();

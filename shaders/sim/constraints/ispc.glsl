@@ -1,6 +1,10 @@
-// An ISPC: see ispc.comp. The includer declares `uniforms`, positionOf(v) and displacementOf(v).
-#include "sim/folds.glsl"
-#include "sim/pull_direction.glsl"
+// An ISPC: r = p_v - (b0 p_0 + b1 p_1 + b2 p_2), C = |r| - L0.
+IspcConstraint fetchIspc(RECORDS records, uint index) {
+    uvec4 corners = fetch(records, 2u * index);
+    vec4 rest = uintBitsToFloat(fetch(records, 2u * index + 1u));
+    return IspcConstraint(corners.x, corners.y, corners.z, corners.w,
+                          rest.x, rest.y, rest.z, rest.w);
+}
 
 // On its vertex; the corners of the triangle that its ray ends on answer by their weights.
 vec3 ispcPull(IspcConstraint ispc) {
@@ -20,9 +24,22 @@ vec3 ispcPull(IspcConstraint ispc) {
 
     float weight = uniforms.inverse_density * dot(vec4(dv.w, d0.w, d1.w, d2.w), vec4(1.0, b * b));
     float fold = foldAt(uvec4(ispc.vertex, ispc.t0, ispc.t1, ispc.t2));
-    float denominator = dampedWeight(weight, ispc.geometry * uniforms.ispc_compliance, fold);
+    float denominator = dampedWeight(weight, ispc.geometry * uniforms.compliance[kIspc], fold);
     vec3 direction = reach > 1e-12 ? pullDirection(base, r) : vec3(0.0);
     float answered = dampedError(reach - ispc.rest_length, dot(direction, step), fold, 1.0);
-    float impulse = weight > 0.0 ? uniforms.ispc_share * -answered / denominator : 0.0;
+    float impulse = weight > 0.0 ? uniforms.share[kIspc] * -answered / denominator : 0.0;
     return direction * impulse;
+}
+
+void solveIspc(RECORDS records, uint index) {
+    setCorrection(index, vec4(ispcPull(fetchIspc(records, index)), 0.0));
+}
+
+float energyOfIspc(RECORDS records, uint index) {
+    IspcConstraint ispc = fetchIspc(records, index);
+    vec3 x = positionOf(ispc.vertex).xyz;
+    vec3 span = (1.0 - ispc.b1 - ispc.b2) * (x - positionOf(ispc.t0).xyz) +
+        ispc.b1 * (x - positionOf(ispc.t1).xyz) + ispc.b2 * (x - positionOf(ispc.t2).xyz);
+    float error = length(span) - ispc.rest_length;
+    return energyOf(error * error, ispc.geometry, kIspc);
 }

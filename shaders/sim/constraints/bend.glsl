@@ -1,7 +1,13 @@
-// A bend: see bend.comp. The includer declares `uniforms`, positionOf(v) and displacementOf(v).
+// A bend:
+//
+//            v2            e = v1 - v0, nA = e x (v2 - v0), nB = (v3 - v0) x e
+//           /  |           theta = atan2((nA x nB) . e / |e|, nA . nB): flat 0, convex > 0
+//         v0 -> v1
+//           |  /
+//            v3
+//
+// Its energy is in strain_energy.glsl, with how far it is folded.
 #include "sim/bend_angle.glsl"
-#include "sim/folds.glsl"
-#include "sim/pull_direction.glsl"
 
 // What the triangle on either side pulls with, along its normal, and where along the edge from v0
 // (0) to v1 (1) its apex stands: see bendShare.
@@ -14,7 +20,8 @@ struct BendPull {
 // throw it as far as rounding of the angle over that gradient says. Compliance bounds it.
 float leastWeight(vec4 w, vec3 a, vec3 b) {
     float most = uniforms.inverse_density * max(max(w.x, w.y), max(w.z, w.w));
-    return uniforms.bend_compliance > 0.0 ? 0.0 : kLeastBendShare * most * (dot(a, a) + dot(b, b));
+    bool rigid = uniforms.compliance[kBend] <= 0.0;
+    return rigid ? kLeastBendShare * most * (dot(a, a) + dot(b, b)) : 0.0;
 }
 
 BendPull bendPull(BendRecord bend) {
@@ -55,11 +62,17 @@ BendPull bendPull(BendRecord bend) {
     float weight = uniforms.inverse_density *
         dot(inverseMasses, vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b)));
     float fold = foldAt(uvec4(bend.v0, bend.v1, bend.v2, bend.v3));
-    float denominator = dampedWeight(weight, bend.geometry * uniforms.bend_compliance, fold);
+    float denominator = dampedWeight(weight, bend.geometry * uniforms.compliance[kBend], fold);
     float rate = dot(a, sA * edgeStep - leftStep) + dot(b, sB * edgeStep - rightStep);
     float answered = dampedError(error, rate, fold, max(length(a), length(b)));
     bool answers = weight > leastWeight(inverseMasses, a, b);
-    float impulse = answers ? uniforms.bend_share * -answered / denominator : 0.0;
+    float impulse = answers ? uniforms.share[kBend] * -answered / denominator : 0.0;
     return BendPull(slivers ? vec4(0.0) : vec4(a * impulse, sA),
                     slivers ? vec4(0.0) : vec4(b * impulse, sB));
+}
+
+void solveBend(RECORDS records, uint index) {
+    BendPull pull = bendPull(fetchBend(records, index));
+    setCorrection(2u * index, pull.left);
+    setCorrection(2u * index + 1u, pull.right);
 }

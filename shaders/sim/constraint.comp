@@ -1,0 +1,31 @@
+// Solves each constraint of one type (constraints.h) once against the displacement as it stands:
+// TYPE is its number and SOLVE its function (XPBD, mass split among the constraints of the type at
+// a vertex).
+// Reads X, d, records. Writes the pulls of each constraint, which gather_corrections shares out
+// among its vertices. One thread per constraint. A storage barrier follows, then
+// gather_corrections.
+#include "bindings.h"
+#include "body_records.h"
+#include "constraints.h"
+#include "solver_uniforms.h"
+layout(local_size_x = kGroupSize) in;
+
+#include "sim/fetch.glsl"
+#include "sim/uniforms.glsl"
+
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kDisplacementBinding) displacement;
+RECORD_QUADS(kConstraintsBinding) records;
+layout(std430, binding = kCorrectionsBinding) writeonly buffer Corrections { vec4 corrections[]; };
+
+vec4 positionOf(uint v) { return fetch(positions, v); }
+vec4 displacementOf(uint v) { return fetch(displacement, v); }
+void setCorrection(uint index, vec4 pull) { corrections[index] = pull; }
+
+#include "sim/constraints.glsl"
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= uniforms.count[TYPE]) return;
+    SOLVE(records, index);
+}

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shaders/shared/body_records.h"
+#include "shaders/shared/constraints.h"
+#include "sim/body/shell_constraints.h"
+
+namespace kerf {
+
+using shared::IncidenceRange;
+using shared::IspcConstraint;
+using shared::kConstraintTypes;
+
+/// The elements that touch each vertex, in a fixed order: entries[ranges[v].first .. ranges[v].end)
+/// are 4 * element + slot (slot: which of the element's vertices v is), ascending. Between the
+/// lists there is room for them to grow.
+struct Incidence {
+    std::vector<IncidenceRange> ranges;  ///< shape [vertexCount]
+    std::vector<std::uint32_t> entries;
+};
+
+// The vertices of a constraint; the place of each is its slot (see Incidence).
+inline std::array<std::uint32_t, 2> verticesOf(const EdgeConstraint& c) {
+    return {c.a, c.b};
+}
+inline std::array<std::uint32_t, 4> verticesOf(const BendConstraint& c) {
+    return {c.v0, c.v1, c.v2, c.v3};
+}
+/// The vertices of an ISPC: its own first, then those of the triangle that its ray ends on.
+inline std::array<std::uint32_t, 4> verticesOf(const IspcConstraint& c) {
+    return {c.vertex, c.t0, c.t1, c.t2};
+}
+
+// The shares of its vertices in the pull of a constraint whose vertices gather Shares.
+inline std::array<float, 4> weightsOf(const IspcConstraint& c) {
+    return {1.0f, -(1.0f - c.b1 - c.b2), -c.b1, -c.b2};
+}
+
+// How vertices gather: the range and the entries of a list on the GPU, and the pulls per
+// constraint. See constraints.h.
+struct Spokes {
+    using Range = IncidenceRange;
+    using Entry = shared::Spoke;
+    static constexpr std::uint32_t kPulls = 0;
+};
+struct WingPulls {
+    using Range = shared::BendRange;
+    using Entry = std::uint32_t;
+    static constexpr std::uint32_t kPulls = 2;
+};
+struct Shares {
+    using Range = IncidenceRange;
+    using Entry = shared::ConstraintShare;
+    static constexpr std::uint32_t kPulls = 1;
+};
+
+/// The constraints of a body: for each row of constraints.h a list by its name, and the constraints
+/// at each vertex.
+struct ConstraintLists {
+#define KERF_LIST(number, Name, list, Constraint, Gather) std::vector<Constraint> list;
+    KERF_CONSTRAINTS(KERF_LIST)
+#undef KERF_LIST
+    std::array<Incidence, kConstraintTypes> incidences;
+};
+
+/// A row of constraints.h.
+template <std::uint32_t kNumber, class Gather>
+struct ConstraintRow {
+    static constexpr std::uint32_t kType = kNumber;
+    using Gathers = Gather;
+};
+
+/// Calls f(row, list) for each row of constraints.h, in their order.
+template <class Lists, class F>
+void forEachType(Lists& lists, F&& f) {
+#define KERF_VISIT(number, Name, list, Constraint, Gather) \
+    f(ConstraintRow<number, Gather>{}, lists.list);
+    KERF_CONSTRAINTS(KERF_VISIT)
+#undef KERF_VISIT
+}
+
+}  // namespace kerf

@@ -1,0 +1,165 @@
+#include "sim/solve/time_stepper.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace kerf {
+
+using shared::uint;
+
+namespace {
+
+template <class F>
+void timed(gpu::Timer& timer, F&& work) {
+    timer.begin();
+    work();
+    timer.end();
+}
+
+}  // namespace
+
+void TimeStepper::setBody(const BodyModel& model, bool isNew) {
+    smallBody_.setBody(model, body_.pieces.blocks(), isNew || body_.plainPbd());
+    sweepsFaster_ = isNew ? FasterWay() : sweepsFaster_;
+}
+
+void TimeStepper::step() {
+    unfolds_ = unfolds();
+    const gpu::Buffer* folds = unfolds_ ? &unfolding_.folds() : nullptr;
+    collisions_.beginStep(folds);
+    phases_.setFolds(folds);
+    smallBody_.setFolds(folds);
+    solve();
+    if (collisions_.followsThePaper()) {
+        timed(collideTimer_, [&] { collisions_.respondAsThePaper(); });
+    }
+}
+
+void TimeStepper::solve() {
+    if (sweepsInOneGroup() && smallBody_.large()) {
+        stepTheFasterWay();
+    } else if (sweepsInOneGroup()) {
+        stepBySweeps();
+    } else if (!solvesInOneGroup()) {
+        stepByPhases();
+    } else if (!collisions_.mayTouch() && !unfolds_) {
+        stepAtOnce();
+    } else {
+        stepBySubsteps();
+    }
+}
+
+bool TimeStepper::solvesInOneGroup() const {
+    const bool bySubsteps = oneGroupAllowed_ && body_.uniforms.sweeps == 1 && smallBody_.fits();
+    return bySubsteps || (sweepsInOneGroup() && !smallBody_.large());
+}
+
+bool TimeStepper::sweepsInOneGroup() const {
+    return oneGroupAllowed_ && body_.uniforms.sweeps > 1 && body_.plainPbd() &&
+           !body_.active(shared::kVolumePart) && body_.uniforms.pull_count == 0 &&
+           !collisions_.mayTouch() && smallBody_.sweepsAtOnce() > 0;
+}
+
+/// The cores of llvmpipe may be so far from each other that one of them is done sooner alone; their
+/// compute shaders have run when a dispatch returns.
+void TimeStepper::stepTheFasterWay() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    sweepsFaster_.next() == 0 ? stepBySweeps() : stepByPhases();
+    sweepsFaster_.took(std::chrono::duration<double>(Clock::now() - start).count());
+}
+
+/// SubstepRun or SweepRun.
+template <class Run>
+void TimeStepper::runSmallBody(const Run& run) {
+    timed(deformTimer_, [&] { smallBody_.run(body_, run); });
+    ++body_.dispatches;
+}
+
+void TimeStepper::stepBySweeps() {
+    const uint sweeps = body_.uniforms.sweeps;
+    const uint atOnce = smallBody_.sweepsAtOnce();
+    for (uint i = 0; i < body_.uniforms.substeps; ++i) {
+        for (uint first = 0; first < sweeps; first += atOnce) {
+            runSmallBody(SweepRun{first, std::min(first + atOnce, sweeps)});
+        }
+    }
+}
+
+void TimeStepper::stepByPhases() {
+    const bool settles =
+        settlingAllowed_ && !collisions_.mayTouch() && body_.uniforms.pull_count == 0;
+    for (uint i = 0; i < body_.uniforms.substeps; ++i) {
+        searchBefore(i);
+        unfoldBefore();
+        collisions_.beginSubstep();
+        for (uint sweep = 0; sweep < body_.uniforms.sweeps; ++sweep) {
+            const bool last = sweep + 1 == body_.uniforms.sweeps;
+            const bool lifts = settles && !last && phases_.mayGatherOntoFloor();
+            timed(deformTimer_, [&] {
+                sweep == 0 ? phases_.predictAndStretch() : phases_.stretchAgain();
+                phases_.solveAll(lifts);
+            });
+            if (!(settles && last) && !lifts) {
+                holdVolumeAndCollide(i);
+            }
+        }
+        timed(deformTimer_, [&] { settles ? phases_.settle() : phases_.finish(); });
+    }
+}
+
+void TimeStepper::holdVolumeAndCollide(uint substep) {
+    timed(deformTimer_, [&] { phases_.solveVolume(); });
+    timed(collideTimer_, [&] {
+        phases_.pull();
+        collisions_.respond(substep);
+        phases_.collideFloor();
+    });
+}
+
+void TimeStepper::stepAtOnce() {
+    for (uint done = 0; done < body_.uniforms.substeps; done += smallBody_.substepsAtOnce()) {
+        const uint left = body_.uniforms.substeps - done;
+        runSmallBody(SubstepRun{std::min(left, smallBody_.substepsAtOnce()), false, false});
+    }
+}
+
+/// Contact and boxes act while a substep is open; contacts are looked for and folds unfolded
+/// between two.
+void TimeStepper::stepBySubsteps() {
+    bool open = false;
+    for (uint i = 0; i < body_.uniforms.substeps; ++i) {
+        if ((unfolds_ || collisions_.searchesBefore(i)) && std::exchange(open, false)) {
+            runSmallBody(SubstepRun{0, true, false});
+        }
+        searchBefore(i);
+        unfoldBefore();
+        runSmallBody(SubstepRun{1, open, true});
+        open = true;
+        timed(collideTimer_, [&] {
+            collisions_.beginSubstep();
+            collisions_.respond(i);
+        });
+    }
+    runSmallBody(SubstepRun{0, true, false});
+}
+
+void TimeStepper::unfold() {
+    unfolding_.run(body_);
+    body_.dispatches += Unfolding::kDispatches;
+}
+
+void TimeStepper::unfoldBefore() {
+    if (unfolds_) {
+        timed(deformTimer_, [&] { unfold(); });
+    }
+}
+
+void TimeStepper::searchBefore(uint substep) {
+    if (collisions_.searchesBefore(substep)) {
+        timed(collideTimer_, [&] { collisions_.search(); });
+    }
+}
+
+}  // namespace kerf

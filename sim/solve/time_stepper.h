@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/timer.h"
+#include "sim/solve/collisions.h"
+#include "sim/solve/faster_way.h"
+#include "sim/solve/small_body.h"
+#include "sim/solve/solver_body.h"
+#include "sim/solve/substep_phases.h"
+#include "sim/solve/unfolding.h"
+
+namespace kerf {
+
+/// Takes the time steps of a body, the fastest way that there is: in a dispatch for each phase of a
+/// substep, or a small body by one work group in a dispatch for a step, a substep or some sweeps.
+/// The bits are the same.
+class TimeStepper {
+  public:
+    /// Both must outlive it. Compiles the kernels: throws gpu::ShaderError.
+    TimeStepper(SolverBody& body, Collisions& collisions)
+        : body_(body), collisions_(collisions), phases_(body) {}
+
+    /// Makes room for so many vertices. Throws gpu::OutOfMemory.
+    void makeRoom(std::size_t vertices) { unfolding_.resize(vertices); }
+    /// A body that is new or changed.
+    void setBody(const BodyModel& model, bool isNew);
+
+    /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps. Masses must be fresh.
+    void step();
+    /// Whether small bodies may be solved by one work group, as at the start, or in a dispatch for
+    /// each phase like larger ones.
+    void allowOneGroup(bool allowed) { oneGroupAllowed_ = allowed; }
+    /// Whether the phases at the end of a substep may share a dispatch where nothing but the floor
+    /// can be met, as at the start.
+    void allowSettling(bool allowed) { settlingAllowed_ = allowed; }
+    /// Sets where the group that solves a small body keeps what it changes; before setBody().
+    void setSmallBodyMemory(SmallBodySolver::Memory memory) {
+        smallBody_ = SmallBodySolver(memory);
+    }
+    const SmallBodySolver& smallBody() const { return smallBody_; }
+    /// Whether step() does so: in one dispatch, or in one for each substep where something may be
+    /// touched; plain PBD only where nothing but the floor may be. Large bodies take one for each
+    /// phase, in plain PBD on llvmpipe whichever is faster.
+    bool solvesInOneGroup() const;
+    /// Whether the last measure saw a folded edge that the coming step unfolds (see Unfolding).
+    bool unfolds() const { return collisions_.expectsFolds() && body_.active(shared::kUnfoldPart); }
+
+    SubstepPhases& phases() { return phases_; }
+    /// Comes before the phases of a substep, only where something is folded.
+    void unfold();
+
+    /// GPU time of the steps since the last call [ms].
+    double takeDeformMilliseconds() { return deformTimer_.takeMilliseconds(); }
+    double takeCollideMilliseconds() { return collideTimer_.takeMilliseconds(); }
+
+  private:
+    void solve();
+    void stepByPhases();
+    void stepBySweeps();
+    void stepTheFasterWay();
+    void stepAtOnce();
+    void stepBySubsteps();
+    bool sweepsInOneGroup() const;
+    void holdVolumeAndCollide(std::uint32_t substep);
+    void unfoldBefore();
+    void searchBefore(std::uint32_t substep);
+    template <class Run>
+    void runSmallBody(const Run& run);
+
+    SolverBody& body_;
+    Collisions& collisions_;
+    SubstepPhases phases_;
+    SmallBodySolver smallBody_;
+    FasterWay sweepsFaster_;  ///< 0: in one group, 1: by phases
+    Unfolding unfolding_;
+    bool unfolds_ = false;  ///< in this step
+    bool oneGroupAllowed_ = true;
+    bool settlingAllowed_ = true;
+    gpu::Timer deformTimer_;
+    gpu::Timer collideTimer_;
+};
+
+}  // namespace kerf
