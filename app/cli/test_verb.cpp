@@ -1,6 +1,7 @@
 #include "app/cli/test_verb.h"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <optional>
@@ -83,7 +84,7 @@ class TestRun {
         }
     }
 
-    /// Those that were done, by name.
+    /// All of them, by name.
     const std::vector<TestResult>& run() {
         const std::vector<fs::path> readable = judgeUnreadableOnes();
         std::vector<std::vector<std::string>> runs;
@@ -95,18 +96,18 @@ class TestRun {
             const fs::path& session = readable[run];
             add(judgeRun(session, folder_.of(run, session), outcome, arguments_.update));
         });
+        addThoseNotRun();
         std::ranges::sort(results_, {}, &TestResult::session);
         return results_;
     }
 
-    bool stopped() const { return results_.size() < sessions_.size(); }
-
     std::string lastLine() const {
         const auto failed = std::ranges::count_if(results_, &TestResult::failed);
+        const auto notRun = std::ranges::count(results_, TestStatus::notRun, &TestResult::status);
         const std::string tests = counted(sessions_.size(), "test", "tests");
-        if (stopped()) {
-            return "stopped: " + std::to_string(results_.size()) + " of " + tests + " done, " +
-                   std::to_string(failed) + " failed\n";
+        if (notRun > 0) {
+            return tests + ", " + std::to_string(notRun) + " not run, " + std::to_string(failed) +
+                   " failed\n";
         }
         return tests + ", " + (failed == 0 ? "all hold" : std::to_string(failed) + " failed") +
                "\n";
@@ -125,6 +126,20 @@ class TestRun {
         return readable;
     }
 
+    /// A run that was stopped must not look green to those who read its results alone.
+    void addThoseNotRun() {
+        const std::size_t done = results_.size();
+        for (const fs::path& session : sessions_) {
+            if (std::ranges::count(results_, session, &TestResult::session) == 0) {
+                results_.push_back(resultOfNoRun(session));
+            }
+        }
+        if (done < sessions_.size()) {
+            spdlog::error("Stopped: {} of {} not run.", sessions_.size() - done,
+                          counted(sessions_.size(), "test was", "tests were"));
+        }
+    }
+
     void add(TestResult result) {
         if (!arguments_.json) {
             out_ << lineAbout(result) << std::flush;
@@ -139,14 +154,25 @@ class TestRun {
     std::vector<TestResult> results_;
 };
 
-int exitCodeOf(const std::vector<TestResult>& results) {
-    const auto isUnreadable = [](const TestResult& result) {
-        return result.status == TestStatus::unreadable;
-    };
-    if (std::ranges::any_of(results, isUnreadable)) {
-        return kExitInput;
+int exitCodeOf(const TestResult& result) {
+    switch (result.status) {
+        case TestStatus::failed:
+        case TestStatus::notRun:
+            return kExitCheckFailed;
+        case TestStatus::unreadable:
+            return kExitInput;
+        default:
+            return kExitDone;
     }
-    return std::ranges::any_of(results, &TestResult::failed) ? kExitCheckFailed : kExitDone;
+}
+
+/// The highest one of them all.
+int exitCodeOf(const std::vector<TestResult>& results) {
+    int exitCode = kExitDone;
+    for (const TestResult& result : results) {
+        exitCode = std::max(exitCode, exitCodeOf(result));
+    }
+    return exitCode;
 }
 
 }  // namespace
@@ -162,7 +188,7 @@ int testVerb(const TestArguments& arguments, std::ostream& out) {
         writeOutputFile(arguments.report, formatTestReport(results));
     }
     out << (arguments.json ? formatJson(results) : run.lastLine());
-    return run.stopped() ? kExitCheckFailed : exitCodeOf(results);
+    return exitCodeOf(results);
 }
 
 }  // namespace kerf::app

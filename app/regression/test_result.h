@@ -15,6 +15,7 @@ enum class TestStatus {
     unreadable,  ///< session, model or expectation can't be read
     made,        ///< its expectation was written for the first time
     renewed,     ///< its expectation was written anew
+    notRun,      ///< somebody stopped the tests before its turn
 };
 
 /// A session that was run as a regression test.

@@ -176,6 +176,12 @@ std::optional<TestResult> judgeUnreadable(const fs::path& session) {
     }
 }
 
+TestResult resultOfNoRun(const fs::path& session) {
+    TestResult result = resultOf(session);
+    fail(result, TestStatus::notRun, "run", "It was not run: the tests were stopped before.");
+    return result;
+}
+
 TestResult judgeRun(const fs::path& session, const fs::path& results, const ChildOutcome& outcome,
                     bool update) {
     TestResult result = resultOf(session);

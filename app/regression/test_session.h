@@ -23,6 +23,9 @@ std::vector<std::string> runArguments(const std::filesystem::path& session,
 /// where it can, or where there is none yet.
 std::optional<TestResult> judgeUnreadable(const std::filesystem::path& session);
 
+/// The result of a test whose turn never came, since somebody stopped the tests.
+TestResult resultOfNoRun(const std::filesystem::path& session);
+
 /// Judges a run that has ended, whose results lie in `results`, by the expectation beside the
 /// session. With `update` that is made or renewed instead, unless a check of the session failed.
 /// Throws gpu::ContextError where the run found no usable OpenGL.

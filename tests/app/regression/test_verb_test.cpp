@@ -1,9 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "render/scene/image.h"
+#include "tests/paths.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/small_sessions.h"
 #include "tests/support/temporary_folder.h"
@@ -244,6 +247,33 @@ TEST_F(TestVerb, ReportsForProgramsAndPeople) {
     EXPECT_THAT(page, HasSubstr("data:image/png;base64,iVBOR"));
     EXPECT_THAT(page, Not(HasSubstr("a<b>"))) << "nothing ends the script";
     EXPECT_THAT(page, HasSubstr("a\\u003cb>&"));
+}
+
+// As a CI server does that has had enough of it.
+TEST_F(TestVerb, AStoppedRunIsNoSuccessToAnybody) {
+    makeExpectation();
+    for (const char* other : {"c", "d", "e"}) {
+        std::filesystem::copy(session_, folder_ / (std::string(other) + ".kerf.json"));
+        std::filesystem::copy(folder_ / "ball.expected",
+                              folder_ / (std::string(other) + ".expected"),
+                              std::filesystem::copy_options::recursive);
+    }
+    const std::string at = folder_.path().string();
+    const std::string script = "cd '" + at + "'; '" KERF_BINARY_DIR
+                               "/kerf' test . --jobs 1 --json --junit st.xml --out runs "
+                               "> st.json 2> st.log & tests=$!\n"
+                               "while [ ! -e runs/0-ball ] && kill -0 $tests; do sleep 0.01; done\n"
+                               "kill -TERM $tests; wait $tests";
+    EXPECT_EQ(WEXITSTATUS(std::system(script.c_str())), 1);
+    const auto json = nlohmann::json::parse(readBytes(folder_ / "st.json"));
+    EXPECT_EQ(json["stopped"], true);
+    EXPECT_EQ(json["passed"], 1);
+    EXPECT_EQ(json["not_run"], 3);
+    EXPECT_EQ(json["tests"][3]["status"], "not run");
+    const std::string junit = readBytes(folder_ / "st.xml");
+    EXPECT_THAT(junit, HasSubstr(R"(tests="4" failures="0" errors="0" skipped="3")"));
+    EXPECT_THAT(junit, HasSubstr("<skipped message=\"It was not run"));
+    EXPECT_THAT(readBytes(folder_ / "st.log"), HasSubstr("Stopped: 3 of 4 tests were not run."));
 }
 
 TEST_F(TestVerb, WithoutOpenGlThatIsSaid) {
