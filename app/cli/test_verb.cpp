@@ -86,14 +86,14 @@ class TestRun {
 
     /// All of them, by name.
     const std::vector<TestResult>& run() {
-        const std::vector<fs::path> readable = judgeUnreadableOnes();
+        const std::vector<fs::path> pending = judgeThoseWithoutRun();
         std::vector<std::vector<std::string>> runs;
-        runs.reserve(readable.size());
-        for (const fs::path& session : readable) {
+        runs.reserve(pending.size());
+        for (const fs::path& session : pending) {
             runs.push_back(runArguments(session, folder_.of(runs.size(), session), false));
         }
         runChildren(runs, jobsOf(arguments_), [&](std::size_t run, const ChildOutcome& outcome) {
-            const fs::path& session = readable[run];
+            const fs::path& session = pending[run];
             add(judgeRun(session, folder_.of(run, session), outcome, arguments_.update));
         });
         addThoseNotRun();
@@ -114,16 +114,17 @@ class TestRun {
     }
 
   private:
-    std::vector<fs::path> judgeUnreadableOnes() {
-        std::vector<fs::path> readable;
+    /// The others, which are to be run.
+    std::vector<fs::path> judgeThoseWithoutRun() {
+        std::vector<fs::path> pending;
         for (const fs::path& session : sessions_) {
-            if (std::optional<TestResult> result = judgeUnreadable(session)) {
+            if (auto result = judgeWithoutRun(session, arguments_.update)) {
                 add(std::move(*result));
             } else {
-                readable.push_back(session);
+                pending.push_back(session);
             }
         }
-        return readable;
+        return pending;
     }
 
     /// A run that was stopped must not look green to those who read its results alone.

@@ -306,12 +306,6 @@ RunResults readResults(const std::filesystem::path& folder, const Session& sessi
             readPieces(folder / kPiecesFile)};
 }
 
-std::vector<PictureCheck> picturesWithoutExpectation(const RunResults& results) {
-    std::vector<PictureCheck> checks;
-    std::ranges::transform(results.pictures, std::back_inserter(checks), withoutExpectation);
-    return checks;
-}
-
 Judgement judge(const std::filesystem::path& expectationFolder, const RunResults& results,
                 const std::filesystem::path& differences) {
     const Expected expected = readExpected(expectationFolder);

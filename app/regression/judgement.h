@@ -55,9 +55,6 @@ struct Judgement {
     bool holds() const { return findings.empty(); }
 };
 
-/// The pictures of a run that has nothing to be compared with.
-std::vector<PictureCheck> picturesWithoutExpectation(const RunResults& results);
-
 /// Compares a run with the expectation in a folder, which must have one, and writes pictures of
 /// what differs into `differences`. Throws InputError where the expectation can't be read,
 /// OutputError.

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -59,6 +60,10 @@ class TestVerb : public testing::Test {
 TEST_F(TestVerb, WithoutExpectationsFailsAndSaysHowToMakeThem) {
     expectFailure("make it with kerf test --update " + session_.string());
     EXPECT_FALSE(std::filesystem::exists(folder_ / "ball.expected"));
+}
+
+TEST_F(TestVerb, WithoutExpectationsNothingIsRun) {
+    EXPECT_EQ(run({}, {{"KERF_FORCE_NO_GL", "1"}}).exitCode, 1) << "else 4";
 }
 
 TEST_F(TestVerb, WhatWasMadeHoldsWhateverTheNumberOfThreads) {
@@ -219,6 +224,54 @@ TEST_F(TestVerb, WhatCannotBeReadIsSaidAndTheOthersAreRun) {
     EXPECT_EQ(runKerf({"test", folder_.path(), "--jobs", "0"}).exitCode, 2);
 }
 
+TEST_F(TestVerb, AFileThatCannotBeReachedIsToldOfItsTestAlone) {
+    makeExpectation();
+    for (const char* name : {"loop", "locked"}) {
+        writeText(folder_ / (std::string(name) + ".kerf.json"), smallSession());
+    }
+    std::filesystem::create_symlink("loop.expected", folder_ / "loop.expected");
+    std::filesystem::create_symlink("nowhere", folder_ / "dangling.kerf.json");
+    const ProgramRun mixed = run();
+    EXPECT_EQ(mixed.exitCode, 3);
+    EXPECT_THAT(mixed.out, HasSubstr("passed "));
+    EXPECT_THAT(mixed.out, HasSubstr("loop.expected/expected.json: it can't be read (Too many"));
+    EXPECT_THAT(mixed.out, HasSubstr("dangling.kerf.json: there is no such file"));
+    EXPECT_THAT(mixed.out, HasSubstr("locked.expected/expected.json; make it with"));
+}
+
+TEST_F(TestVerb, FoldersThatMayNotBeReadAreToldAndTheOthersAreRun) {
+    if (::geteuid() == 0) {
+        GTEST_SKIP() << "root may read all";
+    }
+    makeExpectation();
+    writeText(folder_ / "locked.kerf.json", smallSession());
+    for (const char* folder : {"locked.expected", "deeper"}) {
+        std::filesystem::create_directory(folder_ / folder);
+        std::filesystem::permissions(folder_ / folder, std::filesystem::perms::none);
+    }
+    const ProgramRun mixed = run();
+    for (const char* folder : {"locked.expected", "deeper"}) {
+        std::filesystem::permissions(folder_ / folder, std::filesystem::perms::owner_all);
+    }
+    EXPECT_EQ(mixed.exitCode, 3);
+    EXPECT_THAT(mixed.out, HasSubstr("passed "));
+    EXPECT_THAT(mixed.out, HasSubstr("deeper: this folder can't be searched"));
+    EXPECT_THAT(mixed.out,
+                HasSubstr("locked.expected/expected.json: it can't be read (Permission"));
+}
+
+TEST_F(TestVerb, EachPathMustLeadToATestAndHiddenFoldersAreNotSearched) {
+    makeExpectation();
+    std::filesystem::create_directory(folder_ / ".git");
+    std::filesystem::create_directory(folder_ / "empty");
+    writeText(folder_ / ".git/old.kerf.json", "{");
+    EXPECT_EQ(run().exitCode, 0);
+    const ProgramRun both = run({folder_ / "empty"});
+    EXPECT_EQ(both.exitCode, 3);
+    EXPECT_THAT(both.errors, HasSubstr("empty: there is no session (*.kerf.json) in this folder."));
+    EXPECT_EQ(both.out, "");
+}
+
 TEST_F(TestVerb, AnExpectationReachesNoFileElsewhere) {
     makeExpectation();
     writeText(folder_ / "precious.png", "mine");
@@ -259,7 +312,8 @@ TEST_F(TestVerb, AStoppedRunIsNoSuccessToAnybody) {
                               std::filesystem::copy_options::recursive);
     }
     const std::string at = folder_.path().string();
-    const std::string script = "cd '" + at + "'; '" KERF_BINARY_DIR
+    const std::string script = "cd '" + at +
+                               "'; '" KERF_BINARY_DIR
                                "/kerf' test . --jobs 1 --json --junit st.xml --out runs "
                                "> st.json 2> st.log & tests=$!\n"
                                "while [ ! -e runs/0-ball ] && kill -0 $tests; do sleep 0.01; done\n"
