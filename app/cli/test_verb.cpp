@@ -162,6 +162,8 @@ int exitCodeOf(const TestResult& result) {
             return kExitCheckFailed;
         case TestStatus::unreadable:
             return kExitInput;
+        case TestStatus::unwritable:
+            return kExitLimit;
         default:
             return kExitDone;
     }

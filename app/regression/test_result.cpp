@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 6> kStatusNames = {"passed", "failed",  "unreadable",
-                                                          "made",   "renewed", "not run"};
+constexpr std::array<std::string_view, 7> kStatusNames = {
+    "passed", "failed", "unreadable", "unwritable", "made", "renewed", "not run"};
 
 /// Text as XML holds it. Control characters have no place there.
 std::string escaped(std::string_view text) {

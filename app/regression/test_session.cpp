@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 
+#include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/regression/expectation_writer.h"
 #include "gpu/context.h"
@@ -103,6 +104,8 @@ void judgeSafely(TestResult& result, const std::function<void()>& work) {
         work();
     } catch (const InputError& error) {
         fail(result, TestStatus::unreadable, "expectation", error.what());
+    } catch (const OutputError& error) {
+        fail(result, TestStatus::unwritable, "output", error.what());
     } catch (const fs::filesystem_error& error) {
         fail(result, TestStatus::unreadable, "expectation",
              error.path1().string() + ": " + error.code().message() + ".");

@@ -260,6 +260,18 @@ TEST_F(TestVerb, FoldersThatMayNotBeReadAreToldAndTheOthersAreRun) {
                 HasSubstr("locked.expected/expected.json: it can't be read (Permission"));
 }
 
+TEST_F(TestVerb, AnExpectationThatCannotBeWrittenKeepsNoOtherFromIt) {
+    writeText(folder_ / "a.kerf.json", sessionThatDoes(""));
+    writeText(folder_ / "a.expected", "mine");
+    const ProgramRun made = run({"--update", "--jobs", "1"});
+    EXPECT_EQ(made.exitCode, 5);
+    EXPECT_THAT(made.out, HasSubstr("unwritable " + (folder_ / "a").string()));
+    EXPECT_THAT(made.out, HasSubstr("a.expected: a file stands where a folder should be."));
+    EXPECT_THAT(made.out, HasSubstr("made "));
+    EXPECT_THAT(made.out, HasSubstr("2 tests, 1 failed"));
+    EXPECT_EQ(readBytes(folder_ / "a.expected"), "mine");
+}
+
 TEST_F(TestVerb, EachPathMustLeadToATestAndHiddenFoldersAreNotSearched) {
     makeExpectation();
     std::filesystem::create_directory(folder_ / ".git");
