@@ -42,7 +42,7 @@ void requireReplaceable(const fs::path& folder) {
 std::vector<std::string> replayArguments(const Study& study, const StudyRun& run,
                                          const fs::path& folder) {
     std::vector<std::string> words{"replay", study.sessionOf(run).file.string(), "--out",
-                                   folder.string()};
+                                   folder.string(), "--no-hash-checks"};
     for (const Setting& setting : run.settings) {
         words.insert(words.end(), {"--set", setting.name + "=" + setting.value});
     }

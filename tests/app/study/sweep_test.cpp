@@ -129,6 +129,13 @@ TEST_F(Sweep, SingleRunsInAnyOrderGiveTheSameTable) {
     EXPECT_EQ(rows("whole").size(), 5u);
 }
 
+// They are those of other parameters.
+TEST_F(Sweep, PassesOverTheSessionsOwnStateHashes) {
+    writeText(folder_ / "a.kerf.json", sessionThatDoes(R"({"step": 2, "type": "check", "hash": ")" +
+                                                       std::string(16, '0') + R"("})"));
+    EXPECT_EQ(sweep("out", {"--run", "0"}).exitCode, 0);
+}
+
 TEST_F(Sweep, RunsThatAreDoneAreNotRunAgain) {
     ASSERT_EQ(sweep("out").exitCode, 0);
     const std::string table = bytes("out/table.csv");
@@ -346,7 +353,8 @@ TEST_F(Sweep, MistakesAreOneSentence) {
         {{"sweep", text, "--out", out, "--list", "--gather"}, 2},
         {{"sweep", folder_ / "missing.json", "--out", out}, 3},
         {{"sweep", folder_ / "a.kerf.json", "--out", out}, 3},
-        {{"sweep", text, "--out", text}, 5},
+        {{"sweep", text, "--out", text}, 3},
+        {{"replay", folder_ / "a.kerf.json", "--out", text}, 3},
     };
     for (const auto& [words, exitCode] : calls) {
         const ProgramRun run = runKerf(words);
