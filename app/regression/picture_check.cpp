@@ -28,8 +28,10 @@ PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem:
         return check;
     }
     const render::Image before = readPicture(expected / picture.file);
-    check.comparison =
-        render::comparePictures(before, readPicture(run / picture.file), picture.options);
+    const render::Image now = readPicture(run / picture.file);
+    check.comparison = render::comparePictures(before, now, picture.options);
+    check.sizes = fmt::format("{}x{} pixels instead of {}x{}", now.width, now.height, before.width,
+                              before.height);
     check.alike = render::withinLimits(check.comparison, limitsOf(picture, otherDriver));
     if (!check.alike && check.comparison.sameSize) {
         check.difference = differences.pathOf(picture.file);
@@ -49,7 +51,7 @@ std::string sentenceAbout(const PictureCheck& check) {
         return "The picture " + check.file + " has no expectation; kerf test --update makes it.";
     }
     if (!found.sameSize) {
-        return "The picture " + check.file + " has another size.";
+        return "The picture " + check.file + " has " + check.sizes + ".";
     }
     const render::PixelRect& place = found.worstPlace;
     return fmt::format(

@@ -67,6 +67,7 @@ Json toJson(const TestResult& result) {
     for (const Finding& finding : result.judgement.findings) {
         findings.push_back({{"part", finding.part},
                             {"step", finding.step < 0 ? Json() : Json(finding.step)},
+                            {"file", finding.file.empty() ? Json() : Json(finding.file)},
                             {"sentence", finding.sentence}});
     }
     return {{"name", result.name},

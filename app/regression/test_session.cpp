@@ -117,7 +117,7 @@ void refuse(TestResult& result, const RunResults& run, bool isNew) {
     result.status = TestStatus::failed;
     for (const std::string& failure : run.failures) {
         if (isNew) {
-            result.judgement.findings.push_back({"check", -1, failure});
+            result.judgement.findings.push_back(findingOfCheck(failure));
         }
     }
     result.notes.push_back("So nothing was written: mend the session's checks first.");

@@ -134,6 +134,31 @@ TEST_F(TestVerb, APictureTooManyOrTooFewIsNoticed) {
     EXPECT_EQ(run().exitCode, 0);
 }
 
+TEST_F(TestVerb, AnOldPictureThatNothingListsIsNoticedAndRemoved) {
+    makeExpectation();
+    writeText(expected("pictures/old.png"), "old");
+    expectFailure("The picture pictures/old.png is not listed in expected.json");
+    EXPECT_EQ(run({"--update"}).exitCode, 0);
+    EXPECT_FALSE(std::filesystem::exists(expected("pictures/old.png")));
+    EXPECT_TRUE(std::filesystem::exists(expected("pictures/half.png")));
+    EXPECT_EQ(run().exitCode, 0);
+}
+
+TEST_F(TestVerb, FindingsSayWhereTheyAreToProgramsToo) {
+    makeExpectation();
+    const std::string more = R"(, {"step": 30, "type": "check", "pieces": 5})";
+    writeText(session_, replaced(smallSession(more), "\"end.png\", \"width\": 96",
+                                 "\"end.png\", \"width\": 48"));
+    const auto findings = nlohmann::json::parse(run({"--json"}).out)["tests"][0]["findings"];
+    ASSERT_EQ(findings.size(), 2u) << findings;
+    EXPECT_EQ(findings[0]["part"], "check");
+    EXPECT_EQ(findings[0]["step"], 30);
+    EXPECT_EQ(findings[0]["file"], nullptr);
+    EXPECT_EQ(findings[1]["step"], 40);
+    EXPECT_EQ(findings[1]["file"], "end.png");
+    EXPECT_EQ(findings[1]["sentence"], "The picture end.png has 48x64 pixels instead of 96x64.");
+}
+
 TEST_F(TestVerb, OnAnotherDriverItJudgesByToleranceAndSaysSo) {
     makeExpectation();
     const std::string text = readBytes(expected("expected.json"));
