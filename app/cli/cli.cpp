@@ -363,6 +363,16 @@ int schemaVerb(std::ostream& out) {
     return kExitDone;
 }
 
+/// A file in the place of the folder for results is told before anything runs.
+void refuseFileAsFolder(const Arguments& arguments) {
+    for (const std::filesystem::path& out : {arguments.replay.out, arguments.experiment.out,
+                                             arguments.test.out, arguments.sweep.out}) {
+        if (std::filesystem::is_regular_file(out)) {
+            throw InputError(out.string() + ": --out is a file; name a folder.");
+        }
+    }
+}
+
 int runVerb(const Parser& parser, const Arguments& arguments) {
     if (parser.replay->parsed()) return replayVerb(arguments.replay, std::cout, std::cerr);
     if (parser.experiment->parsed()) {
@@ -388,6 +398,7 @@ int checkStandardOutput(int exitCode) {
 /// runVerb with every error as a sentence and an exit code.
 int runVerbSafely(const Parser& parser, const Arguments& arguments) {
     try {
+        refuseFileAsFolder(arguments);
         return checkStandardOutput(runVerb(parser, arguments));
     } catch (const UsageError& error) {
         return complain(error.what() + std::string("; see kerf --help."), kExitUsage);

@@ -69,6 +69,18 @@ std::string percent(double ratio) {
     return text;
 }
 
+/// What came of comparing the screenshots with a folder of references.
+struct ReferenceOutcome {
+    std::vector<std::string> sentences;  ///< for each that is not as the reference has it
+    std::vector<std::string> renewed;    ///< files in the folder
+};
+
+/// "written to DIR: a.png b.png".
+void printFiles(const std::filesystem::path& folder, const std::vector<std::string>& files,
+                std::ostream& out) {
+    out << "written to " << folder.string() << ": " << joined(files, " ") << "\n";
+}
+
 void printForPeople(const ReplayResult& result, const std::filesystem::path& folder,
                     std::ostream& out) {
     const RunSummary& summary = result.summary;
@@ -80,36 +92,39 @@ void printForPeople(const ReplayResult& result, const std::filesystem::path& fol
         << percent(run.volumeRatio.min()) << ", final " << percent(run.finalVolumeRatio)
         << " of rest\n";
     out << "state: " << summary.stateHash << "\n";
-    out << "written to " << folder.string() << ":";
-    for (const std::string& file : result.files) {
-        out << " " << file;
-    }
-    out << "\n";
+    printFiles(folder, result.files, out);
 }
 
-void printJson(const ReplayResult& result, std::ostream& out) {
+void printJson(const ReplayResult& result, const ReferenceOutcome& reference, std::ostream& out) {
     nlohmann::ordered_json json = toJson(result.summary);
     json["files"] = result.files;
+    if (!reference.renewed.empty()) {
+        json["renewed"] = reference.renewed;
+    }
     out << json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
 }
 
-/// A sentence for each screenshot that is not as the reference has it; with --update that becomes
-/// the reference.
-std::vector<std::string> referenceSentences(const Session& session,
-                                            const ReplayArguments& arguments) {
+/// The pictures that the session takes until a step, which is the last one of the run.
+std::vector<std::string> picturesUntil(Session session, int step) {
+    std::erase_if(session.events, [step](const SessionEvent& event) { return event.step > step; });
+    return pictureFiles(session);
+}
+
+/// With --update, what differs becomes the reference.
+ReferenceOutcome judgeScreenshots(const Session& session, const ReplayArguments& arguments) {
     if (arguments.reference.empty()) {
         return {};
     }
-    std::vector<ReferenceDifference> differences =
-        compareWithReference(pictureFiles(session), arguments.reference, arguments.out);
+    std::vector<ReferenceDifference> differences = compareWithReference(
+        picturesUntil(session, arguments.until), arguments.reference, arguments.out);
+    ReferenceOutcome outcome;
     if (arguments.update) {
-        renewReference(differences, arguments.reference, arguments.out);
+        outcome.renewed = renewReference(differences, arguments.reference, arguments.out);
         std::erase_if(differences, [](const auto& found) { return !found.missingInRun; });
     }
-    std::vector<std::string> sentences;
-    std::ranges::transform(differences, std::back_inserter(sentences),
+    std::ranges::transform(differences, std::back_inserter(outcome.sentences),
                            &ReferenceDifference::sentence);
-    return sentences;
+    return outcome;
 }
 
 /// Where the run ended because of them, that is said, and how to see the rest.
@@ -167,17 +182,20 @@ int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream
         spdlog::warn(warning);
     }
     const ReplayResult result = runHeadless(session, arguments, out);
-    const std::vector<std::string> pictures = referenceSentences(session, arguments);
+    const ReferenceOutcome reference = judgeScreenshots(session, arguments);
     if (arguments.json) {
-        printJson(result, out);
+        printJson(result, reference, out);
     } else if (!arguments.jsonl) {
         printForPeople(result, arguments.out, out);
+        if (!reference.renewed.empty()) {
+            printFiles(arguments.reference, reference.renewed, out);
+        }
     }
     const int exitCode = complainAboutFailures(result.summary, arguments, session, errors);
-    for (const std::string& sentence : pictures) {
+    for (const std::string& sentence : reference.sentences) {
         errors << sentence << "\n";
     }
-    return pictures.empty() ? exitCode : kExitCheckFailed;
+    return reference.sentences.empty() ? exitCode : kExitCheckFailed;
 }
 
 }  // namespace kerf::app

@@ -46,6 +46,12 @@ std::string nameRuns(const Numbers& numbers) {
     return (numbers.size() == 1 ? "run " : "runs ") + enumerated(names);
 }
 
+/// ", 2 failed (runs 3 and 5)"; "" where there are none.
+std::string describeAll(const Numbers& numbers, const char* state) {
+    return numbers.empty() ? ""
+                           : fmt::format(", {} {} ({})", numbers.size(), state, nameRuns(numbers));
+}
+
 /// "3 a.kerf.json time_step=0.003".
 std::string describeRun(const Study& study, std::size_t number) {
     const StudyRun& run = study.runs[number];
@@ -140,14 +146,14 @@ std::vector<std::string> childArguments(const SweepArguments& arguments, std::si
 
 std::string lineAbout(const Study& study, std::size_t number, const fs::path& out,
                       const ChildOutcome& outcome) {
-    std::string line =
-        fmt::format("{:<7} {} ({:.1f} s)\n", outcome.exitCode == kExitDone ? "done" : "failed",
-                    describeRun(study, number), outcome.seconds);
+    const RunState state = stateOfRun(study, number, out);
+    std::string line = fmt::format("{:<7} {} ({:.1f} s)\n", stateName(state),
+                                   describeRun(study, number), outcome.seconds);
     if (outcome.exitCode == kExitDone) {
         return line;
     }
-    const std::optional<RunRecord> record = readRecord(folderOfRun(out, number));
-    return line + "        " + (record ? record->problem : sentenceAbout(outcome)) + "\n";
+    return line + "        " + (state.record ? state.record->problem : sentenceAbout(outcome)) +
+           "\n";
 }
 
 /// Each run is a program of its own, the same that a cluster would start.
@@ -170,7 +176,10 @@ void runPending(const Study& study, const Numbers& pending, const SweepArguments
 
 // --- Gathering ---------------------------------------------------------------------------------
 
-void warnAboutRenderers(const StudyTable& table) {
+void warnAbout(const StudyTable& table) {
+    for (const std::string& warning : table.warnings) {
+        spdlog::warn("{}", warning);
+    }
     if (table.renderers.size() > 1) {
         spdlog::warn("The runs were made on {} drivers, whose state hashes can't be compared: {}.",
                      table.renderers.size(), joined(table.renderers, "; "));
@@ -203,43 +212,42 @@ void print(const Study& study, const StudyTable& table, const std::vector<std::s
             << "\n";
         return;
     }
-    out << counted(study.runs.size(), "run", "runs") << ", "
-        << (table.failed.empty() ? "none" : std::to_string(table.failed.size())) << " failed";
-    if (!table.failed.empty()) {
-        out << " (" << nameRuns(table.failed) << ")";
+    out << counted(study.runs.size(), "run", "runs") << describeAll(table.failed, "failed")
+        << describeAll(table.missing, "missing")
+        << (table.failed.empty() && table.missing.empty() ? ", none failed" : "")
+        << (files.empty() ? "; there is nothing to gather" : "") << "\n";
+    if (!files.empty()) {
+        out << "written to " << arguments.out.string() << ": " << joined(files, " ") << "\n";
     }
-    if (!table.missing.empty()) {
-        out << ", " << table.missing.size() << " missing (" << nameRuns(table.missing) << ")";
-    }
-    out << "\nwritten to " << arguments.out.string() << ": " << joined(files, " ") << "\n";
 }
 
-/// Of earlier results, which nobody shall take for these.
-void removeGathered(const Study& study, const OutputFolder& folder) {
-    folder.remove(kTableFile);
+/// Nobody shall take pictures of earlier results for those of the table.
+std::vector<std::string> writeGathered(const Study& study, const StudyTable& table,
+                                       const fs::path& out) {
+    OutputFolder folder(out);
+    folder.write(kTableFile, table.text);
     for (const std::string& picture : studyPictures(study)) {
         folder.remove(picture);
     }
+    std::vector<std::string> files = drawPlots(study, out);
+    files.insert(files.begin(), kTableFile);
+    return files;
 }
 
+/// Where no run is done, what was gathered before stays.
 int gather(const Study& study, const SweepArguments& arguments, std::ostream& out) {
-    OutputFolder folder(arguments.out);
-    removeGathered(study, folder);
     const StudyTable table = gatherTable(study, arguments.out);
-    warnAboutRenderers(table);
-    std::vector<std::string> files = drawPlots(study, arguments.out);
-    folder.write(kTableFile, table.text);
-    files.insert(files.begin(), kTableFile);
-    print(study, table, files, arguments, out);
+    warnAbout(table);
+    const bool anyDone = table.missing.size() < study.runs.size();
+    print(study, table,
+          anyDone ? writeGathered(study, table, arguments.out) : std::vector<std::string>(),
+          arguments, out);
     return table.failed.empty() && table.missing.empty() ? kExitDone : kExitCheckFailed;
 }
 
 int sweep(const Study& study, const SweepArguments& arguments, std::ostream& out) {
     const Numbers pending = pendingRuns(study, arguments.out);
-    if (!pending.empty()) {
-        removeGathered(study, OutputFolder(arguments.out));
-        runPending(study, pending, arguments, out);
-    }
+    runPending(study, pending, arguments, out);
     return gather(study, arguments, out);
 }
 

@@ -1,6 +1,7 @@
 #include "app/cli/test_verb.h"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <optional>
@@ -120,46 +121,61 @@ class TestRun {
         checkTargets(arguments, sessions_);
     }
 
-    /// Those that were done, by name.
+    /// All of them, by name.
     const std::vector<TestResult>& run() {
-        const std::vector<fs::path> readable = judgeUnreadableOnes();
+        const std::vector<fs::path> pending = judgeThoseWithoutRun();
         std::vector<std::vector<std::string>> runs;
-        runs.reserve(readable.size());
-        for (const fs::path& session : readable) {
+        runs.reserve(pending.size());
+        for (const fs::path& session : pending) {
             runs.push_back(runArguments(session, folder_.of(runs.size(), session), false));
         }
         runChildren(runs, jobsOf(arguments_), [&](std::size_t run, const ChildOutcome& outcome) {
-            const fs::path& session = readable[run];
+            const fs::path& session = pending[run];
             add(judgeRun(session, folder_.of(run, session), outcome, arguments_.update));
         });
+        addThoseNotRun();
         std::ranges::sort(results_, {}, &TestResult::session);
         return results_;
     }
 
-    bool stopped() const { return results_.size() < sessions_.size(); }
-
     std::string lastLine() const {
         const auto failed = std::ranges::count_if(results_, &TestResult::failed);
+        const auto notRun = std::ranges::count(results_, TestStatus::notRun, &TestResult::status);
         const std::string tests = counted(sessions_.size(), "test", "tests");
-        if (stopped()) {
-            return "stopped: " + std::to_string(results_.size()) + " of " + tests + " done, " +
-                   std::to_string(failed) + " failed\n";
+        if (notRun > 0) {
+            return tests + ", " + std::to_string(notRun) + " not run, " + std::to_string(failed) +
+                   " failed\n";
         }
         return tests + ", " + (failed == 0 ? "all hold" : std::to_string(failed) + " failed") +
                "\n";
     }
 
   private:
-    std::vector<fs::path> judgeUnreadableOnes() {
-        std::vector<fs::path> readable;
+    /// The others, which are to be run.
+    std::vector<fs::path> judgeThoseWithoutRun() {
+        std::vector<fs::path> pending;
         for (const fs::path& session : sessions_) {
-            if (std::optional<TestResult> result = judgeUnreadable(session)) {
+            if (auto result = judgeWithoutRun(session, arguments_.update)) {
                 add(std::move(*result));
             } else {
-                readable.push_back(session);
+                pending.push_back(session);
             }
         }
-        return readable;
+        return pending;
+    }
+
+    /// A run that was stopped must not look green to those who read its results alone.
+    void addThoseNotRun() {
+        const std::size_t done = results_.size();
+        for (const fs::path& session : sessions_) {
+            if (std::ranges::count(results_, session, &TestResult::session) == 0) {
+                results_.push_back(resultOfNoRun(session));
+            }
+        }
+        if (done < sessions_.size()) {
+            spdlog::error("Stopped: {} of {} not run.", sessions_.size() - done,
+                          counted(sessions_.size(), "test was", "tests were"));
+        }
     }
 
     void add(TestResult result) {
@@ -176,14 +192,27 @@ class TestRun {
     std::vector<TestResult> results_;
 };
 
-int exitCodeOf(const std::vector<TestResult>& results) {
-    const auto isUnreadable = [](const TestResult& result) {
-        return result.status == TestStatus::unreadable;
-    };
-    if (std::ranges::any_of(results, isUnreadable)) {
-        return kExitInput;
+int exitCodeOf(const TestResult& result) {
+    switch (result.status) {
+        case TestStatus::failed:
+        case TestStatus::notRun:
+            return kExitCheckFailed;
+        case TestStatus::unreadable:
+            return kExitInput;
+        case TestStatus::unwritable:
+            return kExitLimit;
+        default:
+            return kExitDone;
     }
-    return std::ranges::any_of(results, &TestResult::failed) ? kExitCheckFailed : kExitDone;
+}
+
+/// The highest one of them all.
+int exitCodeOf(const std::vector<TestResult>& results) {
+    int exitCode = kExitDone;
+    for (const TestResult& result : results) {
+        exitCode = std::max(exitCode, exitCodeOf(result));
+    }
+    return exitCode;
 }
 
 }  // namespace
@@ -197,7 +226,7 @@ int testVerb(const TestArguments& arguments, std::ostream& out) {
     out << (arguments.json ? formatJson(results) : run.lastLine()) << std::flush;
     junit.write(formatJUnit(results));
     report.write(formatTestReport(results));
-    return run.stopped() ? kExitCheckFailed : exitCodeOf(results);
+    return exitCodeOf(results);
 }
 
 }  // namespace kerf::app

@@ -18,8 +18,8 @@ struct TestArguments {
 };
 
 /// Runs sessions as regression tests and prints what came of them on `out`. Returns the exit code:
-/// 0, 1 where one differs or somebody stopped it, 3 where one can't be read. Throws InputError,
-/// OutputError, gpu::ContextError.
+/// 0, 1 where one differs or was not run, 3 where one can't be read, 5 where its expectation can't
+/// be written. Throws InputError, OutputError, gpu::ContextError.
 int testVerb(const TestArguments& arguments, std::ostream& out);
 
 }  // namespace kerf::app

@@ -26,6 +26,9 @@ std::filesystem::path hiddenNameBeside(const std::filesystem::path& file) {
 void requireReadableSize(const std::filesystem::path& file, std::uintmax_t limit) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::none) {
+        throw InputError(file.string() + ": it can't be read (" + error.message() + ").");
+    }
     if (!std::filesystem::exists(status)) {
         throw InputError(file.string() + ": there is no such file; check the name.");
     }

@@ -9,7 +9,9 @@ OutputFolder::OutputFolder(const std::filesystem::path& folder) {
     makeFolders(std::filesystem::absolute(folder, error));
     folder_ = std::filesystem::canonical(folder, error);
     if (error || !std::filesystem::is_directory(folder_)) {
-        throw OutputError(folder.string() + ": this folder could not be made; choose another.");
+        throw OutputError(folder.string() + (std::filesystem::is_regular_file(folder, error)
+                                                 ? ": a file stands where a folder should be."
+                                                 : ": this folder could not be made."));
     }
 }
 

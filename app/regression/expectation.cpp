@@ -170,6 +170,23 @@ std::filesystem::path expectationFolder(const std::filesystem::path& session) {
     return session.parent_path() / (name + ".expected");
 }
 
+std::vector<std::string> unlistedPictures(const std::filesystem::path& folder,
+                                          const Expectation& expectation) {
+    const auto isListed = [&](const std::filesystem::path& file) {
+        return std::ranges::any_of(expectation.pictures, [&](const ExpectedPicture& picture) {
+            return std::filesystem::path(picture.file).lexically_normal() == file;
+        });
+    };
+    std::vector<std::string> unlisted;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        const std::filesystem::path file = entry.path().lexically_relative(folder);
+        if (lowerCase(file.extension().string()) == ".png" && !isListed(file)) {
+            unlisted.push_back(file.generic_string());
+        }
+    }
+    return unlisted;
+}
+
 Expectation readExpectation(const std::filesystem::path& file) {
     const std::string text = readInputFile(file, kMaxBytes);
     try {

@@ -49,6 +49,11 @@ struct Expectation {
     std::vector<ExpectedPicture> pictures;
 };
 
+/// The PNG pictures in a folder of expectations that this expectation does not list. Throws
+/// std::filesystem::filesystem_error.
+std::vector<std::string> unlistedPictures(const std::filesystem::path& folder,
+                                          const Expectation& expectation);
+
 /// Reads an expected.json. Throws InputError naming file and key.
 Expectation readExpectation(const std::filesystem::path& file);
 /// The text of an expected.json.

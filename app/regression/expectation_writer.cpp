@@ -26,9 +26,10 @@ Expectation expectationOf(const RunResults& results, const Expectation& earlier)
     Expectation expectation{
         KERF_VERSION,      results.driver,     static_cast<int>(results.course.size()),
         results.stateHash, earlier.tolerances, {}};
-    for (const std::string& file : results.pictures) {
-        const ExpectedPicture* before = findPicture(earlier, file);
-        expectation.pictures.push_back(before != nullptr ? *before : ExpectedPicture{file, {}, {}});
+    for (const TakenPicture& picture : results.pictures) {
+        const ExpectedPicture* before = findPicture(earlier, picture.file);
+        expectation.pictures.push_back(before != nullptr ? *before
+                                                         : ExpectedPicture{picture.file, {}, {}});
     }
     return expectation;
 }
@@ -43,10 +44,8 @@ void writeExpectation(const std::filesystem::path& expectationFolder, const RunR
     const Expectation earlier = earlierExpectation(expectationFolder).value_or(Expectation{});
     const Expectation expectation = expectationOf(results, earlier);
     OutputFolder folder(expectationFolder);
-    for (const ExpectedPicture& picture : earlier.pictures) {
-        if (findPicture(expectation, picture.file) == nullptr) {
-            folder.remove(picture.file);
-        }
+    for (const std::string& file : unlistedPictures(expectationFolder, expectation)) {
+        folder.remove(file);
     }
     for (const ExpectedPicture& picture : expectation.pictures) {
         copyFile(results, picture.file, folder);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -272,6 +273,27 @@ void judgeByTolerance(const Expected& expected, const RunResults& results, Judge
 
 // --- Pictures -----------------------------------------------------------------------------------
 
+std::vector<TakenPicture> takenPictures(const Session& session) {
+    std::vector<TakenPicture> pictures;
+    for (const SessionEvent& event : session.events) {
+        if (const auto* shot = std::get_if<ScreenshotEvent>(&event.action)) {
+            const auto same = std::ranges::find(pictures, shot->file, &TakenPicture::file);
+            if (same == pictures.end()) {
+                pictures.push_back({shot->file, event.step});
+            } else {
+                same->step = event.step;
+            }
+        }
+    }
+    return pictures;
+}
+
+Finding findingOfPicture(const PictureCheck& check, const RunResults& results) {
+    const auto taken = std::ranges::find(results.pictures, check.file, &TakenPicture::file);
+    return {"picture", taken == results.pictures.end() ? -1 : taken->step, sentenceAbout(check),
+            check.file};
+}
+
 void judgePictures(const Expected& expected, const std::filesystem::path& folder,
                    const RunResults& results, const std::filesystem::path& differenceFolder,
                    Judgement& judgement) {
@@ -280,7 +302,7 @@ void judgePictures(const Expected& expected, const std::filesystem::path& folder
         const PictureCheck& found = judgement.pictures.emplace_back(
             checkPicture(picture, folder, results.folder, differences, judgement.otherDriver));
         if (!found.alike) {
-            judgement.findings.push_back({"picture", -1, sentenceAbout(found)});
+            judgement.findings.push_back(findingOfPicture(found, results));
         }
     }
 }
@@ -294,16 +316,33 @@ PictureCheck withoutExpectation(const std::string& file) {
 
 /// A picture that nobody looks at would hold nothing.
 void judgeNewPictures(const Expected& expected, const RunResults& results, Judgement& judgement) {
-    for (const std::string& file : results.pictures) {
+    for (const TakenPicture& picture : results.pictures) {
         const auto& known = expected.expectation.pictures;
-        if (std::ranges::find(known, file, &ExpectedPicture::file) == known.end()) {
-            judgement.pictures.push_back(withoutExpectation(file));
-            judgement.findings.push_back({"picture", -1, sentenceAbout(judgement.pictures.back())});
+        if (std::ranges::find(known, picture.file, &ExpectedPicture::file) == known.end()) {
+            judgement.pictures.push_back(withoutExpectation(picture.file));
+            judgement.findings.push_back(findingOfPicture(judgement.pictures.back(), results));
         }
     }
 }
 
+/// Nor would one that is left of an earlier session.
+void judgeOldPictures(const Expected& expected, const std::filesystem::path& folder,
+                      Judgement& judgement) {
+    for (const std::string& file : unlistedPictures(folder, expected.expectation)) {
+        judgement.findings.push_back({"picture", -1,
+                                      "The picture " + file + " is not listed in " + kExpectedFile +
+                                          "; kerf test --update removes what is not needed.",
+                                      file});
+    }
+}
+
 }  // namespace
+
+Finding findingOfCheck(const std::string& failure) {
+    int step = -1;
+    std::sscanf(failure.c_str(), "Step %d:", &step);
+    return {"check", step, failure};
+}
 
 RunResults readResults(const std::filesystem::path& folder, const Session& session) {
     const nlohmann::json summary = parseJson(readInputFile(folder / kSummaryFile, kMaxBytes));
@@ -311,16 +350,10 @@ RunResults readResults(const std::filesystem::path& folder, const Session& sessi
             {summary.at("renderer"), summary.at("driver")},
             summary.at("state_hash"),
             summary.at("failures"),
-            pictureFiles(session),
+            takenPictures(session),
             HashCourse::read(folder / kHashesFile),
             readCourse(folder / kMetricsFile),
             readPieces(folder / kPiecesFile)};
-}
-
-std::vector<PictureCheck> picturesWithoutExpectation(const RunResults& results) {
-    std::vector<PictureCheck> checks;
-    std::ranges::transform(results.pictures, std::back_inserter(checks), withoutExpectation);
-    return checks;
 }
 
 Judgement judge(const std::filesystem::path& expectationFolder, const RunResults& results,
@@ -333,7 +366,7 @@ Judgement judge(const std::filesystem::path& expectationFolder, const RunResults
     judgement.course = results.course;
     judgement.positions = comparePositions(expected.pieces, results.pieces);
     for (const std::string& failure : results.failures) {
-        judgement.findings.push_back({"check", -1, failure});
+        judgement.findings.push_back(findingOfCheck(failure));
     }
     if (std::optional<Finding> length = compareLengths(expected, results)) {
         judgement.findings.push_back(std::move(*length));
@@ -345,6 +378,7 @@ Judgement judge(const std::filesystem::path& expectationFolder, const RunResults
     }
     judgePictures(expected, expectationFolder, results, differences, judgement);
     judgeNewPictures(expected, results, judgement);
+    judgeOldPictures(expected, expectationFolder, judgement);
     return judgement;
 }
 

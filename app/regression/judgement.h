@@ -13,13 +13,19 @@
 
 namespace kerf::app {
 
+/// A screenshot of a session.
+struct TakenPicture {
+    std::string file;
+    int step = 0;  ///< before which it is taken; of several with one name, that of the last
+};
+
 /// What a replay left in its folder, as far as it is compared.
 struct RunResults {
     std::filesystem::path folder;
     Driver driver;
     std::string stateHash;
     std::vector<std::string> failures;  ///< of checks and invariants during the run
-    std::vector<std::string> pictures;  ///< those of the session
+    std::vector<TakenPicture> pictures;
     HashCourse hashes;
     Course course;
     PieceCourse pieces;
@@ -33,7 +39,10 @@ struct Finding {
     std::string part;
     int step = -1;         ///< the first at which it shows; -1 where it has none
     std::string sentence;  ///< one, with step, part and how far off
+    std::string file{};    ///< the picture that it is about; "" for none
 };
+/// The finding about a failure of a run, a sentence that begins with its step.
+Finding findingOfCheck(const std::string& failure);
 
 /// The deviation of a run at a step.
 struct Deviation {
@@ -54,9 +63,6 @@ struct Judgement {
 
     bool holds() const { return findings.empty(); }
 };
-
-/// The pictures of a run that has nothing to be compared with.
-std::vector<PictureCheck> picturesWithoutExpectation(const RunResults& results);
 
 /// Compares a run with the expectation in a folder, which must have one, and writes pictures of
 /// what differs into `differences`. Throws InputError where the expectation can't be read,

@@ -28,8 +28,10 @@ PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem:
         return check;
     }
     const render::Image before = readPicture(expected / picture.file);
-    check.comparison =
-        render::comparePictures(before, readPicture(run / picture.file), picture.options);
+    const render::Image now = readPicture(run / picture.file);
+    check.comparison = render::comparePictures(before, now, picture.options);
+    check.sizes = fmt::format("{}x{} pixels instead of {}x{}", now.width, now.height, before.width,
+                              before.height);
     check.alike = check.comparison.pixelsCompared > 0 &&
                   render::withinLimits(check.comparison, limitsOf(picture, otherDriver));
     if (!check.alike && check.comparison.sameSize) {
@@ -50,7 +52,7 @@ std::string sentenceAbout(const PictureCheck& check) {
         return "The picture " + check.file + " has no expectation; kerf test --update makes it.";
     }
     if (!found.sameSize) {
-        return "The picture " + check.file + " has another size.";
+        return "The picture " + check.file + " has " + check.sizes + ".";
     }
     if (found.pixelsCompared == 0) {
         return "The masks leave nothing of the picture " + check.file + " to compare.";

@@ -15,7 +15,8 @@ struct PictureCheck {
     bool missing = false;                  ///< the run did not give it
     bool unknown = false;                  ///< the folder of expectations lacks it
     render::PictureComparison comparison;  ///< without its errors by pixel
-    std::filesystem::path difference;      ///< a picture of it; empty where there is none
+    std::string sizes;  ///< "96x64 pixels instead of 48x32", where they are not the same
+    std::filesystem::path difference;  ///< a picture of it; empty where there is none
 };
 
 /// Compares the picture in the folder `run` with that in the folder `expected`, and writes a

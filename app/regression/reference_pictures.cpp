@@ -46,14 +46,16 @@ std::vector<ReferenceDifference> compareWithReference(const std::vector<std::str
     return found;
 }
 
-void renewReference(const std::vector<ReferenceDifference>& differences,
-                    const std::filesystem::path& reference, const std::filesystem::path& run) {
+std::vector<std::string> renewReference(const std::vector<ReferenceDifference>& differences,
+                                        const std::filesystem::path& reference,
+                                        const std::filesystem::path& run) {
     OutputFolder folder(reference);
     for (const ReferenceDifference& difference : differences) {
         if (!difference.missingInRun) {
             folder.write(difference.file, readInputFile(run / difference.file, kMaxBytes));
         }
     }
+    return folder.written();
 }
 
 }  // namespace kerf::app

@@ -20,8 +20,10 @@ std::vector<ReferenceDifference> compareWithReference(const std::vector<std::str
                                                       const std::filesystem::path& reference,
                                                       const std::filesystem::path& run);
 
-/// Copies what differs into the folder of references, unless the run lacks it. Throws OutputError.
-void renewReference(const std::vector<ReferenceDifference>& differences,
-                    const std::filesystem::path& reference, const std::filesystem::path& run);
+/// Copies what differs into the folder of references, unless the run lacks it. Returns the names of
+/// these files. Throws OutputError.
+std::vector<std::string> renewReference(const std::vector<ReferenceDifference>& differences,
+                                        const std::filesystem::path& reference,
+                                        const std::filesystem::path& run);
 
 }  // namespace kerf::app

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "sim/base/text.h"
@@ -14,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 5> kStatusNames = {"passed", "failed", "unreadable", "made",
-                                                          "renewed"};
+constexpr std::array<std::string_view, 7> kStatusNames = {
+    "passed", "failed", "unreadable", "unwritable", "made", "renewed", "not run"};
 
 /// The text as UTF-8 that XML can hold: U+FFFD stands for what names of files may have besides.
 std::string asUtf8(const std::string& text) {
@@ -53,15 +54,23 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
+/// The element of JUnit XML that says why a test is no success; "" for one that is.
+std::string_view junitElement(const TestResult& result) {
+    if (result.status == TestStatus::notRun) {
+        return "skipped";
+    }
+    return !result.failed() ? "" : result.status == TestStatus::failed ? "failure" : "error";
+}
+
 std::string testCase(const TestResult& result) {
     const std::string head =
         fmt::format(R"(    <testcase classname="kerf" name="{}" time="{:.3f}")",
                     escaped(result.name), result.seconds);
-    if (!result.failed()) {
+    const std::string_view element = junitElement(result);
+    if (element.empty()) {
         return head + "/>\n";
     }
-    const char* kind = result.status == TestStatus::unreadable ? "error" : "failure";
-    return head + fmt::format(">\n      <{0} message=\"{1}\"/>\n    </testcase>\n", kind,
+    return head + fmt::format(">\n      <{0} message=\"{1}\"/>\n    </testcase>\n", element,
                               escaped(findingsOf(result)));
 }
 
@@ -70,6 +79,7 @@ Json toJson(const TestResult& result) {
     for (const Finding& finding : result.judgement.findings) {
         findings.push_back({{"part", finding.part},
                             {"step", finding.step < 0 ? Json() : Json(finding.step)},
+                            {"file", finding.file.empty() ? Json() : Json(finding.file)},
                             {"sentence", finding.sentence}});
     }
     return {{"name", result.name},
@@ -91,8 +101,8 @@ std::string findingsOf(const TestResult& result) {
 }
 
 std::string formatJUnit(const std::vector<TestResult>& results) {
-    const auto countOf = [&](TestStatus status) {
-        return std::ranges::count(results, status, &TestResult::status);
+    const auto countOf = [&](std::string_view element) {
+        return std::ranges::count(results, element, junitElement);
     };
     double seconds = 0;
     std::string cases;
@@ -102,10 +112,9 @@ std::string formatJUnit(const std::vector<TestResult>& results) {
     }
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
-        "  <testsuite name=\"kerf\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n"
-        "{}  </testsuite>\n</testsuites>\n",
-        results.size(), countOf(TestStatus::failed), countOf(TestStatus::unreadable), seconds,
-        cases);
+        "  <testsuite name=\"kerf\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" "
+        "time=\"{:.3f}\">\n{}  </testsuite>\n</testsuites>\n",
+        results.size(), countOf("failure"), countOf("error"), countOf("skipped"), seconds, cases);
 }
 
 std::string formatJson(const std::vector<TestResult>& results) {
@@ -114,9 +123,12 @@ std::string formatJson(const std::vector<TestResult>& results) {
         tests.push_back(toJson(result));
     }
     const auto failed = std::ranges::count_if(results, &TestResult::failed);
+    const auto notRun = std::ranges::count(results, TestStatus::notRun, &TestResult::status);
     const Json json = {{"tests", std::move(tests)},
-                       {"passed", results.size() - static_cast<std::size_t>(failed)},
-                       {"failed", failed}};
+                       {"passed", std::ssize(results) - failed - notRun},
+                       {"failed", failed},
+                       {"not_run", notRun},
+                       {"stopped", notRun > 0}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

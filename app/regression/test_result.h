@@ -13,8 +13,10 @@ enum class TestStatus {
     passed,
     failed,      ///< it differs, or has no expectation
     unreadable,  ///< session, model or expectation can't be read
+    unwritable,  ///< something can't be written, such as its new expectation
     made,        ///< its expectation was written for the first time
     renewed,     ///< its expectation was written anew
+    notRun,      ///< somebody stopped the tests before its turn
 };
 
 /// A session that was run as a regression test.
@@ -29,7 +31,10 @@ struct TestResult {
     /// Sentences that no test fails for, but its owner should know.
     std::vector<std::string> notes;
 
-    bool failed() const { return status == TestStatus::failed || status == TestStatus::unreadable; }
+    bool failed() const {
+        return status == TestStatus::failed || status == TestStatus::unreadable ||
+               status == TestStatus::unwritable;
+    }
 };
 
 /// "passed", "failed", ...

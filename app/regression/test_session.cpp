@@ -1,8 +1,10 @@
 #include "app/regression/test_session.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
+#include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/regression/expectation_writer.h"
 #include "gpu/context.h"
@@ -28,18 +30,51 @@ bool isSession(const fs::path& file) {
 using FoundSessions = std::map<fs::path, fs::path>;
 
 void add(const fs::path& session, FoundSessions& sessions) {
-    sessions.emplace(fs::weakly_canonical(session), session.lexically_normal());
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(session, error);
+    sessions.emplace(error ? fs::absolute(session) : canonical, session.lexically_normal());
 }
 
+bool isSearched(const fs::path& folder) {
+    return !folder.filename().string().starts_with('.') && folder.extension() != ".expected";
+}
+
+/// What can't be read is found all the same: a test that nobody runs holds nothing.
 void searchFolder(const fs::path& folder, FoundSessions& sessions) {
-    for (auto entry = fs::recursive_directory_iterator(folder);
-         entry != fs::recursive_directory_iterator(); ++entry) {
-        if (entry->is_directory() && entry->path().extension() == ".expected") {
-            entry.disable_recursion_pending();
-        } else if (entry->is_regular_file() && isSession(entry->path())) {
-            add(entry->path(), sessions);
+    std::error_code error;
+    std::error_code unknown;
+    for (auto entry = fs::directory_iterator(folder, error); entry != fs::directory_iterator();
+         entry.increment(error)) {
+        if (!entry->is_directory(unknown)) {
+            if (isSession(entry->path())) {
+                add(entry->path(), sessions);
+            }
+        } else if (!entry->is_symlink(unknown) && isSearched(entry->path())) {
+            searchFolder(entry->path(), sessions);
         }
     }
+    if (error) {
+        add(folder, sessions);
+    }
+}
+
+/// Those at one path.
+FoundSessions sessionsAt(const fs::path& path) {
+    FoundSessions sessions;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found && !fs::is_symlink(path, error)) {
+        throw InputError(path.string() + ": there is no such file or folder.");
+    }
+    if (!fs::is_directory(status)) {
+        add(path, sessions);
+    } else {
+        searchFolder(path, sessions);
+    }
+    if (sessions.empty()) {
+        throw InputError(path.string() + ": there is no session (*.kerf.json) in this folder.");
+    }
+    return sessions;
 }
 
 std::string nameOfTest(const fs::path& session) {
@@ -63,12 +98,26 @@ void fail(TestResult& result, TestStatus status, const std::string& part,
     result.judgement.findings.push_back({part, -1, sentence});
 }
 
+/// What goes wrong with the files of one test is told of that test.
+void judgeSafely(TestResult& result, const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const InputError& error) {
+        fail(result, TestStatus::unreadable, "expectation", error.what());
+    } catch (const OutputError& error) {
+        fail(result, TestStatus::unwritable, "output", error.what());
+    } catch (const fs::filesystem_error& error) {
+        fail(result, TestStatus::unreadable, "expectation",
+             error.path1().string() + ": " + error.code().message() + ".");
+    }
+}
+
 /// What a run broke of its own session is no expectation.
 void refuse(TestResult& result, const RunResults& run, bool isNew) {
     result.status = TestStatus::failed;
     for (const std::string& failure : run.failures) {
         if (isNew) {
-            result.judgement.findings.push_back({"check", -1, failure});
+            result.judgement.findings.push_back(findingOfCheck(failure));
         }
     }
     result.notes.push_back("So nothing was written: mend the session's checks first.");
@@ -87,6 +136,29 @@ void noteOldChecks(TestResult& result, const Session& session, const RunResults&
                                    "needed here.");
             return;
         }
+    }
+}
+
+/// An expectation that is there but can't be read counts as there.
+bool hasExpectation(const fs::path& session) {
+    std::error_code error;
+    return fs::status(expectationFolder(session) / kExpectedFile, error).type() !=
+           fs::file_type::not_found;
+}
+
+void judgeBeforeRun(TestResult& result, bool update) {
+    const fs::path expected = expectationFolder(result.session) / kExpectedFile;
+    if (fs::is_directory(result.session)) {
+        throw InputError(result.session.string() +
+                         ": this folder can't be searched; check its permissions.");
+    }
+    if (hasExpectation(result.session)) {
+        readExpectation(expected);
+    } else if (!update) {
+        readSession(result.session);
+        fail(result, TestStatus::failed, "expectation",
+             "There is no " + expected.string() + "; make it with kerf test --update " +
+                 result.session.string() + ".");
     }
 }
 
@@ -110,15 +182,9 @@ void judgeResults(TestResult& result, bool update) {
     const RunResults run = readResults(result.results, session);
     result.driver = run.driver;
     const fs::path expected = expectationFolder(result.session);
-    const bool isNew = !fs::exists(expected / kExpectedFile);
+    const bool isNew = !hasExpectation(result.session);
     if (!isNew) {
         result.judgement = judge(expected, run, result.results / "diff");
-    } else if (!update) {
-        result.judgement.pictures = picturesWithoutExpectation(run);
-        fail(result, TestStatus::failed, "expectation",
-             "There is no " + (expected / kExpectedFile).string() +
-                 "; make it with kerf test --update " + result.session.string() + ".");
-        return;
     }
     result.status = result.judgement.holds() ? TestStatus::passed : TestStatus::failed;
     if (update) {
@@ -131,17 +197,7 @@ void judgeResults(TestResult& result, bool update) {
 std::vector<fs::path> findSessions(const std::vector<fs::path>& paths) {
     FoundSessions sessions;
     for (const fs::path& path : paths) {
-        if (fs::is_directory(path)) {
-            searchFolder(path, sessions);
-        } else if (fs::exists(path)) {
-            add(path, sessions);
-        } else {
-            throw InputError(path.string() + ": there is no such file or folder.");
-        }
-    }
-    if (sessions.empty()) {
-        throw InputError(paths.front().string() +
-                         ": there is no session (*.kerf.json) in this folder.");
+        sessions.merge(sessionsAt(path));
     }
     std::vector<fs::path> found;
     for (const auto& [canonical, session] : sessions) {
@@ -162,18 +218,16 @@ std::vector<std::string> runArguments(const fs::path& session, const fs::path& r
     return arguments;
 }
 
-std::optional<TestResult> judgeUnreadable(const fs::path& session) {
-    const fs::path file = expectationFolder(session) / kExpectedFile;
-    try {
-        if (fs::exists(file)) {
-            readExpectation(file);
-        }
-        return std::nullopt;
-    } catch (const InputError& error) {
-        TestResult result = resultOf(session);
-        fail(result, TestStatus::unreadable, "expectation", error.what());
-        return result;
-    }
+std::optional<TestResult> judgeWithoutRun(const fs::path& session, bool update) {
+    TestResult result = resultOf(session);
+    judgeSafely(result, [&] { judgeBeforeRun(result, update); });
+    return result.judgement.holds() ? std::nullopt : std::optional(std::move(result));
+}
+
+TestResult resultOfNoRun(const fs::path& session) {
+    TestResult result = resultOf(session);
+    fail(result, TestStatus::notRun, "run", "It was not run: the tests were stopped before.");
+    return result;
 }
 
 TestResult judgeRun(const fs::path& session, const fs::path& results, const ChildOutcome& outcome,
@@ -184,7 +238,7 @@ TestResult judgeRun(const fs::path& session, const fs::path& results, const Chil
     if (outcome.exitCode == kNoOpenGl) {
         throw gpu::ContextError(lastWords(outcome));
     }
-    try {
+    judgeSafely(result, [&] {
         if (outcome.exitCode == kDone || outcome.exitCode == kCheckFailed) {
             judgeResults(result, update);
         } else if (outcome.exitCode == kInputError) {
@@ -193,9 +247,7 @@ TestResult judgeRun(const fs::path& session, const fs::path& results, const Chil
             fail(result, TestStatus::failed, "run",
                  "The replay did not finish: " + sentenceAbout(outcome));
         }
-    } catch (const InputError& error) {
-        fail(result, TestStatus::unreadable, "expectation", error.what());
-    }
+    });
     return result;
 }
 

@@ -11,7 +11,8 @@
 namespace kerf::app {
 
 /// The sessions at these paths: files as they are, folders searched for *.kerf.json, each once, by
-/// name. Throws InputError for a path that is missing and where there is none at all.
+/// name; of folders that are hidden, named *.expected or behind links nothing. A folder that can't
+/// be searched stands among them. Throws InputError for a path that is missing or leads to none.
 std::vector<std::filesystem::path> findSessions(const std::vector<std::filesystem::path>& paths);
 
 /// The arguments of the run of a session into a folder, with or without the state hashes in the
@@ -19,9 +20,12 @@ std::vector<std::filesystem::path> findSessions(const std::vector<std::filesyste
 std::vector<std::string> runArguments(const std::filesystem::path& session,
                                       const std::filesystem::path& results, bool hashChecks);
 
-/// The result of a test whose expectation can't be read, which needs no run to be known; nothing
-/// where it can, or where there is none yet.
-std::optional<TestResult> judgeUnreadable(const std::filesystem::path& session);
+/// The result of a test that needs no run to be known: its expectation can't be read, or it has
+/// none and is not to be made with `update`; nothing where it must be run.
+std::optional<TestResult> judgeWithoutRun(const std::filesystem::path& session, bool update);
+
+/// The result of a test whose turn never came, since somebody stopped the tests.
+TestResult resultOfNoRun(const std::filesystem::path& session);
 
 /// Judges a run that has ended, whose results lie in `results`, by the expectation beside the
 /// session. With `update` that is made or renewed instead, unless a check of the session failed.

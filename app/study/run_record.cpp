@@ -1,9 +1,13 @@
 #include "app/study/run_record.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
+#include "app/files/sha256.h"
+#include "app/session/session.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"
 
@@ -39,6 +43,7 @@ RunRecord toRecord(const Json& json) {
     }
     json.at("exit").get_to(record.exitCode);
     json.at("problem").get_to(record.problem);
+    record.results = json.value("results", ResultDigests());
     return record;
 }
 
@@ -52,6 +57,25 @@ std::vector<std::string> changedParts(const RunIdentity& before, const RunIdenti
     return parts;
 }
 
+std::string digestOf(const fs::path& file) {
+    try {
+        return sha256OfFile(file);
+    } catch (const std::runtime_error&) {  // it is missing, or can't be read
+        return "";
+    }
+}
+
+/// The file that is not as the run left it, record included; "" where all are.
+fs::path damagedFile(const fs::path& folder, const std::optional<RunRecord>& record) {
+    std::error_code error;
+    if (!record) {
+        return fs::exists(folder / kRecordFile, error) ? folder / kRecordFile : fs::path();
+    }
+    const ResultDigests now = digestsOf(folder);
+    const auto other = std::ranges::mismatch(now, record->results).in1;
+    return other == now.end() ? fs::path() : folder / other->first;
+}
+
 }  // namespace
 
 RunIdentity identityOf(const Study& study, const StudyRun& run) {
@@ -61,6 +85,14 @@ RunIdentity identityOf(const Study& study, const StudyRun& run) {
 
 fs::path folderOfRun(const fs::path& out, std::size_t number) {
     return out / std::to_string(number);
+}
+
+ResultDigests digestsOf(const fs::path& folder) {
+    ResultDigests digests;
+    for (const char* name : {kSummaryFile, kMetricsFile}) {
+        digests[name] = digestOf(folder / name);
+    }
+    return digests;
 }
 
 std::string formatRecord(const RunRecord& record) {
@@ -73,6 +105,7 @@ std::string formatRecord(const RunRecord& record) {
     json["params"] = toJson(record.identity.settings);
     json["exit"] = record.exitCode;
     json["problem"] = record.problem;
+    json["results"] = record.results;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -87,7 +120,11 @@ std::optional<RunRecord> readRecord(const fs::path& folder) {
 }
 
 RunState stateOfRun(const Study& study, std::size_t number, const fs::path& out) {
-    std::optional<RunRecord> record = readRecord(folderOfRun(out, number));
+    const fs::path folder = folderOfRun(out, number);
+    std::optional<RunRecord> record = readRecord(folder);
+    if (const fs::path damaged = damagedFile(folder, record); !damaged.empty()) {
+        return {std::nullopt, damaged.string() + " is damaged"};
+    }
     if (!record) {
         return {};
     }

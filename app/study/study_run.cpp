@@ -33,7 +33,7 @@ void removeFolder(const fs::path& folder) {
 /// What is no run of a sweep was put there by somebody else, who may want to keep it.
 void requireReplaceable(const fs::path& folder) {
     std::error_code error;
-    if (fs::exists(folder) && !readRecord(folder) && !fs::is_empty(folder, error)) {
+    if (fs::exists(folder) && !fs::exists(folder / kRecordFile) && !fs::is_empty(folder, error)) {
         throw OutputError(folder.string() +
                           ": there is something else than a run of a sweep; choose another --out.");
     }
@@ -42,7 +42,7 @@ void requireReplaceable(const fs::path& folder) {
 std::vector<std::string> replayArguments(const Study& study, const StudyRun& run,
                                          const fs::path& folder) {
     std::vector<std::string> words{"replay", study.sessionOf(run).file.string(), "--out",
-                                   folder.string()};
+                                   folder.string(), "--no-hash-checks"};
     for (const Setting& setting : run.settings) {
         words.insert(words.end(), {"--set", setting.name + "=" + setting.value});
     }
@@ -56,9 +56,10 @@ ChildOutcome replay(const Study& study, const StudyRun& run, const fs::path& fol
     return outcome;
 }
 
-RunRecord recordOf(const RunIdentity& identity, const ChildOutcome& outcome) {
+RunRecord recordOf(const RunIdentity& identity, const ChildOutcome& outcome,
+                   const fs::path& folder) {
     const int exitCode = outcome.signal != 0 ? kSignalled + outcome.signal : outcome.exitCode;
-    return {identity, exitCode, exitCode == 0 ? "" : sentenceAbout(outcome)};
+    return {identity, exitCode, exitCode == 0 ? "" : sentenceAbout(outcome), digestsOf(folder)};
 }
 
 void moveFolder(const fs::path& from, const fs::path& to) {
@@ -81,7 +82,7 @@ RunEnd replaceRun(const Study& study, std::size_t number, const fs::path& out) {
     if (outcome.exitCode == kNoOpenGl) {
         return {.record = {}, .log = outcome.log, .noOpenGl = true};
     }
-    RunEnd end{.record = recordOf(identityOf(study, run), outcome), .log = outcome.log};
+    RunEnd end{.record = recordOf(identityOf(study, run), outcome, unfinished), .log = outcome.log};
     OutputFolder(unfinished).write(kRecordFile, formatRecord(end.record));
     removeFolder(folder);
     moveFolder(unfinished, folder);

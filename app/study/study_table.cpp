@@ -85,6 +85,10 @@ std::vector<std::string> resultCells(StudyTable& table, const RunState& state, s
                                      const fs::path& folder) {
     if (!state.record) {
         table.missing.push_back(number);
+        if (!state.reason.empty()) {
+            table.warnings.push_back("Run " + std::to_string(number) +
+                                     " counts as missing: " + state.reason + ".");
+        }
         return std::vector<std::string>(1 + kSummaryColumns);
     }
     if (state.record->exitCode != 0) {

@@ -15,6 +15,7 @@ struct StudyTable {
     std::string text;                    ///< of table.csv, a row for each run
     std::vector<std::size_t> failed;     ///< runs that ended with another exit code than 0
     std::vector<std::size_t> missing;    ///< runs without results, or with those of another run
+    std::vector<std::string> warnings;   ///< a sentence for each run whose results don't count
     std::vector<std::string> renderers;  ///< on which the runs were made, each once
 };
 

@@ -258,6 +258,20 @@ TEST_F(ReplayOptions, ReferenceComparesPicturesAndUpdateRenewsThem) {
     EXPECT_EQ(replay("out", {"--update"}).exitCode, 2);
 }
 
+TEST_F(ReplayOptions, ReferenceLeavesOutWhatComesBehindUntil) {
+    const std::vector<std::string> options{"--until", "11", "--reference", path("ref")};
+    std::vector<std::string> update = options;
+    update.emplace_back("--update");
+    const ProgramRun made = replay("out", update);
+    EXPECT_EQ(made.exitCode, 0) << made.errors;
+    EXPECT_THAT(made.out, HasSubstr("written to " + path("ref") + ": pictures/half.png\n"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "ref/end.png"));
+    EXPECT_EQ(replay("out", options).exitCode, 0);
+    std::filesystem::remove(folder_ / "ref/pictures/half.png");
+    update.emplace_back("--json");
+    EXPECT_EQ(nlohmann::json::parse(replay("out", update).out)["renewed"][0], "pictures/half.png");
+}
+
 TEST_F(ReplayOptions, ACheckThatFailsEndsTheRun) {
     writeText(folder_ / "test.kerf.json",
               smallSession(R"(, {"step": 20, "type": "check", "pieces": 5},

@@ -1,10 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "render/scene/image.h"
+#include "tests/paths.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/small_sessions.h"
 #include "tests/support/temporary_folder.h"
@@ -69,6 +73,10 @@ class TestVerb : public testing::Test {
 TEST_F(TestVerb, WithoutExpectationsFailsAndSaysHowToMakeThem) {
     expectFailure("make it with kerf test --update " + session_.string());
     EXPECT_FALSE(std::filesystem::exists(folder_ / "ball.expected"));
+}
+
+TEST_F(TestVerb, WithoutExpectationsNothingIsRun) {
+    EXPECT_EQ(run({}, {{"KERF_FORCE_NO_GL", "1"}}).exitCode, 1) << "else 4";
 }
 
 TEST_F(TestVerb, WhatWasMadeHoldsWhateverTheNumberOfThreads) {
@@ -137,6 +145,31 @@ TEST_F(TestVerb, APictureTooManyOrTooFewIsNoticed) {
     EXPECT_EQ(run({"--update"}).exitCode, 0);
     EXPECT_FALSE(std::filesystem::exists(expected("end.png")));
     EXPECT_EQ(run().exitCode, 0);
+}
+
+TEST_F(TestVerb, AnOldPictureThatNothingListsIsNoticedAndRemoved) {
+    makeExpectation();
+    writeText(expected("pictures/old.png"), "old");
+    expectFailure("The picture pictures/old.png is not listed in expected.json");
+    EXPECT_EQ(run({"--update"}).exitCode, 0);
+    EXPECT_FALSE(std::filesystem::exists(expected("pictures/old.png")));
+    EXPECT_TRUE(std::filesystem::exists(expected("pictures/half.png")));
+    EXPECT_EQ(run().exitCode, 0);
+}
+
+TEST_F(TestVerb, FindingsSayWhereTheyAreToProgramsToo) {
+    makeExpectation();
+    const std::string more = R"(, {"step": 30, "type": "check", "pieces": 5})";
+    writeText(session_, replaced(smallSession(more), "\"end.png\", \"width\": 96",
+                                 "\"end.png\", \"width\": 48"));
+    const auto findings = nlohmann::json::parse(run({"--json"}).out)["tests"][0]["findings"];
+    ASSERT_EQ(findings.size(), 2u) << findings;
+    EXPECT_EQ(findings[0]["part"], "check");
+    EXPECT_EQ(findings[0]["step"], 30);
+    EXPECT_EQ(findings[0]["file"], nullptr);
+    EXPECT_EQ(findings[1]["step"], 40);
+    EXPECT_EQ(findings[1]["file"], "end.png");
+    EXPECT_EQ(findings[1]["sentence"], "The picture end.png has 48x64 pixels instead of 96x64.");
 }
 
 TEST_F(TestVerb, OnAnotherDriverItJudgesByToleranceAndSaysSo) {
@@ -267,6 +300,66 @@ TEST_F(TestVerb, WhatCannotBeReadIsSaidAndTheOthersAreRun) {
     EXPECT_EQ(runKerf({"test", folder_.path(), "--jobs", "0"}).exitCode, 2);
 }
 
+TEST_F(TestVerb, AFileThatCannotBeReachedIsToldOfItsTestAlone) {
+    makeExpectation();
+    for (const char* name : {"loop", "locked"}) {
+        writeText(folder_ / (std::string(name) + ".kerf.json"), smallSession());
+    }
+    std::filesystem::create_symlink("loop.expected", folder_ / "loop.expected");
+    std::filesystem::create_symlink("nowhere", folder_ / "dangling.kerf.json");
+    const ProgramRun mixed = run();
+    EXPECT_EQ(mixed.exitCode, 3);
+    EXPECT_THAT(mixed.out, HasSubstr("passed "));
+    EXPECT_THAT(mixed.out, HasSubstr("loop.expected/expected.json: it can't be read (Too many"));
+    EXPECT_THAT(mixed.out, HasSubstr("dangling.kerf.json: there is no such file"));
+    EXPECT_THAT(mixed.out, HasSubstr("locked.expected/expected.json; make it with"));
+}
+
+TEST_F(TestVerb, FoldersThatMayNotBeReadAreToldAndTheOthersAreRun) {
+    if (::geteuid() == 0) {
+        GTEST_SKIP() << "root may read all";
+    }
+    makeExpectation();
+    writeText(folder_ / "locked.kerf.json", smallSession());
+    for (const char* folder : {"locked.expected", "deeper"}) {
+        std::filesystem::create_directory(folder_ / folder);
+        std::filesystem::permissions(folder_ / folder, std::filesystem::perms::none);
+    }
+    const ProgramRun mixed = run();
+    for (const char* folder : {"locked.expected", "deeper"}) {
+        std::filesystem::permissions(folder_ / folder, std::filesystem::perms::owner_all);
+    }
+    EXPECT_EQ(mixed.exitCode, 3);
+    EXPECT_THAT(mixed.out, HasSubstr("passed "));
+    EXPECT_THAT(mixed.out, HasSubstr("deeper: this folder can't be searched"));
+    EXPECT_THAT(mixed.out,
+                HasSubstr("locked.expected/expected.json: it can't be read (Permission"));
+}
+
+TEST_F(TestVerb, AnExpectationThatCannotBeWrittenKeepsNoOtherFromIt) {
+    writeText(folder_ / "a.kerf.json", sessionThatDoes(""));
+    writeText(folder_ / "a.expected", "mine");
+    const ProgramRun made = run({"--update", "--jobs", "1"});
+    EXPECT_EQ(made.exitCode, 5);
+    EXPECT_THAT(made.out, HasSubstr("unwritable " + (folder_ / "a").string()));
+    EXPECT_THAT(made.out, HasSubstr("a.expected: a file stands where a folder should be."));
+    EXPECT_THAT(made.out, HasSubstr("made "));
+    EXPECT_THAT(made.out, HasSubstr("2 tests, 1 failed"));
+    EXPECT_EQ(readBytes(folder_ / "a.expected"), "mine");
+}
+
+TEST_F(TestVerb, EachPathMustLeadToATestAndHiddenFoldersAreNotSearched) {
+    makeExpectation();
+    std::filesystem::create_directory(folder_ / ".git");
+    std::filesystem::create_directory(folder_ / "empty");
+    writeText(folder_ / ".git/old.kerf.json", "{");
+    EXPECT_EQ(run().exitCode, 0);
+    const ProgramRun both = run({folder_ / "empty"});
+    EXPECT_EQ(both.exitCode, 3);
+    EXPECT_THAT(both.errors, HasSubstr("empty: there is no session (*.kerf.json) in this folder."));
+    EXPECT_EQ(both.out, "");
+}
+
 TEST_F(TestVerb, AnExpectationReachesNoFileElsewhere) {
     makeExpectation();
     writeText(folder_ / "precious.png", "mine");
@@ -304,6 +397,34 @@ TEST_F(TestVerb, NamesThatAreNoTextLeaveTheReportsWhole) {
     const std::string junit = readBytes(folder_ / "junit.xml");
     EXPECT_THAT(junit, HasSubstr("a\xEF\xBF\xBD [31m\xEF\xBF\xBD"));
     EXPECT_THAT(junit, Not(HasSubstr("\xff")));
+}
+
+// As a CI server does that has had enough of it.
+TEST_F(TestVerb, AStoppedRunIsNoSuccessToAnybody) {
+    makeExpectation();
+    for (const char* other : {"c", "d", "e"}) {
+        std::filesystem::copy(session_, folder_ / (std::string(other) + ".kerf.json"));
+        std::filesystem::copy(folder_ / "ball.expected",
+                              folder_ / (std::string(other) + ".expected"),
+                              std::filesystem::copy_options::recursive);
+    }
+    const std::string at = folder_.path().string();
+    const std::string script = "cd '" + at +
+                               "'; '" KERF_BINARY_DIR
+                               "/kerf' test . --jobs 1 --json --junit st.xml --out runs "
+                               "> st.json 2> st.log & tests=$!\n"
+                               "while [ ! -e runs/0-ball ] && kill -0 $tests; do sleep 0.01; done\n"
+                               "kill -TERM $tests; wait $tests";
+    EXPECT_EQ(WEXITSTATUS(std::system(script.c_str())), 1);
+    const auto json = nlohmann::json::parse(readBytes(folder_ / "st.json"));
+    EXPECT_EQ(json["stopped"], true);
+    EXPECT_EQ(json["passed"], 1);
+    EXPECT_EQ(json["not_run"], 3);
+    EXPECT_EQ(json["tests"][3]["status"], "not run");
+    const std::string junit = readBytes(folder_ / "st.xml");
+    EXPECT_THAT(junit, HasSubstr(R"(tests="4" failures="0" errors="0" skipped="3")"));
+    EXPECT_THAT(junit, HasSubstr("<skipped message=\"It was not run"));
+    EXPECT_THAT(readBytes(folder_ / "st.log"), HasSubstr("Stopped: 3 of 4 tests were not run."));
 }
 
 TEST_F(TestVerb, WithoutOpenGlThatIsSaid) {

@@ -129,6 +129,13 @@ TEST_F(Sweep, SingleRunsInAnyOrderGiveTheSameTable) {
     EXPECT_EQ(rows("whole").size(), 5u);
 }
 
+// They are those of other parameters.
+TEST_F(Sweep, PassesOverTheSessionsOwnStateHashes) {
+    writeText(folder_ / "a.kerf.json", sessionThatDoes(R"({"step": 2, "type": "check", "hash": ")" +
+                                                       std::string(16, '0') + R"("})"));
+    EXPECT_EQ(sweep("out", {"--run", "0"}).exitCode, 0);
+}
+
 TEST_F(Sweep, RunsThatAreDoneAreNotRunAgain) {
     ASSERT_EQ(sweep("out").exitCode, 0);
     const std::string table = bytes("out/table.csv");
@@ -213,6 +220,37 @@ TEST_F(Sweep, GatheringRunsNothingAndNamesWhatIsMissing) {
     EXPECT_THAT(lines[3], StartsWith("2,a.kerf.json,3,0.5,0,"));
 }
 
+TEST_F(Sweep, WhatWasDamagedSinceCountsAsMissingAndIsRunAgain) {
+    ASSERT_EQ(sweep("out").exitCode, 0);
+    const std::vector<std::string> whole = rows("out");
+    const std::string metrics = bytes("out/1/metrics.csv");
+    writeText(folder_ / "out/0/summary.json", "garbage");
+    writeText(folder_ / "out/1/metrics.csv", metrics.substr(0, metrics.size() - 4));
+    writeText(folder_ / "out/3/run.json", "");
+    const ProgramRun gathered = sweep("out", {"--gather"});
+    EXPECT_EQ(gathered.exitCode, 1);
+    EXPECT_THAT(gathered.out, StartsWith("4 runs, 3 missing (runs 0, 1 and 3)\n"));
+    for (const char* file : {"0/summary.json", "1/metrics.csv", "3/run.json"}) {
+        EXPECT_THAT(gathered.errors, HasSubstr((folder_ / "out" / file).string() + " is damaged."));
+    }
+    EXPECT_EQ(rows("out")[3], whole[3]);
+    const ProgramRun again = sweep("out");
+    EXPECT_EQ(again.exitCode, 0) << again.out << again.errors;
+    EXPECT_THAT(again.out, Not(HasSubstr("done    2 ")));
+    EXPECT_EQ(rows("out"), whole);
+}
+
+TEST_F(Sweep, WithNothingDoneThereIsNothingToGather) {
+    const ProgramRun none = sweep("out", {"--gather"});
+    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_EQ(none.out, "4 runs, 4 missing (runs 0, 1, 2 and 3); there is nothing to gather\n");
+    EXPECT_FALSE(has("out"));
+    fs::create_directory(folder_ / "out");
+    writeText(folder_ / "out/table.csv", "old");
+    EXPECT_EQ(sweep("out", {"--gather"}).exitCode, 1);
+    EXPECT_EQ(bytes("out/table.csv"), "old");
+}
+
 TEST_F(Sweep, ListsItsRuns) {
     EXPECT_THAT(linesOf(runKerf({"sweep", study_, "--list"}).out),
                 ElementsAre("0 a.kerf.json iterations=2 ispc_stiffness=0.5",
@@ -258,7 +296,9 @@ TEST_F(Sweep, NeverReplacesWhatIsNoRun) {
     writeText(folder_ / "out/2/mine.txt", "mine");
     const ProgramRun run = sweep("out");
     EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.out, HasSubstr("missing 2 a.kerf.json"));
     EXPECT_THAT(run.out, HasSubstr("there is something else than a run of a sweep"));
+    EXPECT_THAT(run.out, HasSubstr("4 runs, 1 missing (run 2)\n"));
     EXPECT_EQ(bytes("out/2/mine.txt"), "mine");
     EXPECT_TRUE(has("out/3/summary.json")) << "the others were run";
 }
@@ -313,7 +353,8 @@ TEST_F(Sweep, MistakesAreOneSentence) {
         {{"sweep", text, "--out", out, "--list", "--gather"}, 2},
         {{"sweep", folder_ / "missing.json", "--out", out}, 3},
         {{"sweep", folder_ / "a.kerf.json", "--out", out}, 3},
-        {{"sweep", text, "--out", text}, 5},
+        {{"sweep", text, "--out", text}, 3},
+        {{"replay", folder_ / "a.kerf.json", "--out", text}, 3},
     };
     for (const auto& [words, exitCode] : calls) {
         const ProgramRun run = runKerf(words);
