@@ -104,7 +104,7 @@ struct Session {
     std::vector<SessionEvent> events;  ///< by step, the file's order within one
     std::optional<render::Camera> view;
     render::ChosenColors colors;        ///< of the view, instead of the model's own
-    std::vector<std::string> warnings;  ///< unknown extra keys
+    std::vector<std::string> warnings;  ///< unknown extra keys, files of one name
 };
 
 /// The command that an action is; none where it changes no simulation.
