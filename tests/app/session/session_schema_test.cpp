@@ -158,8 +158,9 @@ TEST_F(SessionSchema, AcceptsWhatTheReaderAccepts) {
 const std::set<std::string> kComparisons{"BoxUpsideDown", "NoLength", "EyeAtTarget", "UpAlongView",
                                          "EventAfterTheEnd"};
 const std::set<std::string> kDetours{"FileAbove"};
-const std::set<std::string> kNoDocuments{"Empty",         "NaN",     "HugeNumber",  "TwoKeys",
-                                         "TwoKeysInside", "NotUtf8", "TrailingText"};
+const std::set<std::string> kNoDocuments{"Empty",   "NaN",           "HugeNumber",
+                                         "TwoKeys", "TwoKeysInside", "TwoKeysDeepInside",
+                                         "NotUtf8", "TrailingText"};
 
 TEST_F(SessionSchema, NamesThePlaceThatTheReaderNames) {
     std::vector<test::BrokenSession> broken = test::brokenSessions();
