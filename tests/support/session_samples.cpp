@@ -6,8 +6,9 @@ namespace {
 
 /// A text inside so many objects, each under a key of the one around it.
 std::string nested(std::string text, const std::string& key, int levels) {
+    const std::string start = R"({")" + key + R"(": )";
     for (int level = 0; level < levels; ++level) {
-        text = R"({")" + key + R"(": )" + text + "}";
+        text.insert(0, start).append("}");
     }
     return text;
 }

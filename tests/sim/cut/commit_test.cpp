@@ -152,7 +152,7 @@ void expectCommitted(const Committed& c) {
 CommitResult checkedStep(StepBench& bench, const Blade& to) {
     const SurfaceMesh before = bench.mesh;
     const PlannedStep step = planStep(bench.stepTo(to));
-    const CommitResult result = bench.carryOut(step);
+    CommitResult result = bench.carryOut(step);
     expectCommitted({before, bench.mesh, step.plan, result});
     return result;
 }

@@ -31,7 +31,7 @@ class Loops : public ::testing::Test, protected test::DrawnOutline {
 
 TEST_F(Loops, KeepTheirEdgesInTurn) {
     loop(square(1, 2));
-    std::ranges::rotate(outline.edges, outline.edges.begin() + 2);
+    std::rotate(outline.edges.begin(), outline.edges.begin() + 2, outline.edges.end());
     std::swap(outline.edges[0], outline.edges[1]);
     const std::vector<Sheet2d> sheets = nest();
     ASSERT_EQ(sheets.size(), 1U);

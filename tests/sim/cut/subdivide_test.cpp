@@ -345,8 +345,8 @@ class RandomDrawing {
         const std::vector<Point> points = pointsOf(t);
         std::vector<std::pair<Point, Point>> known;
         for (int i = 0; i < 6; ++i) {
-            const Point p = points[below(sizeOf(points))];
-            const Point q = points[below(sizeOf(points))];
+            const Point& p = points[below(sizeOf(points))];
+            const Point& q = points[below(sizeOf(points))];
             if (p.node != q.node && isFree(p, q, points, known)) {
                 known.emplace_back(p, q);
                 drawn_.segment(t, p.node, q.node, number_++);

@@ -114,7 +114,7 @@ class WallOfADrawing : public ::testing::Test, protected test::DrawnOutline {
     }
 
     std::vector<WallSheet> expectTriangles(int count) {
-        const std::vector<WallSheet> sheets = triangulate();
+        std::vector<WallSheet> sheets = triangulate();
         expectCovers(outline, sheets, curves.nodes);
         EXPECT_EQ(triangleCount(sheets), count);
         return sheets;
