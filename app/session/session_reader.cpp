@@ -25,14 +25,14 @@ struct Node {
     throw InputError(path + ": " + std::string(problem));
 }
 
-/// A text of the file as an error quotes it, cut between two characters of UTF-8.
+/// A text of the file as an error quotes it, in one line and cut between two characters of UTF-8.
 std::string shortened(const std::string& text) {
     std::size_t size = 60;
     if (text.size() <= size) {
-        return text;
+        return printable(text);
     }
     while ((static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
-    return text.substr(0, size) + "...";
+    return printable(text.substr(0, size)) + "...";
 }
 
 std::string rangeText(const Limits& limits) {

@@ -108,6 +108,7 @@ const std::vector<BrokenSession>& brokenSessions() {
         {"NoSteps", R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}})", "steps: this key is missing"},
         {"ZeroSteps", R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": 0})", "steps: 0 is out of range"},
         {"TooManySteps", R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": 10000000000})", "steps: 1e+10 is out of range"},
+        {"ZeroByteInFile", sessionWithEvent(R"({"step": 1, "type": "screenshot", "file": "../a\u0000b.png"})"), "events[0].file: '../a?b.png' is not a file inside the output folder"},
         {"ZeroByteInPath", R"({"format": "kerf-session", "version": 1, "steps": 1, "model": {"path": "a\u0000.obj"}})", "model.path: no file has a zero byte in its name."},
         {"HalfAStep", R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": 1.5})", "steps: expected a whole number"},
         {"StepsAsText", R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": "5"})", "steps: expected a number"},

@@ -397,7 +397,7 @@ std::set<Triangle> pointsOf(const SurfaceMesh& mesh, const std::vector<NewTriang
         if (turned) {
             std::swap(points[1], points[2]);
         }
-        std::ranges::rotate(points, std::ranges::min_element(points));
+        std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
         result.insert(points);
     }
     return result;
