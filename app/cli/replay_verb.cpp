@@ -146,6 +146,14 @@ int complainAboutFailures(const RunSummary& summary, const ReplayArguments& argu
     return kExitCheckFailed;
 }
 
+/// What a test expects would be taken for results of an earlier replay, and removed.
+void requireNoExpectations(const std::filesystem::path& folder) {
+    if (std::filesystem::exists(folder / kExpectedFile)) {
+        throw UsageError("--out " + folder.string() +
+                         ": this folder holds what a test expects; choose another");
+    }
+}
+
 }  // namespace
 
 void setParameters(Params& params, const std::vector<std::string>& settings) {
@@ -161,18 +169,6 @@ void setParameters(Params& params, const std::vector<std::string>& settings) {
         }
     }
 }
-
-namespace {
-
-/// What a test expects would be taken for results of an earlier replay, and removed.
-void requireNoExpectations(const std::filesystem::path& folder) {
-    if (std::filesystem::exists(folder / kExpectedFile)) {
-        throw UsageError("--out " + folder.string() +
-                         ": this folder holds what a test expects; choose another");
-    }
-}
-
-}  // namespace
 
 int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors) {
     requireNoExpectations(arguments.out);

@@ -81,9 +81,11 @@ class ReportFile {
             file_.emplace(file);
         }
     }
-    void write(const std::string& text) {
+    /// Formats the results only where the report is asked for: a page holds all pictures.
+    void write(const std::vector<TestResult>& results,
+               std::string (*format)(const std::vector<TestResult>&)) {
         if (file_) {
-            file_->write(text);
+            file_->write(format(results));
             file_->commit();
         }
     }
@@ -102,7 +104,8 @@ void checkTargets(const TestArguments& arguments, const std::vector<fs::path>& s
     for (const fs::path& target : {arguments.junit, arguments.report}) {
         for (const fs::path& session : sessions) {
             if (fs::equivalent(target, session, error) ||
-                fs::equivalent(target.parent_path(), expectationFolder(session), error)) {
+                fs::equivalent(fs::absolute(target, error).parent_path(),
+                               expectationFolder(session), error)) {
                 throw UsageError(target.string() +
                                  ": the tests read this file; choose another for the report");
             }
@@ -224,8 +227,8 @@ int testVerb(const TestArguments& arguments, std::ostream& out) {
     ReportFile report(arguments.report);
     const std::vector<TestResult>& results = run.run();
     out << (arguments.json ? formatJson(results) : run.lastLine()) << std::flush;
-    junit.write(formatJUnit(results));
-    report.write(formatTestReport(results));
+    junit.write(results, formatJUnit);
+    report.write(results, formatTestReport);
     return exitCodeOf(results);
 }
 

@@ -455,19 +455,6 @@ json parseValue(const std::string& text) {
     return isWord && !json::accept(text) ? json(text) : parseJson(text);
 }
 
-}  // namespace
-
-void setParamFromText(Params& params, const std::string& name, const std::string& value) {
-    requireKnownParam(name, "'" + name + "'");
-    try {
-        const json parsed = parseValue(value);
-        applyParam(params, name, {&parsed, name});
-    } catch (const InputError& error) {
-        const std::string problem = error.what();
-        throw InputError(problem.starts_with(name) ? problem : name + ": " + problem);
-    }
-}
-
 /// Of two files of one name the earlier is lost.
 void warnAboutOneName(Session& session) {
     std::set<std::string> names;
@@ -486,6 +473,19 @@ void warnAboutOneName(Session& session) {
                                        shortened(*file) +
                                        " takes the place of an earlier file of that name.");
         }
+    }
+}
+
+}  // namespace
+
+void setParamFromText(Params& params, const std::string& name, const std::string& value) {
+    requireKnownParam(name, "'" + name + "'");
+    try {
+        const json parsed = parseValue(value);
+        applyParam(params, name, {&parsed, name});
+    } catch (const InputError& error) {
+        const std::string problem = error.what();
+        throw InputError(problem.starts_with(name) ? problem : name + ": " + problem);
     }
 }
 

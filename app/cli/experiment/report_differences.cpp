@@ -88,8 +88,7 @@ std::vector<std::string> paragraphs(const ReportData& data) {
                                        : " Its iterations are substeps of one sweep each, not "
                                          "sweeps of one step."),
         ("**Models.** They are our own, of the same kinds and names: the paper's octopus and "
-         "banana "
-         "are not published, nor are their counts.")};
+         "banana are not published, nor are their counts.")};
 }
 
 /// "Octopus: 5.3 frames a second, 0.07 of the paper's 81.1: ..."
