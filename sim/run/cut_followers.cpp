@@ -3,6 +3,7 @@
 #include <string>
 
 #include "sim/base/float_rounding.h"
+#include "sim/base/pausing.h"
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/invariants.h"
 
@@ -33,7 +34,9 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     const std::vector<std::uint32_t> written = rewrittenVertices(body.mesh, delta);
     const BodyState state = roundVertices(body.mesh, written);
     // The model, by the mesh.
+    pausePoint();
     const BodyChange change = body.updater->update(delta);
+    pausePoint();
     // The solver, by the records of the model that changed.
     body.solver.update(body.model(), change, written, state);
     // The measure, by the solver: new pieces have volumes of their own.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/base/boxes.h"
+#include "sim/base/pausing.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/oriented_box.h"
 
@@ -30,12 +31,16 @@ RunningBody::RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loade
 }
 
 void RunningBody::startAnew() {
+    whole = false;
     mesh = uncut->mesh;
+    pausePoint();
     updater = std::make_unique<BodyUpdater>(uncut->body);
     solver.setModel(model(), stateOf(mesh));
+    pausePoint();
     cutter.emplace(uncut->cutter);
     lookUpTriangles();
     beginAtRest();
+    whole = true;
 }
 
 /// With updater, solver and cutter as new.
@@ -67,14 +72,22 @@ void RunningBody::apply(const Params& params) {
 
 SnapshotPointer RunningBody::capture() {
     mesh.bringAll();
-    return std::make_shared<const Snapshot>(
-        Snapshot{mesh, *updater, *cutter, solver.pages(), memory, solver.collisions().memory()});
+    const auto rested = [](const auto& part) {
+        pausePoint();
+        return part;
+    };
+    return std::make_shared<const Snapshot>(Snapshot{rested(mesh), rested(*updater),
+                                                     rested(*cutter), solver.pages(), memory,
+                                                     solver.collisions().memory()});
 }
 
 void RunningBody::restore(const Snapshot& snapshot) {
+    whole = false;
     mesh = snapshot.mesh;
     sync.forget();
+    pausePoint();
     updater = std::make_unique<BodyUpdater>(snapshot.body);
+    pausePoint();
     cutter.emplace(snapshot.cutter);
     lookUpTriangles();
     memory = snapshot.memory;
@@ -85,6 +98,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
     solver.masses().setPinned(memory.pins.vertices());
     solver.savedPieces().save();
     forgetPieces();
+    whole = true;
 }
 
 void RunningBody::prepareStep(double timeStep) {

@@ -71,6 +71,7 @@ struct RunningBody {
     bool readsAllBack = false;
     std::optional<Cutter> cutter;
     BodyMemory memory;
+    bool whole = true;        ///< see Simulation::isWhole()
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <utility>
 
+#include "sim/base/pausing.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/solver_views.h"
 
@@ -18,6 +19,7 @@ void GpuSolver::setModel(const BodyModel& model, const BodyState& state) {
 
 void GpuSolver::restoreModel(const BodyModel& model, const BodyState& state, VertexPages pages) {
     for (int portion = 0; portion < kModelPortions; ++portion) {
+        pausePoint();
         setModelPortion(portion, model, state, pages);
     }
 }

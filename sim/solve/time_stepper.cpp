@@ -1,8 +1,10 @@
 #include "sim/solve/time_stepper.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
+
+#include "sim/base/pausing.h"
+#include "sim/base/stopwatch.h"
 
 namespace kerf {
 
@@ -10,8 +12,10 @@ using shared::uint;
 
 namespace {
 
+/// Nothing is bound from one such piece of work to the next.
 template <class F>
 void timed(gpu::Timer& timer, F&& work) {
+    pausePoint();
     timer.begin();
     work();
     timer.end();
@@ -64,10 +68,10 @@ bool TimeStepper::sweepsInOneGroup() const {
 /// The cores of llvmpipe may be so far from each other that one of them is done sooner alone; their
 /// compute shaders have run when a dispatch returns.
 void TimeStepper::stepTheFasterWay() {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const Stopwatch watch;
+    const double pausedBefore = pausedSeconds();
     sweepsFaster_.next() == 0 ? stepBySweeps() : stepByPhases();
-    sweepsFaster_.took(std::chrono::duration<double>(Clock::now() - start).count());
+    sweepsFaster_.took(watch.seconds() - (pausedSeconds() - pausedBefore));
 }
 
 /// SubstepRun or SweepRun.
@@ -97,10 +101,9 @@ void TimeStepper::stepByPhases() {
         for (uint sweep = 0; sweep < body_.uniforms.sweeps; ++sweep) {
             const bool last = sweep + 1 == body_.uniforms.sweeps;
             const bool lifts = settles && !last && phases_.mayGatherOntoFloor();
-            timed(deformTimer_, [&] {
-                sweep == 0 ? phases_.predictAndStretch() : phases_.stretchAgain();
-                phases_.solveAll(lifts);
-            });
+            timed(deformTimer_,
+                  [&] { sweep == 0 ? phases_.predictAndStretch() : phases_.stretchAgain(); });
+            timed(deformTimer_, [&] { phases_.solveAll(lifts); });
             if (!(settles && last) && !lifts) {
                 holdVolumeAndCollide(i);
             }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/pausing.h"
 #include "sim/base/sort_unique.h"
 #include "sim/cut/cleanup/acceptance.h"
 #include "sim/cut/cleanup/coarsening.h"
@@ -74,6 +75,7 @@ class SliverRemoval {
     bool improveAll(const std::vector<Sliver>& slivers) {
         bool any = false;
         for (const Sliver& sliver : slivers) {
+            pausePoint();
             if (mesh_.alive(sliver.triangle) && !isGood(sliver.triangle) &&
                 !workspace_.trianglesTouchRung({sliver.triangle})) {
                 any = improve(sliver.triangle) || any;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "sim/base/pausing.h"
 #include "sim/cut/plan/seams.h"
 #include "sim/cut/plan/seeds.h"
 #include "sim/cut/plan/skin_map.h"
@@ -88,11 +89,13 @@ void requireFinite(const CutCurves& curves) {
 
 // Strip, curves and outline. The new rung has no nodes at the parameters `skipped`.
 Strip layOut(const StepInput& in, const std::vector<double>& skipped, StepPlan& plan) {
+    pausePoint();
     PredicatePositions positions(in);
     Strip strip = buildStrip(in, positions, skipped);
     plan.endA = airNode(strip, strip.newRung.front(), in.span.from);
     plan.endB = airNode(strip, strip.newRung.back(), in.span.to);
     plan.curves = intersect(in, strip, positions);
+    pausePoint();
     plan.outline = traceOutline(in, strip, RestGuess(in, strip, plan.curves), plan.curves);
     return strip;
 }
@@ -130,18 +133,23 @@ PlannedStep planStep(const StepInput& in) {
     if (const std::vector<double> crowded = crowdedParameters(in, plan); !crowded.empty()) {
         strip = layOut(in, crowded, plan);
     }
+    pausePoint();
     if (plan.outline.edges.empty()) {
         step.air = AirStep{plan.endA, plan.endB};
         return step;
     }
     addSeams(in, plan.curves);
     plan.subdivision = subdivide(in.mesh, plan.curves, kCloseNoise * in.h);
+    pausePoint();
     const std::vector<WallSheet> sheets = triangulateWall(in, strip, plan.outline, plan.curves);
+    pausePoint();
     mapFromSkin(in, sheets, plan.curves);
+    pausePoint();
     plan.retraces = !in.opening.empty();
     plan.triangles = plan.subdivision.triangles;
     addWalls(in, sheets, plan);
     plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);
+    pausePoint();
     measureVolumeChange(in, plan);
     requireFinite(plan.curves);
     step.seeds = countSeeds(in.mesh, plan.subdivision.replaced);
