@@ -69,6 +69,32 @@ void closeOff(const std::vector<PixelRect>& covered, int pictureHeight) {
 
 }  // namespace
 
+/// All that shadows and normals depend on.
+struct Renderer::ShadowSource {
+    int bodyRevision = 0;
+    std::uint32_t vertexCount = 0;
+    std::uint32_t triangleCount = 0;
+    std::vector<PieceLook> pieces;
+    std::vector<StaticBox> boxes;
+    std::optional<double> floor;
+    Eigen::Matrix4f light, shade;
+    bool operator==(const ShadowSource&) const = default;
+
+    static std::optional<ShadowSource> of(const SceneView& scene, const Frame& frame) {
+        if (!scene.bodyRevision) {
+            return std::nullopt;
+        }
+        return ShadowSource{*scene.bodyRevision,
+                            scene.body.vertexCount,
+                            scene.body.triangleCount,
+                            scene.pieces,
+                            scene.boxes,
+                            scene.floor,
+                            frame.lightMatrix,
+                            frame.shadeMatrix};
+    }
+};
+
 struct Renderer::State {
     explicit State(Quality wanted)
         : quality(wanted),
@@ -105,7 +131,8 @@ struct Renderer::State {
     FloorPass floor;
     BladePass blade;
     SmoothPass smoothing;
-    std::optional<OverlayPass> overlays;  ///< from the first picture that shows some
+    std::optional<ShadowSource> shadowsOf;  ///< what the shadows were drawn of
+    std::optional<OverlayPass> overlays;    ///< from the first picture that shows some
 };
 
 void Renderer::State::makeTargets(int width, int height) {
@@ -129,7 +156,13 @@ void Renderer::State::uploadLooks(const SceneView& scene, Frame& frame) {
     frame.lookCount = static_cast<std::uint32_t>(scene.pieces.size());
 }
 
+/// A view that turns around a body at rest keeps them.
 void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
+    std::optional<ShadowSource> source = ShadowSource::of(scene, frame);
+    if (source && source == shadowsOf) {
+        return;
+    }
+    shadowsOf = std::move(source);
     normals.run(scene.body);
     shadow.draw(scene, boxes.view(), frame);
     if (scene.floor) {
@@ -207,6 +240,7 @@ void Renderer::setRestShape(const SurfaceMesh& uncut) {
 
 void Renderer::setRestDepth(const DepthField& depth) {
     state_->surface.setDepth(depth);
+    state_->shadowsOf.reset();  // of another body
 }
 
 void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int height) {

@@ -42,6 +42,7 @@ class Renderer {
     Image readPicture() const;
 
   private:
+    struct ShadowSource;
     struct State;
     std::unique_ptr<State> state_;
 };

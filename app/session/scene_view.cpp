@@ -1,5 +1,7 @@
 #include "app/session/scene_view.h"
 
+#include <algorithm>
+
 namespace kerf::app {
 
 render::BodyLook lookOf(const Session& session) {
@@ -10,6 +12,8 @@ render::SceneView sceneOf(const Simulation& simulation, const render::BodyLook& 
                           const Bounds& restBounds, const std::vector<Blade>& strokePoses) {
     render::SceneView scene;
     scene.body = simulation.bodyView();
+    scene.bodyRevision = simulation.bodyRevision();
+    scene.hasWalls = std::ranges::any_of(simulation.subdivisions(), [](auto n) { return n > 0; });
     scene.look = look;
     scene.restBounds = restBounds;
     scene.boxes = simulation.boxes();

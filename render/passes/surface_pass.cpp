@@ -63,7 +63,9 @@ void SurfacePass::draw(const SceneView& scene, const Frame& frame,
     skin.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
     skin.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
     drawKind(skin, scene, frame);
-    drawKind(walls_[static_cast<std::size_t>(scene.look.pattern)], scene, frame);
+    if (scene.hasWalls) {
+        drawKind(walls_[static_cast<std::size_t>(scene.look.pattern)], scene, frame);
+    }
 }
 
 void SurfacePass::drawKind(const gpu::Program& program, const SceneView& scene,

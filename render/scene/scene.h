@@ -22,11 +22,16 @@ struct PieceLook {
     float strength = 0;                              ///< of the tint, 0 to 1
     bool hidden = false;                             ///< neither drawn nor casting a shadow
     Vec3 shift = Vec3::Zero();                       ///< from where it is to where it is drawn [m]
+    bool operator==(const PieceLook&) const = default;
 };
 
 /// Everything that a picture shows.
 struct SceneView {
     BodyView body;
+    /// Changes whenever positions or triangles of the body do, so that shadows and normals are
+    /// drawn anew; none: they always are.
+    std::optional<int> bodyRevision;
+    bool hasWalls = true;  ///< the body may have faces of cuts
     BodyLook look;
     Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
     std::vector<StaticBox> boxes;

@@ -75,6 +75,28 @@ TEST_F(RendererTest, TopRowIsTheTopOfTheScene) {
     EXPECT_FALSE(isReddish(pixelAt(picture, kWidth / 2, 10)));
 }
 
+TEST_F(RendererTest, AViewThatTurnsAroundABodyAtRestIsThatOfANewRenderer) {
+    Stage stage(test::openedSphere(10, 0.05, 0.25));
+    stage.scene.bodyRevision = 1;
+    pictureOf(stage);
+    stage.camera.eye = Vec3(-1.2, 0.9, 1.4);
+    Renderer fresh(Quality::light);
+    EXPECT_EQ(pictureOf(stage).pixels, stage.picture(fresh).pixels);
+}
+
+TEST_F(RendererTest, ShadowsFollowABodyOfAnotherRevisionAndWhatStandsBesideIt) {
+    Stage low(test::cubeSphere(8));
+    low.scene.bodyRevision = 1;
+    pictureOf(low);
+    Stage other(test::openedSphere(10, 0.05, 0.25));
+    other.scene.bodyRevision = 2;
+    Renderer fresh(Quality::light);
+    EXPECT_EQ(pictureOf(other).pixels, other.picture(fresh).pixels);
+    other.scene.boxes.push_back({Vec3(0.5, 0.2, 0), Vec3(0.3, 0.3, 0.3), Vec3::Zero()});
+    Renderer again(Quality::light);
+    EXPECT_EQ(pictureOf(other).pixels, other.picture(again).pixels);
+}
+
 TEST_F(RendererTest, PictureIsOpaqueAndFreeOfBlackHoles) {
     const Image picture = pictureOf(Stage(test::openedSphere(10, 0.05, 0.25)));
     for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
