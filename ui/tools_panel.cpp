@@ -132,6 +132,19 @@ bool drawRowsOf(ToolSettings& tools, std::vector<Action>& actions) {
     return false;
 }
 
+bool cuts(Tool tool) {
+    return tool == Tool::stroke || tool == Tool::scalpel || tool == Tool::guillotine;
+}
+
+void drawTimeWhileCutting(const PanelModel& model, std::vector<Action>& actions) {
+    bool runs = model.settings.timeRunsWhileCutting;
+    if (ImGui::Checkbox("Time runs while cutting", &runs)) {
+        actions.emplace_back(ActionId::timeWhileCutting);
+    }
+    noteItem("blade.time");
+    itemTooltip("In a pause, a stroke cuts the body where it lies; with this it moves meanwhile");
+}
+
 }  // namespace
 
 void drawTools(const PanelModel& model, std::vector<Action>& actions) {
@@ -139,6 +152,9 @@ void drawTools(const PanelModel& model, std::vector<Action>& actions) {
     ToolSettings tools = model.tools;
     if (drawRowsOf(tools, actions)) {
         actions.emplace_back(SetTools{tools});
+    }
+    if (cuts(model.tools.tool)) {
+        drawTimeWhileCutting(model, actions);
     }
 }
 

@@ -41,6 +41,7 @@ struct SwitchRow {
 constexpr std::array kSwitches{
     SwitchRow{"show_controls", &Settings::showControls},
     SwitchRow{"show_readings", &Settings::showReadings},
+    SwitchRow{"time_runs_while_cutting", &Settings::timeRunsWhileCutting},
 };
 
 struct NamesRow {

@@ -223,13 +223,15 @@ void EditorScene::reset() {
 
 void EditorScene::step() {
     keepKeyframe();
-    if (const std::optional<Command> command = stroke_.next()) {
+    const std::optional<Command> pose = stroke_.next();
+    if (pose) {
         takeBlade();
-        perform(*command);
+        perform(*pose);
     } else if (playingBack()) {
         playSessionEvents();
     }
     moveHand();
+    letTimeRunAsWanted(pose.has_value());
     const int piecesBefore = pieceCount();
     const StepReport& report = runner_.step();
     if (report.pieces != piecesBefore) {
@@ -239,6 +241,14 @@ void EditorScene::step() {
     watchVolumes(report);
     checkNowAndThen();
     wrapPlayback();
+}
+
+/// A session that is played says itself when time stands.
+void EditorScene::letTimeRunAsWanted(bool cuts) {
+    const bool runs = playing || pulling_ || timeRunsWhileCutting || !cuts;
+    if (!playingBack() && simulation_.timeRuns() != runs) {
+        perform(SetTime{runs});
+    }
 }
 
 void EditorScene::watchVolumes(const StepReport& report) {

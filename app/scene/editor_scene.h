@@ -22,8 +22,8 @@ namespace kerf::app {
 /// An open document as it runs: the simulation, the stroke that is being drawn, the session that
 /// is being played, what was done since the start, and what the plots remember.
 ///
-/// A stroke needs steps to cut. While time is paused, each of its poses runs one step, so that the
-/// cut opens under the pointer; once the blade is lifted, time stands still again.
+/// A stroke needs steps to cut. While time is paused, each of its poses runs one step, in which
+/// time stands unless it is to run while cutting.
 class EditorScene {
   public:
     /// Opens `document`, whose body `body` is. Throws gpu::OutOfMemory.
@@ -54,6 +54,10 @@ class EditorScene {
     void letGo();
     bool pulling() const { return pulling_; }
 
+    /// Whether time runs while a stroke is cut in a pause; otherwise it stands, so that the stroke
+    /// cuts where it was aimed, and costs no more than the cut.
+    bool timeRunsWhileCutting = false;
+
     // The session that is played.
     bool playing = false;
     /// Whether steps are due: time runs, or a stroke or a seek is under way.
@@ -63,6 +67,7 @@ class EditorScene {
     /// Goes to a step of it, at once where it is a keyframe; otherwise seekSteps() are left to do.
     void seek(int step);
     int seekSteps() const;
+    void stopSeeking() { seekTarget_.reset(); }
     void toggleLoop();
 
     // Recording.
@@ -130,6 +135,7 @@ class EditorScene {
     void moveHand();
     void releaseAllHands();
     bool playsOnAfter(const Command& command) const;
+    void letTimeRunAsWanted(bool cuts);
     void takeBlade();
     std::vector<PlayedAction> movesOnTheirWay() const;
     void playSessionEvents();

@@ -183,6 +183,11 @@ void describe(auto& fields, Redo&) {
     fields.type({"redo", "Brings back what the last undo took."});
 }
 
+void describe(auto& fields, SetTime& time) {
+    fields.type({"run", "Time runs again."},
+                {"hold", "Time stands: the blade cuts the body where that lies."}, time.runs);
+}
+
 void describe(auto& fields, ScreenshotEvent& event) {
     fields.type({"screenshot", "Writes a picture."});
     fields.required({"file", "The picture, below the output folder: a .png."}, event.file,

@@ -75,8 +75,13 @@ struct Restart {};
 struct Undo {};
 /// Brings back what the last undo took.
 struct Redo {};
+/// Lets time run, as at the start, or stand. While it stands, steps move nothing but the blade: it
+/// cuts the body where that lies, no time passes, and a step costs no more than its cut.
+struct SetTime {
+    bool runs = true;
+};
 
 using Command = std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, AddBox,
-                             ChangeBox, RemoveBox, Restart, Undo, Redo>;
+                             ChangeBox, RemoveBox, Restart, Undo, Redo, SetTime>;
 
 }  // namespace kerf

@@ -126,6 +126,12 @@ std::string Simulation::State::carryOut(const Redo&) {
     return redo();
 }
 
+template <>
+std::string Simulation::State::carryOut(const SetTime& set) {
+    input.timeRuns = set.runs;
+    return "";
+}
+
 std::string Simulation::State::execute(const Command& command) {
     return std::visit([this](const auto& kind) { return carryOut(kind); }, command);
 }

@@ -32,6 +32,7 @@ void Simulation::State::start() {
 /// With the first parameters, at step 0.
 void Simulation::State::startRun() {
     input.params = setup.params;
+    input.timeRuns = true;
     setBoxes(setup.boxes);
     log.clear();
     output.messages.clear();
@@ -62,11 +63,15 @@ const StepReport& Simulation::State::step() {
     output.report = {};
     output.report.step = output.clock.stepsDone;
     applyParameters();
-    solve();
-    stroke.step();
-    mendFolds();
+    if (input.timeRuns) {
+        solve();
+        stroke.step();
+        mendFolds();
+        output.clock.time += input.params.timeStep;
+    } else {
+        stroke.step();
+    }
     ++output.clock.stepsDone;
-    output.clock.time += input.params.timeStep;
     publish();
     return output.report;
 }
@@ -206,6 +211,12 @@ int Simulation::bodyRevision() const {
 }
 int Simulation::stepCount() const {
     return state_->output.clock.stepsDone;
+}
+bool Simulation::isWhole() const {
+    return state_->body.whole;
+}
+bool Simulation::timeRuns() const {
+    return state_->input.timeRuns;
 }
 const Params& Simulation::params() const {
     return state_->input.params;

@@ -42,7 +42,7 @@ class Simulation {
 
     /// Applies a command before the coming step. Returns "" or one sentence; nothing changed then.
     std::string execute(const Command& command);
-    /// One time step: solve -> cut -> publish.
+    /// One time step: solve -> cut -> publish; without the solve while time stands.
     const StepReport& step();
     /// Back to the uncut body at rest with the parameters and boxes it was made with; nothing can
     /// be undone then, and time starts anew.
@@ -60,6 +60,10 @@ class Simulation {
     int stepCount() const;  ///< steps done
     /// Grows whenever the body may have moved or got another topology.
     int bodyRevision() const;
+    /// Whether the body can be drawn: not at the pausePoint()s at which it becomes another one.
+    bool isWhole() const;
+    /// Whether time runs in steps, or stands: see SetTime.
+    bool timeRuns() const;
     const Params& params() const;
     const StepReport& report() const;
     /// The pose of the blade; none while lifted.

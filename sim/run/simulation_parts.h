@@ -20,6 +20,7 @@ struct SimulationInput {
     bool paramsChanged = false;  ///< since the body was told of them
     std::vector<StaticBox> boxes;
     LedBlade blade;
+    bool timeRuns = true;  ///< see SetTime
 };
 
 /// The time of a simulation.
