@@ -83,6 +83,8 @@ struct WorkState {
     std::string title;  ///< "Opening ball.ply"; empty while there is nothing to tell
     std::string stage;  ///< "Building the constraints"
     double seconds = 0;
+    /// What is done of it, 0 to 1; none where that is not known.
+    std::optional<double> share = std::nullopt;
 };
 
 /// A choice that a person has to make before anything else; none where the text is empty.

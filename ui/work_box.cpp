@@ -44,7 +44,11 @@ void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& acti
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::TextUnformatted(work.title.c_str());
-    drawRunner(work.seconds);
+    if (work.share) {
+        ImGui::ProgressBar(static_cast<float>(*work.share), {-1, 0.3F * line}, "");
+    } else {
+        drawRunner(work.seconds);
+    }
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s, %.0f s", work.stage.c_str(), work.seconds);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Cancel"));

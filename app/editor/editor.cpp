@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
-#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {
 
-constexpr double kForever = 1e9;     // [s]
-constexpr double kWorkPause = 0.05;  // between two pictures while a thread works [s]
-constexpr int kMostSeekSteps = 64;   // per picture, while they are fast
+constexpr double kForever = 1e9;        // [s]
+constexpr double kWorkPause = 0.05;     // between two pictures while a thread works [s]
+constexpr double kWorkPictures = 0.25;  // the same while a step is under way and nothing moves [s]
+constexpr int kMostSeekSteps = 64;      // per picture, while they are fast
 
 }  // namespace
 
@@ -52,21 +52,32 @@ void Editor::frame(double elapsedSeconds) {
     s.takeInput(elapsedSeconds);
     s.view.camera.advance(elapsedSeconds);
     s.followFiles();
-    if (s.scene != nullptr && s.guide.follow(*s.scene, s.view)) {
+    if (s.scene != nullptr && !s.scene.underWay() && s.guide.follow(*s.scene, s.view)) {
         s.redraw.panels();
     }
     s.advance(elapsedSeconds);
-    s.picture.draw(s.scene.get(), s.view, s.panels.covered(s.view.width, s.view.height),
-                   s.redraw.takeScene());
+    s.drawScene();
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
     s.keepSettings();
 }
 
+bool Editor::workOn() {
+    State& s = *state_;
+    const bool picturesWait = !s.queue.empty() || s.redraw.pending() || s.view.camera.flying();
+    if (!s.scene.underWay() || picturesWait || s.sincePicture.seconds() > kWorkPictures) {
+        return false;
+    }
+    s.goOn();
+    return true;
+}
+
 double Editor::idleSeconds() const {
     const State& s = *state_;
-    const bool runs = s.scene != nullptr && s.scene->running();
-    if (!s.queue.empty() || runs || s.redraw.pending() || s.view.camera.flying()) {
+    const EditorScene* const scene = s.scene.meanwhile();
+    const bool runs = s.scene.underWay() || !s.waiting.empty() || (scene && scene->running());
+    if (!s.queue.empty() || runs || s.redraw.pending() || s.redraw.stepsPending() ||
+        s.view.camera.flying()) {
         return 0;
     }
     if (const DocumentLoading* opening = s.work.opening()) {
@@ -95,10 +106,7 @@ render::Image Editor::readPicture() const {
 }
 
 std::string Editor::title() const {
-    const EditorScene* const scene = state_->scene.get();
-    return scene == nullptr ? "Kerf"
-                            : "Kerf - " + scene->document().name + " - " +
-                                  counted(scene->pieceCount(), "piece", "pieces");
+    return state_->title();
 }
 
 const ui::PanelModel& Editor::panels() const {
@@ -120,34 +128,79 @@ void Editor::open(const std::filesystem::path& file) {
 // --- A picture ---------------------------------------------------------------------------------
 
 void Editor::State::advance(double elapsedSeconds) {
-    const bool ran = scene != nullptr && scene->running();
-    if (ran) {
-        view.display.join();
-        const bool playing = scene->playing || scene->pulling();
-        const double timeStep = scene->simulation().params().timeStep;
-        const int due = playing ? clock.takeDue(elapsedSeconds, timeStep) : 0;
-        runSteps(scene->strokeSteps(), std::max(due, std::min(scene->seekSteps(), kMostSeekSteps)));
+    clock.elapse(elapsedSeconds);
+    renderMs = picture.takeSceneMilliseconds();
+    workOff();
+    if (scene != nullptr && !scene.underWay()) {
+        beginSteps();
     }
-    const double renderMs = picture.takeSceneMilliseconds();
-    if (clock.measure(elapsedSeconds, ran)) {
-        scene->recordPicture(elapsedSeconds, renderMs);
+    goOn();
+}
+
+void Editor::State::beginSteps() {
+    EditorScene& s = *scene;
+    if (!s.running()) {
+        clock.measure(false);
+        return;
+    }
+    view.display.join();
+    s.timeRunsWhileCutting = panels.settings.now.timeRunsWhileCutting;
+    const int due = s.playing || s.pulling() ? clock.takeDue(s.simulation().params().timeStep) : 0;
+    const int needed = s.strokeSteps();
+    const int most = std::max(due, std::min(s.seekSteps(), kMostSeekSteps));
+    scene.begin(SceneWork::steps,
+                [this, needed, most](EditorScene& now) { clock.run(now, needed, most); });
+}
+
+void Editor::State::workOff() {
+    while (!waiting.empty() && !scene.underWay()) {
+        const ui::Action action = std::move(waiting.front());
+        waiting.pop_front();
+        scene.begin(SceneWork::change, [this, action](EditorScene&) { answer(action); });
+        goOn();
+    }
+}
+
+void Editor::State::goOn() {
+    const bool steps = scene.isAt(SceneWork::steps);
+    if (!scene.underWay()) {
+        return;
+    }
+    scene.goOn(clock.portion());
+    if (scene.underWay()) {
+        return;
+    }
+    showMessages();
+    redraw.steps();
+    if (const std::optional<double> seconds = steps ? clock.measure(true) : std::nullopt) {
+        scene->recordPicture(*seconds, renderMs);
         experiments.note(*scene);
     }
 }
 
-void Editor::State::runSteps(int needed, int due) {
-    clock.run(*scene, needed, due);
-    redraw.scene();
+void Editor::State::showMessages() {
     for (const std::string& message : scene->takeMessages()) {
         spdlog::warn("{}", message);
         toast.show(message, false);
     }
 }
 
+void Editor::State::drawScene() {
+    sincePicture.restart();
+    EditorScene* const now = scene.meanwhile();
+    if (now == nullptr || now->simulation().isWhole()) {
+        const bool rests =
+            now != nullptr && now->running() && clock.byTheClock() && picture.rests();
+        picture.draw(now, view, panels.covered(view.width, view.height), redraw.takeScene(!rests));
+    } else {
+        picture.keep(view);
+    }
+}
+
 void Editor::State::saveScreenshot() {
     if (std::exchange(screenshotWanted, false)) {
         const int number = savePicture(picture.read(), "kerf");
-        if (scene != nullptr && scene->recording()) {
+        if (scene != nullptr && scene.meanwhile()->recording()) {
             toast.offerOnceSaved(scene->here(), number);
         }
     }

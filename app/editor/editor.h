@@ -26,6 +26,8 @@ struct EditorOptions {
     std::string device;  ///< what draws, for the status bar
     /// Time runs by the clock where it can; otherwise every picture is one step, for tests.
     bool byTheClock = true;
+    /// By the clock, a picture is drawn whenever a step has taken so long [s].
+    double portion = 0.03;
     /// The folder of pictures, in which files are looked for first as well.
     std::filesystem::path screenshotFolder = ".";
     /// The file of the person's settings; empty keeps none, as in tests.
@@ -52,6 +54,9 @@ class Editor {
     void setScale(float scale);
     /// Makes one picture, `elapsedSeconds` after the one before.
     void frame(double elapsedSeconds);
+    /// Goes on with what the scene is doing, where no picture is due before it is done. False where
+    /// one is, or nothing is under way.
+    bool workOn();
     /// Time for which nothing will change without input [s]; 0 while something moves.
     double idleSeconds() const;
 

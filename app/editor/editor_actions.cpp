@@ -19,13 +19,32 @@ constexpr double kApart = 0.5;  // of DisplaySettings::apart, by its key
 
 // --- What the keys, the menus and the buttons ask for ------------------------------------------
 
+/// A blade is put away at once, a hand lets go when the step is done.
+void stopTools(State& s) {
+    const bool pulls = s.view.pullTool.holds();
+    s.view.cancelTools(pulls ? *s.scene : *s.scene.meanwhile());
+    s.redraw.scene();
+}
+
 void cancel(State& s) {
     if (s.panels.helpOpen) {
         s.panels.helpOpen = false;
     } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
-        s.view.cancelTools(*s.scene);
-        s.redraw.scene();
+        stopTools(s);
     }
+}
+
+/// What takes long: the file, or else the stroke, or time.
+void cancelWork(State& s) {
+    if (s.work.cancel() || s.scene == nullptr) {
+        return;
+    }
+    EditorScene& scene = *s.scene.meanwhile();
+    if (scene.stroke().pending() == 0) {
+        scene.playing = false;
+        scene.stopSeeking();
+    }
+    stopTools(s);
 }
 
 /// Says which parameter that changed: many show in the model only later.
@@ -44,11 +63,17 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
     }
 }
 
+/// The one before lets go.
+void setTools(State& s, const ui::ToolSettings& settings) {
+    const bool pulls = s.view.pullTool.holds();
+    s.view.setTools(settings, pulls ? *s.scene : *s.scene.meanwhile());
+}
+
 template <ui::Tool tool>
 void take(State& s) {
     ui::ToolSettings settings = s.view.bladeTool.settings();
     settings.tool = tool;
-    s.view.setTools(settings, *s.scene);
+    setTools(s, settings);
 }
 
 /// Holds what is shown now, or follows what comes.
@@ -81,9 +106,19 @@ void letFall(State& s) {
     s.scene->playing = true;
 }
 
+void toggleTimeWhileCutting(State& s) {
+    bool& runs = s.panels.settings.now.timeRunsWhileCutting;
+    runs = !runs;
+}
+
+void playOrPause(State& s) {
+    bool& playing = s.scene.meanwhile()->playing;
+    playing = !playing;
+}
+
 void stepOnce(State& s) {
     s.scene->playing = false;
-    s.runSteps(1, 0);
+    s.clock.run(*s.scene, 1, 0);
 }
 
 void reset(State& s) {
@@ -155,8 +190,9 @@ void toggleQuality(State& s) {
     quality = quality == render::Quality::full ? render::Quality::light : render::Quality::full;
 }
 
-/// Whether an action does something while nothing is open. With a body its picture is drawn anew.
-enum class Needs { nothing, body };
+/// What an action needs: nothing; something that is open, of which a picture is drawn anew,
+/// whatever that is doing; or a body that rests between two steps.
+enum class Needs { nothing, scene, body };
 
 /// The code behind an action.
 struct Handler {
@@ -173,10 +209,11 @@ using ui::Tool;
 
 constexpr std::array kHandlers{
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
-    Handler{ActionId::saveSession, Needs::body,
+    Handler{ActionId::saveSession, Needs::scene,
             [](State& s) { s.browse(FilePurpose::saveSession); }},
-    Handler{ActionId::saveTest, Needs::body, [](State& s) { s.askAboutTest(); }},
-    Handler{ActionId::exportBody, Needs::body, [](State& s) { s.browse(FilePurpose::exportMesh); }},
+    Handler{ActionId::saveTest, Needs::scene, [](State& s) { s.askAboutTest(); }},
+    Handler{ActionId::exportBody, Needs::scene,
+            [](State& s) { s.browse(FilePurpose::exportMesh); }},
     Handler{ActionId::screenshot, Needs::nothing, [](State& s) { s.screenshotWanted = true; }},
     Handler{ActionId::sceneScreenshot, Needs::body,
             [](State& s) { s.savePicture(s.picture.readScene(*s.scene, s.view), "kerf-scene"); }},
@@ -185,49 +222,51 @@ constexpr std::array kHandlers{
     Handler{ActionId::redo, Needs::body, [](State& s) { stepThroughHistory(s, Redo{}); }},
     Handler{ActionId::cancel, Needs::nothing, cancel},
     Handler{ActionId::toggleGravity, Needs::body, toggleGravity},
-    Handler{ActionId::toolStroke, Needs::body, take<Tool::stroke>},
-    Handler{ActionId::toolScalpel, Needs::body, take<Tool::scalpel>},
-    Handler{ActionId::toolGuillotine, Needs::body, take<Tool::guillotine>},
-    Handler{ActionId::toolGrab, Needs::body, take<Tool::grab>},
-    Handler{ActionId::toolPin, Needs::body, take<Tool::pin>},
-    Handler{ActionId::bringDown, Needs::body,
-            [](State& s) { s.view.bladeTool.bringDown(*s.scene); }},
+    Handler{ActionId::toolStroke, Needs::scene, take<Tool::stroke>},
+    Handler{ActionId::toolScalpel, Needs::scene, take<Tool::scalpel>},
+    Handler{ActionId::toolGuillotine, Needs::scene, take<Tool::guillotine>},
+    Handler{ActionId::toolGrab, Needs::scene, take<Tool::grab>},
+    Handler{ActionId::toolPin, Needs::scene, take<Tool::pin>},
+    Handler{ActionId::bringDown, Needs::scene,
+            [](State& s) { s.view.bladeTool.bringDown(*s.scene.meanwhile()); }},
     Handler{ActionId::freePins, Needs::body, freePins},
-    Handler{ActionId::playPause, Needs::body,
-            [](State& s) { s.scene->playing = !s.scene->playing; }},
+    Handler{ActionId::playPause, Needs::scene, playOrPause},
     Handler{ActionId::letFall, Needs::body, letFall},
+    Handler{ActionId::timeWhileCutting, Needs::nothing, toggleTimeWhileCutting},
     Handler{ActionId::stepOnce, Needs::body, stepOnce},
     Handler{ActionId::reset, Needs::body, reset},
-    Handler{ActionId::slower, Needs::body, [](State& s) { s.clock.setSpeed(s.clock.speed() / 2); }},
-    Handler{ActionId::faster, Needs::body, [](State& s) { s.clock.setSpeed(s.clock.speed() * 2); }},
+    Handler{ActionId::slower, Needs::scene,
+            [](State& s) { s.clock.setSpeed(s.clock.speed() / 2); }},
+    Handler{ActionId::faster, Needs::scene,
+            [](State& s) { s.clock.setSpeed(s.clock.speed() * 2); }},
     Handler{ActionId::record, Needs::body, toggleRecording},
     Handler{ActionId::loop, Needs::body, [](State& s) { s.scene->toggleLoop(); }},
     Handler{ActionId::addPicture, Needs::body, addPicture},
     Handler{ActionId::addCheck, Needs::body, addCheck},
     Handler{ActionId::addExport, Needs::body, addExport},
     Handler{ActionId::useView, Needs::body, useView},
-    Handler{ActionId::frameBody, Needs::body,
-            [](State& s) { s.view.camera.flyToFrame(s.scene->bounds()); }},
-    Handler{ActionId::resetView, Needs::body,
-            [](State& s) { s.view.camera.flyTo(s.scene->document().camera); }},
-    Handler{ActionId::viewFront, Needs::body, lookFrom<AxisView::front>},
-    Handler{ActionId::viewBack, Needs::body, lookFrom<AxisView::back>},
-    Handler{ActionId::viewRight, Needs::body, lookFrom<AxisView::right>},
-    Handler{ActionId::viewLeft, Needs::body, lookFrom<AxisView::left>},
-    Handler{ActionId::viewTop, Needs::body, lookFrom<AxisView::top>},
-    Handler{ActionId::viewBottom, Needs::body, lookFrom<AxisView::bottom>},
-    Handler{ActionId::orthographic, Needs::body,
+    Handler{ActionId::frameBody, Needs::scene,
+            [](State& s) { s.view.camera.flyToFrame(s.scene.meanwhile()->bounds()); }},
+    Handler{ActionId::resetView, Needs::scene,
+            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile()->document().camera); }},
+    Handler{ActionId::viewFront, Needs::scene, lookFrom<AxisView::front>},
+    Handler{ActionId::viewBack, Needs::scene, lookFrom<AxisView::back>},
+    Handler{ActionId::viewRight, Needs::scene, lookFrom<AxisView::right>},
+    Handler{ActionId::viewLeft, Needs::scene, lookFrom<AxisView::left>},
+    Handler{ActionId::viewTop, Needs::scene, lookFrom<AxisView::top>},
+    Handler{ActionId::viewBottom, Needs::scene, lookFrom<AxisView::bottom>},
+    Handler{ActionId::orthographic, Needs::scene,
             [](State& s) { s.view.camera.toggleOrthographic(); }},
-    Handler{ActionId::wireframe, Needs::body, toggle<&DisplaySettings::wireframe>},
-    Handler{ActionId::showCutLines, Needs::body, toggle<&DisplaySettings::cutLines>},
+    Handler{ActionId::wireframe, Needs::scene, toggle<&DisplaySettings::wireframe>},
+    Handler{ActionId::showCutLines, Needs::scene, toggle<&DisplaySettings::cutLines>},
     Handler{ActionId::showApart, Needs::body, toggleApart},
-    Handler{ActionId::showEdges, Needs::body, toggleOverlay<&Overlays::edges>},
-    Handler{ActionId::showBends, Needs::body, toggleOverlay<&Overlays::bends>},
-    Handler{ActionId::showIspcs, Needs::body, toggleOverlay<&Overlays::ispcs>},
-    Handler{ActionId::showErrors, Needs::body, toggleOverlay<&Overlays::errors>},
-    Handler{ActionId::showContacts, Needs::body, toggleOverlay<&Overlays::contacts>},
-    Handler{ActionId::showBoxes, Needs::body, toggleOverlay<&Overlays::boxes>},
-    Handler{ActionId::fineQuality, Needs::body, toggleQuality},
+    Handler{ActionId::showEdges, Needs::scene, toggleOverlay<&Overlays::edges>},
+    Handler{ActionId::showBends, Needs::scene, toggleOverlay<&Overlays::bends>},
+    Handler{ActionId::showIspcs, Needs::scene, toggleOverlay<&Overlays::ispcs>},
+    Handler{ActionId::showErrors, Needs::scene, toggleOverlay<&Overlays::errors>},
+    Handler{ActionId::showContacts, Needs::scene, toggleOverlay<&Overlays::contacts>},
+    Handler{ActionId::showBoxes, Needs::scene, toggleOverlay<&Overlays::boxes>},
+    Handler{ActionId::fineQuality, Needs::scene, toggleQuality},
     Handler{ActionId::togglePanels, Needs::nothing, [](State& s) { s.panels.toggle(); }},
     Handler{ActionId::holdPlots, Needs::nothing, holdPlots},
     Handler{ActionId::fitPlots, Needs::nothing, [](State& s) { s.panels.plotView = {}; }},
@@ -235,6 +274,26 @@ constexpr std::array kHandlers{
             [](State& s) { s.panels.helpOpen = !s.panels.helpOpen; }},
 };
 static_assert(ui::coversActions(kHandlers), "an ActionId has no handler, or not at its place");
+
+const Handler& handlerOf(ActionId id) {
+    return kHandlers[static_cast<std::size_t>(id)];
+}
+
+template <class Kind, class... Others>
+constexpr bool isOneOf = (std::is_same_v<Kind, Others> || ...);
+
+/// Whether an action is to be done between two steps.
+bool needsBody(const ui::Action& action) {
+    if (const auto* id = std::get_if<ActionId>(&action)) {
+        return handlerOf(*id).needs == Needs::body;
+    }
+    return std::visit(
+        []<class Kind>(const Kind&) {
+            return std::is_constructible_v<Command, Kind> ||
+                   isOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark>;
+        },
+        action);
+}
 
 // --- What the panels answer with ---------------------------------------------------------------
 
@@ -260,7 +319,7 @@ struct Answer {
     void operator()(ActionId id) const { s.perform(id); }
     void operator()(const ui::SetSpeed& wanted) const { s.clock.setSpeed(wanted.factor); }
     void operator()(const ui::SetDisplay& to) const { s.view.display.settings = to.settings; }
-    void operator()(const ui::CancelWork&) const { s.work.cancel(); }
+    void operator()(const ui::CancelWork&) const { cancelWork(s); }
     void operator()(const ui::AnswerQuestion& answer) const {
         if (s.asked) {
             std::exchange(s.asked, std::nullopt)->answer(answer.choice);
@@ -305,9 +364,9 @@ struct Answer {
         s.redraw.scene();
     }
     void onBody(const ui::RemoveMark& removal) const { s.scene->removeMark(removal.id); }
-    void onBody(const ui::SetTools& wanted) const { s.view.setTools(wanted.settings, *s.scene); }
+    void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }
     void onBody(const ui::FramePiece& wanted) const {
-        const std::vector<Bounds>& pieces = s.scene->simulation().pieceBounds();
+        const std::vector<Bounds>& pieces = s.scene.meanwhile()->simulation().pieceBounds();
         const auto index = static_cast<std::size_t>(wanted.piece);
         if (wanted.piece >= 0 && index < pieces.size() && !pieces[index].empty()) {
             s.view.camera.flyToFrame(pieces[index]);
@@ -318,15 +377,24 @@ struct Answer {
 }  // namespace
 
 void Editor::State::apply(const ui::Action& action) {
+    if (scene != nullptr && needsBody(action)) {
+        waiting.push_back(action);
+        workOff();
+    } else {
+        answer(action);
+    }
+}
+
+void Editor::State::answer(const ui::Action& action) {
     std::visit(Answer{*this}, action);
 }
 
 void Editor::State::perform(ui::ActionId id) {
-    const Handler& handler = kHandlers[static_cast<std::size_t>(id)];
-    if (handler.needs == Needs::nothing) {
-        handler.perform(*this);
-    } else if (scene != nullptr) {
-        handler.perform(*this);
+    const Needs needs = handlerOf(id).needs;
+    if (needs == Needs::nothing || scene != nullptr) {
+        handlerOf(id).perform(*this);
+    }
+    if (needs != Needs::nothing && scene != nullptr) {
         redraw.scene();
     }
 }

@@ -1,7 +1,15 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <string>
+
 #include "app/editor/editor_state.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {
+
+constexpr double kQuietSeconds = 0.5;  // nothing is said of work that is over sooner
 
 /// The world's axes as the view shows them.
 ui::ViewAxes axesOf(const render::Camera& camera) {
@@ -11,30 +19,77 @@ ui::ViewAxes axesOf(const render::Camera& camera) {
 
 }  // namespace
 
+void Editor::State::describeScene() {
+    const ui::PanelModel blank;  // GCC 12 takes parts of a temporary for uninitialized
+    told = blank;
+    if (scene != nullptr) {
+        scene->describe(told);
+    }
+    told.hint = guide.hint(scene.get(), view);
+    experiments.describe(scene.get(), told);
+}
+
 void Editor::State::describe(bool withOverlay) {
     ui::PanelModel& model = panels.model;
     ui::Overlay before = std::move(model.overlay);
-    panels.describe();
-    if (scene != nullptr) {
-        scene->describe(model);
+    if (!scene.underWay()) {
+        describeScene();
+    }
+    panels.describe(told);
+    if (EditorScene* const now = scene.meanwhile()) {
+        model.playing = now->playing;
         if (view.display.settings.apart == 0) {
-            model.overlay = withOverlay ? view.overlay(!panels.interface.ownsPointer(), *scene)
-                                        : std::move(before);
+            const bool inView = !panels.interface.ownsPointer();
+            model.overlay =
+                withOverlay ? view.overlay(inView, !scene.underWay(), *now) : std::move(before);
         }
     }
-    view.display.describe(scene.get(), model);
+    view.display.describe(scene.meanwhile(), model);
     model.axes = axesOf(view.camera.shown());
     model.orthographic = view.camera.shown().orthographic;
     model.tools = view.bladeTool.settings();
     model.speed = clock.speed();
-    model.hint = guide.hint(scene.get(), view);
-    experiments.describe(scene.get(), model);
     chooser.describe(model);
     model.work = work.state();
+    if (model.work.title.empty()) {
+        model.work = sceneWork();
+    }
     if (asked) {
         model.question = asked->question;
     }
     toast.describe(model);
+}
+
+/// A stroke by its poses; and what else takes long, which has no end that could be told.
+ui::WorkState Editor::State::sceneWork() const {
+    const EditorScene* const now = scene.meanwhile();
+    const double perStep = std::max(clock.secondsPerStep(), scene.seconds());
+    if (now == nullptr) {
+        return {};
+    }
+    const StrokeProgress cut = now->stroke().progress();
+    const auto left = static_cast<double>(cut.poses - cut.done);
+    if (left * perStep > kQuietSeconds) {
+        return {"Cutting", std::to_string(cut.done) + " of " + std::to_string(cut.poses) + " steps",
+                left * perStep, static_cast<double>(cut.done) / static_cast<double>(cut.poses)};
+    }
+    if (scene.isAt(SceneWork::change) && scene.seconds() > kQuietSeconds) {
+        return {"Changing the body", "Waiting", scene.seconds()};
+    }
+    if (scene.isAt(SceneWork::steps) && perStep > kQuietSeconds) {
+        return {fmt::format("A step takes {:.1f} s", perStep), "Computing", scene.seconds(),
+                std::min(1.0, scene.seconds() / perStep)};
+    }
+    return {};
+}
+
+std::string Editor::State::title() const {
+    if (scene == nullptr) {
+        return "Kerf";
+    }
+    const EditorScene& now = *scene.meanwhile();
+    const std::size_t pieces = scene.underWay() ? told.pieces.size() : now.pieceCount();
+    return "Kerf - " + now.document().name + " - " + counted(pieces, "piece", "pieces");
 }
 
 }  // namespace kerf::app

@@ -27,7 +27,8 @@ void Editor::State::show(UploadedDocument uploaded) {
     auto next =
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     picture.setRestDepth(uploaded.depth);
-    scene = std::move(next);
+    scene.set(std::move(next));
+    waiting.clear();
     view.begin(*scene);
     guide.begin();
     panels.plotView = {};
@@ -65,12 +66,13 @@ void Editor::State::askAboutHoles(const ModelFault& fault, const std::filesystem
 // --- Choosing and saving -----------------------------------------------------------------------
 
 void Editor::State::browse(ui::FilePurpose purpose, bool testGetsPicture) {
-    chooser.browse(purpose, scene == nullptr ? "" : scene->document().name, testGetsPicture);
+    chooser.browse(purpose, scene == nullptr ? "" : scene.meanwhile()->document().name,
+                   testGetsPicture);
 }
 
 /// A test without a picture is one too, but it can't show what has changed.
 void Editor::State::askAboutTest() {
-    if (scene->takesPictures()) {
+    if (scene.meanwhile()->takesPictures()) {
         browse(ui::FilePurpose::saveTest);
         return;
     }

@@ -46,12 +46,12 @@ void Editor::State::updatePanels(const std::vector<ui::InputEvent>& batch, doubl
 
 void Editor::State::dispatch(const ui::InputEvent& event) {
     if (const auto* move = std::get_if<ui::PointerMove>(&event)) {
-        view.move(*move, scene.get());
+        view.move(*move, sceneInHand());
     } else if (const auto* change = std::get_if<ui::ButtonChange>(&event)) {
         onButton(*change);
     } else if (const auto* wheel = std::get_if<ui::Wheel>(&event);
                wheel != nullptr && !panels.interface.ownsPointer()) {
-        view.zoom(wheel->y, scene.get());
+        view.zoom(wheel->y, scene.meanwhile());
     } else if (const auto* key = std::get_if<ui::KeyChange>(&event); key != nullptr && key->down) {
         onKey(key->key, key->modifiers);
     } else if (const auto* typed = std::get_if<ui::Character>(&event);
@@ -72,9 +72,9 @@ void Editor::State::dispatch(const ui::InputEvent& event) {
 
 void Editor::State::onButton(const ui::ButtonChange& change) {
     if (!change.down) {
-        say(view.release(change.button, scene.get()));
+        say(view.release(change.button, sceneInHand()));
     } else if (!panels.interface.ownsPointer()) {
-        say(view.press(change, scene.get()));
+        say(view.press(change, sceneInHand(true)));
     }
 }
 
@@ -83,8 +83,14 @@ void Editor::State::onKey(ui::Key key, const ui::Modifiers& modifiers) {
         return;
     }
     if (const std::optional<ui::ActionId> id = ui::findAction(key, modifiers)) {
-        perform(*id);
+        apply(*id);
     }
+}
+
+EditorScene* Editor::State::sceneInHand(bool presses) {
+    const ui::Tool tool = view.bladeTool.settings().tool;
+    const bool leadsBlade = tool == ui::Tool::stroke || tool == ui::Tool::guillotine;
+    return leadsBlade || !(presses || view.holds()) ? scene.meanwhile() : scene.get();
 }
 
 }  // namespace kerf::app

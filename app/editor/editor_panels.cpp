@@ -26,11 +26,10 @@ float EditorPanels::scale(int width, int height) const {
                     ui::largestScale(width, height));
 }
 
-void EditorPanels::describe() {
+void EditorPanels::describe(const ui::PanelModel& scene) {
     static const ui::History kNoHistory{};
-    const ui::PanelModel blank;  // GCC 12 takes parts of a temporary for uninitialized
-    model = blank;
-    model.history = &kNoHistory;
+    model = scene;
+    model.history = scene.history != nullptr ? scene.history : &kNoHistory;
     model.settings = settings.now;
     model.plotView = plotView;
     model.helpOpen = helpOpen;

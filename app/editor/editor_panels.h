@@ -29,8 +29,8 @@ struct EditorPanels {
     /// Scale of the panels in a picture of this size [px]: the display's times the person's choice,
     /// as far as they have room.
     float scale(int width, int height) const;
-    /// Begins the model anew, with what is known here.
-    void describe();
+    /// Begins the model anew: with what the scene told of itself, and what is known here.
+    void describe(const ui::PanelModel& scene);
     /// Lays the panels out anew with the input of one batch, in a picture of this size [px].
     /// Returns the answers of the person.
     std::vector<ui::Action> update(std::span<const ui::InputEvent> batch, int width, int height,

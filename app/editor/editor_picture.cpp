@@ -20,11 +20,28 @@ void EditorPicture::drawScene(EditorScene& scene, const Shot& shot, bool transpa
     renderer_.draw(view, shot.frame.camera, shot.frame.width, shot.frame.height);
 }
 
-void EditorPicture::draw(EditorScene* scene, const EditorView& view,
-                         std::vector<render::PixelRect> covered, bool changed) {
+void EditorPicture::fit(const EditorView& view) {
     if (target_.width() != view.width || target_.height() != view.height) {
         target_ = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT24, view.width, view.height);
     }
+}
+
+bool EditorPicture::rests() const {
+    constexpr double kQuick = 0.05;  // [s]
+    constexpr double kRest = 3;      // of what it takes longer
+    return sinceDrawn_.seconds() < kRest * (drawSeconds_ - kQuick);
+}
+
+void EditorPicture::keep(const EditorView& view) {
+    fit(view);
+    if (drawn_) {
+        renderer_.target().blitColorTo(target_);
+    }
+}
+
+void EditorPicture::draw(EditorScene* scene, const EditorView& view,
+                         std::vector<render::PixelRect> covered, bool changed) {
+    fit(view);
     if (scene == nullptr) {
         target_.bind();
         glClearColor(kEmptyColor[0], kEmptyColor[1], kEmptyColor[2], 1);
@@ -32,9 +49,12 @@ void EditorPicture::draw(EditorScene* scene, const EditorView& view,
         return;
     }
     if (Shot shot{view.frame(), view.display, std::move(covered)}; changed || drawn_ != shot) {
+        const Stopwatch watch;
         sceneTimer_.begin();
         drawScene(*scene, shot, false);
         sceneTimer_.end();
+        drawSeconds_ = watch.seconds();
+        sinceDrawn_.restart();
         drawn_ = std::move(shot);
     }
     renderer_.target().blitColorTo(target_);  // The panels move while the scene stands still.

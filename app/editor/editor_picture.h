@@ -7,6 +7,7 @@
 #include "gpu/framebuffer.h"
 #include "gpu/timer.h"
 #include "render/renderer.h"
+#include "sim/base/stopwatch.h"
 
 namespace kerf::app {
 
@@ -24,6 +25,11 @@ class EditorPicture {
     /// gpu::ShaderError.
     void draw(EditorScene* scene, const EditorView& view, std::vector<render::PixelRect> covered,
               bool changed);
+    /// Draws the scene as it was in the last picture.
+    void keep(const EditorView& view);
+    /// Whether steps had better go on for a while before they are shown: where a picture of the
+    /// scene takes long, most of the time is theirs.
+    bool rests() const;
     /// The picture, over which the panels go.
     const gpu::Framebuffer& target() const { return target_; }
     /// Time that the scene took to draw since the last call [ms].
@@ -42,11 +48,14 @@ class EditorPicture {
         std::vector<render::PixelRect> covered;
         bool operator==(const Shot&) const = default;
     };
+    void fit(const EditorView& view);
     void drawScene(EditorScene& scene, const Shot& shot, bool transparent);
 
     render::Renderer renderer_;
     gpu::Timer sceneTimer_;
     gpu::Framebuffer target_;
+    double drawSeconds_ = 0;  ///< that the last picture of the scene took
+    Stopwatch sinceDrawn_;
     std::optional<Shot> drawn_;  ///< the picture of the scene that the renderer holds
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -18,8 +19,8 @@
 #include "app/editor/first_steps.h"
 #include "app/editor/input_queue.h"
 #include "app/editor/redraw.h"
+#include "app/editor/scene_at_work.h"
 #include "app/editor/step_clock.h"
-#include "app/scene/editor_scene.h"
 
 namespace kerf::app {
 
@@ -27,7 +28,7 @@ namespace kerf::app {
 /// concern, as the headings say.
 struct Editor::State {
     explicit State(const EditorOptions& options)
-        : clock(options.byTheClock),
+        : clock(options.byTheClock, options.portion),
           panels(options),
           picture(options.quality),
           chooser(options.screenshotFolder, options.recentFiles),
@@ -41,7 +42,11 @@ struct Editor::State {
     StepClock clock;
     EditorPanels panels;
     EditorPicture picture;
-    std::unique_ptr<EditorScene> scene;  ///< null while nothing is open
+    SceneAtWork scene;               ///< null while nothing is open
+    std::deque<ui::Action> waiting;  ///< for the scene to be done with what it does
+    ui::PanelModel told;             ///< what the scene told of itself when it last rested
+    double renderMs = 0;             ///< that the scene of the last picture took to draw
+    Stopwatch sincePicture;
     EditorView view;
     EditorToast toast;
     NewcomerGuide guide;
@@ -59,8 +64,14 @@ struct Editor::State {
 
     // A picture: editor.cpp.
     void advance(double elapsedSeconds);
-    /// Runs `needed` steps whatever they cost, and up to `due` ones while they are fast.
-    void runSteps(int needed, int due);
+    /// Begins the steps that are due, if any.
+    void beginSteps();
+    /// Does what waits for the scene, as far as that takes no longer than a portion.
+    void workOff();
+    /// Goes on with what the scene is doing.
+    void goOn();
+    void showMessages();
+    void drawScene();
     void saveScreenshot();
     /// Writes the settings where they have changed, once a drag is over and not at each of its
     /// moves.
@@ -74,9 +85,13 @@ struct Editor::State {
     void dispatch(const ui::InputEvent& event);
     void onButton(const ui::ButtonChange& change);
     void onKey(ui::Key key, const ui::Modifiers& modifiers);
+    /// The scene for the tool in hand: one that leads the blade doesn't wait for it.
+    EditorScene* sceneInHand(bool presses = false);
 
     // Answers to keys and panels: editor_actions.cpp.
+    /// Does what was asked for, at once or once the scene is done with what it does.
     void apply(const ui::Action& action);
+    void answer(const ui::Action& action);
     void perform(ui::ActionId id);
     /// Does a command to the open body. False where that failed, which is said in the view.
     bool execute(const Command& command);
@@ -95,9 +110,13 @@ struct Editor::State {
     void save(const ChosenFile& chosen);
     int savePicture(render::Image image, const std::string& name);
 
-    /// Fills in what the panels show: editor_description.cpp. Without `withOverlay` the lines of
-    /// the coming cut stay as they were.
+    // What the panels show: editor_description.cpp.
+    /// Fills it in. Without `withOverlay` the lines of the coming cut stay as they were.
     void describe(bool withOverlay);
+    void describeScene();
+    ui::WorkState sceneWork() const;
+    /// The title of the window.
+    std::string title() const;
 };
 
 }  // namespace kerf::app

@@ -83,8 +83,11 @@ void EditorView::cancelTools(EditorScene& scene) {
     pullTool.cancel(scene);
 }
 
-ui::Overlay EditorView::overlay(bool inView, EditorScene& scene) const {
+ui::Overlay EditorView::overlay(bool inView, bool looks, EditorScene& scene) const {
     const Vec2 at = inView ? pointer : kNowhere;
+    if (!looks) {
+        return bladeTool.swept(frame(), scene.stroke());
+    }
     ui::Overlay overlay = bladeTool.overlay(frame(), at, scene);
     pullTool.addTo(overlay, frame(), at, bladeTool.settings(), scene);
     return overlay;

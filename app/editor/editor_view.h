@@ -42,7 +42,8 @@ struct EditorView {
     /// Gives up the stroke and lets go of everything.
     void cancelTools(EditorScene& scene);
     /// What the tools show over the body; `inView` tells whether the pointer is over no panel.
-    ui::Overlay overlay(bool inView, EditorScene& scene) const;
+    /// Without `looks`, as in the midst of a step, no more than where the blade goes.
+    ui::Overlay overlay(bool inView, bool looks, EditorScene& scene) const;
 };
 
 }  // namespace kerf::app

@@ -14,21 +14,36 @@ class Redraw {
         scene_ = true;
         panels();
     }
+    /// Steps have moved the body: the panels show that, the scene once it is asked for steps.
+    void steps() {
+        steps_ = true;
+        panels();
+    }
     /// The panels have something else to show.
     void panels() { updates_ = kSettleUpdates; }
     /// Notes an update of the panels. A `quiet` one had no input and no answer.
     void countUpdate(bool quiet) { updates_ = quiet ? std::max(0, updates_ - 1) : kSettleUpdates; }
 
-    /// Whether the scene has changed since the last call.
-    bool takeScene() { return std::exchange(scene_, false); }
-    /// Whether something is still to be drawn.
+    /// Whether the scene is to be drawn anew since that was last so; for steps alone where they are
+    /// to be shown now (`showSteps`).
+    bool takeScene(bool showSteps = true) {
+        const bool wanted = scene_ || (showSteps && steps_);
+        if (wanted) {
+            scene_ = steps_ = false;
+        }
+        return wanted;
+    }
+    /// Whether something is still to be drawn, but for steps.
     bool pending() const { return scene_ || updates_ > 0; }
+    /// Whether steps are still to be shown.
+    bool stepsPending() const { return steps_; }
 
   private:
     /// Updates of the panels after the last change, for those that answer late.
     static constexpr int kSettleUpdates = 2;
 
     bool scene_ = true;
+    bool steps_ = false;
     int updates_ = kSettleUpdates;
 };
 

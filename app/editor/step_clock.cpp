@@ -1,9 +1,11 @@
 #include "app/editor/step_clock.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "app/scene/editor_scene.h"
+#include "sim/base/pausing.h"
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {
@@ -11,6 +13,7 @@ namespace {
 
 constexpr double kMostDue = 4;                // steps, at speed 1
 constexpr double kStepBudgetSeconds = 0.012;  // more than one step only while they are this fast
+constexpr double kNeededBudgetSeconds = 0.1;  // the same for steps without which a hand waits
 
 }  // namespace
 
@@ -18,27 +21,44 @@ void StepClock::setSpeed(double factor) {
     speed_ = std::clamp(factor, kSlowest, kFastest);
 }
 
-int StepClock::takeDue(double elapsedSeconds, double timeStep) {
-    const double more = byTheClock_ ? elapsedSeconds / timeStep : 1;
+void StepClock::elapse(double seconds) {
+    sinceDue_ += seconds;
+    sinceShown_ += seconds;
+}
+
+int StepClock::takeDue(double timeStep) {
+    const double elapsed = std::exchange(sinceDue_, 0);
+    const double more = byTheClock_ ? elapsed / timeStep : 1;
     due_ = std::min(due_ + speed_ * more, kMostDue * std::max(1.0, speed_));
     const int whole = static_cast<int>(due_);
     due_ -= whole;
     return whole;
 }
 
-void StepClock::run(EditorScene& scene, int needed, int due) const {
+void StepClock::run(EditorScene& scene, int needed, int due) {
     const Stopwatch watch;
-    for (int n = 0; n < std::max(needed, due); ++n) {
-        if (n >= std::max(1, needed) && byTheClock_ && watch.seconds() > kStepBudgetSeconds) {
-            return;
-        }
+    const double pausedBefore = pausedSeconds();
+    int done = 0;
+    const auto seconds = [&] { return watch.seconds() - (pausedSeconds() - pausedBefore); };
+    const auto mayGoOn = [&] {
+        const double budget = done < needed ? kNeededBudgetSeconds : kStepBudgetSeconds;
+        return !byTheClock_ || done == 0 || seconds() < budget;
+    };
+    for (; done < std::max(needed, due) && mayGoOn(); ++done) {
         scene.step();
     }
+    secondsPerStep_ = done > 0 ? seconds() / done : secondsPerStep_;
 }
 
-bool StepClock::measure(double elapsedSeconds, bool ran) {
-    // Only between two pictures that both ran: a pause in between is no frame time.
-    return std::exchange(ranBefore_, ran) && ran && elapsedSeconds > 0;
+double StepClock::portion() const {
+    return byTheClock_ ? portion_ : std::numeric_limits<double>::infinity();
+}
+
+std::optional<double> StepClock::measure(bool ran) {
+    // Only between two pictures that both showed steps: a pause in between is no frame time.
+    const double seconds = std::exchange(sinceShown_, 0);
+    const bool isFrame = std::exchange(ranBefore_, ran) && ran && seconds > 0;
+    return isFrame ? std::optional(seconds) : std::nullopt;
 }
 
 }  // namespace kerf::app

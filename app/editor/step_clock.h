@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace kerf::app {
 
 class EditorScene;
@@ -11,30 +13,41 @@ class StepClock {
     static constexpr double kSlowest = 0.25;
     static constexpr double kFastest = 4;
 
-    /// Simulated time follows real time with `byTheClock`; otherwise every picture is one step at
-    /// speed 1, for tests.
-    explicit StepClock(bool byTheClock) : byTheClock_(byTheClock) {}
+    /// Simulated time follows real time with `byTheClock`, and a step is done in portions [s];
+    /// otherwise every picture is one step at speed 1, for tests.
+    StepClock(bool byTheClock, double portion) : byTheClock_(byTheClock), portion_(portion) {}
 
+    bool byTheClock() const { return byTheClock_; }
     double speed() const { return speed_; }
     /// Sets the speed, clamped to kSlowest and kFastest.
     void setSpeed(double factor);
 
-    /// Steps that are due for a picture `elapsedSeconds` after the last one; what a slow picture
-    /// leaves behind is not caught up with.
-    int takeDue(double elapsedSeconds, double timeStep);
-    /// Runs `needed` steps whatever they cost, and up to `due` ones while they are fast.
-    void run(EditorScene& scene, int needed, int due) const;
+    /// Notes the time between two pictures [s].
+    void elapse(double seconds);
+    /// Steps that are due since this was last asked; what a slow picture leaves behind is not
+    /// caught up with.
+    int takeDue(double timeStep);
+    /// Runs up to `needed` steps, and up to `due` ones while they are faster still.
+    void run(EditorScene& scene, int needed, int due);
+    /// How long the scene may work between two pictures [s]; infinite where not by the clock.
+    double portion() const;
+    /// How long a step took when one was last run [s].
+    double secondsPerStep() const { return secondsPerStep_; }
     /// Forgets what is due, since time stands still.
     void stop() { due_ = 0; }
 
-    /// Notes a picture and whether steps ran for it. True where both it and the one before ran, so
-    /// that the time between them is a frame time.
-    bool measure(double elapsedSeconds, bool ran);
+    /// Notes that new steps are to be seen (`ran`), or that none are due. Returns the frame time
+    /// where steps were to be seen before as well [s].
+    std::optional<double> measure(bool ran);
 
   private:
     bool byTheClock_;
+    double portion_;
     double speed_ = 1;
-    double due_ = 0;  ///< steps
+    double due_ = 0;         ///< steps
+    double sinceDue_ = 0;    ///< [s]
+    double sinceShown_ = 0;  ///< [s]
+    double secondsPerStep_ = 0;
     bool ranBefore_ = false;
 };
 

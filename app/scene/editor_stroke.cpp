@@ -129,6 +129,7 @@ std::optional<Command> BladeStroke::next() {
     }
     Command command = std::move(queue_.front());
     queue_.pop_front();
+    given_ = queue_.empty() ? 0 : given_ + 1;
     const auto* move = std::get_if<MoveBlade>(&command);
     done_ = move != nullptr ? std::optional(move->blade) : std::nullopt;
     return command;

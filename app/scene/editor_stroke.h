@@ -20,6 +20,13 @@ struct StrokeScale {
 /// The farthest that a blade may move in a step, for a body of these bounds [m].
 double maxStrokeStep(const Bounds& bounds);
 
+/// How far the poses of a stroke have been stepped through: those of all that were queued since
+/// the queue was last empty.
+struct StrokeProgress {
+    std::size_t done = 0;
+    std::size_t poses = 0;
+};
+
 /// Turns points of the view into blades: A on a plane before the body, B on a plane behind it, both
 /// square to the view direction, so that the blade is seen as a point and a straight stroke sweeps
 /// a plane. The view it was made with stays.
@@ -70,6 +77,7 @@ class BladeStroke {
 
     bool drawing() const { return scale_.has_value(); }
     std::size_t pending() const { return queue_.size(); }
+    StrokeProgress progress() const { return {given_, given_ + queue_.size()}; }
     /// The command of the coming step.
     std::optional<Command> next();
     /// The way that is still to be cut: from the pose that was done last, or the first one.
@@ -86,6 +94,7 @@ class BladeStroke {
     std::optional<Blade> queued_;       ///< last pose put into the queue
     Blade latest_;                      ///< where the pointer is
     std::deque<Command> queue_;
+    std::size_t given_ = 0;      ///< poses given out since the queue was last empty
     std::optional<Blade> done_;  ///< the last pose that was given out, until the lift
 };
 

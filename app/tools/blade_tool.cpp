@@ -17,7 +17,7 @@ constexpr double kLongest = 2;
 
 constexpr double kHandleReach = 14;  // [px]
 constexpr std::size_t kMostPreviewPoses = 32;
-constexpr int kMostPreviewTriangles = 200'000;  // of the body: more would slow the pictures down
+constexpr int kMostPreviewTriangles = 50'000;  // of the body: more would slow the pictures down
 
 /// At most so many poses, the ends among them.
 std::vector<Blade> thinned(const std::vector<Blade>& way) {
@@ -244,6 +244,14 @@ std::vector<Blade> BladeTool::wayAhead(const ViewFrame& view, const Vec2& pixel,
         }
     }
     return {};
+}
+
+ui::Overlay BladeTool::swept(const ViewFrame& view, const BladeStroke& stroke) {
+    ui::Overlay overlay;
+    if (const std::vector<Blade> way = thinned(stroke.wayAhead()); !way.empty()) {
+        addSwept(view, way, overlay);
+    }
+    return overlay;
 }
 
 ui::Overlay BladeTool::overlay(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const {

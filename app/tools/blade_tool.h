@@ -41,6 +41,9 @@ class BladeTool {
     /// A preview of the coming cut.
     ui::Overlay overlay(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const;
 
+    /// The part of it that is known without a look at the body: the way of the stroke.
+    static ui::Overlay swept(const ViewFrame& view, const BladeStroke& stroke);
+
   private:
     void pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
     void moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);

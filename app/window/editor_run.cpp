@@ -54,7 +54,7 @@ void runLoop(Window& window, Editor& editor) {
     while (!window.closing() && !editor.closing()) {
         window.waitEvents(std::min(editor.idleSeconds() - watch.seconds(), kLongestWait));
         const bool damaged = window.takeDamage();
-        if (!damaged && editor.idleSeconds() > watch.seconds()) {
+        if (!damaged && (editor.idleSeconds() > watch.seconds() || editor.workOn())) {
             continue;
         }
         editor.resize(window.width(), window.height());

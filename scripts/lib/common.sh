@@ -28,6 +28,7 @@ zlib1g-dev          is linked by assimp
 libcli11-dev        reads the command line
 nlohmann-json3-dev  reads and writes session files
 libspdlog-dev       writes the log
+libboost-context-dev  lets steps rest while pictures are drawn
 libstb-dev          reads and writes pictures
 fonts-dejavu-core   is the font of the panels
 nettle-dev          hashes states and files

@@ -42,5 +42,18 @@ TEST(Redraw, ASceneThatChangedIsShownByThePanelsToo) {
     EXPECT_TRUE(redraw.pending());
 }
 
+TEST(Redraw, StepsWaitUntilTheyAreToBeShown) {
+    Redraw redraw = drawn();
+    redraw.steps();
+    EXPECT_TRUE(redraw.stepsPending());
+    EXPECT_FALSE(redraw.takeScene(false));
+    EXPECT_TRUE(redraw.takeScene(true));
+    EXPECT_FALSE(redraw.stepsPending());
+    redraw.steps();
+    redraw.scene();
+    EXPECT_TRUE(redraw.takeScene(false)) << "what else has changed shows at once, and they with it";
+    EXPECT_FALSE(redraw.stepsPending());
+}
+
 }  // namespace
 }  // namespace kerf::app

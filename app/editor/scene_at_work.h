@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+#include "app/editor/work_in_portions.h"
+#include "app/scene/editor_scene.h"
+
+namespace kerf::app {
+
+/// What a scene is doing: steps, or something that was asked for.
+enum class SceneWork { steps, change };
+
+/// The open scene, and what it is doing: steps and commands are done in portions, so that pictures
+/// come meanwhile. Whoever asks for the scene gets it between two of them: what is under way is
+/// done to its end first. meanwhile() alone doesn't wait.
+class SceneAtWork {
+  public:
+    /// Instead of the one before, of which what is under way is given up; null for none.
+    void set(std::unique_ptr<EditorScene> scene);
+
+    /// The scene, with nothing under way; null while none is open. Throws what the work throws.
+    EditorScene* get();
+    EditorScene* operator->() { return get(); }
+    EditorScene& operator*() { return *get(); }
+    friend bool operator==(const SceneAtWork& scene, std::nullptr_t) {
+        return scene.scene_ == nullptr;
+    }
+
+    /// The scene in the midst of what it does. A stroke goes on, time may be stopped, and what no
+    /// step changes may be read; a picture may be drawn where Simulation::isWhole().
+    EditorScene* meanwhile() { return scene_.get(); }
+    const EditorScene* meanwhile() const { return scene_.get(); }
+
+    /// Begins something, to be done by goOn(); nothing must be under way.
+    void begin(SceneWork kind, std::function<void(EditorScene&)> work);
+    bool underWay() const { return work_.underWay(); }
+    bool isAt(SceneWork kind) const { return underWay() && kind_ == kind; }
+    /// Goes on for about `seconds`. Throws what the work throws, which ends it.
+    void goOn(double seconds) { work_.goOn(seconds); }
+    /// Since what is under way was begun [s].
+    double seconds() const { return work_.seconds(); }
+
+  private:
+    std::unique_ptr<EditorScene> scene_;
+    SceneWork kind_ = SceneWork::steps;
+    WorkInPortions work_;  // gone before the scene
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,235 @@
+// How long a person waits for an answer, by the size of the model, headless: the pointer moves ten
+// times a second, whatever the editor is doing, and each move counts from when it was made until
+// the picture that heeds it. An argument is a number of triangles; without any, several are tried.
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/editor/editor.h"
+#include "app/files/export.h"
+#include "app/files/file_io.h"
+#include "app/scene/editor_scene.h"
+#include "gpu/context.h"
+#include "sim/base/stopwatch.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kWidth = 1600;
+constexpr int kHeight = 900;
+constexpr double kMoveEvery = 0.1;  // [s]
+constexpr double kLongest = 300;    // of what is waited for [s]
+constexpr double kWatched = 5;      // of what never ends [s]
+
+/// A sphere in a file of the temporary folder that is gone at the end.
+class ModelFile {
+  public:
+    explicit ModelFile(int triangles)
+        : path(std::filesystem::temp_directory_path() / "kerf_answer_bench.ply") {
+        const int quads = static_cast<int>(std::ceil(std::sqrt(triangles / 12.0)));
+        const SurfaceMesh mesh = test::cubeSphere(quads);
+        app::writeOutputFile(path, app::encodeMesh(mesh, findPieces(mesh), app::MeshFormat::ply));
+    }
+    ~ModelFile() { std::filesystem::remove(path); }
+    ModelFile(const ModelFile&) = delete;
+    ModelFile& operator=(const ModelFile&) = delete;
+
+    const std::filesystem::path path;
+};
+
+/// A person at the editor's window, whose hand never waits for it.
+class Person {
+  public:
+    explicit Person(app::Editor& editor) : editor_(editor) {}
+
+    void press(ui::Key key, ui::Modifiers with = {}) {
+        editor_.post(ui::KeyChange{key, true, with});
+        editor_.post(ui::KeyChange{key, false, with});
+    }
+    void button(ui::Button button, bool down) { editor_.post(ui::ButtonChange{button, down, {}}); }
+    void pointAt(const Vec2& at) {
+        at_ = at;
+        editor_.post(ui::PointerMove{at.x(), at.y(), {}});
+    }
+
+    /// Goes on moving until `done`, each time by `move`. Returns how long that took [s].
+    double moveUntil(const std::function<bool()>& done, const std::function<Vec2()>& move) {
+        answers_.clear();
+        const Stopwatch watch;
+        double nextMove = 0;
+        while (!done() && watch.seconds() < kLongest) {
+            std::vector<double> made;
+            for (; nextMove <= watch.seconds(); nextMove += kMoveEvery) {
+                made.push_back(nextMove);
+                pointAt(move());
+            }
+            picture();
+            for (const double moment : made) {
+                answers_.push_back(watch.seconds() - moment);
+            }
+        }
+        return watch.seconds();
+    }
+
+    /// How long answers took since moveUntil() began: median and longest [ms].
+    double median() { return ranked(0.5); }
+    double longest() { return ranked(1); }
+
+    /// One picture, as the window makes it.
+    void picture() {
+        editor_.frame(sinceLast_.restart());
+        glFinish();
+        if (editor_.idleSeconds() > 0) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+    }
+
+  private:
+    double ranked(double share) {
+        std::ranges::sort(answers_);
+        const auto last = static_cast<double>(answers_.size()) - 1;
+        return answers_.empty() ? 0 : 1000 * answers_[static_cast<std::size_t>(share * last)];
+    }
+
+    app::Editor& editor_;
+    Vec2 at_{kWidth / 2.0, kHeight / 2.0};
+    std::vector<double> answers_;  // [s]
+    Stopwatch sinceLast_;
+};
+
+class AnswerBench {
+  public:
+    explicit AnswerBench(int triangles)
+        : triangles_(triangles), file_(triangles), editor_(options(), app::openDefaultDocument()) {}
+
+    void run() {
+        open();
+        hover();
+        turn();
+        strokeAtRest();
+        undo();
+        fall();
+    }
+
+  private:
+    static app::EditorOptions options() {
+        app::EditorOptions options;
+        options.width = kWidth;
+        options.height = kHeight;
+        options.quality = render::Quality::light;
+        return options;
+    }
+
+    void print(const char* what, double seconds) {
+        const nlohmann::ordered_json line = {{"name", std::string("answer/") + what},
+                                             {"triangles", triangles_},
+                                             {"seconds", seconds},
+                                             {"median", person_.median()},
+                                             {"longest", person_.longest()},
+                                             {"unit", "ms"}};
+        std::puts(line.dump().c_str());
+        std::fflush(stdout);
+    }
+
+    /// A pointer that wanders about the middle.
+    Vec2 wander() {
+        angle_ += 0.3;
+        return {kWidth * (0.5 + 0.05 * std::cos(angle_)),
+                kHeight * (0.5 + 0.05 * std::sin(angle_))};
+    }
+    double watchFor(double seconds) {
+        const Stopwatch watch;
+        return person_.moveUntil([&] { return watch.seconds() > seconds; },
+                                 [&] { return wander(); });
+    }
+
+    void open() {
+        editor_.open(file_.path);
+        print("open",
+              person_.moveUntil([&] { return !editor_.working(); }, [&] { return wander(); }));
+        person_.picture();
+    }
+    void hover() { print("hover", watchFor(kWatched)); }
+    void turn() {
+        person_.button(ui::Button::right, true);
+        print("turn", watchFor(kWatched));
+        person_.button(ui::Button::right, false);
+        person_.picture();
+    }
+    /// From the top of the view to its bottom within a second, then on until it is cut.
+    void strokeAtRest() {
+        const Vec2 top(0.5 * kWidth, 0.06 * kHeight);
+        person_.pointAt(top);
+        person_.picture();
+        person_.button(ui::Button::left, true);
+        double drawn = 0;
+        bool lifted = false;
+        const double seconds = person_.moveUntil(
+            [&] { return lifted && !editor_.scene()->running(); },
+            [&] {
+                drawn = std::min(drawn + kMoveEvery, 1.0);
+                if (drawn >= 1 && !lifted) {
+                    lifted = true;
+                    person_.pointAt(top + Vec2(0, 0.88 * kHeight));
+                    person_.button(ui::Button::left, false);
+                }
+                return lifted ? wander() : Vec2(top + Vec2(0, drawn * 0.88 * kHeight));
+            });
+        print("stroke", seconds);
+        std::fprintf(stderr, "%s\n", editor_.title().c_str());
+    }
+    void undo() {
+        person_.press(ui::Key::z, {.control = true});
+        const Stopwatch watch;
+        print("undo",
+              person_.moveUntil(
+                  [&] { return editor_.scene()->pieceCount() == 1 && !editor_.scene()->running(); },
+                  [&] { return wander(); }));
+    }
+    /// With gravity, and the space key at the end.
+    void fall() {
+        person_.press(ui::Key::space, {.shift = true});
+        print("fall", watchFor(kWatched));
+        person_.press(ui::Key::space);
+        print("pause", person_.moveUntil([&] { return !editor_.scene()->running(); },
+                                         [&] { return wander(); }));
+    }
+
+    const int triangles_;
+    const ModelFile file_;
+    app::Editor editor_;
+    Person person_{editor_};
+    double angle_ = 0;
+};
+
+}  // namespace
+}  // namespace kerf
+
+int main(int argc, char** argv) {
+    try {
+        const kerf::gpu::EglContext context;
+        std::vector<int> sizes{1'000, 10'000, 100'000, 356'000, 1'300'000};
+        if (argc > 1) {
+            sizes = {std::atoi(argv[1])};
+        }
+        for (const int triangles : sizes) {
+            kerf::AnswerBench(triangles).run();
+        }
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

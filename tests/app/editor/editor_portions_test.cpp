@@ -1,0 +1,133 @@
+// Steps that are done in portions, with pictures and input in their midst.
+#include "app/scene/editor_scene.h"
+#include "app/session/session.h"
+#include "app/session/session_runner.h"
+#include "gpu/data_path.h"
+#include "tests/app/editor/editor_fixture.h"
+
+namespace kerf::app {
+namespace {
+
+using namespace testing;
+
+/// An editor by the clock that makes a picture at every pause of a step.
+class EditorPortionsTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        show(sphereDocument());
+    }
+    void show(Document document) {
+        EditorOptions options;
+        options.width = kWidth;
+        options.height = kHeight;
+        options.quality = render::Quality::light;
+        options.portion = 0;
+        options.screenshotFolder = folder.path();
+        editor = std::make_unique<Editor>(options, std::move(document));
+        frames(2);
+    }
+    /// Turns the view on and on, so that each picture draws the scene.
+    void turningFrames(int count) {
+        moveTo(kWidth / 2.0, kHeight / 2.0);
+        press(true, Button::right);
+        for (int i = 0; i < count; ++i) {
+            moveTo(kWidth / 2.0 + i % 40, kHeight / 2.0);
+            frames(1);
+        }
+        press(false, Button::right);
+        frames(1);
+    }
+    /// Frames until nothing is left to be cut.
+    void untilCut() {
+        for (int i = 0; i < 20000 && editor->scene()->stroke().pending() > 0; ++i) {
+            frames(1);
+        }
+    }
+};
+
+/// A replay that writes nothing.
+struct Executing {
+    Simulation& simulation;
+    void perform(const Command& command, int /*number*/) { simulation.execute(command); }
+    template <class Event>
+    void take(const Event& /*event*/) {}
+};
+
+/// The state after all steps of a session that nobody watches.
+std::string hashAfter(const Session& session, const Document& start) {
+    Simulation simulation(start.mesh, session.params, session.boxes);
+    simulation.setUndoBudget(kReplayUndoBudget);
+    SessionRunner runner(simulation);
+    const SessionPlayer player(session);
+    Executing host{simulation};
+    while (simulation.stepCount() < session.steps) {
+        runner.applyActions(player, host);
+        runner.step();
+    }
+    runner.applyActions(player, host);
+    return simulation.stateHash();
+}
+
+TEST_F(EditorPortionsTest, PicturesInTheMidstOfStepsChangeNoBit) {
+    tap(Key::v);  // gravity
+    tap(Key::space);
+    turningFrames(300);
+    drag(kTop, kBottom, 12);
+    turningFrames(300);
+    untilCut();
+    turningFrames(200);
+    tap(Key::space);
+    EditorScene& scene = *editor->scene();
+    ASSERT_GT(scene.simulation().stepCount(), 20);
+    const Session session = scene.savedSession({}, {}).session;
+    EXPECT_EQ(hashAfter(session, sphereDocument()), scene.simulation().stateHash());
+}
+
+TEST_F(EditorPortionsTest, AStepOfALargeBodyTakesSeveralPicturesThatHeedThePointer) {
+    Document large = sphereDocument();
+    large.mesh = test::cubeSphere(40, 0.5);
+    show(std::move(large));
+    tap(Key::space);
+    frames(1);
+    const int before = editor->scene()->simulation().stepCount();
+    const Vec3 axis = editor->panels().axes.axes[0];
+    moveTo(100, 200);
+    press(true, Button::right);
+    for (int i = 1; i <= 10; ++i) {
+        moveTo(100.0 + 30 * i, 200);
+        frames(1);
+    }
+    press(false, Button::right);
+    EXPECT_NE(editor->panels().axes.axes[0], axis) << "the view has turned";
+    EXPECT_LE(editor->scene()->simulation().stepCount(), before + 2)
+        << "ten pictures were no ten steps";
+}
+
+TEST_F(EditorPortionsTest, WhatIsAskedForInTheMidstOfAStepIsDoneAfterIt) {
+    tap(Key::space);
+    frames(2);
+    tap(Key::v);  // in the midst of a step
+    tap(Key::space);
+    frames(400);
+    EXPECT_GT(editor->scene()->simulation().params().gravity.norm(), 0);
+    EXPECT_FALSE(editor->scene()->playing);
+}
+
+TEST_F(EditorPortionsTest, AnotherDocumentTakesThePlaceOfAStepThatIsUnderWay) {
+    tap(Key::space);
+    frames(3);
+    editor->open(gpu::dataPath("assets/sessions/drop-in.kerf.json"));
+    waitForWork();
+    EXPECT_EQ(editor->title(), "Kerf - drop-in - 1 piece");
+    EXPECT_EQ(editor->scene()->simulation().stepCount(), 0);
+}
+
+TEST_F(EditorPortionsTest, IsClosedInTheMidstOfAStep) {
+    tap(Key::space);
+    frames(3);
+    editor.reset();
+}
+
+}  // namespace
+}  // namespace kerf::app
