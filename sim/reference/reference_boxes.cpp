@@ -16,7 +16,8 @@ constexpr double kSkinDeep = 0.1;   // of the depth of touches
 constexpr double kParallel = 1e-3;  // sine of the angle between edges
 
 Vec3 cornerOf(const Vec3& half, int index) {
-    return half.cwiseProduct(Vec3((index & 1) * 2 - 1, (index & 2) - 1, (index & 4) / 2 - 1));
+    const auto side = [index](int axis) { return ((index >> axis) & 1) != 0 ? 1.0 : -1.0; };
+    return half.cwiseProduct(Vec3(side(0), side(1), side(2)));
 }
 
 /// By how much a triangle and a box overlap least, over all axes that may part them; negative where
@@ -128,7 +129,10 @@ std::optional<ReferenceBoxes::Touch> ReferenceBoxes::passingThrough(const Corner
                                                                     const Vec3& half) const {
     const double middle = normal.dot(corners.at[0]);
     const double before = middle - normal.cwiseAbs().dot(half);
-    if (middle <= 0 || before >= -distances_.depth ||
+    const auto isBeside = [&](const Vec3& p) {
+        return (p.cwiseAbs() - half).maxCoeff() > -kSkinDeep * distances_.depth;
+    };
+    if (middle <= 0 || before >= -distances_.depth || !std::ranges::all_of(corners.at, isBeside) ||
         overlapOf(corners.at, half) <= kSkinDeep * distances_.depth) {
         return std::nullopt;
     }

@@ -6,8 +6,9 @@
 //   edge    against an edge of the triangle (which each edge is for one of its two triangles),
 //           along the line across both, where that lies between the two faces of the box
 //   box     against a triangle that it passes through deeper than corners and edges are looked
-//           for, and whose front its middle is on: along the triangle's normal, until all of the
-//           box is on that side. So a box that stands or is put deep in a body pushes it out.
+//           for, with its middle in front and all corners of the triangle beside the box: along
+//           the triangle's normal, until all of the box is in front. So a box that stands or is
+//           put deep in a body pushes it out. Where corners lie in it, they lead (vertices.comp).
 //
 // How a gap becomes a change of d and a push of X is said in contact_answer.glsl.
 // With BLADE it is the body of the blade, whose own way in the substep counts, and which leaves the
@@ -141,10 +142,15 @@ Touch pierced(Touch best, Corners c, vec3 normal, vec3 reach) { return best; }
 // Overlaps up to here are touches, as a share of the depth of touches.
 const float kSkinDeep = 0.1;
 
+bool isBeside(vec3 p, vec3 reach) {
+    return any(greaterThan(abs(p), reach - kSkinDeep * uniforms.depth));
+}
+
 Touch pierced(Touch best, Corners c, vec3 normal, vec3 reach) {
     float middle = dot(normal, c.at[0]);
     float before = middle - dot(abs(normal), reach);
-    bool passes = middle > 0.0 && before < -uniforms.depth;
+    bool passes = middle > 0.0 && before < -uniforms.depth && isBeside(c.at[0], reach) &&
+                  isBeside(c.at[1], reach) && isBeside(c.at[2], reach);
     // A loop, since llvmpipe runs both sides of a branch.
     for (int i = passes ? 0 : 1; i < 1; ++i) {
         Plane plane = widestPlane(facePlane(c.at, reach), c.at, reach);
