@@ -276,6 +276,7 @@ class Replay {
     void logMessages() {
         for (const std::string& message : simulation_.takeMessages()) {
             spdlog::warn(message);
+            summary_.messages.push_back(message);
         }
     }
 

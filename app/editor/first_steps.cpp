@@ -20,6 +20,7 @@ Situation situationOf(const EditorScene* scene, const EditorView& view, StrokeOu
     now.touching = view.pullTool.holds();
     now.pieces = scene->pieceCount();
     now.outcome = outcome;
+    now.refusal = scene->simulation().refusalOfStroke();
     return now;
 }
 
@@ -91,6 +92,9 @@ Hint FirstSteps::hint(const Situation& now) const {
 }
 
 Hint FirstSteps::afterStroke(const Situation& now) const {
+    if (now.outcome == StrokeOutcome::incised && !now.refusal.empty()) {
+        return {"The stroke parted nothing: " + now.refusal + ".", {{ActionId::undo, "Undo"}}};
+    }
     if (now.pieces > 1 && !fell_) {
         return {counted(now.pieces, "piece", "pieces") + " now. What next?",
                 {{ActionId::letFall, "Let them fall"},

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "app/editor/editor_view.h"
 #include "ui/panel_model.h"
@@ -49,6 +50,7 @@ struct Situation {
     ui::Tool tool = ui::Tool::stroke;
     int pieces = 1;
     StrokeOutcome outcome = StrokeOutcome::none;
+    std::string refusal{};  ///< what the log says of a refused step of the last stroke
 };
 
 /// Leads a newcomer from the first cut to the next things there are to do. Each hint goes for good

@@ -350,6 +350,7 @@ RunResults readResults(const std::filesystem::path& folder, const Session& sessi
             {summary.at("renderer"), summary.at("driver")},
             summary.at("state_hash"),
             summary.at("failures"),
+            summary.at("messages"),
             takenPictures(session),
             HashCourse::read(folder / kHashesFile),
             readCourse(folder / kMetricsFile),

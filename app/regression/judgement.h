@@ -25,6 +25,7 @@ struct RunResults {
     Driver driver;
     std::string stateHash;
     std::vector<std::string> failures;  ///< of checks and invariants during the run
+    std::vector<std::string> messages;  ///< what it said of steps in which something went wrong
     std::vector<TakenPicture> pictures;
     HashCourse hashes;
     Course course;

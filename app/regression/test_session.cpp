@@ -181,6 +181,7 @@ void judgeResults(TestResult& result, bool update) {
     const Session session = readSession(result.session);
     const RunResults run = readResults(result.results, session);
     result.driver = run.driver;
+    result.notes = run.messages;
     const fs::path expected = expectationFolder(result.session);
     const bool isNew = !hasExpectation(result.session);
     if (!isNew) {

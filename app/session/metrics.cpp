@@ -212,6 +212,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     json["lost_pieces"] = run.lostPieces;
     json["debris"] = {{"pieces", run.debris.pieces}, {"volume", run.debris.volume}};
     json["failures"] = summary.failures;
+    json["messages"] = summary.messages;
     json["remarks"] = summary.remarks;
     return json;
 }

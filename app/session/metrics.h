@@ -83,7 +83,8 @@ struct RunSummary {
     RunStatistics statistics;
     std::vector<std::string>
         failures;  ///< checks and invariants that did not hold, one sentence each
-    std::vector<std::string> remarks;  ///< sentences that the figures are to be read with
+    std::vector<std::string> messages;  ///< what went wrong in steps, as the log says it
+    std::vector<std::string> remarks;   ///< sentences that the figures are to be read with
 };
 
 /// The keys of summary.json (docs/session-format.md).

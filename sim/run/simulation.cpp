@@ -240,6 +240,10 @@ const CutResult& Simulation::lastCut() const {
     return state_->output.lastCut;
 }
 
+const std::string& Simulation::refusalOfStroke() const {
+    return state_->output.refusal;
+}
+
 std::vector<std::string> Simulation::takeMessages() {
     return std::exchange(state_->output.messages, {});
 }

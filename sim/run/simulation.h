@@ -77,6 +77,9 @@ class Simulation {
     const SubdivisionCounts& subdivisions() const;
     /// Outcome of the last step that the blade moved in.
     const CutResult& lastCut() const;
+    /// What the messages said last of a step of the last stroke, or of the one that goes on, which
+    /// was refused; empty where none was.
+    const std::string& refusalOfStroke() const;
     /// Sentences about what went wrong in a step (refused cuts, non-finite values), since the last
     /// call.
     std::vector<std::string> takeMessages();

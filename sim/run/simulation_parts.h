@@ -35,6 +35,7 @@ struct SimulationOutput {
     StepReport report;
     CutResult lastCut;                  ///< of the last step that the blade moved in
     std::vector<std::string> messages;  ///< since they were last taken
+    std::string refusal;                ///< see Simulation::refusalOfStroke()
     bool toldTooLarge = false;          ///< for the undo memory, since a body last fit into it
     int bodyRevision = 0;               ///< see Simulation::bodyRevision()
 

@@ -31,12 +31,12 @@ void StepReport::describe(const BodyModel& model, const BodyMeasure& measure) {
     strainEnergy = measure.strainEnergy;
 }
 
-std::vector<std::string> sentencesAbout(const CutResult& result, int step) {
+std::string refusalSentence(const CutResult& result, int step) {
+    return fmt::format("step {}: the cut was refused ({}); the blade goes on", step, result.reason);
+}
+
+std::vector<std::string> sentencesAboutEnd(const CutResult& result, int step) {
     std::vector<std::string> sentences;
-    if (result.outcome == CutOutcome::refused) {
-        sentences.push_back(fmt::format("step {}: the cut was refused ({}); the blade goes on",
-                                        step, result.reason));
-    }
     const Debris& debris = result.statistics.debris;
     if (debris.pieces > 0) {
         sentences.push_back(fmt::format("step {}: removed {} that the cut left, {:.3g} m^3 in all",

@@ -42,7 +42,9 @@ struct StepReport {
     void describe(const BodyModel& model, const BodyMeasure& measure);
 };
 
-/// Sentences that tell a person of a movement of the blade in a step.
-std::vector<std::string> sentencesAbout(const CutResult& result, int step);
+/// The sentence that tells a person, wherever it does, that a movement of the blade was refused.
+std::string refusalSentence(const CutResult& result, int step);
+/// Sentences that tell a person what the end of a stroke left, besides the cut.
+std::vector<std::string> sentencesAboutEnd(const CutResult& result, int step);
 
 }  // namespace kerf

@@ -54,6 +54,7 @@ bool StrokeCourse::mayTouch(const Blade& to) {
 
 void StrokeCourse::begin() {
     log_.beginStroke(body_);
+    output_.refusal.clear();
     body_.cutter->begin(*input_.blade.pose());
 }
 
@@ -66,7 +67,11 @@ void StrokeCourse::accept(const CutResult& result) {
     output_.report.add(result.statistics);
     output_.report.search.add(body_.cutter->takeSearchWork());
     addTo(body_.memory.subdivisions, result.statistics.patterns);
-    for (std::string& sentence : sentencesAbout(result, output_.clock.stepsDone)) {
+    const int step = output_.clock.stepsDone;
+    if (result.outcome == CutOutcome::refused) {
+        output_.messages.push_back(output_.refusal = refusalSentence(result, step));
+    }
+    for (std::string& sentence : sentencesAboutEnd(result, step)) {
         output_.messages.push_back(std::move(sentence));
     }
     if (!result.delta.empty()) {

@@ -5,6 +5,10 @@
 //   corner  against the triangle, along the triangle's normal
 //   edge    against an edge of the triangle (which each edge is for one of its two triangles),
 //           along the line across both, where that lies between the two faces of the box
+//   box     against a triangle that it passes through deeper than corners and edges are looked
+//           for, with its middle in front and all corners of the triangle beside the box: along
+//           the triangle's normal, until all of the box is in front. So a box that stands or is
+//           put deep in a body pushes it out. Where corners lie in it, they lead (vertices.comp).
 //
 // How a gap becomes a change of d and a push of X is said in contact_answer.glsl.
 // With BLADE it is the body of the blade, whose own way in the substep counts, and which leaves the
@@ -47,6 +51,7 @@ vec3 wayOf(uint v) { return displacement[v].xyz; }
 
 bool isLeftOut(uvec4 t, vec3 normal) { return false; }
 #endif
+#include "separation.glsl"
 #include "sim/contact_answer.glsl"
 #include "sim/lines.glsl"
 #include "sim/mass_shares.glsl"
@@ -131,6 +136,31 @@ Touch edgeTouch(Touch best, Corners c, vec3 normal, int i, int axis, vec3 start)
     return moreUrgent(best, touchAt(c, across, before, weights));
 }
 
+#ifdef BLADE
+Touch pierced(Touch best, Corners c, vec3 normal, vec3 reach) { return best; }
+#else
+// Overlaps up to here are touches, as a share of the depth of touches.
+const float kSkinDeep = 0.1;
+
+bool isBeside(vec3 p, vec3 reach) {
+    return any(greaterThan(abs(p), reach - kSkinDeep * uniforms.depth));
+}
+
+Touch pierced(Touch best, Corners c, vec3 normal, vec3 reach) {
+    float middle = dot(normal, c.at[0]);
+    float before = middle - dot(abs(normal), reach);
+    bool passes = middle > 0.0 && before < -uniforms.depth && isBeside(c.at[0], reach) &&
+                  isBeside(c.at[1], reach) && isBeside(c.at[2], reach);
+    // A loop, since llvmpipe runs both sides of a branch.
+    for (int i = passes ? 0 : 1; i < 1; ++i) {
+        Plane plane = widestPlane(facePlane(c.at, reach), c.at, reach);
+        passes = plane.gap < -kSkinDeep * uniforms.depth;
+    }
+    if (!passes) return best;
+    return moreUrgent(best, touchAt(c, normal, before, vec3(1.0 / 3.0)));
+}
+#endif
+
 Touch touchOf(BoxRecord box, Corners c, uvec4 t) {
     Touch best = Touch(vec3(0.0), 0.0, vec3(0.0), uniforms.thickness, vec3(0.0));
     vec3 reach = halfOf(box);
@@ -148,7 +178,7 @@ Touch touchOf(BoxRecord box, Corners c, uvec4 t) {
             }
         }
     }
-    return best;
+    return pierced(best, c, normal, reach);
 }
 
 BoxTouch recordOf(BoxRecord box, Touch touch) {

@@ -17,10 +17,14 @@ namespace {
 // Shares of h: walls nearer to the strip are retraced, but none that lie beside the front, which is
 // inside the body there.
 constexpr double kRetraced = 0.1;
+// A blade that comes round to its own past meets it less exactly: by hand, and in other steps.
+constexpr double kRetracedPast = 0.25;
 constexpr double kBesideFront = 0.25;
 constexpr double kAtFrontEnd = 1e-3;
 constexpr double kFarthest = 0.5;
 const double kAlong = std::cos(5 * M_PI / 180);
+// As far as chords of two turns differ on a bend that is two edges narrow.
+const double kAlongPast = std::cos(40 * M_PI / 180);
 
 struct SweptTriangle {
     std::array<Vec3, 3> at;
@@ -98,7 +102,9 @@ class Opening {
         }
         std::map<int, Vec3> displacements;
         for (const auto& [v, inwards] : step_.sides) {
-            if (opens(v, inwards) && fixed_.count(v) == 0) {
+            if (!step_.takesSeamsAlong && isEndOfPast(v)) {
+                displacements[v] = -placeOf(v).distance * placeOf(v).normal;
+            } else if (opens(v, inwards) && fixed_.count(v) == 0) {
                 const Place place = placeOf(v);
                 const int side = inwards.dot(place.normal) > 0 ? 1 : -1;
                 const double way = step_.opening * step_.h - side * place.distance;
@@ -119,11 +125,30 @@ class Opening {
 
     // A stroke that comes back to where it has cut is often not done there.
     bool isOldWall(int t) const {
-        return mesh_.kind(t) == SurfaceKind::wall && mesh_.wallLabel(t) / 2 != step_.stroke;
+        return mesh_.kind(t) == SurfaceKind::wall &&
+               (mesh_.wallLabel(t) / 2 != step_.stroke || isPast(t));
+    }
+
+    bool isPast(int t) const {
+        return mesh_.wallLabel(t) / 2 == step_.stroke &&
+               std::ranges::any_of(mesh_.triangle(t),
+                                   [&](int v) { return step_.past.contains(v); });
     }
 
     bool isOlderThanTransit(int v) const {
-        return v < step_.firstVertexOfTransit || step_.onSeams.count(v) > 0;
+        return v < step_.firstVertexOfTransit || step_.past.contains(v) ||
+               step_.onSeams.count(v) > 0;
+    }
+
+    double retracedAt(int v) const {
+        return (step_.past.contains(v) ? kRetracedPast : kRetraced) * step_.h;
+    }
+
+    /// Whether v lies where the stroke's walls began, and the blade comes upon it. It is seen on
+    /// the strip then, which so runs into the gap however little it misses it.
+    bool isEndOfPast(int v) {
+        return step_.past.contains(v) && fixed_.count(v) == 0 && isNear(v) &&
+               !isBesideFront(step_, mesh_.position(v)) && isEndOfSlit(mesh_, v, step_.stroke);
     }
 
     bool mayMove(int v) const { return isOlderThanTransit(v) && fixed_.count(v) == 0; }
@@ -134,22 +159,29 @@ class Opening {
         for (const SweptTriangle& s : swept_) {
             points.insert(points.end(), s.at.begin(), s.at.end());
         }
-        broadPhase_.takeAround(points, kRetraced * step_.h);
+        broadPhase_.takeAround(points, (hasPast() ? kRetracedPast : kRetraced) * step_.h);
         return std::ranges::any_of(broadPhase_.entries(), [this](const BroadPhase::Entry& entry) {
             return isOldWall(entry.triangle);
         });
     }
 
+    bool hasPast() const { return step_.past.first < step_.past.end; }
+
     // Of walls that the strip comes near.
     std::set<int> oldWallVertices() {
         std::set<int> vertices;
         for (const SweptTriangle& s : swept_) {
-            const double reach = kRetraced * step_.h;
-            for (const int t : broadPhase_.query(s.at[0], s.at[1], s.at[2], reach)) {
-                if (isOldWall(t) && isRetraced(t)) {
-                    const Triangle& c = mesh_.triangle(t);
-                    vertices.insert(c.begin(), c.end());
+            const auto take = [&](double reach, bool past) {
+                for (const int t : broadPhase_.query(s.at[0], s.at[1], s.at[2], reach * step_.h)) {
+                    if (isOldWall(t) && isPast(t) == past && isRetraced(t)) {
+                        const Triangle& c = mesh_.triangle(t);
+                        vertices.insert(c.begin(), c.end());
+                    }
                 }
+            };
+            take(kRetraced, false);
+            if (hasPast()) {
+                take(kRetracedPast, true);
             }
         }
         return vertices;
@@ -175,7 +207,7 @@ class Opening {
         return places_[v] = place;
     }
 
-    bool isNear(int v) { return std::fabs(placeOf(v).distance) <= kRetraced * step_.h; }
+    bool isNear(int v) { return std::fabs(placeOf(v).distance) <= retracedAt(v); }
 
     bool isRetraced(int t) {
         const Triangle& c = mesh_.triangle(t);
@@ -204,7 +236,8 @@ class Opening {
             }
         });
         const double across = sum.dot(placeOf(v).normal);
-        if (area == 0 || std::fabs(across) < kAlong * area) {
+        const double along = step_.past.contains(v) ? kAlongPast : kAlong;
+        if (area == 0 || std::fabs(across) < along * area) {
             return Vec3::Zero();
         }
         return across < 0 ? placeOf(v).normal : Vec3(-placeOf(v).normal);
@@ -214,7 +247,7 @@ class Opening {
     void takeNeighboursAlong() {
         std::map<int, std::vector<Vec3>> ofNeighbour;
         for (const auto& [v, inwards] : step_.sides) {
-            if (opens(v, inwards)) {
+            if (opens(v, inwards) && !step_.past.contains(v)) {
                 mesh_.forEachOutgoing(
                     v, [&, way = inwards](int h) { ofNeighbour[mesh_.target(h)].push_back(way); });
             }
@@ -271,11 +304,23 @@ class Opening {
 
 }  // namespace
 
+bool isEndOfSlit(const SurfaceMesh& mesh, int v, int stroke) {
+    bool isEnd = false;
+    if (mesh.outgoing(v) >= 0) {
+        mesh.forEachOutgoing(v, [&](int h) {
+            const int label = mesh.wallLabel(h / 3);
+            isEnd |= label == 2 * stroke && mesh.wallLabel(mesh.twin(h) / 3) == label + 1;
+        });
+    }
+    return isEnd;
+}
+
 SlitOpening::SlitOpening(const SurfaceMesh& mesh, const BroadPhase& broadPhase,
                          const OpeningInput& step)
     : displacements_(Opening(mesh, broadPhase, step).run()) {
     for (const auto& [v, way] : displacements_) {
         reach_ = std::max(reach_, way.norm());
+        opensPast_ |= step.past.contains(v);
     }
 }
 

@@ -11,6 +11,14 @@
 
 namespace kerf::cut {
 
+/// Vertices of a mesh by number, from the first to before the end.
+struct VertexRange {
+    int first = 0;
+    int end = 0;
+
+    bool contains(int v) const { return first <= v && v < end; }
+};
+
 /// All that SlitOpening reads of a step: the blade's way from the rung, and what the transit keeps.
 struct OpeningInput {
     const std::vector<RungNode>& rung;  ///< positions up to date, s along `blade`
@@ -24,12 +32,17 @@ struct OpeningInput {
     std::map<int, Vec3>& sides;
     double opening = 0;            ///< distance from the strip at which walls are seen, share of h
     bool takesSeamsAlong = false;  ///< new vertices in open walls (onSeams) open with them
+    VertexRange past{};            ///< made in the transit, on walls that count as old (OwnPast)
 };
 
-/// The slits of earlier strokes along which the blade runs: the strip lies within a tenth of an
-/// edge and five degrees of their walls. Cut again, they would leave a slab thinner than any useful
-/// triangle; instead the predicates see them open, and the blade runs in their gap. Nothing real
-/// moves.
+/// Whether a vertex lies where the two walls of a stroke meet: at the end of its slit in the body,
+/// or on its front. False for a dead one.
+bool isEndOfSlit(const SurfaceMesh& mesh, int v, int stroke);
+
+/// The slits of earlier strokes, and of the stroke's own past, along which the blade runs: the
+/// strip lies within a tenth of an edge and five degrees of their walls. Cut again, they would
+/// leave a slab thinner than any useful triangle; instead the predicates see them open, and the
+/// blade runs in their gap. Nothing real moves.
 class SlitOpening {
   public:
     /// Opens nothing.
@@ -39,6 +52,8 @@ class SlitOpening {
 
     /// Whether no vertex is seen elsewhere.
     bool empty() const { return displacements_.empty(); }
+    /// Whether some of them are of the stroke's own past: the blade has come round to it.
+    bool opensPast() const { return opensPast_; }
     /// The vertices that are seen elsewhere, and the way from where each of them is [m].
     const std::map<int, Vec3>& displacements() const { return displacements_; }
     /// The displacement of v [m], zero where it is seen where it is.
@@ -49,6 +64,7 @@ class SlitOpening {
   private:
     std::map<int, Vec3> displacements_;
     double reach_ = 0;
+    bool opensPast_ = false;
 };
 
 }  // namespace kerf::cut

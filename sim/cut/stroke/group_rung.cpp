@@ -14,6 +14,7 @@ bool isInAir(const std::vector<RungNode>& rung) {
 void GroupRung::startTransit() {
     group_.transit = ++stroke_.transit;
     group_.firstVertexOfTransit = body_.mesh.vertexCount();
+    group_.past.start(group_.firstVertexOfTransit);
     group_.onSeams.clear();
     group_.sides.clear();
     group_.opensSlits = true;

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -34,6 +35,10 @@ constexpr int kRefusalsBeforeDetach = 3;
 // Sliding along the axis in the air by more than this many times the advance takes the rung along.
 constexpr double kAxialSlide = 4;
 constexpr double kBinSize = 1.0;
+// Of the edge length: so near to where its walls began a blade is there.
+constexpr double kAtOwnStart = 0.25;
+// A stroke that ends there is taken to so far ahead.
+constexpr double kPastOwnStart = 0.3;
 // Of the body at rest: a step that would change its volume by more is not done. The bar is 1e-9 for
 // all pieces together.
 constexpr double kMostVolumeChange = 5e-10;
@@ -58,6 +63,17 @@ CutResult resultOf(const PlannedStep& step, CommitResult committed) {
     return result;
 }
 
+/// Nothing for a rung in the air.
+std::optional<Vec3> middleOfFront(const std::vector<RungNode>& rung) {
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    for (const RungNode& node : rung) {
+        sum += node.vertex >= 0 ? node.position : Vec3(Vec3::Zero());
+        count += node.vertex >= 0 ? 1 : 0;
+    }
+    return count > 0 ? std::optional<Vec3>(sum / count) : std::nullopt;
+}
+
 /// A step of the blade through one group of pieces, made for that step alone.
 class GroupStep {
   public:
@@ -65,6 +81,12 @@ class GroupStep {
         : body_(body), stroke_(stroke), group_(group) {}
 
     CutResult take(Gate gate) {
+        if (isAtOwnStart()) {
+            if (gate != Gate::flush) {
+                return outcome(CutOutcome::waiting);
+            }
+            goPastOwnStart();
+        }
         std::vector<RungNode> from = group_.rung;
         const double least = body_.gateLength(gate, group_.edgeLength);
         const BladeMotion motion = reparametrize(to_, body_.h(), from);
@@ -107,6 +129,27 @@ class GroupStep {
         int level = 0;              ///< of the retry ladder
         std::set<int> mustCross{};  ///< pieces in which it must cross the stroke's walls
     };
+
+    /// Whether the blade has come round to where its walls began: it lies along most of that. A
+    /// step that ended there would lead part of the front past it and leave the rest before it.
+    bool isAtOwnStart() const {
+        const std::span<const int> start = group_.past.startVertices();
+        const Vec3 along = (to_.b - to_.a).normalized();
+        const auto near = std::ranges::count_if(start, [&](int v) {
+            const Vec3 way = body_.mesh.position(v) - to_.a;
+            return body_.mesh.outgoing(v) >= 0 &&
+                   (way - along * along.dot(way)).norm() < kAtOwnStart * group_.edgeLength;
+        });
+        return 2 * near > sizeOf(start);
+    }
+
+    /// Straight ahead.
+    void goPastOwnStart() {
+        const Vec3 along = (to_.b - to_.a).normalized();
+        const Vec3 on = group_.heading - along * along.dot(group_.heading);
+        const Vec3 way = on.stableNormalized() * (kPastOwnStart * group_.edgeLength);
+        to_ = {to_.a + way, to_.b + way};
+    }
 
     /// Whether parts of the rung go on by themselves. A part that the blade has left behind stays
     /// until the blade is ahead of it again.
@@ -194,7 +237,8 @@ class GroupStep {
                                 .onSeams = group_.onSeams,
                                 .sides = group_.sides,
                                 .opening = opening,
-                                .takesSeamsAlong = takesSeamsAlong});
+                                .takesSeamsAlong = takesSeamsAlong,
+                                .past = group_.past.vertices()});
         };
         if (group_.opensSlits) {
             const SlitOpening first = opened(kOpenings.front(), false);
@@ -331,7 +375,8 @@ class GroupStep {
             .seed = settings.seed,
             .stroke = stroke_.number,
             .transit = group_.transit,
-            .firstVertexOfTransit = group_.firstVertexOfTransit,
+            .firstVertexOfTransit =
+                one.opening.opensPast() ? group_.past.vertices().end : group_.firstVertexOfTransit,
             .attempt = attemptAt(one.level, settings.tolerance * scale, retrySeed),
             .body = bodyBox,
             .atRest = body_.atRest,
@@ -348,6 +393,7 @@ class GroupStep {
         if (body_.settings.cleanUp && !stroke_.cleanup) {
             stroke_.cleanup.emplace(body_.mesh, *body_.edgeLengths);
         }
+        const int firstVertex = body_.mesh.vertexCount();
         CommitResult committed = commit(body_.mesh, step.plan, group_.edgeLength, stroke_.number,
                                         stayingFront(group_.rung, one.part));
         const std::vector<int> changed = changedTriangles(committed.delta);
@@ -357,12 +403,53 @@ class GroupStep {
         const Vec3 way = advanceOf(one.to, group_.edgeLength, one.part.rung, committed.rung);
         group_.heading = way.isZero(0) ? group_.heading : way;
         std::vector<RungNode> next = replaced(group_.rung, one.part, committed.rung);
+        followPast(one, committed.rung, firstVertex);
         if (isInAir(next)) {
-            group_.heading = Vec3::Zero();
-            rung_.startTransit();
+            endTransit(one.opening.opensPast());
         }
         group_.rung = std::move(next);  // tied once all of the step is done
         return resultOf(step, std::move(committed));
+    }
+
+    /// Notes what of the stroke's walls lies so far behind that the blade may come round to it.
+    /// `first`: the first vertex that the step made.
+    void followPast(const Try& one, const std::vector<RungNode>& next, int first) {
+        if (isInAir(one.part.rung)) {
+            group_.past.begin(endsOfSlit(first, next));
+        }
+        group_.past.goOn(wayOf(one.part, next), first);
+    }
+
+    /// A transit ends: in the air, or in the stroke's own slit.
+    void endTransit(bool inOwnSlit) {
+        OwnPast past = group_.past;
+        group_.heading = Vec3::Zero();
+        rung_.startTransit();
+        if (inOwnSlit) {
+            past.closeUp(body_.mesh.vertexCount());
+            group_.past = std::move(past);
+        }
+    }
+
+    /// Vertices from `first` on where the walls of the stroke end in the body, but for its front.
+    std::vector<int> endsOfSlit(int first, const std::vector<RungNode>& front) const {
+        std::vector<int> ends;
+        for (int v = first; v < body_.mesh.vertexCount(); ++v) {
+            if (isEndOfSlit(body_.mesh, v, stroke_.number) &&
+                std::ranges::find(front, v, &RungNode::vertex) == front.end()) {
+                ends.push_back(v);
+            }
+        }
+        return ends;
+    }
+
+    /// How far a part of the front has gone on, as a share of the edge length, times its share of
+    /// the front.
+    double wayOf(const RungPart& part, const std::vector<RungNode>& next) const {
+        const std::optional<Vec3> from = middleOfFront(part.rung);
+        const std::optional<Vec3> to = middleOfFront(next);
+        const double share = static_cast<double>(part.count) / sizeOf(group_.rung);
+        return from && to ? share * (*to - *from).norm() / group_.edgeLength : 0.0;
     }
 
     /// Throws StepFailure where a step that could be planned is not to be done.
@@ -437,7 +524,7 @@ class GroupStep {
     Stroke& stroke_;
     GroupStroke& group_;
     GroupRung rung_{body_, stroke_, group_};
-    const Blade to_ = stroke_.blade;
+    Blade to_ = stroke_.blade;
     Tries tries_;
     Mirrors mirrors_ = Mirrors::wanted;
 };

@@ -6,6 +6,7 @@
 
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
+#include "sim/cut/stroke/own_past.h"
 #include "sim/cut/surface/air_ties.h"
 #include "sim/mesh/surface_mesh.h"
 
@@ -18,6 +19,7 @@ struct GroupStroke {
     int number = -1;               ///< the group's number (groupPieces)
     int transit = 0;               ///< goes up each time the blade starts from the air
     int firstVertexOfTransit = 0;  ///< vertices from here on were made in the transit
+    OwnPast past;                  ///< what it has made of its walls so long ago that they are old
     std::set<int> onSeams;         ///< vertices of the transit on walls of older ones
     bool opensSlits = true;        ///< whether older slits along the way are seen open
     std::map<int, Vec3> sides;     ///< ways in which older slits open (OpeningInput::sides)

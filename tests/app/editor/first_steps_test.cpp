@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "sim/run/step_report.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "ui/action_table.h"
 
@@ -97,6 +98,20 @@ TEST(FirstSteps, AnIncisionOfTheScalpelLeadsToTheHand) {
     now.outcome = StrokeOutcome::incised;
     steps.follow(now);
     EXPECT_EQ(choicesOf(steps.hint(now)), std::vector{ActionId::toolGrab});
+}
+
+// Not that the blade began or ended inside, which the log does not say.
+TEST(FirstSteps, SayOfARefusedStepWhatTheLogSays) {
+    FirstSteps steps;
+    Situation now{.open = true, .outcome = StrokeOutcome::incised};
+    CutResult refused;
+    refused.reason = "the blade meets a wall";
+    now.refusal = refusalSentence(refused, 92);
+    EXPECT_THAT(steps.hint(now).text, HasSubstr(now.refusal));
+    now.pieces = 2;
+    EXPECT_THAT(steps.hint(now).text, HasSubstr(now.refusal)) << "it parted nothing else either";
+    now.outcome = StrokeOutcome::parted;
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("2 pieces now")) << "it did without that step";
 }
 
 TEST(FirstSteps, SayWhyNothingMoves) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <set>
 
 #include "sim/body/shape_error.h"
@@ -340,6 +341,23 @@ TEST_F(SimulationTest, ResetIsAFreshSimulation) {
     EXPECT_TRUE(simulation.params() == dropped(0.1));
     EXPECT_FALSE(simulation.blade().has_value());
     EXPECT_EQ(play(), first);
+}
+
+// A body that pierces itself everywhere.
+TEST_F(SimulationTest, KeepsWhatItSaidOfARefusedStep) {
+    SurfaceMesh mesh = test::icosphere(2);
+    std::mt19937_64 engine(11);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const auto random = [&] { return 0.3 * (static_cast<double>(engine() >> 11) * 0x1p-53); };
+        mesh.setPosition(v, mesh.position(v) + Vec3(random(), random(), random()));
+        mesh.setRestPosition(v, mesh.position(v));
+    }
+    Simulation simulation(mesh, weightless());
+    EXPECT_EQ(simulation.refusalOfStroke(), "");
+    cutDown(simulation, 1.0, -0.4, 20);
+    const std::string refusal = simulation.refusalOfStroke();
+    EXPECT_THAT(refusal, testing::HasSubstr("the cut was refused"));
+    EXPECT_THAT(simulation.takeMessages(), testing::Contains(refusal));
 }
 
 TEST_F(SimulationTest, RecoversFromNumbersThatAreNotFinite) {
