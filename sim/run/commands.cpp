@@ -127,6 +127,7 @@ std::string Simulation::State::carryOut(const Redo&) {
 }
 
 std::string Simulation::State::execute(const Command& command) {
+    body.memory.recovery.allowAgain();
     return std::visit([this](const auto& kind) { return carryOut(kind); }, command);
 }
 
