@@ -88,7 +88,7 @@ struct WordWrite {
     uint value;
 };
 
-// A vertex that a hand holds, for a step.
+// A vertex that a hand holds, or that is led back to its place at rest, for a step.
 struct PullRecord {
     uint vertex;
     float target_x;  // where it should be at the end of the step [m]
@@ -97,6 +97,7 @@ struct PullRecord {
     float motion_x;  // of the hand [m/s]
     float motion_y;
     float motion_z;
+    uint leads;  // 1: it moves as the hand does, whatever pulls at it; 0: by a spring
 };
 
 // Of one piece, in a substep.

@@ -59,6 +59,10 @@ bool holdsVolume(const Params& params) {
     return params.solver == SolverMode::smallSteps && params.ispcStiffness > 0;
 }
 
+bool keepsShape(const Params& params) {
+    return std::min({params.stretchStiffness, params.bendingStiffness, params.ispcStiffness}) > 0;
+}
+
 double ispcModulusFactor(double stiffness) {
     if (stiffness >= 1) {
         return std::numeric_limits<double>::infinity();

@@ -20,6 +20,9 @@ double sweepStiffness(double stiffness, int sweeps);
 /// where what is hollow can be squeezed flat.
 bool holdsVolume(const Params& params);
 
+/// Whether a piece that is not loaded has its shape at rest: edges, bends and ISPCs are all on.
+bool keepsShape(const Params& params);
+
 /// The parameters as the solver reads them; counts are 0. SolverMode::smallSteps: `iterations`
 /// substeps of one sweep, with compliances. SolverMode::pbd: one substep of `iterations` sweeps,
 /// with stiffness factors and without a volume constraint.

@@ -247,7 +247,7 @@ void ReferenceSolver::pull(ReferenceState& state) const {
         const Vec3 target(pull.target_x, pull.target_y, pull.target_z);
         const Vec3 slip = d - h * Vec3(pull.motion_x, pull.motion_y, pull.motion_z);
         const Vec3 away = at(state, pull.vertex) - target;
-        d -= (r * r * away + 2 * r * slip) / (1 + 2 * r + r * r);
+        d -= pull.leads != 0 ? slip : (r * r * away + 2 * r * slip) / (1 + 2 * r + r * r);
     }
 }
 

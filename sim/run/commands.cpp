@@ -133,6 +133,7 @@ std::string Simulation::State::carryOut(const SetTime& set) {
 }
 
 std::string Simulation::State::execute(const Command& command) {
+    body.memory.recovery.allowAgain();
     return std::visit([this](const auto& kind) { return carryOut(kind); }, command);
 }
 

@@ -46,6 +46,8 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     // The volumes at which pieces are held, by the measure; and the solver with them.
     memory.volumeTargets.follow(change.pieces.source, body.model(), memory.measure.pieceVolumes);
     body.solver.setVolumeTargets(memory.volumeTargets.targets());
+    // What is drawn back to its shape, by the pieces.
+    memory.recovery.follow(change.pieces.source);
     // The pins, by the mesh; and the solver with them.
     if (memory.pins.follow(body.mesh, delta)) {
         body.solver.masses().setPinned(memory.pins.vertices());

@@ -23,7 +23,8 @@ shared::PullRecord pullOf(const Hands::Hand& hand, const Hands::Held& held, doub
             target.z(),
             motion.x(),
             motion.y(),
-            motion.z()};
+            motion.z(),
+            0};
 }
 
 }  // namespace
@@ -80,6 +81,16 @@ std::vector<shared::PullRecord> Hands::advance(double timeStep) {
         hand.from = hand.to;
     }
     return pulls;
+}
+
+std::vector<std::uint32_t> Hands::heldVertices() const {
+    std::vector<std::uint32_t> vertices;
+    for (const Hand& hand : hands_) {
+        for (const Held& held : hand.held) {
+            vertices.push_back(static_cast<std::uint32_t>(held.vertex));
+        }
+    }
+    return vertices;
 }
 
 Hands::Hand* Hands::find(int number) {

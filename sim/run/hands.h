@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ class Hands {
 
     /// The hands that hold something, by number.
     const std::vector<Hand>& hands() const { return hands_; }
+    /// Those that hands hold, hand by hand.
+    std::vector<std::uint32_t> heldVertices() const;
     bool empty() const { return hands_.empty(); }
 
     /// The springs of the coming step of `timeStep` [s]; the hands have arrived then.

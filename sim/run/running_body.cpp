@@ -5,6 +5,7 @@
 
 #include "sim/base/boxes.h"
 #include "sim/base/pausing.h"
+#include "sim/base/sort_unique.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/oriented_box.h"
 
@@ -101,11 +102,24 @@ void RunningBody::restore(const Snapshot& snapshot) {
     whole = true;
 }
 
-void RunningBody::prepareStep(double timeStep) {
-    if (volumesHeld && memory.volumeTargets.fade(timeStep)) {
+void RunningBody::prepareStep(const Params& params) {
+    if (volumesHeld && memory.volumeTargets.fade(params.timeStep)) {
         solver.setVolumeTargets(memory.volumeTargets.targets());
     }
-    solver.setPulls(memory.hands.advance(timeStep));
+    std::vector<shared::PullRecord> pulls = memory.hands.advance(params.timeStep);
+    if (memory.recovery.draws()) {
+        const std::vector<shared::PullRecord> leads = leadsBack(params);
+        pulls.insert(pulls.end(), leads.begin(), leads.end());
+    }
+    solver.setPulls(pulls);
+}
+
+std::vector<shared::PullRecord> RunningBody::leadsBack(const Params& params) {
+    std::vector<std::uint32_t> held = memory.hands.heldVertices();
+    const std::vector<std::uint32_t>& pinned = memory.pins.vertices();
+    held.insert(held.end(), pinned.begin(), pinned.end());
+    sortUnique(held);
+    return memory.recovery.advance({model(), mesh, params, std::move(held)});
 }
 
 /// What needs no result is done while the GPU measures.
@@ -170,6 +184,17 @@ void RunningBody::readAllBack(bool all) {
 
 void RunningBody::lookUpTriangles() {
     cutter->useFinder(readsAllBack ? nullptr : &sync);
+}
+
+bool RunningBody::looksCollapsed() const {
+    constexpr double kLittle = 0.5;
+    const std::vector<PieceModel>& pieces = model().pieces;
+    bool little = false;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        little = little || (pieces[p].holdsVolume &&
+                            memory.measure.pieceVolumes[p] < kLittle * pieces[p].restVolume);
+    }
+    return little || solver.collisions().expectsFolds();
 }
 
 bool RunningBody::isOpen() const {

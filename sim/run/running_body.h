@@ -33,8 +33,9 @@ struct RunningBody {
     /// Bit for bit. The parameters are to be applied again.
     void restore(const Snapshot& snapshot);
 
-    /// Lets targets of volumes fade and hands move, before the solver's step of `timeStep` [s].
-    void prepareStep(double timeStep);
+    /// Lets targets of volumes fade, and hands and what is drawn back move, before the solver's
+    /// step.
+    void prepareStep(const Params& params);
     void bringLostPiecesBack();
     /// Measures what the solver's step has moved; waits for the GPU.
     void measureStep();
@@ -53,6 +54,9 @@ struct RunningBody {
     void readAllBack(bool all);
 
     const BodyModel& model() const { return updater->model(); }
+    /// Tells whether a piece may have gone through itself, as far as the last measure shows: some
+    /// edge is folded, or a piece holds little of its volume.
+    bool looksCollapsed() const;
     /// Tells whether walls of a stroke of the open course are absent.
     bool isOpen() const;
     const PieceMap& pieces();
@@ -75,6 +79,7 @@ struct RunningBody {
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:
+    std::vector<shared::PullRecord> leadsBack(const Params& params);
     void lookUpTriangles();
     void beginAtRest();
 

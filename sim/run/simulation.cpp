@@ -5,6 +5,8 @@
 #include "sim/base/stopwatch.h"
 #include "sim/base/text.h"
 #include "sim/body/folded_triangles.h"
+#include "sim/body/inside_out.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/run/cut_followers.h"
 #include "sim/run/front_hold.h"
 #include "sim/run/simulation_state.h"
@@ -13,8 +15,11 @@
 namespace kerf {
 
 namespace {
-// Steps after which a body that is folded, and not being cut, is mended: most folds go by then.
+// Steps after which a body that is folded, and not being cut, is looked after: most folds go by
+// then.
 constexpr int kPatience = 10;
+// Share of a piece that is inside out, up to which its folds are those of a cut.
+constexpr double kMostMended = 0.01;
 }  // namespace
 
 Simulation::State::State(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver,
@@ -66,7 +71,7 @@ const StepReport& Simulation::State::step() {
     if (input.timeRuns) {
         solve();
         stroke.step();
-        mendFolds();
+        lookAfterShape();
         output.clock.time += input.params.timeStep;
     } else {
         stroke.step();
@@ -83,7 +88,7 @@ void Simulation::State::applyParameters() {
 }
 
 void Simulation::State::solve() {
-    body.prepareStep(input.params.timeStep);
+    body.prepareStep(input.params);
     prefetchCut();
     moveBody();
     body.measureStep();
@@ -129,21 +134,57 @@ void Simulation::State::takeBackLostPieces() {
     body.bringLostPiecesBack();
 }
 
-/// What the solver can't unfold in kPatience steps lies at short edges that a cut left there: these
-/// are removed.
-void Simulation::State::mendFolds() {
+/// Every few steps with folds: what has collapsed is drawn back to its shape, and what a cut left
+/// folded elsewhere is mended.
+void Simulation::State::lookAfterShape() {
+    const bool unfolds = body.solver.stepper().unfolds();
+    const bool keeps = keepsShape(input.params);
+    if (!keeps) {
+        body.memory.recovery.stop();
+    }
     int& foldedSteps = body.memory.foldedSteps;
     if (body.cutter->inStroke()) {
         foldedSteps = 0;
-    } else if (body.solver.stepper().unfolds()) {
+    } else if (unfolds || (keeps && body.looksCollapsed())) {
         ++foldedSteps;  // not in a row: much comes and goes
     }
     if (foldedSteps < kPatience) {
         return;
     }
     foldedSteps = 0;
+    const std::vector<double> insideOut = sharesInsideOut(body.model(), body.mesh);
+    if (keeps) {
+        drawCollapsedBack(insideOut);
+    }
+    if (unfolds) {
+        mendFolds(insideOut);
+    }
+}
+
+/// Not what a hand holds: somebody is at work on it.
+void Simulation::State::drawCollapsedBack(std::vector<double> insideOut) {
+    for (const std::uint32_t v : body.memory.hands.heldVertices()) {
+        if (const int piece = body.model().pieceOfVertex[v]; piece >= 0) {
+            insideOut[piece] = 0;
+        }
+    }
+    const int collapsed = body.memory.recovery.begin(insideOut);
+    if (collapsed > 0) {
+        output.say("{} of {} collapsed, partly inside out, and {} drawn back to {} at rest.",
+                   counted(collapsed, "piece", "pieces"), insideOut.size(),
+                   collapsed == 1 ? "is" : "are", collapsed == 1 ? "its shape" : "their shapes");
+    }
+}
+
+/// What the solver can't unfold in kPatience steps lies at short edges that a cut left there: these
+/// are removed. The folds of what has collapsed say nothing about edges.
+void Simulation::State::mendFolds(std::span<const double> insideOut) {
     const Stopwatch watch;
-    const std::vector<int> triangles = foldedTriangles(body.mesh, body.uncut->mesh.triangleSlots());
+    std::vector<int> triangles = foldedTriangles(body.mesh, body.uncut->mesh.triangleSlots());
+    std::erase_if(triangles, [&](int t) {
+        const int piece = body.updater->pieceOfMeshVertex()[body.mesh.triangle(t)[0]];
+        return insideOut[piece] > kMostMended || body.memory.recovery.draws(piece);
+    });
     const CutDelta mended = triangles.empty() ? CutDelta{} : body.cutter->mend(triangles);
     if (!mended.empty()) {
         followCut(mended, body, log.history(), output);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,9 @@ struct Simulation::State {
     void prefetchCut();
     void moveBody();
     void takeBackLostPieces();
-    void mendFolds();
+    void lookAfterShape();
+    void drawCollapsedBack(std::vector<double> insideOut);
+    void mendFolds(std::span<const double> insideOut);
     void publish();
 
     /// Carries a command out at once. Returns "" or one sentence; nothing changed then. Every kind

@@ -9,6 +9,7 @@
 #include "sim/mesh/surface_mesh.h"
 #include "sim/run/hands.h"
 #include "sim/run/pins.h"
+#include "sim/run/shape_recovery.h"
 #include "sim/solve/body_measure.h"
 #include "sim/solve/volume_targets.h"
 
@@ -19,9 +20,10 @@ struct BodyMemory {
     VolumeTargets volumeTargets;
     Hands hands;
     Pins pins;
+    ShapeRecovery recovery;
     BodyMeasure measure;  ///< as of the last step
     SubdivisionCounts subdivisions{};
-    int foldedSteps = 0;  ///< without a stroke, since it was last mended
+    int foldedSteps = 0;  ///< without a stroke, since its shape was last looked at
     bool closed = true;   ///< no cut has left a defect; see checkClosedManifold
 };
 

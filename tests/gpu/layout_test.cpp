@@ -69,7 +69,7 @@ std::vector<Record> sharedRecords() {
         RECORD(ConstraintShare, AT(constraint), AT(weight)),
         RECORD(WordWrite, AT(word), AT(value)),
         RECORD(PullRecord, AT(vertex), AT(target_x), AT(target_y), AT(target_z), AT(motion_x),
-               AT(motion_y), AT(motion_z)),
+               AT(motion_y), AT(motion_z), AT(leads)),
         RECORD(VolumeImpulse, AT(impulse), AT(finished)),
         RECORD(VolumeSum, AT(volume), AT(denominator)),
         RECORD(BlockMeasure, AT(low_volume), AT(high_lost), AT(low_velocity_kinetic),

@@ -349,7 +349,7 @@ TEST_F(GpuSolverTest, PullsLikeTheReference) {
     Pair pair(test::cubeSphere(8), Params{}, 0, 7);
     std::vector<shared::PullRecord> pulls;
     for (uint v = 3; v < 40; v += 2) {
-        pulls.push_back({v, 0.1f, 0.7f, 0.2f, 1.0f, 0.0f, -2.0f});
+        pulls.push_back({v, 0.1f, 0.7f, 0.2f, 1.0f, 0.0f, -2.0f, v % 4 == 1 ? 1u : 0u});
     }
     ReferenceSolver solver(pair.model, pair.uniforms);
     solver.setPulls(pulls);
@@ -462,9 +462,10 @@ BodyState played(const SurfaceMesh& mesh, const OneGroupCase& how, bool oneGroup
     pair.gpu.masses().setPinned({1, 5});
     for (int step = 0; step < 10; ++step) {
         const bool holds = step % 2 == 0;
-        pair.gpu.setPulls(holds ? std::vector<shared::PullRecord>{{9, 0.1f, 0.2f, 0.3f, 1, 0, 0},
-                                                                  {11, 0.4f, 0.2f, 0.3f, 1, 0, 0}}
-                                : std::vector<shared::PullRecord>{});
+        pair.gpu.setPulls(holds
+                              ? std::vector<shared::PullRecord>{{9, 0.1f, 0.2f, 0.3f, 1, 0, 0, 0},
+                                                                {11, 0.4f, 0.2f, 0.3f, 1, 0, 0, 1}}
+                              : std::vector<shared::PullRecord>{});
         pair.gpu.step();
         pair.gpu.measure();
     }
@@ -620,7 +621,7 @@ TEST_F(GpuSolverTest, SmallBodiesAreSolvedInOneGroup) {
     params.solver = SolverMode::pbd;
     Pair swept(test::icosphere(1), params, 0, 1);
     EXPECT_TRUE(swept.gpu.stepper().solvesInOneGroup());
-    swept.gpu.setPulls({{9, 0.1f, 0.2f, 0.3f, 1, 0, 0}});
+    swept.gpu.setPulls({{9, 0.1f, 0.2f, 0.3f, 1, 0, 0, 0}});
     EXPECT_FALSE(swept.gpu.stepper().solvesInOneGroup());
 }
 

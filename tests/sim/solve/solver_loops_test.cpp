@@ -69,7 +69,7 @@ class SolverLoops : public test::GlTest {
         uniforms.active_parts |= (1u << kConstraintTypes) - 1;
         gpu.setUniforms(uniforms);
         if (params.solver == SolverMode::smallSteps) {
-            gpu.setPulls({{1, 0.1f, 0.2f, 0.3f, 1, 0, 0}});
+            gpu.setPulls({{1, 0.1f, 0.2f, 0.3f, 1, 0, 0, 0}});
         }
         gpu::Buffer turns;
         turns.resize(kThreads / 8 * sizeof(std::uint32_t));

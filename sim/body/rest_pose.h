@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+
+#include "sim/base/math.h"
+
+namespace kerf {
+
+/// A vertex of a piece, as its rest shape is fitted to it.
+struct FittedVertex {
+    int vertex = -1;
+    double weight = 0;
+    Vec3 at = Vec3::Zero();        ///< [m]
+    Vec3 rest = Vec3::Zero();      ///< [m]
+    Vec3 velocity = Vec3::Zero();  ///< [m/s]
+};
+
+/// How a piece moves as a whole.
+struct RigidMotion {
+    Vec3 velocity = Vec3::Zero();  ///< of its middle [m/s]
+    Vec3 spin = Vec3::Zero();      ///< [rad/s]
+};
+
+/// Where the rest shape of a piece fits best to where the piece is.
+struct RestPose {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< never mirrors
+    Vec3 middle = Vec3::Zero();                              ///< [m]
+    Vec3 restMiddle = Vec3::Zero();                          ///< [m]
+    double radius = 0;                                       ///< RMS distance from it at rest [m]
+
+    /// Where a vertex that rests there belongs [m].
+    Vec3 placeOf(const Vec3& rest) const { return middle + rotation * (rest - restMiddle); }
+};
+
+/// The pose with the least weighted squares of ways (shape matching, Mueller et al. 2005). Some
+/// weight must be above 0.
+RestPose fitRestPose(std::span<const FittedVertex> vertices);
+/// The rigid motion with the weighted momenta of the vertices about `middle`, their mean.
+RigidMotion rigidMotionOf(std::span<const FittedVertex> vertices, const Vec3& middle);
+/// Root mean square of the ways from the vertices to their places [m].
+double rmsWay(const RestPose& pose, std::span<const FittedVertex> vertices);
+
+}  // namespace kerf
