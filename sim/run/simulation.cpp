@@ -26,7 +26,8 @@ Simulation::State::State(PreparedBody prepared, std::unique_ptr<GpuSolver> loade
 
 void Simulation::State::start() {
     startRun();
-    startBody();
+    body.startAsAtFirst();
+    beginAtRest();
 }
 
 /// With the first parameters, at step 0.
@@ -231,6 +232,10 @@ const CutResult& Simulation::lastCut() const {
 
 std::vector<std::string> Simulation::takeMessages() {
     return std::exchange(state_->output.messages, {});
+}
+
+const std::shared_ptr<const UncutBody>& Simulation::uncut() const {
+    return state_->body.uncut;
 }
 
 const std::vector<StaticBox>& Simulation::boxes() const {
