@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
+#include "render/scene/depth_field.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -56,6 +57,7 @@ void Editor::frame(double elapsedSeconds) {
         s.redraw.panels();
     }
     s.advance(elapsedSeconds);
+    s.followPlacement();
     s.picture.draw(s.scene.get(), s.view, s.panels.covered(s.view.width, s.view.height),
                    s.redraw.takeScene());
     s.panels.interface.draw(s.picture.target());
@@ -141,6 +143,13 @@ void Editor::State::runSteps(int needed, int due) {
     for (const std::string& message : scene->takeMessages()) {
         spdlog::warn("{}", message);
         toast.show(message, false);
+    }
+}
+
+void Editor::State::followPlacement() {
+    if (scene != nullptr && view.follow(*scene)) {
+        picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
+        redraw.scene();
     }
 }
 

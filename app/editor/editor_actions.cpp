@@ -209,7 +209,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::frameBody, Needs::body,
             [](State& s) { s.view.camera.flyToFrame(s.scene->bounds()); }},
     Handler{ActionId::resetView, Needs::body,
-            [](State& s) { s.view.camera.flyTo(s.scene->document().camera); }},
+            [](State& s) { s.view.camera.flyTo(s.scene->homeView()); }},
     Handler{ActionId::viewFront, Needs::body, lookFrom<AxisView::front>},
     Handler{ActionId::viewBack, Needs::body, lookFrom<AxisView::back>},
     Handler{ActionId::viewRight, Needs::body, lookFrom<AxisView::right>},
@@ -288,6 +288,10 @@ struct Answer {
 
     // What needs an open document.
     void onBody(const Command& command) const { s.execute(command); }
+    void onBody(const ui::PlaceModel& wanted) const {
+        s.view.cancelTools(*s.scene);
+        s.say(s.scene->place(wanted.placement, wanted.continues));
+    }
     void onBody(const ui::PlaceBox&) const {
         s.execute(AddBox{boxBeside(s.scene->bounds(), s.scene->simulation().params().floor)});
     }

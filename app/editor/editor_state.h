@@ -59,6 +59,8 @@ struct Editor::State {
 
     // A picture: editor.cpp.
     void advance(double elapsedSeconds);
+    /// Lets view and picture follow a model that was placed otherwise.
+    void followPlacement();
     /// Runs `needed` steps whatever they cost, and up to `due` ones while they are fast.
     void runSteps(int needed, int due);
     void saveScreenshot();
