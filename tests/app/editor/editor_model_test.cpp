@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/files/file_io.h"
+#include "app/scene/editor_scene.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 

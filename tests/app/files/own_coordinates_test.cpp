@@ -207,7 +207,7 @@ TEST_P(OwnCoordinates, LieOverTheOriginOfTheSceneInMetres) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, OwnCoordinates, ::testing::Values(".obj", ".ply", ".stl", ".glb"),
-                         [](const auto& info) { return std::string(info.param).substr(1); });
+                         [](const auto& format) { return std::string(format.param).substr(1); });
 
 }  // namespace
 }  // namespace kerf::app

@@ -128,7 +128,9 @@ TEST_F(PlacementTest, WhatIsTinyOrHugeIsCutInTwoAsItFalls) {
     for (const double size : {0.001, 0.01, 300.0}) {
         const Params params = suitedTo(size * std::sqrt(3.0), Params{});
         simulation.emplace(test::cubeSphere(6, 0.5 * size), params);
-        simulation->execute(Place{{.translate = Vec3(0, 0.52 * size, 0)}});
+        Placement raised;
+        raised.translate.y() = 0.52 * size;
+        place(raised);
         cut(1.2 * size);
         run(40);
         EXPECT_EQ(simulation->report().pieces, 2) << size;
