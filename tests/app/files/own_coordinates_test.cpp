@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -159,11 +160,12 @@ std::vector<Shape> shapes() {
 
 class OwnCoordinates : public ::testing::TestWithParam<const char*> {
   protected:
-    /// The soup in floats, as a file of the format has it.
+    /// The soup in floats, as a file of the format has it; what is zero but for rounding is zero.
     std::filesystem::path write(const Shape& shape) {
         TriangleSoup soup = shape.soup;
         for (Vec3& p : soup.positions) {
-            p = (shape.size * p + shape.offset).cast<float>().cast<double>();
+            const Vec3 exact = p.unaryExpr([](double x) { return std::fabs(x) < 1e-9 ? 0 : x; });
+            p = (shape.size * exact + shape.offset).cast<float>().cast<double>();
         }
         const SurfaceMesh mesh = test::meshOf(soup);
         std::filesystem::path file = folder / (std::string("model") + GetParam());
@@ -188,7 +190,7 @@ TEST_P(OwnCoordinates, ComeBackExactlyInEveryFormat) {
         const Document document = openDocument(file);
         EXPECT_FALSE(document.note.empty());
         for (const char* ending : {".obj", ".ply", ".stl", ".glb"}) {
-            EXPECT_EQ(readPlainly(ending, exported(document, ending)), before)
+            EXPECT_TRUE(readPlainly(ending, exported(document, ending)) == before)
                 << shape.name << " as " << ending;
         }
     }
