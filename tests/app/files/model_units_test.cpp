@@ -40,7 +40,7 @@ TEST(UnitGuess, SaysWhatWasTakenAndWhy) {
         guessOf("a.obj", 9.66).sentence,
         "OBJ names no unit: taken as centimetres with +y up, 9.66 cm long, since 9.66 m would "
         "be huge.");
-    EXPECT_NE(guessOf("a.stl", 0.92).sentence.find("since 0.92 mm would be tiny."),
+    EXPECT_NE(guessOf("a.stl", 0.92).sentence.find("since 920 \u00b5m would be tiny."),
               std::string::npos);
 }
 

@@ -2,7 +2,6 @@
 // plain readers of the formats see them, without assimp and without what wrote them.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -22,18 +21,21 @@ namespace {
 
 using Point = std::array<float, 3>;
 using Corners3 = std::array<Point, 3>;
-/// Triangles by their corners, each from its least corner on, in order.
+/// Triangles by their corners.
 using Soup = std::vector<Corners3>;
 
-Soup inOrder(Soup soup) {
-    for (Corners3& corners : soup) {
-        for (Point& point : corners) {
-            for (float& x : point) x += 0.0F;  // no -0
+/// Whether all numbers are the same, in the order of the file. `rounding`: of a number, by which
+/// they may differ.
+bool areSame(const Soup& a, const Soup& b, float rounding) {
+    bool same = a.size() == b.size();
+    for (std::size_t t = 0; same && t < a.size(); ++t) {
+        for (int i = 0; i < 9; ++i) {
+            const float x = a[t][i / 3][i % 3];
+            const float y = b[t][i / 3][i % 3];
+            same &= std::fabs(x - y) <= rounding * std::fabs(x);
         }
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
     }
-    std::ranges::sort(soup);
-    return soup;
+    return same;
 }
 
 template <class T>
@@ -49,7 +51,7 @@ Soup soupOf(const std::vector<Point>& points, const std::vector<std::array<int, 
     for (const auto& [a, b, c] : triangles) {
         soup.push_back({points[a], points[b], points[c]});
     }
-    return inOrder(soup);
+    return soup;
 }
 
 Soup readObj(const std::string& text) {
@@ -103,7 +105,7 @@ Soup readStl(const std::string& bytes) {
         corners = take<Corners3>(bytes, at);
         at += 2;
     }
-    return inOrder(soup);
+    return soup;
 }
 
 /// Of one mesh with one primitive, without a transform.
@@ -183,14 +185,16 @@ class OwnCoordinates : public ::testing::TestWithParam<const char*> {
     test::TemporaryFolder folder;
 };
 
+/// Of a text, assimp reads the last digit of a float otherwise than others now and then.
 TEST_P(OwnCoordinates, ComeBackExactlyInEveryFormat) {
+    const float rounding = std::string(GetParam()) == ".obj" ? 2.4e-7F : 0;
     for (const Shape& shape : shapes()) {
         const std::filesystem::path file = write(shape);
         const Soup before = readPlainly(GetParam(), readInputFile(file, kMaxModelBytes));
         const Document document = openDocument(file);
         EXPECT_FALSE(document.note.empty());
         for (const char* ending : {".obj", ".ply", ".stl", ".glb"}) {
-            EXPECT_TRUE(readPlainly(ending, exported(document, ending)) == before)
+            EXPECT_TRUE(areSame(readPlainly(ending, exported(document, ending)), before, rounding))
                 << shape.name << " as " << ending;
         }
     }
