@@ -95,19 +95,23 @@ TEST_F(EditorModelTest, ExportsTheCoordinatesOfItsFileUnlessToldOtherwise) {
 
 TEST_F(EditorModelTest, APlacementAfterACutStartsAnewAndIsReplayed) {
     const Document opened = openDocument(folder / "figure.obj");
-    drag({640, 20}, {640, 1100}, 12);
+    editor->resize(320, 240);
+    drag({160, 5}, {160, 235}, 6);
     settle();
     ASSERT_EQ(editor->scene()->pieceCount(), 2);
     EXPECT_FALSE(model().untouched);
     const std::string cut = simulation().stateHash();
-    click("model.unit.ft");
+    Placement feet = model().placement;
+    feet.unit = LengthUnit::foot;
+    EXPECT_EQ(editor->scene()->place(feet, false), "");
+    frames(2);
     EXPECT_EQ(editor->scene()->pieceCount(), 1);
     tap(Key::z, {.control = true});
     EXPECT_EQ(editor->scene()->pieceCount(), 2);
     EXPECT_EQ(simulation().stateHash(), cut);
     tap(Key::z, {.shift = true, .control = true});
     EXPECT_EQ(model().placement.unit, LengthUnit::foot);
-    drag({640, 20}, {640, 1100}, 12);
+    drag({160, 5}, {160, 235}, 6);
     settle();
     editor->scene()->addExport();
     const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
