@@ -40,6 +40,11 @@ struct SetTools {
     ToolSettings settings;
 };
 
+/// Places the model otherwise; where it stands follows, so its translation does not matter.
+struct PlaceModel {
+    Placement placement;
+    bool continues = false;  ///< the same gesture had placed it before
+};
 /// Puts a new box beside the body.
 struct PlaceBox {};
 /// Gives up the work that takes long.
@@ -84,9 +89,9 @@ struct ShowPiece {
 };
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
-using Action =
-    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
-                 PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
-                 OpenExperiment, HoverPiece, FramePiece, ShowPiece, AnswerQuestion, FileAction>;
+using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools,
+                            SetDisplay, PlaceModel, PlaceBox, ChangeBox, RemoveBox, CancelWork,
+                            SetSettings, SetPlotView, ExportPlots, OpenExperiment, HoverPiece,
+                            FramePiece, ShowPiece, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

@@ -17,7 +17,7 @@ struct DragRange {
     float speed = 0.01F;  ///< per pixel
     double low = 0;
     double high = 0;
-    const char* format = "%.3f";
+    const char* format = nullptr;
 };
 
 /// A change of a row in this update.
@@ -66,9 +66,12 @@ void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
     if (open) {
         ChangeBox change{index, model.boxes[index]};
         const auto step = static_cast<float>(0.002 * model.bodySize);
+        const char* const metres = lengthFormat(model.bodySize);
         const std::array drags{
-            dragVector("Center", change.box.center, {step, -kFarthestBox, kFarthestBox}, name),
-            dragVector("Size", change.box.size, {step, kLeastBoxSize, kLargestBoxSize}, name),
+            dragVector("Center", change.box.center, {step, -kFarthestBox, kFarthestBox, metres},
+                       name),
+            dragVector("Size", change.box.size, {step, kLeastBoxSize, kLargestBoxSize, metres},
+                       name),
             dragVector("Rotate", change.box.rotate,
                        {0.5F, -kLargestBoxTurn, kLargestBoxTurn, "%.1f\u00b0"}, name)};
         for (const DragEdit& drag : drags) {

@@ -347,6 +347,15 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
             actions.emplace_back(FileAction(SetFilePerPiece{perPiece}));
         }
         noteItem("file.per_piece");
+        ImGui::SameLine();
+        bool inScene = state.inScene;
+        if (ImGui::Checkbox("Metres of the scene", &inScene)) {
+            actions.emplace_back(FileAction(SetExportInScene{inScene}));
+        }
+        noteItem("file.in_scene");
+        itemTooltip(
+            "As the body lies in the scene, +y up. Without it the file has the coordinates "
+            "of the model's own file: its unit, axes and place");
         return;
     }
     ImGui::AlignTextToFramePadding();

@@ -41,6 +41,7 @@ struct FileDialogState {
     std::string problem;               ///< one sentence; empty for none
     bool asksToOverwrite = false;      ///< the name is taken
     bool filePerPiece = false;         ///< of an export
+    bool inScene = false;              ///< of an export: in metres of the scene
 };
 
 // What a person does in a file dialog.
@@ -71,6 +72,10 @@ struct ChooseFileKind {
 struct SetFilePerPiece {
     bool on = false;
 };
+/// Exports in metres of the scene, or in the coordinates of the model's own file.
+struct SetExportInScene {
+    bool on = false;
+};
 /// Takes the name: goes into a folder, or ends the dialog with the file. Before it overwrites a
 /// file it asks.
 struct AcceptFile {
@@ -85,9 +90,9 @@ struct OpenFile {
     std::filesystem::path file;
 };
 
-using FileAction =
-    std::variant<GoToFolder, GoToParentFolder, SelectFile, MoveFileSelection, NameFile,
-                 ChooseFileKind, SetFilePerPiece, AcceptFile, KeepFile, CloseFileDialog, OpenFile>;
+using FileAction = std::variant<GoToFolder, GoToParentFolder, SelectFile, MoveFileSelection,
+                                NameFile, ChooseFileKind, SetFilePerPiece, SetExportInScene,
+                                AcceptFile, KeepFile, CloseFileDialog, OpenFile>;
 
 /// The title of the dialog: "Open a model or a session".
 std::string_view titleOf(FilePurpose purpose);

@@ -17,6 +17,7 @@
 #include "ui/layout.h"
 #include "ui/log_panel.h"
 #include "ui/menu_bar.h"
+#include "ui/model_panel.h"
 #include "ui/overlay.h"
 #include "ui/parameters_panel.h"
 #include "ui/pieces_panel.h"
@@ -104,6 +105,9 @@ void drawSections(const PanelModel& model, float height, std::vector<Action>& ac
     ImGui::BeginChild("sections", {0, height});
     if (beginSection("experiments", "Experiments of the paper", model, actions)) {
         drawExperiments(model, actions);
+    }
+    if (beginSection("model", "Model", model, actions)) {
+        drawModel(model, actions);
     }
     if (beginSection("tools", "Tool", model, actions)) {
         drawTools(model, actions);

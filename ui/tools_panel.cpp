@@ -58,7 +58,7 @@ void drawToolButtons(const PanelModel& model, std::vector<Action>& actions) {
 bool slideLength(const char* label, double& value, double longest, const char* tooltip,
                  float beside = 0) {
     const double least = 0.01 * longest;
-    const std::string format = std::string(label) + " %.3f m";
+    const std::string format = std::string(label) + " " + lengthFormat(longest) + " m";
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(beside > 0 ? -beside - ImGui::GetStyle().ItemInnerSpacing.x : -1);
     const bool changed =

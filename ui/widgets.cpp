@@ -152,6 +152,10 @@ bool continuesGesture(bool changed) {
     return changed && changedBefore;
 }
 
+const char* lengthFormat(double size) {
+    return size >= 0.2 && size < 200 ? "%.3f" : "%.3g";
+}
+
 bool resetButton(const char* id) {
     const float side = ImGui::GetFrameHeight();
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4{0, 0, 0, 0});

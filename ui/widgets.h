@@ -50,6 +50,10 @@ void rowLabel(std::string_view text);
 /// an id on the stack.
 bool continuesGesture(bool changed);
 
+/// The format of numbers in metres about a body of this size [m]: three decimals, or three digits
+/// where it is tiny or huge.
+const char* lengthFormat(double size);
+
 /// Draws a small square button with a turning arrow, drawn rather than taken from the font.
 bool resetButton(const char* id);
 

@@ -9,6 +9,7 @@
 #include "app/files/builtin_models.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
+#include "app/files/model_units.h"
 
 namespace kerf::app {
 
@@ -46,11 +47,19 @@ Json toJson(const Vec3& v) {
     return Json::array({v.x(), v.y(), v.z()});
 }
 
+Json toJson(const UnitGuess& guess) {
+    return {{"unit", std::string(nameOf(guess.unit))},
+            {"up", std::string(nameOf(guess.up))},
+            {"certain", guess.certain},
+            {"sentence", guess.sentence}};
+}
+
 Json toJson(const MeshReport& report, const std::filesystem::path& file) {
     return {{"file", file.string()},
             {"vertices", report.vertices},
             {"triangles", report.triangles},
             {"bounds", {{"low", toJson(report.bounds.low)}, {"high", toJson(report.bounds.high)}}},
+            {"guess", toJson(guessUnits(file, report.bounds))},
             {"closed", report.closed},
             {"manifold", report.manifold},
             {"oriented", report.oriented},
@@ -86,9 +95,10 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     line("file") << file.string() << "\n";
     line("vertices") << report.vertices << "\n";
     line("triangles") << report.triangles << "\n";
-    line("bounds") << lengths(report.bounds.low) << " to " << lengths(report.bounds.high) << " m\n";
+    line("bounds") << lengths(report.bounds.low) << " to " << lengths(report.bounds.high) << "\n";
+    line("guess") << guessUnits(file, report.bounds).sentence << "\n";
     line("pieces") << report.pieces << "\n";
-    line("volume") << formatNumber(static_cast<float>(report.volume)) << " m^3\n";
+    line("volume") << formatNumber(static_cast<float>(report.volume)) << "\n";
     line("closed") << yesNo(report.closed) << "\n";
     line("manifold") << yesNo(report.manifold) << "\n";
     line("oriented") << yesNo(report.oriented) << "\n";

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -85,12 +86,13 @@ class Replay {
           folder_(folder),
           player_(session),
           files_(folder, options.hashes, options.pieces),
-          uncut_(std::move(model.mesh)),
           uvs_(std::move(model.uvs)),
-          simulation_(uncut_, session.params, session.boxes),
+          simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, session.placement)),
+                      session.params, session.boxes),
+          uncut_(simulation_.uncut()),
           restBounds_(meshBounds(simulation_.mesh())),
           runner_(simulation_),
-          iterations_(meanRestEdgeLength(uncut_)),
+          iterations_(meanRestEdgeLength(uncut_->mesh)),
           camera_(sessionCamera(session, restBounds_)) {
         summary_.model = session.model.name();
         const gpu::DeviceInfo device = gpu::queryDevice();
@@ -131,6 +133,9 @@ class Replay {
         if (!problem.empty()) {
             throw InputError(placeInFile(event) + ": " + problem);
         }
+        if (uncut_ != simulation_.uncut()) {
+            followPlacement();
+        }
     }
     void take(const ScreenshotEvent& event) {
         pictureMs_ += outside_.measure([&] {
@@ -145,8 +150,10 @@ class Replay {
         outside_.measure([&] {
             const SurfaceMesh& mesh = simulation_.mesh();
             for (const ExportedFile& file :
-                 encodeExport({event.file, event.filePerPiece}, mesh, simulation_.pieces(),
-                              carryUvs(uncut_, uvs_, mesh))) {
+                 encodeExport({event.file, event.filePerPiece,
+                               coordinatesOf(event, simulation_.placement())},
+                              mesh, simulation_.pieces(), carryUvs(uncut_->mesh, uvs_, mesh),
+                              simulation_.placement())) {
                 folder_.write(file.file.generic_string(), file.bytes);
             }
         });
@@ -156,6 +163,16 @@ class Replay {
     }
 
   private:
+    /// The model was placed otherwise: pictures are of another rest shape.
+    void followPlacement() {
+        uncut_ = simulation_.uncut();
+        restBounds_ = meshBounds(uncut_->mesh);
+        camera_ = sessionCamera(session_, restBounds_);
+        if (renderer_) {
+            renderer_->setRestShape(uncut_->mesh);
+        }
+    }
+
     void runStep(const ReplayListener& listener) {
         const Stopwatch watch;
         applyActions();
@@ -302,11 +319,11 @@ class Replay {
     OutputFolder& folder_;
     SessionPlayer player_;
     RunFiles files_;
-    const SurfaceMesh uncut_;
-    const std::vector<CornerUvs> uvs_;          ///< of it
+    const std::vector<CornerUvs> uvs_;          ///< of the uncut body
     std::optional<render::Renderer> renderer_;  ///< of a session with pictures
     Simulation simulation_;
-    Bounds restBounds_;
+    std::shared_ptr<const UncutBody> uncut_;  ///< that the pictures tell of
+    Bounds restBounds_;                       ///< of it
     SessionRunner runner_;
     IterationWatch iterations_;
     VolumeWatch volumes_;

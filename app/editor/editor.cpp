@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
+#include "render/scene/depth_field.h"
 
 namespace kerf::app {
 namespace {
@@ -56,6 +57,7 @@ void Editor::frame(double elapsedSeconds) {
         s.redraw.panels();
     }
     s.advance(elapsedSeconds);
+    s.followPlacement();
     s.drawScene();
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
@@ -194,6 +196,13 @@ void Editor::State::drawScene() {
         picture.draw(now, view, panels.covered(view.width, view.height), redraw.takeScene(!rests));
     } else {
         picture.keep(view);
+    }
+}
+
+void Editor::State::followPlacement() {
+    if (scene != nullptr && !scene.underWay() && view.follow(*scene)) {
+        picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
+        redraw.scene();
     }
 }
 

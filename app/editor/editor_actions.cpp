@@ -248,7 +248,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::frameBody, Needs::scene,
             [](State& s) { s.view.camera.flyToFrame(s.scene.meanwhile()->bounds()); }},
     Handler{ActionId::resetView, Needs::scene,
-            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile()->document().camera); }},
+            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile()->homeView()); }},
     Handler{ActionId::viewFront, Needs::scene, lookFrom<AxisView::front>},
     Handler{ActionId::viewBack, Needs::scene, lookFrom<AxisView::back>},
     Handler{ActionId::viewRight, Needs::scene, lookFrom<AxisView::right>},
@@ -347,6 +347,10 @@ struct Answer {
 
     // What needs an open document.
     void onBody(const Command& command) const { s.execute(command); }
+    void onBody(const ui::PlaceModel& wanted) const {
+        s.view.cancelTools(*s.scene);
+        s.say(s.scene->place(wanted.placement, wanted.continues));
+    }
     void onBody(const ui::PlaceBox&) const {
         s.execute(AddBox{boxBeside(s.scene->bounds(), s.scene->simulation().params().floor)});
     }

@@ -35,6 +35,9 @@ void Editor::State::show(UploadedDocument uploaded) {
     clock.stop();
     toast.withdrawOffer();
     redraw.scene();
+    if (scene->document().guess && !scene->document().guess->certain) {
+        panels.unfold("model");  // The guess is a question, too.
+    }
     if (!note.empty()) {
         spdlog::info("{}: {}", scene->document().name, note);
         toast.show(note, false);
@@ -107,7 +110,8 @@ void Editor::State::save(const ChosenFile& chosen) {
         return;
     }
     if (chosen.purpose == ui::FilePurpose::exportMesh) {
-        work.save(startExport({chosen.file, chosen.filePerPiece}, scene->document(),
+        const auto coordinates = chosen.inScene ? Coordinates::scene : Coordinates::model;
+        work.save(startExport({chosen.file, chosen.filePerPiece, coordinates}, scene->document(),
                               scene->simulation()));
         return;
     }

@@ -55,6 +55,10 @@ std::vector<render::PixelRect> EditorPanels::covered(int width, int height) cons
     return hidden;
 }
 
+void EditorPanels::unfold(const std::string& section) {
+    std::erase(settings.now.folded, section);
+}
+
 void EditorPanels::toggle() {
     settings.now.showControls = settings.now.showReadings =
         !(settings.now.showControls || settings.now.showReadings);

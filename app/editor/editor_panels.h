@@ -38,6 +38,8 @@ struct EditorPanels {
     /// The parts of such a picture that the panels hid in the last update.
     std::vector<render::PixelRect> covered(int width, int height) const;
 
+    /// Opens a section of the left panel.
+    void unfold(const std::string& section);
     /// Shows both side panels, or none.
     void toggle();
     /// The plots one below the other, as they are shown.

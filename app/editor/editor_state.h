@@ -72,6 +72,8 @@ struct Editor::State {
     void goOn();
     void showMessages();
     void drawScene();
+    /// Lets view and picture follow a model that was placed otherwise.
+    void followPlacement();
     void saveScreenshot();
     /// Writes the settings where they have changed, once a drag is over and not at each of its
     /// moves.

@@ -1,5 +1,7 @@
 #include "app/editor/editor_view.h"
 
+#include <utility>
+
 namespace kerf::app {
 namespace {
 
@@ -18,10 +20,29 @@ bool EditorView::resize(int newWidth, int newHeight) {
 }
 
 void EditorView::begin(const EditorScene& scene) {
-    camera = EditorCamera(scene.document().camera);
+    camera = EditorCamera(scene.homeView());
     display.begin(scene.document());
     bladeTool.fitTo(scene.bounds());
     pullTool = {};
+    placement_ = scene.placementRevision();
+    restBounds_ = scene.rest().bounds;
+}
+
+bool EditorView::follow(const EditorScene& scene) {
+    if (placement_ == scene.placementRevision()) {
+        return false;
+    }
+    placement_ = scene.placementRevision();
+    const Bounds before = std::exchange(restBounds_, scene.rest().bounds);
+    const double ratio = restBounds_.diagonal() / before.diagonal();
+    render::Camera moved = camera.destination();
+    for (Vec3* point : {&moved.eye, &moved.target}) {
+        *point = restBounds_.center() + ratio * (*point - before.center());
+    }
+    camera = EditorCamera(moved);
+    bladeTool.fitTo(scene.bounds());
+    pullTool = {};
+    return true;
 }
 
 // --- The pointer -------------------------------------------------------------------------------

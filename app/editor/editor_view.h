@@ -25,6 +25,9 @@ struct EditorView {
     bool resize(int newWidth, int newHeight);
     /// Shows a document that was just opened.
     void begin(const EditorScene& scene);
+    /// Comes along where the model was placed otherwise: what had filled the view does so again.
+    /// Whether it was.
+    bool follow(const EditorScene& scene);
 
     // The pointer.
     void move(const ui::PointerMove& move, EditorScene* scene);
@@ -44,6 +47,10 @@ struct EditorView {
     /// What the tools show over the body; `inView` tells whether the pointer is over no panel.
     /// Without `looks`, as in the midst of a step, no more than where the blade goes.
     ui::Overlay overlay(bool inView, bool looks, EditorScene& scene) const;
+
+  private:
+    int placement_ = 0;  ///< EditorScene::placementRevision() that is shown
+    Bounds restBounds_;  ///< of the body then [m]
 };
 
 }  // namespace kerf::app

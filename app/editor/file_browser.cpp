@@ -151,6 +151,8 @@ std::optional<fs::path> FileBrowser::take(const ui::FileAction& action) {
         chooseKind(kind->kind);
     } else if (const auto* perPiece = std::get_if<ui::SetFilePerPiece>(&action)) {
         state_.filePerPiece = perPiece->on;
+    } else if (const auto* inScene = std::get_if<ui::SetExportInScene>(&action)) {
+        state_.inScene = inScene->on;
     }
     return std::nullopt;
 }

@@ -100,7 +100,8 @@ std::optional<ChosenFile> FileChooser::take(const ui::FileAction& action) {
     if (!file) {
         return std::nullopt;
     }
-    const ChosenFile chosen{dialog.purpose, *file, dialog.filePerPiece, testGetsPicture_};
+    const ChosenFile chosen{dialog.purpose, *file, dialog.filePerPiece, dialog.inScene,
+                            testGetsPicture_};
     close();
     return chosen;
 }

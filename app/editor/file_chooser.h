@@ -16,6 +16,7 @@ struct ChosenFile {
     ui::FilePurpose purpose = ui::FilePurpose::none;
     std::filesystem::path file;
     bool filePerPiece = false;     ///< of an export
+    bool inScene = false;          ///< of an export: in metres of the scene
     bool testGetsPicture = false;  ///< the test shall have a picture of its end
 };
 

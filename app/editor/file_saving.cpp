@@ -15,6 +15,7 @@ struct ExportInput {
     SurfaceMesh uncut;
     std::vector<CornerUvs> uvs;  ///< of it
     SurfaceMesh mesh;
+    Placement placement;
 };
 
 std::string exportBody(const ExportInput& input, WorkProgress& progress) {
@@ -23,7 +24,8 @@ std::string exportBody(const ExportInput& input, WorkProgress& progress) {
     progress.enter("Carrying the texture along");
     const std::vector<CornerUvs> uvs = carryUvs(input.uncut, input.uvs, input.mesh);
     progress.enter("Encoding");
-    const std::vector<ExportedFile> files = encodeExport(input.target, input.mesh, pieces, uvs);
+    const std::vector<ExportedFile> files =
+        encodeExport(input.target, input.mesh, pieces, uvs, input.placement);
     progress.enter("Writing");
     for (const ExportedFile& file : files) {
         writeOutputFile(file.file, file.bytes);
@@ -41,8 +43,8 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
     const bool textured = !document.uvs.empty();
     const std::string title = "Exporting " + target.file.filename().string();
     auto input = std::make_shared<const ExportInput>(
-        ExportInput{std::move(target), textured ? document.mesh : SurfaceMesh{}, document.uvs,
-                    simulation.mesh()});
+        ExportInput{std::move(target), textured ? simulation.uncut()->mesh : SurfaceMesh{},
+                    document.uvs, simulation.mesh(), simulation.placement()});
     return std::make_unique<FileSaving>(
         title, [input](WorkProgress& progress) { return exportBody(*input, progress); });
 }

@@ -38,9 +38,8 @@ void appendTexcoord(std::string& bytes, const ExportMesh& mesh, const ExportFace
 
 std::string encodePly(const ExportMesh& mesh) {
     std::string bytes =
-        "ply\nformat binary_little_endian 1.0\ncomment Kerf, metres, +y up\n"
-        "element vertex " +
-        std::to_string(mesh.positions.size()) +
+        "ply\nformat binary_little_endian 1.0\ncomment Kerf, " + mesh.coordinates +
+        "\nelement vertex " + std::to_string(mesh.positions.size()) +
         "\nproperty float x\nproperty float y\nproperty float z\n"
         "property float nx\nproperty float ny\nproperty float nz\n"
         "element face " +
@@ -80,7 +79,7 @@ std::string encodeObj(ExportMesh mesh) {
         return std::tie(a.piece, a.cut) < std::tie(b.piece, b.cut);
     };
     std::stable_sort(mesh.faces.begin(), mesh.faces.end(), byGroup);
-    std::string text = "# Kerf, metres, +y up\n";
+    std::string text = "# Kerf, " + mesh.coordinates + "\n";
     for (const Vec3f& p : mesh.positions) appendObjVector(text, "v", p);
     for (const Eigen::Vector2f& uv : mesh.uvs) appendObjVector(text, "vt", uv);
     for (const Vec3f& n : mesh.normals) appendObjVector(text, "vn", n);
@@ -105,7 +104,7 @@ std::string encodeObj(ExportMesh mesh) {
 }
 
 std::string encodeStl(const ExportMesh& mesh) {
-    std::string bytes = "Kerf, metres, +y up";
+    std::string bytes = "Kerf, " + mesh.coordinates;
     bytes.resize(80, ' ');
     append(bytes, static_cast<std::uint32_t>(mesh.faces.size()));
     for (const ExportFace& face : mesh.faces) {
@@ -136,6 +135,28 @@ std::string encode(const ExportMesh& mesh, MeshFormat format) {
     return encodeGltf(mesh);
 }
 
+/// Where a vertex was not moved, its place at rest has no rounding to float yet.
+SurfaceMesh inModel(SurfaceMesh mesh, const Placement& placement) {
+    const PlacementMap map(placement);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3& now = mesh.position(v);
+        const Vec3& rest = mesh.restPosition(v);
+        const bool rests = now.cast<float>() == rest.cast<float>();
+        mesh.setPosition(v, map.toModel(rests ? rest : now));
+    }
+    return mesh;
+}
+
+ExportMesh gatherInModel(const SurfaceMesh& mesh, const PieceMap& pieces,
+                         const std::vector<CornerUvs>& uvs, const Placement& placement) {
+    ExportMesh gathered = gatherMesh(inModel(mesh, placement), pieces, uvs);
+    gathered.coordinates = "coordinates of the model";
+    if (placement.unit) {
+        gathered.coordinates.append(", ").append(nameOf(*placement.unit));
+    }
+    return gathered;
+}
+
 }  // namespace
 
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
@@ -144,9 +165,12 @@ std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshForm
 }
 
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
-                                       const PieceMap& pieces, const std::vector<CornerUvs>& uvs) {
+                                       const PieceMap& pieces, const std::vector<CornerUvs>& uvs,
+                                       const Placement& placement) {
     const MeshFormat format = *meshFormatOf(target.file);
-    const ExportMesh whole = gatherMesh(mesh, pieces, uvs);
+    const ExportMesh whole = target.coordinates == Coordinates::scene
+                                 ? gatherMesh(mesh, pieces, uvs)
+                                 : gatherInModel(mesh, pieces, uvs, placement);
     std::vector<ExportedFile> files;
     if (!target.filePerPiece) {
         files.push_back({target.file, encode(whole, format)});

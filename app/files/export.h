@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/files/mesh_formats.h"
+#include "sim/base/placement.h"
 #include "sim/mesh/corner_uvs.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
@@ -24,18 +26,29 @@ namespace kerf::app {
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
                        const std::vector<CornerUvs>& uvs = {});
 
+/// The coordinates that a mesh is written in.
+enum class Coordinates {
+    model,  ///< those of the model's own file: its unit, axes and place
+    scene,  ///< metres, +y up, as the body lies in the scene
+};
+/// In the order of the enumerators.
+inline constexpr std::string_view kCoordinatesNames[] = {"model", "scene"};
+
 /// The file, or the files, that a body is exported to; its extension names the format.
 struct ExportTarget {
     std::filesystem::path file;
     bool filePerPiece = false;  ///< named by pieceFile()
+    Coordinates coordinates = Coordinates::scene;
 };
 struct ExportedFile {
     std::filesystem::path file;
     std::string bytes;
 };
-/// encodeMesh() of the whole body or of each piece.
+/// encodeMesh() of the whole body or of each piece. `placement` is how the numbers of the model's
+/// file became the metres of `mesh`; what has not moved at all has exactly its own again.
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
-                                       const PieceMap& pieces, const std::vector<CornerUvs>& uvs);
+                                       const PieceMap& pieces, const std::vector<CornerUvs>& uvs,
+                                       const Placement& placement = {});
 
 /// The file of a piece where each piece gets one: "slice.obj" becomes "slice-1.obj" for piece 0.
 std::filesystem::path pieceFile(const std::filesystem::path& file, int piece);

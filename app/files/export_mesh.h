@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "sim/mesh/corner_uvs.h"
@@ -18,10 +19,11 @@ struct ExportFace {
 
 /// A mesh without dead slots and unused vertices, in float as it is written.
 struct ExportMesh {
-    std::vector<Vec3f> positions;      ///< [m]
+    std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;        ///< unit, area-weighted, one per position
     std::vector<Eigen::Vector2f> uvs;  ///< each once, in the order of their first use
     std::vector<ExportFace> faces;
+    std::string coordinates = "metres, +y up";  ///< what they are, for a comment in the file
 };
 
 /// The living triangles of `mesh`. `uvs`: by slot, or empty; walls get none.
@@ -32,6 +34,7 @@ ExportMesh gatherMesh(const SurfaceMesh& mesh, const PieceMap& pieces,
 template <class Belongs>
 ExportMesh partOf(const ExportMesh& mesh, Belongs&& belongs) {
     ExportMesh part;
+    part.coordinates = mesh.coordinates;
     std::vector<int> vertex(mesh.positions.size(), -1);
     std::vector<int> uv(mesh.uvs.size(), -1);
     for (const ExportFace& face : mesh.faces) {

@@ -10,7 +10,9 @@ constexpr double kUploadBudget = 0.006;  // of a picture [s]; a portion may take
 }  // namespace
 
 PreparedDocument prepareDocument(Document document, WorkProgress* progress) {
-    PreparedBody body(document.mesh, [&](const char* stage) { enter(progress, stage); });
+    PreparedBody body(
+        document.mesh, [&](const char* stage) { enter(progress, stage); },
+        document.session.placement);
     enter(progress, "Measuring the depth below the skin");
     render::DepthField depth = render::measureSkinDepth(document.mesh);
     enter(progress, "Bringing it to the GPU");

@@ -1,16 +1,15 @@
 #include "app/scene/editor_document.h"
 
-#include <cstdio>
 #include <string_view>
 
 #include "gpu/data_path.h"
+#include "sim/base/size_params.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {
 namespace {
 
-constexpr double kFloorGap = 0.02;  // of the diagonal
 constexpr std::string_view kSessionEnding = ".kerf.json";
 
 bool isSession(const std::filesystem::path& file) {
@@ -25,18 +24,16 @@ std::string shortName(const std::filesystem::path& file) {
     return file.stem().string();
 }
 
-std::string modelNote(const MeshReport& report, double scale) {
-    char text[64];
-    std::snprintf(text, sizeof text, "Scaled by %.4g to fit the view.", scale);
+std::string modelNote(const MeshReport& report, const UnitGuess& guess) {
     const std::string repairs = joined(report.repairs, "; ");
-    return repairs.empty() ? text : std::string(text) + " Repaired: " + repairs + ".";
+    return repairs.empty() ? guess.sentence : guess.sentence + " Repaired: " + repairs + ".";
 }
 
 Document finish(std::string name, Session session, ModelMesh model, std::string note) {
     const Bounds bounds = meshBounds(model.mesh);
     const render::Camera camera = sessionCamera(session, bounds);
     return {std::move(name), std::move(session),   std::move(model.mesh), bounds,
-            camera,          std::move(model.uvs), std::move(note)};
+            camera,          std::move(model.uvs), std::move(note),       {}};
 }
 
 Document openModel(const std::filesystem::path& file, const ReadOptions& options) {
@@ -47,10 +44,18 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
     Session session;
     session.model.path = std::filesystem::absolute(file);
     session.model.fillHoles = options.fillHoles;
-    session.placement = fitPlacement(meshBounds(model.mesh), kModelDiagonal);
+    const UnitGuess guess = guessUnits(file, meshBounds(model.mesh));
+    session.placement = standing(guess, model.mesh.restPositions());
     place(model.mesh, session.placement);
-    std::string note = modelNote(report, session.placement.scale);
-    return finish(shortName(file), std::move(session), std::move(model), std::move(note));
+    const Bounds placed = meshBounds(model.mesh);
+    if (const std::string problem = checkRoom(placed); !problem.empty()) {
+        throw InputError(file.string() + ": " + problem);
+    }
+    session.params = suitedTo(placed.diagonal(), session.params);
+    Document document =
+        finish(shortName(file), std::move(session), std::move(model), modelNote(report, guess));
+    document.guess = guess;
+    return document;
 }
 
 Document openSession(const std::filesystem::path& file, const ReadOptions& options) {
@@ -69,17 +74,6 @@ Document openDocument(const std::filesystem::path& file, const ReadOptions& opti
 
 Document openDefaultDocument() {
     return openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"), {});
-}
-
-Placement fitPlacement(const Bounds& bounds, double diagonal) {
-    Placement placement;
-    if (bounds.diagonal() > 0) {
-        placement.scale = diagonal / bounds.diagonal();
-    }
-    const Vec3 center = bounds.center();
-    placement.translate = -placement.scale * Vec3(center.x(), bounds.low.y(), center.z());
-    placement.translate.y() += kFloorGap * diagonal;
-    return placement;
 }
 
 }  // namespace kerf::app

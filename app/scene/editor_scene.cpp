@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/scene/session_marks.h"
+#include "app/scene/size_effect.h"
 #include "app/session/scene_view.h"
 #include "sim/body/rest_geometry.h"
 
@@ -16,10 +17,11 @@ constexpr std::size_t kUndoBudget = 512'000'000;  // [bytes]
 constexpr int kPersonsHand = 0;                   // its number among the hands
 constexpr int kCheckEvery = 50;                   // steps of a recording
 constexpr int kPiecesEvery = 10;                  // steps between two looks at the pieces' volumes
+constexpr int kMostLiveTriangles = 20'000;        // of a body that follows a drag of its placement
 
 bool takesBodyElsewhere(const Command& command) {
     return std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command) ||
-           std::holds_alternative<Restart>(command);
+           std::holds_alternative<Restart>(command) || std::holds_alternative<Place>(command);
 }
 
 /// Of a command that takes the body elsewhere, in the plots.
@@ -27,14 +29,22 @@ const char* markOf(const Command& command) {
     if (std::holds_alternative<Undo>(command)) {
         return "undo";
     }
+    if (std::holds_alternative<Place>(command)) {
+        return "placed";
+    }
     return std::holds_alternative<Redo>(command) ? "redo" : "restart";
+}
+
+EditorScene::RestFigures restFigures(const SurfaceMesh& uncut) {
+    return {meshBounds(uncut), meanRestEdgeLength(uncut), meshVolume(uncut)};
 }
 
 }  // namespace
 
 EditorScene::EditorScene(Document document, BodyUpload body)
     : document_(std::move(document)),
-      edgeLength_(meanRestEdgeLength(document_.mesh)),
+      homeView_(document_.camera),
+      rest_(restFigures(document_.mesh)),
       simulation_(std::move(body), document_.session.params, document_.session.boxes) {
     simulation_.setUndoBudget(kUndoBudget);
     journal_.open(document_.session.events);
@@ -52,6 +62,7 @@ void EditorScene::startAnew() {
     volumes_ = {};
     start_ = {};
     seekTarget_.reset();
+    followPlacement();
     beginPlayback();
     for (const SetParam& choice : choices_) {
         if (getParam(simulation_.params(), choice.name) != choice.value) {
@@ -84,8 +95,32 @@ std::string EditorScene::perform(const Command& command) {
             playback_->extendTo(step);
         }
         journal_.note(step, command);
+        followPlacement();
     }
     return problem;
+}
+
+std::string EditorScene::place(const Placement& wanted, bool continues) {
+    const PlacementMap map(simulation_.placement());
+    std::vector<Vec3> own;
+    for (const Vec3& point : uncut_->mesh.restPositions()) {
+        own.push_back(map.toModel(point));
+    }
+    Vec3 ground = rest_.bounds.center();
+    ground.y() = simulation_.params().floor.value_or(rest_.bounds.low.y());
+    return execute(Place{standing(wanted, own, ground), continues});
+}
+
+/// What was told of the uncut body is told of the one that there is now.
+void EditorScene::followPlacement() {
+    if (uncut_ == simulation_.uncut()) {
+        return;
+    }
+    uncut_ = simulation_.uncut();
+    rest_ = restFigures(uncut_->mesh);
+    const bool asOpened = simulation_.placement() == document_.session.placement;
+    homeView_ = asOpened ? document_.camera : sessionCamera(Session{}, rest_.bounds);
+    ++placementRevision_;
 }
 
 std::string EditorScene::execute(const Command& command) {
@@ -234,6 +269,7 @@ void EditorScene::step() {
     letTimeRunAsWanted(pose.has_value());
     const int piecesBefore = pieceCount();
     const StepReport& report = runner_.step();
+    followPlacement();  // by an event of the session
     if (report.pieces != piecesBefore) {
         readings_.mark(timeNow(), "cut");
     }
@@ -330,6 +366,7 @@ void EditorScene::seek(int step) {
 
 void EditorScene::goTo(int step, const Keyframe& keyframe) {
     simulation_.goTo(keyframe.moment);
+    followPlacement();
     journal_.goTo(step, keyframe.commandsDone);
     runner_.setStrokePoses(keyframe.strokePoses);
     stroke_.clear();
@@ -376,12 +413,16 @@ void EditorScene::atEndOfSession() {
 
 void EditorScene::startRecording() {
     const std::vector<StaticBox> boxes = simulation_.boxes();
+    const Placement placement = simulation_.placement();
     simulation_.reset();
     playback_.reset();
     document_.session.events.clear();
     journal_.clear();
     startAnew();
     putUp(boxes);
+    if (simulation_.placement() != placement) {
+        perform(Place{placement});
+    }
     recording_ = recorded_ = true;
 }
 
@@ -480,7 +521,7 @@ std::string EditorScene::addPicture(const JournalPlace& place) {
 std::string EditorScene::addExport() {
     const JournalPlace place = here();
     std::string file = freeOutputName(journal_, document_.name, place.step, ".ply");
-    addMark(place, ExportEvent{file});
+    addMark(place, ExportEvent{file, false, Coordinates::model});
     return file;
 }
 
@@ -509,8 +550,7 @@ void EditorScene::recordPicture(double elapsedSeconds, double renderMs) {
 }
 
 render::SceneView EditorScene::view() {
-    return sceneOf(simulation_, lookOf(document_.session), document_.restBounds,
-                   runner_.strokePoses());
+    return sceneOf(simulation_, lookOf(document_.session), rest_.bounds, runner_.strokePoses());
 }
 
 void EditorScene::refreshPieces() {
@@ -542,12 +582,13 @@ void EditorScene::describe(ui::PanelModel& model) {
     }
     const StepReport& report = simulation_.report();
     model.name = document_.name;
+    describeModel(model.model);
     model.params = simulation_.params();
     model.startParams = document_.session.params;
     model.boxes = simulation_.boxes();
     model.pinned = simulation_.pinnedVertices().size();
-    model.bodySize = document_.restBounds.diagonal();
-    model.edgeLength = edgeLength_;
+    model.bodySize = rest_.bounds.diagonal();
+    model.edgeLength = rest_.edgeLength;
     model.playing = playing;
     model.stroking = stroke_.drawing() || stroke_.pending() > 0;
     model.step = simulation_.stepCount() - start_.step;
@@ -561,6 +602,15 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.recording = recording_;
     describePlayback(model.playback);
     describeMarks(model);
+}
+
+void EditorScene::describeModel(ui::ModelState& state) const {
+    state.placement = simulation_.placement();
+    state.size = rest_.bounds.high - rest_.bounds.low;
+    state.guess = document_.guess ? document_.guess->sentence : "";
+    state.physics = sizeEffect(state.size.y(), rest_.volume, simulation_.params());
+    state.untouched = simulation_.report().triangles == uncut_->mesh.aliveTriangles();
+    state.live = simulation_.report().triangles <= kMostLiveTriangles;
 }
 
 void EditorScene::describeMarks(ui::PanelModel& model) {

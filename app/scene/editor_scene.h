@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,23 @@ class EditorScene {
     /// Back to the uncut body, paused, with the parameters as they are. Where a session is open, it
     /// will be played from its start, and what was done since cannot be undone.
     void reset();
+
+    // Where the model lies.
+    /// Places the model otherwise: in another unit, turned, scaled. It stands on the floor below
+    /// where it was, uncut; the translation of `wanted` does not matter. `continues`: with the
+    /// gesture of the placement before. Returns "" or one sentence.
+    std::string place(const Placement& wanted, bool continues);
+    /// Figures of the uncut body at rest.
+    struct RestFigures {
+        Bounds bounds;          ///< [m]
+        double edgeLength = 0;  ///< mean [m]
+        double volume = 0;      ///< [m^3]
+    };
+    const RestFigures& rest() const { return rest_; }
+    /// The view that shows the uncut body: the first one, or one like it after a placement.
+    const render::Camera& homeView() const { return homeView_; }
+    /// Grows when the uncut body became another one, as by a placement or its undo.
+    int placementRevision() const { return placementRevision_; }
 
     // The stroke.
     /// Its first pose ends the session that is played: a person goes on alone.
@@ -132,6 +150,8 @@ class EditorScene {
   private:
     std::string perform(const Command& command);
     void followUndo(const Params& before);
+    void followPlacement();
+    void describeModel(ui::ModelState& state) const;
     void moveHand();
     void releaseAllHands();
     bool playsOnAfter(const Command& command) const;
@@ -164,8 +184,11 @@ class EditorScene {
     double timeNow() const { return simulation_.report().time - start_.time; }
 
     Document document_;
-    double edgeLength_;  ///< mean of the uncut body at rest [m]
+    render::Camera homeView_;
+    RestFigures rest_;
     Simulation simulation_;
+    std::shared_ptr<const UncutBody> uncut_ = simulation_.uncut();  ///< that these tell of
+    int placementRevision_ = 0;
     SessionRunner runner_{simulation_};
     std::optional<SessionPlayback> playback_;  ///< of a session with events, until a person cuts
     std::optional<int> seekTarget_;

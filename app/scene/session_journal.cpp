@@ -31,21 +31,25 @@ bool setTheSame(const SessionAction& earlier, const Command& later) {
         const auto* before = std::get_if<ChangeBox>(&earlier);
         return before != nullptr && before->index == change->index;
     }
-    return false;
+    return std::holds_alternative<Place>(later) && std::holds_alternative<Place>(earlier);
 }
 
 bool continuesGesture(const Command& command) {
     const auto* set = std::get_if<SetParam>(&command);
     const auto* change = std::get_if<ChangeBox>(&command);
-    return (set != nullptr && set->continues) || (change != nullptr && change->continues);
+    const auto* place = std::get_if<Place>(&command);
+    return (set != nullptr && set->continues) || (change != nullptr && change->continues) ||
+           (place != nullptr && place->continues);
 }
 
 /// Gives the value of `later` to what set the same thing.
 void takeValue(SessionAction& earlier, const Command& later) {
     if (const auto* set = std::get_if<SetParam>(&later)) {
         std::get<SetParam>(earlier).value = set->value;
+    } else if (const auto* change = std::get_if<ChangeBox>(&later)) {
+        std::get<ChangeBox>(earlier).box = change->box;
     } else {
-        std::get<ChangeBox>(earlier).box = std::get<ChangeBox>(later).box;
+        std::get<Place>(earlier).placement = std::get<Place>(later).placement;
     }
 }
 
@@ -129,7 +133,7 @@ void SessionJournal::noteHand(int step, const Command& command) {
         lastDrags_[drag->hand] = {step, *drag};
     } else if (const auto* release = std::get_if<Release>(&command)) {
         lastDrags_.erase(release->hand);
-    } else if (std::holds_alternative<Restart>(command)) {
+    } else if (startsAnew(actionOf(command))) {
         lastDrags_.clear();
     }
 }

@@ -40,11 +40,16 @@ struct HexDigits {
 struct OutputName {
     std::vector<std::string_view> endings;
 };
+/// One of these words, by the number of the enumerator.
+struct Words {
+    std::span<const std::string_view> words;
+};
 
 /// The key of an event that names its type.
 inline constexpr const char* kTypeKey = "type";
 
-inline constexpr Limits kCoordinates = within(kMaxSessionCoordinate);         // [m]
+inline constexpr Limits kCoordinates = within(kMaxSessionCoordinate);  // [m]
+inline constexpr Limits kScales{1e-6, 1e6};
 inline constexpr Limits kRadii{1e-9, kMaxSessionCoordinate};                  // [m]
 inline constexpr Limits kHands{0, 99};                                        // their numbers
 inline constexpr Limits kBoxNumbers{0, static_cast<double>(kMostBoxes) - 1};  // from 0
@@ -103,6 +108,22 @@ void describe(auto& fields, StaticBox& box) {
     fields.required({"size", "Lengths of the sides along the box's own axes [m]."}, box.size,
                     kBoxSizes);
     fields.optional(kRotate, box.rotate, kTurns);
+}
+
+void describe(auto& fields, Placement& placement) {
+    fields.optional(
+        {"unit",
+         "The unit of the model's numbers: m, cm, mm, um, km, in or ft. Metres where it "
+         "is left out."},
+        placement.unit, Words{kLengthUnitNames});
+    fields.optional({"up",
+                     "The axis of the model that points up: y, z, x, -y, -z or -x. It is turned to "
+                     "+y; y where it is left out."},
+                    placement.up, Words{kUpAxisNames});
+    fields.optional({"scale", "Scales the model, before it is turned."}, placement.scale, kScales);
+    fields.optional(kRotate, placement.rotate, kTurns);
+    fields.optional({"translate", "Moves the model at last [m]."}, placement.translate,
+                    kCoordinates);
 }
 
 // The events, in the order of SessionAction.
@@ -175,6 +196,15 @@ void describe(auto& fields, Restart&) {
     fields.type({"restart", "The uncut body at rest, without blade, hands and pins."});
 }
 
+void describe(auto& fields, Place& place) {
+    fields.type(
+        {"place",
+         "The uncut body at rest, as by restart, with its model placed otherwise. Keys that "
+         "are left out mean what they mean in placement."});
+    describe(fields, place.placement);
+    fields.optional({"continues", "One change with the place before it."}, place.continues);
+}
+
 void describe(auto& fields, Undo&) {
     fields.type({"undo", "Takes back the last change."});
 }
@@ -203,6 +233,10 @@ void describe(auto& fields, ExportEvent& event) {
     fields.required({"file", "The file, below the output folder. Its ending names the format."},
                     event.file, OutputName{endings});
     fields.optional({"per_piece", "A file for each piece."}, event.filePerPiece);
+    fields.optional({"coordinates",
+                     "model: those of the model's own file; scene: metres, +y up. Where it is left "
+                     "out: model if the placement has a unit, else scene."},
+                    event.coordinates, Words{kCoordinatesNames});
 }
 
 void describe(auto& fields, CheckEvent& event) {

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <sstream>
 #include <type_traits>
 
 #include "app/files/builtin_models.h"
-#include "app/files/import_protocol.h"
 #include "app/files/sha256.h"
 #include "sim/mesh/invariants.h"
 
@@ -18,9 +16,6 @@ namespace {
 // The default view stands this much further away than the model alone needs: pieces fall and roll.
 constexpr double kRoomToFall = 1.25;
 
-// How far a model in the world may reach from the origin, of its longest side.
-constexpr double kMaxReachInLengths = 20000;
-
 void requireDigest(const std::filesystem::path& file, const std::string& expected) {
     if (!expected.empty() && sha256OfFile(file) != expected) {
         throw InputError(file.filename().string() +
@@ -29,34 +24,19 @@ void requireDigest(const std::filesystem::path& file, const std::string& expecte
     }
 }
 
-/// The solver and the pictures work in floats, whose steps grow with the distance from the origin.
-void requireRoomInFloats(const Bounds& bounds) {
-    const double length = (bounds.high - bounds.low).maxCoeff();
-    const double reach =
-        std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());
-    if (length < kMinImportExtent || reach > kMaxImportExtent ||
-        reach > kMaxReachInLengths * length) {
-        std::ostringstream message;
-        message << "placement: the model would be " << length << " m long and reach " << reach
-                << " m from the origin, but must be at least " << kMinImportExtent
-                << " m long and reach at most " << kMaxImportExtent << " m and "
-                << kMaxReachInLengths << " times its length; scale or move it.";
-        throw InputError(message.str());
-    }
-}
-
 }  // namespace
 
-Vec3 Placement::apply(const Vec3& point) const {
-    return turnOf(rotate) * (scale * point) + translate;
-}
-
 void place(SurfaceMesh& mesh, const Placement& placement) {
+    const PlacementMap map(placement);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const Vec3 placed = placement.apply(mesh.restPosition(v));
+        const Vec3 placed = map.toScene(mesh.restPosition(v));
         mesh.setPosition(v, placed);
         mesh.setRestPosition(v, placed);
     }
+}
+
+Coordinates coordinatesOf(const ExportEvent& event, const Placement& placement) {
+    return event.coordinates.value_or(placement.unit ? Coordinates::model : Coordinates::scene);
 }
 
 std::filesystem::path ModelReference::file() const {
@@ -74,7 +54,9 @@ ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
     ours.fillHoles |= session.model.fillHoles;
     ModelMesh model = readModel(file, ours);
     place(model.mesh, session.placement);
-    requireRoomInFloats(meshBounds(model.mesh));
+    if (const std::string problem = checkRoom(meshBounds(model.mesh)); !problem.empty()) {
+        throw InputError("placement: " + problem);
+    }
     return model;
 }
 
@@ -113,8 +95,12 @@ std::vector<std::string> pictureFiles(const Session& session) {
     return files;
 }
 
+bool startsAnew(const SessionAction& action) {
+    return std::holds_alternative<Restart>(action) || std::holds_alternative<Place>(action);
+}
+
 bool takesBladeAway(const SessionAction& action) {
-    return std::holds_alternative<LiftBlade>(action) || std::holds_alternative<Restart>(action) ||
+    return std::holds_alternative<LiftBlade>(action) || startsAnew(action) ||
            std::holds_alternative<Undo>(action) || std::holds_alternative<Redo>(action);
 }
 
@@ -163,7 +149,7 @@ void SessionPlayer::collectHandMoves() {
             keys[drag->hand] = {event.step, drag->to};
         } else if (const auto* release = std::get_if<Release>(&event.action)) {
             keys.erase(release->hand);
-        } else if (std::holds_alternative<Restart>(event.action)) {
+        } else if (startsAnew(event.action)) {
             keys.clear();
         }
     }

@@ -7,10 +7,12 @@
 #include <variant>
 #include <vector>
 
+#include "app/files/export.h"
 #include "app/files/model_source.h"
 #include "render/scene/body_look.h"
 #include "render/scene/camera.h"
 #include "sim/base/params.h"
+#include "sim/base/placement.h"
 #include "sim/run/command.h"
 
 namespace kerf::app {
@@ -32,14 +34,6 @@ inline constexpr const char* kPiecesFile = "pieces.csv";
 inline constexpr std::array kReplayFiles{kMetricsFile, kSummaryFile, kMeshFile, kHashesFile,
                                          kPiecesFile};
 
-/// Scale, then rotate (about the world's x, then y, then z axis; degrees), then translate [m].
-struct Placement {
-    double scale = 1;
-    Vec3 rotate = Vec3::Zero();
-    Vec3 translate = Vec3::Zero();
-
-    Vec3 apply(const Vec3& point) const;
-};
 /// Moves a mesh at rest: positions and rest positions.
 void place(SurfaceMesh& mesh, const Placement& placement);
 
@@ -65,8 +59,13 @@ struct ScreenshotEvent {
 /// The mesh as it stands before the step: a file of meshFormats() below the output folder.
 struct ExportEvent {
     std::string file;
-    bool filePerPiece = false;  ///< see pieceFile()
+    bool filePerPiece = false;               ///< see pieceFile()
+    std::optional<Coordinates> coordinates;  ///< see coordinatesOf()
 };
+/// The coordinates that an export is written in. Where the event does not say: the model's own if
+/// its placement names a unit, else those of the scene, as sessions meant before there were units.
+Coordinates coordinatesOf(const ExportEvent& event, const Placement& placement);
+
 /// A check of the state before the step: what is set must hold.
 struct CheckEvent {
     std::optional<std::string> hash;
@@ -111,6 +110,8 @@ struct Session {
 std::optional<Command> commandOf(const SessionAction& action);
 /// The files of its screenshot events, each once.
 std::vector<std::string> pictureFiles(const Session& session);
+/// Tells whether the body begins anew with an action, so that no hand holds it any more.
+bool startsAnew(const SessionAction& action);
 /// Tells whether the blade is gone after an action, so that the next pose places it anew.
 bool takesBladeAway(const SessionAction& action);
 

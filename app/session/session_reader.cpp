@@ -205,6 +205,17 @@ void read(const Node& node, std::filesystem::path& path, const ModelPath&) {
     path = name;
 }
 
+template <class Enum>
+requires std::is_enum_v<Enum>
+void read(const Node& node, Enum& value, const Words& rule) {
+    const std::string text = readString(node);
+    const auto found = std::ranges::find(rule.words, text);
+    if (found == rule.words.end()) {
+        fail(node.path, "'" + shortened(text) + "' is none of " + joined(rule.words, ", ") + ".");
+    }
+    value = static_cast<Enum>(found - rule.words.begin());
+}
+
 template <class Value>
 void read(const Node& node, std::optional<Value>& value, const auto&... limit) {
     read(node, value.emplace(), limit...);

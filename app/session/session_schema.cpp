@@ -101,6 +101,11 @@ Json schemaOf(const std::string&, const OutputName& rule) {
                              ") that no replay writes itself.");
 }
 
+template <class Enum>
+requires std::is_enum_v<Enum> Json schemaOf(Enum, const Words& rule) {
+    return {{"enum", rule.words}};
+}
+
 template <class Value>
 Json schemaOf(const std::optional<Value>&, const auto& rule) {
     return schemaOf(Value{}, rule);

@@ -15,7 +15,6 @@ inline constexpr const char* kSessionFormat = "kerf-session";
 inline constexpr int kSessionVersion = 1;
 
 inline constexpr HexDigits kSha256Digits{64};
-inline constexpr Limits kScales{1e-6, 1e6};
 inline constexpr Limits kFieldsOfView{1, 150};  // [degrees]
 inline constexpr Limits kColorParts{0, 1};
 inline constexpr double kLeastSineOfUp = 1e-6;  // between the line of sight and the camera's up
@@ -45,13 +44,6 @@ void describe(auto& fields, ModelReference& model) {
                      "digits."},
                     model.sha256, kSha256Digits);
     fields.optional({"fill_holes", "Fills holes before the model is cut."}, model.fillHoles);
-}
-
-void describe(auto& fields, Placement& placement) {
-    fields.optional({"scale", "Scales the model, before it is turned."}, placement.scale, kScales);
-    fields.optional(kRotate, placement.rotate, kTurns);
-    fields.optional({"translate", "Moves the model at last [m]."}, placement.translate,
-                    kCoordinates);
 }
 
 void describe(auto& fields, SessionEvent& event, const Limits& steps) {
@@ -99,7 +91,9 @@ void describe(auto& fields, Session& session) {
     fields.format({"format", "Says that this is a session."},
                   {"version", "The version of the format."});
     fields.required({"model", "What is cut."}, session.model);
-    fields.optional({"placement", "Where the model lies: scaled, turned, then moved."},
+    fields.optional({"placement",
+                     "How the model's numbers become metres, and where it lies: scaled, turned, "
+                     "then moved."},
                     session.placement);
     fields.params({"params", "The parameters at the start. One left out has its default."},
                   session.params);

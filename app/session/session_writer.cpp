@@ -89,6 +89,12 @@ struct FieldWriter : NoFields {
             json[word.name] = toJson(value);
         }
     }
+    template <class Enum>
+    void optional(const Word& word, const std::optional<Enum>& value, const Words& rule) {
+        if (value) {
+            json[word.name] = std::string(rule.words[static_cast<std::size_t>(*value)]);
+        }
+    }
     void oneOf(Region& region, std::string_view) {
         std::visit([this](auto& shape) { describe(*this, shape); }, region);
     }

@@ -1,7 +1,6 @@
 #include "sim/contact/static_box.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
+#include "sim/base/turn.h"
 
 namespace kerf {
 
@@ -12,14 +11,6 @@ bool within(const Vec3& value, double low, double high) {
 }
 
 }  // namespace
-
-Eigen::Matrix3d turnOf(const Vec3& degrees) {
-    const Vec3 radians = degrees * (EIGEN_PI / 180);
-    return (Eigen::AngleAxisd(radians.z(), Vec3::UnitZ()) *
-            Eigen::AngleAxisd(radians.y(), Vec3::UnitY()) *
-            Eigen::AngleAxisd(radians.x(), Vec3::UnitX()))
-        .toRotationMatrix();
-}
 
 Eigen::Matrix3d StaticBox::axes() const {
     return turnOf(rotate);

@@ -34,7 +34,4 @@ inline constexpr std::size_t kMostBoxes = 10'000;
 /// "" or one sentence about what is wrong with it.
 std::string checkBox(const StaticBox& box);
 
-/// Rotates about the world's x, then y, then z axis [degrees].
-Eigen::Matrix3d turnOf(const Vec3& degrees);
-
 }  // namespace kerf

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "sim/base/params.h"
+#include "sim/base/placement.h"
 #include "sim/base/region.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/blade.h"
@@ -69,9 +70,16 @@ struct RemoveBox {
 };
 /// Brings back the uncut body at rest; parameters, boxes and the time go on.
 struct Restart {};
+/// Restart, with the model placed otherwise: in another unit, turned, scaled, moved. Parameters
+/// that suited its size follow (see followSize()).
+struct Place {
+    Placement placement;
+    /// Belongs to the gesture of the placement just before: one undo takes both back.
+    bool continues = false;
+};
 /// Takes back the last change that is not undone: a cut or a grab (with all that the body did
-/// since), a restart, a parameter, pins or a box. A blade that is in the body is lifted first; time
-/// goes on.
+/// since), a restart, a placement, a parameter, pins or a box. A blade that is in the body is
+/// lifted first; time goes on.
 struct Undo {};
 /// Brings back what the last undo took.
 struct Redo {};
@@ -82,6 +90,6 @@ struct SetTime {
 };
 
 using Command = std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, AddBox,
-                             ChangeBox, RemoveBox, Restart, Undo, Redo, SetTime>;
+                             ChangeBox, RemoveBox, Restart, Place, Undo, Redo, SetTime>;
 
 }  // namespace kerf

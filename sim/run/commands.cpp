@@ -1,7 +1,26 @@
 // How each kind of command is carried out.
+#include "sim/base/boxes.h"
+#include "sim/base/size_params.h"
 #include "sim/run/simulation_state.h"
 
 namespace kerf {
+
+namespace {
+
+/// Of the parameters that follow a size.
+std::vector<UndoEntry::ParamChange> changesOfSize(const Params& before, const Params& after) {
+    std::vector<UndoEntry::ParamChange> changes;
+    for (const char* name : {"time_step", "depenetration_speed"}) {
+        const ParamValue from = getParam(before, name);
+        const ParamValue to = getParam(after, name);
+        if (from != to) {
+            changes.push_back({name, from, to});
+        }
+    }
+    return changes;
+}
+
+}  // namespace
 
 template <>
 std::string Simulation::State::carryOut(const MoveBlade& move) {
@@ -113,6 +132,24 @@ std::string Simulation::State::carryOut(const Restart&) {
     putBladeAway();
     log.noteBody("Restart", log.captureForUndo(body), output);
     startBody();
+    return "";
+}
+
+template <>
+std::string Simulation::State::carryOut(const Place& place) {
+    SurfaceMesh placed = body.placedMesh(place.placement);
+    const Bounds bounds = boxOf(placed.restPositions());
+    if (const std::string problem = checkRoom(bounds); !problem.empty()) {
+        return "T" + problem.substr(1);
+    }
+    putBladeAway();
+    const bool continues = log.continuesPlacement(place);
+    const Params before = input.params;
+    input.params = followSize(body.diagonal, bounds.diagonal(), before);
+    log.notePlacement(place, continues ? nullptr : log.captureForUndo(body),
+                      changesOfSize(before, input.params), output);
+    body.startAnew(std::move(placed), place.placement);
+    beginAtRest();
     return "";
 }
 

@@ -20,15 +20,48 @@ OrientedBox oriented(const Bounds& box) {
 }  // namespace
 
 RunningBody::RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver)
-    : uncut(std::move(prepared.uncut)),
-      diagonal(boxOf(uncut->mesh.restPositions()).diagonal()),
-      wallEdge(contactEdgeLength(uncut->body.model())),
+    : first(std::move(prepared.uncut)),
       meshOwner(std::move(prepared.mesh)),
       updater(std::move(prepared.body)),
       solverOwner(std::move(loadedSolver)),
       cutter(std::move(*prepared.cutter)) {
+    take(first);
     lookUpTriangles();
     beginAtRest();
+}
+
+void RunningBody::take(std::shared_ptr<const UncutBody> body) {
+    uncut = std::move(body);
+    diagonal = boxOf(uncut->mesh.restPositions()).diagonal();
+    wallEdge = contactEdgeLength(uncut->body.model());
+}
+
+void RunningBody::startAsAtFirst() {
+    take(first);
+    startAnew();
+}
+
+/// From the placement at first, so that it does not matter which ones were tried in between.
+SurfaceMesh RunningBody::placedMesh(const Placement& placement) const {
+    SurfaceMesh placed = first->mesh;
+    const PlacementMap from(first->placement);
+    const PlacementMap to(placement);
+    for (int v = 0; v < placed.vertexCount() && placement != first->placement; ++v) {
+        const Vec3 at = to.toScene(from.toModel(first->mesh.restPosition(v)));
+        placed.setPosition(v, at);
+        placed.setRestPosition(v, at);
+    }
+    return placed;
+}
+
+void RunningBody::startAnew(SurfaceMesh placed, const Placement& placement) {
+    if (placement == first->placement) {
+        startAsAtFirst();
+        return;
+    }
+    mesh = std::move(placed);
+    take(std::make_shared<const UncutBody>(makeUncutBody(mesh, placement)));
+    startAnew();
 }
 
 void RunningBody::startAnew() {
@@ -79,11 +112,12 @@ SnapshotPointer RunningBody::capture() {
     };
     return std::make_shared<const Snapshot>(Snapshot{rested(mesh), rested(*updater),
                                                      rested(*cutter), solver.pages(), memory,
-                                                     solver.collisions().memory()});
+                                                     solver.collisions().memory(), uncut});
 }
 
 void RunningBody::restore(const Snapshot& snapshot) {
     whole = false;
+    take(snapshot.uncut);
     mesh = snapshot.mesh;
     sync.forget();
     pausePoint();

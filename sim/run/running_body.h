@@ -25,6 +25,12 @@ struct RunningBody {
 
     /// The uncut body at rest, nothing held or pinned. measureAtRest() once the parameters apply.
     void startAnew();
+    /// startAnew() of the uncut body as it was at first.
+    void startAsAtFirst();
+    /// The mesh of the uncut body, put elsewhere.
+    SurfaceMesh placedMesh(const Placement& placement) const;
+    /// startAnew() with the uncut body put elsewhere, where `placed` is its mesh.
+    void startAnew(SurfaceMesh placed, const Placement& placement);
     void measureAtRest();
     void apply(const Params& params);
 
@@ -61,10 +67,11 @@ struct RunningBody {
     bool isOpen() const;
     const PieceMap& pieces();
 
-    // What it was made with.
-    const std::shared_ptr<const UncutBody> uncut;
-    const double diagonal;  ///< of the uncut body at rest [m]
-    const double wallEdge;  ///< edge length of walls [m]
+    // What it was made with, and what it starts anew from. Never null.
+    const std::shared_ptr<const UncutBody> first;
+    std::shared_ptr<const UncutBody> uncut;
+    double diagonal = 0;  ///< of the uncut body at rest [m]
+    double wallEdge = 0;  ///< edge length of walls [m]
 
     const std::unique_ptr<SurfaceMesh> meshOwner;
     SurfaceMesh& mesh = *meshOwner;
@@ -80,6 +87,7 @@ struct RunningBody {
 
   private:
     std::vector<shared::PullRecord> leadsBack(const Params& params);
+    void take(std::shared_ptr<const UncutBody> body);
     void lookUpTriangles();
     void beginAtRest();
 

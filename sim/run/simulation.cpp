@@ -31,7 +31,8 @@ Simulation::State::State(PreparedBody prepared, std::unique_ptr<GpuSolver> loade
 
 void Simulation::State::start() {
     startRun();
-    startBody();
+    body.startAsAtFirst();
+    beginAtRest();
 }
 
 /// With the first parameters, at step 0.
@@ -287,6 +288,10 @@ const std::string& Simulation::refusalOfStroke() const {
 
 std::vector<std::string> Simulation::takeMessages() {
     return std::exchange(state_->output.messages, {});
+}
+
+const std::shared_ptr<const UncutBody>& Simulation::uncut() const {
+    return state_->body.uncut;
 }
 
 const std::vector<StaticBox>& Simulation::boxes() const {

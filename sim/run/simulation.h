@@ -84,6 +84,10 @@ class Simulation {
     /// call.
     std::vector<std::string> takeMessages();
 
+    /// The uncut body, as it was placed last; another one after each placement. Never null.
+    const std::shared_ptr<const UncutBody>& uncut() const;
+    /// How the numbers of the model's file become metres of the scene.
+    const Placement& placement() const { return uncut()->placement; }
     /// The boxes that the body collides with, besides the floor.
     const std::vector<StaticBox>& boxes() const;
     /// Vertices that stay where they are, ascending.

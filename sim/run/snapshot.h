@@ -9,6 +9,7 @@
 #include "sim/mesh/surface_mesh.h"
 #include "sim/run/hands.h"
 #include "sim/run/pins.h"
+#include "sim/run/prepared_body.h"
 #include "sim/run/shape_recovery.h"
 #include "sim/solve/body_measure.h"
 #include "sim/solve/volume_targets.h"
@@ -37,6 +38,7 @@ struct Snapshot {
     VertexPages pages;
     BodyMemory memory;
     ContactMemory contact;
+    std::shared_ptr<const UncutBody> uncut;  ///< what it was made of; never null
 };
 using SnapshotPointer = std::shared_ptr<const Snapshot>;
 

@@ -45,6 +45,9 @@ void Simulation::State::apply(const UndoEntry::PinChange& change, bool forward) 
 }
 
 void Simulation::State::apply(const UndoEntry::BodySnapshotChange& change, bool forward) {
+    for (const UndoEntry::ParamChange& param : change.params) {
+        apply(param, forward);
+    }
     restoreBody(forward ? change.after : change.before);
 }
 

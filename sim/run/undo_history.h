@@ -30,10 +30,12 @@ struct UndoEntry {
         std::vector<StaticBox> after;
         int changed = -1;  ///< number of the box that was changed; -1 for none
     };
-    /// A cut, a grab or a restart. `after` is known while it is undone.
+    /// A cut, a grab, a restart or a placement. `after` is known while it is undone.
     struct BodySnapshotChange {
         SnapshotPointer before;
         SnapshotPointer after;
+        bool placed = false;                   ///< by a placement
+        std::vector<ParamChange> params = {};  ///< that followed the size
     };
 
     std::string name;  ///< as people read it: "Cut 2", "Gravity: none"

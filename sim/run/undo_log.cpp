@@ -1,5 +1,6 @@
 #include "sim/run/undo_log.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace kerf {
@@ -67,6 +68,35 @@ void UndoLog::noteBody(std::string name, SnapshotPointer before, SimulationOutpu
                 "the body is larger than the undo memory ({} MB), so what has changed it so far "
                 "can't be undone",
                 history_.budget() >> 20);
+        }
+    }
+}
+
+bool UndoLog::continuesPlacement(const Place& place) {
+    const auto* last = history_.continued<UndoEntry::BodySnapshotChange>();
+    return place.continues && last != nullptr && last->placed;
+}
+
+void UndoLog::notePlacement(const Place& place, SnapshotPointer before,
+                            std::vector<UndoEntry::ParamChange> params, SimulationOutput& output) {
+    if (!continuesPlacement(place)) {
+        const bool kept = before != nullptr;
+        noteBody("Placement", std::move(before), output);
+        if (kept) {
+            auto* entry = history_.continued<UndoEntry::BodySnapshotChange>();
+            entry->placed = true;
+            entry->params = std::move(params);
+        }
+        return;
+    }
+    auto* entry = history_.continued<UndoEntry::BodySnapshotChange>();
+    for (UndoEntry::ParamChange& change : params) {
+        const auto earlier =
+            std::ranges::find(entry->params, change.param, &UndoEntry::ParamChange::param);
+        if (earlier == entry->params.end()) {
+            entry->params.push_back(std::move(change));
+        } else {
+            earlier->after = change.after;
         }
     }
 }

@@ -38,6 +38,13 @@ class UndoLog {
     /// where one is too large, so that neither it nor what was before can be taken back.
     void noteBody(std::string name, SnapshotPointer before, SimulationOutput& output);
 
+    /// Whether a placement goes on with the gesture of the last change.
+    bool continuesPlacement(const Place& place);
+    /// A placement, before which the body was `before` (see noteBody()) and the parameters others;
+    /// one that goes on with a gesture needs no `before`.
+    void notePlacement(const Place& place, SnapshotPointer before,
+                       std::vector<UndoEntry::ParamChange> params, SimulationOutput& output);
+
     /// A stroke counts from its first change of the body, back to where the blade came near it.
     void beginStroke(RunningBody& body);
     void noteCut(SimulationOutput& output);

@@ -43,6 +43,10 @@ std::string textOf(const std::filesystem::path& value) {
 std::string textOf(const Vec3& value) {
     return textOf(value.x()) + " " + textOf(value.y()) + " " + textOf(value.z());
 }
+template <class Enum>
+requires std::is_enum_v<Enum> std::string textOf(Enum value) {
+    return textOf(static_cast<int>(value));
+}
 std::string textOf(std::monostate) {
     return "null";
 }

@@ -30,7 +30,7 @@ std::string sessionWithEveryKey() {
     return R"({
       "format": "kerf-session", "version": 1,
       "model": {"path": "sub/../model.obj"},
-      "placement": {"scale": 2, "rotate": [10, 20, 30], "translate": [1, 2, 3]},
+      "placement": {"unit": "cm", "up": "z", "scale": 2, "rotate": [10, 20, 30], "translate": [1, 2, 3]},
       "params": {"time_step": 0.004, "iterations": 7, "gravity": [0, -1, 0], "floor": null},
       "steps": 50,
       "events": [
@@ -66,8 +66,10 @@ std::string sessionWithEveryEvent() {
                        {"step": 3, "type": "remove_box", "box": 2},
                        {"step": 3, "type": "undo"}, {"step": 3, "type": "redo"},
                        {"step": 4, "type": "restart"},
+                       {"step": 4, "type": "place", "unit": "in", "up": "-x", "scale": 0.1,
+                        "rotate": [0, 0.1, 90], "translate": [0.3, 0, -7], "continues": true},
                        {"step": 4, "type": "screenshot", "file": "ä \" b.png", "width": 3},
-                       {"step": 5, "type": "export", "file": "a/b.obj"},
+                       {"step": 5, "type": "export", "file": "a/b.obj", "coordinates": "model"},
                        {"step": 6, "type": "check", "hash": "00ff00ff00ff00ff"}],
             "view": {"eye": [1, 2, 3.3], "target": [0, 0, 0], "orthographic": true,
                      "skin": [0.2, 0.5, 1], "flesh": [1, 0.9, 0]})");
@@ -112,6 +114,10 @@ const std::vector<BrokenSession>& brokenSessions() {
         {"ZeroByteInPath", R"({"format": "kerf-session", "version": 1, "steps": 1, "model": {"path": "a\u0000.obj"}})", "model.path: no file has a zero byte in its name."},
         {"HalfAStep", R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": 1.5})", "steps: expected a whole number"},
         {"StepsAsText", R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": "5"})", "steps: expected a number"},
+        {"NoSuchUnit", sessionWith(R"("placement": {"unit": "yard"})"), "placement.unit: 'yard' is none of m, cm, mm, um, km, in, ft."},
+        {"UnitAsNumber", sessionWith(R"("placement": {"unit": 0.001})"), "placement.unit: expected a text in quotes."},
+        {"NoSuchAxis", sessionWithEvent(R"({"step": 1, "type": "place", "up": "w"})"), "events[0].up: 'w' is none of y, z, x, -y, -z, -x."},
+        {"NoSuchCoordinates", sessionWithEvent(R"({"step": 1, "type": "export", "file": "a.ply", "coordinates": "world"})"), "events[0].coordinates: 'world' is none of model, scene."},
         {"NegativeScale", sessionWith(R"("placement": {"scale": -1})"), "placement.scale: -1 is out of range"},
         {"WrongParam", sessionWith(R"("params": {"gravty": 1})"), "params.gravty: there is no parameter \"gravty\"; known are time_step"},
         {"ParamOutOfRange", sessionWith(R"("params": {"iterations": 1000})"), "params.iterations: \"iterations\" must lie between 1 and 60"},

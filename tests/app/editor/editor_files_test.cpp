@@ -35,7 +35,7 @@ TEST_F(EditorFilesTest, AModelOpensBehindWhatIsOpen) {
     waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
     EXPECT_EQ(panels().triangles, 192);
-    EXPECT_THAT(panels().toast, HasSubstr("Scaled by"));
+    EXPECT_THAT(panels().toast, HasSubstr("OBJ names no unit: taken as metres"));
 }
 
 TEST_F(EditorFilesTest, WhatIsOpenCanBeCutWhileAModelIsRead) {

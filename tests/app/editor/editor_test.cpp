@@ -571,18 +571,5 @@ TEST_F(EditorTest, AnEmptyEditorInvitesAFile) {
     EXPECT_THAT(empty.panels().hint.text, ::testing::HasSubstr("Drop a model"));
 }
 
-TEST(FitPlacement, BringsAnySizeToTheFloorOfTheView) {
-    Bounds bounds;
-    bounds.add(Vec3(100, -50, 30));
-    bounds.add(Vec3(160, 30, 30));
-    const Placement placement = fitPlacement(bounds, 1.5);
-    const Vec3 low = placement.apply(bounds.low);
-    const Vec3 high = placement.apply(bounds.high);
-    EXPECT_NEAR((high - low).norm(), 1.5, 1e-12);
-    EXPECT_NEAR(low.y(), 0.03, 1e-12);
-    EXPECT_NEAR((low + high).x(), 0, 1e-12);
-    EXPECT_NEAR((low + high).z(), 0, 1e-12);
-}
-
 }  // namespace
 }  // namespace kerf::app

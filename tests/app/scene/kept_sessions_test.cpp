@@ -144,7 +144,7 @@ class RandomSession {
                 add(ScreenshotEvent{"p" + std::to_string(step_) + ".png", 64, 36});
                 return;
             case 4:
-                add(ExportEvent{"e" + std::to_string(step_) + ".obj", oneIn(2)});
+                add(ExportEvent{"e" + std::to_string(step_) + ".obj", oneIn(2), std::nullopt});
                 return;
             case 5:
                 add(CheckEvent{std::nullopt, 1});

@@ -1,0 +1,102 @@
+#include "sim/base/placement.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "sim/base/turn.h"
+
+namespace kerf {
+namespace {
+
+// Of a model in the scene.
+constexpr double kLeastLength = 1e-6;          // [m]
+constexpr double kFarthestReach = 1e6;         // [m]
+constexpr double kMostReachInLengths = 20000;  // of its longest side
+
+constexpr std::array kUnits{
+    LengthUnitInfo{"metres", 1},         LengthUnitInfo{"centimetres", 1e-2},
+    LengthUnitInfo{"millimetres", 1e-3}, LengthUnitInfo{"micrometres", 1e-6},
+    LengthUnitInfo{"kilometres", 1e3},   LengthUnitInfo{"inches", 0.0254},
+    LengthUnitInfo{"feet", 0.3048},
+};
+static_assert(kUnits.size() == std::size(kLengthUnitNames));
+
+/// Brings the up axis to +y, without any rounding.
+Vec3 upright(const Vec3& p, UpAxis up) {
+    switch (up) {
+        case UpAxis::y:
+            return p;
+        case UpAxis::z:
+            return {p.x(), p.z(), -p.y()};
+        case UpAxis::x:
+            return {-p.y(), p.x(), p.z()};
+        case UpAxis::minusY:
+            return {p.x(), -p.y(), -p.z()};
+        case UpAxis::minusZ:
+            return {p.x(), -p.z(), p.y()};
+        case UpAxis::minusX:
+            return {p.y(), -p.x(), p.z()};
+    }
+    return p;
+}
+
+/// Each turn that upright() makes is taken back by that of another axis.
+UpAxis inverseOf(UpAxis up) {
+    switch (up) {
+        case UpAxis::z:
+            return UpAxis::minusZ;
+        case UpAxis::minusZ:
+            return UpAxis::z;
+        case UpAxis::x:
+            return UpAxis::minusX;
+        case UpAxis::minusX:
+            return UpAxis::x;
+        default:
+            return up;
+    }
+}
+
+}  // namespace
+
+const LengthUnitInfo& infoOf(LengthUnit unit) {
+    return kUnits[static_cast<std::size_t>(unit)];
+}
+
+Vec3 Placement::apply(const Vec3& own) const {
+    return PlacementMap(*this).toScene(own);
+}
+
+PlacementMap::PlacementMap(const Placement& placement)
+    : placement_(placement),
+      up_(placement.up.value_or(UpAxis::y)),
+      metres_(placement.metresPerUnit()),
+      turn_(turnOf(placement.rotate)) {}
+
+Vec3 PlacementMap::toScene(const Vec3& own) const {
+    const Vec3 metric = metres_ * upright(own, up_);
+    return turn_ * (placement_.scale * metric) + placement_.translate;
+}
+
+Vec3 PlacementMap::toModel(const Vec3& placed) const {
+    const Vec3 metric = turn_.transpose() * (placed - placement_.translate) / placement_.scale;
+    return upright(metric / metres_, inverseOf(up_));
+}
+
+std::string checkRoom(const Bounds& placed) {
+    const double length = (placed.high - placed.low).maxCoeff();
+    const double reach =
+        std::max(placed.high.cwiseAbs().maxCoeff(), placed.low.cwiseAbs().maxCoeff());
+    if (length >= kLeastLength && reach <= kFarthestReach &&
+        reach <= kMostReachInLengths * length) {
+        return "";
+    }
+    std::ostringstream message;
+    message << "the model would be " << length << " m long and reach " << reach
+            << " m from the origin, but must be at least " << kLeastLength
+            << " m long and reach at most " << kFarthestReach << " m and " << kMostReachInLengths
+            << " times its length; scale or move it.";
+    return message.str();
+}
+
+}  // namespace kerf

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "sim/base/math.h"
+
+namespace kerf {
+
+/// A unit that the numbers of a model are in, in the order of kLengthUnitNames.
+enum class LengthUnit { metre, centimetre, millimetre, micrometre, kilometre, inch, foot };
+
+inline constexpr std::string_view kLengthUnitNames[] = {"m", "cm", "mm", "um", "km", "in", "ft"};
+constexpr std::string_view nameOf(LengthUnit unit) {
+    return kLengthUnitNames[static_cast<std::size_t>(unit)];
+}
+
+struct LengthUnitInfo {
+    std::string_view plural;  ///< "millimetres"
+    double metres = 1;        ///< in one of it
+};
+const LengthUnitInfo& infoOf(LengthUnit unit);
+
+/// The axis of a model that points up, in the order of kUpAxisNames.
+enum class UpAxis { y, z, x, minusY, minusZ, minusX };
+inline constexpr std::string_view kUpAxisNames[] = {"y", "z", "x", "-y", "-z", "-x"};
+constexpr std::string_view nameOf(UpAxis up) {
+    return kUpAxisNames[static_cast<std::size_t>(up)];
+}
+
+/// How the numbers of a model become metres in the scene, where +y is up: they are taken in their
+/// unit, the model's up axis is brought to +y; then scale, then rotate (about the scene's x, then
+/// y, then z axis; degrees), then translate [m].
+struct Placement {
+    std::optional<LengthUnit> unit;  ///< metres where nobody has said which
+    std::optional<UpAxis> up;        ///< y where nobody has said which
+    double scale = 1;
+    Vec3 rotate = Vec3::Zero();
+    Vec3 translate = Vec3::Zero();
+
+    double metresPerUnit() const { return unit ? infoOf(*unit).metres : 1; }
+    /// Where a point of the model lies in the scene [m].
+    Vec3 apply(const Vec3& own) const;
+    bool operator==(const Placement&) const = default;
+};
+
+/// A placement, ready for many points.
+class PlacementMap {
+  public:
+    explicit PlacementMap(const Placement& placement);
+
+    /// Of a point of the model: where it lies in the scene [m].
+    Vec3 toScene(const Vec3& own) const;
+    /// Of a point of the scene [m]: its coordinates in the model, as its file has them.
+    Vec3 toModel(const Vec3& placed) const;
+
+  private:
+    Placement placement_;
+    UpAxis up_;
+    double metres_;
+    Eigen::Matrix3d turn_;
+};
+
+/// "", or one sentence, where a model that lies so in the scene is too small, or too far from the
+/// origin, for floats: their steps grow with that distance.
+std::string checkRoom(const Bounds& placed);
+
+}  // namespace kerf

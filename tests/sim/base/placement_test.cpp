@@ -1,0 +1,82 @@
+#include "sim/base/placement.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/base/quantity_text.h"
+#include "sim/base/size_params.h"
+
+namespace kerf {
+namespace {
+
+TEST(Placement, TakesTheUnitThenTheAxisThenScaleTurnAndPlace) {
+    Placement placement;
+    placement.unit = LengthUnit::millimetre;
+    placement.up = UpAxis::z;
+    placement.scale = 2;
+    placement.rotate = {0, 90, 0};
+    placement.translate = {10, 20, 30};
+    // Up in the model, 5 mm: a centimetre up in the scene.
+    EXPECT_TRUE(placement.apply({0, 0, 5}).isApprox(Vec3(10, 20.01, 30), 1e-12));
+    // The turn about y takes x to -z.
+    EXPECT_TRUE(placement.apply({500, 0, 0}).isApprox(Vec3(10, 20, 29), 1e-12));
+}
+
+TEST(Placement, EachAxisIsBroughtUpWithoutMirroring) {
+    const Vec3 axes[] = {Vec3::UnitY(),  Vec3::UnitZ(),  Vec3::UnitX(),
+                         -Vec3::UnitY(), -Vec3::UnitZ(), -Vec3::UnitX()};
+    for (std::size_t i = 0; i < std::size(kUpAxisNames); ++i) {
+        Placement placement;
+        placement.up = static_cast<UpAxis>(i);
+        EXPECT_EQ(placement.apply(axes[i]), Vec3::UnitY()) << kUpAxisNames[i];
+        Eigen::Matrix3d map;
+        map << placement.apply(Vec3::UnitX()), placement.apply(Vec3::UnitY()),
+            placement.apply(Vec3::UnitZ());
+        EXPECT_EQ(map.determinant(), 1) << kUpAxisNames[i];
+    }
+}
+
+TEST(Placement, LeadsBackToTheModel) {
+    const Vec3 point(12.5, -3, 70001);
+    for (std::size_t unit = 0; unit < std::size(kLengthUnitNames); ++unit) {
+        for (std::size_t up = 0; up < std::size(kUpAxisNames); ++up) {
+            const Placement placement{static_cast<LengthUnit>(unit), static_cast<UpAxis>(up), 0.3,
+                                      Vec3(10, 200, -30), Vec3(1, -2, 3)};
+            const PlacementMap map(placement);
+            EXPECT_TRUE(map.toModel(map.toScene(point)).isApprox(point, 1e-12))
+                << kLengthUnitNames[unit] << kUpAxisNames[up];
+        }
+    }
+}
+
+TEST(SizeParams, AreTheDefaultsForWhatIsAsLargeAsAPerson) {
+    for (const double diagonal : {0.5, 1.5, 9.0}) {
+        EXPECT_EQ(suitedTo(diagonal, Params{}), Params{}) << diagonal;
+    }
+    EXPECT_EQ(suitedTo(0.05, Params{}).timeStep, 0.001);
+    EXPECT_EQ(suitedTo(1e-5, Params{}).timeStep, 0.0005);
+    EXPECT_LT(suitedTo(0.005, Params{}).depenetrationSpeed, 1);
+    EXPECT_EQ(suitedTo(300, Params{}).depenetrationSpeed, 10);
+}
+
+TEST(SizeParams, FollowASizeUnlessSomebodyChoseThem) {
+    Params chosen;
+    chosen.timeStep = 0.003;
+    const Params small = followSize(1, 0.005, chosen);
+    EXPECT_EQ(small.timeStep, 0.003);
+    EXPECT_EQ(small.depenetrationSpeed, suitedTo(0.005, chosen).depenetrationSpeed);
+    EXPECT_EQ(followSize(0.005, 1, small), chosen);
+}
+
+TEST(QuantityText, TakesTheUnitThatSuits) {
+    EXPECT_EQ(lengthText(9.66), "9.66 m");
+    EXPECT_EQ(lengthText(0.0966), "9.66 cm");
+    EXPECT_EQ(lengthText(0.005), "5 mm");
+    EXPECT_EQ(lengthText(300), "300 m");
+    EXPECT_EQ(lengthText(2e-7), "0.2 \u00b5m");
+    EXPECT_EQ(massText(900), "900 kg");
+    EXPECT_EQ(massText(1.4e7), "14000 t");
+    EXPECT_EQ(massText(0.04), "40 g");
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,145 @@
+// A model that is placed otherwise while it is simulated.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/base/size_params.h"
+#include "tests/support/shapes.h"
+#include "tests/support/simulation_fixture.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kBudget = 1u << 30;
+
+class PlacementTest : public test::SimulationTest {
+  protected:
+    void SetUp() override {
+        SimulationTest::SetUp();
+        simulation.emplace(test::cubeSphere(6, 0.5), test::weightless());
+        simulation->setUndoBudget(kBudget);
+        inches.unit = LengthUnit::inch;
+        inches.up = UpAxis::x;
+    }
+    /// Right through the middle of a sphere that is so many times as large.
+    void cut(double size) {
+        for (int i = 0; i <= 20; ++i) {
+            const double y = size * (1 - 0.1 * i);
+            simulation->execute(
+                MoveBlade{{Vec3(-size, y, 0.01 * size), Vec3(size, y, 0.02 * size)}});
+            simulation->step();
+        }
+        simulation->execute(LiftBlade{});
+        simulation->step();
+    }
+    std::string place(const Placement& placement, bool continues = false) {
+        return simulation->execute(Place{placement, continues});
+    }
+
+    Placement inches;
+};
+
+TEST_F(PlacementTest, IsThatOfASimulationThatBeganSo) {
+    cut(1);
+    EXPECT_EQ(place(inches), "");
+    EXPECT_EQ(simulation->report().pieces, 1);
+    cut(0.0254);
+    EXPECT_EQ(simulation->report().pieces, 2);
+    const std::string hash = simulation->stateHash();
+
+    SurfaceMesh small = test::cubeSphere(6, 0.5);
+    const PlacementMap map(inches);
+    for (int v = 0; v < small.vertexCount(); ++v) {
+        const Vec3 at = map.toScene(small.restPosition(v));
+        small.setPosition(v, at);
+        small.setRestPosition(v, at);
+    }
+    const Params params = simulation->params();
+    simulation.emplace(std::move(small), params);
+    cut(0.0254);
+    EXPECT_EQ(simulation->stateHash(), hash);
+}
+
+TEST_F(PlacementTest, UndoBringsTheCutBodyBackAndRedoThePlacement) {
+    cut(1);
+    const std::string before = simulation->stateHash();
+    const Params params = simulation->params();
+    place(inches);
+    EXPECT_NE(simulation->params(), params);
+    const std::string after = simulation->stateHash();
+    EXPECT_EQ(simulation->history().lastDone().name, "Placement");
+    EXPECT_EQ(simulation->execute(Undo{}), "");
+    EXPECT_EQ(simulation->stateHash(), before);
+    EXPECT_EQ(simulation->params(), params);
+    EXPECT_EQ(simulation->placement(), Placement{});
+    run(3);  // with the parts of a body of the old size
+    EXPECT_EQ(simulation->report().lostPieces, 0);
+    EXPECT_EQ(simulation->execute(Redo{}), "");
+    EXPECT_EQ(simulation->stateHash(), after);
+    EXPECT_EQ(simulation->placement(), inches);
+}
+
+TEST_F(PlacementTest, AGestureIsOneChangeAndItsWayDoesNotMatter) {
+    const std::string before = simulation->stateHash();
+    for (const double scale : {1.1, 1.7, 3.0}) {
+        Placement larger;
+        larger.scale = scale;
+        place(larger, scale > 1.2);
+    }
+    EXPECT_EQ(simulation->history().done(), 1U);
+    const std::string hash = simulation->stateHash();
+    simulation->execute(Undo{});
+    EXPECT_EQ(simulation->stateHash(), before);
+    Placement atOnce;
+    atOnce.scale = 3;
+    place(atOnce);
+    EXPECT_EQ(simulation->stateHash(), hash);
+    place(Placement{});
+    EXPECT_EQ(simulation->stateHash(), before);
+}
+
+TEST_F(PlacementTest, OneWithoutRoomInFloatsIsRefusedAndChangesNothing) {
+    const std::string before = simulation->stateHash();
+    Placement far;
+    far.translate.x() = 1e6;
+    const std::string problem = place(far);
+    EXPECT_EQ(problem.find("The model would be 1 m long and reach"), 0U) << problem;
+    EXPECT_EQ(simulation->stateHash(), before);
+    EXPECT_EQ(simulation->history().done(), 0U);
+}
+
+TEST_F(PlacementTest, MomentsAndResetsKnowTheirOwn) {
+    const Moment first = simulation->moment();
+    const std::string before = simulation->stateHash();
+    place(inches);
+    const Moment second = simulation->moment();
+    const std::string after = simulation->stateHash();
+    simulation->goTo(first);
+    EXPECT_EQ(simulation->stateHash(), before);
+    simulation->goTo(second);
+    EXPECT_EQ(simulation->stateHash(), after);
+    simulation->execute(Restart{});
+    EXPECT_EQ(simulation->stateHash(), after);
+    simulation->reset();
+    EXPECT_EQ(simulation->stateHash(), before);
+}
+
+TEST_F(PlacementTest, WhatIsTinyOrHugeIsCutInTwoAsItFalls) {
+    for (const double size : {0.001, 0.01, 300.0}) {
+        const Params params = suitedTo(size * std::sqrt(3.0), Params{});
+        simulation.emplace(test::cubeSphere(6, 0.5 * size), params);
+        Placement raised;
+        raised.translate.y() = 0.52 * size;
+        place(raised);
+        cut(1.2 * size);
+        run(40);
+        EXPECT_EQ(simulation->report().pieces, 2) << size;
+        EXPECT_EQ(simulation->report().lostPieces, 0) << size;
+        const Bounds& bounds = simulation->bounds();
+        EXPECT_LT(bounds.diagonal(), 4 * size) << size;
+        EXPECT_GT(bounds.low.y(), -0.05 * size) << size;
+    }
+}
+
+}  // namespace
+}  // namespace kerf

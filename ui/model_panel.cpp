@@ -1,0 +1,156 @@
+#include "ui/model_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "sim/base/quantity_text.h"
+#include "ui/item_rects.h"
+#include "ui/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr double kLeastScale = 1e-6;
+constexpr double kMostScale = 1e6;
+constexpr double kMostTurn = 360;  // [degrees]
+
+void drawWrapped(const std::string& text, bool dim) {
+    ImGui::PushTextWrapPos(0);
+    if (dim) {
+        ImGui::TextDisabled("%s", text.c_str());
+    } else {
+        ImGui::TextUnformatted(text.c_str());
+    }
+    ImGui::PopTextWrapPos();
+}
+
+/// Goes on with the line where a small button with that word has room there.
+void nextOrNewLine(const std::string& word) {
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::GetContentRegionAvail().x < buttonWidth(word)) {
+        ImGui::NewLine();
+    }
+}
+
+/// Small buttons of one row, of which one is chosen. Returns the one that was clicked.
+std::optional<std::size_t> drawChoice(const char* label, const std::string& name,
+                                      std::span<const std::string_view> words, std::size_t chosen) {
+    std::optional<std::size_t> clicked;
+    ImGui::TextUnformatted(label);
+    ImGui::PushID(label);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string word(words[i]);
+        nextOrNewLine(word);
+        if (i == chosen) {
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
+        }
+        if (ImGui::SmallButton(word.c_str())) {
+            clicked = i;
+        }
+        if (i == chosen) {
+            ImGui::PopStyleColor();
+        }
+        noteItem(name + "." + word);
+    }
+    ImGui::PopID();
+    return clicked;
+}
+
+/// How a row of numbers is changed.
+struct NumberRow {
+    const char* label;
+    int count;
+    float speed;  ///< per pixel of a drag
+    double low;
+    double high;
+    const char* format;
+    ImGuiSliderFlags flags = 0;
+};
+constexpr NumberRow kTurnRow{"Turn", 3, 0.5F, -kMostTurn, kMostTurn, "%.1f\u00b0"};
+constexpr NumberRow kScaleRow{
+    "Scale", 1, 0.005F, kLeastScale, kMostScale, "%.4g", ImGuiSliderFlags_Logarithmic};
+
+/// A body that is too large to follow each move of a drag takes typed numbers.
+bool changeNumbers(const NumberRow& row, bool live, double* values) {
+    if (live) {
+        return ImGui::DragScalarN("##value", ImGuiDataType_Double, values, row.count, row.speed,
+                                  &row.low, &row.high, row.format,
+                                  row.flags | ImGuiSliderFlags_AlwaysClamp);
+    }
+    const bool changed =
+        ImGui::InputScalarN("##value", ImGuiDataType_Double, values, row.count, nullptr, nullptr,
+                            row.format, ImGuiInputTextFlags_EnterReturnsTrue);
+    for (int i = 0; i < row.count; ++i) {
+        values[i] = std::clamp(values[i], row.low, row.high);
+    }
+    return changed;
+}
+
+void drawNumbers(const NumberRow& row, const ModelState& state, const Placement& edited,
+                 double* values, std::vector<Action>& actions) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 4.2F * ImGui::GetFontSize());
+    ImGui::PushID(row.label);
+    const bool changed = changeNumbers(row, state.live, values);
+    noteItem(std::string("model.") + row.label);
+    const bool continues = continuesGesture(changed);
+    if (changed) {
+        actions.emplace_back(PlaceModel{edited, continues});
+    }
+    ImGui::SameLine();
+    ImGui::TextUnformatted(row.label);
+    ImGui::PopID();
+}
+
+void drawTurnAndScale(const ModelState& state, std::vector<Action>& actions) {
+    Placement turned = state.placement;
+    drawNumbers(kTurnRow, state, turned, turned.rotate.data(), actions);
+    Placement scaled = state.placement;
+    drawNumbers(kScaleRow, state, scaled, &scaled.scale, actions);
+}
+
+std::string sizeText(const Vec3& size) {
+    return lengthText(size.x()) + " \u00d7 " + lengthText(size.y()) + " \u00d7 " +
+           lengthText(size.z());
+}
+
+void drawChoices(const ModelState& state, std::vector<Action>& actions) {
+    Placement placement = state.placement;
+    const auto unit = static_cast<std::size_t>(placement.unit.value_or(LengthUnit::metre));
+    if (const auto clicked = drawChoice("Unit", "model.unit", kLengthUnitNames, unit)) {
+        placement.unit = static_cast<LengthUnit>(*clicked);
+        actions.emplace_back(PlaceModel{placement});
+    }
+    const auto up = static_cast<std::size_t>(placement.up.value_or(UpAxis::y));
+    if (const auto clicked = drawChoice("Up", "model.up", kUpAxisNames, up)) {
+        placement.up = static_cast<UpAxis>(*clicked);
+        actions.emplace_back(PlaceModel{placement});
+    }
+}
+
+}  // namespace
+
+void drawModel(const PanelModel& model, std::vector<Action>& actions) {
+    if (model.name.empty()) {
+        return;
+    }
+    const ModelState& state = model.model;
+    drawWrapped(sizeText(state.size), false);
+    noteItem("model.size");
+    itemTooltip("Width, height and depth of the uncut model in the scene");
+    drawChoices(state, actions);
+    drawTurnAndScale(state, actions);
+    drawWrapped(state.physics, false);
+    if (!state.guess.empty()) {
+        drawWrapped(state.guess, true);
+    }
+    if (!state.untouched) {
+        drawWrapped("Another placement starts anew with the uncut model; undo takes it back.",
+                    true);
+    }
+}
+
+}  // namespace kerf::ui
