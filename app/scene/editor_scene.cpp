@@ -6,6 +6,7 @@
 #include "app/scene/session_marks.h"
 #include "app/session/scene_view.h"
 #include "sim/body/rest_geometry.h"
+#include "ui/unit_text.h"
 
 namespace kerf::app {
 namespace {
@@ -516,7 +517,7 @@ void EditorScene::refreshPieces() {
 void EditorScene::describeChanges(ui::ChangeList& list) const {
     const UndoHistory& history = simulation_.history();
     for (const UndoEntry& entry : history.entries()) {
-        list.rows.push_back({entry.name, entry.time});
+        list.rows.push_back({ui::withRaisedDigits(entry.name), entry.time});
     }
     list.done = history.done();
     list.forgotten = history.forgotten();
@@ -554,11 +555,15 @@ void EditorScene::describe(ui::PanelModel& model) {
 }
 
 void EditorScene::describeMarks(ui::PanelModel& model) {
-    if (marksRevision_ != journal_.revision()) {
+    const std::size_t entries = journal_.entries().size();
+    if (marksRevision_ != journal_.revision() || marksEntries_ != entries) {
         marks_ = marksOf(journal_);
+        course_ = courseOf(journal_);
         marksRevision_ = journal_.revision();
+        marksEntries_ = entries;
     }
     model.marks = marks_;
+    model.course = course_;
 }
 
 void EditorScene::describePlayback(ui::PlaybackState& state) const {
