@@ -61,6 +61,7 @@ void Editor::frame(double elapsedSeconds) {
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
     s.keepSettings();
+    s.prepareKernels(elapsedSeconds);
 }
 
 double Editor::idleSeconds() const {
@@ -75,7 +76,8 @@ double Editor::idleSeconds() const {
     if (s.work.saves() || s.chooser.previews()) {
         return kWorkPause;
     }
-    return s.toast.visible() ? s.toast.steadySeconds() : kForever;
+    const double rest = s.kernels.left() ? kWorkPause : kForever;
+    return s.toast.visible() ? std::min(rest, s.toast.steadySeconds()) : rest;
 }
 
 bool Editor::working() const {
@@ -92,6 +94,14 @@ const gpu::Framebuffer& Editor::picture() const {
 
 render::Image Editor::readPicture() const {
     return state_->picture.read();
+}
+
+ui::Cursor Editor::cursor() const {
+    const State& s = *state_;
+    if (s.panels.interface.ownsPointer()) {
+        return s.panels.interface.cursor();
+    }
+    return s.scene == nullptr ? ui::Cursor::arrow : s.view.cursor(s.panels.model.overlay);
 }
 
 std::string Editor::title() const {
@@ -150,6 +160,15 @@ void Editor::State::saveScreenshot() {
         if (scene != nullptr && scene->recording()) {
             toast.offerOnceSaved(scene->here(), number);
         }
+    }
+}
+
+void Editor::State::prepareKernels(double elapsedSeconds) {
+    if (scene == nullptr || scene->running() || !queue.empty() || view.camera.dragging() ||
+        work.opening() != nullptr || panels.interface.isDragging()) {
+        kernels.interrupt();
+    } else {
+        kernels.advance(*scene, elapsedSeconds);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "gpu/data_path.h"
 #include "ui/action_table.h"
 #include "ui/plots_panel.h"
+#include "ui/unit_text.h"
 
 namespace kerf::app {
 namespace {
@@ -28,7 +29,12 @@ void cancel(State& s) {
     }
 }
 
-/// Says which parameter that changed: many show in the model only later.
+/// Whether taking it back moves the body at once.
+bool movesBody(const UndoEntry& entry) {
+    return std::holds_alternative<UndoEntry::BodySnapshotChange>(entry.change);
+}
+
+/// Says what that changed: many a change shows in the model only later.
 void stepThroughHistory(State& s, const Command& undoOrRedo) {
     if (!s.execute(undoOrRedo)) {
         return;
@@ -39,8 +45,14 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
         return;  // it was forgotten to keep to the budget
     }
     const UndoEntry& entry = back ? history.firstUndone() : history.lastDone();
-    if (std::holds_alternative<UndoEntry::ParamChange>(entry.change)) {
-        s.toast.show((back ? "Taken back: " : "Done again: ") + entry.name + ".", false);
+    const std::string told =
+        (back ? "Taken back: " : "Done again: ") + ui::withRaisedDigits(entry.name);
+    if (const bool next = back && history.canUndo(); !next || movesBody(entry)) {
+        s.toast.show(told + ".", false);
+    } else {
+        s.toast.offer(
+            told + ". The body stays as it is.",
+            {ui::ActionId::undo, "Undo too: " + ui::withRaisedDigits(history.lastDone().name)});
     }
 }
 
@@ -207,7 +219,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::addExport, Needs::body, addExport},
     Handler{ActionId::useView, Needs::body, useView},
     Handler{ActionId::frameBody, Needs::body,
-            [](State& s) { s.view.camera.flyToFrame(s.scene->bounds()); }},
+            [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(*s.scene)); }},
     Handler{ActionId::resetView, Needs::body,
             [](State& s) { s.view.camera.flyTo(s.scene->document().camera); }},
     Handler{ActionId::viewFront, Needs::body, lookFrom<AxisView::front>},
@@ -253,6 +265,18 @@ void exportPlots(State& s, bool asPicture) {
     }
 }
 
+/// Where it is seen; what has no room beside the panels is brought into view with the body.
+void placeBox(State& s) {
+    const Bounds body = s.scene->bounds();
+    const ViewFrame frame = s.view.frame();
+    const StaticBox box = boxInView(body, s.scene->simulation().params().floor, frame, s.view.free);
+    if (s.execute(AddBox{box}) && !isInView(box, frame, s.view.free)) {
+        Bounds both = body;
+        both.add(box.bounds());
+        s.view.flyToFrame(both);
+    }
+}
+
 /// Answers to each kind of ui::Action.
 struct Answer {
     State& s;
@@ -271,7 +295,7 @@ struct Answer {
             s.take(*chosen);
         }
     }
-    void operator()(const ui::SetSettings& to) const { s.panels.settings.now = to.settings; }
+    void operator()(const ui::SetSettings& to) const { s.panels.take(to.settings); }
     void operator()(const ui::SetPlotView& wanted) const { s.panels.plotView = wanted.view; }
     void operator()(const ui::ExportPlots& wanted) const { exportPlots(s, wanted.asPicture); }
     void operator()(const ui::OpenExperiment& wanted) const {
@@ -288,9 +312,7 @@ struct Answer {
 
     // What needs an open document.
     void onBody(const Command& command) const { s.execute(command); }
-    void onBody(const ui::PlaceBox&) const {
-        s.execute(AddBox{boxBeside(s.scene->bounds(), s.scene->simulation().params().floor)});
-    }
+    void onBody(const ui::PlaceBox&) const { placeBox(s); }
     void onBody(const ui::GoToChange& wanted) const {
         const UndoHistory& history = s.scene->simulation().history();
         while (history.done() > wanted.done && history.canUndo()) {
@@ -299,6 +321,10 @@ struct Answer {
         while (history.done() < wanted.done && history.canRedo()) {
             s.execute(Redo{});
         }
+        s.toast.show(history.canUndo()
+                         ? "Gone to: " + ui::withRaisedDigits(history.lastDone().name) + "."
+                         : "Gone to the start of the history.",
+                     false);
     }
     void onBody(const ui::SeekTo& wanted) const {
         s.scene->seek(wanted.step);
@@ -307,10 +333,9 @@ struct Answer {
     void onBody(const ui::RemoveMark& removal) const { s.scene->removeMark(removal.id); }
     void onBody(const ui::SetTools& wanted) const { s.view.setTools(wanted.settings, *s.scene); }
     void onBody(const ui::FramePiece& wanted) const {
-        const std::vector<Bounds>& pieces = s.scene->simulation().pieceBounds();
-        const auto index = static_cast<std::size_t>(wanted.piece);
-        if (wanted.piece >= 0 && index < pieces.size() && !pieces[index].empty()) {
-            s.view.camera.flyToFrame(pieces[index]);
+        const Bounds piece = s.view.display.boundsOf(*s.scene, wanted.piece);
+        if (!piece.empty()) {
+            s.view.flyToFrame(piece);
         }
     }
 };

@@ -29,7 +29,9 @@ void Editor::State::show(UploadedDocument uploaded) {
     picture.setRestDepth(uploaded.depth);
     scene = std::move(next);
     view.begin(*scene);
-    guide.begin();
+    guide.begin(*scene);
+    kernels.begin();
+    chooser.setModel(scene->document().session.model.path);
     panels.plotView = {};
     clock.stop();
     toast.withdrawOffer();

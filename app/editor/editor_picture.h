@@ -40,6 +40,7 @@ class EditorPicture {
         ViewFrame frame;
         BodyDisplay display;
         std::vector<render::PixelRect> covered;
+        bool bright = false;
         bool operator==(const Shot&) const = default;
     };
     void drawScene(EditorScene& scene, const Shot& shot, bool transparent);
