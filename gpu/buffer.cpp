@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <utility>
 
@@ -15,11 +16,19 @@ namespace {
 
 constexpr std::size_t kEmptyBytes = 16;
 
+/// llvmpipe compiles a kernel anew where a buffer that it reads as texels has a power of two of
+/// bytes: none has.
+std::size_t withoutPowersOfTwo(std::size_t bytes) {
+    constexpr std::size_t kMore = 16;
+    return std::has_single_bit(bytes) ? bytes + std::min(bytes / 2, kMore) : bytes;
+}
+
 std::uint32_t allocate(std::size_t bytes) {
     forgetErrors();
     GLuint id = 0;
     glCreateBuffers(1, &id);
-    glNamedBufferStorage(id, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(id, static_cast<GLsizeiptr>(withoutPowersOfTwo(bytes)), nullptr,
+                         GL_DYNAMIC_STORAGE_BIT);
     try {
         throwIfOutOfMemory("a buffer", bytes);
     } catch (const OutOfMemory&) {

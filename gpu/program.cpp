@@ -4,9 +4,12 @@
 #include <spdlog/spdlog.h>
 
 #include <cassert>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "gpu/data_path.h"
+#include "gpu/program_binaries.h"
 #include "gpu/shader_source.h"
 
 namespace kerf::gpu {
@@ -15,10 +18,9 @@ namespace {
 /// A shader object that is deleted at the end of its scope; the program keeps what it needs.
 class Shader {
   public:
-    Shader(GLenum stage, const std::string& path, const Defines& defines)
-        : id_(glCreateShader(stage)) {
+    Shader(GLenum stage, const ShaderSource& source) : id_(glCreateShader(stage)) {
         try {
-            compile(loadShaderSource(shaderRoot(), path, defines));
+            compile(source);
         } catch (...) {
             glDeleteShader(id_);
             throw;
@@ -62,24 +64,104 @@ std::string linkLog(GLuint program) {
     return text;
 }
 
-/// Links the shaders of `name`, which a failure is reported with.
-GLuint link(const std::vector<GLuint>& shaders, const std::string& name) {
-    const GLuint program = glCreateProgram();
-    for (const GLuint shader : shaders) {
-        glAttachShader(program, shader);
+using Linked = Program::Linked;
+
+/// A file of a program, and the stage that it is for.
+struct Stage {
+    GLenum kind = 0;
+    std::string path;
+};
+
+/// Compiles the sources of `stages` and links them into `program`; `name` is what a failure is
+/// reported with.
+void build(GLuint program, const std::vector<Stage>& stages,
+           const std::vector<ShaderSource>& sources, const std::string& name) {
+    std::vector<std::unique_ptr<Shader>> shaders;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        shaders.push_back(std::make_unique<Shader>(stages[i].kind, sources[i]));
+        glAttachShader(program, shaders.back()->id());
     }
+    glProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     glLinkProgram(program);
-    for (const GLuint shader : shaders) {
-        glDetachShader(program, shader);
+    for (const auto& shader : shaders) {
+        glDetachShader(program, shader->id());
     }
     GLint linked = 0;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked == 0) {
-        const std::string log = linkLog(program);
-        glDeleteProgram(program);
-        throw ShaderError(name + " does not link: " + log);
+        throw ShaderError(name + " does not link: " + linkLog(program));
     }
-    return program;
+}
+
+/// From the cache of binaries where it is there, which gets it otherwise.
+std::shared_ptr<Linked> link(const std::vector<Stage>& stages, const Defines& defines,
+                             const std::string& name) {
+    std::vector<ShaderSource> sources;
+    std::string text;
+    for (const Stage& stage : stages) {
+        sources.push_back(loadShaderSource(shaderRoot(), stage.path, defines));
+        text += std::to_string(stage.kind) + "\n" + sources.back().text;
+    }
+    auto linked = std::make_shared<Linked>(glCreateProgram());
+    const ProgramBinaries& binaries = ProgramBinaries::ours();
+    if (!binaries.load(linked->id, text)) {
+        build(linked->id, stages, sources, name);
+        binaries.save(linked->id, text);
+    }
+    return linked;
+}
+
+// --- Programs that are shared -------------------------------------------------------------------
+
+/// The programs of a shelf by what they are made of; they live as long as somebody holds them.
+using Shelf = std::map<std::string, std::weak_ptr<Linked>>;
+
+struct OpenShelf {
+    const ProgramShelf* owner = nullptr;
+    Shelf programs;
+};
+
+/// The last one serves.
+std::vector<OpenShelf>& openShelves() {
+    static std::vector<OpenShelf> shelves;
+    return shelves;
+}
+
+std::shared_ptr<Linked> shared(const std::vector<Stage>& stages, const Defines& defines,
+                               const std::string& name) {
+    if (openShelves().empty()) {
+        return link(stages, defines, name);
+    }
+    std::string key = name;
+    for (const auto& [word, value] : defines) {
+        key.append("\n").append(word).append("=").append(value);
+    }
+    if (auto there = openShelves().back().programs[key].lock()) {
+        return there;
+    }
+    std::shared_ptr<Linked> linked = link(stages, defines, name);
+    openShelves().back().programs[key] = linked;
+    return linked;
+}
+
+/// What FirstDispatches allows; none: everything.
+struct FirstDispatchLimit {
+    int left = 0;
+    bool foundAny = false;
+};
+std::optional<FirstDispatchLimit> firstDispatches;
+
+/// Whether a program may be dispatched now.
+bool mayDispatch(Linked& linked) {
+    if (firstDispatches && !linked.dispatched) {
+        firstDispatches->foundAny = true;
+        if (firstDispatches->left == 0) {
+            return false;
+        }
+        --firstDispatches->left;
+    }
+    linked.dispatched = true;
+    return true;
 }
 
 [[maybe_unused]] GLuint maxGroups() {  // only asserted
@@ -90,63 +172,70 @@ GLuint link(const std::vector<GLuint>& shaders, const std::string& name) {
 
 }  // namespace
 
+ProgramShelf::ProgramShelf() {
+    openShelves().push_back({this, {}});
+}
+
+ProgramShelf::~ProgramShelf() {
+    std::erase_if(openShelves(), [this](const OpenShelf& shelf) { return shelf.owner == this; });
+}
+
+FirstDispatches::FirstDispatches(int count) {
+    firstDispatches = FirstDispatchLimit{count, false};
+}
+
+FirstDispatches::~FirstDispatches() {
+    firstDispatches.reset();
+}
+
+bool FirstDispatches::foundAny() const {
+    return firstDispatches && firstDispatches->foundAny;
+}
+
 Program Program::compute(const std::string& path, const Defines& defines) {
-    const Shader shader(GL_COMPUTE_SHADER, path, defines);
-    return Program(link({shader.id()}, path));
+    return Program(shared({{GL_COMPUTE_SHADER, path}}, defines, path));
 }
 
 Program Program::graphics(const std::string& vertexPath, const std::string& fragmentPath,
                           const Defines& defines) {
-    const Shader vertex(GL_VERTEX_SHADER, vertexPath, defines);
-    const Shader fragment(GL_FRAGMENT_SHADER, fragmentPath, defines);
-    return Program(link({vertex.id(), fragment.id()}, vertexPath + " with " + fragmentPath));
+    return Program(shared({{GL_VERTEX_SHADER, vertexPath}, {GL_FRAGMENT_SHADER, fragmentPath}},
+                          defines, vertexPath + " with " + fragmentPath));
 }
 
-Program::~Program() {
-    if (id_ != 0) {
-        glDeleteProgram(id_);
-    }
-}
-
-Program::Program(Program&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), locations_(std::move(other.locations_)) {}
-
-Program& Program::operator=(Program&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(locations_, other.locations_);
-    return *this;
+Program::Linked::~Linked() {
+    glDeleteProgram(id);
 }
 
 void Program::use() const {
-    glUseProgram(id_);
+    glUseProgram(id());
 }
 
 void Program::set(std::string_view name, int value) const {
-    glProgramUniform1i(id_, location(name), value);
+    glProgramUniform1i(id(), location(name), value);
 }
 
 void Program::set(std::string_view name, std::uint32_t value) const {
-    glProgramUniform1ui(id_, location(name), value);
+    glProgramUniform1ui(id(), location(name), value);
 }
 
 void Program::set(std::string_view name, float value) const {
-    glProgramUniform1f(id_, location(name), value);
+    glProgramUniform1f(id(), location(name), value);
 }
 
 void Program::set(std::string_view name, const Eigen::Vector2f& value) const {
-    glProgramUniform2fv(id_, location(name), 1, value.data());
+    glProgramUniform2fv(id(), location(name), 1, value.data());
 }
 
 void Program::set(std::string_view name, const Eigen::Vector3f& value) const {
-    glProgramUniform3fv(id_, location(name), 1, value.data());
+    glProgramUniform3fv(id(), location(name), 1, value.data());
 }
 
 void Program::set(std::string_view name, const Eigen::Vector4f& value) const {
-    glProgramUniform4fv(id_, location(name), 1, value.data());
+    glProgramUniform4fv(id(), location(name), 1, value.data());
 }
 
 void Program::set(std::string_view name, const Eigen::Matrix4f& value) const {
-    glProgramUniformMatrix4fv(id_, location(name), 1, GL_FALSE, value.data());
+    glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, value.data());
 }
 
 void Program::dispatch(std::uint32_t threads, std::uint32_t groupSize) const {
@@ -155,24 +244,28 @@ void Program::dispatch(std::uint32_t threads, std::uint32_t groupSize) const {
     }
     const std::uint32_t groups = (threads - 1) / groupSize + 1;
     assert(groups <= maxGroups() && "more work groups than the driver takes in one dispatch");
-    use();
-    glDispatchCompute(groups, 1, 1);
+    if (mayDispatch(*linked_)) {
+        use();
+        glDispatchCompute(groups, 1, 1);
+    }
 }
 
 void Program::dispatchIndirect(const Buffer& groups, std::size_t offset) const {
     assert(offset + 3 * sizeof(GLuint) <= groups.size());
-    use();
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
-    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+    if (mayDispatch(*linked_)) {
+        use();
+        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
+        glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+    }
 }
 
 int Program::location(std::string_view name) const {
-    const auto found = locations_.find(name);
-    if (found != locations_.end()) {
+    const auto found = linked_->locations.find(name);
+    if (found != linked_->locations.end()) {
         return found->second;
     }
-    const int location = glGetUniformLocation(id_, std::string(name).c_str());
-    locations_.emplace(name, location);
+    const int location = glGetUniformLocation(id(), std::string(name).c_str());
+    linked_->locations.emplace(name, location);
     return location;
 }
 

@@ -3,9 +3,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -21,6 +23,30 @@ class ShaderError : public std::runtime_error {
 /// Preprocessor definitions put behind #version: name and value.
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
+/// While it lives, programs are compiled once each: the same sources with the same definitions give
+/// the same program, to whoever asks. Of several, the one made last serves. It belongs to the
+/// context that is current.
+class ProgramShelf {
+  public:
+    ProgramShelf();
+    ~ProgramShelf();
+    ProgramShelf(const ProgramShelf&) = delete;
+    ProgramShelf& operator=(const ProgramShelf&) = delete;
+};
+
+/// While it lives, no more than `count` programs are dispatched for the first time, and dispatches
+/// of others that never were are left out. Software drivers compile with the first dispatch, so
+/// work whose result nobody needs can compile a little at a time.
+class FirstDispatches {
+  public:
+    explicit FirstDispatches(int count);
+    ~FirstDispatches();
+    FirstDispatches(const FirstDispatches&) = delete;
+    FirstDispatches& operator=(const FirstDispatches&) = delete;
+    /// Whether any dispatch was left out, or was the first of its program.
+    bool foundAny() const;
+};
+
 /// A linked OpenGL program (move only). Sources are paths below shaderRoot() (data_path.h);
 /// #include "x" is resolved against the including file, then against shaderRoot() and
 /// shaderRoot()/shared; "folder/*.glsl" means all such files, by name. The file need not carry
@@ -32,9 +58,9 @@ class Program {
     static Program graphics(const std::string& vertexPath, const std::string& fragmentPath,
                             const Defines& defines = {});
     Program() = default;
-    ~Program();
-    Program(Program&& other) noexcept;
-    Program& operator=(Program&& other) noexcept;
+    ~Program() = default;
+    Program(Program&& other) noexcept = default;
+    Program& operator=(Program&& other) noexcept = default;
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
@@ -55,14 +81,25 @@ class Program {
     /// from this byte on.
     void dispatchIndirect(const Buffer& groups, std::size_t offset) const;
 
-    std::uint32_t id() const { return id_; }
+    std::uint32_t id() const { return linked_ ? linked_->id : 0; }
+
+    /// What OpenGL knows by a number, as long as a program needs it.
+    struct Linked {
+        explicit Linked(std::uint32_t number) : id(number) {}
+        ~Linked();
+        Linked(const Linked&) = delete;
+        Linked& operator=(const Linked&) = delete;
+
+        std::uint32_t id = 0;
+        bool dispatched = false;
+        std::map<std::string, int, std::less<>> locations;
+    };
 
   private:
-    explicit Program(std::uint32_t id) : id_(id) {}
+    explicit Program(std::shared_ptr<Linked> linked) : linked_(std::move(linked)) {}
     int location(std::string_view name) const;
 
-    std::uint32_t id_ = 0;
-    mutable std::map<std::string, int, std::less<>> locations_;
+    std::shared_ptr<Linked> linked_;
 };
 
 /// glMemoryBarrier for what the next dispatch reads, as storage, as texels or as images.

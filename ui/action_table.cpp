@@ -10,7 +10,7 @@ constexpr std::array kPointerHints{
     PointerHint{"Right drag, Alt+left drag", "Turn the view"},
     PointerHint{"Middle drag, Shift+right drag", "Move the view"},
     PointerHint{"Wheel", "Zoom to the pointer"},
-    PointerHint{"Ctrl+click a slider", "Type a value"},
+    PointerHint{"Ctrl+click a number", "Type a value"},
     PointerHint{"Wheel, drag over a plot", "Zoom and move along its time"},
     PointerHint{"Double click on a plot", "Show it from the start"},
     PointerHint{"Drag an edge of a panel", "Make it larger or smaller"},

@@ -226,10 +226,8 @@ inline constexpr std::array kActions{
     ActionRow{ActionId::fineQuality, at(Key::q, kPlain, "Q"),
               "Fine picture: soft shadows, smooth edges", "View", withBody,
               [](const PanelModel& m) { return m.display.quality == render::Quality::full; }},
-    ActionRow{
-        ActionId::togglePanels, at(Key::tab, kPlain, "Tab"), "Panels, or the view alone", "View",
-        always,
-        [](const PanelModel& m) { return m.settings.showControls || m.settings.showReadings; }},
+    ActionRow{ActionId::togglePanels, at(Key::tab, kPlain, "Tab"), "Panels, or the view alone",
+              "View", always, [](const PanelModel& m) { return m.settings.showsPanels(); }},
     ActionRow{ActionId::holdPlots, at(Key::h, kPlain, "H"), "Hold the plots, or follow again",
               "View", withBody, [](const PanelModel& m) { return m.plotView.end.has_value(); }},
     ActionRow{ActionId::fitPlots, at(Key::h, kShift, "Shift+H"), "Show the plots from the start",

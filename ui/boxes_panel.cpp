@@ -17,7 +17,8 @@ struct DragRange {
     float speed = 0.01F;  ///< per pixel
     double low = 0;
     double high = 0;
-    const char* format = nullptr;
+    const char* unit = "m";
+    const char* format = "%.3f";
 };
 
 /// A change of a row in this update.
@@ -28,16 +29,15 @@ struct DragEdit {
 
 DragEdit dragVector(const char* label, Vec3& value, const DragRange& range,
                     const std::string& name) {
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 4.2F * ImGui::GetFontSize());
     ImGui::PushID(label);
+    ImGui::TextUnformatted((std::string(label) + ", " + range.unit).c_str());
+    ImGui::SetNextItemWidth(-1);
     DragEdit drag;
     drag.changed =
         ImGui::DragScalarN("##value", ImGuiDataType_Double, value.data(), 3, range.speed,
                            &range.low, &range.high, range.format, ImGuiSliderFlags_AlwaysClamp);
     noteItem(name + "." + label);
     drag.continues = continuesGesture(drag.changed);
-    ImGui::SameLine();
-    ImGui::TextUnformatted(label);
     ImGui::PopID();
     return drag;
 }
@@ -56,7 +56,7 @@ void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
         ImGui::PopID();
         return;
     }
-    const bool open = ImGui::TreeNodeEx("##box", ImGuiTreeNodeFlags_None, "Box %d", index);
+    const bool open = ImGui::TreeNodeEx("##box", ImGuiTreeNodeFlags_None, "Box %d", index + 1);
     noteItem(name);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Remove"));
     if (ImGui::SmallButton("Remove")) {
@@ -68,12 +68,12 @@ void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
         const auto step = static_cast<float>(0.002 * model.bodySize);
         const char* const metres = lengthFormat(model.bodySize);
         const std::array drags{
-            dragVector("Center", change.box.center, {step, -kFarthestBox, kFarthestBox, metres},
+            dragVector("Center", change.box.center, {step, -kFarthestBox, kFarthestBox, "m", metres},
                        name),
-            dragVector("Size", change.box.size, {step, kLeastBoxSize, kLargestBoxSize, metres},
+            dragVector("Size", change.box.size, {step, kLeastBoxSize, kLargestBoxSize, "m", metres},
                        name),
             dragVector("Rotate", change.box.rotate,
-                       {0.5F, -kLargestBoxTurn, kLargestBoxTurn, "%.1f\u00b0"}, name)};
+                       {0.5F, -kLargestBoxTurn, kLargestBoxTurn, "\u00b0", "%.1f"}, name)};
         for (const DragEdit& drag : drags) {
             if (drag.changed) {
                 change.continues = drag.continues;

@@ -2,6 +2,10 @@
 
 #include <imgui.h>
 
+#include <string>
+
+#include "ui/action_table.h"
+#include "ui/item_rects.h"
 #include "ui/offer.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -22,6 +26,22 @@ void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& ac
     }
     drawBanner("hint", hint.text, view.x + view.width / 2, y, view.width,
                {.accent = palette().blade, .opacity = 1});
+}
+
+void drawPanelsHint(const PanelModel& model, const Rect& view, std::vector<Action>& actions) {
+    if (model.settings.showsPanels()) {
+        return;
+    }
+    const std::string label = "Panels   " + std::string(keyOf(ActionId::togglePanels));
+    const Rect place{view.x + bannerPadding(), view.y + bannerPadding(), buttonWidth(label),
+                     ImGui::GetFrameHeight()};
+    beginBanner("panels", place, {.opacity = 1, .takesInput = true});
+    if (ImGui::Button(label.c_str())) {
+        actions.emplace_back(ActionId::togglePanels);
+    }
+    noteItem("panels.show");
+    itemTooltip("Brings the menu and the panels back");
+    endBanner();
 }
 
 }  // namespace kerf::ui

@@ -12,4 +12,8 @@ namespace kerf::ui {
 /// is open. It takes no input but on the buttons of its choices.
 void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& actions);
 
+/// While no side panel is shown: draws a button with the key that brings them back, where the menu
+/// was.
+void drawPanelsHint(const PanelModel& model, const Rect& view, std::vector<Action>& actions);
+
 }  // namespace kerf::ui

@@ -2,6 +2,7 @@
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,7 @@
 #include "ui/splitter.h"
 #include "ui/stages_panel.h"
 #include "ui/status_bar.h"
+#include "ui/timeline.h"
 #include "ui/toast.h"
 #include "ui/tools_panel.h"
 #include "ui/transport_panel.h"
@@ -99,6 +101,17 @@ struct Feed {
         applyModifiers(io, {});
     }
 };
+
+/// Whether the topmost popup is none of the dialogs.
+bool hasOpenPopup() {
+    const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
+    const ImGuiWindow* const top = open.empty() ? nullptr : open.back().Window;
+    return top != nullptr && (top->Flags & ImGuiWindowFlags_Modal) == 0;
+}
+
+void closeTopPopup() {
+    ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->OpenPopupStack.Size - 1, true);
+}
 
 /// The sections of the left panel, which scroll.
 void drawSections(const PanelModel& model, float height, std::vector<Action>& actions) {
@@ -235,17 +248,24 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     io.DisplaySize = {std::max(static_cast<float>(width), kLeastScale * kLeastWidth),
                       std::max(static_cast<float>(height), kLeastScale * kLeastHeight)};
     io.DeltaTime = std::max(1e-4F, static_cast<float>(elapsedSeconds));
+    closesPopup_ = false;
     for (const InputEvent& event : events) {
-        std::visit(Feed{io}, event);
+        feed(event);
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
+    if (closesPopup_) {
+        closeTopPopup();
+    }
 
     std::vector<Action> actions;
     const ItemNotes notes(itemRects_);
     const float scale = context_.scale();
-    const Layout layout = layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings);
+    const bool played = model.playback.steps > 0 && model.settings.showsPanels();
+    const Layout layout =
+        layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings, played);
     noteCovered(model.settings, layout);
+    freeView_ = layout.view;
     drawOverlay(model.overlay, scale);
     if (model.settings.showControls) {
         drawControls(model, layout.controls, actions);
@@ -254,9 +274,13 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
         drawReadings(model, layout.plots, actions);
     }
     drawEdges(model, layout, scale, actions);
+    drawPanelsHint(model, layout.view, actions);
     if (!model.name.empty()) {
         drawLegend(model.display, layout.view, scale);
         drawAxes(model.axes, layout.view, scale, actions);
+    }
+    if (played) {
+        drawTimeline(model, layout.timeline, actions);
     }
     drawStatusBar(model, layout.status);
     drawHint(model, layout.view, actions);
@@ -269,8 +293,23 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     return actions;
 }
 
+/// Esc closes an open menu, list or popup, and means nothing else then. Dialogs answer it
+/// themselves.
+void Interface::feed(const InputEvent& event) {
+    const auto* key = std::get_if<KeyChange>(&event);
+    const bool escapes = key != nullptr && key->down && key->key == Key::escape;
+    if (escapes && hasOpenPopup()) {
+        closesPopup_ = true;
+    } else {
+        std::visit(Feed{ImGui::GetIO()}, event);
+    }
+}
+
 void Interface::noteCovered(const Settings& settings, const Layout& layout) {
     covered_ = {layout.status};
+    if (layout.timeline.height > 0) {
+        covered_.push_back(layout.timeline);
+    }
     if (settings.showControls) {
         covered_.push_back(layout.controls);
     }
@@ -290,6 +329,22 @@ bool Interface::ownsPointer() const {
     return ImGui::GetIO().WantCaptureMouse;
 }
 
+Cursor Interface::cursor() const {
+    context_.makeCurrent();
+    switch (ImGui::GetMouseCursor()) {
+        case ImGuiMouseCursor_TextInput:
+            return Cursor::text;
+        case ImGuiMouseCursor_ResizeEW:
+            return Cursor::resizeX;
+        case ImGuiMouseCursor_ResizeNS:
+            return Cursor::resizeY;
+        case ImGuiMouseCursor_Hand:
+            return Cursor::hand;
+        default:
+            return Cursor::arrow;
+    }
+}
+
 bool Interface::isDragging() const {
     context_.makeCurrent();
     return ImGui::IsAnyItemActive();
@@ -297,7 +352,8 @@ bool Interface::isDragging() const {
 
 bool Interface::ownsKeyboard() const {
     context_.makeCurrent();
-    return ImGui::GetIO().WantTextInput || fileDialog_.isOpen() || questionBox_.isOpen();
+    return closesPopup_ || ImGui::GetIO().WantTextInput || fileDialog_.isOpen() ||
+           questionBox_.isOpen();
 }
 
 }  // namespace kerf::ui

@@ -5,6 +5,7 @@
 
 #include "gpu/framebuffer.h"
 #include "ui/action.h"
+#include "ui/cursor.h"
 #include "ui/file_dialog.h"
 #include "ui/input.h"
 #include "ui/item_rects.h"
@@ -39,6 +40,11 @@ class Interface {
     /// Whether a panel's item is held with the pointer.
     bool isDragging() const;
 
+    /// The shape of the pointer over the panels in the last update.
+    Cursor cursor() const;
+
+    /// The part of the picture that the panels left free in the last update [px].
+    const Rect& freeView() const { return freeView_; }
     /// The parts of the view that the panels hid in the last update [px].
     const std::vector<Rect>& covered() const { return covered_; }
 
@@ -47,12 +53,15 @@ class Interface {
 
   private:
     void noteCovered(const Settings& settings, const Layout& layout);
+    void feed(const InputEvent& event);
 
     PanelContext context_;
     FileDialog fileDialog_;
     QuestionBox questionBox_;
     ItemRects itemRects_;
     std::vector<Rect> covered_;
+    Rect freeView_;
+    bool closesPopup_ = false;  ///< Esc was pressed for it alone
 };
 
 }  // namespace kerf::ui

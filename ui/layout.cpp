@@ -5,12 +5,15 @@
 
 namespace kerf::ui {
 
-Layout layoutPanels(float width, float height, float scale, const Settings& settings) {
+Layout layoutPanels(float width, float height, float scale, const Settings& settings,
+                    bool withTimeline) {
     constexpr float kMargin = 8;
     constexpr float kStatusHeight = 28;
+    constexpr float kTimelineHeight = 44;
     const float margin = kMargin * scale;
     const float status = kStatusHeight * scale;
-    const float panelHeight = std::max(1.0F, height - status - 2 * margin);
+    const float timeline = withTimeline ? kTimelineHeight * scale : 0;
+    const float panelHeight = std::max(1.0F, height - status - timeline - 2 * margin);
     const auto side = [&](bool shown, double wanted) {
         return shown ? std::min(static_cast<float>(wanted) * scale, width / 3 - margin) : 0;
     };
@@ -22,6 +25,7 @@ Layout layoutPanels(float width, float height, float scale, const Settings& sett
     Layout layout;
     layout.controls = {margin, margin, left, panelHeight};
     layout.plots = {width - margin - right, margin, right, panelHeight};
+    layout.timeline = {0, height - status - timeline, width, timeline};
     layout.status = {0, height - status, width, status};
     layout.controlsEdge = {leftEnd, margin, margin, panelHeight};
     layout.plotsEdge = {rightStart - margin, margin, margin, panelHeight};

@@ -16,6 +16,7 @@ struct Rect {
 struct Layout {
     Rect controls;      ///< left; without width where it is put away
     Rect plots;         ///< right; without width where it is put away
+    Rect timeline;      ///< above it, full width; without height where there is none
     Rect status;        ///< bottom, full width
     Rect view;          ///< what the panels leave free, for hints and toasts
     Rect controlsEdge;  ///< between the left panel and the view: drags its width
@@ -24,7 +25,8 @@ struct Layout {
 
 /// Lays the fixed panels out. `scale` is that of all lengths (1 = 96 dpi). Both side panels give
 /// way in narrow windows, so that at least a third of the width stays free.
-Layout layoutPanels(float width, float height, float scale, const Settings& settings = {});
+Layout layoutPanels(float width, float height, float scale, const Settings& settings = {},
+                    bool withTimeline = false);
 
 /// The least picture that the panels are laid out for, at scale 1 [px]. In a smaller one they are
 /// cut off.

@@ -2,7 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
@@ -62,19 +64,40 @@ void drawMenu(const PanelModel& model, std::string_view group, std::vector<Actio
     ImGui::EndMenu();
 }
 
+std::vector<std::string_view> allGroups() {
+    std::vector<std::string_view> groups;
+    for (const ActionRow& row : kActions) {
+        if (groups.empty() || groups.back() != row.group) {
+            groups.push_back(row.group);
+        }
+    }
+    return groups;
+}
+
+/// ImGui puts two of them beside each menu. In a narrow panel they give way to the words [px].
+float gapBetween(const std::vector<std::string_view>& groups) {
+    float words = 0;
+    for (const std::string_view group : groups) {
+        words += ImGui::CalcTextSize(group.data(), group.data() + group.size()).x;
+    }
+    const float free = ImGui::GetContentRegionAvail().x - words;
+    return std::clamp(free / (2 * static_cast<float>(groups.size()) + 1), 1.0F,
+                      ImGui::GetStyle().ItemSpacing.x);
+}
+
 }  // namespace
 
 void drawMenuBar(const PanelModel& model, std::vector<Action>& actions) {
     if (!ImGui::BeginMenuBar()) {
         return;
     }
-    std::string_view last;
-    for (const ActionRow& row : kActions) {
-        if (row.group != last) {
-            last = row.group;
-            drawMenu(model, last, actions);
-        }
+    const std::vector<std::string_view> groups = allGroups();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {gapBetween(groups), ImGui::GetStyle().ItemSpacing.y});
+    for (const std::string_view group : groups) {
+        drawMenu(model, group, actions);
     }
+    ImGui::PopStyleVar();
     ImGui::EndMenuBar();
 }
 

@@ -59,9 +59,10 @@ struct PlaybackState {
     std::optional<int> divergedAt;  ///< the first step that came out differently
 };
 
-/// Something that a replay of the session does at a step and that changes nothing.
+/// Something that happens at a step of the session: what a replay does there and changes nothing,
+/// or a change of the body or of a parameter.
 struct SessionMark {
-    enum class Kind { picture, exported, check };
+    enum class Kind { picture, exported, check, stroke, change };
 
     int id = 0;  ///< what RemoveMark asks for
     int step = 0;
@@ -133,7 +134,9 @@ struct PanelModel {
     ViewAxes axes;
     bool orthographic = false;
     PlaybackState playback;
-    std::vector<SessionMark> marks;  ///< of the session that would be saved now, by step
+    /// Pictures, exports and checks of the session that would be saved now, by step.
+    std::vector<SessionMark> marks;
+    std::vector<SessionMark> course;  ///< strokes and changes of it, by step
     bool recording = false;
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
     bool helpOpen = false;

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cfloat>
 #include <cmath>
 #include <cstdio>
 
 #include "sim/solve/sweep_strength.h"
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
+#include "ui/unit_text.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -38,24 +38,14 @@ int decimalsFor(const ParamInfo& info) {
     return std::clamp(2 - static_cast<int>(std::floor(std::log10(info.high))), 0, 6);
 }
 
-ImGuiSliderFlags sliderFlags(const ParamInfo& info) {
-    // Wide signed ranges get the logarithmic scale too: fine near zero, and zero easy to hit.
-    const bool wide = info.type == ParamType::vector || info.type == ParamType::optionalReal;
-    const ImGuiSliderFlags scale = info.logarithmic || wide ? ImGuiSliderFlags_Logarithmic : 0;
-    return ImGuiSliderFlags_AlwaysClamp | scale;
+/// Wide signed ranges get the logarithmic scale too: fine near zero, and zero easy to hit.
+bool isLogarithmic(const ParamInfo& info) {
+    return info.logarithmic || info.type == ParamType::vector ||
+           info.type == ParamType::optionalReal;
 }
 
-/// "m/s^2" as people write it: with a raised digit.
 std::string unitText(const ParamInfo& info) {
-    std::string text;
-    for (std::size_t i = 0; i < info.unit.size(); ++i) {
-        if (info.unit.substr(i, 2) == "^2" || info.unit.substr(i, 2) == "^3") {
-            text += info.unit[++i] == '2' ? "\u00b2" : "\u00b3";
-        } else {
-            text += info.unit[i];
-        }
-    }
-    return text;
+    return withRaisedDigits(info.unit);
 }
 
 /// The value that the paper's section 3.1 gives a parameter; "" where it gives no value.
@@ -89,7 +79,7 @@ std::string rangeText(const ParamInfo& info) {
 std::string tooltipOf(const ParamInfo& info) {
     std::string text(info.meaning);
     if (info.type != ParamType::choice && !isSwitch(info)) {
-        text += "\n" + rangeText(info) + ". Ctrl+click to type a value.";
+        text += "\n" + rangeText(info) + ". Ctrl+click the number to type a value.";
     }
     if (const std::string_view paper = paperValue(info.name); !paper.empty()) {
         text += "\nPaper: " + std::string(paper) + ".";
@@ -97,66 +87,57 @@ std::string tooltipOf(const ParamInfo& info) {
     return text + "\nIn a session: " + std::string(info.name);
 }
 
-/// Width of an item that leaves room for the reset mark [px].
+/// Room for the reset mark [px].
 float resetRoom() {
-    return -(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+    return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
 }
 
-/// A slider over a double. True while its value is being changed.
-bool slideReal(const ParamInfo& info, const char* id, double& value) {
-    const std::string format = sliderFormat(info);
-    return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &info.low, &info.high,
-                               format.c_str(), sliderFlags(info));
+SlideText textOf(const ParamInfo& info) {
+    return {std::string(info.label), tooltipOf(info), "param." + std::string(info.name)};
 }
 
-bool flipSwitch(double& value) {
-    bool on = value != 0;
-    const bool changed = ImGui::Checkbox("##value", &on);
-    value = on ? 1 : 0;
-    return changed;
+Slide slideOf(const ParamInfo& info, double& value) {
+    return {ImGuiDataType_Double, &value, &info.low, &info.high, sliderFormat(info),
+            isLogarithmic(info)};
 }
 
-bool slideInteger(const ParamInfo& info, double& value) {
+SlideEdit slideInteger(const ParamInfo& info, double& value) {
     int whole = static_cast<int>(std::lround(value));
-    const bool changed =
-        ImGui::SliderInt("##value", &whole, static_cast<int>(info.low), static_cast<int>(info.high),
-                         sliderFormat(info).c_str(), sliderFlags(info));
+    const int low = static_cast<int>(info.low);
+    const int high = static_cast<int>(info.high);
+    const SlideEdit edit =
+        slideRow(textOf(info),
+                 {ImGuiDataType_S32, &whole, &low, &high, sliderFormat(info), isLogarithmic(info)},
+                 ImGui::GetContentRegionAvail().x, resetRoom());
     value = whole;
-    return changed;
+    return edit;
 }
 
-bool slideVector(const ParamInfo& info, Vec3& value) {
-    static constexpr std::array<const char*, 3> kAxes{"##x", "##y", "##z"};
-    static constexpr std::array<const char*, 3> kFormats{"x %.2f", "y %.2f", "z %.2f"};
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = (ImGui::CalcItemWidth() - 2 * gap) / 3;
-    bool changed = false;
+SlideEdit slideReal(const ParamInfo& info, double& value) {
+    return slideRow(textOf(info), slideOf(info, value), ImGui::GetContentRegionAvail().x,
+                    resetRoom());
+}
+
+/// Side by side.
+SlideEdit slideVector(const ParamInfo& info, Vec3& value) {
+    static constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    const std::string item = textOf(info).item;
+    SlideEdit all;
+    ImGui::BeginGroup();
     for (int axis = 0; axis < 3; ++axis) {
-        ImGui::SetNextItemWidth(width);
-        changed |= ImGui::SliderScalar(kAxes[axis], ImGuiDataType_Double, &value[axis], &info.low,
-                                       &info.high, kFormats[axis], sliderFlags(info));
+        Slide slide = slideOf(info, value[axis]);
+        slide.format = "%.2f";
+        const std::string name = axis == 0 ? item : item + "." + kAxes[axis];
+        const SlideEdit edit = slideRow({kAxes[axis], tooltipOf(info), name}, slide, width);
+        all = {all.changed || edit.changed, all.continues || edit.continues};
         if (axis < 2) {
             ImGui::SameLine(0, gap);
         }
     }
-    return changed;
-}
-
-bool slideOptional(const ParamInfo& info, ParamValue& value) {
-    bool present = !std::holds_alternative<std::monostate>(value);
-    bool changed = false;
-    if (ImGui::Checkbox("##present", &present)) {
-        value = present ? ParamValue{std::clamp(0.0, info.low, info.high)} : std::monostate{};
-        changed = true;
-    }
-    ImGui::SameLine();
-    if (double* number = std::get_if<double>(&value)) {
-        ImGui::SetNextItemWidth(resetRoom());
-        changed |= slideReal(info, "##value", *number);
-    } else {
-        ImGui::TextDisabled("none");
-    }
-    return changed;
+    ImGui::EndGroup();
+    return all;
 }
 
 bool chooseValue(const ParamInfo& info, std::string& value) {
@@ -174,46 +155,88 @@ bool chooseValue(const ParamInfo& info, std::string& value) {
     return changed;
 }
 
-bool slideValue(const ParamInfo& info, ParamValue& value) {
+bool flipSwitch(double& value) {
+    bool on = value != 0;
+    const bool changed = ImGui::Checkbox("##value", &on);
+    value = on ? 1 : 0;
+    return changed;
+}
+
+/// A row whose label is followed by something else than a number.
+template <class Draw>
+SlideEdit labelledRow(const ParamInfo& info, Draw draw) {
+    rowLabel(info.label);
+    itemTooltip(tooltipOf(info));
+    ImGui::SetNextItemWidth(-resetRoom());
+    const bool changed = draw();
+    noteItem(textOf(info).item);
+    itemTooltip(tooltipOf(info));
+    return {changed, false};
+}
+
+/// With a switch in front that takes the value away.
+SlideEdit slideOptional(const ParamInfo& info, ParamValue& value) {
+    bool present = !std::holds_alternative<std::monostate>(value);
+    bool changed = ImGui::Checkbox("##present", &present);
+    itemTooltip(tooltipOf(info));
+    ImGui::SameLine();
+    if (changed) {
+        value = present ? ParamValue{std::clamp(0.0, info.low, info.high)} : std::monostate{};
+    }
+    if (double* number = std::get_if<double>(&value)) {
+        const SlideEdit edit = slideReal(info, *number);
+        return {changed || edit.changed, edit.continues};
+    }
+    ImGui::TextUnformatted(std::string(info.label).c_str());
+    ImGui::SameLine();
+    ImGui::TextDisabled("none");
+    noteItem(textOf(info).item);
+    return {changed, false};
+}
+
+SlideEdit slideValue(const ParamInfo& info, ParamValue& value) {
     switch (info.type) {
         case ParamType::real:
-            return slideReal(info, "##value", std::get<double>(value));
+            return slideReal(info, std::get<double>(value));
         case ParamType::integer:
-            return isSwitch(info) ? flipSwitch(std::get<double>(value))
-                                  : slideInteger(info, std::get<double>(value));
+            return isSwitch(info)
+                       ? labelledRow(info, [&] { return flipSwitch(std::get<double>(value)); })
+                       : slideInteger(info, std::get<double>(value));
         case ParamType::vector:
             return slideVector(info, std::get<Vec3>(value));
         case ParamType::optionalReal:
             return slideOptional(info, value);
         case ParamType::choice:
-            return chooseValue(info, std::get<std::string>(value));
+            return labelledRow(info,
+                               [&] { return chooseValue(info, std::get<std::string>(value)); });
     }
-    return false;
+    return {};
 }
 
 /// Only a vector has its label, and its unit, on a line of their own.
-void drawLabel(const ParamInfo& info) {
-    if (info.type == ParamType::vector) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted((std::string(info.label) + ", " + unitText(info)).c_str());
-    } else {
-        rowLabel(info.label);
-    }
+void drawVectorLabel(const ParamInfo& info) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted((std::string(info.label) + ", " + unitText(info)).c_str());
     itemTooltip(tooltipOf(info));
 }
 
-/// At the right end of the line, where the value is not what it was at the start.
-void drawReset(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
+/// At the right end of the line that begins at `top`, where the value is not what it was at the
+/// start.
+void drawReset(const ParamInfo& info, const PanelModel& model, float top,
+               std::vector<Action>& actions) {
     const ParamValue start = getParam(model.startParams, info.name);
     if (getParam(model.params, info.name) == start) {
         return;
     }
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
+    const ImVec2 below = ImGui::GetCursorPos();
+    ImGui::SetCursorPos({ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight(),
+                         top - ImGui::GetStyle().FramePadding.y});
     if (resetButton("##reset")) {
         actions.emplace_back(SetParam{std::string(info.name), start});
     }
     noteItem("reset." + std::string(info.name));
     itemTooltip("Back to the value at the start");
+    ImGui::SetCursorPos(below);
 }
 
 void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
@@ -227,30 +250,19 @@ void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
 
 void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
     ImGui::PushID(info.name.data(), info.name.data() + info.name.size());
+    const float top = ImGui::GetCursorPosY();
     if (info.name == "gravity") {
         drawGravitySwitch(model, actions);
     }
-    drawLabel(info);
-    const bool isVector = info.type == ParamType::vector;
-    if (isVector) {
-        drawReset(info, model, actions);
+    if (info.type == ParamType::vector) {
+        drawVectorLabel(info);
     }
     ParamValue value = getParam(model.params, info.name);
-    ImGui::SetNextItemWidth(isVector ? -FLT_MIN : resetRoom());
-    ImGui::BeginGroup();
-    const bool changed = slideValue(info, value);
-    ImGui::EndGroup();
-    noteItem("param." + std::string(info.name));
-    const bool continues = continuesGesture(changed);
-    if (!ImGui::IsItemActive()) {
-        itemTooltip(tooltipOf(info));
+    const SlideEdit edit = slideValue(info, value);
+    if (edit.changed) {
+        actions.emplace_back(SetParam{std::string(info.name), value, edit.continues});
     }
-    if (changed) {
-        actions.emplace_back(SetParam{std::string(info.name), value, continues});
-    }
-    if (!isVector) {
-        drawReset(info, model, actions);
-    }
+    drawReset(info, model, top, actions);
     if (const std::string remark = remarkOn(info, model); !remark.empty()) {
         ImGui::TextWrapped("%s", remark.c_str());
         noteItem("remark." + std::string(info.name));

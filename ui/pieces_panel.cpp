@@ -127,19 +127,16 @@ int drawRows(const PanelModel& model, std::vector<Action>& actions) {
 void slideApart(const PanelModel& model, std::vector<Action>& actions) {
     constexpr double kLeast = 0;
     constexpr double kMost = 1;
-    const float width = 9 * ImGui::GetFontSize();
     DisplaySettings display = model.display;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    ImGui::SetNextItemWidth(width);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
-    if (ImGui::SliderScalar("##apart", ImGuiDataType_Double, &display.apart, &kLeast, &kMost,
-                            "Apart %.2f", ImGuiSliderFlags_AlwaysClamp)) {
+    const std::string tooltip =
+        "Shows the pieces apart without moving them, until time runs or a blade comes. " +
+        describeAction(ActionId::showApart);
+    if (slideRow({"Apart", tooltip, "pieces.apart"},
+                 {ImGuiDataType_Double, &display.apart, &kLeast, &kMost, "%.2f"},
+                 ImGui::GetContentRegionAvail().x)
+            .changed) {
         actions.emplace_back(SetDisplay{display});
     }
-    ImGui::PopStyleVar();
-    noteItem("pieces.apart");
-    itemTooltip("Shows the pieces apart without moving them, until time runs or a blade comes. " +
-                describeAction(ActionId::showApart));
 }
 
 /// The heading, and what brings hidden pieces back or shows all apart.

@@ -98,29 +98,55 @@ void drawLastValue(const PlotSpec& spec) {
     ImGui::TextUnformatted(value.c_str());
 }
 
-/// A sample of each line with its label; what does not fit ends with dots.
+/// The labels of a legend, from the left to the right and then in the next line.
+class LegendFlow {
+  public:
+    LegendFlow() : corner_(ImGui::GetCursorScreenPos()), at_(corner_) {}
+
+    /// Where something of that width goes; false where even the last line has no room.
+    bool place(float width) {
+        const float end = corner_.x + ImGui::GetContentRegionAvail().x;
+        if (at_.x > corner_.x && at_.x + width > end) {
+            at_ = {corner_.x, at_.y + ImGui::GetTextLineHeight()};
+            ++lines_;
+        }
+        return lines_ <= kMostLines;
+    }
+    const ImVec2& at() const { return at_; }
+    void advance(float width) { at_.x += width + 0.8F * ImGui::GetFontSize(); }
+    float height() const {
+        return static_cast<float>(std::min(lines_, kMostLines)) * ImGui::GetTextLineHeight();
+    }
+
+  private:
+    static constexpr int kMostLines = 3;
+
+    ImVec2 corner_;
+    ImVec2 at_;
+    int lines_ = 1;
+};
+
+/// A sample of each line with its label, in as many lines as that needs; dots for what is left out.
 void drawLegend(const PlotSpec& spec) {
     const float line = ImGui::GetFontSize();
     const float sample = 1.4F * line;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float end = corner.x + ImGui::GetContentRegionAvail().x;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    float x = corner.x;
+    LegendFlow flow;
     for (const PlotCurve& curve : spec.curves) {
-        const float width = ImGui::CalcTextSize(curve.label.c_str()).x;
-        const bool isLast = &curve == &spec.curves.back();
-        if (x + sample + 0.3F * line + width > end - (isLast ? 0 : line)) {
-            draw.AddText({x, corner.y}, palette().dimText, "\u2026");
+        const float width = sample + 0.3F * line + ImGui::CalcTextSize(curve.label.c_str()).x;
+        const ImVec2 before = flow.at();
+        if (!flow.place(width)) {
+            draw.AddText(before, palette().dimText, "\u2026");
             break;
         }
-        const float y = std::round(corner.y + 0.55F * line);
-        drawDashed(draw, {x, y}, {x + sample, y}, colorOf(curve), 1.3F * curveThickness(),
+        const auto& [x, y] = flow.at();
+        const float middle = std::round(y + 0.55F * line);
+        drawDashed(draw, {x, middle}, {x + sample, middle}, colorOf(curve), 1.3F * curveThickness(),
                    dashesOf(curve.style));
-        x += sample + 0.3F * line;
-        draw.AddText({x, corner.y}, palette().dimText, curve.label.c_str());
-        x += width + 0.8F * line;
+        draw.AddText({x + sample + 0.3F * line, y}, palette().dimText, curve.label.c_str());
+        flow.advance(width);
     }
-    ImGui::Dummy({1, line});
+    ImGui::Dummy({1, flow.height()});
 }
 
 /// A dim line that ends with dots where it is too long.

@@ -83,6 +83,7 @@ void drawChooser(const PanelModel& model, std::vector<Action>& actions) {
     }
     noteItem("plots.choose");
     itemTooltip("Which plots are shown");
+    placePopupBelowItem();
     if (!ImGui::BeginPopup("choose plots")) {
         return;
     }

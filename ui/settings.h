@@ -27,6 +27,8 @@ struct Settings {
     std::vector<std::string> folded{"experiments", "model", "display", "window"};
 
     bool operator==(const Settings&) const = default;
+    /// Whether any side panel is shown.
+    bool showsPanels() const { return showControls || showReadings; }
 };
 
 /// Scales that a person can choose.

@@ -48,6 +48,7 @@ void lightUp(bool upright) {
     }
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
+    ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     const float half = ImGui::GetFontSize() / 15;
     const ImVec2 middle{std::round((low.x + high.x) / 2), std::round((low.y + high.y) / 2)};
     const ImVec2 from = upright ? ImVec2{middle.x - half, low.y} : ImVec2{low.x, middle.y - half};

@@ -54,6 +54,7 @@ void applyDarkColors(ImVec4* c) {
     c[ImGuiCol_WindowBg] = rgb(23, 25, 31, 0.94F);
     c[ImGuiCol_PopupBg] = rgb(28, 31, 38, 0.98F);
     c[ImGuiCol_Border] = rgb(255, 255, 255, 0.06F);
+    c[ImGuiCol_ModalWindowDimBg] = rgb(0, 0, 0, 0.3F);
     c[ImGuiCol_FrameBg] = rgb(41, 46, 57);
     c[ImGuiCol_FrameBgHovered] = rgb(50, 57, 71);
     c[ImGuiCol_FrameBgActive] = rgb(56, 65, 82);
@@ -83,6 +84,7 @@ void applyLightColors(ImVec4* c) {
     c[ImGuiCol_WindowBg] = rgb(245, 246, 248, 0.96F);
     c[ImGuiCol_PopupBg] = rgb(255, 255, 255, 0.98F);
     c[ImGuiCol_Border] = rgb(0, 0, 0, 0.12F);
+    c[ImGuiCol_ModalWindowDimBg] = rgb(0, 0, 0, 0.1F);
     c[ImGuiCol_FrameBg] = rgb(224, 227, 232);
     c[ImGuiCol_FrameBgHovered] = rgb(212, 218, 226);
     c[ImGuiCol_FrameBgActive] = rgb(200, 209, 220);

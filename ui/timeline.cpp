@@ -55,21 +55,76 @@ void markDivergence(const PlaybackState& playback, const StepScale& scale) {
                                               IM_COL32(235, 52, 43, 255));
 }
 
-StepScale drawSlider(const PlaybackState& playback, std::vector<Action>& actions) {
+/// Above the time line, which it would cover otherwise.
+void tellAbove(const std::string& text) {
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    const float top = ImGui::GetWindowPos().y - 0.4F * ImGui::GetFontSize();
+    const float width = ImGui::CalcTextSize(text.c_str()).x + 4 * ImGui::GetFontSize();
+    const float right = ImGui::GetIO().DisplaySize.x - width / 2;
+    ImGui::SetNextWindowPos({std::clamp(pointer.x, width / 2, std::max(width / 2, right)), top},
+                            ImGuiCond_Always, {0.5F, 1});
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
+ImU32 colorOfTick(SessionMark::Kind kind) {
+    return palette().of(kind == SessionMark::Kind::stroke ? Hue::vermillion : Hue::purple);
+}
+
+/// Through the groove: strokes all the way, changes in its lower half.
+void drawTicks(const std::vector<SessionMark>& course, const StepScale& scale) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float half = std::max(1.0F, ImGui::GetFontSize() / 15);
+    for (const SessionMark& mark : course) {
+        const float x = scale.xOf(mark.step);
+        const bool isStroke = mark.kind == SessionMark::Kind::stroke;
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {x - half, isStroke ? low.y : (low.y + high.y) / 2}, {x + half, high.y},
+            colorOfTick(mark.kind));
+    }
+}
+
+/// Strokes and changes at the pointer, the first ones of many; "" where none are.
+std::string coursedAt(float x, const std::vector<SessionMark>& course, const StepScale& scale) {
+    std::string text;
+    std::size_t listed = 0;
+    for (const SessionMark& mark : course) {
+        if (std::abs(scale.xOf(mark.step) - x) <= 0.3F * ImGui::GetFontSize() &&
+            listed++ < kMostListed) {
+            text += labelOf(mark) + ", step " + std::to_string(mark.step) + "\n";
+        }
+    }
+    return text;
+}
+
+/// The number stands beside it.
+bool slideStep(int& step, int steps) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, 0});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0, 0, 0, 0});
+    const bool moved = ImGui::SliderInt("##scrub", &step, 0, steps, "%d",
+                                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    return moved;
+}
+
+StepScale drawSlider(const PanelModel& model, std::vector<Action>& actions) {
+    const PlaybackState& playback = model.playback;
     int step = std::min(playback.step, playback.steps);
-    const std::string format = "step %d of " + std::to_string(playback.steps);
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::SliderInt("##scrub", &step, 0, playback.steps, format.c_str(),
-                         ImGuiSliderFlags_AlwaysClamp)) {
+    if (slideStep(step, playback.steps)) {
         actions.emplace_back(SeekTo{step});
     }
     noteItem("scrubber");
     const StepScale scale(playback.steps);
+    drawTicks(model.course, scale);
     markDivergence(playback, scale);
-    if (!ImGui::IsItemActive()) {
-        itemTooltip(playback.divergedAt
-                        ? "Go to a step. Red: here it came out differently than recorded"
-                        : "Go to a step of the session");
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+        const std::string what = coursedAt(ImGui::GetIO().MousePos.x, model.course, scale);
+        tellAbove(what + (playback.divergedAt
+                              ? "Go to a step. Red: here it came out differently than recorded"
+                              : "Go to a step of the session"));
     }
     return scale;
 }
@@ -80,7 +135,7 @@ ImU32 colorOf(SessionMark::Kind kind) {
             return palette().of(Hue::cyan);
         case SessionMark::Kind::exported:
             return palette().of(Hue::orange);
-        case SessionMark::Kind::check:
+        default:
             break;
     }
     return palette().of(Hue::green);
@@ -99,7 +154,7 @@ void drawMark(SessionMark::Kind kind, const ImVec2& center, float size) {
         case SessionMark::Kind::exported:
             draw.AddRectFilled({x - size, y - size}, {x + size, y + size}, color);
             return;
-        case SessionMark::Kind::check:
+        default:
             draw.AddCircleFilled(center, size, color);
             return;
     }
@@ -150,7 +205,9 @@ void tellOf(const std::vector<const SessionMark*>& marks) {
     for (const SessionMark* mark : marks) {
         text += withStep(*mark) + "\n";
     }
-    itemTooltip(text + "Click to go there, right click to remove");
+    if (ImGui::IsItemHovered()) {
+        tellAbove(text + "Click to go there, right click to remove");
+    }
 }
 
 /// What a right click offers, where the pointer was then.
@@ -176,15 +233,15 @@ void drawRemovals(const std::vector<PlacedMark>& marks, std::vector<Action>& act
     ImGui::EndPopup();
 }
 
-void drawMarks(const PanelModel& model, const StepScale& scale, std::vector<Action>& actions) {
-    const float height = kStripHeight * ImGui::GetFontSize();
-    const float y = ImGui::GetCursorScreenPos().y + height / 2;
-    ImGui::InvisibleButton("##marks", {ImGui::GetContentRegionAvail().x, height},
+void drawMarks(const PanelModel& model, const Rect& strip, const StepScale& scale,
+               std::vector<Action>& actions) {
+    ImGui::SetCursorScreenPos({strip.x, strip.y});
+    ImGui::InvisibleButton("##marks", {strip.width, strip.height},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     noteItem("timeline.marks");
     const std::vector<PlacedMark> marks = placed(model.marks, scale);
     for (const PlacedMark& place : marks) {
-        drawMark(place.mark->kind, {place.x, y}, markSize());
+        drawMark(place.mark->kind, {place.x, strip.y + strip.height / 2}, markSize());
     }
     const auto under = marksAt(ImGui::GetIO().MousePos.x, marks);
     if (!under.empty()) {
@@ -196,6 +253,29 @@ void drawMarks(const PanelModel& model, const StepScale& scale, std::vector<Acti
     drawRemovals(marks, actions);
 }
 
+void beginStrip(const Rect& rect) {
+    const float padding = 0.6F * ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({rect.x, rect.y});
+    ImGui::SetNextWindowSize({rect.width, rect.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, 0.2F * padding});
+    ImGui::Begin("timeline", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar(3);
+}
+
+/// The step, in front of slider and marks. Returns where those begin.
+float drawStep(const PlaybackState& playback) {
+    const std::string steps = std::to_string(playback.steps);
+    const float widest = ImGui::CalcTextSize(("step " + steps + " of " + steps).c_str()).x;
+    const float height = ImGui::GetContentRegionAvail().y;
+    ImGui::SetCursorPosY((height - ImGui::GetFontSize()) / 2);
+    ImGui::Text("step %d of %d", std::min(playback.step, playback.steps), playback.steps);
+    return ImGui::GetCursorPosX() + widest + 0.8F * ImGui::GetFontSize();
+}
+
 }  // namespace
 
 std::string labelOf(const SessionMark& mark) {
@@ -204,15 +284,25 @@ std::string labelOf(const SessionMark& mark) {
             return "Picture " + mark.text;
         case SessionMark::Kind::exported:
             return "Export " + mark.text;
+        case SessionMark::Kind::stroke:
+        case SessionMark::Kind::change:
+            return mark.text;
         case SessionMark::Kind::check:
             break;
     }
     return "Check: " + mark.text;
 }
 
-void drawTimeline(const PanelModel& model, std::vector<Action>& actions) {
-    const StepScale scale = drawSlider(model.playback, actions);
-    drawMarks(model, scale, actions);
+void drawTimeline(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
+    beginStrip(rect);
+    const float left = drawStep(model.playback);
+    const float height = kStripHeight * ImGui::GetFontSize();
+    const float gap = (rect.height - height - ImGui::GetFontSize()) / 3;
+    ImGui::SetCursorPos({left, 2 * gap + height});
+    const StepScale scale = drawSlider(model, actions);
+    const Rect strip{ImGui::GetItemRectMin().x, rect.y + gap, ImGui::GetItemRectSize().x, height};
+    drawMarks(model, strip, scale, actions);
+    ImGui::End();
 }
 
 }  // namespace kerf::ui

@@ -58,16 +58,11 @@ void drawToolButtons(const PanelModel& model, std::vector<Action>& actions) {
 bool slideLength(const char* label, double& value, double longest, const char* tooltip,
                  float beside = 0) {
     const double least = 0.01 * longest;
-    const std::string format = std::string(label) + " " + lengthFormat(longest) + " m";
-    ImGui::PushID(label);
-    ImGui::SetNextItemWidth(beside > 0 ? -beside - ImGui::GetStyle().ItemInnerSpacing.x : -1);
-    const bool changed =
-        ImGui::SliderScalar("##length", ImGuiDataType_Double, &value, &least, &longest,
-                            format.c_str(), ImGuiSliderFlags_AlwaysClamp);
-    noteItem(std::string("blade.") + label);
-    ImGui::PopID();
-    itemTooltip(tooltip);
-    return changed;
+    const float gap = beside > 0 ? ImGui::GetStyle().ItemInnerSpacing.x : 0;
+    return slideRow({label, tooltip, std::string("blade.") + label},
+                    {ImGuiDataType_Double, &value, &least, &longest, std::string(lengthFormat(longest)) + " m"},
+                    ImGui::GetContentRegionAvail().x - beside - gap)
+        .changed;
 }
 
 bool drawStrokeRows(ToolSettings& tools) {
@@ -87,11 +82,11 @@ bool drawGuillotineRows(ToolSettings& tools, std::vector<Action>& actions) {
     const double up = 0;
     const double down = 1;
     const float button = 4.6F * ImGui::GetFontSize();
-    ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemInnerSpacing.x);
-    changed |= ImGui::SliderScalar("##lowered", ImGuiDataType_Double, &tools.lowered, &up, &down,
-                                   "Lowered %.2f", ImGuiSliderFlags_AlwaysClamp);
-    noteItem("blade.lowered");
-    itemTooltip("Pulls the blade down by hand, and cuts");
+    const float width = ImGui::GetContentRegionAvail().x - button;
+    changed |= slideRow({"Lowered", "Pulls the blade down by hand, and cuts", "blade.lowered"},
+                        {ImGuiDataType_Double, &tools.lowered, &up, &down, "%.2f"},
+                        width - ImGui::GetStyle().ItemInnerSpacing.x)
+                   .changed;
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button("Down", {button, 0})) {
         actions.emplace_back(ActionId::bringDown);

@@ -11,7 +11,6 @@
 #include "ui/item_rects.h"
 #include "ui/session_panel.h"
 #include "ui/theme.h"
-#include "ui/timeline.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -62,6 +61,7 @@ void drawAddButton(float width, std::vector<Action>& actions) {
     }
     noteItem("session.add");
     itemTooltip("Add a picture, a check or an export of this step to the session");
+    placePopupBelowItem();
     if (ImGui::BeginPopup("add")) {
         drawSessionAdditions(actions);
         ImGui::EndPopup();
@@ -86,27 +86,40 @@ void drawSpeed(double speed, std::vector<Action>& actions) {
     itemTooltip("Speed of time against the clock (- and =), where the computer keeps up");
 }
 
+/// In a narrow panel words need the room more than what is around them.
+void drawTransportButtons(const PanelModel& model, std::vector<Action>& actions) {
+    constexpr std::array kWords{"Pause", "Step", "Restart", "Record"};
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    float around = ImGui::GetContentRegionAvail().x - (kWords.size() - 1) * gap;
+    for (const char* word : kWords) {
+        around -= ImGui::CalcTextSize(word).x;
+    }
+    const auto width = [&](std::size_t i) {
+        return ImGui::CalcTextSize(kWords[i]).x + around / kWords.size();
+    };
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
+    playButton(model.playing, width(0), actions);
+    ImGui::SameLine(0, gap);
+    actionButton("Step", ActionId::stepOnce, width(1), actions);
+    ImGui::SameLine(0, gap);
+    actionButton("Restart", ActionId::reset, width(2), actions);
+    ImGui::SameLine(0, gap);
+    recordButton(model.recording, width(3), actions);
+    ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 void drawTransport(const PanelModel& model, std::vector<Action>& actions) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
-    playButton(model.playing, width, actions);
-    ImGui::SameLine();
-    actionButton("Step", ActionId::stepOnce, width, actions);
-    ImGui::SameLine();
-    actionButton("Restart", ActionId::reset, width, actions);
-    ImGui::SameLine();
-    recordButton(model.recording, width, actions);
+    drawTransportButtons(model, actions);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("step %d, %.3f s", model.step, model.time);
     ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
     drawSpeed(model.speed, actions);
     const bool played = model.playback.steps > 0;
-    if (played) {
-        drawTimeline(model, actions);
-    }
     if (played || model.recording) {
         drawAddButton(width, actions);
     }

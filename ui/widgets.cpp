@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
+#include "ui/item_rects.h"
 #include "ui/theme.h"
 
 namespace kerf::ui {
@@ -121,6 +123,12 @@ void itemTooltip(std::string_view text) {
     ImGui::EndTooltip();
 }
 
+void placePopupBelowItem() {
+    const float gap = ImGui::GetStyle().ItemSpacing.y / 2;
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + gap},
+                            ImGuiCond_Appearing);
+}
+
 float buttonWidth(std::string_view label) {
     const float text = ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;
     return text + 2 * ImGui::GetStyle().FramePadding.x;
@@ -154,6 +162,94 @@ bool continuesGesture(bool changed) {
 
 const char* lengthFormat(double size) {
     return size >= 0.2 && size < 200 ? "%.3f" : "%.3g";
+}
+
+namespace {
+
+ImGuiSliderFlags flagsOf(const Slide& slide) {
+    return ImGuiSliderFlags_AlwaysClamp |
+           (slide.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+}
+
+std::string numberOf(const Slide& slide) {
+    char text[64];
+    if (slide.type == ImGuiDataType_Double) {
+        std::snprintf(text, sizeof text, slide.format.c_str(),
+                      *static_cast<const double*>(slide.value));
+    } else {
+        std::snprintf(text, sizeof text, slide.format.c_str(),
+                      *static_cast<const int*>(slide.value));
+    }
+    return text;
+}
+
+/// Of the last item; `id` tells it from others of its row.
+SlideEdit editOf(const char* id, bool changed) {
+    ImGui::PushID(id);
+    const SlideEdit edit{changed, continuesGesture(changed)};
+    ImGui::PopID();
+    return edit;
+}
+
+/// The number ends at `right`, on the line.
+SlideEdit dragNumber(const Slide& slide, float right) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float pad = 0.3F * ImGui::GetFontSize();
+    const float width = widthOf(numberOf(slide)) + 2 * pad;
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(right - width);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4{0, 0, 0, 0});
+    ImGui::SetNextItemWidth(width);
+    const bool changed = ImGui::DragScalar("##number", slide.type, slide.value, 0, slide.low,
+                                           slide.high, slide.format.c_str(), flagsOf(slide));
+    const SlideEdit made = editOf("number", changed);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - style.ItemSpacing.y + 0.1F * pad);
+    return made;
+}
+
+/// The knob in a groove that is lower than a line; the number stands elsewhere.
+SlideEdit slideKnob(const Slide& slide, float width) {
+    constexpr float kHeight = 0.7F;  // of a line
+    const float over = (1 - kHeight) / 2 * ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, -over});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0, 0, 0, 0});
+    ImGui::SetNextItemWidth(width);
+    const bool changed =
+        ImGui::SliderScalar("##knob", slide.type, slide.value, slide.low, slide.high,
+                            slide.format.c_str(), flagsOf(slide) | ImGuiSliderFlags_NoInput);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    return editOf("knob", changed);
+}
+
+void tellUnlessHeld(const std::string& tooltip) {
+    if (!ImGui::IsItemActive() && !tooltip.empty()) {
+        itemTooltip(tooltip);
+    }
+}
+
+}  // namespace
+
+SlideEdit slideRow(const SlideText& text, const Slide& slide, float width, float room) {
+    ImGui::PushID(text.item.c_str());
+    ImGui::BeginGroup();
+    const float left = ImGui::GetCursorPosX();
+    const float number = widthOf(numberOf(slide)) + ImGui::GetFontSize() + room;
+    ImGui::TextUnformatted(shortenedTo(width - number, text.label).c_str());
+    tellUnlessHeld(text.tooltip);
+    const SlideEdit dragged = dragNumber(slide, left + width - room);
+    noteItem(text.item + ".number");
+    tellUnlessHeld(text.tooltip);
+    const SlideEdit slid = slideKnob(slide, width);
+    noteItem(text.item);
+    tellUnlessHeld(text.tooltip);
+    ImGui::EndGroup();
+    ImGui::PopID();
+    return {dragged.changed || slid.changed, dragged.continues || slid.continues};
 }
 
 bool resetButton(const char* id) {

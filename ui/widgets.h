@@ -35,6 +35,9 @@ void drawBanner(const char* name, std::string_view text, float x, float y, float
 /// Shows `text` beside the last item while the pointer rests on it.
 void itemTooltip(std::string_view text);
 
+/// Lets the popup that begins next open below the last item, which it would cover otherwise.
+void placePopupBelowItem();
+
 /// The width of a button with this text [px].
 float buttonWidth(std::string_view label);
 
@@ -53,6 +56,30 @@ bool continuesGesture(bool changed);
 /// The format of numbers in metres about a body of this size [m]: three decimals, or three digits
 /// where it is tiny or huge.
 const char* lengthFormat(double size);
+/// A number that is slid: of ImGui's type `type`, from `low` to `high`.
+struct Slide {
+    int type = 0;  ///< ImGuiDataType
+    void* value = nullptr;
+    const void* low = nullptr;
+    const void* high = nullptr;
+    std::string format;  ///< with the unit: "%.3f m"
+    bool logarithmic = false;
+};
+/// What stands at a slide, and its name for tests.
+struct SlideText {
+    std::string label;
+    std::string tooltip;
+    std::string item;
+};
+/// A change of a value in this update.
+struct SlideEdit {
+    bool changed = false;
+    bool continues = false;  ///< the same gesture had changed it before
+};
+/// Draws a label and, at the right end of the line, the number, which is dragged, or typed after a
+/// double click; below them the slider. All in `width` [px], of which the number leaves `room`
+/// free.
+SlideEdit slideRow(const SlideText& text, const Slide& slide, float width, float room = 0);
 
 /// Draws a small square button with a turning arrow, drawn rather than taken from the font.
 bool resetButton(const char* id);

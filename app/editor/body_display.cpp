@@ -42,13 +42,22 @@ render::BodyLook ownLook(const EditorScene& scene) {
     return render::lookFor(scene.document().session.model.name());
 }
 
+Bounds shifted(Bounds bounds, const Vec3& by) {
+    if (!bounds.empty()) {
+        bounds.low += by;
+        bounds.high += by;
+    }
+    return bounds;
+}
+
 /// The bounds of the pieces as they are drawn [m].
 Bounds shownBounds(const std::vector<Bounds>& bounds, const std::vector<render::PieceLook>& looks) {
     Bounds shown;
     for (std::size_t p = 0; p < looks.size(); ++p) {
-        if (!bounds[p].empty()) {
-            shown.add(Vec3(bounds[p].low + looks[p].shift));
-            shown.add(Vec3(bounds[p].high + looks[p].shift));
+        const Bounds piece = shifted(bounds[p], looks[p].shift);
+        if (!piece.empty()) {
+            shown.add(piece.low);
+            shown.add(piece.high);
         }
     }
     return shown;
@@ -99,6 +108,21 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
         addOverlays(settings.overlays, scene.simulation(), view);
     }
     return view;
+}
+
+Bounds BodyDisplay::boundsOf(const EditorScene& scene) const {
+    const std::vector<Bounds>& pieces = scene.simulation().pieceBounds();
+    return settings.apart > 0 ? shownBounds(pieces, looksOf(pieces)) : scene.bounds();
+}
+
+Bounds BodyDisplay::boundsOf(const EditorScene& scene, int piece) const {
+    const std::vector<Bounds>& pieces = scene.simulation().pieceBounds();
+    const auto index = static_cast<std::size_t>(piece);
+    if (piece < 0 || index >= pieces.size()) {
+        return {};
+    }
+    const std::vector<render::PieceLook> looks = looksOf(pieces);
+    return looks.empty() ? pieces[index] : shifted(pieces[index], looks[index].shift);
 }
 
 /// The look of each piece; empty where all look as always.

@@ -27,6 +27,11 @@ class BodyDisplay {
     /// has it together first. Returns whether it was apart.
     bool join();
 
+    /// The bounds of the body as it is drawn, with its pieces together or apart [m].
+    Bounds boundsOf(const EditorScene& scene) const;
+    /// Those of one piece; empty where there is none of that number.
+    Bounds boundsOf(const EditorScene& scene, int piece) const;
+
     /// The scene with all that the person chose to see.
     render::SceneView viewOf(EditorScene& scene) const;
     /// Sets the settings, and of an open `scene` the colours of the model itself, and which rows of

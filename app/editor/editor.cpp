@@ -62,6 +62,7 @@ void Editor::frame(double elapsedSeconds) {
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
     s.keepSettings();
+    s.prepareKernels(elapsedSeconds);
 }
 
 bool Editor::workOn() {
@@ -88,7 +89,8 @@ double Editor::idleSeconds() const {
     if (s.work.saves() || s.chooser.previews()) {
         return kWorkPause;
     }
-    return s.toast.visible() ? s.toast.steadySeconds() : kForever;
+    const double rest = s.kernels.left() ? kWorkPause : kForever;
+    return s.toast.visible() ? std::min(rest, s.toast.steadySeconds()) : rest;
 }
 
 bool Editor::working() const {
@@ -105,6 +107,14 @@ const gpu::Framebuffer& Editor::picture() const {
 
 render::Image Editor::readPicture() const {
     return state_->picture.read();
+}
+
+ui::Cursor Editor::cursor() const {
+    const State& s = *state_;
+    if (s.panels.interface.ownsPointer()) {
+        return s.panels.interface.cursor();
+    }
+    return s.scene == nullptr ? ui::Cursor::arrow : s.view.cursor(s.panels.model.overlay);
 }
 
 std::string Editor::title() const {
@@ -212,6 +222,15 @@ void Editor::State::saveScreenshot() {
         if (scene != nullptr && scene.meanwhile()->recording()) {
             toast.offerOnceSaved(scene->here(), number);
         }
+    }
+}
+
+void Editor::State::prepareKernels(double elapsedSeconds) {
+    if (scene == nullptr || scene.underWay() || scene->running() || !queue.empty() || view.camera.dragging() ||
+        work.opening() != nullptr || panels.interface.isDragging()) {
+        kernels.interrupt();
+    } else {
+        kernels.advance(*scene, elapsedSeconds);
     }
 }
 

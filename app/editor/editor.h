@@ -9,6 +9,7 @@
 #include "gpu/framebuffer.h"
 #include "render/renderer.h"
 #include "render/scene/image.h"
+#include "ui/cursor.h"
 #include "ui/input.h"
 #include "ui/item_rects.h"
 #include "ui/panel_model.h"
@@ -28,6 +29,8 @@ struct EditorOptions {
     bool byTheClock = true;
     /// By the clock, a picture is drawn whenever a step has taken so long [s].
     double portion = 0.03;
+    /// Kernels are compiled while nobody does anything, before somebody waits for them.
+    bool warmsUp = false;
     /// The folder of pictures, in which files are looked for first as well.
     std::filesystem::path screenshotFolder = ".";
     /// The file of the person's settings; empty keeps none, as in tests.
@@ -67,6 +70,8 @@ class Editor {
 
     /// The scene and the panels, as the window shows them.
     const gpu::Framebuffer& picture() const;
+    /// The shape of the pointer as it stands.
+    ui::Cursor cursor() const;
     /// A copy of picture() in main memory.
     render::Image readPicture() const;
     /// The title of the window: "Kerf - NAME - N pieces".
@@ -90,8 +95,8 @@ class Editor {
     std::unique_ptr<State> state_;
 };
 
-/// The editor in a window, until it is closed; returns 0. Throws InputError where `file` cannot be
-/// opened, gpu::ContextError without a window or OpenGL 4.5.
+/// The editor in a window, until it is closed; returns 0. What is wrong with `file` is said there.
+/// Throws InputError where it is missing, gpu::ContextError without a window or OpenGL 4.5.
 int runEditor(const std::optional<std::filesystem::path>& file);
 
 }  // namespace kerf::app

@@ -8,6 +8,7 @@
 #include "gpu/data_path.h"
 #include "ui/action_table.h"
 #include "ui/plots_panel.h"
+#include "ui/unit_text.h"
 
 namespace kerf::app {
 namespace {
@@ -47,7 +48,12 @@ void cancelWork(State& s) {
     stopTools(s);
 }
 
-/// Says which parameter that changed: many show in the model only later.
+/// Whether taking it back moves the body at once.
+bool movesBody(const UndoEntry& entry) {
+    return std::holds_alternative<UndoEntry::BodySnapshotChange>(entry.change);
+}
+
+/// Says what that changed: many a change shows in the model only later.
 void stepThroughHistory(State& s, const Command& undoOrRedo) {
     if (!s.execute(undoOrRedo)) {
         return;
@@ -58,8 +64,14 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
         return;  // it was forgotten to keep to the budget
     }
     const UndoEntry& entry = back ? history.firstUndone() : history.lastDone();
-    if (std::holds_alternative<UndoEntry::ParamChange>(entry.change)) {
-        s.toast.show((back ? "Taken back: " : "Done again: ") + entry.name + ".", false);
+    const std::string told =
+        (back ? "Taken back: " : "Done again: ") + ui::withRaisedDigits(entry.name);
+    if (const bool next = back && history.canUndo(); !next || movesBody(entry)) {
+        s.toast.show(told + ".", false);
+    } else {
+        s.toast.offer(
+            told + ". The body stays as it is.",
+            {ui::ActionId::undo, "Undo too: " + ui::withRaisedDigits(history.lastDone().name)});
     }
 }
 
@@ -246,7 +258,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::addExport, Needs::body, addExport},
     Handler{ActionId::useView, Needs::body, useView},
     Handler{ActionId::frameBody, Needs::scene,
-            [](State& s) { s.view.camera.flyToFrame(s.scene.meanwhile()->bounds()); }},
+            [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(*s.scene.meanwhile())); }},
     Handler{ActionId::resetView, Needs::scene,
             [](State& s) { s.view.camera.flyTo(s.scene.meanwhile()->homeView()); }},
     Handler{ActionId::viewFront, Needs::scene, lookFrom<AxisView::front>},
@@ -312,6 +324,18 @@ void exportPlots(State& s, bool asPicture) {
     }
 }
 
+/// Where it is seen; what has no room beside the panels is brought into view with the body.
+void placeBox(State& s) {
+    const Bounds body = s.scene->bounds();
+    const ViewFrame frame = s.view.frame();
+    const StaticBox box = boxInView(body, s.scene->simulation().params().floor, frame, s.view.free);
+    if (s.execute(AddBox{box}) && !isInView(box, frame, s.view.free)) {
+        Bounds both = body;
+        both.add(box.bounds());
+        s.view.flyToFrame(both);
+    }
+}
+
 /// Answers to each kind of ui::Action.
 struct Answer {
     State& s;
@@ -330,7 +354,7 @@ struct Answer {
             s.take(*chosen);
         }
     }
-    void operator()(const ui::SetSettings& to) const { s.panels.settings.now = to.settings; }
+    void operator()(const ui::SetSettings& to) const { s.panels.take(to.settings); }
     void operator()(const ui::SetPlotView& wanted) const { s.panels.plotView = wanted.view; }
     void operator()(const ui::ExportPlots& wanted) const { exportPlots(s, wanted.asPicture); }
     void operator()(const ui::OpenExperiment& wanted) const {
@@ -351,9 +375,7 @@ struct Answer {
         s.view.cancelTools(*s.scene);
         s.say(s.scene->place(wanted.placement, wanted.continues));
     }
-    void onBody(const ui::PlaceBox&) const {
-        s.execute(AddBox{boxBeside(s.scene->bounds(), s.scene->simulation().params().floor)});
-    }
+    void onBody(const ui::PlaceBox&) const { placeBox(s); }
     void onBody(const ui::GoToChange& wanted) const {
         const UndoHistory& history = s.scene->simulation().history();
         while (history.done() > wanted.done && history.canUndo()) {
@@ -362,6 +384,10 @@ struct Answer {
         while (history.done() < wanted.done && history.canRedo()) {
             s.execute(Redo{});
         }
+        s.toast.show(history.canUndo()
+                         ? "Gone to: " + ui::withRaisedDigits(history.lastDone().name) + "."
+                         : "Gone to the start of the history.",
+                     false);
     }
     void onBody(const ui::SeekTo& wanted) const {
         s.scene->seek(wanted.step);
@@ -370,10 +396,9 @@ struct Answer {
     void onBody(const ui::RemoveMark& removal) const { s.scene->removeMark(removal.id); }
     void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }
     void onBody(const ui::FramePiece& wanted) const {
-        const std::vector<Bounds>& pieces = s.scene.meanwhile()->simulation().pieceBounds();
-        const auto index = static_cast<std::size_t>(wanted.piece);
-        if (wanted.piece >= 0 && index < pieces.size() && !pieces[index].empty()) {
-            s.view.camera.flyToFrame(pieces[index]);
+        const Bounds piece = s.view.display.boundsOf(*s.scene.meanwhile(), wanted.piece);
+        if (!piece.empty()) {
+            s.view.flyToFrame(piece);
         }
     }
 };

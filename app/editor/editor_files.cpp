@@ -30,7 +30,9 @@ void Editor::State::show(UploadedDocument uploaded) {
     scene.set(std::move(next));
     waiting.clear();
     view.begin(*scene);
-    guide.begin();
+    guide.begin(*scene);
+    kernels.begin();
+    chooser.setModel(scene->document().session.model.path);
     panels.plotView = {};
     clock.stop();
     toast.withdrawOffer();

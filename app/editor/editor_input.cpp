@@ -22,6 +22,9 @@ void Editor::State::takeInput(double elapsedSeconds) {
     // At least one update, so that the panels live; later batches of one picture take no time.
     for (int n = 1; n <= kMaxBatchesPerPicture && (n == 1 || !queue.empty()); ++n) {
         const std::vector<ui::InputEvent> batch = queue.takeBatch();
+        if (!batch.empty()) {
+            kernels.interrupt();
+        }
         const bool last = n == kMaxBatchesPerPicture || queue.empty();
         if (panels.interface.ownsKeyboard() && pressesKey(batch)) {
             updatePanels({}, 0, false);  // What the last key closed has the keyboard no longer.
@@ -35,6 +38,8 @@ void Editor::State::updatePanels(const std::vector<ui::InputEvent>& batch, doubl
     describe(last);
     const std::vector<ui::Action> actions =
         panels.update(batch, view.width, view.height, elapsedSeconds);
+    view.free = panels.interface.freeView();
+    view.bright = panels.settings.now.theme == ui::Theme::light;
     redraw.countUpdate(batch.empty() && actions.empty());
     for (const ui::InputEvent& event : batch) {
         dispatch(event);

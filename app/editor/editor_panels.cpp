@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/layout.h"
 #include "ui/plot_picture.h"
@@ -19,7 +20,9 @@ EditorPanels::EditorPanels(const EditorOptions& options)
     : displayScale(options.scale),
       device(options.device),
       settings(options.settingsFile),
-      interface(settings.now.theme, scale(options.width, options.height)) {}
+      interface(settings.now.theme, scale(options.width, options.height)) {
+    showOne();
+}
 
 float EditorPanels::scale(int width, int height) const {
     return std::min(displayScale * static_cast<float>(settings.now.uiScale),
@@ -31,6 +34,8 @@ void EditorPanels::describe(const ui::PanelModel& scene) {
     model = scene;
     model.history = scene.history != nullptr ? scene.history : &kNoHistory;
     model.settings = settings.now;
+    model.settings.showControls &= !hidden;
+    model.settings.showReadings &= !hidden;
     model.plotView = plotView;
     model.helpOpen = helpOpen;
     model.device = device;
@@ -45,14 +50,14 @@ std::vector<ui::Action> EditorPanels::update(std::span<const ui::InputEvent> bat
 /// Their rounded corners are left out.
 std::vector<render::PixelRect> EditorPanels::covered(int width, int height) const {
     const int inset = static_cast<int>(std::ceil(kPanelRounding * scale(width, height)));
-    std::vector<render::PixelRect> hidden;
+    std::vector<render::PixelRect> rects;
     for (const ui::Rect& rect : interface.covered()) {
         const int x = static_cast<int>(std::ceil(rect.x)) + inset;
         const int y = static_cast<int>(std::ceil(rect.y)) + inset;
-        hidden.push_back({x, y, static_cast<int>(rect.x + rect.width) - inset - x,
-                          static_cast<int>(rect.y + rect.height) - inset - y});
+        rects.push_back({x, y, static_cast<int>(rect.x + rect.width) - inset - x,
+                         static_cast<int>(rect.y + rect.height) - inset - y});
     }
-    return hidden;
+    return rects;
 }
 
 void EditorPanels::unfold(const std::string& section) {
@@ -60,8 +65,24 @@ void EditorPanels::unfold(const std::string& section) {
 }
 
 void EditorPanels::toggle() {
-    settings.now.showControls = settings.now.showReadings =
-        !(settings.now.showControls || settings.now.showReadings);
+    hidden = !hidden && settings.now.showsPanels();
+    showOne();
+}
+
+void EditorPanels::take(ui::Settings wanted) {
+    if (hidden) {
+        hidden = !wanted.showsPanels();
+        wanted.showControls |= settings.now.showControls;
+        wanted.showReadings |= settings.now.showReadings;
+    }
+    settings.now = std::move(wanted);
+}
+
+/// Without any panel there would be no menu.
+void EditorPanels::showOne() {
+    if (!settings.now.showsPanels()) {
+        settings.now.showControls = settings.now.showReadings = true;
+    }
 }
 
 render::Image EditorPanels::drawPlots(std::span<const ui::PlotSpec> plots) const {

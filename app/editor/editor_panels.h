@@ -25,6 +25,7 @@ struct EditorPanels {
     ui::PanelModel model;
     ui::PlotView plotView;
     bool helpOpen = false;
+    bool hidden = false;  ///< both side panels, whatever the settings say
 
     /// Scale of the panels in a picture of this size [px]: the display's times the person's choice,
     /// as far as they have room.
@@ -40,10 +41,16 @@ struct EditorPanels {
 
     /// Opens a section of the left panel.
     void unfold(const std::string& section);
-    /// Shows both side panels, or none.
+    /// Hides the side panels for as long as the program runs, or shows those again that were
+    /// hidden.
     void toggle();
+    /// Takes settings that the panels answer with.
+    void take(ui::Settings wanted);
     /// The plots one below the other, as they are shown.
     render::Image drawPlots(std::span<const ui::PlotSpec> plots) const;
+
+  private:
+    void showOne();
 };
 
 }  // namespace kerf::app

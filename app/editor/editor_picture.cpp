@@ -8,7 +8,9 @@
 namespace kerf::app {
 namespace {
 
-constexpr std::array<float, 3> kEmptyColor{0.06F, 0.065F, 0.08F};  // while nothing is open
+// While nothing is open, in the dark theme and in the bright one.
+constexpr std::array<float, 3> kEmptyColor{0.06F, 0.065F, 0.08F};
+constexpr std::array<float, 3> kBrightEmptyColor{0.86F, 0.87F, 0.89F};
 
 }  // namespace
 
@@ -16,6 +18,7 @@ void EditorPicture::drawScene(EditorScene& scene, const Shot& shot, bool transpa
     render::SceneView view = shot.display.viewOf(scene);
     view.covered = shot.covered;
     view.transparent = transparent;
+    view.bright = shot.bright;
     renderer_.setQuality(shot.display.settings.quality);
     renderer_.draw(view, shot.frame.camera, shot.frame.width, shot.frame.height);
 }
@@ -44,11 +47,13 @@ void EditorPicture::draw(EditorScene* scene, const EditorView& view,
     fit(view);
     if (scene == nullptr) {
         target_.bind();
-        glClearColor(kEmptyColor[0], kEmptyColor[1], kEmptyColor[2], 1);
+        const auto& color = view.bright ? kBrightEmptyColor : kEmptyColor;
+        glClearColor(color[0], color[1], color[2], 1);
         glClear(GL_COLOR_BUFFER_BIT);
         return;
     }
-    if (Shot shot{view.frame(), view.display, std::move(covered)}; changed || drawn_ != shot) {
+    if (Shot shot{view.frame(), view.display, std::move(covered), view.bright};
+        changed || drawn_ != shot) {
         const Stopwatch watch;
         sceneTimer_.begin();
         drawScene(*scene, shot, false);
@@ -62,7 +67,7 @@ void EditorPicture::draw(EditorScene* scene, const EditorView& view,
 
 render::Image EditorPicture::readScene(EditorScene& scene, const EditorView& view) {
     drawn_.reset();
-    drawScene(scene, {view.frame(), view.display, {}}, true);
+    drawScene(scene, {view.frame(), view.display, {}, false}, true);
     render::Image image = renderer_.readPicture();
     render::divideByAlpha(image);
     return image;

@@ -46,6 +46,7 @@ class EditorPicture {
         ViewFrame frame;
         BodyDisplay display;
         std::vector<render::PixelRect> covered;
+        bool bright = false;
         bool operator==(const Shot&) const = default;
     };
     void fit(const EditorView& view);

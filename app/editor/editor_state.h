@@ -18,6 +18,7 @@
 #include "app/editor/file_work.h"
 #include "app/editor/first_steps.h"
 #include "app/editor/input_queue.h"
+#include "app/editor/kernel_preparation.h"
 #include "app/editor/redraw.h"
 #include "app/editor/scene_at_work.h"
 #include "app/editor/step_clock.h"
@@ -28,7 +29,8 @@ namespace kerf::app {
 /// concern, as the headings say.
 struct Editor::State {
     explicit State(const EditorOptions& options)
-        : clock(options.byTheClock, options.portion),
+        : kernels(options.warmsUp),
+          clock(options.byTheClock, options.portion),
           panels(options),
           picture(options.quality),
           chooser(options.screenshotFolder, options.recentFiles),
@@ -37,6 +39,8 @@ struct Editor::State {
         view.display.settings.quality = options.quality;
     }
 
+    gpu::ProgramShelf programs;  ///< from document to document; outlives what is made of them
+    KernelPreparation kernels;
     InputQueue queue;
     Redraw redraw;
     StepClock clock;
@@ -78,6 +82,9 @@ struct Editor::State {
     /// Writes the settings where they have changed, once a drag is over and not at each of its
     /// moves.
     void keepSettings();
+
+    /// Compiles on where nobody waits.
+    void prepareKernels(double elapsedSeconds);
 
     // Input: editor_input.cpp.
     void takeInput(double elapsedSeconds);

@@ -27,6 +27,12 @@ void EditorToast::show(std::string text, bool isError) {
     remaining_ = isError ? kErrorSeconds : kNoticeSeconds;
 }
 
+void EditorToast::offer(std::string text, ui::HintChoice choice) {
+    show(std::move(text), false);
+    choice_ = std::move(choice);
+    remaining_ = kOfferSeconds;
+}
+
 void EditorToast::show(const SavingQueue::Outcome& outcome) {
     show(outcome.sentence, outcome.failed);
     if (offer_ && offer_->saving == outcome.number && !outcome.failed) {
@@ -37,7 +43,8 @@ void EditorToast::show(const SavingQueue::Outcome& outcome) {
 
 std::optional<JournalPlace> EditorToast::takeOffer() {
     const std::optional<Offer> offer = std::exchange(offer_, std::nullopt);
-    return offer && choice_ && visible() ? std::optional(offer->place) : std::nullopt;
+    const bool shown = choice_ && choice_->id == ui::ActionId::addPicture && visible();
+    return offer && shown ? std::optional(offer->place) : std::nullopt;
 }
 
 void EditorToast::elapse(double elapsedSeconds) {

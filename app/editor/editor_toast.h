@@ -16,6 +16,8 @@ class EditorToast {
   public:
     /// Shows a sentence instead of the one before, and notes it in the log.
     void show(std::string text, bool isError);
+    /// Shows a sentence with something that can be done about it.
+    void offer(std::string text, ui::HintChoice choice);
     /// Shows the end of a saving, which may be that of offerOnceSaved().
     void show(const SavingQueue::Outcome& outcome);
     /// Offers the screenshot taken at `place`, once the saving of that number has ended.

@@ -1,5 +1,6 @@
 #include "app/editor/editor_view.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace kerf::app {
@@ -45,6 +46,19 @@ bool EditorView::follow(const EditorScene& scene) {
     return true;
 }
 
+ViewFrame EditorView::frame() const {
+    ViewFrame seen{camera.shown(), width, height};
+    if (free.width > 0) {
+        seen.camera.middle = seen.toNdc({free.x + free.width / 2, free.y + free.height / 2});
+    }
+    return seen;
+}
+
+void EditorView::flyToFrame(const Bounds& bounds) {
+    const bool known = free.width > 0;
+    camera.flyToFrame(bounds, known ? std::min(free.width, free.height) / float(height) : 1);
+}
+
 // --- The pointer -------------------------------------------------------------------------------
 
 void EditorView::move(const ui::PointerMove& move, EditorScene* scene) {
@@ -83,7 +97,8 @@ std::string EditorView::release(ui::Button button, EditorScene* scene) {
 }
 
 void EditorView::zoom(double notches, EditorScene* scene) {
-    camera.zoom(notches, frame().toNdc(pointer), frame().aspect());
+    const ViewFrame seen = frame();
+    camera.zoom(notches, seen.toNdc(pointer) - seen.camera.middle, seen.aspect());
     if (scene != nullptr) {
         camera.keepNear(scene->bounds());
     }
@@ -102,6 +117,24 @@ void EditorView::setTools(const ui::ToolSettings& settings, EditorScene& scene) 
 void EditorView::cancelTools(EditorScene& scene) {
     bladeTool.cancel(scene);
     pullTool.cancel(scene);
+}
+
+ui::Cursor EditorView::cursor(const ui::Overlay& overlay) const {
+    if (camera.dragging() || pullTool.holds()) {
+        return ui::Cursor::hand;
+    }
+    const bool onHandle = std::ranges::any_of(overlay.handles, &ui::Overlay::Handle::hot);
+    switch (bladeTool.settings().tool) {
+        case ui::Tool::guillotine:
+            return onHandle ? ui::Cursor::hand : ui::Cursor::arrow;
+        case ui::Tool::grab:  // Its ring is drawn where there is something to hold.
+            return overlay.guides.empty() ? ui::Cursor::arrow : ui::Cursor::hand;
+        case ui::Tool::stroke:
+        case ui::Tool::scalpel:
+        case ui::Tool::pin:
+            break;
+    }
+    return ui::Cursor::crosshair;
 }
 
 ui::Overlay EditorView::overlay(bool inView, bool looks, EditorScene& scene) const {

@@ -6,6 +6,8 @@
 #include "app/tools/blade_tool.h"
 #include "app/tools/editor_camera.h"
 #include "app/tools/pull_tool.h"
+#include "ui/cursor.h"
+#include "ui/layout.h"
 
 namespace kerf::app {
 
@@ -14,13 +16,18 @@ namespace kerf::app {
 struct EditorView {
     int width = 0;  ///< of the picture [px]
     int height = 0;
+    ui::Rect free;                ///< what the panels leave of it; without width: all of it [px]
+    bool bright = false;          ///< a light scene, for the light theme
     Vec2 pointer = Vec2::Zero();  ///< [px]
     EditorCamera camera;
     BodyDisplay display;
     BladeTool bladeTool;
     PullTool pullTool;
 
-    ViewFrame frame() const { return {camera.shown(), width, height}; }
+    /// The camera looks at the middle of what the panels leave free.
+    ViewFrame frame() const;
+    /// Flies to where `bounds` fill what the panels leave free [m].
+    void flyToFrame(const Bounds& bounds);
     /// Whether this is another size than before. Ignores a side of 0, as of a hidden window.
     bool resize(int newWidth, int newHeight);
     /// Shows a document that was just opened.
@@ -44,6 +51,8 @@ struct EditorView {
     void setTools(const ui::ToolSettings& settings, EditorScene& scene);
     /// Gives up the stroke and lets go of everything.
     void cancelTools(EditorScene& scene);
+    /// The shape of the pointer over the view, where the tools show `overlay`.
+    ui::Cursor cursor(const ui::Overlay& overlay) const;
     /// What the tools show over the body; `inView` tells whether the pointer is over no panel.
     /// Without `looks`, as in the midst of a step, no more than where the blade goes.
     ui::Overlay overlay(bool inView, bool looks, EditorScene& scene) const;

@@ -30,6 +30,35 @@ std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder
     return "";
 }
 
+/// A folder's last `parts` names: "a/models".
+std::string lastNames(const std::filesystem::path& folder, int parts) {
+    std::filesystem::path names;
+    std::filesystem::path at = folder;
+    for (; parts > 0 && at.has_relative_path(); --parts, at = at.parent_path()) {
+        names = names.empty() ? at.filename() : at.filename() / names;
+    }
+    return names.empty() ? folder.string() : names.string();
+}
+
+/// Gives folders of one name as many names of the folders around them as tell them apart.
+void tellApart(std::vector<ui::FolderLink>& links, std::size_t fixed) {
+    constexpr int kMostParts = 8;
+    const auto isTwice = [&](const ui::FolderLink& link) {
+        return std::ranges::count(links, link.label, &ui::FolderLink::label) > 1;
+    };
+    for (int parts = 2; parts <= kMostParts; ++parts) {
+        std::vector<std::size_t> same;
+        for (std::size_t i = fixed; i < links.size(); ++i) {
+            if (isTwice(links[i])) {
+                same.push_back(i);
+            }
+        }
+        for (const std::size_t i : same) {
+            links[i].label = lastNames(links[i].folder, parts);
+        }
+    }
+}
+
 /// Whether a newcomer would find nothing there: it is empty, or where Kerf itself lies.
 bool offersNothing(const std::filesystem::path& folder, const ui::FileDialogState& state) {
     std::error_code error;
@@ -46,7 +75,9 @@ void FileChooser::browse(ui::FilePurpose purpose, const std::string& document,
     testGetsPicture_ = testGetsPicture;
     recent_.look();
     const std::filesystem::path& last = lastFolder(purpose);
-    const std::filesystem::path& folder = last.empty() ? here_ : last;
+    const bool besideModel = purpose == ui::FilePurpose::exportMesh && !modelFolder_.empty();
+    const std::filesystem::path& first = besideModel ? modelFolder_ : here_;
+    const std::filesystem::path& folder = last.empty() ? first : last;
     browser_.emplace(purpose, folder, nameFor(purpose, folder, document), bookmarks(purpose));
     if (purpose == ui::FilePurpose::open && last.empty() &&
         offersNothing(folder, browser_->state())) {
@@ -54,6 +85,12 @@ void FileChooser::browse(ui::FilePurpose purpose, const std::string& document,
         browser_.emplace(purpose, gpu::dataPath("assets/models"), "", bookmarks(purpose));
     }
     preview_.select({});
+}
+
+void FileChooser::setModel(const std::filesystem::path& file) {
+    const std::filesystem::path ours = gpu::dataPath("assets");
+    const bool isOurs = std::ranges::mismatch(ours, file).in1 == ours.end();
+    modelFolder_ = isOurs ? "" : file.parent_path();
 }
 
 std::filesystem::path& FileChooser::lastFolder(ui::FilePurpose purpose) {
@@ -64,8 +101,10 @@ std::vector<ui::FolderLink> FileChooser::bookmarks(ui::FilePurpose purpose) cons
     std::vector<ui::FolderLink> links;
     const auto add = [&](const std::string& label, const std::filesystem::path& folder) {
         std::error_code error;
-        if (std::filesystem::is_directory(folder, error)) {
-            links.push_back({label, std::filesystem::absolute(folder).lexically_normal()});
+        const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+        if (std::filesystem::is_directory(folder, error) &&
+            std::ranges::find(links, whole, &ui::FolderLink::folder) == links.end()) {
+            links.push_back({label, whole});
         }
     };
     add("Here", here_);
@@ -76,11 +115,13 @@ std::vector<ui::FolderLink> FileChooser::bookmarks(ui::FilePurpose purpose) cons
         add("Kerf's models", gpu::dataPath("assets/models"));
         add("Kerf's sessions", gpu::dataPath("assets/sessions"));
     }
+    const std::size_t named = links.size();
     std::vector<std::filesystem::path> folders = recent_.folders();
     folders.resize(std::min(folders.size(), kMostRecentFolders));
     for (const std::filesystem::path& folder : folders) {
         add(folder.filename().string(), folder);
     }
+    tellApart(links, named);
     return links;
 }
 

@@ -31,6 +31,9 @@ class FileChooser {
     const std::filesystem::path& here() const { return here_; }
     /// Opens the dialog. It proposes a name for the open `document`, "" while there is none.
     void browse(ui::FilePurpose purpose, const std::string& document, bool testGetsPicture = false);
+    /// The file of the open model, beside which it is exported until another folder is chosen. An
+    /// empty path for none; what comes with Kerf counts as none.
+    void setModel(const std::filesystem::path& file);
     /// Does what the person did in the dialog. Returns the file once one is chosen.
     std::optional<ChosenFile> take(const ui::FileAction& action);
     /// Puts a file first among the recent ones.
@@ -54,6 +57,7 @@ class FileChooser {
     /// what was opened would put results among the models.
     std::filesystem::path lastSource_;
     std::filesystem::path lastTarget_;
+    std::filesystem::path modelFolder_;   ///< see setModel()
     std::optional<FileBrowser> browser_;  ///< while the dialog is open
     FilePreview preview_;
     bool testGetsPicture_ = false;  ///< see ChosenFile

@@ -4,27 +4,6 @@
 #include "ui/action_table.h"
 
 namespace kerf::app {
-namespace {
-
-Situation situationOf(const EditorScene* scene, const EditorView& view, StrokeOutcome outcome) {
-    Situation now;
-    now.tool = view.bladeTool.settings().tool;
-    if (scene == nullptr) {
-        return now;
-    }
-    now.open = true;
-    now.playing = scene->playing;
-    now.weightless = scene->simulation().params().gravity.norm() == 0;
-    now.session = scene->playingBack();
-    now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
-    now.touching = view.pullTool.holds();
-    now.pieces = scene->pieceCount();
-    now.outcome = outcome;
-    now.refusal = scene->simulation().refusalOfStroke();
-    return now;
-}
-
-}  // namespace
 
 using ui::ActionId;
 using ui::Hint;
@@ -67,7 +46,7 @@ void FirstSteps::follow(const Situation& now) {
     const bool falls = now.playing && !now.weightless;
     weighed_ |= falls;
     wentOn_ |= fell_ && now.cutting;
-    fell_ |= falls && now.pieces > 1;
+    fell_ |= falls && now.parted();
 }
 
 Hint FirstSteps::hint(const Situation& now) const {
@@ -95,13 +74,13 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
     if (now.outcome == StrokeOutcome::incised && !now.refusal.empty()) {
         return {"The stroke parted nothing: " + now.refusal + ".", {{ActionId::undo, "Undo"}}};
     }
-    if (now.pieces > 1 && !fell_) {
+    if (now.parted() && !fell_) {
         return {counted(now.pieces, "piece", "pieces") + " now. What next?",
                 {{ActionId::letFall, "Let them fall"},
                  {ActionId::showApart, "Show them apart"},
                  {ActionId::toolGrab, "Pull at one"}}};
     }
-    if (now.pieces > 1 && !wentOn_ && now.tool == cutTool_) {
+    if (now.parted() && !wentOn_ && now.tool == cutTool_) {
         return {"Drag to cut again, or:",
                 {{ActionId::undo, "Undo"},
                  {ActionId::reset, "Back to the start"},
@@ -159,9 +138,33 @@ Hint FirstSteps::beforeStroke(const Situation& now) const {
     return {};
 }
 
+void NewcomerGuide::begin(const EditorScene& scene) {
+    cutWatch_ = {};
+    piecesAtFirst_ = scene.pieceCount();
+}
+
+Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView& view) const {
+    Situation now;
+    now.tool = view.bladeTool.settings().tool;
+    if (scene == nullptr) {
+        return now;
+    }
+    now.open = true;
+    now.playing = scene->playing;
+    now.weightless = scene->simulation().params().gravity.norm() == 0;
+    now.session = scene->playingBack();
+    now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
+    now.touching = view.pullTool.holds();
+    now.pieces = scene->pieceCount();
+    now.piecesAtFirst = piecesAtFirst_;
+    now.outcome = cutWatch_.outcome();
+    now.refusal = scene->simulation().refusalOfStroke();
+    return now;
+}
+
 bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view) {
     const StrokeOutcome before = cutWatch_.outcome();
-    Situation now = situationOf(&scene, view, before);
+    Situation now = situationOf(&scene, view);
     cutWatch_.follow(now.cutting, now.pieces, scene.simulation().report().triangles);
     now.outcome = cutWatch_.outcome();
     firstSteps_.follow(now);
@@ -169,7 +172,7 @@ bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view) {
 }
 
 ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view) const {
-    return firstSteps_.hint(situationOf(scene, view, cutWatch_.outcome()));
+    return firstSteps_.hint(situationOf(scene, view));
 }
 
 }  // namespace kerf::app

@@ -49,8 +49,11 @@ struct Situation {
     bool touching = false;    ///< a tool pulls or pins
     ui::Tool tool = ui::Tool::stroke;
     int pieces = 1;
+    int piecesAtFirst = 1;  ///< as it was opened: a file may hold several shells
     StrokeOutcome outcome = StrokeOutcome::none;
     std::string refusal{};  ///< what the log says of a refused step of the last stroke
+
+    bool parted() const { return pieces > piecesAtFirst; }
 };
 
 /// Leads a newcomer from the first cut to the next things there are to do. Each hint goes for good
@@ -82,14 +85,17 @@ class NewcomerGuide {
     /// Looks at the open document once a picture. Whether another outcome of the last stroke is
     /// known since.
     bool follow(const EditorScene& scene, const EditorView& view);
-    /// Forgets the last stroke: another document was opened.
-    void begin() { cutWatch_ = {}; }
+    /// Forgets the last stroke: this document was just opened.
+    void begin(const EditorScene& scene);
     /// The hint of now; `scene` is null while nothing is open.
     ui::Hint hint(const EditorScene* scene, const EditorView& view) const;
 
   private:
+    Situation situationOf(const EditorScene* scene, const EditorView& view) const;
+
     CutWatch cutWatch_;
     FirstSteps firstSteps_;
+    int piecesAtFirst_ = 1;
 };
 
 }  // namespace kerf::app

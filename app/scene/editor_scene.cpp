@@ -7,6 +7,7 @@
 #include "app/scene/size_effect.h"
 #include "app/session/scene_view.h"
 #include "sim/body/rest_geometry.h"
+#include "ui/unit_text.h"
 
 namespace kerf::app {
 namespace {
@@ -566,7 +567,7 @@ void EditorScene::refreshPieces() {
 void EditorScene::describeChanges(ui::ChangeList& list) const {
     const UndoHistory& history = simulation_.history();
     for (const UndoEntry& entry : history.entries()) {
-        list.rows.push_back({entry.name, entry.time});
+        list.rows.push_back({ui::withRaisedDigits(entry.name), entry.time});
     }
     list.done = history.done();
     list.forgotten = history.forgotten();
@@ -614,11 +615,15 @@ void EditorScene::describeModel(ui::ModelState& state) const {
 }
 
 void EditorScene::describeMarks(ui::PanelModel& model) {
-    if (marksRevision_ != journal_.revision()) {
+    const std::size_t entries = journal_.entries().size();
+    if (marksRevision_ != journal_.revision() || marksEntries_ != entries) {
         marks_ = marksOf(journal_);
+        course_ = courseOf(journal_);
         marksRevision_ = journal_.revision();
+        marksEntries_ = entries;
     }
     model.marks = marks_;
+    model.course = course_;
 }
 
 void EditorScene::describePlayback(ui::PlaybackState& state) const {

@@ -213,7 +213,9 @@ class EditorScene {
     int piecesStep_ = -1;  ///< step that pieces_ tells of
     int piecesTriangles_ = -1;
     std::vector<ui::SessionMark> marks_;
-    int marksRevision_ = -1;  ///< of the journal that marks_ tells of
+    std::vector<ui::SessionMark> course_;
+    int marksRevision_ = -1;        ///< of the journal that both tell of
+    std::size_t marksEntries_ = 0;  ///< its length then
 };
 
 }  // namespace kerf::app

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "sim/base/params.h"
 #include "sim/base/text.h"
+#include "sim/run/undo_history.h"
+#include "ui/unit_text.h"
 
 namespace kerf::app {
 namespace {
@@ -40,6 +44,23 @@ std::string fileOf(const JournalEntry& entry) {
     return mark && mark->kind != Kind::check ? mark->text : "";
 }
 
+/// "Gravity: none".
+std::string nameOf(const SetParam& set) {
+    const ParamInfo* const info = findParam(set.name);
+    return info == nullptr ? set.name : ui::withRaisedDigits(nameOfChange(*info, set.value));
+}
+
+/// A slider that is dragged leaves many at a step.
+void addChange(std::vector<ui::SessionMark>& course, ui::SessionMark mark) {
+    const auto label = [](const ui::SessionMark& m) { return m.text.substr(0, m.text.find(':')); };
+    const bool again = !course.empty() && course.back().kind == Kind::change &&
+                       course.back().step == mark.step && label(course.back()) == label(mark);
+    if (again) {
+        course.pop_back();
+    }
+    course.push_back(std::move(mark));
+}
+
 }  // namespace
 
 std::vector<ui::SessionMark> marksOf(const SessionJournal& journal) {
@@ -50,6 +71,23 @@ std::vector<ui::SessionMark> marksOf(const SessionJournal& journal) {
         }
     }
     return marks;
+}
+
+std::vector<ui::SessionMark> courseOf(const SessionJournal& journal) {
+    std::vector<ui::SessionMark> course;
+    bool down = false;
+    for (const JournalEntry& entry : journal.entries()) {
+        const SessionAction& action = entry.event.action;
+        const int step = entry.event.step;
+        if (std::holds_alternative<MoveBlade>(action) && !std::exchange(down, true)) {
+            course.push_back({entry.id, step, Kind::stroke, "Stroke"});
+        } else if (takesBladeAway(action)) {
+            down = false;
+        } else if (const auto* set = std::get_if<SetParam>(&action)) {
+            addChange(course, {entry.id, step, Kind::change, nameOf(*set)});
+        }
+    }
+    return course;
 }
 
 std::string freeOutputName(const SessionJournal& journal, const std::string& name, int step,

@@ -1,17 +1,48 @@
 #include "app/tools/box_placement.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
 
 namespace kerf::app {
 
-StaticBox boxBeside(const Bounds& body, std::optional<double> floor) {
+StaticBox boxBeside(const Bounds& body, std::optional<double> floor, const Vec3& direction) {
     const double side = std::clamp(body.diagonal() / 3, kLeastBoxSize, kLargestBoxSize);
     const double ground = floor.value_or(body.low.y());
+    const Vec3 half = 0.5 * (body.high - body.low);
     StaticBox box;
     box.size = Vec3::Constant(side);
-    box.center = {body.high.x() + side, ground + side / 2, body.center().z()};
+    box.center = body.center() + (half + Vec3::Constant(side)).cwiseProduct(direction);
+    box.center.y() = ground + side / 2;
     box.center = box.center.cwiseMax(-kFarthestBox).cwiseMin(kFarthestBox);
     return box;
+}
+
+StaticBox boxInView(const Bounds& body, std::optional<double> floor, const ViewFrame& view,
+                    const ui::Rect& free) {
+    const Vec3 right = view.camera.forward().cross(view.camera.up);
+    std::array<Vec3, 4> directions{Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitZ()};
+    // The right one first, then the left one, then those before and behind.
+    std::ranges::stable_sort(directions, std::greater{}, [&](const Vec3& direction) {
+        const double sideways = direction.dot(right);
+        return std::abs(sideways) + (sideways > 0 ? 0.01 : 0) * right.norm();
+    });
+    const auto boxAt = [&](const Vec3& direction) { return boxBeside(body, floor, direction); };
+    const auto* seen = std::ranges::find_if(
+        directions, [&](const Vec3& direction) { return isInView(boxAt(direction), view, free); });
+    return boxAt(seen == directions.end() ? directions.front() : *seen);
+}
+
+bool isInView(const StaticBox& box, const ViewFrame& view, const ui::Rect& free) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto at = view.toPixel(box.bounds().corner(corner));
+        if (!at || at->x < free.x || at->x > free.x + free.width || at->y < free.y ||
+            at->y > free.y + free.height) {
+            return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace kerf::app

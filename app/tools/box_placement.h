@@ -2,12 +2,23 @@
 
 #include <optional>
 
+#include "app/tools/view_frame.h"
 #include "sim/contact/static_box.h"
+#include "ui/layout.h"
 
 namespace kerf::app {
 
-/// A cube of a third of the body's size on its right, on the floor or level with its underside.
-/// `body` are its bounds, `floor` is a height [m].
-StaticBox boxBeside(const Bounds& body, std::optional<double> floor);
+/// A cube of a third of the body's size beside it, on the floor or level with its underside.
+/// `body` are its bounds, `floor` is a height, `direction` is horizontal [m].
+StaticBox boxBeside(const Bounds& body, std::optional<double> floor,
+                    const Vec3& direction = Vec3::UnitX());
+
+/// Such a cube on the side of the body where it is seen best: whole in what the panels leave free
+/// [px], and rather beside the body than before or behind it.
+StaticBox boxInView(const Bounds& body, std::optional<double> floor, const ViewFrame& view,
+                    const ui::Rect& free);
+
+/// Whether all of a box is seen there [px].
+bool isInView(const StaticBox& box, const ViewFrame& view, const ui::Rect& free);
 
 }  // namespace kerf::app

@@ -96,9 +96,9 @@ void EditorCamera::land() {
     flight_.reset();
 }
 
-void EditorCamera::flyToFrame(const Bounds& bounds) {
+void EditorCamera::flyToFrame(const Bounds& bounds, double share) {
     render::Camera wanted = destination();
-    wanted.frame(bounds);
+    wanted.frame(bounds, share);
     flyTo(wanted);
 }
 

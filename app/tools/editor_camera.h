@@ -34,8 +34,8 @@ class EditorCamera {
     /// Goes on with a flight by so much time.
     void advance(double seconds);
     void flyTo(const render::Camera& camera) { flight_ = Flight{shown_, camera}; }
-    /// Flies to where `bounds` fill the view [m].
-    void flyToFrame(const Bounds& bounds);
+    /// Flies to where `bounds` [m] fill so much of the view's height.
+    void flyToFrame(const Bounds& bounds, double share = 1);
     /// Flies to a view along an axis.
     void flyTo(AxisView view);
     void toggleOrthographic();

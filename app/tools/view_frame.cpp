@@ -6,7 +6,7 @@ bool ViewFrame::operator==(const ViewFrame& other) const {
     const render::Camera& theirs = other.camera;
     return camera.eye == theirs.eye && camera.target == theirs.target && camera.up == theirs.up &&
            camera.fovY == theirs.fovY && camera.orthographic == theirs.orthographic &&
-           width == other.width && height == other.height;
+           camera.middle == theirs.middle && width == other.width && height == other.height;
 }
 
 std::optional<ui::PlotPoint> ViewFrame::toPixel(const Vec3& point) const {

@@ -7,6 +7,7 @@
 #include "app/editor/settings_file.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
+#include "gpu/program_binaries.h"
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {
@@ -20,6 +21,11 @@ bool isLarge(const std::filesystem::path& file) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     return !error && size > kLarge;
+}
+
+bool isThere(const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error);
 }
 
 /// The document of the command line, or the default one; without that the editor opens empty.
@@ -44,6 +50,7 @@ EditorOptions optionsFor(const Window& window) {
     options.quality = device.software ? render::Quality::light : render::Quality::full;
     options.settingsFile = defaultSettingsFile();
     options.recentFiles = recentFilesStore();
+    options.warmsUp = true;
     options.device = device.renderer.substr(0, device.renderer.find(" ("));
     return options;
 }
@@ -61,6 +68,7 @@ void runLoop(Window& window, Editor& editor) {
         editor.setScale(window.scale());
         editor.frame(watch.restart());
         window.setTitle(editor.title());
+        window.setCursor(editor.cursor());
         window.show(editor.picture());
     }
 }
@@ -68,6 +76,7 @@ void runLoop(Window& window, Editor& editor) {
 void openWindow(std::optional<Document> document,
                 const std::optional<std::filesystem::path>& stillToOpen) {
     Window window("Kerf");
+    gpu::ProgramBinaries::ours() = {gpu::programBinariesFolder(), KERF_VERSION};
     Editor editor(optionsFor(window), std::move(document));
     if (stillToOpen) {
         editor.open(*stillToOpen);
@@ -84,8 +93,17 @@ int runEditor(const std::optional<std::filesystem::path>& file) {
         openWindow(std::nullopt, file);
         return 0;
     }
-    // The file first: a wrong one is told without a window flashing up.
-    openWindow(firstDocument(file), std::nullopt);
+    std::optional<Document> document;
+    try {
+        document = firstDocument(file);
+    } catch (const InputError&) {
+        if (!file || !isThere(*file)) {
+            throw;  // a missing file is told without a window flashing up
+        }
+    }
+    // In the window a file that can't be opened is told again, with what can be done about it.
+    const bool failed = !document && file;
+    openWindow(std::move(document), failed ? file : std::nullopt);
     return 0;
 }
 

@@ -10,6 +10,7 @@
 #include <GLFW/glfw3.h>
 #include <spdlog/spdlog.h>
 
+#include "app/window/window_icon.h"
 #include "gpu/context.h"
 
 namespace kerf::app {
@@ -20,6 +21,11 @@ constexpr int kPreferredHeight = 900;
 // Below that the panels have no room.
 constexpr int kLeastWidth = 480;
 constexpr int kLeastHeight = 270;
+
+// In the order of ui::Cursor.
+constexpr std::array<int, ui::kCursors> kShapes{GLFW_ARROW_CURSOR,   GLFW_IBEAM_CURSOR,
+                                                GLFW_HAND_CURSOR,    GLFW_CROSSHAIR_CURSOR,
+                                                GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR};
 
 std::string lastGlfwError() {
     const char* text = nullptr;
@@ -94,6 +100,8 @@ struct Window::State {
     std::string title;
     bool damaged = true;
     ui::Modifiers modifiers;  ///< as of the last event that told them
+    std::array<GLFWcursor*, ui::kCursors> cursors{};
+    ui::Cursor cursor = ui::Cursor::arrow;  ///< that is shown
 
     static State& of(GLFWwindow* window) {
         return *static_cast<State*>(glfwGetWindowUserPointer(window));
@@ -210,6 +218,12 @@ void Window::State::open(const std::string& name) {
     glfwSetWindowSizeLimits(window, std::min(width, kLeastWidth), std::min(height, kLeastHeight),
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
     title = name;
+    render::Image icon = windowIcon();
+    const GLFWimage image{icon.width, icon.height, icon.pixels.data()};
+    glfwSetWindowIcon(window, 1, &image);
+    for (std::size_t i = 0; i < kShapes.size(); ++i) {
+        cursors[i] = glfwCreateStandardCursor(kShapes[i]);
+    }
 }
 
 void Window::State::prepareContext() const {
@@ -278,6 +292,12 @@ void Window::setTitle(const std::string& title) {
     if (title != state_->title) {
         state_->title = title;
         glfwSetWindowTitle(state_->window, title.c_str());
+    }
+}
+
+void Window::setCursor(ui::Cursor cursor) {
+    if (std::exchange(state_->cursor, cursor) != cursor) {
+        glfwSetCursor(state_->window, state_->cursors[static_cast<std::size_t>(cursor)]);
     }
 }
 

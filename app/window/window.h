@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gpu/framebuffer.h"
+#include "ui/cursor.h"
 #include "ui/input.h"
 
 namespace kerf::app {
@@ -31,6 +32,7 @@ class Window {
     float scale() const;
 
     void setTitle(const std::string& title);
+    void setCursor(ui::Cursor cursor);
     /// Whether the person asked the window to close.
     bool closing() const;
     /// Whether the window was resized or uncovered since the last call (true the first time).

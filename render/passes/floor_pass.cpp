@@ -26,6 +26,7 @@ FloorPass::FloorPass()
 void FloorPass::drawBackdrop(bool hasFloor, const Frame& frame) const {
     backdrop_.use();
     backdrop_.set("hasFloor", hasFloor ? 1.0f : 0.0f);
+    backdrop_.set("bright", frame.bright ? 1.0f : 0.0f);
     backdrop_.set("pictureToWorld", frame.pictureToWorld);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
@@ -40,6 +41,7 @@ void FloorPass::drawFloor(double height, const Frame& frame, const Camera& camer
     floor_.set("keyDirection", frame.keyDirection);
     floor_.set("viewProjection", frame.viewProjection);
     floor_.set("eye", frame.eye);
+    floor_.set("bright", frame.bright ? 1.0f : 0.0f);
     floor_.set("shadeMatrix", frame.shadeMatrix);
     floor_.set("hasBody", frame.hasBody ? 1.0f : 0.0f);
     floor_.set("floorHeight", float(height));

@@ -134,6 +134,7 @@ Frame frameOf(const SceneView& scene, const Camera& camera, int width, int heigh
     frame.pictureToWorld = (perspectiveOf(camera, double(width) / height) * turn).inverse();
     frame.eye = shadingEye(camera).cast<float>();
     frame.hasBody = scene.body.positions != nullptr && scene.body.triangleCount > 0;
+    frame.bright = scene.bright;
     frame.focus = focusOf(scene);
     const Bounds& sized = scene.restBounds.empty() ? frame.focus : scene.restBounds;
     frame.bodySize = float(std::max(sized.diagonal(), 1e-6));

@@ -17,6 +17,7 @@ struct Frame {
     Eigen::Matrix4f pictureToWorld = Eigen::Matrix4f::Identity();  ///< clip space to eye offsets
     Vec3f eye = Vec3f::Zero();
     bool hasBody = false;
+    bool bright = false;                                        ///< see SceneView
     float bodySize = 1;                                         ///< diagonal at rest [m]
     Bounds focus;                                               ///< never empty
     Vec3f keyDirection = Vec3f::UnitY();                        ///< towards the key light

@@ -70,10 +70,14 @@ Eigen::Matrix4f Camera::projection(double aspect) const {
         m(2, 2) = 2 / (n - z);
         m(2, 3) = (z + n) / (n - z);
         m(3, 3) = 1;
+        m(0, 3) += middle.x();
+        m(1, 3) += middle.y();
     } else {
         m(2, 2) = (z + n) / (n - z);
         m(2, 3) = 2 * z * n / (n - z);
         m(3, 2) = -1;
+        m(0, 2) -= middle.x();
+        m(1, 2) -= middle.y();
     }
     return m.cast<float>();
 }
@@ -119,12 +123,12 @@ void Camera::zoom(double factor, const Vec2& ndc, double aspect) {
     target = fixed + factor * (target - fixed);
 }
 
-void Camera::frame(const Bounds& bounds) {
+void Camera::frame(const Bounds& bounds, double share) {
     if (bounds.empty()) {
         return;
     }
     const Frame frame = frameOf(*this);
-    const double tangent = tanHalfFov(*this);
+    const double tangent = share * tanHalfFov(*this);
     const Vec3 center = bounds.center();
     double needed = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -140,7 +144,8 @@ void Camera::frame(const Bounds& bounds) {
 Ray Camera::ray(const Vec2& ndc, double aspect) const {
     const Frame frame = frameOf(*this);
     const double tangent = tanHalfFov(*this);
-    const Vec3 aside = frame.right * (ndc.x() * tangent * aspect) + frame.up * (ndc.y() * tangent);
+    const Vec2 at = ndc - middle;
+    const Vec3 aside = frame.right * (at.x() * tangent * aspect) + frame.up * (at.y() * tangent);
     if (orthographic) {
         return {eye + distance(*this) * aside + nearPlane() * frame.forward, frame.forward};
     }

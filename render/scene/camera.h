@@ -18,6 +18,8 @@ struct Camera {
     double fovY = 35;  ///< vertical field of view [degrees]
     /// Parallel rays: the picture is as high as the perspective one is at the target.
     bool orthographic = false;
+    /// The place of the picture at which the target is seen (-1..1, y up); no part of a session.
+    Vec2 middle = Vec2::Zero();
 
     /// World to eye space.
     Eigen::Matrix4f view() const;
@@ -39,8 +41,8 @@ struct Camera {
     /// Scales the distance to the target by `factor`, keeping the world point under `ndc`
     /// (-1..1, y up) in place.
     void zoom(double factor, const Vec2& ndc, double aspect);
-    /// Moves along the view direction until `bounds` fills the view.
-    void frame(const Bounds& bounds);
+    /// Moves along the view direction until `bounds` fills so much of the view's height.
+    void frame(const Bounds& bounds, double share = 1);
 
     /// World ray through `ndc` (-1..1, y up), from the eye or, orthographic, from the near plane.
     Ray ray(const Vec2& ndc, double aspect) const;

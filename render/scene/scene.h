@@ -42,6 +42,7 @@ struct SceneView {
     Bounds focus;                          ///< what the shadow map must cover (body, current)
     bool wireframe = false;
     bool cutLines = false;  ///< a dark line on the skin along the rim of each cut
+    bool bright = false;    ///< a light backdrop and a light floor
     /// Body, boxes and blade alone, on nothing: colours come out multiplied by their alpha.
     bool transparent = false;
     std::vector<PieceLook> pieces;   ///< by BodyView's pieces; those behind its end look as always

@@ -13,6 +13,7 @@ uniform float fadeStart;    // [m] from floorCenter
 uniform float fadeEnd;      // [m]
 uniform mat4 shadeMatrix;   // world to the map of floorShade
 uniform float hasBody;
+uniform float bright;
 out vec4 color;
 
 // Share of the pixel that lines of `width` around the integers cover (after Golus, "The best darn
@@ -44,11 +45,13 @@ vec2 shadeAt(vec3 point) {
 
 vec3 floorColor(vec2 p) {
     vec2 pixel = fwidth(p);
-    vec3 albedo = vec3(0.050, 0.056, 0.067);
+    vec3 albedo = mix(vec3(0.050, 0.056, 0.067), vec3(0.62, 0.63, 0.64), bright);
     float small = gridCover(p / cell, pixel / cell, 0.014);
     float large = gridCover(p / (5.0 * cell), pixel / (5.0 * cell), 0.0055);
-    albedo = mix(albedo, vec3(0.105, 0.115, 0.135), 0.40 * small);
-    albedo = mix(albedo, vec3(0.15, 0.165, 0.195), 0.62 * large);
+    vec3 fine = mix(vec3(0.105, 0.115, 0.135), vec3(0.42, 0.44, 0.47), bright);
+    vec3 coarse = mix(vec3(0.15, 0.165, 0.195), vec3(0.33, 0.35, 0.39), bright);
+    albedo = mix(albedo, fine, 0.40 * small);
+    albedo = mix(albedo, coarse, 0.62 * large);
     albedo = mix(albedo, vec3(0.42, 0.09, 0.08), 0.8 * axisCover(p.y, pixel.y, 0.016 * cell));
     return mix(albedo, vec3(0.08, 0.16, 0.46), 0.8 * axisCover(p.x, pixel.x, 0.016 * cell));
 }

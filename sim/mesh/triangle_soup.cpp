@@ -347,6 +347,8 @@ MeshReport inspectTriangles(const TriangleSoup& welded) {
     const bool sound = report.nonFiniteVertices == 0 && report.outOfRangeIndices == 0;
     report.closed = sound && !proper.empty() && report.openEdges == 0;
     report.manifold = sound && report.nonManifoldEdges == 0 && report.nonManifoldVertices == 0;
+    // Which side is out only a closed surface tells.
+    report.oriented = sound && !proper.empty() && report.misorientedEdges == 0;
     if (report.closed && report.manifold && report.misorientedEdges == 0) {
         report.flatPieces = countFlat(pieces);
         const std::vector<bool> insideOut = findInsideOut(welded, proper, pieces);

@@ -38,7 +38,8 @@ struct MeshReport {
     int cavities = 0;           ///< closed pieces that bound a hollow inside another one
     bool closed = false;
     bool manifold = false;
-    bool oriented = false;             ///< consistently, and outward (positive volume)
+    /// Consistently, and, where it is closed and manifold, outward (positive volume).
+    bool oriented = false;
     std::vector<std::string> repairs;  ///< what was changed on the way, one phrase each
     bool cuttable = false;
     /// Empty where cuttable; else what is wrong, how much of it, and what to do.

@@ -1,9 +1,11 @@
 #include "gpu/program.h"
 
+#include <glad/gl.h>
 #include <gmock/gmock.h>
 
 #include "gpu/buffer.h"
 #include "gpu/data_path.h"
+#include "gpu/program_binaries.h"
 #include "gpu/shader_source.h"
 #include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
@@ -146,6 +148,62 @@ TEST(DataPath, EnvironmentDecides) {
     EXPECT_EQ(dataPath("assets/models"), "/elsewhere/assets/models");
     unsetenv("KERF_DATA_DIR");
     EXPECT_TRUE(fs::exists(dataPath("shaders/shared/shared_types.h")));
+}
+
+TEST_F(ProgramTest, AShelfGivesOneProgramForTheSameSources) {
+    const std::string path = write("kernel.comp", kMain);
+    const auto make = [&] { return Program::compute(path); };
+    {
+        const ProgramShelf shelf;
+        const Program first = make();
+        EXPECT_EQ(make().id(), first.id());
+        EXPECT_NE(Program::compute(path, {{"OTHER", "1"}}).id(), first.id());
+    }
+    const Program first = make();
+    EXPECT_NE(make().id(), first.id()) << "without a shelf each has its own";
+}
+
+TEST_F(ProgramTest, FirstDispatchesAreMadeAFewAtATime) {
+    const std::string path = write("kernel.comp", kMain);
+    const Program a = Program::compute(path);
+    const Program b = Program::compute(path);
+    {
+        const FirstDispatches limit(1);
+        a.dispatch(1, 64);
+        EXPECT_TRUE(limit.foundAny());
+        b.dispatch(1, 64);
+    }
+    {
+        const FirstDispatches limit(1);
+        a.dispatch(1, 64);
+        EXPECT_FALSE(limit.foundAny()) << "it has run";
+        b.dispatch(1, 64);
+        EXPECT_TRUE(limit.foundAny()) << "it was left out before";
+    }
+}
+
+TEST_F(ProgramTest, BinariesAreKeptAndDamagedOnesPassedOver) {
+    const fs::path folder = folder_ / "binaries";
+    const ProgramBinaries binaries(folder, "1");
+    const Program program = Program::compute(write("kernel.comp", kMain));
+    binaries.save(program.id(), "sources");
+    GLint formats = 0;
+    glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
+    if (formats == 0) {
+        EXPECT_FALSE(fs::exists(folder));
+        GTEST_SKIP() << "this driver keeps none";
+    }
+    const Program::Linked again(glCreateProgram());
+    EXPECT_FALSE(binaries.load(again.id, "other sources"));
+    EXPECT_FALSE(ProgramBinaries(folder, "2").load(again.id, "sources"));
+    EXPECT_TRUE(binaries.load(again.id, "sources"));
+    const fs::path file = fs::directory_iterator(folder)->path();
+    std::string bytes = test::readBytes(file);
+    bytes[bytes.size() / 2] ^= 1;
+    test::writeText(file, bytes);
+    EXPECT_FALSE(binaries.load(again.id, "sources"));
+    test::writeText(file, bytes.substr(0, 20));
+    EXPECT_FALSE(binaries.load(again.id, "sources"));
 }
 
 }  // namespace

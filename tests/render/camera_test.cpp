@@ -168,5 +168,26 @@ TEST(Camera, FrameOfNothingChangesNothing) {
     EXPECT_EQ(camera.eye, eye);
 }
 
+TEST(Camera, LooksAtAnotherPlaceThanTheMiddleOfThePicture) {
+    for (const bool orthographic : {false, true}) {
+        Camera camera;
+        camera.orthographic = orthographic;
+        camera.middle = {0.2, -0.1};
+        const Vec3 ndc = project(camera, camera.target, 1.5);
+        EXPECT_NEAR(ndc.x(), 0.2, 1e-5);
+        EXPECT_NEAR(ndc.y(), -0.1, 1e-5);
+        const Ray ray = camera.ray(camera.middle, 1.5);
+        EXPECT_NEAR((camera.target - ray.origin).cross(ray.direction).norm(), 0, 1e-9);
+    }
+}
+
+TEST(Camera, FramesInPartOfTheHeight) {
+    Camera camera;
+    camera.frame(unitBox());
+    const double whole = (camera.eye - camera.target).norm();
+    camera.frame(unitBox(), 0.5);
+    EXPECT_GT((camera.eye - camera.target).norm(), 1.5 * whole);
+}
+
 }  // namespace
 }  // namespace kerf::render

@@ -295,5 +295,63 @@ TEST_F(InterfaceTest, AnotherScaleMakesEverythingLarger) {
     EXPECT_NEAR(interface->itemRects().at("param.iterations").height, 1.5 * before, 2);
 }
 
+// The knob stood on the number.
+TEST_F(InterfaceTest, TheNumberOfASliderStandsBesideItAtTheRightEnd) {
+    update({});
+    const ItemRects& items = interface->itemRects();
+    double right = 0;
+    for (const std::string name : {"param.time_step", "param.iterations", "param.ispc_stiffness"}) {
+        const Rect& track = items.at(name);
+        const Rect& number = items.at(name + ".number");
+        EXPECT_LE(number.y + number.height, track.y + 2) << name;
+        right = right == 0 ? number.x + number.width : right;
+        EXPECT_NEAR(number.x + number.width, right, 1) << name;
+        const Rect& other = items.at("param.gravity.z");
+        EXPECT_NEAR(track.x + track.width, other.x + other.width, 2) << name;
+    }
+}
+
+TEST_F(InterfaceTest, ANumberIsDraggedAndTyped) {
+    update({});
+    const Rect number = interface->itemRects().at("param.iterations.number");
+    const Vec2 middle(number.x + number.width / 2, number.y + number.height / 2);
+    const int before = model.params.iterations;
+    moveTo(middle.x(), middle.y());
+    press(true);
+    moveTo(middle.x() + 20, middle.y());
+    press(false);
+    EXPECT_GT(model.params.iterations, before);
+    update({PointerMove{middle.x(), middle.y(), {.control = true}}});
+    update({ButtonChange{Button::left, true, {.control = true}}});
+    update({ButtonChange{Button::left, false, {}}});
+    update({Character{'7'}});
+    update({KeyChange{Key::enter, true, {}}});
+    update({KeyChange{Key::enter, false, {}}});
+    EXPECT_EQ(model.params.iterations, 7);
+}
+
+TEST_F(InterfaceTest, TheTimeLineTakesTheWholeWidthBelowTheView) {
+    model.playback.step = 10;
+    model.playback.steps = 100;
+    model.course = {{1, 20, SessionMark::Kind::stroke, "Stroke"}};
+    update({});
+    update({});
+    const Rect bar = interface->itemRects().at("scrubber");
+    EXPECT_GT(bar.width, 0.8 * kWidth);
+    EXPECT_LT(interface->freeView().y + interface->freeView().height, bar.y);
+    const Rect strip = interface->itemRects().at("timeline.marks");
+    EXPECT_NEAR(strip.x, bar.x, 1);
+    EXPECT_NEAR(strip.width, bar.width, 1);
+    EXPECT_LE(strip.y + strip.height, bar.y + 1);
+}
+
+TEST_F(InterfaceTest, APopupOpensBelowItsButton) {
+    clickOn("plots.choose");
+    update({});
+    update({});
+    const Rect button = interface->itemRects().at("plots.choose");
+    EXPECT_GE(interface->itemRects().at("plots.frames").y, button.y + button.height);
+}
+
 }  // namespace
 }  // namespace kerf::ui

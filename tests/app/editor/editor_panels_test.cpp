@@ -196,5 +196,35 @@ TEST_F(EditorPanelsTest, AnotherDisplayMakesThePanelsLarger) {
     EXPECT_NEAR(editor->itemRects().at("param.iterations").height, 1.5 * before, 2);
 }
 
+// They had stayed away at the next start, the menu with them.
+TEST_F(EditorPanelsTest, PanelsThatTabHidesAreBackAtTheNextStart) {
+    options.settingsFile = folder / "settings.json";
+    start();
+    tap(Key::tab);
+    EXPECT_FALSE(panels().settings.showsPanels());
+    ASSERT_TRUE(editor->itemRects().contains("panels.show")) << "which key brings them back";
+    start();
+    EXPECT_TRUE(panels().settings.showControls && panels().settings.showReadings);
+    tap(Key::tab);
+    clickOn("panels.show");
+    EXPECT_TRUE(panels().settings.showControls && panels().settings.showReadings);
+    EXPECT_FALSE(editor->itemRects().contains("panels.show"));
+    test::writeText(options.settingsFile, R"({"show_controls": false, "show_readings": false})");
+    start();
+    EXPECT_TRUE(panels().settings.showControls) << "a file of before";
+}
+
+TEST_F(EditorPanelsTest, EscapeClosesAMenuAndNothingElse) {
+    clickOn("plots.choose");
+    ASSERT_TRUE(editor->itemRects().contains("plots.energy"));
+    tap(Key::f1);
+    ASSERT_TRUE(panels().helpOpen);
+    tap(Key::escape);
+    EXPECT_FALSE(editor->itemRects().contains("plots.energy"));
+    EXPECT_TRUE(panels().helpOpen) << "one thing at a time";
+    tap(Key::escape);
+    EXPECT_FALSE(panels().helpOpen);
+}
+
 }  // namespace
 }  // namespace kerf::app

@@ -1,6 +1,7 @@
 // The camera, the axes in the corner, what is shown and how.
 #include <cstdlib>
 
+#include "app/editor/body_display.h"
 #include "app/session/session.h"
 #include "tests/app/editor/editor_fixture.h"
 
@@ -202,6 +203,93 @@ TEST_F(EditorViewTest, ColoursAreKeptInTheSessionAndShownAgain) {
     std::filesystem::remove(folder / "blue.kerf.json");
     saveByKeys();
     EXPECT_EQ(readSession(onlyFile(folder.path())).colors.skin, before.colors.skin);
+}
+
+TEST_F(EditorViewTest, WhatIsShownApartIsFramedApart) {
+    drag(kTop, kBottom, 10);
+    settle();
+    BodyDisplay display;
+    EXPECT_EQ(display.boundsOf(*editor->scene()).diagonal(), editor->scene()->bounds().diagonal());
+    display.settings.apart = 1;
+    EXPECT_GT(display.boundsOf(*editor->scene()).diagonal(),
+              1.2 * editor->scene()->bounds().diagonal());
+}
+
+TEST_F(EditorViewTest, TheCameraLooksAtTheMiddleOfWhatThePanelsLeaveFree) {
+    const auto middleOfBody = [&] {
+        double sum = 0;
+        double count = 0;
+        const render::Image picture = editor->readPicture();
+        const int row = picture.height / 2;
+        for (int x = 0; x < picture.width; ++x) {
+            const auto* pixel = &picture.pixels[4 * (row * picture.width + x)];
+            const bool red = pixel[0] > 120 && pixel[0] > 2 * pixel[2];
+            sum += red ? x : 0;
+            count += red ? 1 : 0;
+        }
+        return sum / count;
+    };
+    settle();
+    EXPECT_NEAR(middleOfBody(), kWidth / 2.0, 6);
+    const ui::Rect edge = editor->itemRects().at("edge.readings");
+    drag(Vec2(edge.x + 3, 200), Vec2(kWidth - 2.0, 200), 5);
+    settle();
+    ASSERT_FALSE(panels().settings.showReadings);
+    EXPECT_GT(middleOfBody(), kWidth / 2.0 + 100);
+}
+
+TEST_F(EditorViewTest, ALightThemeHasALightScene) {
+    const auto corner = [&] {
+        settle();
+        const std::vector<std::uint8_t> pixels = viewPixels(editor->readPicture());
+        return int(pixels[0]);
+    };
+    EXPECT_LT(corner(), 80);
+    click("section.simulation");
+    click("section.window");
+    click("window.light");
+    EXPECT_GT(corner(), 150);
+}
+
+TEST_F(EditorViewTest, ThePointerTellsWhatAClickWouldDo) {
+    moveTo(kWidth / 2.0, kHeight / 2.0);
+    frames(2);
+    EXPECT_EQ(editor->cursor(), ui::Cursor::crosshair);
+    tap(Key::d);
+    frames(2);
+    EXPECT_EQ(editor->cursor(), ui::Cursor::hand) << "over the body";
+    moveTo(kWidth / 2.0 + 130, 30);
+    frames(2);
+    EXPECT_EQ(editor->cursor(), ui::Cursor::arrow) << "beside it";
+    const ui::Rect edge = editor->itemRects().at("edge.controls");
+    moveTo(edge.x + edge.width / 2, 200);
+    frames(2);
+    EXPECT_EQ(editor->cursor(), ui::Cursor::resizeX);
+    const ui::Rect button = editor->itemRects().at("tool.Grab");
+    moveTo(button.x + 5, button.y + 5);
+    frames(2);
+    EXPECT_EQ(editor->cursor(), ui::Cursor::arrow);
+}
+
+// Gravity alone was taken back, the pieces stayed on the floor, and nothing was said.
+TEST_F(EditorViewTest, AnUndoThatMovesNothingSaysWhatComesNext) {
+    drag(kTop, kBottom, 10);
+    settle();
+    tap(Key::space, {.shift = true});
+    frames(10);
+    tap(Key::space);
+    tap(Key::z, {.control = true});
+    frames(2);
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Taken back: Gravity"));
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("m/s\u00b2"));
+    ASSERT_TRUE(panels().toastChoice.has_value());
+    EXPECT_THAT(panels().toastChoice->label, ::testing::HasSubstr("Cut 1"));
+    click("toast.Ctrl+Z");
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Taken back: Cut 1"));
+    tap(Key::z, {.shift = true, .control = true});
+    frames(2);
+    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Done again: Cut 1"));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
@@ -51,6 +53,38 @@ TEST_F(FileChooserTest, ARecentFileNeedsNoDialog) {
     EXPECT_EQ(chosen->purpose, FilePurpose::open);
     EXPECT_EQ(chosen->file, folder / "ball.obj");
     EXPECT_FALSE(chooser.take(ui::AcceptFile{})) << "no dialog is open";
+}
+
+TEST_F(FileChooserTest, BookmarksOfOneNameAreToldApart) {
+    for (const char* place : {"a", "b"}) {
+        std::filesystem::create_directories(folder / place / "models");
+        test::writeText(folder / place / "models" / "ball.obj", "");
+        chooser.addRecent(folder / place / "models" / "ball.obj");
+    }
+    test::writeText(folder / "here.obj", "");
+    chooser.addRecent(folder / "here.obj");
+    chooser.browse(FilePurpose::open, "");
+    std::vector<std::string> labels;
+    std::vector<std::filesystem::path> folders;
+    for (const ui::FolderLink& link : dialog().bookmarks) {
+        labels.push_back(link.label);
+        folders.push_back(link.folder);
+    }
+    EXPECT_EQ(std::ranges::count(labels, "a/models"), 1);
+    EXPECT_EQ(std::ranges::count(labels, "b/models"), 1);
+    EXPECT_EQ(std::ranges::count(folders, folder.path()), 1) << "the folder is \"Here\" already";
+}
+
+TEST_F(FileChooserTest, AModelIsExportedBesideItUntilAnotherFolderIsChosen) {
+    std::filesystem::create_directory(folder / "models");
+    std::filesystem::create_directory(folder / "results");
+    chooser.setModel(folder / "models" / "ball.obj");
+    chooser.browse(FilePurpose::exportMesh, "ball");
+    EXPECT_EQ(dialog().folder, folder / "models");
+    chooser.take(ui::GoToFolder{folder / "results"});
+    chooser.take(ui::CloseFileDialog{});
+    chooser.browse(FilePurpose::exportMesh, "ball");
+    EXPECT_EQ(dialog().folder, folder / "results");
 }
 
 }  // namespace

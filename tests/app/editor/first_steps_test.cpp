@@ -90,6 +90,15 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     EXPECT_THAT(steps.hint(now).text, HasSubstr("handles")) << "but for what is new";
 }
 
+// A file may hold several shells.
+TEST(FirstSteps, WhatWasOpenedInPiecesIsNotCutYet) {
+    const FirstSteps steps;
+    Situation now{.open = true, .weightless = true, .pieces = 2, .piecesAtFirst = 2};
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("right across"));
+    now.pieces = 3;
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("3 pieces now"));
+}
+
 TEST(FirstSteps, AnIncisionOfTheScalpelLeadsToTheHand) {
     FirstSteps steps;
     Situation now{.open = true, .cutting = true, .tool = ui::Tool::scalpel};

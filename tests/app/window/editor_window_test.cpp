@@ -313,6 +313,27 @@ TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {
     EXPECT_EQ(report.triangles, 320);
 }
 
+// It had ended with a sentence in the terminal, which nobody sees who clicked on a file.
+TEST(EditorWindow, ABadModelOfTheCommandLineIsToldInTheWindow) {
+    if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
+        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
+    }
+    const test::TemporaryFolder folder;
+    TriangleSoup soup = test::icosphereSoup(1);
+    soup.triangles.pop_back();
+    test::writeText(folder / "bad.obj", test::objText(soup));
+    const std::string seen =
+        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                 "/tests/app/window/editor_window_bad_model.sh " KERF_BINARY_DIR "/kerf " +
+                 folder.path().string() + " 2>&1");
+    const std::string errors = test::readBytes(folder / "errors.txt");
+    SCOPED_TRACE(seen + errors);
+    std::map<std::string, std::string> values = valuesIn(seen);
+    EXPECT_EQ(values["opened"], "Kerf");
+    EXPECT_EQ(values["exit"], "0");
+    EXPECT_THAT(errors, ::testing::HasSubstr("bad.obj"));
+}
+
 /// What a virtual display keeps in a file: X11's XWDFile.h, 32 bits a pixel, blue first.
 render::Image readDisplay(const std::filesystem::path& file) {
     const std::string bytes = test::readBytes(file);

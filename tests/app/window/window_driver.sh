@@ -4,15 +4,19 @@ cd "$folder" || exit 1
 # The settings of whoever runs the tests stay out of it.
 export XDG_CONFIG_HOME="$folder/config"
 export XDG_STATE_HOME="$folder/state"
+# Programs that Kerf keeps too, but not those of the driver: to compile them takes long.
+export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}}"
+export XDG_CACHE_HOME="$folder/cache"
 # GLFW unloads the display's drivers at the end, and what they had kept then looks lost.
 export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0"
 
-# Starts the editor and gives its window the keyboard.
+# Starts the editor and gives its window the keyboard. Arguments: what its title begins with (else
+# "Kerf - "), and those of the editor.
 openEditor() {
-    "$kerf" 2>errors.txt &
+    "$kerf" "${@:2}" 2>errors.txt &
     editor=$!
     trap 'kill "$editor" 2>/dev/null' EXIT
-    window=$(timeout 60 xdotool search --sync --onlyvisible --name '^Kerf - ' | head -n 1)
+    window=$(timeout 60 xdotool search --sync --onlyvisible --name "^${1:-Kerf - }" | head -n 1)
     xdotool windowfocus "$window"
 }
 title() { xdotool getwindowname "$window"; }

@@ -151,6 +151,16 @@ TEST(Inspect, TriangleWithoutArea) {
     EXPECT_FALSE(report.cuttable);
 }
 
+// A hole says nothing of how the triangles face.
+TEST(Inspect, AMeshWithAHoleIsOrientedWhereItsTrianglesAgree) {
+    TriangleSoup soup = test::boxSoup();
+    soup.triangles.pop_back();
+    EXPECT_FALSE(inspectTriangles(soup).closed);
+    EXPECT_TRUE(inspectTriangles(soup).oriented);
+    std::swap(soup.triangles[0][0], soup.triangles[0][1]);
+    EXPECT_FALSE(inspectTriangles(soup).oriented);
+}
+
 TEST(Inspect, NotANumberAndOutOfRange) {
     TriangleSoup soup = test::icosphereSoup(0);
     soup.positions[2].y() = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+
+#include "sim/base/params.h"
+#include "sim/body/body_state.h"
+#include "sim/solve/gpu_solver.h"
+
+namespace kerf {
+
+/// Runs the kernels that a stroke, a fall, a contact and a pull need on a tiny body of its own, one
+/// more at a time: software drivers compile with the first dispatch, and nobody shall wait for that
+/// in the middle of a stroke. It serves where programs are shared (gpu::ProgramShelf), as long as
+/// it lives.
+class KernelWarmUp {
+  public:
+    /// For bodies with so many vertices that are simulated with these parameters. Throws
+    /// gpu::ShaderError, gpu::OutOfMemory.
+    KernelWarmUp(Params params, std::size_t vertices);
+
+    /// Runs one more of the kernels for the first time. Returns false once all have run.
+    bool advance();
+
+  private:
+    /// What the tiny body does in a step.
+    enum class Act { touch, fold, pull, done };
+    void expect();
+
+    GpuSolver solver_;
+    BodyState start_;
+    Act act_ = Act::touch;
+};
+
+}  // namespace kerf

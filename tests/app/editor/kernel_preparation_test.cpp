@@ -1,0 +1,69 @@
+#include "app/editor/kernel_preparation.h"
+
+#include <array>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "tests/app/editor/editor_fixture.h"
+
+namespace kerf::app {
+namespace {
+
+/// Whether the editor has run a kernel. It is made again from the same sources, and asked to do
+/// nothing.
+bool hasRun(const std::string& kernel) {
+    const gpu::Program program = gpu::Program::compute(kernel);
+    gpu::Buffer groups;
+    groups.assign(std::span<const std::uint32_t>(std::array<std::uint32_t, 3>{}));
+    const gpu::FirstDispatches none(0);
+    program.dispatchIndirect(groups, 0);
+    return !none.foundAny();
+}
+
+class KernelPreparationTest : public EditorTest {
+  protected:
+    void start(bool warmsUp) {
+        EditorOptions options;
+        options.width = kWidth;
+        options.height = kHeight;
+        options.quality = render::Quality::light;
+        options.byTheClock = false;
+        options.warmsUp = warmsUp;
+        editor.reset();
+        editor = std::make_unique<Editor>(options, sphereDocument());
+        frames(2);
+    }
+    static constexpr std::array kOfContact{"sim/contact/detect.comp", "sim/contact/respond.comp",
+                                           "sim/contact/detect_edges.comp",
+                                           "sim/unfold/unfold.comp"};
+};
+
+// The first stroke of a start had stood still for seconds while they were compiled.
+TEST_F(KernelPreparationTest, KernelsOfContactRunBeforeAnybodyTouchesTheBody) {
+    start(true);
+    for (int i = 0; i < 2000 && editor->idleSeconds() < 1; ++i) {
+        editor->frame(0.05);
+    }
+    for (const char* kernel : kOfContact) {
+        EXPECT_TRUE(hasRun(kernel)) << kernel;
+    }
+    EXPECT_EQ(panels().step, 0) << "and nothing happened to it";
+}
+
+TEST_F(KernelPreparationTest, WhereItIsNotWantedNothingRuns) {
+    start(false);
+    EXPECT_GT(editor->idleSeconds(), 1);
+    EXPECT_FALSE(hasRun(kOfContact[0]));
+}
+
+TEST_F(KernelPreparationTest, ItWaitsWhileSomebodyDoesSomething) {
+    start(true);
+    for (int i = 0; i < 20; ++i) {
+        moveTo(400 + i, 200);
+        editor->frame(0.1);
+    }
+    EXPECT_FALSE(hasRun(kOfContact[0]));
+}
+
+}  // namespace
+}  // namespace kerf::app

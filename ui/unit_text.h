@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace kerf::ui {
+
+/// A text with units as people write them: "m/s^2" with a raised 2.
+std::string withRaisedDigits(std::string_view text);
+
+}  // namespace kerf::ui
