@@ -107,7 +107,7 @@ def table(d, levels):
         d.text((x + step / 2, top + 14), str(i), GREY, "middle", 12)
         for r, (_, is_on, color) in enumerate(rows):
             on = is_on(levels[i])
-            words = f"×{levels[i]['offset']:g}" if on and r == 2 else ""
+            words = f"×{levels[i]['offset']:g}" if on and r == 1 else ""
             d.box(x + 2, top + 22 + r * row + 2, step - 4, row - 4,
                   mixed(color, "#ffffff", 0.35) if on else FAINT, "none", 4)
             if words:
