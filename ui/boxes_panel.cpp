@@ -68,8 +68,8 @@ void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
         const auto step = static_cast<float>(0.002 * model.bodySize);
         const char* const metres = lengthFormat(model.bodySize);
         const std::array drags{
-            dragVector("Center", change.box.center, {step, -kFarthestBox, kFarthestBox, "m", metres},
-                       name),
+            dragVector("Center", change.box.center,
+                       {step, -kFarthestBox, kFarthestBox, "m", metres}, name),
             dragVector("Size", change.box.size, {step, kLeastBoxSize, kLargestBoxSize, "m", metres},
                        name),
             dragVector("Rotate", change.box.rotate,

@@ -60,7 +60,8 @@ bool slideLength(const char* label, double& value, double longest, const char* t
     const double least = 0.01 * longest;
     const float gap = beside > 0 ? ImGui::GetStyle().ItemInnerSpacing.x : 0;
     return slideRow({label, tooltip, std::string("blade.") + label},
-                    {ImGuiDataType_Double, &value, &least, &longest, std::string(lengthFormat(longest)) + " m"},
+                    {ImGuiDataType_Double, &value, &least, &longest,
+                     std::string(lengthFormat(longest)) + " m"},
                     ImGui::GetContentRegionAvail().x - beside - gap)
         .changed;
 }

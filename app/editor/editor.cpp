@@ -226,8 +226,8 @@ void Editor::State::saveScreenshot() {
 }
 
 void Editor::State::prepareKernels(double elapsedSeconds) {
-    if (scene == nullptr || scene.underWay() || scene->running() || !queue.empty() || view.camera.dragging() ||
-        work.opening() != nullptr || panels.interface.isDragging()) {
+    if (scene == nullptr || scene.underWay() || scene->running() || !queue.empty() ||
+        view.camera.dragging() || work.opening() != nullptr || panels.interface.isDragging()) {
         kernels.interrupt();
     } else {
         kernels.advance(*scene, elapsedSeconds);

@@ -46,8 +46,6 @@ def arrow(d, corners, words="", color=GREY):
 
 
 def flow(d, levels):
-    openings, per_opening = constant("kOpenings"), constant("kAttemptsOfOpening")
-    per_way = constant("kAttemptsOfResumption")
     close, steep = 2 * constant("kShortDetours"), 2 * constant("kDetours")
     refusals = constant("kRefusalsBeforeDetach")
     d.text((28, 40), "What a step tries, one after the other, until one try succeeds", INK, size=17,
@@ -56,7 +54,7 @@ def flow(d, levels):
     d.text((36, 85), "Climb the retry ladder", BLUE, weight="bold")
     box(d, 36, 98, 302, "older slits along the way\nseen slightly open", BLUE, "#ffffff", f"{levels} tries")
     box(d, 36, 186, 302, "seen open by more, and\nwith what the transit divided", BLUE, "#ffffff",
-        f"{openings} × {per_opening} tries")
+        "1 try")
     box(d, 36, 274, 302, "older slits as they are\nfrom now on, in this transit", BLUE, "#ffffff",
         f"{levels} tries")
     arrow(d, [(120, 150), (120, 184)], "all fail, a slit is seen open")
@@ -65,13 +63,10 @@ def flow(d, levels):
     d.box(402, 62, 330, 278, mixed(ORANGE, "#ffffff", 0.95), mixed(ORANGE, "#ffffff", 0.6), 12)
     d.text((416, 85), "Resume behind the front", ORANGE, weight="bold")
     box(d, 416, 98, 302, "beside the old walls\nmust cross them all along", ORANGE, "#ffffff",
-        f"{close} × {per_way} tries")
-    box(d, 416, 186, 302, "steeply to the blade\nmust cross them all along", ORANGE, "#ffffff",
-        f"{steep} × {per_way} tries")
-    box(d, 416, 274, 302, "steeply, unproven\na bridge may stay", ORANGE, "#ffffff",
-        f"{steep} × {per_way} tries")
-    arrow(d, [(500, 150), (500, 184)], "all fail")
-    arrow(d, [(500, 238), (500, 272)], "all fail")
+        f"{close} tries")
+    box(d, 416, 274, 302, "steeply to the blade\na bridge may stay", ORANGE, "#ffffff",
+        f"{steep} tries")
+    arrow(d, [(500, 150), (500, 272)], "all fail")
     d.line([(338, 116), (378, 116)], GREY, 1.8)
     arrow(d, [(338, 300), (378, 300), (378, 116), (414, 116)])
     d.text((384, 216), "all fail", GREY, "middle", 13, halo=True)
@@ -93,45 +88,40 @@ def flow(d, levels):
         d.text((44, 371 + 21 * i), note, GREY, size=13.5)
 
 
-def table(d, levels, fixed):
-    top, left, step, row = 494, 222, 31, 25
+def table(d, levels):
+    top, left, step, row = 494, 222, 62, 25
     d.text((28, 462), "The levels of the ladder", INK, size=17, weight="bold")
     d.text((28, 482), "each column is one try; what it changes lasts for that try alone", GREY, size=13.5)
     rows = [
         ("skin at the front seen flat", lambda l: l["seenFlat"] > 0, BLUE),
-        ("walls beside the front ignored", lambda l: l["fringe"], BLUE),
         ("blade farther aside", lambda l: l["offset"] > 1, RED),
         ("older slits seen closed", lambda l: l["closed"], ORANGE),
         ("touching vertices taken along", lambda l: l["touching"], ORANGE),
         ("near nodes made one", lambda l: l["tolerance"] > 0, GREY),
-        ("front shaken", lambda l: l["shake"] > 0, GREY),
     ]
     for r, (name, _, _) in enumerate(rows):
         y = top + 22 + r * row
         d.text((left - 12, y + 17), name, INK, "end", 13)
-    for i in range(fixed):
+    for i in range(len(levels)):
         x = left + i * step
         d.text((x + step / 2, top + 14), str(i), GREY, "middle", 12)
         for r, (_, is_on, color) in enumerate(rows):
             on = is_on(levels[i])
-            words = f"×{levels[i]['offset']:g}" if on and r == 2 else ""
+            words = f"×{levels[i]['offset']:g}" if on and r == 1 else ""
             d.box(x + 2, top + 22 + r * row + 2, step - 4, row - 4,
                   mixed(color, "#ffffff", 0.35) if on else FAINT, "none", 4)
             if words:
                 d.text((x + step / 2, top + 22 + r * row + 16), words, "#ffffff", "middle",
                        10.5 if len(words) < 4 else 9.5, "bold")
     d.text((left, top + 22 + len(rows) * row + 20),
-           f"{len(levels) - fixed} more levels draw these settings at random. Only the predicates see them: "
-           "nothing real moves.", GREY, size=13.5)
+           "Only the predicates see them: nothing real moves.", GREY, size=13.5)
 
 
 def main():
     levels = json.load(sys.stdin)["ladder"]
-    ladder = (ROOT / "sim/cut/stroke/ladder.cpp").read_text()
-    random = int(re.search(r"kRandomLevels = (\d+);", ladder)[1])
-    d = Drawing(920, 738, "The retry ladder: what a step of the cut tries")
+    d = Drawing(920, 688, "The retry ladder: what a step of the cut tries")
     flow(d, len(levels))
-    table(d, levels, len(levels) - random)
+    table(d, levels)
     d.save("cut-ladder.svg")
 
 

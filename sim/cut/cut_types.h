@@ -116,7 +116,7 @@ struct CutSettings {
     /// Nodes closer than this share of the mean edge length are one: 1e-9 for doubles, 1e-5 for
     /// floats.
     double tolerance = 1e-5;
-    std::uint64_t seed = 1;  ///< seed of the offsets and of the retries
+    std::uint64_t seed = 1;  ///< seed of the offsets
     /// Whether to remove the slivers that a cut leaves, behind the front after each step and at the
     /// end.
     bool cleanUp = true;

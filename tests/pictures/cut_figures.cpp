@@ -122,7 +122,7 @@ Json stepOf(const SurfaceMesh& mesh, const Cutter& cutter, int stroke, int first
                             kWallEdge,   settings.offset,
                             edgeLengths, settings.seed,
                             stroke,      stroke + 1,
-                            firstVertex, cut::attemptAt(0, settings.tolerance, settings.seed)};
+                            firstVertex, cut::attemptAt(cut::Level::asIs, settings.tolerance)};
     cut::PredicatePositions positions(in);
     return {{"rung", rungOf(rung)},
             {"strip", stripOf(cut::buildStrip(in, positions))},
@@ -158,16 +158,13 @@ Json sceneOf(Scene scene) {
 
 Json ladder() {
     Json levels = Json::array();
-    for (int i = 0; i < cut::attemptCount(); ++i) {
-        const cut::Attempt level = cut::attemptAt(i, 0, 1);
+    for (int i = 0; i < cut::kLevels; ++i) {
+        const cut::Attempt level = cut::attemptAt(static_cast<cut::Level>(i), 0);
         levels.push_back({{"offset", level.offsetScale},
                           {"seenFlat", static_cast<int>(level.seenAt)},
-                          {"fringe", level.ignoreFringe},
                           {"closed", level.closing == cut::kCloseDistance},
                           {"touching", level.touching},
-                          {"tolerance", level.tolerance},
-                          {"shake", level.shake},
-                          {"gap", level.gap}});
+                          {"tolerance", level.tolerance}});
     }
     return levels;
 }

@@ -154,7 +154,7 @@ cut::StepInput StepBench::stepTo(const Blade& to) {
             .stroke = stroke_,
             .transit = transit_,
             .firstVertexOfTransit = firstVertexOfTransit_,
-            .attempt = cut::attemptAt(0, kTolerance, kSeed),
+            .attempt = cut::attemptAt(cut::Level::asIs, kTolerance),
             .body = around,
             .atRest = liesAtRest(mesh)};
 }

@@ -6,7 +6,7 @@
 
 namespace kerf::cut {
 
-/// Reproducible pseudo-random numbers (xorshift64) for the blade's offset and for retries.
+/// Reproducible pseudo-random numbers (xorshift64) for the blade's offset.
 class Jitter {
   public:
     /// Starts the sequence that `seed` decides.

@@ -287,7 +287,7 @@ class Intersector {
         const Attempt& attempt = in_.attempt;
         const bool onSurface = attempt.seenAt != SeenAt::ownPlace;
         const double closing = onSurface ? kCloseDistance : attempt.closing;
-        const double shares = closing + 2 * attempt.shake + attempt.tolerance + attempt.gap;
+        const double shares = closing + 2 * attempt.tolerance;
         return shares * in_.h + in_.opening.reach();
     }
 
@@ -302,8 +302,7 @@ class Intersector {
         putInOrder(corners);
         const int m = in_.broadPhase.entries()[entry].triangle;
         Pair pair{m, strip.index, corners, strip.at, shared};
-        if ((in_.attempt.ignoreFringe && isFringe(m)) || !signMeshCorners(pair) ||
-            !signStripCorners(pair)) {
+        if (!signMeshCorners(pair) || !signStripCorners(pair)) {
             return;
         }
         meshEdgesAgainstStrip(pair);
@@ -368,7 +367,7 @@ class Intersector {
 
     bool onRung(int v) const { return std::ranges::binary_search(rungVertices_, v); }
 
-    /// Vertices of walls near the rung. Few attempts ask.
+    /// Vertices of walls near the rung. Few steps ask.
     const std::set<int>& fringe() {
         if (!fringe_.empty()) {
             return fringe_;

@@ -21,18 +21,20 @@ enum class SeenAt {
     aroundOnSurface,  ///< also the vertices around the front's ends
 };
 
+/// The value of Attempt::closing where older slits are to close, share of h.
+inline constexpr double kCloseDistance = 1.0;
+/// The value of Attempt::closing where only the noise of rounded positions is to go, share of h.
+inline constexpr double kCloseNoise = 1e-4;
+
 /// One level of the retry ladder. Lengths are shares of h.
 struct Attempt {
-    int index = 0;           ///< place in the ladder, 0 for the first try
+    int level = 0;           ///< place in the ladder, 0 for the first try
     double offsetScale = 1;  ///< length of the blade's offset, in units of the setting
     /// Predicates see copies that lie within this of their mean there (commonPosition).
-    double closing = 0;
+    double closing = kCloseNoise;
     SeenAt seenAt = SeenAt::ownPlace;  ///< place at which vertices that slipped are seen
-    bool touching = false;             ///< vertices of other pieces on a front node belong to it
+    bool touching = false;             ///< other vertices on a front node belong to it
     double tolerance = 0;              ///< nodes closer than this are one
-    double shake = 0;                  ///< virtual displacement of the front in the predicates
-    double gap = 0;                    ///< front ends closer than this across a slit are one node
-    bool ignoreFringe = false;         ///< walls next to the front are not cut
 };
 
 /// The part of the blade that goes on, by the parameters of its ends.
@@ -64,10 +66,5 @@ struct StepInput {
     Bounds body{};  ///< what lies outside of this box is in the air; empty where nothing is known
     bool atRest = false;  ///< every vertex lies still where it rests
 };
-
-/// The value of Attempt::closing where older slits are to close, share of h.
-inline constexpr double kCloseDistance = 1.0;
-/// The value of Attempt::closing where only the noise of rounded positions is to go, share of h.
-inline constexpr double kCloseNoise = 1e-4;
 
 }  // namespace kerf::cut

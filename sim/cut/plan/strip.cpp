@@ -16,8 +16,6 @@ namespace {
 constexpr double kNewRungSpacing = 0.45;
 constexpr double kPinnedDistance = 0.05;
 constexpr double kLeastSpacing = 1e-7;
-constexpr double kShakeNoise = 0.3;  // of the shake: what is random of it
-constexpr double kShakeRoom = 0.3;   // of the distance to the next node: as far as an end may move
 constexpr double kOffsetTurn = 0.3;  // of the offset: how much it differs between A and B
 // At rest, a vertex nearer to the skin lies on it; and around the front's ends, vertices within the
 // reach are seen on the surface with them.
@@ -46,12 +44,10 @@ bool joinsPrevious(const StepInput& in, const PredicatePositions& positions, con
         return false;
     }
     const double distance = (seenPosition(positions, node) - strip.nodes.back().position).norm();
-    if (in.rung[i - 1].attached) {
-        return distance < in.attempt.tolerance * in.h;
-    }
-    return distance < in.attempt.gap * in.h ||
-           (areCopies(in.mesh, node.vertex, in.rung[i - 1].vertex) &&
-            distance < in.attempt.closing * in.h);
+    const bool closes =
+        !in.rung[i - 1].attached && areCopies(in.mesh, node.vertex, in.rung[i - 1].vertex);
+    return distance < in.attempt.tolerance * in.h ||
+           (closes && distance < in.attempt.closing * in.h);
 }
 
 void joinPrevious(const StepInput& in, const PredicatePositions& positions, Strip& strip, int i) {
@@ -98,33 +94,6 @@ void placeOldRung(const StepInput& in, const PredicatePositions& positions, Stri
 void pinVertices(const StripNode& node, PredicatePositions& positions) {
     for (const int v : node.vertices) {
         positions.pin(v, node.position);
-    }
-}
-
-// Front ends move outwards along the blade, everything a little at random: a sliver beside the
-// front that has flipped over lets go of it.
-void shakeFront(const StepInput& in, Strip& strip, PredicatePositions& positions) {
-    Jitter jitter(in.seed * 31 + static_cast<std::uint64_t>(in.stroke) * 7 +
-                  static_cast<std::uint64_t>(in.attempt.index) * 7919 +
-                  static_cast<std::uint64_t>(in.mesh.triangleSlots()));
-    const double length = in.attempt.shake * in.h;
-    const Vec3 along = (in.blade.b - in.blade.a).normalized();
-    for (int i = 0; i < strip.oldCount; ++i) {
-        StripNode& node = strip.nodes[i];
-        if (node.vertices.empty()) {
-            continue;
-        }
-        Vec3 move = jitter.direction() * (kShakeNoise * length);
-        const bool before = strip.attachedBefore(i);
-        if (sizeOf(node.vertices) == 1 && before != node.attached) {
-            const int beyond = before ? i + 1 : i - 1;
-            const bool exists = beyond >= 0 && beyond < strip.oldCount;
-            const double room =
-                exists ? (strip.nodes[beyond].position - node.position).norm() : 0.0;
-            move += along * ((before ? 1 : -1) * std::min(length, kShakeRoom * room));
-        }
-        node.position += move;
-        pinVertices(node, positions);
     }
 }
 
@@ -523,9 +492,6 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions,
     }
     if (in.attempt.seenAt != SeenAt::ownPlace) {
         seeFrontOnSurface(in, strip, positions);
-    }
-    if (in.attempt.shake > 0) {
-        shakeFront(in, strip, positions);
     }
     if (in.attempt.touching) {
         joinTouchingVertices(in, strip, positions);

@@ -4,7 +4,6 @@
 #include "sim/cut/stroke/group_step.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -42,12 +41,10 @@ constexpr double kPastOwnStart = 0.3;
 // Of the body at rest: a step that would change its volume by more is not done. The bar is 1e-9 for
 // all pieces together.
 constexpr double kMostVolumeChange = 5e-10;
-// Levels of the retry ladder that are tried for each way to go on after a refusal.
-constexpr int kAttemptsOfResumption = 2;
-// How far older slits are seen open (OpeningInput), and the levels that are tried for each together
-// with what the transit has divided of them.
-constexpr std::array kOpenings{0.1, 0.2, 0.3};
-constexpr int kAttemptsOfOpening = 2;
+// How far older slits are seen open (OpeningInput): at first, and together with what the transit
+// has divided of them.
+constexpr double kOpening = 0.1;
+constexpr double kFartherOpening = 0.2;
 const SlitOpening kNoOpening;
 
 CutResult resultOf(const PlannedStep& step, CommitResult committed) {
@@ -126,7 +123,7 @@ class GroupStep {
         const RungPart& part;
         const BroadPhase& candidates;
         const SlitOpening& opening;
-        int level = 0;              ///< of the retry ladder
+        Level level = Level::asIs;
         std::set<int> mustCross{};  ///< pieces in which it must cross the stroke's walls
     };
 
@@ -241,22 +238,20 @@ class GroupStep {
                                 .past = group_.past.vertices()});
         };
         if (group_.opensSlits) {
-            const SlitOpening first = opened(kOpenings.front(), false);
-            std::optional<CutResult> result = tryLevels(part, candidates, first, attemptCount());
+            const SlitOpening first = opened(kOpening, false);
+            std::optional<CutResult> result = tryLevels(part, candidates, first, kLevels);
             if (result || first.empty()) {
                 return result;
             }
             const std::map<int, Vec3> sides = group_.sides;
-            for (const double opening : kOpenings) {
-                result = tryLevels(part, candidates, opened(opening, true), kAttemptsOfOpening);
-                if (result) {
-                    return result;
-                }
-                group_.sides = sides;
+            result = tryLevels(part, candidates, opened(kFartherOpening, true), 1);
+            if (result) {
+                return result;
             }
+            group_.sides = sides;
             group_.opensSlits = false;
         }
-        return tryLevels(part, candidates, kNoOpening, attemptCount());
+        return tryLevels(part, candidates, kNoOpening, kLevels);
     }
 
     std::optional<CutResult> tryLevels(const RungPart& part, const BroadPhase& candidates,
@@ -277,14 +272,13 @@ class GroupStep {
                               .part = clear,
                               .candidates = candidates,
                               .opening = opening,
-                              .level = i});
+                              .level = static_cast<Level>(i)});
         }
         return result;
     }
 
     /// Lets go of the front, and cuts anew across the walls behind it: close beside them where the
-    /// body surely parts so, and then on to the blade; otherwise steeply, and if need be without
-    /// proof.
+    /// body surely parts so, and then on to the blade; otherwise steeply, without proof.
     std::optional<CutResult> resume(const std::vector<RungNode>& from) {
         if (mayWait()) {
             return std::nullopt;
@@ -296,12 +290,7 @@ class GroupStep {
                 return goOn(std::move(*start));
             }
         }
-        const std::vector<Resumption> steep = resumptions(from, to_, edge);
-        std::optional<CutResult> result;
-        if (!pieces.empty()) {
-            result = startAnew(steep, pieces);
-        }
-        return result ? result : startAnew(steep, {});
+        return startAnew(resumptions(from, to_, edge), {});
     }
 
     std::optional<CutResult> startAnew(const std::vector<Resumption>& ways,
@@ -312,13 +301,11 @@ class GroupStep {
             RungPart start{way.rung, {}, 0, sizeOf(group_.rung)};
             reparametrize(way.blade, body_.h(), start.rung);
             const BroadPhase candidates = findCandidates(way.blade, start.rung);
-            for (int i = 0; i < kAttemptsOfResumption; ++i) {
-                if (auto result =
-                        attempt({way.blade, start, candidates, kNoOpening, i, mustCross})) {
-                    group_.opensSlits = false;
-                    result->statistics.resumed = 1;
-                    return result;
-                }
+            if (auto result =
+                    attempt({way.blade, start, candidates, kNoOpening, Level::asIs, mustCross})) {
+                group_.opensSlits = false;
+                result->statistics.resumed = 1;
+                return result;
             }
             group_ = std::move(before);
         }
@@ -338,6 +325,9 @@ class GroupStep {
     }
 
     std::optional<CutResult> attempt(const Try& one) {
+        if (isLeftOut(one.level)) {
+            return std::nullopt;
+        }
         ++tries_.count;
         try {
             const PlannedStep step = planStep(inputOf(one));
@@ -354,8 +344,6 @@ class GroupStep {
 
     StepInput inputOf(const Try& one) {
         const CutSettings& settings = body_.settings;
-        const std::uint64_t retrySeed =
-            settings.seed * 7 + static_cast<std::uint64_t>(body_.mesh.triangleSlots());
         const double edge = group_.edgeLength;
         const double scale = body_.h() / edge;  // shares that stay shares of h
         Bounds bodyBox = body_.triangles.finder().bounds();
@@ -377,7 +365,7 @@ class GroupStep {
             .transit = group_.transit,
             .firstVertexOfTransit =
                 one.opening.opensPast() ? group_.past.vertices().end : group_.firstVertexOfTransit,
-            .attempt = attemptAt(one.level, settings.tolerance * scale, retrySeed),
+            .attempt = attemptAt(one.level, settings.tolerance * scale),
             .body = bodyBox,
             .atRest = body_.atRest,
         };

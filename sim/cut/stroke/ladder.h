@@ -1,22 +1,40 @@
 #pragma once
 
-#include <cstdint>
-
 #include "sim/cut/plan/step.h"
 
 namespace kerf::cut {
 
-/// The number of levels of the retry ladder: some chosen by measurement, the rest drawn at random.
-int attemptCount();
+/// The levels of the retry ladder, each by what it sees otherwise than the one before. None is
+/// drawn at random; each has a stroke that fails without it (tests/sim/cut/ladder_test.cpp).
+enum class Level {
+    asIs,             ///< the blade and the body as they are
+    frontOnSurface,   ///< the vertices of the front on the skin that they slid over
+    aroundOnSurface,  ///< the skin around its ends too
+    touching,         ///< vertices that touch the front as its own; the blade farther aside
+    crumpled,         ///< near nodes as one, with older slits closed
+    wide,             ///< the same, with the blade farthest aside
+};
+/// The number of levels.
+inline constexpr int kLevels = 6;
 
 /// The largest Attempt::offsetScale of all levels.
 double largestOffsetScale();
 
-/// The level `index` of the ladder. Level 0 takes the blade as it is. Later ones see a front that
-/// slipped where it belongs, widen the blade's offset, close older slits, accept touching vertices
-/// and move the front, all for the predicates alone. `tolerance`: CutSettings::tolerance, as a
-/// share of the edge length around; no level goes below it. `seed` makes the random levels differ
-/// from step to step.
-Attempt attemptAt(int index, double tolerance, std::uint64_t seed);
+/// A try at a level. All that it changes is for the predicates alone. `tolerance`:
+/// CutSettings::tolerance, as a share of the edge length around; no level goes below it.
+Attempt attemptAt(Level level, double tolerance);
+
+/// Leaves out one level in all cutters of this thread while it lives: for tests.
+class WithoutLevel {
+  public:
+    /// Leaves out `level`.
+    explicit WithoutLevel(Level level);
+    ~WithoutLevel();
+    WithoutLevel(const WithoutLevel&) = delete;
+    WithoutLevel& operator=(const WithoutLevel&) = delete;
+};
+
+/// Whether tries at a level are left out (WithoutLevel).
+bool isLeftOut(Level level);
 
 }  // namespace kerf::cut

@@ -43,6 +43,15 @@ double medianEdge(const SurfaceMesh& mesh, SurfaceKind kind, double low, double 
     return median(std::move(lengths));
 }
 
+/// Half about the y axis, away from where it rests.
+SurfaceMesh turned(SurfaceMesh mesh) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3& rest = mesh.restPosition(v);
+        mesh.setPosition(v, {-rest.x(), rest.y(), -rest.z()});
+    }
+    return mesh;
+}
+
 struct Ratios {
     double fine;    ///< median of wall edges over that of the uncut skin's, where the skin is fine
     double coarse;  ///< where it is coarse
@@ -141,6 +150,21 @@ TEST(LocalEdgeLength, WallsOfAGradedBodyAreAsFineAsTheSkinBeside) {
             EXPECT_LT(local.coarse, 2.0) << bodyName << ", " << c.name;
             EXPECT_GT(local.coarse, 1.6 * before.coarse) << bodyName << ", " << c.name;
         }
+    }
+}
+
+// Edge lengths are those of the place at rest, which for new points of a wall is a guess.
+TEST(LocalEdgeLength, SoTheyAreWhereItHasTurned) {
+    const Vec3 center(0.003, 0.002, 0.011);
+    const SurfaceMesh body = turned(test::gradedSphere());
+    for (const int steps : {2, 240}) {
+        const Ratios ratios = ratiosAfter(
+            body, test::straightStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, steps),
+            test::exactSettings());
+        EXPECT_GT(ratios.fine, 0.5) << steps;
+        EXPECT_LT(ratios.fine, 2.0) << steps;
+        EXPECT_GT(ratios.coarse, 0.4) << steps;
+        EXPECT_LT(ratios.coarse, 2.0) << steps;
     }
 }
 

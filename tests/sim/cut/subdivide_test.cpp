@@ -211,6 +211,39 @@ TEST_F(SubdivideAFace, WithoutCurvesThereIsNothingToDivide) {
     EXPECT_TRUE(result.replaced.empty());
 }
 
+/// At another of the corners of kFace.
+SurfaceMesh tetrahedronWhoseFaceBegins(int corner) {
+    const SurfaceMesh mesh = test::unitTetrahedron();
+    std::vector<Vec3> positions;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        positions.push_back(mesh.position(v));
+    }
+    std::vector<Triangle> triangles;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        triangles.push_back(mesh.triangle(t));
+    }
+    std::ranges::rotate(triangles[kFace], triangles[kFace].begin() + corner);
+    return SurfaceMesh::fromTriangles(positions, triangles);
+}
+
+// A curve parallel to a side of an equilateral face leaves four points on one circle: which of two
+// diagonals they get is a matter of order, which both walls of a slit must have in common.
+TEST(Subdivide, WhereAFaceBeginsDecidesNothing) {
+    const Triangle corners{1, 2, 3};
+    for (int apex = 0; apex < 3; ++apex) {
+        std::set<Directed> found;
+        for (int first = 0; first < 3; ++first) {
+            const SurfaceMesh mesh = tetrahedronWhoseFaceBegins(first);
+            DrawnCurves drawn(mesh);
+            const int u = corners[apex];
+            drawn.segment(kFace, drawn.onEdge(u, corners[(apex + 1) % 3], 0.5, 0),
+                          drawn.onEdge(u, corners[(apex + 2) % 3], 0.5, 0), 0);
+            found.insert(edgesOf(partsOf(subdivide(mesh, drawn.curves, kClose), kFace)));
+        }
+        EXPECT_EQ(found.size(), 1U) << "apex " << corners[apex];
+    }
+}
+
 class SubdivideRefuses : public SubdivideAFace {
   protected:
     std::string reason() const {

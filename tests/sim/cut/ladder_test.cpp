@@ -1,0 +1,87 @@
+#include "sim/cut/stroke/ladder.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/cut_fuzz.h"
+
+namespace kerf::cut {
+namespace {
+
+/// What a stroke is judged by.
+struct Outcome {
+    int refused = 0;
+    int cutAnew = 0;
+    int slitEnds = 0;
+    bool operator==(const Outcome&) const = default;
+};
+
+/// A seed of the fuzz, whatever its positions are kept in.
+Outcome played(std::uint64_t seed) {
+    test::FuzzReport report;
+    test::fuzzOnce(seed, report);
+    Outcome outcome;
+    for (const test::FuzzSetting setting : test::kFuzzSettings) {
+        const test::FuzzFigures figures = report.total(setting);
+        EXPECT_EQ(figures.invalid, 0);
+        outcome.refused += figures.refused;
+        outcome.cutAnew += figures.resumed;
+        outcome.slitEnds += figures.slitEnds;
+    }
+    return outcome;
+}
+
+Outcome playedWithout(Level level, std::uint64_t seed) {
+    const WithoutLevel without(level);
+    return played(seed);
+}
+
+/// The stroke comes through, and without the level its front is let go or ends inside the body.
+void expectNeeded(Level level, std::uint64_t seed) {
+    EXPECT_EQ(played(seed), Outcome{});
+    EXPECT_NE(playedWithout(level, seed), Outcome{});
+}
+
+// What is cut anew has no front, and is tried as it is alone.
+TEST(Ladder, WithoutTheBodyAsItIsNothingIsCutAnew) {
+    EXPECT_EQ(played(400805).refused, 0);
+    EXPECT_GT(playedWithout(Level::asIs, 400805).refused, 0);
+}
+
+TEST(Ladder, AStrokeNeedsItsFrontSeenOnTheSurface) {
+    expectNeeded(Level::frontOnSurface, 400154);
+}
+
+TEST(Ladder, AStrokeNeedsWhatSurroundsItSeenOnTheSurface) {
+    expectNeeded(Level::aroundOnSurface, 406583);
+}
+
+TEST(Ladder, AStrokeAlongAnOlderSlitNeedsTouchingVertices) {
+    expectNeeded(Level::touching, 406492);
+}
+
+TEST(Ladder, AStrokeThroughACrumpledSlitNeedsNearNodesAsOne) {
+    expectNeeded(Level::crumpled, 405745);
+}
+
+TEST(Ladder, AStrokeNeedsTheBladeFarAside) {
+    expectNeeded(Level::wide, 406340);
+}
+
+TEST(Ladder, OnlyTheFirstLevelSeesAllAsItIs) {
+    const Attempt first = attemptAt(Level::asIs, 1e-5);
+    EXPECT_EQ(first.offsetScale, 1);
+    EXPECT_EQ(first.closing, kCloseNoise);
+    EXPECT_EQ(first.seenAt, SeenAt::ownPlace);
+    EXPECT_FALSE(first.touching);
+    EXPECT_EQ(first.tolerance, 1e-5);
+    for (int i = 1; i < kLevels; ++i) {
+        const Attempt level = attemptAt(static_cast<Level>(i), 1e-5);
+        EXPECT_EQ(level.level, i);
+        EXPECT_TRUE(level.seenAt != SeenAt::ownPlace || level.touching) << "level " << i;
+        EXPECT_LE(level.offsetScale, largestOffsetScale());
+        EXPECT_GE(level.tolerance, 1e-5);
+    }
+}
+
+}  // namespace
+}  // namespace kerf::cut
