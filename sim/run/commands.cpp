@@ -47,6 +47,7 @@ std::string Simulation::State::carryOut(const SetParam& set) {
     if (after != before) {
         log.touch();
         input.paramsChanged = true;
+        body.memory.mayCollapse = true;
         log.noteParam(set.name, before, after, set.continues, output.clock.time);
     }
     return "";

@@ -10,8 +10,6 @@ namespace kerf {
 
 namespace {
 
-// A piece of which more than this share is inside out has collapsed.
-constexpr double kCollapsed = 0.03;
 constexpr double kRate = 6;        // at which the ways to the goal shrink [1/s]
 constexpr double kLongest = 1.25;  // for which a piece is drawn [s]
 constexpr double kBack = 0.01;     // RMS way, as a share of the radius, at which a piece is back
@@ -71,7 +69,7 @@ int ShapeRecovery::begin(std::span<const double> insideOut) {
     courses_.resize(insideOut.size());
     int begun = 0;
     for (std::size_t p = 0; p < courses_.size(); ++p) {
-        if (insideOut[p] > kCollapsed && !courses_[p].spent) {
+        if (insideOut[p] > kMostInsideOut && !courses_[p].spent) {
             courses_[p] = {.draws = true, .spent = true, .motion = {}};
             ++begun;
         }

@@ -20,6 +20,10 @@ namespace kerf {
 /// again before somebody has acted.
 class ShapeRecovery {
   public:
+    /// A piece of which a larger share is inside out has collapsed. An arm that is dragged through
+    /// its body stays below.
+    static constexpr double kMostInsideOut = 0.1;
+
     /// Begins to draw the collapsed ones of the pieces back. `insideOut`: see sharesInsideOut().
     /// Returns how many these are.
     int begin(std::span<const double> insideOut);

@@ -142,6 +142,7 @@ void Simulation::State::lookAfterShape() {
     const bool keeps = keepsShape(input.params);
     if (!keeps) {
         body.memory.recovery.stop();
+        body.memory.mayCollapse = true;
     }
     int& foldedSteps = body.memory.foldedSteps;
     if (body.cutter->inStroke()) {
@@ -153,7 +154,10 @@ void Simulation::State::lookAfterShape() {
         return;
     }
     foldedSteps = 0;
-    const std::vector<double> insideOut = sharesInsideOut(body.model(), body.mesh);
+    std::vector<double> insideOut(body.model().pieces.size(), 0);
+    if (body.memory.mayCollapse) {
+        insideOut = sharesInsideOut(body.model(), body.mesh);
+    }
     if (keeps) {
         drawCollapsedBack(insideOut);
     }

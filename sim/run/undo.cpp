@@ -36,6 +36,7 @@ void Simulation::State::apply(const UndoEntry::ParamChange& change, bool forward
     log.touch();
     setParam(input.params, change.param, forward ? change.after : change.before);
     input.paramsChanged = true;
+    body.memory.mayCollapse = true;
 }
 
 void Simulation::State::apply(const UndoEntry::PinChange& change, bool forward) {
