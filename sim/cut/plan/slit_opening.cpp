@@ -187,11 +187,22 @@ class Opening {
         return vertices;
     }
 
+    /// Walls that are past may lie where nobody has looked in this step.
+    void bringAround(int v) const {
+        if (mesh_.isOld(v) && mesh_.outgoing(v) >= 0) {
+            std::vector<int> ring{v};
+            mesh_.forEachOutgoing(
+                v, [&](int h) { ring.push_back(mesh_.triangle(h / 3)[(h % 3 + 1) % 3]); });
+            mesh_.bring(ring);
+        }
+    }
+
     const Place& placeOf(int v) {
         const auto known = places_.find(v);
         if (known != places_.end()) {
             return known->second;
         }
+        bringAround(v);
         const Vec3& p = mesh_.position(v);
         Place place{1e300, Vec3::Zero()};
         double least = 1e300;

@@ -131,6 +131,7 @@ class GroupStep {
     /// step that ended there would lead part of the front past it and leave the rest before it.
     bool isAtOwnStart() const {
         const std::span<const int> start = group_.past.startVertices();
+        body_.mesh.bring(start);
         const Vec3 along = (to_.b - to_.a).normalized();
         const auto near = std::ranges::count_if(start, [&](int v) {
             const Vec3 way = body_.mesh.position(v) - to_.a;

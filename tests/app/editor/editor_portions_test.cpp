@@ -92,10 +92,10 @@ TEST_F(EditorPortionsTest, AStepOfALargeBodyTakesSeveralPicturesThatHeedThePoint
     frames(1);
     const int before = editor->scene()->simulation().stepCount();
     const Vec3 axis = editor->panels().axes.axes[0];
-    moveTo(100, 200);
+    moveTo(kWidth / 2.0, kHeight / 2.0);
     press(true, Button::right);
     for (int i = 1; i <= 10; ++i) {
-        moveTo(100.0 + 30 * i, 200);
+        moveTo(kWidth / 2.0 + 5 * i, kHeight / 2.0);
         frames(1);
     }
     press(false, Button::right);
