@@ -134,9 +134,11 @@ class GroupStep {
         body_.mesh.bring(start);
         const Vec3 along = (to_.b - to_.a).normalized();
         const auto near = std::ranges::count_if(start, [&](int v) {
+            if (body_.mesh.outgoing(v) < 0) {
+                return false;
+            }
             const Vec3 way = body_.mesh.position(v) - to_.a;
-            return body_.mesh.outgoing(v) >= 0 &&
-                   (way - along * along.dot(way)).norm() < kAtOwnStart * group_.edgeLength;
+            return (way - along * along.dot(way)).norm() < kAtOwnStart * group_.edgeLength;
         });
         return 2 * near > sizeOf(start);
     }
