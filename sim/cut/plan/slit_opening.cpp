@@ -189,7 +189,7 @@ class Opening {
 
     /// Walls that are past may lie where nobody has looked in this step.
     void bringAround(int v) const {
-        if (mesh_.isOld(v) && mesh_.outgoing(v) >= 0) {
+        if (mesh_.isOld(v)) {
             std::vector<int> ring{v};
             mesh_.forEachOutgoing(
                 v, [&](int h) { ring.push_back(mesh_.triangle(h / 3)[(h % 3 + 1) % 3]); });
@@ -201,6 +201,9 @@ class Opening {
         const auto known = places_.find(v);
         if (known != places_.end()) {
             return known->second;
+        }
+        if (mesh_.outgoing(v) < 0) {
+            return places_.emplace(v, Place{1e300, Vec3::Zero()}).first->second;  // gone
         }
         bringAround(v);
         const Vec3& p = mesh_.position(v);
