@@ -279,6 +279,8 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
 }
 
 TEST_F(InterfaceTest, ThemeAndSizeAreChosen) {
+    clickOn("section.simulation");  // folded, so that all of the last section is seen
+    update({});
     clickOn("section.window");
     update({});
     clickOn("window.light");
