@@ -152,12 +152,13 @@ void Editor::State::advance(double elapsedSeconds) {
 void Editor::State::beginSteps() {
     EditorScene& s = *scene;
     if (!s.running()) {
-        clock.measure(false);
+        clock.stop();
         return;
     }
     view.display.join();
     s.timeRunsWhileCutting = panels.settings.now.timeRunsWhileCutting;
-    const int due = s.playing || s.pulling() ? clock.takeDue(s.simulation().params().timeStep) : 0;
+    const int passed = clock.takeDue(s.simulation().params().timeStep);
+    const int due = s.playing || s.pulling() ? passed : 0;
     const int needed = s.strokeSteps();
     const int most = std::max(due, std::min(s.seekSteps(), kMostSeekSteps));
     scene.begin(SceneWork::steps,
@@ -184,7 +185,7 @@ void Editor::State::goOn() {
     }
     showMessages();
     redraw.steps();
-    if (const std::optional<double> seconds = steps ? clock.measure(true) : std::nullopt) {
+    if (const std::optional<double> seconds = steps ? clock.measure() : std::nullopt) {
         scene->recordPicture(*seconds, renderMs);
         experiments.note(*scene);
     }
