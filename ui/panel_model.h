@@ -96,6 +96,7 @@ struct WorkState {
     double seconds = 0;
     /// What is done of it, 0 to 1; none where that is not known.
     std::optional<double> share = std::nullopt;
+    bool mayEnd = true;  ///< before it is done, if the person wishes
 };
 
 /// A choice that a person has to make before anything else; none where the text is empty.

@@ -74,7 +74,10 @@ ui::WorkState Editor::State::sceneWork() const {
                 left * perStep, static_cast<double>(cut.done) / static_cast<double>(cut.poses)};
     }
     if (scene.isAt(SceneWork::change) && scene.seconds() > kQuietSeconds) {
-        return {"Changing the body", "Waiting", scene.seconds()};
+        return {.title = "Changing the body",
+                .stage = "Waiting",
+                .seconds = scene.seconds(),
+                .mayEnd = false};
     }
     if (scene.isAt(SceneWork::steps) && perStep > kQuietSeconds) {
         return {fmt::format("A step takes {:.1f} s", perStep), "Computing", scene.seconds(),

@@ -4,6 +4,7 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -345,6 +346,17 @@ TEST_F(InterfaceTest, TheTimeLineTakesTheWholeWidthBelowTheView) {
     EXPECT_NEAR(strip.x, bar.x, 1);
     EXPECT_NEAR(strip.width, bar.width, 1);
     EXPECT_LE(strip.y + strip.height, bar.y + 1);
+}
+
+TEST_F(InterfaceTest, WorkIsGivenUpOnlyWhereItMayEnd) {
+    model.work = {.title = "Opening ball.ply", .stage = "Reading", .seconds = 1};
+    update({});
+    clickOn("work.cancel");
+    EXPECT_TRUE(std::ranges::any_of(
+        others, [](const Action& a) { return std::holds_alternative<CancelWork>(a); }));
+    model.work.mayEnd = false;
+    update({});
+    EXPECT_FALSE(interface->itemRects().contains("work.cancel"));
 }
 
 TEST_F(InterfaceTest, APopupOpensBelowItsButton) {
