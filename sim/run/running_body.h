@@ -60,8 +60,8 @@ struct RunningBody {
     void readAllBack(bool all);
 
     const BodyModel& model() const { return updater->model(); }
-    /// Tells whether a piece may have gone through itself, as far as the last measure shows: some
-    /// edge is folded, or a piece holds little of its volume.
+    /// Whether a piece may have gone through itself, as far as the last measure shows: some edge is
+    /// folded, or a piece holds little of its volume.
     bool looksCollapsed() const;
     /// Tells whether walls of a stroke of the open course are absent.
     bool isOpen() const;
