@@ -51,10 +51,12 @@ struct ChangeList {
     std::size_t budget = 0;  ///< [bytes]
 };
 
-/// The session that is played.
+/// The course on the time line: the session that is played, or what was done so far.
 struct PlaybackState {
     int step = 0;
-    int steps = 0;  ///< 0 while none is
+    int steps = 0;
+    bool goesBack = false;  ///< whether earlier steps are kept
+    bool played = false;    ///< not the present: events are to come by themselves
     bool loop = false;
     std::optional<int> divergedAt;  ///< the first step that came out differently
 };

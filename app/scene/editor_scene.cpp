@@ -18,6 +18,7 @@ constexpr std::size_t kUndoBudget = 512'000'000;  // [bytes]
 constexpr int kPersonsHand = 0;                   // its number among the hands
 constexpr int kCheckEvery = 50;                   // steps of a recording
 constexpr int kPiecesEvery = 10;                  // steps between two looks at the pieces' volumes
+constexpr int kKeyframes = 48;                    // over a session that was opened
 constexpr int kMostLiveTriangles = 20'000;        // of a body that follows a drag of its placement
 
 bool takesBodyElsewhere(const Command& command) {
@@ -77,10 +78,12 @@ void EditorScene::startAnew() {
 void EditorScene::beginPlayback() {
     const bool loop = playback_ && playback_->loop;
     playback_.reset();
+    keyframes_ = Keyframes();
     journal_.restart();
     if (!document_.session.events.empty()) {
-        playback_.emplace(document_.session).loop = loop;
+        playback_.emplace(document_.session, SessionPlayback::Of::session).loop = loop;
         playback_->extendTo(journal_.lastStep());
+        keyframes_ = Keyframes(std::max(1, document_.session.steps / kKeyframes));
     }
 }
 
@@ -92,7 +95,7 @@ std::string EditorScene::perform(const Command& command) {
     if (problem.empty()) {
         const int step = simulation_.stepCount();
         if (playback_) {
-            playback_->changedAt(step, journal_.commandsDone());
+            keyframes_.changedAt(step, journal_.commandsDone(step));
             playback_->extendTo(step);
         }
         journal_.note(step, command);
@@ -214,7 +217,12 @@ void EditorScene::takeBlade() {
     if (!playback_) {
         return;
     }
-    journal_.takeOver(simulation_.stepCount(), movesOnTheirWay());
+    const int step = simulation_.stepCount();
+    if (journal_.takeOver(step, movesOnTheirWay()) > 0 && playback_->isPast()) {
+        messages_.push_back("What was done after step " + std::to_string(step) +
+                            " is left out: another way goes on from here.");
+    }
+    keyframes_.changedAt(step, journal_.commandsDone(step));
     playback_.reset();
     seekTarget_.reset();
     releaseAllHands();
@@ -247,10 +255,15 @@ void EditorScene::reset() {
         return;
     }
     playing = false;
+    takeBlade();
     letGo();
     stroke_.clear();
     runner_.setStrokePoses({});
     perform(Restart{});
+    countFromHere();
+}
+
+void EditorScene::countFromHere() {
     start_ = {simulation_.stepCount(), simulation_.report().time};
     readings_.clear();
     volumes_ = {};
@@ -333,6 +346,9 @@ void EditorScene::play(JournalEntry& entry) {
         std::string problem = simulation_.execute(*command);
         entry.failed = !problem.empty();
         tell(std::move(problem));
+        if (std::holds_alternative<Restart>(*command) && playback_->isPast()) {
+            countFromHere();
+        }
     } else if (const auto* check = std::get_if<CheckEvent>(&action)) {
         const CheckDifference difference = runner_.compare(*check);
         if (entry.doubtful) {
@@ -345,27 +361,52 @@ void EditorScene::play(JournalEntry& entry) {
 
 void EditorScene::keepKeyframe() {
     const int step = simulation_.stepCount();
-    if (playback_ && playback_->wantsKeyframe(step)) {
-        playback_->keep(step,
-                        {simulation_.moment(), journal_.commandsDone(), runner_.strokePoses()},
-                        snapshotBytes(simulation_.mesh()));
+    const std::size_t bytes = snapshotBytes(simulation_.mesh());
+    if (keyframes_.wants(step, bytes)) {
+        keyframes_.keep(
+            step,
+            {simulation_.moment(), journal_.commandsDone(step), runner_.strokePoses(), start_},
+            bytes);
     }
 }
 
 void EditorScene::seek(int step) {
+    if (!playback_ && goesBack(step)) {
+        playPast();
+    }
     if (!playback_) {
         return;
     }
     step = std::clamp(step, 0, playback_->steps());
-    const int from = playback_->keyframeStepBefore(step);
+    const int from = keyframes_.stepBefore(step);
     const int now = simulation_.stepCount();
     if (from >= 0 && (step < now || from > now)) {
-        goTo(from, *playback_->keyframeBefore(step));
+        goTo(from, *keyframes_.before(step));
     }
     seekTarget_ = step;
 }
 
+bool EditorScene::goesBack(int step) const {
+    return step < simulation_.stepCount() && keyframes_.stepBefore(step) >= 0;
+}
+
+/// What was done since the start is a session that can be played, too.
+void EditorScene::playPast() {
+    playing = false;
+    letGo();
+    stroke_.clear();
+    if (simulation_.blade()) {
+        perform(LiftBlade{});
+    }
+    Session past = sessionAsSaved(document_.session, journal_).session;
+    past.steps = simulation_.stepCount();
+    playback_.emplace(std::move(past), SessionPlayback::Of::past);
+}
+
 void EditorScene::goTo(int step, const Keyframe& keyframe) {
+    if (std::exchange(start_, keyframe.start).step != keyframe.start.step) {
+        readings_.clear();
+    }
     simulation_.goTo(keyframe.moment);
     followPlacement();
     journal_.goTo(step, keyframe.commandsDone);
@@ -407,6 +448,15 @@ void EditorScene::atEndOfSession() {
         seekTarget_.reset();
     } else {
         playing = false;
+        endPast();
+    }
+}
+
+/// The present is reached again.
+void EditorScene::endPast() {
+    if (playback_->isPast()) {
+        playback_.reset();
+        seekTarget_.reset();
     }
 }
 
@@ -627,9 +677,14 @@ void EditorScene::describeMarks(ui::PanelModel& model) {
 }
 
 void EditorScene::describePlayback(ui::PlaybackState& state) const {
+    state.step = simulation_.stepCount();
+    state.steps = state.step;
+    state.goesBack = playback_ || goesBack(state.step - 1);
     if (playback_) {
-        state = {simulation_.stepCount(), playback_->steps(), playback_->loop,
-                 playback_->divergedAt()};
+        state.steps = playback_->steps();
+        state.played = true;
+        state.loop = playback_->loop;
+        state.divergedAt = playback_->divergedAt();
     }
 }
 

@@ -8,6 +8,7 @@
 #include "app/scene/editor_document.h"
 #include "app/scene/editor_readings.h"
 #include "app/scene/editor_stroke.h"
+#include "app/scene/keyframes.h"
 #include "app/scene/saved_session.h"
 #include "app/scene/session_journal.h"
 #include "app/scene/session_playback.h"
@@ -76,13 +77,15 @@ class EditorScene {
     /// cuts where it was aimed, and costs no more than the cut.
     bool timeRunsWhileCutting = false;
 
-    // The session that is played.
+    // The course: the session that is played, or what was done since the start.
     bool playing = false;
     /// Whether steps are due: time runs, or a stroke or a seek is under way.
     bool running() const;
     /// Tells whether events of the session are still to come.
     bool playingBack() const;
     /// Goes to a step of it, at once where it is a keyframe; otherwise seekSteps() are left to do.
+    /// What was done after a step that lies back plays again from there, until a person takes
+    /// blade or body in hand: then it is left out.
     void seek(int step);
     int seekSteps() const;
     void stopSeeking() { seekTarget_.reset(); }
@@ -163,6 +166,10 @@ class EditorScene {
     void tell(std::string message);
     void keepKeyframe();
     void goTo(int step, const Keyframe& keyframe);
+    bool goesBack(int step) const;
+    void playPast();
+    void endPast();
+    void countFromHere();
     void beginPlayback();
     void wrapPlayback();
     void atEndOfSession();
@@ -190,7 +197,9 @@ class EditorScene {
     std::shared_ptr<const UncutBody> uncut_ = simulation_.uncut();  ///< that these tell of
     int placementRevision_ = 0;
     SessionRunner runner_{simulation_};
-    std::optional<SessionPlayback> playback_;  ///< of a session with events, until a person cuts
+    /// Of a session with events, or of the past, until a person cuts.
+    std::optional<SessionPlayback> playback_;
+    Keyframes keyframes_;
     std::optional<int> seekTarget_;
     BladeStroke stroke_;
     std::vector<SetParam> choices_;  ///< of a person, one per name; a played session keeps them
@@ -200,11 +209,7 @@ class EditorScene {
     std::optional<render::Camera> chosenView_;
     bool recording_ = false;
     bool recorded_ = false;  ///< the document was begun anew by a recording
-    /// The last restart: what the panels count from.
-    struct Start {
-        int step = 0;
-        double time = 0;  ///< [s]
-    } start_;
+    CountStart start_;
     SurfaceLook look_;
     EditorReadings readings_;
     VolumeWatch volumes_;

@@ -94,7 +94,7 @@ TEST_F(InterfaceTest, PanelsOwnThePointerOnlyOverThemselves) {
     }
     model.hint.text = "Drag across the model to cut it.";
     model.toast = "Saved.";
-    for (const double y : {2.0, 60.0, 360.0, 660.0}) {
+    for (const double y : {2.0, 60.0, 360.0, 640.0}) {
         moveTo(kWidth / 2.0, y);
         EXPECT_FALSE(interface->ownsPointer()) << y;
     }

@@ -168,6 +168,11 @@ class EditorStormTest : public EditorTest {
         editor->post(ui::KeyChange{Key::escape, true, {}});
         editor->post(ui::KeyChange{Key::escape, false, {}});
     }
+    void goBack() {
+        if (const auto at = someItem("scrubber")) {
+            drag(*at, *someItem("scrubber"), 2);
+        }
+    }
     void loseFocus() { editor->post(ui::FocusLost{}); }
 
     struct Act {
@@ -190,6 +195,7 @@ class EditorStormTest : public EditorTest {
         {"size", &EditorStormTest::size, 2},
         {"scale", &EditorStormTest::displayScale, 1},
         {"drop", &EditorStormTest::drop, 1},
+        {"go back", &EditorStormTest::goBack, 3},
         {"lose focus", &EditorStormTest::loseFocus, 1},
     };
 
