@@ -46,7 +46,7 @@ void resetState() {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    for (GLuint unit = 0; unit < 3; ++unit) {
+    for (GLuint unit = 0; unit < 4; ++unit) {
         glBindSampler(unit, 0);
     }
 }

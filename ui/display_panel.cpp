@@ -65,6 +65,22 @@ bool chooseColor(const char* label, std::optional<Vec3>& chosen, const Vec3& own
     return changed;
 }
 
+/// Where the colours of the skin come from, for models that have some.
+bool chooseSource(const PanelModel& model, render::ChosenColors& colors) {
+    if (!model.hasOwnColors) {
+        return false;
+    }
+    bool own = colors.showOwn();
+    const bool changed = ImGui::Checkbox("The model's colours", &own);
+    noteItem("color.own");
+    itemTooltip("Shows the colours and images of the model's file; otherwise the colour above");
+    if (changed) {
+        colors.ofLook = !own;
+        colors.skin = own ? std::nullopt : colors.skin;
+    }
+    return changed;
+}
+
 }  // namespace
 
 void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
@@ -74,6 +90,7 @@ void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::SameLine(ImGui::GetContentRegionAvail().x / 2 + ImGui::GetStyle().WindowPadding.x);
     changed |=
         chooseColor("Flesh", display.colors.flesh, model.ownFlesh, "Colour of the cut faces");
+    changed |= chooseSource(model, display.colors);
     if (changed) {
         actions.emplace_back(SetDisplay{display});
     }

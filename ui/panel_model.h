@@ -146,6 +146,7 @@ struct PanelModel {
     DisplaySettings display;
     Vec3 ownSkin = Vec3::Zero();  ///< colours of the model itself (see DisplaySettings::colors)
     Vec3 ownFlesh = Vec3::Zero();
+    bool hasOwnColors = false;  ///< the model's file has colours or images
     int step = 0;
     double time = 0;  ///< simulated [s]
     int vertices = 0;

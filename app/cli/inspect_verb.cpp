@@ -1,5 +1,7 @@
 #include "app/cli/inspect_verb.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -33,7 +35,11 @@ std::filesystem::path modelFile(const std::filesystem::path& model) {
 Inspection inspect(const std::filesystem::path& file) {
     Inspection inspection;
     try {
-        loadModel(file, &inspection.report);
+        ReadOptions options;
+        options.report = &inspection.report;
+        for (const std::string& remark : readModel(file, options).remarks) {
+            spdlog::warn("{}: {}", file.string(), remark);
+        }
     } catch (const InputError& error) {
         if (inspection.report.triangles == 0) {
             throw;

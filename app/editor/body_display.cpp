@@ -100,7 +100,10 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     render::SceneView view = scene.view();
     view.wireframe = settings.wireframe;
     view.cutLines = settings.cutLines;
-    view.look = render::colored(ownLook(scene), settings.colors);
+    view.look = look(scene);
+    if (!settings.colors.showOwn()) {
+        view.paint.reset();
+    }
     view.pieces = looksOf(bounds);
     if (settings.apart > 0) {
         view.focus = shownBounds(bounds, view.pieces);
@@ -123,6 +126,10 @@ Bounds BodyDisplay::boundsOf(const EditorScene& scene, int piece) const {
     }
     const std::vector<render::PieceLook> looks = looksOf(pieces);
     return looks.empty() ? pieces[index] : shifted(pieces[index], looks[index].shift);
+}
+
+render::BodyLook BodyDisplay::look(const EditorScene& scene) const {
+    return render::colored(ownLook(scene), settings.colors);
 }
 
 /// The look of each piece; empty where all look as always.
@@ -149,6 +156,7 @@ void BodyDisplay::describe(const EditorScene* scene, ui::PanelModel& model) cons
     }
     model.ownSkin = render::toDisplay(ownLook(*scene).skin);
     model.ownFlesh = render::toDisplay(ownLook(*scene).inner);
+    model.hasOwnColors = scene->document().looks.colored();
     model.hoveredPiece = hovered_;
     for (std::size_t p = 0; p < model.pieces.size(); ++p) {
         model.pieces[p].hidden = hidden_.contains(static_cast<int>(p));

@@ -544,7 +544,7 @@ void EditorScene::setView(Session& session, const render::Camera& camera,
         session.view = chosenView_;
     } else if (!keepsView) {
         session.view = camera;
-    } else if (!session.view && (colors.skin || colors.flesh)) {
+    } else if (!session.view && colors != render::ChosenColors{}) {
         session.view = document_.camera;  // the one that it has of itself
     }
     session.colors = colors;
@@ -601,7 +601,10 @@ void EditorScene::recordPicture(double elapsedSeconds, double renderMs) {
 }
 
 render::SceneView EditorScene::view() {
-    return sceneOf(simulation_, lookOf(document_.session), rest_.bounds, runner_.strokePoses());
+    render::SceneView view =
+        sceneOf(simulation_, lookOf(document_.session), rest_.bounds, runner_.strokePoses());
+    view.paint = skin_.paintOf(simulation_);
+    return view;
 }
 
 void EditorScene::refreshPieces() {

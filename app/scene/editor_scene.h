@@ -14,6 +14,7 @@
 #include "app/scene/session_playback.h"
 #include "app/scene/surface_look.h"
 #include "app/session/session_runner.h"
+#include "app/session/skin_follower.h"
 #include "app/session/volume_watch.h"
 #include "render/renderer.h"
 #include "sim/run/simulation.h"
@@ -211,6 +212,7 @@ class EditorScene {
     bool recorded_ = false;  ///< the document was begun anew by a recording
     CountStart start_;
     SurfaceLook look_;
+    SkinFollower skin_{document_.looks};
     EditorReadings readings_;
     VolumeWatch volumes_;
     std::vector<std::string> messages_;

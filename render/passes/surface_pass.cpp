@@ -20,6 +20,10 @@ void bindBody(const BodyView& body, const gpu::Buffer& normals) {
     normals.bindStorage(shared::kBindNormals);
 }
 
+void drawTriangles(std::uint32_t first, std::uint32_t count) {
+    glDrawArrays(GL_TRIANGLES, GLint(3 * first), GLsizei(3 * count));
+}
+
 gpu::Program program(gpu::Defines defines, const gpu::Defines& own) {
     defines.insert(defines.end(), own.begin(), own.end());
     return gpu::Program::graphics("render/surface.vert", "render/surface.frag", defines);
@@ -28,7 +32,8 @@ gpu::Program program(gpu::Defines defines, const gpu::Defines& own) {
 }  // namespace
 
 SurfacePass::SurfacePass(const gpu::Defines& defines)
-    : skins_{program(defines, {}), program(defines, {{"SPOTS", "1"}})},
+    : defines_(defines),
+      skins_{program(defines, {}), program(defines, {{"SPOTS", "1"}})},
       walls_{program(defines, {{"WALLS", "1"}, {"PATTERN", "0"}}),
              program(defines, {{"WALLS", "1"}, {"PATTERN", "1"}}),
              program(defines, {{"WALLS", "1"}, {"PATTERN", "2"}})} {}
@@ -54,22 +59,60 @@ void SurfacePass::setLook(const gpu::Program& program, const SceneView& scene) c
     program.set("fieldScale", depth_.scale());
 }
 
-void SurfacePass::draw(const SceneView& scene, const Frame& frame,
-                       const gpu::Buffer& normals) const {
+void SurfacePass::draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) {
     depth_.bind(shared::kUnitDepthField);
     bindBody(scene.body, normals);
-    const gpu::Program& skin = skins_[scene.look.spots > 0 ? 1 : 0];
-    skin.use();
-    skin.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
-    skin.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
-    drawKind(skin, scene, frame);
+    drawSkin(scene, frame);
     if (scene.hasWalls) {
-        drawKind(walls_[static_cast<std::size_t>(scene.look.pattern)], scene, frame);
+        prepare(walls_[static_cast<std::size_t>(scene.look.pattern)], scene, frame);
+        drawTriangles(0, scene.body.triangleCount);
     }
 }
 
-void SurfacePass::drawKind(const gpu::Program& program, const SceneView& scene,
-                           const Frame& frame) const {
+/// Programs for models with colours are compiled once there is one.
+const gpu::Program& SurfacePass::skinProgram(const SceneView& scene) {
+    if (scene.paint == nullptr) {
+        return skins_[scene.look.spots > 0 ? 1 : 0];
+    }
+    if (!painted_) {
+        painted_.emplace(program(defines_, {{"OWN_COLOURS", "1"}}));
+    }
+    return *painted_;
+}
+
+void SurfacePass::upload(const std::shared_ptr<const SkinPaint>& paint) {
+    if (paint == paint_) {
+        return;
+    }
+    paintRecords_.assign(paint->records);
+    if (!textures_.areOf(paint->appearance)) {
+        textures_ = SkinTextures(paint->appearance);
+    }
+    paint_ = paint;
+}
+
+void SurfacePass::drawSkin(const SceneView& scene, const Frame& frame) {
+    const gpu::Program& skin = skinProgram(scene);
+    prepare(skin, scene, frame);
+    skin.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
+    skin.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
+    if (scene.paint == nullptr) {
+        drawTriangles(0, scene.body.triangleCount);
+        return;
+    }
+    upload(scene.paint);
+    paintRecords_.bindStorage(shared::kBindSkin);
+    for (const SkinPaint::Range& range : paint_->ranges) {
+        skin.set("hasSkinPicture", range.image >= 0 ? 1.0f : 0.0f);
+        if (range.image >= 0) {
+            textures_.bind(range.image, shared::kUnitSkin);
+        }
+        drawTriangles(range.first, range.count);
+    }
+}
+
+void SurfacePass::prepare(const gpu::Program& program, const SceneView& scene,
+                          const Frame& frame) const {
     program.use();
     setLight(program, frame);
     setLook(program, scene);
@@ -80,7 +123,6 @@ void SurfacePass::drawKind(const gpu::Program& program, const SceneView& scene,
     program.set("hasFloor", scene.floor ? 1.0f : 0.0f);
     program.set("floorHeight", float(scene.floor.value_or(0)));
     program.set("wireframe", scene.wireframe ? 1.0f : 0.0f);
-    glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * scene.body.triangleCount));
 }
 
 }  // namespace kerf::render

@@ -23,10 +23,13 @@ struct BodyLook {
 /// The look of a builtin model by name ("sphere768", "banana", "octopus"); a default for others.
 BodyLook lookFor(const std::string& modelName);
 
-/// Colours that a person chose instead of the model's own, as displays take them (sRGB, 0 to 1).
+/// Colours that a person chose, as displays take them (sRGB, 0 to 1).
 struct ChosenColors {
     std::optional<Vec3> skin;
     std::optional<Vec3> flesh;  ///< of the cut faces
+    bool ofLook = false;        ///< of the skin, even where the model's file has its own
+    /// Whether the skin shows what the model's file has.
+    bool showOwn() const { return !ofLook && !skin; }
     bool operator==(const ChosenColors&) const = default;
 };
 /// The look in these colours; its rind, between skin and flesh, follows them.

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "render/scene/body_look.h"
 #include "render/scene/image.h"
 #include "render/scene/overlays.h"
+#include "render/scene/skin_paint.h"
 #include "sim/base/boxes.h"
 #include "sim/contact/blade_body.h"
 #include "sim/contact/static_box.h"
@@ -33,6 +35,9 @@ struct SceneView {
     std::optional<int> bodyRevision;
     bool hasWalls = true;  ///< the body may have faces of cuts
     BodyLook look;
+    /// The model's own colours, in place of the look's on the skin; null for those of the look.
+    /// They tell of `body` as it is.
+    std::shared_ptr<const SkinPaint> paint;
     Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
     std::vector<StaticBox> boxes;
     std::optional<double> floor;           ///< height of the grid floor [m]

@@ -6,7 +6,7 @@
 #ifdef WALLS
 #include "inner.glsl"
 #else
-#include "skin.glsl"
+#include "skin_colour.glsl"
 #endif
 
 in vec3 worldPosition;
@@ -40,7 +40,7 @@ struct Look {
 #ifdef WALLS
 Look lookOf(vec3 rest) { return Look(innerAlbedo(rest), 0.30, 0.025, 0.42, 0.2, 0.62); }
 #else
-Look lookOf(vec3 rest) { return Look(skinAlbedo(rest), 0.18, 0.045, 0.36, 1.0, 0.16); }
+Look lookOf(vec3 rest) { return Look(skinColour(rest), 0.18, 0.045, 0.36, 1.0, 0.16); }
 #endif
 
 // GGX lobe with the visibility term folded into a constant.

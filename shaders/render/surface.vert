@@ -3,6 +3,22 @@
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
 layout(std430, binding = kBindNormals) readonly buffer Normals { vec4 normals[]; };
 
+#ifdef OWN_COLOURS
+#include "skin_records.h"
+layout(std430, binding = kBindSkin) readonly buffer Skin { SkinRecord skinRecords[]; };
+out vec2 skinUv;
+out vec4 skinTint;
+
+// Tells which triangle of the body is drawn, and paints this corner of it.
+uint paintCorner(int corner) {
+    SkinRecord record = skinRecords[gl_VertexID / 3];
+    SkinCorner at = corner == 0 ? record.first : corner == 1 ? record.second : record.third;
+    skinUv = vec2(at.u, at.v);
+    skinTint = vec4(unpackHalf2x16(at.red_green), unpackHalf2x16(at.blue_own));
+    return record.triangle;
+}
+#endif
+
 #ifdef WALLS
 const uint kKind = 1u;
 #else
@@ -29,8 +45,12 @@ vec3 faceNormal(uvec4 triangle) {
 }
 
 void main() {
-    uvec4 triangle = triangles[gl_VertexID / 3];
     int corner = gl_VertexID % 3;
+#ifdef OWN_COLOURS
+    uvec4 triangle = triangles[paintCorner(corner)];
+#else
+    uvec4 triangle = triangles[gl_VertexID / 3];
+#endif
     uint vertex = triangle[corner];
     worldPosition = positions[vertex].xyz + shiftOfPiece(triangle);
     restPosition = restPositions[vertex].xyz;

@@ -66,6 +66,8 @@ struct RunningBody {
     /// Tells whether walls of a stroke of the open course are absent.
     bool isOpen() const;
     const PieceMap& pieces();
+    /// The solver has the model again after it became another one.
+    void becomeWhole();
 
     // What it was made with, and what it starts anew from. Never null.
     const std::shared_ptr<const UncutBody> first;
@@ -83,6 +85,7 @@ struct RunningBody {
     std::optional<Cutter> cutter;
     BodyMemory memory;
     bool whole = true;        ///< see Simulation::isWhole()
+    int modelRevision = 0;    ///< see Simulation::modelRevision()
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:

@@ -330,6 +330,14 @@ BodyView Simulation::bodyView() const {
     return state_->body.solver.view();
 }
 
+const BodyModel& Simulation::bodyModel() const {
+    return state_->body.model();
+}
+
+int Simulation::modelRevision() const {
+    return state_->body.modelRevision;
+}
+
 ConstraintView Simulation::constraintView() const {
     return state_->body.solver.constraintView();
 }

@@ -97,6 +97,10 @@ class Simulation {
 
     /// The buffers that the renderer draws from; valid until the next step or reset.
     BodyView bodyView() const;
+    /// The model of what bodyView() shows, where isWhole(); valid as that.
+    const BodyModel& bodyModel() const;
+    /// Grows whenever bodyModel() becomes another one.
+    int modelRevision() const;
     /// The buffers that overlays draw from; valid as bodyView().
     ConstraintView constraintView() const;
     /// Box around the body and what each piece holds, as of the last step, without reading anything

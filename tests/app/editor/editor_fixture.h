@@ -28,7 +28,7 @@ inline Document sphereDocument() {
                       .mesh = test::cubeSphere(8, 0.5),
                       .restBounds = {},
                       .camera = {},
-                      .uvs = {},
+                      .looks = {},
                       .note = {}};
     document.session.model.builtin = "sphere768";
     document.session.params.gravity = Vec3::Zero();

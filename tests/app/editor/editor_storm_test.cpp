@@ -328,7 +328,7 @@ class EditorStormTest : public EditorTest {
             EXPECT_EQ(test::placesWrongBySchema({text})[0], std::vector<std::string>{});
         }
         const Session session = readSession(folder / "storm.kerf.json");
-        EXPECT_EQ(replayedHash(session, {document.mesh, document.uvs}), simulation().stateHash());
+        EXPECT_EQ(replayedHash(session, {document.mesh, document.looks}), simulation().stateHash());
     }
 
     void writeFiles() {
