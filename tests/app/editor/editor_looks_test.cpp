@@ -76,7 +76,7 @@ TEST_F(EditorLooksTest, TheLookIsShownInsteadOnDemandAndInTheSession) {
     open("ball.obj");
     ASSERT_TRUE(panels().hasOwnColors);
     ASSERT_TRUE(isGreen(middle()));
-    for (const char* section : {"section.model", "section.tool", "section.simulation"}) {
+    for (const char* section : {"section.model", "section.tools", "section.simulation"}) {
         click(section);  // folded: room for what comes below
     }
     click("section.display");
