@@ -331,7 +331,7 @@ class ExportWriter {
     }
 
     std::string addCompanion(const std::string& wanted, std::string bytes) {
-        const std::string name = freeAmongOurs(wanted, bytes);
+        std::string name = freeAmongOurs(wanted, bytes);
         const std::filesystem::path file = target_.file.parent_path() / name;
         const bool known =
             std::ranges::find(companions_, file, &ExportedFile::file) != companions_.end();
