@@ -10,6 +10,7 @@
 #include "render/passes/blade_pass.h"
 #include "render/passes/box_pass.h"
 #include "render/passes/depth_passes.h"
+#include "render/passes/field_pass.h"
 #include "render/passes/floor_pass.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
@@ -115,6 +116,7 @@ struct Renderer::State {
     void drawShadows(const SceneView& scene, const Frame& frame);
     void drawOverlays(const SceneView& scene, const Frame& frame);
     void drawGround(const SceneView& scene, const Camera& camera, const Frame& frame);
+    void drawBody(const SceneView& scene, const Frame& frame);
     void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
 
     const Quality quality;
@@ -133,6 +135,7 @@ struct Renderer::State {
     SmoothPass smoothing;
     std::optional<ShadowSource> shadowsOf;  ///< what the shadows were drawn of
     std::optional<OverlayPass> overlays;    ///< from the first picture that shows some
+    std::optional<FieldPass> field;         ///< from the first picture that shows a quantity
 };
 
 void Renderer::State::makeTargets(int width, int height) {
@@ -189,6 +192,18 @@ void Renderer::State::drawGround(const SceneView& scene, const Camera& camera, c
     }
 }
 
+void Renderer::State::drawBody(const SceneView& scene, const Frame& frame) {
+    if (scene.field.choice.field == SurfaceField::look) {
+        surface.draw(scene, frame, normals.normals());
+        return;
+    }
+    if (!field) {
+        field.emplace();
+    }
+    field->update(scene);
+    field->draw(scene, frame, normals.normals());
+}
+
 void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, const Frame& frame) {
     drawn.bind();
     glEnable(GL_DEPTH_TEST);
@@ -201,7 +216,7 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     shadow.bind();
     floorShade.bind();
     if (frame.hasBody) {
-        surface.draw(scene, frame, normals.normals());
+        drawBody(scene, frame);
     }
     boxes.draw(frame);
     blade.drawBlade(scene, frame);
@@ -259,6 +274,17 @@ void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int
     state_->drawColors(scene, camera, frame);
     glBindVertexArray(0);
     state_->resolved.bind();
+}
+
+FieldRange Renderer::fieldRange() const {
+    return state_->field ? state_->field->range() : FieldRange{};
+}
+
+std::optional<float> Renderer::fieldAt(int bodyRevision, std::uint32_t vertex, bool onWall) const {
+    if (!state_->field || state_->field->bodyRevision() != bodyRevision) {
+        return std::nullopt;
+    }
+    return state_->field->valueAt(vertex, onWall);
 }
 
 const gpu::Framebuffer& Renderer::target() const {

@@ -64,6 +64,7 @@ enum class ActionId : std::uint8_t {
     showErrors,
     showContacts,
     showBoxes,
+    nextField,
     fineQuality,
     togglePanels,
     holdPlots,
@@ -223,6 +224,10 @@ inline constexpr std::array kActions{
               withBody, draws<&render::Overlays::contacts>},
     ActionRow{ActionId::showBoxes, at(Key::o, kPlain, "O"), "Show boxes around the pieces", "View",
               withBody, draws<&render::Overlays::boxes>},
+    ActionRow{
+        ActionId::nextField, at(Key::j, kPlain, "J"),
+        "Colour by the look, strain, area change, thickness in turn", "View", withBody,
+        [](const PanelModel& m) { return m.display.field.field != render::SurfaceField::look; }},
     ActionRow{ActionId::fineQuality, at(Key::q, kPlain, "Q"),
               "Fine picture: soft shadows, smooth edges", "View", withBody,
               [](const PanelModel& m) { return m.display.quality == render::Quality::full; }},

@@ -3,6 +3,7 @@
 #include "render/renderer.h"
 #include "render/scene/body_look.h"
 #include "render/scene/overlays.h"
+#include "render/scene/surface_field.h"
 
 namespace kerf::ui {
 
@@ -14,6 +15,7 @@ struct DisplaySettings {
     /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
     double apart = 0;
     render::Overlays overlays;
+    render::FieldChoice field;    ///< what its colours show instead of the look
     render::ChosenColors colors;  ///< instead of the model's own
     bool operator==(const DisplaySettings&) const = default;
 };

@@ -10,6 +10,7 @@
 #include "ui/action.h"
 #include "ui/axes_widget.h"
 #include "ui/display_settings.h"
+#include "ui/field_legend.h"
 #include "ui/file_dialog_state.h"
 #include "ui/history.h"
 #include "ui/overlay.h"
@@ -141,6 +142,7 @@ struct PanelModel {
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
     bool helpOpen = false;
     DisplaySettings display;
+    FieldLegend fieldLegend;
     Vec3 ownSkin = Vec3::Zero();  ///< colours of the model itself (see DisplaySettings::colors)
     Vec3 ownFlesh = Vec3::Zero();
     int step = 0;

@@ -100,6 +100,7 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     render::SceneView view = scene.view();
     view.wireframe = settings.wireframe;
     view.cutLines = settings.cutLines;
+    view.field.choice = settings.field;
     view.look = render::colored(ownLook(scene), settings.colors);
     view.pieces = looksOf(bounds);
     if (settings.apart > 0) {

@@ -200,12 +200,16 @@ void Editor::State::showMessages() {
 void Editor::State::drawScene() {
     sincePicture.restart();
     EditorScene* const now = scene.meanwhile();
+    const render::FieldRange range = picture.fieldRange();
     if (now == nullptr || now->simulation().isWhole()) {
         const bool rests =
             now != nullptr && now->running() && clock.byTheClock() && picture.rests();
         picture.draw(now, view, panels.covered(view.width, view.height), redraw.takeScene(!rests));
     } else {
         picture.keep(view);
+    }
+    if (picture.fieldRange() != range) {
+        redraw.panels();  // The legend was drawn before.
     }
 }
 

@@ -197,6 +197,12 @@ void toggleApart(State& s) {
     apart = apart > 0 || s.scene->pieceCount() < 2 ? 0 : kApart;
 }
 
+void takeNextField(State& s) {
+    render::FieldChoice& choice = s.view.display.settings.field;
+    const int next = (static_cast<int>(choice.field) + 1) % render::kSurfaceFields;
+    choice = {static_cast<render::SurfaceField>(next), std::nullopt};
+}
+
 void toggleQuality(State& s) {
     render::Quality& quality = s.view.display.settings.quality;
     quality = quality == render::Quality::full ? render::Quality::light : render::Quality::full;
@@ -278,6 +284,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::showErrors, Needs::scene, toggleOverlay<&Overlays::errors>},
     Handler{ActionId::showContacts, Needs::scene, toggleOverlay<&Overlays::contacts>},
     Handler{ActionId::showBoxes, Needs::scene, toggleOverlay<&Overlays::boxes>},
+    Handler{ActionId::nextField, Needs::scene, takeNextField},
     Handler{ActionId::fineQuality, Needs::scene, toggleQuality},
     Handler{ActionId::togglePanels, Needs::nothing, [](State& s) { s.panels.toggle(); }},
     Handler{ActionId::holdPlots, Needs::nothing, holdPlots},

@@ -45,6 +45,7 @@ void Editor::State::describe(bool withOverlay) {
         }
     }
     view.display.describe(scene.meanwhile(), model);
+    model.fieldLegend = fieldLegend(withOverlay && !panels.interface.ownsPointer());
     model.axes = axesOf(view.camera.shown());
     model.orthographic = view.camera.shown().orthographic;
     model.tools = view.bladeTool.settings();
@@ -58,6 +59,18 @@ void Editor::State::describe(bool withOverlay) {
         model.question = asked->question;
     }
     toast.describe(model);
+}
+
+ui::FieldLegend Editor::State::fieldLegend(bool inView) {
+    ui::FieldLegend legend{view.display.settings.field.field, picture.fieldRange(), {}, ""};
+    const bool looks = legend.field != render::SurfaceField::look && inView &&
+                       view.display.settings.apart == 0 && !(scene == nullptr) && !scene.underWay();
+    if (looks) {
+        if (const auto point = scene->pick(view.frame().rayThrough(view.pointer))) {
+            legend.underPointer = picture.fieldAt(*scene, *point);
+        }
+    }
+    return legend;
 }
 
 /// A stroke by its poses; and what else takes long, which has no end that could be told.

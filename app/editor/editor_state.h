@@ -124,6 +124,8 @@ struct Editor::State {
     void describe(bool withOverlay);
     void describeScene();
     ui::WorkState sceneWork() const;
+    /// The legend of the colours, with the value under the pointer where the scene rests.
+    ui::FieldLegend fieldLegend(bool inView);
     /// The title of the window.
     std::string title() const;
 };

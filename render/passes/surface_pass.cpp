@@ -13,6 +13,13 @@ namespace {
 constexpr float kCutLineStrength = 0.75F;
 constexpr float kCutLineShare = 1.0F / 800;  // of the picture's height, a pixel at least
 
+gpu::Program program(gpu::Defines defines, const gpu::Defines& own) {
+    defines.insert(defines.end(), own.begin(), own.end());
+    return gpu::Program::graphics("render/surface.vert", "render/surface.frag", defines);
+}
+
+}  // namespace
+
 void bindBody(const BodyView& body, const gpu::Buffer& normals) {
     body.positions->bindStorage(shared::kBindPositions);
     body.restPositions->bindStorage(shared::kBindRestPositions);
@@ -20,12 +27,10 @@ void bindBody(const BodyView& body, const gpu::Buffer& normals) {
     normals.bindStorage(shared::kBindNormals);
 }
 
-gpu::Program program(gpu::Defines defines, const gpu::Defines& own) {
-    defines.insert(defines.end(), own.begin(), own.end());
-    return gpu::Program::graphics("render/surface.vert", "render/surface.frag", defines);
+void setCutLines(const gpu::Program& program, const SceneView& scene, const Frame& frame) {
+    program.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
+    program.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
 }
-
-}  // namespace
 
 SurfacePass::SurfacePass(const gpu::Defines& defines)
     : skins_{program(defines, {}), program(defines, {{"SPOTS", "1"}})},
@@ -60,8 +65,7 @@ void SurfacePass::draw(const SceneView& scene, const Frame& frame,
     bindBody(scene.body, normals);
     const gpu::Program& skin = skins_[scene.look.spots > 0 ? 1 : 0];
     skin.use();
-    skin.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
-    skin.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
+    setCutLines(skin, scene, frame);
     drawKind(skin, scene, frame);
     if (scene.hasWalls) {
         drawKind(walls_[static_cast<std::size_t>(scene.look.pattern)], scene, frame);

@@ -9,6 +9,11 @@
 
 namespace kerf::render {
 
+/// Binds what surface.vert reads of the body.
+void bindBody(const BodyView& body, const gpu::Buffer& normals);
+/// Uniforms of the lines along the rims of cuts, of a program that is in use.
+void setCutLines(const gpu::Program& program, const SceneView& scene, const Frame& frame);
+
 /// The body itself: skin, walls, wireframe.
 class SurfacePass {
   public:

@@ -7,6 +7,7 @@
 #include "render/scene/body_look.h"
 #include "render/scene/image.h"
 #include "render/scene/overlays.h"
+#include "render/scene/surface_field.h"
 #include "sim/base/boxes.h"
 #include "sim/contact/blade_body.h"
 #include "sim/contact/static_box.h"
@@ -33,6 +34,7 @@ struct SceneView {
     std::optional<int> bodyRevision;
     bool hasWalls = true;  ///< the body may have faces of cuts
     BodyLook look;
+    FieldView field;    ///< what the colours of the body show instead of the look
     Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
     std::vector<StaticBox> boxes;
     std::optional<double> floor;           ///< height of the grid floor [m]

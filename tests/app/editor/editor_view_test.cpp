@@ -65,6 +65,44 @@ TEST_F(EditorViewTest, AClickOnAnEndOfTheAxesLooksFromThere) {
     EXPECT_EQ(panels().step, 0) << "and cuts nothing";
 }
 
+TEST_F(EditorViewTest, TheStrainUnderThePointerIsThatOfTheSurfaceThere) {
+    moveTo(kWidth / 2.0, kHeight / 2.0);
+    tap(Key::j);
+    frames(3);
+    ASSERT_EQ(panels().fieldLegend.field, render::SurfaceField::strain);
+    EXPECT_NEAR(panels().fieldLegend.range.high, 0.01, 1e-6) << "at rest: the least range";
+    ASSERT_TRUE(panels().fieldLegend.underPointer);
+    EXPECT_NEAR(*panels().fieldLegend.underPointer, 0, 1e-5);
+    moveTo(kWidth / 2.0, 2);
+    frames(2);
+    EXPECT_FALSE(panels().fieldLegend.underPointer) << "beside the body";
+}
+
+TEST_F(EditorViewTest, ABodyThatSqueezesItselfShowsStrainAndItsRangeFollows) {
+    tap(Key::j);
+    tap(Key::v);
+    tap(Key::space);
+    frames(60);
+    tap(Key::space);
+    moveTo(kWidth / 2.0, kHeight / 2.0 + 60);
+    settle();
+    frames(3);
+    EXPECT_GT(panels().fieldLegend.range.high, 0.01);
+    ASSERT_TRUE(panels().fieldLegend.underPointer);
+    EXPECT_GT(*panels().fieldLegend.underPointer, 1e-4);
+}
+
+TEST_F(EditorViewTest, TheLookComesBackAfterAllQuantities) {
+    settle();
+    const auto before = viewPixels(editor->readPicture());
+    for (int i = 0; i < render::kSurfaceFields; ++i) {
+        tap(Key::j);
+        frames(2);
+        const bool look = panels().display.field.field == render::SurfaceField::look;
+        EXPECT_EQ(viewPixels(editor->readPicture()) == before, look) << i;
+    }
+}
+
 TEST_F(EditorViewTest, AViewFromAboveIsSavedAndReadAgain) {
     tap(Key::digit7);
     tap(Key::digit5);
