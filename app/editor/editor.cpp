@@ -58,6 +58,7 @@ void Editor::frame(double elapsedSeconds) {
     }
     s.advance(elapsedSeconds);
     s.followPlacement();
+    s.followThickness();
     s.drawScene();
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
@@ -86,7 +87,7 @@ double Editor::idleSeconds() const {
     if (const DocumentLoading* opening = s.work.opening()) {
         return opening->preparing() ? kWorkPause : 0;
     }
-    if (s.work.saves() || s.chooser.previews()) {
+    if (s.work.saves() || s.chooser.previews() || (scene && scene->thickness().working())) {
         return kWorkPause;
     }
     const double rest = s.kernels.left() ? kWorkPause : kForever;
@@ -216,6 +217,13 @@ void Editor::State::drawScene() {
 void Editor::State::followPlacement() {
     if (scene != nullptr && !scene.underWay() && view.follow(*scene)) {
         picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
+        redraw.scene();
+    }
+}
+
+void Editor::State::followThickness() {
+    const bool wanted = view.display.settings.field.field == render::SurfaceField::thickness;
+    if (scene != nullptr && !scene.underWay() && scene->followThickness(wanted)) {
         redraw.scene();
     }
 }

@@ -63,9 +63,13 @@ void Editor::State::describe(bool withOverlay) {
 
 ui::FieldLegend Editor::State::fieldLegend(bool inView) {
     ui::FieldLegend legend{view.display.settings.field.field, picture.fieldRange(), {}, ""};
-    const bool looks = legend.field != render::SurfaceField::look && inView &&
-                       view.display.settings.apart == 0 && !(scene == nullptr) && !scene.underWay();
-    if (looks) {
+    if (legend.field == render::SurfaceField::look || scene == nullptr || scene.underWay()) {
+        return legend;
+    }
+    if (legend.field == render::SurfaceField::thickness) {
+        legend.note = scene->thickness().note(scene->simulation());
+    }
+    if (inView && view.display.settings.apart == 0) {
         if (const auto point = scene->pick(view.frame().rayThrough(view.pointer))) {
             legend.underPointer = picture.fieldAt(*scene, *point);
         }

@@ -551,7 +551,10 @@ void EditorScene::recordPicture(double elapsedSeconds, double renderMs) {
 }
 
 render::SceneView EditorScene::view() {
-    return sceneOf(simulation_, lookOf(document_.session), rest_.bounds, runner_.strokePoses());
+    render::SceneView view =
+        sceneOf(simulation_, lookOf(document_.session), rest_.bounds, runner_.strokePoses());
+    view.field.values = thickness_.values();
+    return view;
 }
 
 void EditorScene::refreshPieces() {

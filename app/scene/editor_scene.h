@@ -12,6 +12,7 @@
 #include "app/scene/session_journal.h"
 #include "app/scene/session_playback.h"
 #include "app/scene/surface_look.h"
+#include "app/scene/thickness_map.h"
 #include "app/session/session_runner.h"
 #include "app/session/volume_watch.h"
 #include "render/renderer.h"
@@ -133,6 +134,10 @@ class EditorScene {
     const CutPreview& preview(const std::vector<Blade>& way) {
         return look_.preview(simulation_, way);
     }
+    /// Lets the thickness of the body be worked out where it is `wanted` and time stands. True
+    /// where it is another than in the last view().
+    bool followThickness(bool wanted) { return thickness_.follow(simulation_, wanted, !running()); }
+    const ThicknessMap& thickness() const { return thickness_; }
     /// Number of searches through the triangles that pick() and preview() needed, for tests.
     int surfaceSearches() const { return look_.searches(); }
     /// Number of pieces after the last step: 1 for an uncut body.
@@ -206,6 +211,7 @@ class EditorScene {
         double time = 0;  ///< [s]
     } start_;
     SurfaceLook look_;
+    ThicknessMap thickness_;
     EditorReadings readings_;
     VolumeWatch volumes_;
     std::vector<std::string> messages_;

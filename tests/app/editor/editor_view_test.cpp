@@ -92,6 +92,26 @@ TEST_F(EditorViewTest, ABodyThatSqueezesItselfShowsStrainAndItsRangeFollows) {
     EXPECT_GT(*panels().fieldLegend.underPointer, 1e-4);
 }
 
+TEST_F(EditorViewTest, TheThicknessIsWorkedOutWhileTimeStandsAndSaysWhenItIsOld) {
+    for (int i = 0; i < 3; ++i) {
+        tap(Key::j);
+    }
+    moveTo(kWidth / 2.0, kHeight / 2.0 + 10);
+    ASSERT_EQ(panels().fieldLegend.field, render::SurfaceField::thickness);
+    for (int i = 0; i < 400 && !(panels().fieldLegend.note.empty() && i > 2); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        frames(1);
+    }
+    frames(3);
+    EXPECT_EQ(panels().fieldLegend.note, "");
+    ASSERT_TRUE(panels().fieldLegend.underPointer);
+    EXPECT_NEAR(*panels().fieldLegend.underPointer, 1, 0.05) << "the diameter";
+    tap(Key::v);
+    tap(Key::space);
+    frames(3);
+    EXPECT_THAT(panels().fieldLegend.note, testing::HasSubstr("That of step 0."));
+}
+
 TEST_F(EditorViewTest, TheLookComesBackAfterAllQuantities) {
     settle();
     const auto before = viewPixels(editor->readPicture());
