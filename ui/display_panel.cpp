@@ -24,7 +24,7 @@ constexpr std::array kSwitches{
     Switch{ActionId::showBends, "Bends"},          Switch{ActionId::showIspcs, "ISPCs"},
     Switch{ActionId::showErrors, "Errors"},        Switch{ActionId::showContacts, "Contacts"},
     Switch{ActionId::showBoxes, "Boxes"},          Switch{ActionId::showCutLines, "Lines of cuts"},
-    Switch{ActionId::fineQuality, "Fine picture"},
+    Switch{ActionId::fineQuality, "Fine picture"}, Switch{ActionId::section, "Section"},
 };
 
 void drawSwitches(const PanelModel& model, std::vector<Action>& actions) {
@@ -122,6 +122,46 @@ bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend, double 
     return changed;
 }
 
+/// A row of buttons: square to an axis, or the other half. True where one was pressed.
+bool chooseSide(render::SectionPlane& plane, const Vec3& center) {
+    constexpr std::array kAxes{"X", "Y", "Z"};
+    bool changed = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (ImGui::SmallButton(kAxes[axis])) {
+            plane = {center, Vec3::Unit(axis)};
+            changed = true;
+        }
+        noteItem(std::string("section.") + kAxes[axis]);
+        itemTooltip("Square to this axis, through the middle of the body");
+        ImGui::SameLine();
+    }
+    if (ImGui::SmallButton("Other half")) {
+        plane.normal = -plane.normal;
+        changed = true;
+    }
+    noteItem("section.other_half");
+    itemTooltip("Hides what is shown and shows what is hidden");
+    return changed;
+}
+
+/// Where the section lies and what it hides.
+bool chooseSection(render::SectionPlane& plane, const PanelModel& model) {
+    const Vec3 center = model.bodyBounds.center();
+    bool changed = chooseSide(plane, center);
+    const double reach = 0.5 * model.bodyBounds.diagonal();
+    const double low = -reach;
+    double along = -plane.distance(center);
+    if (slideRow({"Along", "How far the plane lies from the body's middle", "section.along"},
+                 {ImGuiDataType_Double, &along, &low, &reach,
+                  std::string(lengthFormat(model.bodySize)) + " m"},
+                 ImGui::GetContentRegionAvail().x)
+            .changed) {
+        plane.point = center + along * plane.normal;
+        changed = true;
+    }
+    return changed;
+}
+
 }  // namespace
 
 void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
@@ -134,6 +174,9 @@ void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
     changed |= chooseField(display.field);
     if (display.field.field != render::SurfaceField::look) {
         changed |= chooseRange(display.field, model.fieldLegend, model.bodySize);
+    }
+    if (display.section) {
+        changed |= chooseSection(*display.section, model);
     }
     if (changed) {
         actions.emplace_back(SetDisplay{display});

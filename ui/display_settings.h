@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "render/renderer.h"
 #include "render/scene/body_look.h"
 #include "render/scene/overlays.h"
+#include "render/scene/section_plane.h"
 #include "render/scene/surface_field.h"
 
 namespace kerf::ui {
@@ -15,8 +18,9 @@ struct DisplaySettings {
     /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
     double apart = 0;
     render::Overlays overlays;
-    render::FieldChoice field;    ///< what its colours show instead of the look
-    render::ChosenColors colors;  ///< instead of the model's own
+    render::FieldChoice field;                    ///< what its colours show instead of the look
+    std::optional<render::SectionPlane> section;  ///< opens the picture of the body
+    render::ChosenColors colors;                  ///< instead of the model's own
     bool operator==(const DisplaySettings&) const = default;
 };
 

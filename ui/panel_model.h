@@ -125,6 +125,7 @@ struct PanelModel {
     Params startParams;  ///< as they were when it was opened: what the reset mark returns to
     std::vector<StaticBox> boxes;  ///< that the body collides with
     double bodySize = 1;           ///< diagonal of the body at rest [m]
+    Bounds bodyBounds;             ///< of the body as it is [m]
     double edgeLength = 1;         ///< mean of the uncut body at rest [m]
     bool playing = false;
     double speed = 1;  ///< of simulated time against the clock

@@ -79,6 +79,7 @@ void addOverlays(const render::Overlays& overlays, const Simulation& simulation,
 void BodyDisplay::begin(const Document& document) {
     settings.colors = document.session.colors;
     settings.apart = 0;
+    settings.section.reset();
     hidden_.clear();
     hovered_ = -1;
 }
@@ -101,6 +102,7 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     view.wireframe = settings.wireframe;
     view.cutLines = settings.cutLines;
     view.field.choice = settings.field;
+    view.section = settings.section;
     view.look = render::colored(ownLook(scene), settings.colors);
     view.pieces = looksOf(bounds);
     if (settings.apart > 0) {

@@ -203,6 +203,16 @@ void takeNextField(State& s) {
     choice = {static_cast<render::SurfaceField>(next), std::nullopt};
 }
 
+void toggleSection(State& s) {
+    std::optional<render::SectionPlane>& section = s.view.display.settings.section;
+    s.view.sectionTool.release();
+    if (section) {
+        section.reset();
+    } else {
+        section = sectionAcross(s.scene.meanwhile()->bounds(), s.view.camera.destination());
+    }
+}
+
 void toggleQuality(State& s) {
     render::Quality& quality = s.view.display.settings.quality;
     quality = quality == render::Quality::full ? render::Quality::light : render::Quality::full;
@@ -285,6 +295,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::showContacts, Needs::scene, toggleOverlay<&Overlays::contacts>},
     Handler{ActionId::showBoxes, Needs::scene, toggleOverlay<&Overlays::boxes>},
     Handler{ActionId::nextField, Needs::scene, takeNextField},
+    Handler{ActionId::section, Needs::scene, toggleSection},
     Handler{ActionId::fineQuality, Needs::scene, toggleQuality},
     Handler{ActionId::togglePanels, Needs::nothing, [](State& s) { s.panels.toggle(); }},
     Handler{ActionId::holdPlots, Needs::nothing, holdPlots},

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/editor/editor_state.h"
+#include "app/scene/section_pick.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -70,7 +71,8 @@ ui::FieldLegend Editor::State::fieldLegend(bool inView) {
         legend.note = scene->thickness().note(scene->simulation());
     }
     if (inView && view.display.settings.apart == 0) {
-        if (const auto point = scene->pick(view.frame().rayThrough(view.pointer))) {
+        if (const auto point = pickVisible(*scene, view.frame().rayThrough(view.pointer),
+                                           view.display.settings.section)) {
             legend.underPointer = picture.fieldAt(*scene, *point);
         }
     }

@@ -71,12 +71,20 @@ void EditorView::move(const ui::PointerMove& move, EditorScene* scene) {
     if (turned) {
         camera.keepNear(scene->bounds());
     }
+    if (sectionTool.holds() && display.settings.section) {
+        display.settings.section =
+            sectionTool.moved(frame(), pointer, *display.settings.section, scene->bounds());
+        return;
+    }
     bladeTool.move(frame(), pointer, move.modifiers.shift, *scene);
     pullTool.move(frame(), pointer, *scene);
 }
 
 std::string EditorView::press(const ui::ButtonChange& change, EditorScene* scene) {
     if (holds() || camera.press(change) || change.button != ui::Button::left || scene == nullptr) {
+        return "";
+    }
+    if (pressSection(*scene)) {
         return "";
     }
     const ui::ToolSettings& settings = bladeTool.settings();
@@ -87,11 +95,17 @@ std::string EditorView::press(const ui::ButtonChange& change, EditorScene* scene
     return pullTool.press(frame(), pointer, settings, change.modifiers, *scene);
 }
 
+bool EditorView::pressSection(const EditorScene& scene) {
+    const std::optional<render::SectionPlane>& section = display.settings.section;
+    return section && sectionTool.press(frame(), pointer, *section, scene.bounds());
+}
+
 std::string EditorView::release(ui::Button button, EditorScene* scene) {
     camera.release(button);
     if (button != ui::Button::left || scene == nullptr) {
         return "";
     }
+    sectionTool.release();
     bladeTool.release(*scene);
     return pullTool.release(frame(), *scene);
 }
@@ -115,12 +129,13 @@ void EditorView::setTools(const ui::ToolSettings& settings, EditorScene& scene) 
 }
 
 void EditorView::cancelTools(EditorScene& scene) {
+    sectionTool.release();
     bladeTool.cancel(scene);
     pullTool.cancel(scene);
 }
 
 ui::Cursor EditorView::cursor(const ui::Overlay& overlay) const {
-    if (camera.dragging() || pullTool.holds()) {
+    if (camera.dragging() || pullTool.holds() || sectionTool.holds()) {
         return ui::Cursor::hand;
     }
     const bool onHandle = std::ranges::any_of(overlay.handles, &ui::Overlay::Handle::hot);
@@ -144,6 +159,9 @@ ui::Overlay EditorView::overlay(bool inView, bool looks, EditorScene& scene) con
     }
     ui::Overlay overlay = bladeTool.overlay(frame(), at, scene);
     pullTool.addTo(overlay, frame(), at, bladeTool.settings(), scene);
+    if (display.settings.section) {
+        sectionTool.addTo(overlay, frame(), at, *display.settings.section, scene.bounds());
+    }
     return overlay;
 }
 

@@ -6,6 +6,7 @@
 #include "app/tools/blade_tool.h"
 #include "app/tools/editor_camera.h"
 #include "app/tools/pull_tool.h"
+#include "app/tools/section_tool.h"
 #include "ui/cursor.h"
 #include "ui/layout.h"
 
@@ -23,6 +24,7 @@ struct EditorView {
     BodyDisplay display;
     BladeTool bladeTool;
     PullTool pullTool;
+    SectionTool sectionTool;
 
     /// The camera looks at the middle of what the panels leave free.
     ViewFrame frame() const;
@@ -45,8 +47,8 @@ struct EditorView {
     void zoom(double notches, EditorScene* scene);
 
     // The tools of its left button.
-    /// Whether a stroke or a pull is under way.
-    bool holds() const { return bladeTool.holds() || pullTool.holds(); }
+    /// Whether a stroke or a pull is under way, or a handle is held.
+    bool holds() const { return bladeTool.holds() || pullTool.holds() || sectionTool.holds(); }
     /// Takes another tool, which lets go, or another depth.
     void setTools(const ui::ToolSettings& settings, EditorScene& scene);
     /// Gives up the stroke and lets go of everything.
@@ -58,6 +60,8 @@ struct EditorView {
     ui::Overlay overlay(bool inView, bool looks, EditorScene& scene) const;
 
   private:
+    bool pressSection(const EditorScene& scene);
+
     int placement_ = 0;  ///< EditorScene::placementRevision() that is shown
     Bounds restBounds_;  ///< of the body then [m]
 };

@@ -592,6 +592,7 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.boxes = simulation_.boxes();
     model.pinned = simulation_.pinnedVertices().size();
     model.bodySize = rest_.bounds.diagonal();
+    model.bodyBounds = simulation_.bounds();
     model.edgeLength = rest_.edgeLength;
     model.playing = playing;
     model.stroking = stroke_.drawing() || stroke_.pending() > 0;

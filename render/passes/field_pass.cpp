@@ -12,10 +12,6 @@
 namespace kerf::render {
 namespace {
 
-gpu::Program drawing(const gpu::Defines& defines) {
-    return gpu::Program::graphics("render/surface.vert", "render/field.frag", defines);
-}
-
 void setColors(const gpu::Program& program, const ColorMap& map) {
     for (std::size_t i = 0; i < map.size(); ++i) {
         const DisplayColor& c = map[i];
@@ -30,7 +26,14 @@ FieldPass::FieldPass()
     : strain_(gpu::Program::compute("render/field_strain.comp")),
       area_(gpu::Program::compute("render/field_strain.comp", {{"AREA", "1"}})),
       range_(gpu::Program::compute("render/field_range.comp")),
-      kinds_{drawing({{"FIELD", "1"}}), drawing({{"FIELD", "1"}, {"WALLS", "1"}})} {}
+      whole_(kindsFor({{"FIELD", "1"}})) {}
+
+FieldPass::Kinds FieldPass::kindsFor(const gpu::Defines& defines) {
+    gpu::Defines walls = defines;
+    walls.emplace_back("WALLS", "1");
+    return {gpu::Program::graphics("render/surface.vert", "render/field.frag", defines),
+            gpu::Program::graphics("render/surface.vert", "render/field.frag", walls)};
+}
 
 void FieldPass::update(const SceneView& scene) {
     const FieldView& field = scene.field;
@@ -107,13 +110,17 @@ std::optional<float> FieldPass::valueAt(std::uint32_t vertex, bool onWall) const
     return value > 0.5F * shared::kNoField ? std::optional(value) : std::nullopt;
 }
 
-void FieldPass::draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) const {
+void FieldPass::draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) {
+    if (scene.section && !opened_) {
+        opened_ = kindsFor({{"FIELD", "1"}, {"SECTION", "1"}});
+    }
+    const Kinds& kinds = scene.section ? *opened_ : whole_;
     bindBody(scene.body, normals);
     values_.bindStorage(shared::kBindField);
     ends_.bindStorage(shared::kBindFieldRange);
-    drawKind(kinds_[0], scene, frame);
+    drawKind(kinds[0], scene, frame);
     if (scene.hasWalls) {
-        drawKind(kinds_[1], scene, frame);
+        drawKind(kinds[1], scene, frame);
     }
 }
 
@@ -123,6 +130,9 @@ void FieldPass::drawKind(const gpu::Program& program, const SceneView& scene,
     bindLooks(program, frame);
     setColors(program, *infoOf(scene.field.choice.field).map);
     setCutLines(program, scene, frame);
+    if (scene.section) {
+        setSection(program, scene);
+    }
     program.set("viewProjection", frame.viewProjection);
     program.set("eye", frame.eye);
     program.set("facets", scene.look.facets);

@@ -18,7 +18,7 @@ class FieldPass {
     /// Works out the quantity of the picture, unless it is that of the last one.
     void update(const SceneView& scene);
     /// Draws into the bound target; `normals` are those of NormalsPass.
-    void draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) const;
+    void draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals);
 
     /// What the colours of the last picture reach from and to (waits for the GPU).
     FieldRange range() const;
@@ -45,7 +45,11 @@ class FieldPass {
     gpu::Program strain_;
     gpu::Program area_;
     gpu::Program range_;
-    std::array<gpu::Program, 2> kinds_;  // skin, walls
+    using Kinds = std::array<gpu::Program, 2>;  // skin, walls
+    static Kinds kindsFor(const gpu::Defines& defines);
+
+    Kinds whole_;
+    std::optional<Kinds> opened_;  // from the first picture of a section
     gpu::Buffer values_;
     gpu::Buffer ends_;  // of the range: see field.glsl
     std::optional<Source> shown_;

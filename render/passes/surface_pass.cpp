@@ -32,11 +32,32 @@ void setCutLines(const gpu::Program& program, const SceneView& scene, const Fram
     program.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
 }
 
-SurfacePass::SurfacePass(const gpu::Defines& defines)
-    : skins_{program(defines, {}), program(defines, {{"SPOTS", "1"}})},
-      walls_{program(defines, {{"WALLS", "1"}, {"PATTERN", "0"}}),
-             program(defines, {{"WALLS", "1"}, {"PATTERN", "1"}}),
-             program(defines, {{"WALLS", "1"}, {"PATTERN", "2"}})} {}
+SurfacePass::Programs::Programs(const gpu::Defines& defines)
+    : skins{program(defines, {}), program(defines, {{"SPOTS", "1"}})},
+      walls{program(defines, {{"WALLS", "1"}, {"PATTERN", "0"}}),
+            program(defines, {{"WALLS", "1"}, {"PATTERN", "1"}}),
+            program(defines, {{"WALLS", "1"}, {"PATTERN", "2"}})} {}
+
+SurfacePass::SurfacePass(const gpu::Defines& defines) : defines_(defines), whole_(defines) {}
+
+const SurfacePass::Programs& SurfacePass::programsFor(const SceneView& scene) {
+    if (!scene.section) {
+        return whole_;
+    }
+    if (!opened_) {
+        gpu::Defines defines = defines_;
+        defines.emplace_back("SECTION", "1");
+        opened_.emplace(defines);
+    }
+    return *opened_;
+}
+
+void setSection(const gpu::Program& program, const SceneView& scene) {
+    const SectionPlane& plane = *scene.section;
+    const Vec3f n = plane.normal.cast<float>();
+    const auto offset = float(-plane.normal.dot(plane.point));
+    program.set("sectionPlane", Eigen::Vector4f(n.x(), n.y(), n.z(), offset));
+}
 
 void SurfacePass::setDepth(const DepthField& depth) {
     depth_ = depth.values.empty() ? DepthTexture() : DepthTexture(depth);
@@ -59,16 +80,16 @@ void SurfacePass::setLook(const gpu::Program& program, const SceneView& scene) c
     program.set("fieldScale", depth_.scale());
 }
 
-void SurfacePass::draw(const SceneView& scene, const Frame& frame,
-                       const gpu::Buffer& normals) const {
+void SurfacePass::draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) {
+    const Programs& programs = programsFor(scene);
     depth_.bind(shared::kUnitDepthField);
     bindBody(scene.body, normals);
-    const gpu::Program& skin = skins_[scene.look.spots > 0 ? 1 : 0];
+    const gpu::Program& skin = programs.skins[scene.look.spots > 0 ? 1 : 0];
     skin.use();
     setCutLines(skin, scene, frame);
     drawKind(skin, scene, frame);
     if (scene.hasWalls) {
-        drawKind(walls_[static_cast<std::size_t>(scene.look.pattern)], scene, frame);
+        drawKind(programs.walls[static_cast<std::size_t>(scene.look.pattern)], scene, frame);
     }
 }
 
@@ -77,6 +98,9 @@ void SurfacePass::drawKind(const gpu::Program& program, const SceneView& scene,
     program.use();
     setLight(program, frame);
     setLook(program, scene);
+    if (scene.section) {
+        setSection(program, scene);
+    }
     bindLooks(program, frame);
     program.set("viewProjection", frame.viewProjection);
     program.set("eye", frame.eye);

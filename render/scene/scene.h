@@ -7,6 +7,7 @@
 #include "render/scene/body_look.h"
 #include "render/scene/image.h"
 #include "render/scene/overlays.h"
+#include "render/scene/section_plane.h"
 #include "render/scene/surface_field.h"
 #include "sim/base/boxes.h"
 #include "sim/contact/blade_body.h"
@@ -34,8 +35,9 @@ struct SceneView {
     std::optional<int> bodyRevision;
     bool hasWalls = true;  ///< the body may have faces of cuts
     BodyLook look;
-    FieldView field;    ///< what the colours of the body show instead of the look
-    Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
+    FieldView field;                      ///< what the colours of the body show instead of the look
+    std::optional<SectionPlane> section;  ///< opens the body
+    Bounds restBounds;                    ///< of the uncut rest shape, for the inner structure
     std::vector<StaticBox> boxes;
     std::optional<double> floor;           ///< height of the grid floor [m]
     std::optional<Blade> blade;            ///< steel with a bright edge

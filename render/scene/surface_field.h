@@ -35,7 +35,7 @@ struct FieldRange {
 /// What a person chose to see as colours.
 struct FieldChoice {
     SurfaceField field = SurfaceField::look;
-    /// The end of the range; none: the largest value of now, rounded up to 1, 2 or 5.
+    /// The end of the range; none: the largest value of now, rounded up.
     std::optional<float> high;
     bool operator==(const FieldChoice&) const = default;
 };

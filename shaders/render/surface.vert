@@ -1,5 +1,8 @@
 #include "body.glsl"
 #include "piece_looks.glsl"
+#ifdef SECTION
+#include "section.glsl"
+#endif
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
 layout(std430, binding = kBindNormals) readonly buffer Normals { vec4 normals[]; };
 
@@ -46,6 +49,9 @@ void main() {
 #endif
 #ifdef FIELD
     fieldPlace = (fieldValues[2u * vertex + kKind] - rangeLow) / (rangeHigh - rangeLow);
+#endif
+#ifdef SECTION
+    hideBehindSection(worldPosition);
 #endif
     corners = vec3(corner == 0, corner == 1, corner == 2);
     pieceTint = lookOfPiece(triangle);

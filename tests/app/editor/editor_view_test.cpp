@@ -112,6 +112,54 @@ TEST_F(EditorViewTest, TheThicknessIsWorkedOutWhileTimeStandsAndSaysWhenItIsOld)
     EXPECT_THAT(panels().fieldLegend.note, testing::HasSubstr("That of step 0."));
 }
 
+TEST_F(EditorViewTest, ASectionOpensThePictureAndItsHandleShiftsItAlongItsNormal) {
+    settle();
+    const auto whole = viewPixels(editor->readPicture());
+    tap(Key::n);
+    frames(2);
+    ASSERT_TRUE(panels().display.section);
+    EXPECT_EQ(panels().display.section->normal, Vec3::UnitZ()) << "towards the eye";
+    EXPECT_NE(viewPixels(editor->readPicture()), whole);
+    tap(Key::n);
+    frames(2);
+    EXPECT_EQ(viewPixels(editor->readPicture()), whole);
+    tap(Key::n);
+    moveTo(2, 2);
+    frames(2);
+    ASSERT_EQ(panels().overlay.handles.size(), 2U);
+    tap(Key::digit3);  // from the right: the normal lies across the view
+    settle();
+    const ui::PlotPoint from = panels().overlay.handles[0].at;
+    drag(Vec2(from.x, from.y), Vec2(from.x - 40, from.y + 25), 4);
+    frames(2);
+    EXPECT_NE(panels().display.section->point.z(), 0);
+    EXPECT_NEAR(panels().overlay.handles[0].at.x, from.x - 40, 2);
+    EXPECT_NEAR(panels().overlay.handles[0].at.y, from.y, 2) << "it stays on its normal";
+    EXPECT_EQ(panels().changes.rows.size(), 0U) << "nothing was cut";
+}
+
+TEST_F(EditorViewTest, TheTipOfASectionTurnsIt) {
+    tap(Key::n);
+    tap(Key::digit3);
+    moveTo(2, 2);
+    settle();
+    const ui::PlotPoint middle = panels().overlay.handles[0].at;
+    drag(Vec2(panels().overlay.handles[1].at.x, panels().overlay.handles[1].at.y),
+         Vec2(middle.x, middle.y - 80), 4);
+    frames(2);
+    EXPECT_NEAR(panels().display.section->normal.y(), 1, 0.05);
+}
+
+TEST_F(EditorViewTest, UnderThePointerIsWhatASectionShows) {
+    tap(Key::j);
+    moveTo(kWidth / 2.0, kHeight / 2.0 + 8);
+    frames(3);
+    ASSERT_TRUE(panels().fieldLegend.underPointer);
+    tap(Key::n);
+    frames(3);
+    EXPECT_FALSE(panels().fieldLegend.underPointer) << "the filled section has no strain";
+}
+
 TEST_F(EditorViewTest, TheLookComesBackAfterAllQuantities) {
     settle();
     const auto before = viewPixels(editor->readPicture());
