@@ -131,8 +131,9 @@ struct PanelModel {
     double speed = 1;  ///< of simulated time against the clock
     ChangeList changes;
     ToolSettings tools;
-    std::size_t pinned = 0;  ///< vertices that are held in place
-    Overlay overlay;         ///< of the coming cut
+    std::vector<MeasureRow> measures;  ///< oldest first
+    std::size_t pinned = 0;            ///< vertices that are held in place
+    Overlay overlay;                   ///< of the coming cut
     ViewAxes axes;
     bool orthographic = false;
     PlaybackState playback;

@@ -59,6 +59,7 @@ void Editor::frame(double elapsedSeconds) {
     s.advance(elapsedSeconds);
     s.followPlacement();
     s.followThickness();
+    s.followMeasures();
     s.drawScene();
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
@@ -218,6 +219,15 @@ void Editor::State::followPlacement() {
     if (scene != nullptr && !scene.underWay() && view.follow(*scene)) {
         picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
         redraw.scene();
+    }
+}
+
+void Editor::State::followMeasures() {
+    if (scene == nullptr || scene.underWay() || !view.measures.any()) {
+        return;
+    }
+    if (const std::string word = view.measures.follow(*scene); !word.empty()) {
+        toast.show(word, false);
     }
 }
 

@@ -30,6 +30,8 @@ void stopTools(State& s) {
 void cancel(State& s) {
     if (s.panels.helpOpen) {
         s.panels.helpOpen = false;
+    } else if (s.view.endsMeasuring()) {
+        s.redraw.panels();
     } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
         stopTools(s);
     }
@@ -255,6 +257,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::toolGuillotine, Needs::scene, take<Tool::guillotine>},
     Handler{ActionId::toolGrab, Needs::scene, take<Tool::grab>},
     Handler{ActionId::toolPin, Needs::scene, take<Tool::pin>},
+    Handler{ActionId::toolMeasure, Needs::scene, take<Tool::measure>},
     Handler{ActionId::bringDown, Needs::scene,
             [](State& s) { s.view.bladeTool.bringDown(*s.scene.meanwhile()); }},
     Handler{ActionId::freePins, Needs::body, freePins},
@@ -342,6 +345,12 @@ void exportPlots(State& s, bool asPicture) {
     }
 }
 
+void exportMeasures(State& s) {
+    s.work.saveBehind("kerf-measures", ".csv",
+                      [text = ui::measuresAsCsv(s.view.measures.rows())](
+                          const std::filesystem::path& file) { writeOutputFile(file, text); });
+}
+
 /// Where it is seen; what has no room beside the panels is brought into view with the body.
 void placeBox(State& s) {
     const Bounds body = s.scene->bounds();
@@ -375,6 +384,14 @@ struct Answer {
     void operator()(const ui::SetSettings& to) const { s.panels.take(to.settings); }
     void operator()(const ui::SetPlotView& wanted) const { s.panels.plotView = wanted.view; }
     void operator()(const ui::ExportPlots& wanted) const { exportPlots(s, wanted.asPicture); }
+    void operator()(const ui::RemoveMeasure& removal) const {
+        if (removal.id == 0) {
+            s.view.measures.clear();
+        } else {
+            s.view.measures.remove(removal.id);
+        }
+    }
+    void operator()(const ui::ExportMeasures&) const { exportMeasures(s); }
     void operator()(const ui::OpenExperiment& wanted) const {
         s.open(gpu::dataPath("assets/sessions/" + wanted.name + ".kerf.json"));
     }

@@ -50,6 +50,7 @@ void Editor::State::describe(bool withOverlay) {
     model.axes = axesOf(view.camera.shown());
     model.orthographic = view.camera.shown().orthographic;
     model.tools = view.bladeTool.settings();
+    model.measures = view.measures.rows();
     model.speed = clock.speed();
     chooser.describe(model);
     model.work = work.state();

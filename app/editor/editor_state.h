@@ -76,6 +76,8 @@ struct Editor::State {
     void goOn();
     void showMessages();
     void drawScene();
+    /// Lets the measures go on with the body.
+    void followMeasures();
     /// Has the thickness of the body worked out where the colours show it.
     void followThickness();
     /// Lets view and picture follow a model that was placed otherwise.
