@@ -88,6 +88,8 @@ struct HoverPiece {
 struct FramePiece {
     int piece = 0;
 };
+/// Writes the list of pieces into the current folder as CSV.
+struct ExportPieces {};
 /// Shows or hides a piece; it is simulated and cut all the same.
 struct ShowPiece {
     int piece = 0;
@@ -99,6 +101,6 @@ using Action =
     std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
                  PlaceModel, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView,
                  ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment, HoverPiece, FramePiece,
-                 ShowPiece, AnswerQuestion, FileAction>;
+                 ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

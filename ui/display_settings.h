@@ -17,6 +17,7 @@ struct DisplaySettings {
     bool cutLines = true;  ///< a dark line along the rim of each cut: a closed one shows by it
     /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
     double apart = 0;
+    bool pieceDetails = false;  ///< the list of pieces has all its columns
     render::Overlays overlays;
     render::FieldChoice field;                    ///< what its colours show instead of the look
     std::optional<render::SectionPlane> section;  ///< opens the picture of the body

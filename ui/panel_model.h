@@ -14,18 +14,11 @@
 #include "ui/file_dialog_state.h"
 #include "ui/history.h"
 #include "ui/overlay.h"
+#include "ui/piece_row.h"
 #include "ui/settings.h"
 #include "ui/tool_settings.h"
 
 namespace kerf::ui {
-
-/// One row of the pieces table.
-struct PieceRow {
-    int triangles = 0;
-    double volume = 0;  ///< [m^3]
-    double share = 0;   ///< of its rest volume, 1 = all
-    bool hidden = false;
-};
 
 /// The model that is open, and how its numbers became the metres of the scene.
 struct ModelState {

@@ -60,6 +60,7 @@ void Editor::frame(double elapsedSeconds) {
     s.followPlacement();
     s.followThickness();
     s.followMeasures();
+    s.followPieceSums();
     s.drawScene();
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
@@ -228,6 +229,13 @@ void Editor::State::followMeasures() {
     }
     if (const std::string word = view.measures.follow(*scene); !word.empty()) {
         toast.show(word, false);
+    }
+}
+
+void Editor::State::followPieceSums() {
+    const bool wanted = view.display.settings.pieceDetails;
+    if (scene != nullptr && !scene.underWay() && scene->followPieceSums(wanted)) {
+        redraw.panels();
     }
 }
 

@@ -323,7 +323,8 @@ bool needsBody(const ui::Action& action) {
     return std::visit(
         []<class Kind>(const Kind&) {
             return std::is_constructible_v<Command, Kind> ||
-                   isOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark>;
+                   isOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark,
+                           ui::ExportPieces>;
         },
         action);
 }
@@ -348,6 +349,12 @@ void exportPlots(State& s, bool asPicture) {
 void exportMeasures(State& s) {
     s.work.saveBehind("kerf-measures", ".csv",
                       [text = ui::measuresAsCsv(s.view.measures.rows())](
+                          const std::filesystem::path& file) { writeOutputFile(file, text); });
+}
+
+void exportPieces(State& s) {
+    s.work.saveBehind("kerf-pieces", ".csv",
+                      [text = ui::piecesAsCsv(s.scene->measurePieces())](
                           const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
@@ -430,6 +437,7 @@ struct Answer {
     }
     void onBody(const ui::RemoveMark& removal) const { s.scene->removeMark(removal.id); }
     void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }
+    void onBody(const ui::ExportPieces&) const { exportPieces(s); }
     void onBody(const ui::FramePiece& wanted) const {
         const Bounds piece = s.view.display.boundsOf(*s.scene.meanwhile(), wanted.piece);
         if (!piece.empty()) {

@@ -76,6 +76,8 @@ struct Editor::State {
     void goOn();
     void showMessages();
     void drawScene();
+    /// Has the pieces added up where their list has all columns.
+    void followPieceSums();
     /// Lets the measures go on with the body.
     void followMeasures();
     /// Has the thickness of the body worked out where the colours show it.

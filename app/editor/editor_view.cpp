@@ -180,8 +180,8 @@ ui::Cursor EditorView::cursor(const ui::Overlay& overlay) const {
 
 ui::Overlay EditorView::overlay(bool inView, bool looks, EditorScene& scene) const {
     const Vec2 at = inView ? pointer : kNowhere;
-    ui::Overlay overlay = looks ? bladeTool.overlay(frame(), at, scene)
-                                : BladeTool::swept(frame(), scene.stroke());
+    ui::Overlay overlay =
+        looks ? bladeTool.overlay(frame(), at, scene) : BladeTool::swept(frame(), scene.stroke());
     if (looks) {
         pullTool.addTo(overlay, frame(), at, bladeTool.settings(), scene);
     }

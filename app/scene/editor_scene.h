@@ -138,6 +138,11 @@ class EditorScene {
     /// where it is another than in the last view().
     bool followThickness(bool wanted) { return thickness_.follow(simulation_, wanted, !running()); }
     const ThicknessMap& thickness() const { return thickness_; }
+    /// Adds up areas and middles of the pieces where they are `wanted`, while time stands and
+    /// nothing is cut. True where they are other ones than before.
+    bool followPieceSums(bool wanted);
+    /// The pieces as they are now, with their sums.
+    const std::vector<ui::PieceRow>& measurePieces();
     /// Number of searches through the triangles that pick() and preview() needed, for tests.
     int surfaceSearches() const { return look_.searches(); }
     /// Number of pieces after the last step: 1 for an uncut body.
@@ -216,7 +221,8 @@ class EditorScene {
     VolumeWatch volumes_;
     std::vector<std::string> messages_;
     std::vector<ui::PieceRow> pieces_;
-    int piecesStep_ = -1;  ///< step that pieces_ tells of
+    int sumsRevision_ = -1;  ///< of the body that the sums in pieces_ are of
+    int piecesStep_ = -1;    ///< step that pieces_ tells of
     int piecesTriangles_ = -1;
     std::vector<ui::SessionMark> marks_;
     std::vector<ui::SessionMark> course_;

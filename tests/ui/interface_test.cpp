@@ -355,6 +355,25 @@ TEST_F(InterfaceTest, APopupOpensBelowItsButton) {
     EXPECT_GE(interface->itemRects().at("plots.frames").y, button.y + button.height);
 }
 
+TEST_F(InterfaceTest, AClickOnATitleOfThePiecesSortsThem) {
+    model.pieces = {{100, 1, 1.0}, {300, 3, 1.0}, {200, 2, 1.0}};
+    model.settings.piecesShare = 0.6;  // room for all three
+    update({});
+    update({});
+    const auto top = [this](int piece) {
+        return interface->itemRects().at("piece." + std::to_string(piece)).y;
+    };
+    EXPECT_LT(top(0), top(1));
+    clickOn("pieces.by.volume");
+    update({});
+    EXPECT_LT(top(0), top(2));
+    EXPECT_LT(top(2), top(1));
+    clickOn("pieces.by.volume");
+    update({});
+    EXPECT_LT(top(1), top(2));
+    EXPECT_LT(top(2), top(0));
+}
+
 TEST_F(InterfaceTest, ThePointerOverAPlotShowsItsTimeInTheOthers) {
     for (int step = 0; step < 50; ++step) {
         for (Series& series : history.readings) {

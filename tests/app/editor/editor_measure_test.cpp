@@ -168,6 +168,34 @@ TEST_F(EditorMeasureTest, TheListIsSavedAndEmptied) {
     EXPECT_TRUE(rows().empty());
 }
 
+TEST_F(EditorMeasureTest, TheTableOfPiecesHasAllColumnsOnDemandAndSavesThem) {
+    EXPECT_FALSE(panels().pieces.at(0).sums);
+    click("pieces.details");
+    frames(2);
+    ASSERT_TRUE(panels().pieces.at(0).sums);
+    EXPECT_NEAR(panels().pieces[0].sums->skinArea, 6, 1e-5);
+    EXPECT_EQ(panels().pieces[0].sums->cutArea, 0);
+    EXPECT_NEAR(panels().pieces[0].sums->centroid.norm(), 0, 1e-6);
+    EXPECT_NEAR(panels().pieces[0].shareOfAll, 1, 1e-9);
+    tap(Key::c);
+    drag(kTop, kBottom, 30);
+    settle();
+    frames(4);
+    ASSERT_EQ(panels().pieces.size(), 2U);
+    for (const ui::PieceRow& piece : panels().pieces) {
+        ASSERT_TRUE(piece.sums);
+        EXPECT_NEAR(piece.sums->cutArea, 1, 0.02);
+        EXPECT_NEAR(std::abs(piece.sums->centroid.x()), 0.25, 0.02);
+        EXPECT_TRUE(piece.bounds.center().isApprox(piece.sums->centroid, 0.1));
+    }
+    click("pieces.csv");
+    waitForWork();
+    std::stringstream text;
+    text << std::ifstream(onlyFile(folder.path())).rdbuf();
+    EXPECT_THAT(text.str(), testing::StartsWith("piece,triangles,volume_m3,"));
+    EXPECT_THAT(text.str(), testing::HasSubstr("\n2,"));
+}
+
 TEST(SurfaceAnchor, EndsWhereItsMaterialIsGone) {
     const SurfaceMesh whole = test::meshOf(test::joined(
         test::boxSoup(Vec3::Ones(), 1), test::boxSoup(Vec3::Ones(), 1), Vec3(5, 0, 0)));
