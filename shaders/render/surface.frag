@@ -91,7 +91,8 @@ void main() {
     look.albedo = mix(look.albedo, pieceTint.rgb, max(pieceTint.w, 0.0));
     vec3 light = shade(look, n, v);
     if (wireframe > 0.0) {
-        light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * lineCover(edgeDistances(corners), 0.3, 1.2));
+        float cover = lineCover(edgeDistances(corners), 0.3, 1.2);
+        light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * cover);
     }
 #ifndef WALLS
     // A closed cut would not show otherwise.
