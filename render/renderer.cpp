@@ -10,10 +10,12 @@
 #include "render/passes/blade_pass.h"
 #include "render/passes/box_pass.h"
 #include "render/passes/depth_passes.h"
+#include "render/passes/field_pass.h"
 #include "render/passes/floor_pass.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
 #include "render/passes/overlay_pass.h"
+#include "render/passes/section_pass.h"
 #include "render/passes/smooth_pass.h"
 #include "render/passes/surface_pass.h"
 #include "shaders/shared/shared_types.h"
@@ -41,6 +43,9 @@ void resetState() {
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_STENCIL_TEST);
+    glDisable(GL_CLIP_DISTANCE0);
+    glStencilMask(0xff);
+    glClearStencil(0);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -110,11 +115,13 @@ struct Renderer::State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
-    void makeTargets(int width, int height);
+    void makeTargets(int width, int height, bool withStencil);
     void uploadLooks(const SceneView& scene, Frame& frame);
     void drawShadows(const SceneView& scene, const Frame& frame);
     void drawOverlays(const SceneView& scene, const Frame& frame);
     void drawGround(const SceneView& scene, const Camera& camera, const Frame& frame);
+    void drawBody(const SceneView& scene, const Camera& camera, const Frame& frame);
+    void drawSurface(const SceneView& scene, const Frame& frame);
     void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
 
     const Quality quality;
@@ -122,6 +129,7 @@ struct Renderer::State {
     std::uint32_t vertexArray = 0;
     gpu::Buffer looks;
     gpu::Framebuffer drawn;
+    bool hasStencil = false;  ///< of `drawn`, for a section
     gpu::Framebuffer resolved;
     NormalsPass normals;
     ShadowPass shadow;
@@ -133,14 +141,18 @@ struct Renderer::State {
     SmoothPass smoothing;
     std::optional<ShadowSource> shadowsOf;  ///< what the shadows were drawn of
     std::optional<OverlayPass> overlays;    ///< from the first picture that shows some
+    std::optional<FieldPass> field;         ///< from the first picture that shows a quantity
+    std::optional<SectionPass> section;     ///< from the first picture that has one
 };
 
-void Renderer::State::makeTargets(int width, int height) {
-    if (resolved.width() == width && resolved.height() == height) {
+void Renderer::State::makeTargets(int width, int height, bool withStencil) {
+    if (resolved.width() == width && resolved.height() == height && hasStencil == withStencil) {
         return;
     }
+    hasStencil = withStencil;
     resolved = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height);
-    drawn = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height, samples);
+    drawn = gpu::Framebuffer(GL_RGBA8, withStencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F,
+                             width, height, samples);
 }
 
 void Renderer::State::uploadLooks(const SceneView& scene, Frame& frame) {
@@ -189,6 +201,33 @@ void Renderer::State::drawGround(const SceneView& scene, const Camera& camera, c
     }
 }
 
+void Renderer::State::drawBody(const SceneView& scene, const Camera& camera, const Frame& frame) {
+    if (!scene.section) {
+        drawSurface(scene, frame);
+        return;
+    }
+    if (!section) {
+        section.emplace();
+    }
+    glEnable(GL_CLIP_DISTANCE0);
+    drawSurface(scene, frame);
+    glDisable(GL_CLIP_DISTANCE0);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    section->draw(scene, frame, camera, surface);
+}
+
+void Renderer::State::drawSurface(const SceneView& scene, const Frame& frame) {
+    if (scene.field.choice.field == SurfaceField::look) {
+        surface.draw(scene, frame, normals.normals());
+        return;
+    }
+    if (!field) {
+        field.emplace();
+    }
+    field->update(scene);
+    field->draw(scene, frame, normals.normals());
+}
+
 void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, const Frame& frame) {
     drawn.bind();
     glEnable(GL_DEPTH_TEST);
@@ -201,7 +240,7 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     shadow.bind();
     floorShade.bind();
     if (frame.hasBody) {
-        surface.draw(scene, frame, normals.normals());
+        drawBody(scene, camera, frame);
     }
     boxes.draw(frame);
     blade.drawBlade(scene, frame);
@@ -246,7 +285,7 @@ void Renderer::setRestDepth(const DepthField& depth) {
 void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int height) {
     width = std::max(width, 1);
     height = std::max(height, 1);
-    state_->makeTargets(width, height);
+    state_->makeTargets(width, height, scene.section.has_value());
     Frame frame = frameOf(scene, camera, width, height, state_->shadow.size());
     state_->uploadLooks(scene, frame);
     glBindVertexArray(state_->vertexArray);
@@ -259,6 +298,17 @@ void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int
     state_->drawColors(scene, camera, frame);
     glBindVertexArray(0);
     state_->resolved.bind();
+}
+
+FieldRange Renderer::fieldRange() const {
+    return state_->field ? state_->field->range() : FieldRange{};
+}
+
+std::optional<float> Renderer::fieldAt(int bodyRevision, std::uint32_t vertex, bool onWall) const {
+    if (!state_->field || state_->field->bodyRevision() != bodyRevision) {
+        return std::nullopt;
+    }
+    return state_->field->valueAt(vertex, onWall);
 }
 
 const gpu::Framebuffer& Renderer::target() const {

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <optional>
+
 #include "render/renderer.h"
 #include "render/scene/body_look.h"
 #include "render/scene/overlays.h"
+#include "render/scene/section_plane.h"
+#include "render/scene/surface_field.h"
 
 namespace kerf::ui {
 
@@ -13,8 +17,11 @@ struct DisplaySettings {
     bool cutLines = true;  ///< a dark line along the rim of each cut: a closed one shows by it
     /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
     double apart = 0;
+    bool pieceDetails = false;  ///< the list of pieces has all its columns
     render::Overlays overlays;
-    render::ChosenColors colors;  ///< instead of the model's own
+    render::FieldChoice field;                    ///< what its colours show instead of the look
+    std::optional<render::SectionPlane> section;  ///< opens the picture of the body
+    render::ChosenColors colors;                  ///< instead of the model's own
     bool operator==(const DisplaySettings&) const = default;
 };
 

@@ -280,7 +280,7 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     drawEdges(model, layout, scale, actions);
     drawPanelsHint(model, layout.view, actions);
     if (!model.name.empty()) {
-        drawLegend(model.display, layout.view, scale);
+        drawLegend(model, layout.view, scale);
         drawAxes(model.axes, layout.view, scale, actions);
     }
     if (timed) {

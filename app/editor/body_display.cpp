@@ -79,6 +79,7 @@ void addOverlays(const render::Overlays& overlays, const Simulation& simulation,
 void BodyDisplay::begin(const Document& document) {
     settings.colors = document.session.colors;
     settings.apart = 0;
+    settings.section.reset();
     hidden_.clear();
     hovered_ = -1;
 }
@@ -100,6 +101,8 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     render::SceneView view = scene.view();
     view.wireframe = settings.wireframe;
     view.cutLines = settings.cutLines;
+    view.field.choice = settings.field;
+    view.section = settings.section;
     view.look = look(scene);
     if (!settings.colors.showOwn()) {
         view.paint.reset();

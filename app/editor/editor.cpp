@@ -58,6 +58,9 @@ void Editor::frame(double elapsedSeconds) {
     }
     s.advance(elapsedSeconds);
     s.followPlacement();
+    s.followThickness();
+    s.followMeasures();
+    s.followPieceSums();
     s.drawScene();
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
@@ -86,7 +89,7 @@ double Editor::idleSeconds() const {
     if (const DocumentLoading* opening = s.work.opening()) {
         return opening->preparing() ? kWorkPause : 0;
     }
-    if (s.work.saves() || s.chooser.previews()) {
+    if (s.work.saves() || s.chooser.previews() || (scene && scene->thickness().working())) {
         return kWorkPause;
     }
     const double rest = s.kernels.left() ? kWorkPause : kForever;
@@ -201,6 +204,7 @@ void Editor::State::showMessages() {
 void Editor::State::drawScene() {
     sincePicture.restart();
     EditorScene* const now = scene.meanwhile();
+    const render::FieldRange range = picture.fieldRange();
     if (now == nullptr || now->simulation().isWhole()) {
         const bool rests =
             now != nullptr && now->running() && clock.byTheClock() && picture.rests();
@@ -208,11 +212,37 @@ void Editor::State::drawScene() {
     } else {
         picture.keep(view);
     }
+    if (picture.fieldRange() != range) {
+        redraw.panels();  // The legend was drawn before.
+    }
 }
 
 void Editor::State::followPlacement() {
     if (scene != nullptr && !scene.underWay() && view.follow(*scene)) {
         picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
+        redraw.scene();
+    }
+}
+
+void Editor::State::followMeasures() {
+    if (scene == nullptr || scene.underWay() || !view.measures.any()) {
+        return;
+    }
+    if (const std::string word = view.measures.follow(*scene); !word.empty()) {
+        toast.show(word, false);
+    }
+}
+
+void Editor::State::followPieceSums() {
+    const bool wanted = view.display.settings.pieceDetails;
+    if (scene != nullptr && !scene.underWay() && scene->followPieceSums(wanted)) {
+        redraw.panels();
+    }
+}
+
+void Editor::State::followThickness() {
+    const bool wanted = view.display.settings.field.field == render::SurfaceField::thickness;
+    if (scene != nullptr && !scene.underWay() && scene->followThickness(wanted)) {
         redraw.scene();
     }
 }

@@ -7,6 +7,7 @@
 #include "app/scene/size_effect.h"
 #include "app/session/scene_view.h"
 #include "sim/body/rest_geometry.h"
+#include "sim/mesh/piece_figures.h"
 #include "ui/unit_text.h"
 
 namespace kerf::app {
@@ -604,14 +605,50 @@ render::SceneView EditorScene::view() {
     render::SceneView view =
         sceneOf(simulation_, lookOf(document_.session), rest_.bounds, runner_.strokePoses());
     view.paint = skin_.paintOf(simulation_);
+    view.field.values = thickness_.values();
     return view;
 }
 
+bool EditorScene::followPieceSums(bool wanted) {
+    const bool due = wanted && !running() && sumsRevision_ != simulation_.bodyRevision();
+    if (due) {
+        measurePieces();
+    }
+    return due;
+}
+
+const std::vector<ui::PieceRow>& EditorScene::measurePieces() {
+    refreshPieces();
+    const std::vector<int> triangles = simulation_.trianglesOfPieces();
+    const SurfaceMesh& mesh = simulation_.mesh();
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+        if (triangles[p] >= 0) {
+            const PieceFigures figures = figuresOfPiece(mesh, triangles[p]);
+            pieces_[p].sums = {figures.skinArea, figures.cutArea, figures.centroid};
+        }
+    }
+    sumsRevision_ = simulation_.bodyRevision();
+    return pieces_;
+}
+
 void EditorScene::refreshPieces() {
-    pieces_.clear();
+    const bool same = sumsRevision_ == simulation_.bodyRevision();
+    const std::vector<ui::PieceRow> before = std::exchange(pieces_, {});
+    const std::vector<Bounds>& bounds = simulation_.pieceBounds();
+    double all = 0;
     for (const Piece& piece : simulation_.measuredPieces()) {
-        pieces_.push_back({piece.triangles, piece.volume,
-                           piece.restVolume > 0 ? piece.volume / piece.restVolume : 0});
+        ui::PieceRow row;
+        row.triangles = piece.triangles;
+        row.volume = piece.volume;
+        row.share = piece.restVolume > 0 ? piece.volume / piece.restVolume : 0;
+        const std::size_t p = pieces_.size();
+        row.bounds = p < bounds.size() ? bounds[p] : Bounds{};
+        row.sums = same && p < before.size() ? before[p].sums : std::nullopt;
+        all += piece.volume;
+        pieces_.push_back(row);
+    }
+    for (ui::PieceRow& row : pieces_) {
+        row.shareOfAll = all > 0 ? row.volume / all : 0;
     }
     piecesStep_ = simulation_.stepCount();
     piecesTriangles_ = simulation_.report().triangles;
@@ -642,6 +679,7 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.boxes = simulation_.boxes();
     model.pinned = simulation_.pinnedVertices().size();
     model.bodySize = rest_.bounds.diagonal();
+    model.bodyBounds = simulation_.bounds();
     model.edgeLength = rest_.edgeLength;
     model.playing = playing;
     model.stroking = stroke_.drawing() || stroke_.pending() > 0;

@@ -13,6 +13,7 @@
 #include "app/scene/session_journal.h"
 #include "app/scene/session_playback.h"
 #include "app/scene/surface_look.h"
+#include "app/scene/thickness_map.h"
 #include "app/session/session_runner.h"
 #include "app/session/skin_follower.h"
 #include "app/session/volume_watch.h"
@@ -137,6 +138,15 @@ class EditorScene {
     const CutPreview& preview(const std::vector<Blade>& way) {
         return look_.preview(simulation_, way);
     }
+    /// Lets the thickness of the body be worked out where it is `wanted` and time stands. True
+    /// where it is another than in the last view().
+    bool followThickness(bool wanted) { return thickness_.follow(simulation_, wanted, !running()); }
+    const ThicknessMap& thickness() const { return thickness_; }
+    /// Adds up areas and middles of the pieces where they are `wanted`, while time stands and
+    /// nothing is cut. True where they are other ones than before.
+    bool followPieceSums(bool wanted);
+    /// The pieces as they are now, with their sums.
+    const std::vector<ui::PieceRow>& measurePieces();
     /// Number of searches through the triangles that pick() and preview() needed, for tests.
     int surfaceSearches() const { return look_.searches(); }
     /// Number of pieces after the last step: 1 for an uncut body.
@@ -213,11 +223,13 @@ class EditorScene {
     CountStart start_;
     SurfaceLook look_;
     SkinFollower skin_{document_.looks};
+    ThicknessMap thickness_;
     EditorReadings readings_;
     VolumeWatch volumes_;
     std::vector<std::string> messages_;
     std::vector<ui::PieceRow> pieces_;
-    int piecesStep_ = -1;  ///< step that pieces_ tells of
+    int sumsRevision_ = -1;  ///< of the body that the sums in pieces_ are of
+    int piecesStep_ = -1;    ///< step that pieces_ tells of
     int piecesTriangles_ = -1;
     std::vector<ui::SessionMark> marks_;
     std::vector<ui::SessionMark> course_;

@@ -3,6 +3,8 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "shaders/shared/render_bindings.h"
 
@@ -13,6 +15,12 @@ namespace {
 constexpr float kCutLineStrength = 0.75F;
 constexpr float kCutLineShare = 1.0F / 800;  // of the picture's height, a pixel at least
 
+void drawTriangles(std::uint32_t first, std::uint32_t count) {
+    glDrawArrays(GL_TRIANGLES, GLint(3 * first), GLsizei(3 * count));
+}
+
+}  // namespace
+
 void bindBody(const BodyView& body, const gpu::Buffer& normals) {
     body.positions->bindStorage(shared::kBindPositions);
     body.restPositions->bindStorage(shared::kBindRestPositions);
@@ -20,23 +28,17 @@ void bindBody(const BodyView& body, const gpu::Buffer& normals) {
     normals.bindStorage(shared::kBindNormals);
 }
 
-void drawTriangles(std::uint32_t first, std::uint32_t count) {
-    glDrawArrays(GL_TRIANGLES, GLint(3 * first), GLsizei(3 * count));
+void setCutLines(const gpu::Program& program, const SceneView& scene, const Frame& frame) {
+    program.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
+    program.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
 }
 
-gpu::Program program(gpu::Defines defines, const gpu::Defines& own) {
-    defines.insert(defines.end(), own.begin(), own.end());
-    return gpu::Program::graphics("render/surface.vert", "render/surface.frag", defines);
+void setSection(const gpu::Program& program, const SceneView& scene) {
+    const SectionPlane& plane = *scene.section;
+    const Vec3f n = plane.normal.cast<float>();
+    const auto offset = float(-plane.normal.dot(plane.point));
+    program.set("sectionPlane", Eigen::Vector4f(n.x(), n.y(), n.z(), offset));
 }
-
-}  // namespace
-
-SurfacePass::SurfacePass(const gpu::Defines& defines)
-    : defines_(defines),
-      skins_{program(defines, {}), program(defines, {{"SPOTS", "1"}})},
-      walls_{program(defines, {{"WALLS", "1"}, {"PATTERN", "0"}}),
-             program(defines, {{"WALLS", "1"}, {"PATTERN", "1"}}),
-             program(defines, {{"WALLS", "1"}, {"PATTERN", "2"}})} {}
 
 void SurfacePass::setDepth(const DepthField& depth) {
     depth_ = depth.values.empty() ? DepthTexture() : DepthTexture(depth);
@@ -59,25 +61,53 @@ void SurfacePass::setLook(const gpu::Program& program, const SceneView& scene) c
     program.set("fieldScale", depth_.scale());
 }
 
+SurfacePass::Kind SurfacePass::skinOf(const SceneView& scene) {
+    const bool painted = scene.paint != nullptr;
+    return {.pattern = scene.look.spots > 0 && !painted ? 1 : 0,
+            .opened = scene.section.has_value(),
+            .painted = painted};
+}
+
+SurfacePass::Kind SurfacePass::wallsOf(const SceneView& scene) {
+    return {.wall = true,
+            .pattern = static_cast<int>(scene.look.pattern),
+            .opened = scene.section.has_value()};
+}
+
+gpu::Defines SurfacePass::definesOf(const Kind& kind) const {
+    gpu::Defines defines = defines_;
+    const auto add = [&](bool wanted, const char* name, const std::string& value) {
+        if (wanted) {
+            defines.emplace_back(name, value);
+        }
+    };
+    add(kind.wall, "WALLS", "1");
+    add(kind.wall, "PATTERN", std::to_string(kind.pattern));
+    add(!kind.wall && kind.pattern == 1, "SPOTS", "1");
+    add(kind.opened, "SECTION", "1");
+    add(kind.painted, "OWN_COLOURS", "1");
+    return defines;
+}
+
+const gpu::Program& SurfacePass::programOf(const Kind& kind) {
+    auto found = programs_.find(kind);
+    if (found == programs_.end()) {
+        gpu::Program program =
+            gpu::Program::graphics("render/surface.vert", "render/surface.frag", definesOf(kind));
+        found = programs_.emplace(kind, std::move(program)).first;
+    }
+    return found->second;
+}
+
 void SurfacePass::draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) {
     depth_.bind(shared::kUnitDepthField);
     bindBody(scene.body, normals);
     drawSkin(scene, frame);
+    const gpu::Program& walls = programOf(wallsOf(scene));  // before a cut waits for it
     if (scene.hasWalls) {
-        prepare(walls_[static_cast<std::size_t>(scene.look.pattern)], scene, frame);
+        prepare(walls, scene, frame);
         drawTriangles(0, scene.body.triangleCount);
     }
-}
-
-/// Programs for models with colours are compiled once there is one.
-const gpu::Program& SurfacePass::skinProgram(const SceneView& scene) {
-    if (scene.paint == nullptr) {
-        return skins_[scene.look.spots > 0 ? 1 : 0];
-    }
-    if (!painted_) {
-        painted_.emplace(program(defines_, {{"OWN_COLOURS", "1"}}));
-    }
-    return *painted_;
 }
 
 void SurfacePass::upload(const std::shared_ptr<const SkinPaint>& paint) {
@@ -92,10 +122,9 @@ void SurfacePass::upload(const std::shared_ptr<const SkinPaint>& paint) {
 }
 
 void SurfacePass::drawSkin(const SceneView& scene, const Frame& frame) {
-    const gpu::Program& skin = skinProgram(scene);
+    const gpu::Program& skin = programOf(skinOf(scene));
     prepare(skin, scene, frame);
-    skin.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
-    skin.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
+    setCutLines(skin, scene, frame);
     if (scene.paint == nullptr) {
         drawTriangles(0, scene.body.triangleCount);
         return;
@@ -116,6 +145,9 @@ void SurfacePass::prepare(const gpu::Program& program, const SceneView& scene,
     program.use();
     setLight(program, frame);
     setLook(program, scene);
+    if (scene.section) {
+        setSection(program, scene);
+    }
     bindLooks(program, frame);
     program.set("viewProjection", frame.viewProjection);
     program.set("eye", frame.eye);

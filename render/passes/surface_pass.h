@@ -1,8 +1,7 @@
 #pragma once
 
-#include <array>
+#include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "gpu/program.h"
@@ -12,28 +11,46 @@
 
 namespace kerf::render {
 
+/// Binds the buffers of a body for the shaders that draw it.
+void bindBody(const BodyView& body, const gpu::Buffer& normals);
+/// The lines along rims of cuts, for a program of the skin that is in use.
+void setCutLines(const gpu::Program& program, const SceneView& scene, const Frame& frame);
+/// The plane of the section that there must be, for a program that is in use.
+void setSection(const gpu::Program& program, const SceneView& scene);
+
 /// The body itself: skin, walls, wireframe.
 class SurfacePass {
   public:
     /// `defines` of the quality tier go into every program.
-    explicit SurfacePass(const gpu::Defines& defines);
+    explicit SurfacePass(gpu::Defines defines) : defines_(std::move(defines)) {}
     void setDepth(const DepthField& depth);
     /// Takes over what another pass was told of the rest shape.
     void takeRestShape(SurfacePass& other) { depth_ = std::move(other.depth_); }
-    /// Draws into the bound target, with the shadow map bound.
+    /// Draws into the bound target, with the shadow map bound. Compiles the programs of a look when
+    /// it is first drawn, those of its walls too.
     void draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals);
+    /// Colours and inner structure, of a program that is in use.
+    void setLook(const gpu::Program& program, const SceneView& scene) const;
 
   private:
-    const gpu::Program& skinProgram(const SceneView& scene);
+    /// What a program is made for; the rest are its uniforms.
+    struct Kind {
+        bool wall = false;
+        int pattern = 0;       ///< FleshPattern of walls; of skin 1 for spots
+        bool opened = false;   ///< by a section
+        bool painted = false;  ///< in the model's own colours
+        auto operator<=>(const Kind&) const = default;
+    };
+    static Kind skinOf(const SceneView& scene);
+    static Kind wallsOf(const SceneView& scene);
+    gpu::Defines definesOf(const Kind& kind) const;
+    const gpu::Program& programOf(const Kind& kind);
     void upload(const std::shared_ptr<const SkinPaint>& paint);
     void drawSkin(const SceneView& scene, const Frame& frame);
     void prepare(const gpu::Program& program, const SceneView& scene, const Frame& frame) const;
-    void setLook(const gpu::Program& program, const SceneView& scene) const;
 
     gpu::Defines defines_;
-    std::array<gpu::Program, 2> skins_;       // without and with spots
-    std::array<gpu::Program, 3> walls_;       // by FleshPattern
-    std::optional<gpu::Program> painted_;     ///< from the first model with colours on
+    std::map<Kind, gpu::Program> programs_;
     std::shared_ptr<const SkinPaint> paint_;  ///< that was uploaded last
     gpu::Buffer paintRecords_;
     SkinTextures textures_;

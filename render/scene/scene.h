@@ -8,7 +8,9 @@
 #include "render/scene/body_look.h"
 #include "render/scene/image.h"
 #include "render/scene/overlays.h"
+#include "render/scene/section_plane.h"
 #include "render/scene/skin_paint.h"
+#include "render/scene/surface_field.h"
 #include "sim/base/boxes.h"
 #include "sim/contact/blade_body.h"
 #include "sim/contact/static_box.h"
@@ -38,7 +40,9 @@ struct SceneView {
     /// The model's own colours, in place of the look's on the skin; null for those of the look.
     /// They tell of `body` as it is.
     std::shared_ptr<const SkinPaint> paint;
-    Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
+    FieldView field;                      ///< what the colours of the body show instead of the look
+    std::optional<SectionPlane> section;  ///< opens the body
+    Bounds restBounds;                    ///< of the uncut rest shape, for the inner structure
     std::vector<StaticBox> boxes;
     std::optional<double> floor;           ///< height of the grid floor [m]
     std::optional<Blade> blade;            ///< steel with a bright edge

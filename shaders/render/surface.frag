@@ -1,5 +1,6 @@
 // The body: its skin, or with WALLS the walls of a cut. Two programs rather than a branch, since
 // llvmpipe walks through both sides of every branch.
+#include "edge_lines.glsl"
 #include "light.glsl"
 #include "shadow.glsl"
 #include "tone.glsl"
@@ -82,17 +83,6 @@ vec3 shade(Look look, vec3 n, vec3 v) {
     return light;
 }
 
-// How far it is to the three edges [px].
-vec3 edgeDistances() {
-    vec3 slope = sqrt(dFdx(corners) * dFdx(corners) + dFdy(corners) * dFdy(corners));
-    return corners / max(slope, vec3(1e-6));
-}
-
-// Of a line along edges, from its middle to where it ends [px].
-float lineCover(vec3 d, float inner, float outer) {
-    return 1.0 - smoothstep(inner, outer, min(d.x, min(d.y, d.z)));
-}
-
 void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 n = normalize(worldNormal);
@@ -101,11 +91,12 @@ void main() {
     look.albedo = mix(look.albedo, pieceTint.rgb, max(pieceTint.w, 0.0));
     vec3 light = shade(look, n, v);
     if (wireframe > 0.0) {
-        light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * lineCover(edgeDistances(), 0.3, 1.2));
+        float cover = lineCover(edgeDistances(corners), 0.3, 1.2);
+        light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * cover);
     }
 #ifndef WALLS
     // A closed cut would not show otherwise.
-    vec3 toRim = edgeDistances() + 1e3 * (1.0 - rims);
+    vec3 toRim = edgeDistances(corners) + 1e3 * (1.0 - rims);
     light *= 1.0 - cutLines * lineCover(toRim, 0.5 * cutLineWidth, 0.5 * cutLineWidth + 1.0);
 #endif
     color = vec4(display(light), 1);

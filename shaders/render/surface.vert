@@ -1,5 +1,8 @@
 #include "body.glsl"
 #include "piece_looks.glsl"
+#ifdef SECTION
+#include "section.glsl"
+#endif
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
 layout(std430, binding = kBindNormals) readonly buffer Normals { vec4 normals[]; };
 
@@ -32,6 +35,11 @@ out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 restPosition;
 out vec3 corners;
+#ifdef FIELD
+#define FIELD_ACCESS readonly
+#include "field.glsl"
+out float fieldPlace;  // in the range of its colours, 0 to 1
+#endif
 flat out vec4 pieceTint;
 #ifndef WALLS
 flat out vec3 rims;  // by corner: 1 where the edge opposite to it lies on the rim of a cut
@@ -58,6 +66,12 @@ void main() {
 #ifndef WALLS
     worldNormal = mix(worldNormal, faceNormal(triangle), facets);
     rims = vec3((triangle.www >> uvec3(2u, 3u, 1u)) & 1u);
+#endif
+#ifdef FIELD
+    fieldPlace = (fieldValues[2u * vertex + kKind] - rangeLow) / (rangeHigh - rangeLow);
+#endif
+#ifdef SECTION
+    hideBehindSection(worldPosition);
 #endif
     corners = vec3(corner == 0, corner == 1, corner == 2);
     pieceTint = lookOfPiece(triangle);

@@ -15,12 +15,16 @@ SHARED_CONST int kBindSegments = 6;      // vec4 pairs: ends of lines, or blade 
 SHARED_CONST int kBindLooks = 7;         // two vec4 per piece, see piece_looks.glsl
 SHARED_CONST int kBindConstraints = 8;   // what an overlay draws: records of the solver, vertices
 SHARED_CONST int kBindContactState = 9;  // ContactState
-SHARED_CONST int kBindSkin = 10;         // SkinRecord per drawn triangle of skin
+SHARED_CONST int kBindField = 10;        // see field.glsl
+SHARED_CONST int kBindFieldRange = 11;   // its range
+SHARED_CONST int kBindSkin = 12;         // SkinRecord per drawn triangle of skin
 
 SHARED_CONST int kUnitShadow = 0;
 SHARED_CONST int kUnitGround = 1;
 SHARED_CONST int kUnitDepthField = 2;
 SHARED_CONST int kUnitSkin = 3;  // the picture of the model's own skin
+
+SHARED_CONST float kNoField = -1e30f;  // where a quantity has no value
 
 SHARED_CONST uint kNormalsGroupSize = 64u;
 

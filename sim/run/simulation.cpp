@@ -358,6 +358,15 @@ std::vector<Piece> Simulation::measuredPieces() const {
     return out;
 }
 
+std::vector<int> Simulation::trianglesOfPieces() const {
+    const BodyModel& model = state_->body.model();
+    std::vector<int> triangles(model.pieces.size(), -1);
+    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+        triangles[model.triangles[t][3] >> 8U] = model.meshTriangle[t];
+    }
+    return triangles;
+}
+
 const std::vector<Bounds>& Simulation::pieceBounds() const {
     return state_->body.memory.measure.pieceBounds;
 }

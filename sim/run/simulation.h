@@ -107,6 +107,8 @@ class Simulation {
     /// back. Pieces stand in the order in which they came off.
     const Bounds& bounds() const;
     std::vector<Piece> measuredPieces() const;
+    /// A triangle of the mesh of each of these pieces, in their order. O(triangles).
+    std::vector<int> trianglesOfPieces() const;
     /// Boxes around these pieces [m], in their order.
     const std::vector<Bounds>& pieceBounds() const;
     /// The mesh with current positions and velocities (waits for the GPU where they are newer).
