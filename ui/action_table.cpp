@@ -1,26 +1,38 @@
 #include "ui/action_table.h"
 
+#include "sim/base/text.h"
+
 namespace kerf::ui {
 namespace {
 
-constexpr std::array kPointerHints{
-    PointerHint{"Left drag", "Cut, move a handle of the guillotine, pull or pin"},
-    PointerHint{"Shift+left drag", "Stroke: straight, in steps of 15 degrees; pin: a box"},
-    PointerHint{"Ctrl+left drag", "Pin: free again"},
-    PointerHint{"Right drag, Alt+left drag", "Turn the view"},
-    PointerHint{"Middle drag, Shift+right drag", "Move the view"},
-    PointerHint{"Wheel", "Zoom to the pointer"},
-    PointerHint{"Ctrl+click a number", "Type a value"},
-    PointerHint{"Wheel, drag over a plot", "Zoom and move along its time"},
-    PointerHint{"Double click on a plot", "Show it from the start"},
-    PointerHint{"Drag an edge of a panel", "Make it larger or smaller"},
-    PointerHint{"Drop a file", "Open a model or a session"},
-};
+/// "Right drag, Alt+left drag"
+std::string dragsThat(ViewMotion motion, MouseScheme scheme) {
+    std::vector<std::string> names;
+    for (const ViewDrag& drag : rowOf(scheme).drags) {
+        if (drag.motion == motion) {
+            names.emplace_back(drag.name);
+        }
+    }
+    return joined(names, ", ");
+}
 
 }  // namespace
 
-std::span<const PointerHint> pointerTable() {
-    return kPointerHints;
+std::vector<PointerHint> pointerTable(MouseScheme scheme) {
+    const std::string zoom = dragsThat(ViewMotion::zoom, scheme);
+    return {
+        {"Left drag", "Cut, move a handle of the guillotine, pull or pin"},
+        {"Shift+left drag", "Stroke: straight, in steps of 15 degrees; pin: a box"},
+        {"Ctrl+left drag", "Pin: free again"},
+        {dragsThat(ViewMotion::orbit, scheme), "Turn the view"},
+        {dragsThat(ViewMotion::pan, scheme), "Move the view"},
+        {zoom.empty() ? "Wheel" : "Wheel, " + zoom, "Zoom to the pointer"},
+        {"Ctrl+click a number", "Type a value"},
+        {"Wheel, drag over a plot", "Zoom and move along its time"},
+        {"Double click on a plot", "Show it from the start"},
+        {"Drag an edge of a panel", "Make it larger or smaller"},
+        {"Drop a file", "Open a model or a session"},
+    };
 }
 
 std::optional<ActionId> findAction(Key key, Modifiers modifiers) {
@@ -42,7 +54,7 @@ std::string actionsAsMarkdown() {
     const auto addRow = [&](std::string_view keys, std::string_view label) {
         text.append("| ").append(keys).append(" | ").append(label).append(" |\n");
     };
-    for (const PointerHint& hint : kPointerHints) {
+    for (const PointerHint& hint : pointerTable(MouseScheme::kerf)) {
         addRow(hint.gesture, hint.label);
     }
     for (const ActionRow& row : kActions) {

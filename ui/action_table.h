@@ -2,12 +2,13 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ui/action.h"
 #include "ui/input.h"
+#include "ui/mouse_scheme.h"
 #include "ui/panel_model.h"
 
 namespace kerf::ui {
@@ -261,10 +262,11 @@ static_assert(coversActions(kActions), "an ActionId has no row in kActions, or n
 
 /// A gesture of the pointer and its effect, which the help overlay lists beside the keys.
 struct PointerHint {
-    std::string_view gesture;
+    std::string gesture;
     std::string_view label;
 };
-std::span<const PointerHint> pointerTable();
+/// All of them, as the mouse moves the view.
+std::vector<PointerHint> pointerTable(MouseScheme scheme);
 
 /// The row of an action.
 constexpr const ActionRow& rowOf(ActionId id) {

@@ -29,16 +29,13 @@ void addRow(std::vector<Group>& groups, std::string_view title, const PointerHin
     groups.back().rows.push_back(row);
 }
 
-/// `keys` holds the texts that the rows point into.
-std::vector<Group> allGroups(std::vector<std::string>& keys) {
+std::vector<Group> allGroups(MouseScheme mouse) {
     std::vector<Group> groups;
-    for (const PointerHint& row : pointerTable()) {
+    for (const PointerHint& row : pointerTable(mouse)) {
         addRow(groups, "Pointer", row);
     }
-    keys.reserve(kActions.size());
     for (const ActionRow& row : kActions) {
-        keys.push_back(keysOf(row.id));
-        addRow(groups, row.group, {keys.back(), row.label});
+        addRow(groups, row.group, {keysOf(row.id), row.label});
     }
     return groups;
 }
@@ -106,8 +103,7 @@ void drawHelp(const PanelModel& model, std::vector<Action>& actions) {
                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4, 2});
-    std::vector<std::string> keys;
-    drawGroups(allGroups(keys), columns);
+    drawGroups(allGroups(model.settings.mouse), columns);
     ImGui::PopStyleVar();
     if (ImGui::Button("Close")) {
         actions.emplace_back(ActionId::help);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/mouse_scheme.h"
 #include "ui/theme.h"
 
 namespace kerf::ui {
@@ -14,6 +15,7 @@ struct Settings {
     static constexpr double kMostWidth = 640;
 
     Theme theme = Theme::dark;
+    MouseScheme mouse = MouseScheme::kerf;
     double uiScale = 1;  ///< over the display's own
     bool showControls = true;
     bool showReadings = true;

@@ -45,6 +45,25 @@ bool chooseScale(Settings& settings) {
     return changed;
 }
 
+/// As in programs that people know.
+bool chooseMouse(Settings& settings) {
+    bool changed = false;
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##mouse", rowOf(settings.mouse).label.data())) {
+        for (int i = 0; i < kMouseSchemes; ++i) {
+            const auto scheme = static_cast<MouseScheme>(i);
+            if (ImGui::Selectable(rowOf(scheme).label.data(), scheme == settings.mouse)) {
+                settings.mouse = scheme;
+                changed = true;
+            }
+            noteItem("mouse." + std::string(rowOf(scheme).id));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("window.mouse");
+    return changed;
+}
+
 }  // namespace
 
 void drawWindowRows(const PanelModel& model, std::vector<Action>& actions) {
@@ -54,6 +73,9 @@ void drawWindowRows(const PanelModel& model, std::vector<Action>& actions) {
     rowLabel("Size");
     itemTooltip("Of letters and panels, times what the display asks for");
     changed = chooseScale(settings) || changed;
+    rowLabel("Mouse");
+    itemTooltip("How drags turn and move the view; F1 lists them");
+    changed = chooseMouse(settings) || changed;
     if (changed) {
         actions.emplace_back(SetSettings{settings});
     }

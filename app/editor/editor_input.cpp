@@ -40,6 +40,7 @@ void Editor::State::updatePanels(const std::vector<ui::InputEvent>& batch, doubl
         panels.update(batch, view.width, view.height, elapsedSeconds);
     view.free = panels.interface.freeView();
     view.bright = panels.settings.now.theme == ui::Theme::light;
+    view.mouse = panels.settings.now.mouse;
     redraw.countUpdate(batch.empty() && actions.empty());
     for (const ui::InputEvent& event : batch) {
         dispatch(event);

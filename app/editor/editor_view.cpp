@@ -84,7 +84,8 @@ void EditorView::move(const ui::PointerMove& move, EditorScene* scene) {
 }
 
 std::string EditorView::press(const ui::ButtonChange& change, EditorScene* scene) {
-    if (holds() || camera.press(change) || change.button != ui::Button::left || scene == nullptr) {
+    if (holds() || camera.press(change, mouse) || change.button != ui::Button::left ||
+        scene == nullptr) {
         return "";
     }
     if (pressSection(*scene)) {

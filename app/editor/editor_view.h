@@ -18,8 +18,9 @@ namespace kerf::app {
 struct EditorView {
     int width = 0;  ///< of the picture [px]
     int height = 0;
-    ui::Rect free;                ///< what the panels leave of it; without width: all of it [px]
-    bool bright = false;          ///< a light scene, for the light theme
+    ui::Rect free;        ///< what the panels leave of it; without width: all of it [px]
+    bool bright = false;  ///< a light scene, for the light theme
+    ui::MouseScheme mouse = ui::MouseScheme::kerf;
     Vec2 pointer = Vec2::Zero();  ///< [px]
     EditorCamera camera;
     BodyDisplay display;

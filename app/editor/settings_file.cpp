@@ -99,11 +99,21 @@ ui::Theme readTheme(const nlohmann::json& value) {
     fail("theme", "expected \"dark\" or \"light\".");
 }
 
+ui::MouseScheme readMouse(const nlohmann::json& value) {
+    const auto row = std::ranges::find_if(
+        ui::kMouseTable, [&](const ui::MouseSchemeRow& r) { return value == std::string(r.id); });
+    if (row == ui::kMouseTable.end()) {
+        fail("mouse", "expected \"kerf\", \"blender\" or \"cad\".");
+    }
+    return static_cast<ui::MouseScheme>(row - ui::kMouseTable.begin());
+}
+
 }  // namespace
 
 std::string formatSettings(const Settings& settings) {
     Json json;
     json["theme"] = settings.theme == ui::Theme::light ? "light" : "dark";
+    json["mouse"] = std::string(rowOf(settings.mouse).id);
     forEachRow([&](const auto& row) { json[row.key] = settings.*row.member; });
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -116,6 +126,9 @@ Settings parseSettings(const std::string& text) {
     Settings settings;
     if (json.contains("theme")) {
         settings.theme = readTheme(json["theme"]);
+    }
+    if (json.contains("mouse")) {
+        settings.mouse = readMouse(json["mouse"]);
     }
     forEachRow([&](const auto& row) {
         if (json.contains(row.key)) {

@@ -520,11 +520,10 @@ SavedSession EditorScene::savedSession(const render::Camera& camera,
 }
 
 int EditorScene::stepsAsSaved() const {
-    if (playback_) {
-        return playback_->steps();
+    if (isUntouched() && (!playback_ || playback_->isPast())) {
+        return std::max(document_.session.steps, journal_.lastStep());
     }
-    return isUntouched() ? std::max(document_.session.steps, journal_.lastStep())
-                         : std::max(1, simulation_.stepCount());
+    return playback_ ? playback_->steps() : std::max(1, simulation_.stepCount());
 }
 
 /// Whether a session that is saved now ends with what a person did last.

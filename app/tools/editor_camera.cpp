@@ -8,8 +8,9 @@ namespace {
 
 constexpr double kRadiansPerHeight = 3.5;  // a drag over the whole height turns by 200 degrees
 constexpr double kZoomPerNotch = 0.88;
-constexpr double kMostNotches = 20;      // of one event: eye and target must stay apart
-constexpr double kNearestTarget = 1e-3;  // of the body's diagonal
+constexpr double kNotchesPerHeight = 20;  // of a drag over all of the view
+constexpr double kMostNotches = 20;       // of one event: eye and target must stay apart
+constexpr double kNearestTarget = 1e-3;   // of the body's diagonal
 constexpr double kFarthest = 100;  // of the body's diagonal: eye from target, target from body
 constexpr double kOffPole = 1e-4;  // from above: "up" still says which way the view is turned [rad]
 
@@ -115,34 +116,29 @@ void EditorCamera::toggleOrthographic() {
 
 // --- The pointer -------------------------------------------------------------------------------
 
-bool EditorCamera::press(const ui::ButtonChange& change) {
+bool EditorCamera::press(const ui::ButtonChange& change, ui::MouseScheme scheme) {
     land();
     if (dragging()) {
         return true;
     }
-    const bool orbits = (change.button == ui::Button::right && !change.modifiers.shift) ||
-                        (change.button == ui::Button::left && change.modifiers.alt);
-    const bool pans = change.button == ui::Button::middle ||
-                      (change.button == ui::Button::right && change.modifiers.shift);
-    if (!orbits && !pans) {
-        return false;
-    }
-    motion_ = pans ? Motion::pan : Motion::orbit;
+    motion_ = ui::motionOf(scheme, change.button, change.modifiers);
     button_ = change.button;
-    return true;
+    return dragging();
 }
 
 void EditorCamera::release(ui::Button button) {
     if (button == button_) {
-        motion_ = Motion::none;
+        motion_ = ui::ViewMotion::none;
     }
 }
 
 bool EditorCamera::drag(const Vec2& by, double height) {
-    if (motion_ == Motion::orbit) {
+    if (motion_ == ui::ViewMotion::orbit) {
         shown_.orbit(-kRadiansPerHeight * by.x() / height, kRadiansPerHeight * by.y() / height);
-    } else if (motion_ == Motion::pan) {
+    } else if (motion_ == ui::ViewMotion::pan) {
         shown_.pan(-by.x() / height, by.y() / height);
+    } else if (motion_ == ui::ViewMotion::zoom) {
+        shown_.zoom(std::pow(kZoomPerNotch, -kNotchesPerHeight * by.y() / height), {0, 0}, 1);
     }
     return dragging();
 }

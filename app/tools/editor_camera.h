@@ -4,6 +4,7 @@
 
 #include "render/scene/camera.h"
 #include "ui/input.h"
+#include "ui/mouse_scheme.h"
 
 namespace kerf::app {
 
@@ -17,9 +18,9 @@ void keepNear(render::Camera& camera, const Bounds& body);
 /// The view between two others, `share` 0 to 1: turned the short way, the distance in equal ratios.
 render::Camera between(const render::Camera& from, const render::Camera& to, double share);
 
-/// The camera of the editor's view. Right or Alt+left drag orbits, middle or Shift+right drag pans,
-/// the wheel zooms to the pointer. To other views it flies within a moment, so that the eye can
-/// follow; whatever is done meanwhile is done in the view at the end.
+/// The camera of the editor's view. Drags orbit, pan and zoom as a MouseScheme tells, the wheel
+/// zooms to the pointer. To other views it flies within a moment, so that the eye can follow;
+/// whatever is done meanwhile is done in the view at the end.
 class EditorCamera {
   public:
     static constexpr double kFlightSeconds = 0.22;
@@ -41,10 +42,10 @@ class EditorCamera {
     void toggleOrthographic();
 
     /// Ends a flight. Whether the press belongs to the camera; if so, a drag is under way.
-    bool press(const ui::ButtonChange& change);
+    bool press(const ui::ButtonChange& change, ui::MouseScheme scheme = ui::MouseScheme::kerf);
     void release(ui::Button button);
-    void releaseAll() { motion_ = Motion::none; }
-    bool dragging() const { return motion_ != Motion::none; }
+    void releaseAll() { motion_ = ui::ViewMotion::none; }
+    bool dragging() const { return motion_ != ui::ViewMotion::none; }
     /// Follows a pointer that moved by so many pixels in a view `height` pixels high. True where
     /// the camera moved.
     bool drag(const Vec2& by, double height);
@@ -61,11 +62,10 @@ class EditorCamera {
         render::Camera to;
         double flown = 0;  ///< [s]
     };
-    enum class Motion { none, orbit, pan };
 
     render::Camera shown_;
     std::optional<Flight> flight_;
-    Motion motion_ = Motion::none;
+    ui::ViewMotion motion_ = ui::ViewMotion::none;
     ui::Button button_ = ui::Button::right;  ///< that drags
 };
 

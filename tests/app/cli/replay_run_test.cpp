@@ -59,9 +59,9 @@ TEST(Replay, WritesWhatTheContractSaysAndNothingElse) {
     const ProgramRun run = replay(folder, smallSession(), "out");
     ASSERT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_EQ(filesBelow(folder / "out"),
-              (std::set<std::string>{"end.obj", "end.png", "final.ply", "metrics.csv",
+              (std::set<std::string>{"end.mtl", "end.obj", "end.png", "final.ply", "metrics.csv",
                                      "pictures/half.png", "summary.json"}));
-    EXPECT_EQ(filesBelow(folder.path()).size(), 7u) << "the session, and nothing beside DIR";
+    EXPECT_EQ(filesBelow(folder.path()).size(), 8u) << "the session, and nothing beside DIR";
     const auto printed = nlohmann::json::parse(run.out);
     const auto summary = nlohmann::json::parse(readBytes(folder / "out/summary.json"));
     EXPECT_EQ(printed["state_hash"], summary["state_hash"]);

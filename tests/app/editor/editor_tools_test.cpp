@@ -174,7 +174,9 @@ TEST_F(EditorToolsTest, ABoxPinsThroughTheWholeBody) {
     tap(Key::digit5);
     settle();
     tap(Key::p);
-    dragWith({.shift = true}, kMiddle, kMiddle + Vec2(300, -200), 4);
+    const ui::Rect view = ui::layoutPanels(kWidth, kHeight, 1, {}, true).view;
+    const Vec2 middle(kMiddle.x(), view.y + view.height / 2);
+    dragWith({.shift = true}, middle, middle + Vec2(300, -200), 4);
     // A quarter of the sphere, front and back.
     EXPECT_GT(panels().pinned, 386U / 5);
     EXPECT_LT(panels().pinned, 386U / 3);

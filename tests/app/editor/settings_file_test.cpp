@@ -11,6 +11,7 @@ namespace {
 ui::Settings unusual() {
     ui::Settings settings;
     settings.theme = ui::Theme::light;
+    settings.mouse = ui::MouseScheme::blender;
     settings.uiScale = 1.25;
     settings.showReadings = false;
     settings.controlsWidth = 333.5;
@@ -29,6 +30,7 @@ TEST(Settings, ComeBackFromTheirText) {
 TEST(Settings, WhatIsWrongIsNamed) {
     for (const auto& [text, key] :
          {std::pair{R"({"theme": "pink"})", "theme"}, std::pair{R"({"theme": 3})", "theme"},
+          std::pair{R"({"mouse": "maya"})", "mouse"}, std::pair{R"({"mouse": 1})", "mouse"},
           std::pair{R"({"ui_scale": 99})", "ui_scale"},
           std::pair{R"({"ui_scale": "1"})", "ui_scale"},
           std::pair{R"({"show_controls": 1})", "show_controls"},

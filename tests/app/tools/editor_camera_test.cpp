@@ -29,6 +29,33 @@ TEST(EditorCamera, RightOrAltLeftOrbits) {
     }
 }
 
+TEST(EditorCamera, TheMouseIsThatOfBlenderOrOfCadToo) {
+    using ui::MouseScheme;
+    using ui::ViewMotion;
+    const auto middle = [](MouseScheme scheme, const ui::Modifiers& held) {
+        return motionOf(scheme, Button::middle, held);
+    };
+    EXPECT_EQ(middle(MouseScheme::blender, {}), ViewMotion::orbit);
+    EXPECT_EQ(middle(MouseScheme::blender, {.shift = true}), ViewMotion::pan);
+    EXPECT_EQ(middle(MouseScheme::blender, {.control = true}), ViewMotion::zoom);
+    EXPECT_EQ(middle(MouseScheme::cad, {.control = true}), ViewMotion::pan);
+    EXPECT_EQ(middle(MouseScheme::cad, {.shift = true}), ViewMotion::zoom);
+    for (int i = 0; i < ui::kMouseSchemes; ++i) {
+        const auto scheme = static_cast<MouseScheme>(i);
+        EXPECT_EQ(motionOf(scheme, Button::left, {.shift = true}), ViewMotion::none) << "a tool's";
+        EXPECT_EQ(motionOf(scheme, Button::left, {.alt = true}), ViewMotion::orbit);
+    }
+}
+
+TEST(EditorCamera, ADragZooms) {
+    EditorCamera control(camera());
+    ASSERT_TRUE(control.press({Button::middle, true, {.control = true}}, ui::MouseScheme::blender));
+    EXPECT_TRUE(control.drag({0, -72}, 720));
+    EXPECT_LT(control.shown().eye.z(), 4.9) << "nearer as it goes up";
+    EXPECT_TRUE(control.drag({0, 144}, 720));
+    EXPECT_GT(control.shown().eye.z(), 5.1);
+}
+
 TEST(EditorCamera, NoZoomOrPanLosesTheBody) {
     Bounds body;
     body.add(Vec3(-1, -1, -1));
