@@ -313,7 +313,7 @@ const Handler& handlerOf(ActionId id) {
 }
 
 template <class Kind, class... Others>
-constexpr bool isOneOf = (std::is_same_v<Kind, Others> || ...);
+constexpr bool kIsOneOf = (std::is_same_v<Kind, Others> || ...);
 
 /// Whether an action is to be done between two steps.
 bool needsBody(const ui::Action& action) {
@@ -323,7 +323,7 @@ bool needsBody(const ui::Action& action) {
     return std::visit(
         []<class Kind>(const Kind&) {
             return std::is_constructible_v<Command, Kind> ||
-                   isOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark,
+                   kIsOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark,
                            ui::ExportPieces>;
         },
         action);

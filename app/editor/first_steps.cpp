@@ -65,6 +65,10 @@ Hint FirstSteps::hint(const Situation& now) const {
                             {{ActionId::toggleGravity, "Give it weight"}}}
                      : Hint{};
     }
+    if (now.past) {
+        return {"This is past. Play it again, or cut: what came after is left out then.",
+                {{ActionId::playPause, "Play"}}};
+    }
     const bool chosenSince = now.tool != cutTool_ && !hasUsed(now.tool);
     Hint after = chosenSince ? Hint{} : afterStroke(now);
     return after.text.empty() ? beforeStroke(now) : after;
@@ -154,7 +158,8 @@ Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView&
     now.open = true;
     now.playing = scene->playing;
     now.weightless = scene->simulation().params().gravity.norm() == 0;
-    now.session = scene->playingBack();
+    now.past = scene->inThePast();
+    now.session = scene->playingBack() && !now.past;
     now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
     now.touching = view.pullTool.holds();
     now.pieces = scene->pieceCount();

@@ -45,6 +45,7 @@ struct Situation {
     bool playing = false;     ///< time runs
     bool weightless = false;  ///< there is no gravity
     bool session = false;     ///< events of a session are still to come
+    bool past = false;        ///< the person went back in time
     bool cutting = false;     ///< a stroke is drawn or still to be cut
     bool touching = false;    ///< a tool pulls or pins
     ui::Tool tool = ui::Tool::stroke;

@@ -89,6 +89,8 @@ class EditorScene {
     /// What was done after a step that lies back plays again from there, until a person takes
     /// blade or body in hand: then it is left out.
     void seek(int step);
+    /// Whether what was done after the present is still to come.
+    bool inThePast() const { return playback_ && playback_->isPast(); }
     int seekSteps() const;
     void stopSeeking() { seekTarget_.reset(); }
     void toggleLoop();

@@ -86,6 +86,7 @@ TEST_F(EditorPastTest, ThePointerDragsTheTimeLineBack) {
     EXPECT_LT(step(), end / 10);
     EXPECT_EQ(pieces(), 1);
     EXPECT_FALSE(panels().playing);
+    EXPECT_THAT(panels().hint.text, HasSubstr("This is past"));
     EXPECT_EQ(panels().playback.steps, end) << "nothing is lost yet";
     tap(Key::space);
     frames(end);

@@ -72,11 +72,11 @@ std::string hashAfter(const Session& session, const Document& start) {
 TEST_F(EditorPortionsTest, PicturesInTheMidstOfStepsChangeNoBit) {
     tap(Key::v);  // gravity
     tap(Key::space);
-    turningFrames(300);
+    turningFrames(150);
     drag(kTop, kBottom, 12);
-    turningFrames(300);
+    turningFrames(150);
     untilCut();
-    turningFrames(200);
+    turningFrames(100);
     tap(Key::space);
     EditorScene& scene = *editor->scene();
     ASSERT_GT(scene.simulation().stepCount(), 20);
