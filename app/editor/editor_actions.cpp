@@ -324,7 +324,7 @@ bool needsBody(const ui::Action& action) {
         []<class Kind>(const Kind&) {
             return std::is_constructible_v<Command, Kind> ||
                    kIsOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark,
-                           ui::ExportPieces>;
+                            ui::ExportPieces>;
         },
         action);
 }

@@ -39,7 +39,8 @@ class OwnUnit {
     ui::MeasureFigure figure(std::string quantity, double value, int dimension,
                              std::string text) const {
         const std::string power = dimension > 1 ? std::to_string(dimension) : "";
-        ui::MeasureFigure figure{std::move(quantity), value, "m" + power, value, "", text};
+        ui::MeasureFigure figure{std::move(quantity), value, "m" + power, value, "",
+                                 std::move(text)};
         if (perMetre_ != 1) {
             figure.ownValue = value * std::pow(perMetre_, dimension);
             figure.ownUnit = name_ + power;

@@ -44,7 +44,8 @@ render::Image windowIcon() {
     for (int i = 0; i < kSide * kSide; ++i) {
         Color sum = Color::Zero();
         for (int sample = 0; sample < kSamples * kSamples; ++sample) {
-            const Vec2 inPixel(sample % kSamples + 0.5, sample / kSamples + 0.5);
+            const int line = sample / kSamples;
+            const Vec2 inPixel(sample % kSamples + 0.5, line + 0.5);
             sum += colorAt(Vec2(i % kSide, i / kSide) + inPixel / kSamples -
                            Vec2::Constant(kSide / 2.0));
         }

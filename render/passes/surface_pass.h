@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "gpu/program.h"
@@ -39,7 +40,8 @@ class SurfacePass {
         int pattern = 0;       ///< FleshPattern of walls; of skin 1 for spots
         bool opened = false;   ///< by a section
         bool painted = false;  ///< in the model's own colours
-        auto operator<=>(const Kind&) const = default;
+        auto key() const { return std::tuple(wall, pattern, opened, painted); }
+        bool operator<(const Kind& other) const { return key() < other.key(); }
     };
     static Kind skinOf(const SceneView& scene);
     static Kind wallsOf(const SceneView& scene);

@@ -41,6 +41,7 @@ class BodyUpdater {
     explicit BodyUpdater(const SurfaceMesh& mesh);
     /// A copy goes on for the same mesh, as it was when the copy was made.
     BodyUpdater(const BodyUpdater&) = default;
+    BodyUpdater(BodyUpdater&&) = default;
     BodyUpdater& operator=(const BodyUpdater&) = delete;
 
     const BodyModel& model() const { return model_; }

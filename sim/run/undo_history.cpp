@@ -98,8 +98,8 @@ void UndoHistory::followCut(const SurfaceMesh& mesh, const CutDelta& delta) {
     const auto now = entries_.begin() + static_cast<std::ptrdiff_t>(done_);
     const auto first = std::find_if(std::make_reverse_iterator(now), entries_.rend(), isOfBody);
     const auto end = std::find_if(now, entries_.end(), isOfBody);
-    for (UndoEntry& entry : std::ranges::subrange(first.base(), end)) {
-        if (auto* pins = std::get_if<UndoEntry::PinChange>(&entry.change)) {
+    for (auto entry = first.base(); entry != end; ++entry) {
+        if (auto* pins = std::get_if<UndoEntry::PinChange>(&entry->change)) {
             pins->before.follow(mesh, delta);
             pins->after.follow(mesh, delta);
         }

@@ -55,8 +55,8 @@ class SectionTest : public test::GlTest {
 
 std::size_t byteAt(double x, double y) {
     const double perPixel = kViewHeight / kHeight;
-    const auto column = static_cast<std::size_t>(kWidth / 2 + x / perPixel);
-    const auto row = static_cast<std::size_t>(kHeight / 2 - y / perPixel);
+    const auto column = static_cast<std::size_t>(0.5 * kWidth + x / perPixel);
+    const auto row = static_cast<std::size_t>(0.5 * kHeight - y / perPixel);
     return 4 * (row * kWidth + column);
 }
 

@@ -92,7 +92,8 @@ void note(const StaticBox& box, const SurfaceMesh& mesh, Depths& depths) {
 Depths depthsOf(const Fall& fall) {
     SurfaceMesh mesh = test::builtin(fall.model);
     const double top = fall.box.bounds().high.y();
-    mesh = raised(std::move(mesh), top + fall.height - meshBounds(mesh).low.y());
+    const double way = top + fall.height - meshBounds(mesh).low.y();
+    mesh = raised(std::move(mesh), way);
     Params params;
     params.floor = top - 0.35;
     Simulation simulation(std::move(mesh), params, {fall.box});
@@ -194,7 +195,7 @@ struct TouchedBody {
         settings = contactSettings(params);
         settings.enabled = false;
         state = stateOf(test::cubeSphere(5));
-        std::mt19937 random(seed);
+        std::mt19937 random(kSeed);
         std::uniform_real_distribution<float> noise(-1, 1);
         for (std::size_t v = 0; v < state.positions.size(); ++v) {
             const auto vector = [&] { return Vec3f(noise(random), noise(random), noise(random)); };
@@ -229,7 +230,7 @@ struct TouchedBody {
         return {model, boxes, settings, distances, inverse};
     }
 
-    static constexpr unsigned seed = 23;
+    static constexpr unsigned kSeed = 23;
     std::vector<StaticBox> boxes{{{0.05, -0.62, 0.02}, {0.4, 0.7, 0.5}, {20, 30, 40}},
                                  touching(Vec3(1, 1, 1), {10, 20, 30}),
                                  touching(Vec3(-1, 1, 0), {-40, 10, 15})};
@@ -250,7 +251,7 @@ bool mayEnter(const std::vector<StaticBox>& boxes, const Vec3& x, const Vec3& d,
 
 TEST_F(BoxCornerTest, TrianglesAnswerLikeTheReference) {
     TouchedBody body;
-    SCOPED_TRACE("seed " + std::to_string(TouchedBody::seed));
+    SCOPED_TRACE("seed " + std::to_string(TouchedBody::kSeed));
     ReferenceState reference = body.reference();
     const ReferenceBoxes::Counts counts = body.referenceBoxes().respond(reference);
     EXPECT_GT(counts.touched, 5);

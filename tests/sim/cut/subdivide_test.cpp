@@ -222,7 +222,8 @@ SurfaceMesh tetrahedronWhoseFaceBegins(int corner) {
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         triangles.push_back(mesh.triangle(t));
     }
-    std::ranges::rotate(triangles[kFace], triangles[kFace].begin() + corner);
+    std::rotate(triangles[kFace].begin(), triangles[kFace].begin() + corner,
+                triangles[kFace].end());
     return SurfaceMesh::fromTriangles(positions, triangles);
 }
 

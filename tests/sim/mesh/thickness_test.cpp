@@ -16,7 +16,7 @@ TEST(Thickness, OfASlabIsItsHeightOnItsFaces) {
     ASSERT_EQ(thickness.size(), 2U * slab.vertexCount());
     int inside = 0;
     for (int v = 0; v < slab.vertexCount(); ++v) {
-        const Vec3 p = slab.position(v);
+        const Vec3& p = slab.position(v);
         EXPECT_EQ(thickness[2 * v + 1], -1) << "there are no walls";
         if (std::abs(p.x()) < 0.49 && std::abs(p.y()) < 0.49) {
             EXPECT_NEAR(thickness[2 * v], 0.2, 1e-6);

@@ -71,6 +71,7 @@ TEST_F(ShapeRecoveryTest, LeadsWhatWasMirroredBackWithinASecond) {
     EXPECT_EQ(sharesInsideOut(model, mesh).at(0), 0);
     const RestPose pose = fitRestPose([&] {
         std::vector<FittedVertex> vertices;
+        vertices.reserve(mesh.vertexCount());
         for (int v = 0; v < mesh.vertexCount(); ++v) {
             vertices.push_back({v, 1, mesh.position(v), mesh.restPosition(v), Vec3::Zero()});
         }
