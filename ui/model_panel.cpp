@@ -54,7 +54,7 @@ std::optional<std::size_t> drawChoice(const char* label, const std::string& name
         if (i == chosen) {
             ImGui::PopStyleColor();
         }
-        noteItem(name + "." + word);
+        noteItem(std::string(name).append(".").append(word));
     }
     ImGui::PopID();
     return clicked;

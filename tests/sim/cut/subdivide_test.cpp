@@ -215,10 +215,12 @@ TEST_F(SubdivideAFace, WithoutCurvesThereIsNothingToDivide) {
 SurfaceMesh tetrahedronWhoseFaceBegins(int corner) {
     const SurfaceMesh mesh = test::unitTetrahedron();
     std::vector<Vec3> positions;
+    positions.reserve(mesh.vertexCount());
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         positions.push_back(mesh.position(v));
     }
     std::vector<Triangle> triangles;
+    triangles.reserve(mesh.triangleSlots());
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         triangles.push_back(mesh.triangle(t));
     }
