@@ -72,11 +72,11 @@ std::string hashAfter(const Session& session, const Document& start) {
 TEST_F(EditorPortionsTest, PicturesInTheMidstOfStepsChangeNoBit) {
     tap(Key::v);  // gravity
     tap(Key::space);
-    turningFrames(150);
+    turningFrames(300);
     drag(kTop, kBottom, 12);
-    turningFrames(150);
+    turningFrames(300);
     untilCut();
-    turningFrames(100);
+    turningFrames(200);
     tap(Key::space);
     EditorScene& scene = *editor->scene();
     ASSERT_GT(scene.simulation().stepCount(), 20);

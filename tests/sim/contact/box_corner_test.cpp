@@ -122,7 +122,7 @@ void print(std::uint32_t seed, const Depths& depths) {
 
 TEST_F(BoxCornerTest, StaysOutOfWhatFallsOnIt) {
     const std::uint32_t first = test::fuzzSeed(7000);
-    const std::uint32_t runs = fuzzRuns(2);
+    const std::uint32_t runs = fuzzRuns(4);
     for (std::uint32_t seed = first; seed < first + runs; ++seed) {
         const Depths depths = depthsOf(randomFall(seed));
         print(seed, depths);
@@ -172,7 +172,7 @@ Depths depthsOfPush(std::uint32_t seed) {
 
 TEST_F(BoxCornerTest, LeavesABodyThatItIsMovedInto) {
     const std::uint32_t first = test::fuzzSeed(7000);
-    const std::uint32_t runs = fuzzRuns(2);
+    const std::uint32_t runs = fuzzRuns(4);
     for (std::uint32_t seed = first; seed < first + runs; ++seed) {
         const Depths depths = depthsOfPush(seed);
         print(seed, depths);
