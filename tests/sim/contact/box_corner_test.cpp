@@ -172,7 +172,7 @@ Depths depthsOfPush(std::uint32_t seed) {
 
 TEST_F(BoxCornerTest, LeavesABodyThatItIsMovedInto) {
     const std::uint32_t first = test::fuzzSeed(7000);
-    const std::uint32_t runs = fuzzRuns(4);
+    const std::uint32_t runs = fuzzRuns(2);
     for (std::uint32_t seed = first; seed < first + runs; ++seed) {
         const Depths depths = depthsOfPush(seed);
         print(seed, depths);
