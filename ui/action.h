@@ -43,7 +43,12 @@ struct SetTools {
 /// Places the model otherwise; where it stands follows, so its translation does not matter.
 struct PlaceModel {
     Placement placement;
+    int model = 0;           ///< of the scene, by number
     bool continues = false;  ///< the same gesture had placed it before
+};
+/// Takes a model out of the scene, by number; the first stays.
+struct RemoveModel {
+    int model = 0;
 };
 /// Puts a new box beside the body.
 struct PlaceBox {};
@@ -99,7 +104,7 @@ struct ShowPiece {
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
 using Action =
     std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
-                 PlaceModel, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView,
+                 PlaceModel, RemoveModel, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView,
                  ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment, HoverPiece, FramePiece,
                  ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
 

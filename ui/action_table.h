@@ -17,6 +17,7 @@ namespace kerf::ui {
 /// kActions. The handlers in app/editor/editor_actions.cpp do it.
 enum class ActionId : std::uint8_t {
     openFile,
+    addModel,
     saveSession,
     saveTest,
     exportBody,
@@ -132,6 +133,8 @@ bool draws(const PanelModel& model) {
 inline constexpr std::array kActions{
     ActionRow{ActionId::openFile, at(Key::o, kControl, "Ctrl+O"), "Open a model or a session...",
               "File", always},
+    ActionRow{ActionId::addModel, at(Key::o, kControlShift, "Ctrl+Shift+O"),
+              "Add a model to the scene...", "File", withBody},
     ActionRow{ActionId::saveSession, at(Key::s, kControl, "Ctrl+S"), "Save all since the start...",
               "File", withBody},
     ActionRow{ActionId::saveTest, at(Key::t, kControl, "Ctrl+T"), "Save as a test...", "File",

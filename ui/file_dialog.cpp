@@ -67,10 +67,10 @@ const char* adviceFor(FilePurpose purpose) {
 
 }  // namespace
 
-std::string_view titleOf(FilePurpose purpose) {
-    switch (purpose) {
+std::string_view titleOf(const FileDialogState& dialog) {
+    switch (dialog.purpose) {
         case FilePurpose::open:
-            return "Open a model or a session";
+            return dialog.adds ? "Add a model to the scene" : "Open a model or a session";
         case FilePurpose::saveSession:
             return "Save all since the start as a session";
         case FilePurpose::saveTest:
@@ -83,10 +83,10 @@ std::string_view titleOf(FilePurpose purpose) {
     return "";
 }
 
-std::string_view verbOf(FilePurpose purpose) {
-    switch (purpose) {
+std::string_view verbOf(const FileDialogState& dialog) {
+    switch (dialog.purpose) {
         case FilePurpose::open:
-            return "Open";
+            return dialog.adds ? "Add" : "Open";
         case FilePurpose::saveSession:
         case FilePurpose::saveTest:
             return "Save";
@@ -127,7 +127,7 @@ void FileDialog::draw(const FileDialogState& state, std::vector<Action>& actions
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
-    if (!beginModal(std::string(titleOf(state.purpose)) + kWindow,
+    if (!beginModal(std::string(titleOf(state)) + kWindow,
                     std::min(60 * line, 0.94F * display.x), std::min(36 * line, 0.92F * display.y),
                     wanted)) {
         return;
@@ -363,7 +363,7 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
 }
 
 void FileDialog::drawButtons(const FileDialogState& state, std::vector<Action>& actions) {
-    const std::string verb(state.asksToOverwrite ? "Replace" : verbOf(state.purpose));
+    const std::string verb(state.asksToOverwrite ? "Replace" : verbOf(state));
     const char* const leave = state.asksToOverwrite ? "Keep it" : "Cancel";
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth(verb) - buttonWidth(leave) -

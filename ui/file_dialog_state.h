@@ -42,6 +42,7 @@ struct FileDialogState {
     bool asksToOverwrite = false;      ///< the name is taken
     bool filePerPiece = false;         ///< of an export
     bool inScene = false;              ///< of an export: in metres of the scene
+    bool adds = false;  ///< what is opened is added to the scene instead of opened in its place
 };
 
 // What a person does in a file dialog.
@@ -95,9 +96,9 @@ using FileAction = std::variant<GoToFolder, GoToParentFolder, SelectFile, MoveFi
                                 AcceptFile, KeepFile, CloseFileDialog, OpenFile>;
 
 /// The title of the dialog: "Open a model or a session".
-std::string_view titleOf(FilePurpose purpose);
+std::string_view titleOf(const FileDialogState& dialog);
 /// The label of the button that accepts the file: "Open".
-std::string_view verbOf(FilePurpose purpose);
+std::string_view verbOf(const FileDialogState& dialog);
 /// A size in the unit that suits it: "1.5 MB".
 std::string sizeText(std::uintmax_t bytes);
 

@@ -9,6 +9,7 @@
 
 #include "sim/base/quantity_text.h"
 #include "ui/item_rects.h"
+#include "ui/parameters_panel.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -90,26 +91,33 @@ bool changeNumbers(const NumberRow& row, bool live, double* values) {
     return changed;
 }
 
-void drawNumbers(const NumberRow& row, const ModelState& state, const Placement& edited,
+/// A model that a person looks at in the panel.
+struct ShownModel {
+    const ModelState& state;
+    int number = 0;
+    bool live = true;  ///< see PanelModel::liveModels
+};
+
+void drawNumbers(const NumberRow& row, const ShownModel& model, const Placement& edited,
                  double* values, std::vector<Action>& actions) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 4.2F * ImGui::GetFontSize());
     ImGui::PushID(row.label);
-    const bool changed = changeNumbers(row, state.live, values);
+    const bool changed = changeNumbers(row, model.live, values);
     noteItem(std::string("model.") + row.label);
     const bool continues = continuesGesture(changed);
     if (changed) {
-        actions.emplace_back(PlaceModel{edited, continues});
+        actions.emplace_back(PlaceModel{edited, model.number, continues});
     }
     ImGui::SameLine();
     ImGui::TextUnformatted(row.label);
     ImGui::PopID();
 }
 
-void drawTurnAndScale(const ModelState& state, std::vector<Action>& actions) {
-    Placement turned = state.placement;
-    drawNumbers(kTurnRow, state, turned, turned.rotate.data(), actions);
-    Placement scaled = state.placement;
-    drawNumbers(kScaleRow, state, scaled, &scaled.scale, actions);
+void drawTurnAndScale(const ShownModel& model, std::vector<Action>& actions) {
+    Placement turned = model.state.placement;
+    drawNumbers(kTurnRow, model, turned, turned.rotate.data(), actions);
+    Placement scaled = model.state.placement;
+    drawNumbers(kScaleRow, model, scaled, &scaled.scale, actions);
 }
 
 std::string sizeText(const Vec3& size) {
@@ -117,18 +125,44 @@ std::string sizeText(const Vec3& size) {
            lengthText(size.z());
 }
 
-void drawChoices(const ModelState& state, std::vector<Action>& actions) {
-    Placement placement = state.placement;
+void drawChoices(const ShownModel& model, std::vector<Action>& actions) {
+    Placement placement = model.state.placement;
     const auto unit = static_cast<std::size_t>(placement.unit.value_or(LengthUnit::metre));
     if (const auto clicked = drawChoice("Unit", "model.unit", kLengthUnitNames, unit)) {
         placement.unit = static_cast<LengthUnit>(*clicked);
-        actions.emplace_back(PlaceModel{placement});
+        actions.emplace_back(PlaceModel{placement, model.number});
     }
     const auto up = static_cast<std::size_t>(placement.up.value_or(UpAxis::y));
     if (const auto clicked = drawChoice("Up", "model.up", kUpAxisNames, up)) {
         placement.up = static_cast<UpAxis>(*clicked);
-        actions.emplace_back(PlaceModel{placement});
+        actions.emplace_back(PlaceModel{placement, model.number});
     }
+}
+
+/// A row per model of the scene. Returns the chosen one.
+int chooseModel(const PanelModel& model, std::vector<Action>& actions) {
+    int& chosen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen model"), 0);
+    chosen = std::min(chosen, static_cast<int>(model.models.size()) - 1);
+    for (int m = 0; m < static_cast<int>(model.models.size()); ++m) {
+        ImGui::PushID(m);
+        const std::string number = std::to_string(m);
+        const float room = m > 0 ? 1.5F * ImGui::GetFrameHeight() : 0;
+        if (ImGui::Selectable((number + "  " + model.models[m].name).c_str(), m == chosen, 0,
+                              {ImGui::GetContentRegionAvail().x - room, 0})) {
+            chosen = m;
+        }
+        noteItem("model." + number);
+        if (m > 0) {
+            ImGui::SameLine();
+            if (ImGui::SmallButton("\u00d7")) {
+                actions.emplace_back(RemoveModel{m});
+            }
+            noteItem("model.remove." + number);
+            itemTooltip("Takes this model out of the scene");
+        }
+        ImGui::PopID();
+    }
+    return chosen;
 }
 
 }  // namespace
@@ -137,20 +171,31 @@ void drawModel(const PanelModel& model, std::vector<Action>& actions) {
     if (model.name.empty()) {
         return;
     }
-    const ModelState& state = model.model;
+    const int number = model.models.size() > 1 ? chooseModel(model, actions) : 0;
+    const ShownModel shown{model.models[number], number, model.liveModels};
+    const ModelState& state = shown.state;
     drawWrapped(sizeText(state.size), false);
     noteItem("model.size");
     itemTooltip("Width, height and depth of the uncut model in the scene");
-    drawChoices(state, actions);
-    drawTurnAndScale(state, actions);
+    drawChoices(shown, actions);
+    drawTurnAndScale(shown, actions);
+    if (number > 0) {
+        drawOwnParameters(number, model, actions);
+    }
     drawWrapped(state.physics, false);
     if (!state.guess.empty()) {
         drawWrapped(state.guess, true);
     }
-    if (!state.untouched) {
+    if (!model.untouched) {
         drawWrapped("Another placement starts anew with the uncut model; undo takes it back.",
                     true);
     }
+    if (ImGui::Button("Add a model...")) {
+        actions.emplace_back(ActionId::addModel);
+    }
+    noteItem("model.add");
+    itemTooltip("Puts another model beside what there is: " +
+                keysOf(ActionId::addModel));
 }
 
 }  // namespace kerf::ui

@@ -22,12 +22,11 @@ namespace kerf::ui {
 
 /// The model that is open, and how its numbers became the metres of the scene.
 struct ModelState {
+    std::string name;
     Placement placement;
-    Vec3 size = Vec3::Zero();  ///< of the uncut body, along the axes of the scene [m]
+    Vec3 size = Vec3::Zero();  ///< of the uncut model, along the axes of the scene [m]
     std::string guess;         ///< what was taken for its unit and axis, and why; may be empty
     std::string physics;       ///< what physics makes of that size
-    bool untouched = true;     ///< no cut was made that a placement would undo
-    bool live = true;          ///< small enough to follow a drag
 };
 
 /// One row of the history: something that can be taken back or brought back.
@@ -116,7 +115,9 @@ struct Hint {
 /// All that the panels show: filled by the editor every frame, read only here.
 struct PanelModel {
     std::string name;  ///< of what is open; empty while nothing is
-    ModelState model;
+    std::vector<ModelState> models;  ///< of the scene, by number
+    bool untouched = true;           ///< no cut was made that a placement would undo
+    bool liveModels = true;          ///< small enough to follow a drag
     Params params;       ///< as they are
     Params startParams;  ///< as they were when it was opened: what the reset mark returns to
     std::vector<StaticBox> boxes;  ///< that the body collides with

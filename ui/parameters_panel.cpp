@@ -220,23 +220,49 @@ void drawVectorLabel(const ParamInfo& info) {
     itemTooltip(tooltipOf(info));
 }
 
-/// At the right end of the line that begins at `top`, where the value is not what it was at the
-/// start.
-void drawReset(const ParamInfo& info, const PanelModel& model, float top,
-               std::vector<Action>& actions) {
-    const ParamValue start = getParam(model.startParams, info.name);
-    if (getParam(model.params, info.name) == start) {
-        return;
-    }
+/// A mark at the right end of the line that begins at `top`, which sets a parameter to a value.
+void drawMark(const std::string& param, const ParamValue& value, const char* tooltip, float top,
+              std::vector<Action>& actions) {
     const ImVec2 below = ImGui::GetCursorPos();
     ImGui::SetCursorPos({ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight(),
                          top - ImGui::GetStyle().FramePadding.y});
     if (resetButton("##reset")) {
-        actions.emplace_back(SetParam{std::string(info.name), start});
+        actions.emplace_back(SetParam{param, value});
     }
-    noteItem("reset." + std::string(info.name));
-    itemTooltip("Back to the value at the start");
+    noteItem("reset." + param);
+    itemTooltip(tooltip);
     ImGui::SetCursorPos(below);
+}
+
+/// Where the value is not what it was at the start.
+void drawReset(const ParamInfo& info, const PanelModel& model, float top,
+               std::vector<Action>& actions) {
+    const ParamValue start = getParam(model.startParams, info.name);
+    if (getParam(model.params, info.name) != start) {
+        drawMark(std::string(info.name), start, "Back to the value at the start", top, actions);
+    }
+}
+
+void drawOwnRow(const ParamInfo& info, int model, const PanelModel& panels,
+                std::vector<Action>& actions) {
+    const std::string name = ownName(info.name, model);
+    ImGui::PushID(name.c_str());
+    const float top = ImGui::GetCursorPosY();
+    const ParamValue own = getParam(panels.params, name);
+    const bool has = !std::holds_alternative<std::monostate>(own);
+    double value = std::get<double>(has ? own : getParam(panels.params, info.name));
+    SlideText text = textOf(info);
+    text.item = "param." + name;
+    text.label.append(has ? "" : " of all");
+    const SlideEdit edit =
+        slideRow(text, slideOf(info, value), ImGui::GetContentRegionAvail().x, resetRoom());
+    if (edit.changed) {
+        actions.emplace_back(SetParam{name, value, edit.continues});
+    }
+    if (has) {
+        drawMark(name, std::monostate{}, "The value of all models again", top, actions);
+    }
+    ImGui::PopID();
 }
 
 void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
@@ -271,6 +297,14 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
 }
 
 }  // namespace
+
+void drawOwnParameters(int model, const PanelModel& panels, std::vector<Action>& actions) {
+    for (const ParamInfo& info : paramTable()) {
+        if (info.perModel) {
+            drawOwnRow(info, model, panels, actions);
+        }
+    }
+}
 
 std::string remarkOn(const ParamInfo& info, const PanelModel& model) {
     if (info.name != "iterations" || !hasTooFewSweeps(model.params, model.edgeLength)) {

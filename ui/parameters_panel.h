@@ -12,6 +12,10 @@ namespace kerf::ui {
 /// under "More". Each answers with a SetParam command.
 void drawParameters(const PanelModel& model, std::vector<Action>& actions);
 
+/// Draws the rows of what model `model` of the scene, not the first, may have of its own; the
+/// others' value is shown where it has none.
+void drawOwnParameters(int model, const PanelModel& panels, std::vector<Action>& actions);
+
 /// A remark about a parameter as things stand, for instance that the iterations are too few for the
 /// modulus; "" for none.
 std::string remarkOn(const ParamInfo& info, const PanelModel& model);

@@ -88,7 +88,7 @@ class Replay {
           player_(session),
           files_(folder, options.hashes, options.pieces),
           looks_(std::move(model.looks)),
-          simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, session.placement)),
+          simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, model.placed)),
                       session.params, session.boxes),
           uncut_(simulation_.uncut()),
           restBounds_(meshBounds(simulation_.mesh())),

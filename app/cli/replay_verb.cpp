@@ -156,14 +156,15 @@ void requireNoExpectations(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void setParameters(Params& params, const std::vector<std::string>& settings) {
+void setParameters(Session& session, const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) {
         const std::size_t equals = setting.find('=');
         if (equals == std::string::npos) {
             throw UsageError("--set " + setting + ": expected NAME=VALUE");
         }
         try {
-            setParamFromText(params, setting.substr(0, equals), setting.substr(equals + 1));
+            setParamFromText(session.params, setting.substr(0, equals), setting.substr(equals + 1));
+            requireModelsOfParams(session);
         } catch (const InputError& error) {
             throw UsageError(std::string("--set ") + error.what());
         }
@@ -173,7 +174,7 @@ void setParameters(Params& params, const std::vector<std::string>& settings) {
 int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors) {
     requireNoExpectations(arguments.out);
     Session session = readSession(arguments.session);
-    setParameters(session.params, arguments.set);
+    setParameters(session, arguments.set);
     for (const std::string& warning : session.warnings) {
         spdlog::warn(warning);
     }

@@ -239,6 +239,8 @@ using ui::Tool;
 
 constexpr std::array kHandlers{
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
+    Handler{ActionId::addModel, Needs::scene,
+            [](State& s) { s.browse(FilePurpose::open, BrowseFor::addition); }},
     Handler{ActionId::saveSession, Needs::scene,
             [](State& s) { s.browse(FilePurpose::saveSession); }},
     Handler{ActionId::saveTest, Needs::scene, [](State& s) { s.askAboutTest(); }},
@@ -415,8 +417,9 @@ struct Answer {
     void onBody(const Command& command) const { s.execute(command); }
     void onBody(const ui::PlaceModel& wanted) const {
         s.view.cancelTools(*s.scene);
-        s.say(s.scene->place(wanted.placement, wanted.continues));
+        s.say(s.scene->place(wanted.placement, wanted.continues, wanted.model));
     }
+    void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
     void onBody(const ui::PlaceBox&) const { placeBox(s); }
     void onBody(const ui::GoToChange& wanted) const {
         const UndoHistory& history = s.scene->simulation().history();

@@ -16,9 +16,48 @@ enum PictureChoice { kAddPicture, kNoPicture, kCancel };
 
 // --- Opening -----------------------------------------------------------------------------------
 
-void Editor::State::open(const std::filesystem::path& file, bool fillHoles) {
+void Editor::State::open(OpeningOrder order, bool fillHoles) {
     asked.reset();
-    work.open(file, fillHoles);
+    work.open(std::move(order), fillHoles);
+}
+
+void Editor::State::addModel(const std::filesystem::path& file) {
+    if (scene == nullptr) {
+        open(file);
+        return;
+    }
+    openScene({"Adding " + file.filename().string(), file,
+               [name = scene->document().name, start = scene->startOfScene(),
+                file](const ReadOptions& options) {
+                   return openWithModel(name, start, file, options);
+               }});
+}
+
+void Editor::State::removeModel(int model) {
+    Session start = scene->startOfScene();
+    takeModelOut(start, model);
+    const std::filesystem::path file = start.model.file();
+    openScene({"Taking model " + std::to_string(model) + " out", file,
+               [name = scene->document().name, start](const ReadOptions& options) {
+                   return kerf::app::openScene(name, start, options);
+               }});
+}
+
+/// The scene begins anew: who has cut is asked.
+void Editor::State::openScene(OpeningOrder order) {
+    if (!scene->hasChanged()) {
+        open(std::move(order));
+        return;
+    }
+    asked = {{order.title + " starts the scene anew",
+              "The cuts and other changes of the models so far go, and undo does not bring them "
+              "back. Save the session first if you want them again.",
+              {"Start anew", "Cancel"}},
+             [this, order](int choice) {
+                 if (choice == 0) {
+                     open(order);
+                 }
+             }};
 }
 
 void Editor::State::show(UploadedDocument uploaded) {
@@ -47,32 +86,31 @@ void Editor::State::show(UploadedDocument uploaded) {
 }
 
 /// Only what would really help is offered.
-void Editor::State::askAboutHoles(const ModelFault& fault, const std::filesystem::path& file) {
+void Editor::State::askAboutHoles(const ModelFault& fault, const OpeningOrder& order) {
     if (fault.fillableHoles() == 0) {
         toast.show(fault.what(), true);
         return;
     }
     std::string sentence = fault.what();
-    if (const std::string whole = file.string(); sentence.starts_with(whole)) {
-        sentence.replace(0, whole.size(), file.filename().string());
+    if (const std::string whole = order.file.string(); sentence.starts_with(whole)) {
+        sentence.replace(0, whole.size(), order.file.filename().string());
     }
     const std::string holes = counted(fault.fillableHoles(), "hole", "holes");
     asked = {{"This model can't be cut as it is",
               sentence.substr(0, sentence.find(';')) + ". Filling " + holes +
                   " would close it; the file stays as it is.",
               {"Fill " + holes, "Cancel"}},
-             [this, file](int choice) {
+             [this, order](int choice) {
                  if (choice == 0) {
-                     open(file, true);
+                     open(order, true);
                  }
              }};
 }
 
 // --- Choosing and saving -----------------------------------------------------------------------
 
-void Editor::State::browse(ui::FilePurpose purpose, bool testGetsPicture) {
-    chooser.browse(purpose, scene == nullptr ? "" : scene.meanwhile()->document().name,
-                   testGetsPicture);
+void Editor::State::browse(ui::FilePurpose purpose, BrowseFor what) {
+    chooser.browse(purpose, scene == nullptr ? "" : scene.meanwhile()->document().name, what);
 }
 
 /// A test without a picture is one too, but it can't show what has changed.
@@ -86,14 +124,16 @@ void Editor::State::askAboutTest() {
               {"Add a picture of the end", "Go without", "Cancel"}},
              [this](int choice) {
                  if (choice != kCancel) {
-                     browse(ui::FilePurpose::saveTest, choice == kAddPicture);
+                     browse(ui::FilePurpose::saveTest, choice == kAddPicture
+                                                           ? BrowseFor::testWithPicture
+                                                           : BrowseFor::itself);
                  }
              }};
 }
 
 void Editor::State::take(const ChosenFile& chosen) {
     if (chosen.purpose == ui::FilePurpose::open) {
-        open(chosen.file);
+        chosen.what == BrowseFor::addition ? addModel(chosen.file) : open(chosen.file);
         return;
     }
     save(chosen);
@@ -117,7 +157,7 @@ void Editor::State::save(const ChosenFile& chosen) {
                               scene->simulation(), view.display.look(*scene)));
         return;
     }
-    if (chosen.testGetsPicture) {
+    if (chosen.what == BrowseFor::testWithPicture) {
         scene->addPicture(scene->end());
     }
     const bool isTest = chosen.purpose == ui::FilePurpose::saveTest;
@@ -155,16 +195,16 @@ void Editor::State::followOpening() {
     if (work.opening() == nullptr) {
         return;
     }
-    const std::filesystem::path file = work.opening()->file();
+    const OpeningOrder order = work.opening()->order();
     redraw.panels();
     try {
         if (auto uploaded = work.advanceOpening(!view.holds())) {
             show(std::move(*uploaded));
-            chooser.addRecent(file);
+            chooser.addRecent(order.file);
         }
     } catch (const ModelFault& fault) {
         spdlog::error("{}", fault.what());
-        askAboutHoles(fault, file);
+        askAboutHoles(fault, order);
     } catch (const std::exception& error) {
         spdlog::error("{}", error.what());
         toast.show(error.what(), true);

@@ -114,12 +114,17 @@ struct Editor::State {
     void say(const std::string& problem);
 
     // Files: editor_files.cpp.
-    void open(const std::filesystem::path& file, bool fillHoles = false);
+    void open(const std::filesystem::path& file) { open(orderOf(file)); }
+    void open(OpeningOrder order, bool fillHoles = false);
+    /// Opens the scene with the model of a file added, or with one of its models taken out.
+    void addModel(const std::filesystem::path& file);
+    void removeModel(int model);
+    void openScene(OpeningOrder order);
     void show(UploadedDocument uploaded);
     void followFiles();
     void followOpening();
-    void askAboutHoles(const ModelFault& fault, const std::filesystem::path& file);
-    void browse(ui::FilePurpose purpose, bool testGetsPicture = false);
+    void askAboutHoles(const ModelFault& fault, const OpeningOrder& order);
+    void browse(ui::FilePurpose purpose, BrowseFor what = BrowseFor::itself);
     void askAboutTest();
     void take(const ChosenFile& chosen);
     void save(const ChosenFile& chosen);

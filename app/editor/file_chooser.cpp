@@ -71,8 +71,8 @@ FileChooser::FileChooser(std::filesystem::path here, std::filesystem::path recen
     : here_(std::move(here)), recent_(std::move(recentFiles)) {}
 
 void FileChooser::browse(ui::FilePurpose purpose, const std::string& document,
-                         bool testGetsPicture) {
-    testGetsPicture_ = testGetsPicture;
+                         BrowseFor what) {
+    what_ = what;
     recent_.look();
     const std::filesystem::path& last = lastFolder(purpose);
     const bool besideModel = purpose == ui::FilePurpose::exportMesh && !modelFolder_.empty();
@@ -142,7 +142,7 @@ std::optional<ChosenFile> FileChooser::take(const ui::FileAction& action) {
         return std::nullopt;
     }
     const ChosenFile chosen{dialog.purpose, *file, dialog.filePerPiece, dialog.inScene,
-                            testGetsPicture_};
+                            what_};
     close();
     return chosen;
 }
@@ -163,6 +163,7 @@ void FileChooser::describe(ui::PanelModel& model) const {
     model.recentFiles = recent_.files();
     if (browser_) {
         model.files = browser_->state();
+        model.files.adds = what_ == BrowseFor::addition;
         model.files.preview = preview_.lines();
     }
 }

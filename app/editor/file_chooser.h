@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,13 +12,20 @@
 
 namespace kerf::app {
 
+/// What else is meant by a file that is opened or saved.
+enum class BrowseFor : std::uint8_t {
+    itself,           ///< nothing
+    addition,         ///< of one to be opened: its model is added to the scene
+    testWithPicture,  ///< of a test: it shall have a picture of its end
+};
+
 /// A file that a person chose, and what for.
 struct ChosenFile {
     ui::FilePurpose purpose = ui::FilePurpose::none;
     std::filesystem::path file;
-    bool filePerPiece = false;     ///< of an export
-    bool inScene = false;          ///< of an export: in metres of the scene
-    bool testGetsPicture = false;  ///< the test shall have a picture of its end
+    bool filePerPiece = false;  ///< of an export
+    bool inScene = false;       ///< of an export: in metres of the scene
+    BrowseFor what = BrowseFor::itself;
 };
 
 /// Lets a person choose files: in the dialog, which remembers where it was, or among the recent
@@ -30,7 +38,8 @@ class FileChooser {
     /// The folder that the editor was started in.
     const std::filesystem::path& here() const { return here_; }
     /// Opens the dialog. It proposes a name for the open `document`, "" while there is none.
-    void browse(ui::FilePurpose purpose, const std::string& document, bool testGetsPicture = false);
+    void browse(ui::FilePurpose purpose, const std::string& document,
+                BrowseFor what = BrowseFor::itself);
     /// The file of the open model, beside which it is exported until another folder is chosen. An
     /// empty path for none; what comes with Kerf counts as none.
     void setModel(const std::filesystem::path& file);
@@ -60,7 +69,7 @@ class FileChooser {
     std::filesystem::path modelFolder_;   ///< see setModel()
     std::optional<FileBrowser> browser_;  ///< while the dialog is open
     FilePreview preview_;
-    bool testGetsPicture_ = false;  ///< see ChosenFile
+    BrowseFor what_ = BrowseFor::itself;  ///< see ChosenFile
 };
 
 }  // namespace kerf::app

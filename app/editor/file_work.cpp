@@ -18,8 +18,8 @@ FileWork::~FileWork() {
     behind_.finish();
 }
 
-void FileWork::open(const std::filesystem::path& file, bool fillHoles) {
-    opening_.start(std::make_unique<DocumentLoading>(file, fillHoles));
+void FileWork::open(OpeningOrder order, bool fillHoles) {
+    opening_.start(std::make_unique<DocumentLoading>(std::move(order), fillHoles));
 }
 
 std::optional<UploadedDocument> FileWork::advanceOpening(bool mayTake) {
@@ -51,8 +51,7 @@ std::optional<SavingQueue::Outcome> FileWork::takeOutcome() {
 ui::WorkState FileWork::state() const {
     ui::WorkState work;
     if (const DocumentLoading* const loading = opening()) {
-        work = {"Opening " + loading->file().filename().string(), loading->stage(),
-                loading->seconds()};
+        work = {loading->order().title, loading->stage(), loading->seconds()};
     } else if (const FileSaving* const file = saving()) {
         work = {file->title, file->stage(), file->seconds()};
     }

@@ -25,9 +25,9 @@ class FileWork {
     FileWork(const FileWork&) = delete;
     FileWork& operator=(const FileWork&) = delete;
 
-    /// Begins to open a file, instead of the one before.
-    void open(const std::filesystem::path& file, bool fillHoles);
-    /// The file that is being opened; null for none.
+    /// Begins to open something, instead of what was being opened before.
+    void open(OpeningOrder order, bool fillHoles);
+    /// What is being opened; null for none.
     const DocumentLoading* opening() const { return opening_.now(); }
     /// Goes on with that file, once a picture. Returns the document once it is ready and `mayTake`.
     /// Then, and where it throws as DocumentLoading::advance(), nothing is being opened any more.

@@ -11,6 +11,7 @@
 #include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_soup.h"
+#include "sim/run/prepared_body.h"
 
 namespace kerf::app {
 
@@ -50,6 +51,7 @@ struct ModelMesh {
     SurfaceMesh mesh;
     OwnLooks looks;
     std::vector<std::string> remarks;  ///< sentences about what was left out of them
+    std::vector<PlacedModel> placed = {{}};  ///< what the mesh consists of
 };
 
 /// Largest model file that is read [bytes].

@@ -12,7 +12,7 @@ constexpr double kUploadBudget = 0.006;  // of a picture [s]; a portion may take
 PreparedDocument prepareDocument(Document document, WorkProgress* progress) {
     PreparedBody body(
         document.mesh, [&](const char* stage) { enter(progress, stage); },
-        document.session.placement);
+        document.placed);
     enter(progress, "Measuring the depth below the skin");
     render::DepthField depth = render::measureSkinDepth(document.mesh);
     enter(progress, "Bringing it to the GPU");
@@ -24,13 +24,18 @@ UploadedDocument::UploadedDocument(PreparedDocument prepared)
       body(std::move(prepared.body)),
       depth(std::move(prepared.depth)) {}
 
-DocumentLoading::DocumentLoading(std::filesystem::path file, bool fillHoles)
-    : file_(std::move(file)), job_([path = file_, fillHoles](WorkProgress& progress) {
+OpeningOrder orderOf(const std::filesystem::path& file) {
+    return {"Opening " + file.filename().string(), file,
+            [file](const ReadOptions& options) { return openDocument(file, options); }};
+}
+
+DocumentLoading::DocumentLoading(OpeningOrder order, bool fillHoles)
+    : order_(std::move(order)), job_([open = order_.open, fillHoles](WorkProgress& progress) {
           ReadOptions options;
           options.fillHoles = fillHoles;
           options.tryFilling = !fillHoles;
           options.progress = &progress;
-          return prepareDocument(openDocument(path, options), &progress);
+          return prepareDocument(open(options), &progress);
       }) {}
 
 void DocumentLoading::advance() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,11 +32,21 @@ struct UploadedDocument {
     render::DepthField depth;
 };
 
-/// A file on its way into the editor: read and prepared on a thread of its own, then brought to the
-/// GPU a portion a picture. What is open goes on meanwhile.
+/// What is to be shown instead of what is open.
+struct OpeningOrder {
+    std::string title;           ///< "Opening bunny.ply"
+    std::filesystem::path file;  ///< that is read
+    /// Reads it, on any thread.
+    std::function<Document(const ReadOptions& options)> open;
+};
+/// To open a model or a session.
+OpeningOrder orderOf(const std::filesystem::path& file);
+
+/// A document on its way into the editor: read and prepared on a thread of its own, then brought to
+/// the GPU a portion a picture. What is open goes on meanwhile.
 class DocumentLoading {
   public:
-    explicit DocumentLoading(std::filesystem::path file, bool fillHoles = false);
+    explicit DocumentLoading(OpeningOrder order, bool fillHoles = false);
 
     /// Once a picture, on the thread of the context. Throws InputError where the file can't be
     /// opened, gpu::ShaderError, gpu::OutOfMemory.
@@ -46,7 +57,7 @@ class DocumentLoading {
     /// The thread works; until then pictures need not follow each other closely.
     bool preparing() const { return uploaded_ == nullptr; }
 
-    const std::filesystem::path& file() const { return file_; }
+    const OpeningOrder& order() const { return order_; }
     std::string stage() const { return job_.stage(); }
     double seconds() const { return job_.seconds(); }
     /// The thread ends soon; what it has made is lost.
@@ -55,7 +66,7 @@ class DocumentLoading {
     bool done() const { return job_.done(); }
 
   private:
-    std::filesystem::path file_;
+    OpeningOrder order_;
     BackgroundJob<PreparedDocument> job_;
     std::unique_ptr<UploadedDocument> uploaded_;
 };

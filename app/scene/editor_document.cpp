@@ -1,5 +1,7 @@
 #include "app/scene/editor_document.h"
 
+#include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "gpu/data_path.h"
@@ -11,6 +13,13 @@ namespace kerf::app {
 namespace {
 
 constexpr std::string_view kSessionEnding = ".kerf.json";
+constexpr double kGapBeside = 0.1;  // between models of a scene, of the larger diagonal
+/// Of models that bring no colours of their own, so that they can be told apart.
+const std::array<Vec3, 5> kColors{{{0.36, 0.62, 0.80},
+                                   {0.55, 0.72, 0.38},
+                                   {0.86, 0.60, 0.28},
+                                   {0.66, 0.48, 0.74},
+                                   {0.80, 0.44, 0.46}}};
 
 bool isSession(const std::filesystem::path& file) {
     return lowerCase(file.extension().string()) == ".json";
@@ -35,8 +44,8 @@ Document finish(std::string name, Session session, ModelMesh model, std::string 
     for (const std::string& remark : model.remarks) {
         note += (note.empty() ? "" : " ") + remark;
     }
-    return {std::move(name), std::move(session),     std::move(model.mesh), bounds,
-            camera,          std::move(model.looks), std::move(note),       {}};
+    return {std::move(name),        std::move(session),      std::move(model.mesh), bounds, camera,
+            std::move(model.looks), std::move(model.placed), std::move(note),       {}};
 }
 
 Document openModel(const std::filesystem::path& file, const ReadOptions& options) {
@@ -50,6 +59,7 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
     const UnitGuess guess = guessUnits(file, meshBounds(model.mesh));
     session.placement = standing(guess, model.mesh.restPositions());
     place(model.mesh, session.placement);
+    model.placed = {{session.placement, 0}};
     const Bounds placed = meshBounds(model.mesh);
     if (const std::string problem = checkRoom(placed); !problem.empty()) {
         throw InputError(file.string() + ": " + problem);
@@ -64,12 +74,63 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
 Document openSession(const std::filesystem::path& file, const ReadOptions& options) {
     Session session = readSession(file);
     session.model.fillHoles |= options.fillHoles;
+    for (FurtherModel& further : session.moreModels) {
+        further.model.fillHoles |= options.fillHoles;
+    }
     ModelMesh model = loadSessionModel(session, options);
     std::string note = joined(session.warnings, "; ");
     return finish(shortName(file), std::move(session), std::move(model), std::move(note));
 }
 
+/// On the floor, at the right of the others.
+Placement beside(const Bounds& others, Placement placement, const std::vector<Vec3>& own) {
+    const PlacementMap map(placement);
+    Bounds placed;
+    for (const Vec3& p : own) {
+        placed.add(map.toScene(p));
+    }
+    const double half = 0.5 * (placed.high - placed.low).x();
+    const double gap = kGapBeside * std::max(placed.diagonal(), others.diagonal());
+    return standing(placement, own,
+                    {others.high.x() + gap + half, others.low.y(), others.center().z()});
+}
+
 }  // namespace
+
+Document openScene(const std::string& name, Session scene, const ReadOptions& options) {
+    ModelMesh models = loadSessionModel(scene, options);
+    return finish(name, std::move(scene), std::move(models), "");
+}
+
+Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
+                       const ReadOptions& options) {
+    const std::size_t others = scene.moreModels.size() + 1;
+    if (isSession(file)) {
+        throw InputError(file.filename().string() +
+                         ": a session has a scene of its own; add its model's file instead.");
+    }
+    if (others >= kMostModels) {
+        throw InputError("A scene holds " + std::to_string(kMostModels) +
+                         " models at most; take one out before you add another.");
+    }
+    MeshReport report;
+    ReadOptions ours = options;
+    ours.report = &report;
+    const SurfaceMesh own = readModel(file, ours).mesh;
+    const UnitGuess guess = guessUnits(file, meshBounds(own));
+    FurtherModel added;
+    added.model.path = std::filesystem::absolute(file);
+    added.model.fillHoles = options.fillHoles;
+    added.color = kColors[(others - 1) % kColors.size()];
+    const Placement stands = standing(guess, own.restPositions());
+    const Bounds before = meshBounds(loadSessionModel(scene, {}).mesh);
+    added.placement = beside(before, stands, own.restPositions());
+    scene.moreModels.push_back(std::move(added));
+    Document document = openScene(name, std::move(scene), {});
+    document.note = "Model " + std::to_string(others) + " of the scene. " +
+                    modelNote(report, guess);
+    return document;
+}
 
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options) {
     return isSession(file) ? openSession(file, options) : openModel(file, options);

@@ -19,6 +19,7 @@ struct Document {
     Bounds restBounds;      ///< of `mesh`
     render::Camera camera;  ///< the first view
     OwnLooks looks;         ///< of `mesh`
+    std::vector<PlacedModel> placed;  ///< what `mesh` consists of
     std::string note;       ///< what was done to it on the way in, one sentence; may be empty
     std::optional<UnitGuess> guess = std::nullopt;  ///< of a model file
 };
@@ -26,6 +27,13 @@ struct Document {
 /// Opens a model or a session (*.kerf.json). Throws InputError, ModelFault among them, and
 /// WorkCancelled where the progress of `options` was cancelled.
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options = {});
+
+/// Opens a scene that no file holds.
+Document openScene(const std::string& name, Session scene, const ReadOptions& options = {});
+/// Opens a scene with the model of a file as its last, beside what there is. Throws as
+/// openDocument(), and InputError for a session.
+Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
+                       const ReadOptions& options = {});
 
 /// Opens what the editor shows without a file, assets/sessions/drop-in.kerf.json. Throws
 /// InputError.

@@ -38,8 +38,40 @@ const char* markOf(const Command& command) {
     return std::holds_alternative<Redo>(command) ? "redo" : "restart";
 }
 
-EditorScene::RestFigures restFigures(const SurfaceMesh& uncut) {
-    return {meshBounds(uncut), meanRestEdgeLength(uncut), meshVolume(uncut)};
+std::vector<EditorScene::ModelFigures> figuresOf(const SurfaceMesh& uncut,
+                                                 std::span<const PlacedModel> models) {
+    std::vector<EditorScene::ModelFigures> figures(models.size());
+    const auto modelOf = [&](int vertex) {
+        const auto after = std::ranges::upper_bound(models, vertex, {}, &PlacedModel::firstVertex);
+        return after - models.begin() - 1;
+    };
+    for (int v = 0; v < uncut.vertexCount(); ++v) {
+        figures[modelOf(v)].bounds.add(uncut.restPosition(v));
+    }
+    for (int t = 0; t < uncut.triangleSlots(); ++t) {
+        const auto& [a, b, c] = uncut.triangle(t);
+        EditorScene::ModelFigures& model = figures[modelOf(a)];
+        const Vec3& origin = model.bounds.low;
+        const Vec3 normal = (uncut.restPosition(b) - origin).cross(uncut.restPosition(c) - origin);
+        model.volume += (uncut.restPosition(a) - origin).dot(normal) / 6;
+    }
+    return figures;
+}
+
+EditorScene::RestFigures restFigures(const UncutBody& uncut) {
+    return {meshBounds(uncut.mesh), meanRestEdgeLength(uncut.mesh),
+            figuresOf(uncut.mesh, uncut.models)};
+}
+
+/// The parameters as they are for one model.
+Params paramsOf(Params params, int model) {
+    for (const char* name : {"youngs_modulus", "density"}) {
+        const ParamValue own = getParam(params, ownName(name, model));
+        if (!std::holds_alternative<std::monostate>(own)) {
+            setParam(params, name, own);
+        }
+    }
+    return params;
 }
 
 }  // namespace
@@ -47,8 +79,8 @@ EditorScene::RestFigures restFigures(const SurfaceMesh& uncut) {
 EditorScene::EditorScene(Document document, BodyUpload body)
     : document_(std::move(document)),
       homeView_(document_.camera),
-      rest_(restFigures(document_.mesh)),
-      simulation_(std::move(body), document_.session.params, document_.session.boxes) {
+      simulation_(std::move(body), document_.session.params, document_.session.boxes),
+      rest_(restFigures(*simulation_.uncut())) {
     simulation_.setUndoBudget(kUndoBudget);
     journal_.open(document_.session.events);
     startAnew();
@@ -105,15 +137,35 @@ std::string EditorScene::perform(const Command& command) {
     return problem;
 }
 
-std::string EditorScene::place(const Placement& wanted, bool continues) {
-    const PlacementMap map(simulation_.placement());
+std::string EditorScene::place(const Placement& wanted, bool continues, int model) {
+    const PlacementMap map(simulation_.placement(model));
+    const std::vector<PlacedModel>& models = uncut_->models;
+    const int last = model + 1;
+    const int end = last < simulation_.modelCount() ? models[last].firstVertex
+                                                    : uncut_->mesh.vertexCount();
     std::vector<Vec3> own;
-    for (const Vec3& point : uncut_->mesh.restPositions()) {
-        own.push_back(map.toModel(point));
+    own.reserve(end - models[model].firstVertex);
+    for (int v = models[model].firstVertex; v < end; ++v) {
+        own.push_back(map.toModel(uncut_->mesh.restPosition(v)));
     }
-    Vec3 ground = rest_.bounds.center();
-    ground.y() = simulation_.params().floor.value_or(rest_.bounds.low.y());
-    return execute(Place{standing(wanted, own, ground), continues});
+    const Bounds& bounds = rest_.models[model].bounds;
+    Vec3 ground = bounds.center();
+    ground.y() = simulation_.params().floor.value_or(bounds.low.y());
+    return execute(Place{standing(wanted, own, ground), model, continues});
+}
+
+Session EditorScene::startOfScene() const {
+    Session start;
+    start.model = document_.session.model;
+    start.placement = simulation_.placement();
+    start.moreModels = document_.session.moreModels;
+    for (std::size_t m = 0; m < start.moreModels.size(); ++m) {
+        start.moreModels[m].placement = simulation_.placement(static_cast<int>(m) + 1);
+    }
+    start.params = simulation_.params();
+    start.boxes = simulation_.boxes();
+    start.colors = document_.session.colors;
+    return start;
 }
 
 /// What was told of the uncut body is told of the one that there is now.
@@ -122,8 +174,8 @@ void EditorScene::followPlacement() {
         return;
     }
     uncut_ = simulation_.uncut();
-    rest_ = restFigures(uncut_->mesh);
-    const bool asOpened = simulation_.placement() == document_.session.placement;
+    rest_ = restFigures(*uncut_);
+    const bool asOpened = uncut_->models == document_.placed;
     homeView_ = asOpened ? document_.camera : sessionCamera(Session{}, rest_.bounds);
     ++placementRevision_;
 }
@@ -465,15 +517,17 @@ void EditorScene::endPast() {
 
 void EditorScene::startRecording() {
     const std::vector<StaticBox> boxes = simulation_.boxes();
-    const Placement placement = simulation_.placement();
+    const std::vector<PlacedModel> models = uncut_->models;
     simulation_.reset();
     playback_.reset();
     document_.session.events.clear();
     journal_.clear();
     startAnew();
     putUp(boxes);
-    if (simulation_.placement() != placement) {
-        perform(Place{placement});
+    for (int m = 0; m < simulation_.modelCount(); ++m) {
+        if (simulation_.placement(m) != models[m].placement) {
+            perform(Place{models[m].placement, m});
+        }
     }
     recording_ = recorded_ = true;
 }
@@ -672,7 +726,7 @@ void EditorScene::describe(ui::PanelModel& model) {
     }
     const StepReport& report = simulation_.report();
     model.name = document_.name;
-    describeModel(model.model);
+    describeModels(model);
     model.params = simulation_.params();
     model.startParams = document_.session.params;
     model.boxes = simulation_.boxes();
@@ -695,13 +749,21 @@ void EditorScene::describe(ui::PanelModel& model) {
     describeMarks(model);
 }
 
-void EditorScene::describeModel(ui::ModelState& state) const {
-    state.placement = simulation_.placement();
-    state.size = rest_.bounds.high - rest_.bounds.low;
-    state.guess = document_.guess ? document_.guess->sentence : "";
-    state.physics = sizeEffect(state.size.y(), rest_.volume, simulation_.params());
-    state.untouched = simulation_.report().triangles == uncut_->mesh.aliveTriangles();
-    state.live = simulation_.report().triangles <= kMostLiveTriangles;
+void EditorScene::describeModels(ui::PanelModel& model) const {
+    const Session& session = document_.session;
+    for (int m = 0; m < simulation_.modelCount(); ++m) {
+        const ModelFigures& figures = rest_.models[m];
+        ui::ModelState state;
+        state.name = m == 0 ? session.model.name() : session.moreModels[m - 1].model.name();
+        state.placement = simulation_.placement(m);
+        state.size = figures.bounds.high - figures.bounds.low;
+        state.physics =
+            sizeEffect(state.size.y(), figures.volume, paramsOf(simulation_.params(), m));
+        model.models.push_back(std::move(state));
+    }
+    model.models.front().guess = document_.guess ? document_.guess->sentence : "";
+    model.untouched = simulation_.report().triangles == uncut_->mesh.aliveTriangles();
+    model.liveModels = simulation_.report().triangles <= kMostLiveTriangles;
 }
 
 void EditorScene::describeMarks(ui::PanelModel& model) {

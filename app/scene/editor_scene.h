@@ -44,15 +44,24 @@ class EditorScene {
     void reset();
 
     // Where the model lies.
-    /// Places the model otherwise: in another unit, turned, scaled. It stands on the floor below
-    /// where it was, uncut; the translation of `wanted` does not matter. `continues`: with the
-    /// gesture of the placement before. Returns "" or one sentence.
-    std::string place(const Placement& wanted, bool continues);
+    /// Places a model otherwise: in another unit, turned, scaled. It stands on the floor below where
+    /// it was, and all models are uncut; the translation of `wanted` does not matter. `continues`:
+    /// with the gesture of the placement before. Returns "" or one sentence.
+    std::string place(const Placement& wanted, bool continues, int model = 0);
+    /// The models as they lie at rest, the parameters and the boxes, as a session without events.
+    Session startOfScene() const;
+    /// Whether a person has changed anything since the start.
+    bool hasChanged() const { return journal_.firstChange().has_value(); }
+    /// Figures of one model of the uncut body at rest.
+    struct ModelFigures {
+        Bounds bounds;      ///< [m]
+        double volume = 0;  ///< [m^3]
+    };
     /// Figures of the uncut body at rest.
     struct RestFigures {
         Bounds bounds;          ///< [m]
         double edgeLength = 0;  ///< mean [m]
-        double volume = 0;      ///< [m^3]
+        std::vector<ModelFigures> models = {};
     };
     const RestFigures& rest() const { return rest_; }
     /// The view that shows the uncut body: the first one, or one like it after a placement.
@@ -167,7 +176,6 @@ class EditorScene {
     std::string perform(const Command& command);
     void followUndo(const Params& before);
     void followPlacement();
-    void describeModel(ui::ModelState& state) const;
     void moveHand();
     void releaseAllHands();
     bool playsOnAfter(const Command& command) const;
@@ -198,6 +206,7 @@ class EditorScene {
     void checkNowAndThen();
     void watchVolumes(const StepReport& report);
     void refreshPieces();
+    void describeModels(ui::PanelModel& model) const;
     void describeChanges(ui::ChangeList& list) const;
     void describePlayback(ui::PlaybackState& state) const;
     void describeMarks(ui::PanelModel& model);
@@ -205,9 +214,9 @@ class EditorScene {
 
     Document document_;
     render::Camera homeView_;
-    RestFigures rest_;
     Simulation simulation_;
-    std::shared_ptr<const UncutBody> uncut_ = simulation_.uncut();  ///< that these tell of
+    std::shared_ptr<const UncutBody> uncut_ = simulation_.uncut();
+    RestFigures rest_;  ///< of `uncut_`
     int placementRevision_ = 0;
     SessionRunner runner_{simulation_};
     /// Of a session with events, or of the past, until a person cuts.

@@ -46,8 +46,8 @@ std::string fileOf(const JournalEntry& entry) {
 
 /// "Gravity: none".
 std::string nameOf(const SetParam& set) {
-    const ParamInfo* const info = findParam(set.name);
-    return info == nullptr ? set.name : ui::withRaisedDigits(nameOfChange(*info, set.value));
+    const bool known = findParam(set.name) != nullptr;
+    return known ? ui::withRaisedDigits(nameOfChange(set.name, set.value)) : set.name;
 }
 
 /// A slider that is dragged leaves many at a step.

@@ -53,6 +53,7 @@ inline constexpr Limits kScales{1e-6, 1e6};
 inline constexpr Limits kRadii{1e-9, kMaxSessionCoordinate};                  // [m]
 inline constexpr Limits kHands{0, 99};                                        // their numbers
 inline constexpr Limits kBoxNumbers{0, static_cast<double>(kMostBoxes) - 1};  // from 0
+inline constexpr Limits kModelNumbers{0, kMostModels - 1};                    // from 0
 inline constexpr Limits kBoxSizes{kLeastBoxSize, kLargestBoxSize};            // [m]
 inline constexpr Limits kTurns = within(kLargestBoxTurn);                     // [degrees]
 inline constexpr Limits kPictureSizes{1, kMaxPictureSize};                    // [pixels]
@@ -202,6 +203,8 @@ void describe(auto& fields, Place& place) {
          "The uncut body at rest, as by restart, with its model placed otherwise. Keys that "
          "are left out mean what they mean in placement."});
     describe(fields, place.placement);
+    fields.optional({"model", "The number of the model, from 0, where the scene has several."},
+                    place.model, kModelNumbers);
     fields.optional({"continues", "One change with the place before it."}, place.continues);
 }
 

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "app/files/builtin_models.h"
+#include "app/files/joined_models.h"
 #include "app/files/sha256.h"
 #include "sim/mesh/invariants.h"
 
@@ -47,17 +48,39 @@ std::string ModelReference::name() const {
     return builtin.empty() ? path.stem().string() : builtin;
 }
 
-ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
-    const std::filesystem::path file = session.model.file();
-    requireDigest(file, session.model.sha256);
+namespace {
+
+/// `key`: of its placement in the session.
+ModelMesh loadPlaced(const ModelReference& reference, const Placement& placement,
+                     const std::string& key, const ReadOptions& options) {
+    const std::filesystem::path file = reference.file();
+    requireDigest(file, reference.sha256);
     ReadOptions ours = options;
-    ours.fillHoles |= session.model.fillHoles;
+    ours.fillHoles |= reference.fillHoles;
     ModelMesh model = readModel(file, ours);
-    place(model.mesh, session.placement);
+    place(model.mesh, placement);
     if (const std::string problem = checkRoom(meshBounds(model.mesh)); !problem.empty()) {
-        throw InputError("placement: " + problem);
+        throw InputError(key + ": " + problem);
     }
+    model.placed = {{placement, 0}};
     return model;
+}
+
+}  // namespace
+
+ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
+    std::vector<ModelMesh> models;
+    models.reserve(session.moreModels.size() + 1);
+    models.push_back(loadPlaced(session.model, session.placement, "placement", options));
+    for (const FurtherModel& further : session.moreModels) {
+        const std::string key =
+            "more_models[" + std::to_string(models.size() - 1) + "].placement";
+        models.push_back(loadPlaced(further.model, further.placement, key, options));
+        if (further.color) {
+            paint(models.back(), further.model.name(), *further.color);
+        }
+    }
+    return joined(std::move(models));
 }
 
 render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
@@ -70,6 +93,14 @@ render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
     camera.frame(bounds);
     camera.zoom(kRoomToFall, Vec2::Zero(), 1);
     return camera;
+}
+
+void takeModelOut(Session& session, int model) {
+    session.moreModels.erase(session.moreModels.begin() + model - 1);
+    std::vector<OwnMaterial>& own = session.params.models;
+    if (static_cast<std::size_t>(model) <= own.size()) {
+        own.erase(own.begin() + model - 1);
+    }
 }
 
 std::optional<Command> commandOf(const SessionAction& action) {

@@ -50,6 +50,13 @@ struct ModelReference {
     std::string name() const;
 };
 
+/// A model of a scene behind the first.
+struct FurtherModel {
+    ModelReference model;
+    Placement placement;
+    std::optional<Vec3> color;  ///< of its skin where the file brings none, as displays take it
+};
+
 /// A PNG of the scene, as it stands before the step. `file` is relative to the output folder.
 struct ScreenshotEvent {
     std::string file;
@@ -97,6 +104,7 @@ struct Session {
     std::string fileName;  ///< without its folder, as errors name it; empty where it is no file
     ModelReference model;
     Placement placement;
+    std::vector<FurtherModel> moreModels;  ///< models 1, 2, ... of the scene
     Params params;
     std::vector<StaticBox> boxes;  ///< at the start
     int steps = 0;
@@ -105,6 +113,10 @@ struct Session {
     render::ChosenColors colors;        ///< of the view, instead of the model's own
     std::vector<std::string> warnings;  ///< unknown extra keys, files of one name
 };
+
+/// Takes one of the further models out of the scene, with what the parameters say of it alone;
+/// those behind it move up.
+void takeModelOut(Session& session, int model);
 
 /// The command that an action is; none where it changes no simulation.
 std::optional<Command> commandOf(const SessionAction& action);
@@ -130,12 +142,14 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
 /// Sets a parameter to a value that is written as in a session: 0.5, [0, -9.81, 0], null, "pbd". A
 /// bare word is a text. Throws InputError, naming the parameter; none has changed then.
 void setParamFromText(Params& params, const std::string& name, const std::string& value);
+/// Throws InputError where a parameter at the start is of a model that the session does not have.
+void requireModelsOfParams(const Session& session);
 /// Text of a session file that lies in `baseFolder` (model paths become relative to it where it
 /// is given). Throws InputError rather than write what parseSession would refuse.
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder = {});
 
-/// The model of a session, placed in the world. Throws InputError, also where its sha256 differs
-/// or where it would be too small or too far from the origin for floats.
+/// The models of a session, placed in the world, as one. Throws InputError, also where a sha256
+/// differs or where a model would be too small or too far from the origin for floats.
 ModelMesh loadSessionModel(const Session& session, const ReadOptions& options = {});
 
 /// The session's view, or the default one: from the front right above, `bounds` in the middle and

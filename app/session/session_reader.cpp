@@ -487,7 +487,24 @@ void warnAboutOneName(Session& session) {
     }
 }
 
+void makeAbsolute(ModelReference& model, const std::filesystem::path& baseFolder) {
+    if (model.builtin.empty()) {
+        model.path = std::filesystem::absolute(baseFolder / model.path).lexically_normal();
+    }
+}
+
 }  // namespace
+
+void requireModelsOfParams(const Session& session) {
+    const int models = static_cast<int>(session.moreModels.size()) + 1;
+    for (const std::string& name : ownNames(session.params)) {
+        if (modelOf(name) >= models) {
+            fail("params." + name, "there is no model " + std::to_string(modelOf(name)) +
+                                       "; the session has " +
+                                       counted(models, "model", "models") + ", numbered from 0.");
+        }
+    }
+}
 
 void setParamFromText(Params& params, const std::string& name, const std::string& value) {
     requireKnownParam(name, "'" + name + "'");
@@ -507,10 +524,11 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
     describe(top, session);
     top.warnAboutTheRest();
     warnAboutOneName(session);
-    if (session.model.builtin.empty()) {
-        session.model.path =
-            std::filesystem::absolute(baseFolder / session.model.path).lexically_normal();
+    makeAbsolute(session.model, baseFolder);
+    for (FurtherModel& further : session.moreModels) {
+        makeAbsolute(further.model, baseFolder);
     }
+    requireModelsOfParams(session);
     return session;
 }
 

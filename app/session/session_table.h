@@ -46,6 +46,16 @@ void describe(auto& fields, ModelReference& model) {
     fields.optional({"fill_holes", "Fills holes before the model is cut."}, model.fillHoles);
 }
 
+void describe(auto& fields, FurtherModel& further) {
+    describe(fields, further.model);
+    fields.optional({"placement", "How its numbers become metres, and where it lies."},
+                    further.placement);
+    fields.optional({"color",
+                     "Colour of its skin where the file brings none: red, green and blue, 0 to 1 "
+                     "as displays take them."},
+                    further.color, kColorParts);
+}
+
 void describe(auto& fields, SessionEvent& event, const Limits& steps) {
     fields.required({"step",
                      "The event applies before this step; after the last one where it is "
@@ -99,6 +109,9 @@ void describe(auto& fields, Session& session) {
                      "How the model's numbers become metres, and where it lies: scaled, turned, "
                      "then moved."},
                     session.placement);
+    fields.list({"more_models",
+                 "Further models of the scene, numbered from 1; model 0 is the one above."},
+                session.moreModels, kMostModels - 1);
     fields.params({"params", "The parameters at the start. One left out has its default."},
                   session.params);
     fields.list({"boxes", "What the body collides with besides the floor."}, session.boxes,

@@ -44,6 +44,9 @@ Json toJson(const Params& params) {
     for (const ParamInfo& info : paramTable()) {
         json[std::string(info.name)] = toJson(getParam(params, info.name));
     }
+    for (const std::string& name : ownNames(params)) {
+        json[name] = toJson(getParam(params, name));
+    }
     return json;
 }
 
@@ -72,6 +75,13 @@ bool isGiven(const std::optional<Value>& value) {
 bool isGiven(const SessionView& view) {
     return view.camera.has_value();
 }
+
+struct FieldWriter;
+template <class Described, class... Rule>
+requires requires(FieldWriter& fields, Described item, Rule... rule) {
+    describe(fields, item, rule...);
+}
+Json toJson(Described item, const Rule&... rule);
 
 /// Writes the fields of an object as describe() names them.
 struct FieldWriter : NoFields {
@@ -109,7 +119,7 @@ struct FieldWriter : NoFields {
 };
 
 template <class Described, class... Rule>
-requires requires(FieldWriter fields, Described item, Rule... rule) {
+requires requires(FieldWriter& fields, Described item, Rule... rule) {
     describe(fields, item, rule...);
 }
 Json toJson(Described item, const Rule&... rule) {
@@ -167,6 +177,16 @@ class DocumentWriter {
     std::string text_;
 };
 
+/// With its path from `baseFolder`, where that is given.
+ModelReference inFolder(ModelReference model, const std::filesystem::path& baseFolder) {
+    if (!model.builtin.empty()) {
+        model.path.clear();
+    } else if (!baseFolder.empty()) {
+        model.path = model.path.lexically_proximate(baseFolder);
+    }
+    return model;
+}
+
 /// JSON is UTF-8, names of files are any bytes.
 std::string textOf(Session& session) {
     try {
@@ -183,10 +203,9 @@ std::string textOf(Session& session) {
 
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder) {
     Session written = session;
-    if (!session.model.builtin.empty()) {
-        written.model.path.clear();
-    } else if (!baseFolder.empty()) {
-        written.model.path = session.model.path.lexically_proximate(baseFolder);
+    written.model = inFolder(session.model, baseFolder);
+    for (FurtherModel& further : written.moreModels) {
+        further.model = inFolder(further.model, baseFolder);
     }
     return textOf(written);
 }

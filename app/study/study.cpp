@@ -91,6 +91,9 @@ class SessionShelf {
         session.params = read.params;
         session.sha256 = sha256OfFile(file);
         session.modelSha256 = digestOf(read.model.file());
+        for (const FurtherModel& further : read.moreModels) {
+            session.modelSha256.append(",").append(digestOf(further.model.file()));
+        }
         return session;
     }
 

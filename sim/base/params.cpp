@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -23,6 +24,7 @@ constexpr std::array<std::string_view, 3> kCutSearches{"tree", "adjacency", "all
 struct Row {
     ParamInfo info;
     Member member;
+    std::optional<double> OwnMaterial::*own = nullptr;  ///< where models may have one
 };
 
 const std::array kRows = {
@@ -48,10 +50,10 @@ const std::array kRows = {
     Row{{"youngs_modulus", "Young's modulus", "Pa",
          "Stiffness of the material: 1e5 is a soft sponge, 1e7 rubber. Not used by pbd.",
          ParamType::real, 1e3, 1e8, true},
-        &Params::youngsModulus},
+        &Params::youngsModulus, &OwnMaterial::youngsModulus},
     Row{{"density", "Density", "kg/m^3", "Mass per volume: water has 1000.", ParamType::real, 10,
          20000, true},
-        &Params::density},
+        &Params::density, &OwnMaterial::density},
     Row{{"stretch_stiffness", "Stretch stiffness", "",
          "Factor on how strongly the skin resists stretching; 0 switches that off. With pbd the "
          "stiffness itself, up to 1.",
@@ -141,6 +143,27 @@ const std::array kRows = {
 const Row* findRow(std::string_view name) {
     const auto row = std::ranges::find_if(kRows, [&](const Row& r) { return r.info.name == name; });
     return row == kRows.end() ? nullptr : &*row;
+}
+
+constexpr char kOfModel = '@';
+
+/// A parameter of one model: "density@2".
+struct OwnParam {
+    const Row* row = nullptr;
+    int model = 0;
+};
+
+/// None where the name is none of these.
+std::optional<OwnParam> findOwn(std::string_view name) {
+    const std::size_t split = name.find(kOfModel);
+    const std::string_view digits = split < name.size() ? name.substr(split + 1) : "";
+    OwnParam found{findRow(name.substr(0, split)), 0};
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), found.model);
+    const bool number = error == std::errc{} && end == digits.data() + digits.size() &&
+                        digits.front() != '0' && found.model >= 1 && found.model < kMostModels;
+    return number && found.row != nullptr && found.row->own != nullptr ? std::optional(found)
+                                                                       : std::nullopt;
 }
 
 std::string quoted(std::string_view name) {
@@ -252,6 +275,29 @@ struct Getter {
     }
 };
 
+ParamValue getOwn(const Params& params, const OwnParam& own) {
+    const std::size_t place = own.model - 1;
+    if (place >= params.models.size() || !(params.models[place].*own.row->own)) {
+        return std::monostate{};
+    }
+    return *(params.models[place].*own.row->own);
+}
+
+std::string setOwn(Params& params, const OwnParam& own, const ParamValue& value) {
+    const std::size_t place = own.model - 1;
+    const auto assign = [&](const std::optional<double>& number) {
+        params.models.resize(std::max(params.models.size(), place + 1));
+        params.models[place].*own.row->own = number;
+    };
+    if (std::holds_alternative<std::monostate>(value)) {
+        assign(std::nullopt);
+        return "";
+    }
+    ParamInfo info = own.row->info;
+    info.type = ParamType::optionalReal;
+    return Setter{params, info, value}.setNumber(assign);
+}
+
 }  // namespace
 
 std::span<const ParamInfo> paramTable() {
@@ -260,32 +306,61 @@ std::span<const ParamInfo> paramTable() {
         infos.reserve(kRows.size());
         for (const Row& row : kRows) {
             infos.push_back(row.info);
+            infos.back().perModel = row.own != nullptr;
         }
         return infos;
     }();
     return table;
 }
 
+std::string ownName(std::string_view param, int model) {
+    return std::string(param).append(1, kOfModel).append(std::to_string(model));
+}
+
+int modelOf(std::string_view param) {
+    const std::optional<OwnParam> own = findOwn(param);
+    return own ? own->model : 0;
+}
+
+std::vector<std::string> ownNames(const Params& params) {
+    std::vector<std::string> names;
+    for (std::size_t m = 0; m < params.models.size(); ++m) {
+        for (const Row& row : kRows) {
+            if (row.own != nullptr && params.models[m].*row.own) {
+                names.push_back(ownName(row.info.name, static_cast<int>(m) + 1));
+            }
+        }
+    }
+    return names;
+}
+
 const ParamInfo* findParam(std::string_view name) {
-    const Row* row = findRow(name);
+    const std::optional<OwnParam> own = findOwn(name);
+    const Row* row = own ? own->row : findRow(name);
     return row ? &row->info : nullptr;
 }
 
 ParamValue getParam(const Params& params, std::string_view name) {
+    if (const std::optional<OwnParam> own = findOwn(name)) {
+        return getOwn(params, *own);
+    }
     const Row* row = findRow(name);
     return row ? std::visit(Getter{params, row->info}, row->member) : ParamValue(std::monostate{});
 }
 
 std::string setParam(Params& params, std::string_view name, const ParamValue& value) {
+    if (const std::optional<OwnParam> own = findOwn(name)) {
+        return setOwn(params, *own, value);
+    }
     const Row* row = findRow(name);
     return row ? std::visit(Setter{params, row->info, value}, row->member) : unknownParam(name);
 }
 
 bool operator==(const Params& a, const Params& b) {
-    return std::ranges::all_of(kRows, [&](const Row& row) {
-        return std::visit(Getter{a, row.info}, row.member) ==
-               std::visit(Getter{b, row.info}, row.member);
-    });
+    const std::vector<std::string> own = ownNames(a);
+    const auto same = [&](std::string_view name) { return getParam(a, name) == getParam(b, name); };
+    return own == ownNames(b) && std::ranges::all_of(own, same) &&
+           std::ranges::all_of(kRows, [&](const Row& row) { return same(row.info.name); });
 }
 
 }  // namespace kerf

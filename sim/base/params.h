@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "sim/base/cut_search.h"
 #include "sim/base/math.h"
@@ -16,6 +17,15 @@ enum class SolverMode {
     smallSteps,  ///< XPBD, one sweep per substep (Macklin et al. 2019): stiffness in pascals
     pbd,         ///< plain position-based dynamics, as in the paper: sweeps and stiffness factors
 };
+
+/// What a model of a scene has of its own; what it has not is that of all models.
+struct OwnMaterial {
+    std::optional<double> youngsModulus;  ///< [Pa]
+    std::optional<double> density;        ///< [kg/m^3]
+};
+
+/// Models that a scene may consist of.
+inline constexpr int kMostModels = 64;
 
 /// Everything that a person can tune. Names, ranges and meanings stand once, in paramTable().
 struct Params {
@@ -43,6 +53,7 @@ struct Params {
     int bladePush = 0;               ///< 1: the blunt body of the blade pushes; 0: it only cuts
     double bladeWidth = 0.15;        ///< of that body, as a share of the uncut body's diagonal
     double bladeThickness = 0.01;    ///< the same of its thickness
+    std::vector<OwnMaterial> models = {};  ///< of models 1, 2, ...; those behind have none
 };
 
 /// A number, a vector, nothing (for parameters that may be absent, as the floor), or a choice.
@@ -63,15 +74,23 @@ struct ParamInfo {
     bool logarithmic = false;                        ///< slider scale
     std::span<const std::string_view> choices = {};  ///< what a choice may be
     bool changesStates = true;                       ///< whether what comes hangs on it
+    bool perModel = false;  ///< a model may have one of its own: see ownName()
 };
 
 /// All parameters, in the order in which panels and sessions list them.
 std::span<const ParamInfo> paramTable();
-/// The row of a parameter, null for an unknown name.
+/// The name of a parameter of one model: "density@2" is the density of model 2. Model 0 has the
+/// parameter itself.
+std::string ownName(std::string_view param, int model);
+/// The model whose own parameter has this name; 0 for one of all models.
+int modelOf(std::string_view param);
+/// The names of all that models have of their own, model by model.
+std::vector<std::string> ownNames(const Params& params);
+/// The row of a parameter, or of one of a model's own; null for an unknown name.
 const ParamInfo* findParam(std::string_view name);
 /// The value that setParam would set it to; std::monostate for an unknown name.
 ParamValue getParam(const Params& params, std::string_view name);
-/// Sets a parameter. Returns "" or one clause without a full stop that says why not (unknown name,
+/// Sets a parameter. One of a model's own takes a number, or none: that of all models. Returns "" or one clause without a full stop that says why not (unknown name,
 /// wrong type, not finite, out of range); the parameters are then unchanged.
 std::string setParam(Params& params, std::string_view name, const ParamValue& value);
 bool operator==(const Params& a, const Params& b);

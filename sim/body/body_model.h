@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "shaders/shared/body_records.h"
@@ -20,12 +21,21 @@ struct PieceModel {
     double restVolume = 0;   ///< [m^3]
     double restArea = 0;     ///< [m^2]
     double leastArea = 0;    ///< of a vertex, as far as its mass goes [m^2]
-    double massPerArea = 0;  ///< at density 1 [m]
+    double massPerArea = 0;  ///< at density 1, times that of its member [m]
     /// False for debris (less than 1e-4 of the uncut body, or less than a tetrahedron): a volume
     /// constraint would throw it about. False for an open piece, too.
     bool holdsVolume = true;
     bool open = false;   ///< walls of it are absent (SurfaceMesh::absent)
     int rimVertex = -1;  ///< of an open piece: on its border, its volume is measured about it
+    int member = 0;      ///< the model that it is of, among BodyModel::members
+};
+
+/// One of the models that a body consists of. None of their edges join them.
+struct BodyMember {
+    double thickness = 0;   ///< shell thickness t = V0 / S, uncut [m]
+    double restVolume = 0;  ///< uncut [m^3]
+    double modulus = 1;     ///< its Young's modulus, as a multiple of that of the parameters
+    double density = 1;     ///< the same of its density
 };
 
 /// The constant set-up of a soft body: rest shape, constraints, masses. Built from a mesh in rest
@@ -49,13 +59,18 @@ struct BodyModel : ConstraintLists {
     /// follow an absent triangle.
     Incidence neighbours;
     // Fixed at load, carried along by cuts.
-    double thickness = 0;        ///< shell thickness t = V0 / S of the uncut body [m]
+    std::vector<BodyMember> members;  ///< one at least
     double edgeLength = 0;       ///< mean rest edge length of the uncut body [m]
     double diagonal = 0;         ///< of the uncut body's box at rest [m]
     double uncutRestVolume = 0;  ///< [m^3]
+
+    /// The member that a vertex of a piece is of.
+    const BodyMember& memberOf(std::uint32_t vertex) const {
+        return members[pieces[pieceOfVertex[vertex]].member];
+    }
 };
 
-/// Makes the model of a body from the rest shape of `mesh`.
-BodyModel buildBodyModel(const SurfaceMesh& mesh);
+/// Makes the model of a body from the rest shape of `mesh`. `firstVertices`: see BodyUpdater.
+BodyModel buildBodyModel(const SurfaceMesh& mesh, std::span<const int> firstVertices = {});
 
 }  // namespace kerf

@@ -44,12 +44,13 @@ Bounds boxOfUsedVertices(const BodyModel& model) {
 
 }  // namespace
 
-BodyModel buildBodyModel(const SurfaceMesh& mesh) {
-    return BodyUpdater(mesh).model();
+BodyModel buildBodyModel(const SurfaceMesh& mesh, std::span<const int> firstVertices) {
+    return BodyUpdater(mesh, firstVertices).model();
 }
 
-BodyUpdater::BodyUpdater(const SurfaceMesh& mesh) : mesh_(mesh), labels_(mesh) {
-    buildShell();
+BodyUpdater::BodyUpdater(const SurfaceMesh& mesh, std::span<const int> firstVertices)
+    : mesh_(mesh), labels_(mesh) {
+    buildShell(firstVertices);
     ispcs_.emplace(mesh, model_);
     listConstraints();
 }
@@ -63,7 +64,8 @@ void BodyUpdater::listConstraints() {
 }
 
 /// All but the ISPCs.
-void BodyUpdater::buildShell() {
+void BodyUpdater::buildShell(std::span<const int> firstVertices) {
+    tellMembers(firstVertices);
     measureUncutBody();
     absent_ = absentTriangles(mesh_);
     for (int v = 0; v < mesh_.vertexCount(); ++v) {
@@ -85,14 +87,35 @@ void BodyUpdater::buildShell() {
     buildEdgesAndBends();
 }
 
-void BodyUpdater::measureUncutBody() {
-    double area = 0;
-    for (const PieceContent& piece : labels_.pieces()) {
-        area += piece.restArea;
-        model_.uncutRestVolume += piece.restVolume;
+/// A piece is of one model: nothing joins two.
+void BodyUpdater::tellMembers(std::span<const int> firstVertices) {
+    model_.members.resize(std::max<std::size_t>(firstVertices.size(), 1));
+    memberOfPiece_.resize(labels_.pieces().size());
+    int member = 0;
+    for (int v = 0; v < mesh_.vertexCount(); ++v) {
+        while (member + 1 < static_cast<int>(firstVertices.size()) &&
+               firstVertices[member + 1] <= v) {
+            ++member;
+        }
+        if (const int piece = labels_.ofVertex()[v]; piece >= 0) {
+            memberOfPiece_[piece] = member;
+        }
     }
-    assert(model_.uncutRestVolume > 0 && area > 0);
-    model_.thickness = model_.uncutRestVolume / area;
+}
+
+void BodyUpdater::measureUncutBody() {
+    std::vector<double> areas(model_.members.size());
+    for (std::size_t p = 0; p < labels_.pieces().size(); ++p) {
+        const PieceContent& piece = labels_.pieces()[p];
+        areas[memberOfPiece_[p]] += piece.restArea;
+        model_.members[memberOfPiece_[p]].restVolume += piece.restVolume;
+    }
+    for (std::size_t m = 0; m < areas.size(); ++m) {
+        BodyMember& member = model_.members[m];
+        assert(member.restVolume > 0 && areas[m] > 0);
+        member.thickness = member.restVolume / areas[m];
+        model_.uncutRestVolume += member.restVolume;
+    }
     model_.edgeLength = meanRestEdgeLength(mesh_);
 }
 
@@ -118,14 +141,18 @@ void BodyUpdater::buildEdgesAndBends() {
     forEachEdge(mesh_, [&](int h) {
         const int g = mesh_.twin(h);
         slotsOfEdge_[h].edge = slotsOfEdge_[g].edge = static_cast<int>(model_.edges.size());
-        model_.edges.push_back(edgeConstraint(mesh_, h, model_.thickness));
+        model_.edges.push_back(edgeConstraint(mesh_, h, thicknessAt(h)));
         halfEdgesOfEdge_.emplace_back(h, g);
-        if (const auto bend = bendConstraint(mesh_, h, model_.thickness)) {
+        if (const auto bend = bendConstraint(mesh_, h, thicknessAt(h))) {
             slotsOfEdge_[h].bend = slotsOfEdge_[g].bend = static_cast<int>(model_.bends.size());
             model_.bends.push_back(*bend);
             halfEdgesOfBend_.emplace_back(h, g);
         }
     });
+}
+
+double BodyUpdater::thicknessAt(int halfEdge) const {
+    return model_.members[memberOfPiece_[labels_.ofVertex()[mesh_.target(halfEdge)]]].thickness;
 }
 
 /// -1 where no triangle around the vertex is present.
@@ -154,6 +181,7 @@ BodyChange BodyUpdater::update(const CutDelta& delta) {
     const std::vector<int> changed = changedTriangles(delta);
     BodyChange change;
     change.pieces = labels_.update(mesh_, changed);
+    followMembers(change.pieces.source);
     growVertices();
     followAbsent(changed);
     updateAreas(delta, changed, change);
@@ -166,6 +194,54 @@ BodyChange BodyUpdater::update(const CutDelta& delta) {
     updateIspcs(changed, change);
     addListed(change);
     return change;
+}
+
+/// A piece stays with the model that it came off. One of new vertices alone is of the model whose
+/// old vertices are next to it.
+void BodyUpdater::followMembers(std::span<const int> sources) {
+    if (model_.members.size() == 1) {
+        memberOfPiece_.assign(sources.size(), 0);
+        return;
+    }
+    std::vector<int> now;
+    now.reserve(sources.size());
+    for (std::size_t p = 0; p < sources.size(); ++p) {
+        const int source = sources[p] >= 0 ? sources[p] : nearestOldPiece(static_cast<int>(p));
+        now.push_back(memberOfPiece_[source]);
+    }
+    memberOfPiece_ = std::move(now);
+}
+
+/// Before the vertices follow.
+int BodyUpdater::nearestOldPiece(int piece) const {
+    const auto vertex = std::ranges::find(labels_.ofVertex(), piece) - labels_.ofVertex().begin();
+    const Vec3f at = mesh_.restPosition(static_cast<int>(vertex)).cast<float>();
+    int nearest = 0;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t v = 0; v < model_.restPositions.size(); ++v) {
+        const float distance = (model_.restPositions[v] - at).squaredNorm();
+        if (model_.pieceOfVertex[v] >= 0 && distance < least) {
+            least = distance;
+            nearest = model_.pieceOfVertex[v];
+        }
+    }
+    return nearest;
+}
+
+bool BodyUpdater::setMaterials(std::span<const MemberMaterial> materials) {
+    assert(materials.size() == model_.members.size());
+    bool differ = false;
+    for (std::size_t m = 0; m < materials.size(); ++m) {
+        BodyMember& member = model_.members[m];
+        const auto& [modulus, density] = materials[m];
+        differ |= member.modulus != modulus || member.density != density;
+        member.modulus = modulus;
+        member.density = density;
+    }
+    if (differ) {
+        updateMasses();
+    }
+    return differ;
 }
 
 void BodyUpdater::growVertices() {
@@ -263,6 +339,8 @@ void BodyUpdater::updateMasses() {
     for (std::size_t p = 0; p < labels_.pieces().size(); ++p) {
         const PieceContent& content = labels_.pieces()[p];
         PieceModel piece;
+        piece.member = memberOfPiece_[p];
+        const BodyMember& member = model_.members[piece.member];
         piece.triangleCount = index32(content.triangles) - absentOf[p];
         piece.vertexCount = index32(areas_[p].count());
         piece.open = absentOf[p] > 0;
@@ -270,9 +348,10 @@ void BodyUpdater::updateMasses() {
         piece.restVolume = content.restVolume;
         piece.restArea = content.restArea;
         piece.holdsVolume = !piece.open &&
-                            content.restVolume >= kDebrisVolume * model_.uncutRestVolume &&
+                            content.restVolume >= kDebrisVolume * member.restVolume &&
                             piece.vertexCount >= kLeastSolidVertices;
-        areas_[p].setMasses(piece, model_.uncutRestVolume);
+        areas_[p].setMasses(piece, member.restVolume);
+        piece.massPerArea *= member.density;
         model_.pieces.push_back(piece);
     }
 }
@@ -390,11 +469,12 @@ void BodyUpdater::updateIspcs(std::span<const int> changed, BodyChange& change) 
 void BodyUpdater::addEdge(int h, RecordEditor<EdgeConstraint>& edges,
                           RecordEditor<BendConstraint>& bends) {
     const int g = mesh_.twin(h);
-    const int edge = edges.add(edgeConstraint(mesh_, h, model_.thickness));
+    const double thickness = thicknessAt(h);
+    const int edge = edges.add(edgeConstraint(mesh_, h, thickness));
     halfEdgesOfEdge_.resize(model_.edges.size());
     halfEdgesOfEdge_[edge] = {h, g};
     slotsOfEdge_[h].edge = slotsOfEdge_[g].edge = edge;
-    if (const auto constraint = bendConstraint(mesh_, h, model_.thickness)) {
+    if (const auto constraint = bendConstraint(mesh_, h, thickness)) {
         const int bend = bends.add(*constraint);
         halfEdgesOfBend_.resize(model_.bends.size());
         halfEdgesOfBend_[bend] = {h, g};

@@ -30,6 +30,12 @@ struct BodyChange {
     std::array<ListChange, kConstraintTypes> constraints;
 };
 
+/// What a member of a body is made of, as multiples of what the parameters say.
+struct MemberMaterial {
+    double modulus = 1;
+    double density = 1;
+};
+
 /// Carries the model of a body through cuts, at the cost of what each of them touches. As a set,
 /// what comes out is what buildBodyModel() would make of the cut mesh, but for the ISPCs: one is
 /// kept, bit for bit, unless its vertex is a corner of a new or changed triangle, its triangle
@@ -37,8 +43,9 @@ struct BodyChange {
 /// Vertices whose ISPC is not kept get a new one, cast in rest space.
 class BodyUpdater {
   public:
-    /// The mesh must outlive the updater.
-    explicit BodyUpdater(const SurfaceMesh& mesh);
+    /// The mesh must outlive the updater. `firstVertices`: where the vertices of each model begin
+    /// that the body consists of, ascending from 0; none: it is one model.
+    explicit BodyUpdater(const SurfaceMesh& mesh, std::span<const int> firstVertices = {});
     /// A copy goes on for the same mesh, as it was when the copy was made.
     BodyUpdater(const BodyUpdater&) = default;
     BodyUpdater(BodyUpdater&&) = default;
@@ -51,6 +58,9 @@ class BodyUpdater {
     std::vector<int> hiddenVertices() const;
     /// Follows a step of the cutter.
     BodyChange update(const CutDelta& delta);
+    /// Sets what the members are made of, one each. Returns whether that differs from before: then
+    /// all masses and compliances do.
+    bool setMaterials(std::span<const MemberMaterial> materials);
 
   private:
     /// The records that a half-edge shares with its twin; -1 for none.
@@ -59,11 +69,14 @@ class BodyUpdater {
         int bend = -1;
     };
 
-    void buildShell();
+    void buildShell(std::span<const int> firstVertices);
+    void tellMembers(std::span<const int> firstVertices);
     void measureUncutBody();
     void buildTriangles();
     void buildEdgesAndBends();
     void listConstraints();
+    void followMembers(std::span<const int> sources);
+    int nearestOldPiece(int piece) const;
     void growVertices();
     void updateAreas(const CutDelta& delta, std::span<const int> changed, BodyChange& change);
     void updateSkinNormals(const CutDelta& delta, std::span<const int> changed,
@@ -86,12 +99,14 @@ class BodyUpdater {
     std::array<std::uint32_t, 4> taggedTriangle(int triangle) const;
     int presentPieceOf(int vertex) const;
     double vertexArea(int vertex) const;
+    double thicknessAt(int halfEdge) const;
 
     const SurfaceMesh& mesh_;
     BodyModel model_;
     PieceLabels labels_;
     SkinNormals skinNormals_;
     std::vector<VertexAreas> areas_;      ///< by piece
+    std::vector<int> memberOfPiece_;
     std::vector<int> slotOfTriangle_;     ///< in model_.triangles, by mesh slot; -1 for dead ones
     std::vector<EdgeSlots> slotsOfEdge_;  ///< by half-edge
     std::vector<std::pair<int, int>> halfEdgesOfEdge_;  ///< by edge record

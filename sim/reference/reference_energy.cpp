@@ -31,11 +31,12 @@ double squareFor(const Spring& spring, const ReferenceState& state) {
 }
 
 template <class Constraint>
-double sumOver(const std::vector<Constraint>& constraints, double compliance,
-               const ReferenceState& state) {
+double sumOver(const BodyModel& model, const std::vector<Constraint>& constraints,
+               double compliance, const ReferenceState& state) {
     double sum = 0;
     for (const Constraint& constraint : constraints) {
-        const double alpha = constraint.geometry * compliance;
+        const double modulus = model.memberOf(verticesOf(constraint)[0]).modulus;
+        const double alpha = constraint.geometry * compliance / modulus;
         sum += alpha > 0 ? 0.5 * squareFor(constraint, state) / alpha : 0;
     }
     return sum;
@@ -49,7 +50,7 @@ double strainEnergy(const BodyModel& model, const shared::SolverUniforms& unifor
     double sum = 0;
     forEachType(model, [&](auto row, const auto& constraints) {
         const bool on = (uniforms.active_parts >> row.kType & 1u) != 0;
-        sum += sumOver(constraints, on ? square * uniforms.compliance[row.kType] : 0.0, state);
+        sum += sumOver(model, constraints, on ? square * uniforms.compliance[row.kType] : 0.0, state);
     });
     return sum;
 }

@@ -77,12 +77,14 @@ Pull pullOf(const shared::SolverUniforms& uniforms) {
 
 /// One Jacobi sweep over constraints of one type: all read the same state, corrections are summed.
 template <class Constraint>
-void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
-           const Incidence& incidence, const std::vector<double>& w, double compliance,
+void sweep(ReferenceState& state, const BodyModel& model,
+           const std::vector<Constraint>& constraints, const Incidence& incidence,
+           const std::vector<double>& w, double compliance,
            const shared::SolverUniforms& uniforms, double share) {
     std::vector<Vec3> correction(state.positions.size(), Vec3::Zero());
     for (const Constraint& constraint : constraints) {
-        const auto c = linearize(constraint, state, compliance, pullOf(uniforms));
+        const double modulus = model.memberOf(verticesOf(constraint)[0]).modulus;
+        const auto c = linearize(constraint, state, compliance / modulus, pullOf(uniforms));
         if (!c.valid) {
             continue;
         }
@@ -205,7 +207,7 @@ void ReferenceSolver::predict(ReferenceState& state) const {
 void ReferenceSolver::solve(std::uint32_t type, ReferenceState& state) const {
     forEachType(model_, [&](auto row, const auto& constraints) {
         if (row.kType == type && (uniforms_.active_parts >> type & 1u) != 0) {
-            sweep(state, constraints, model_.incidences[type], inverseMass_,
+            sweep(state, model_, constraints, model_.incidences[type], inverseMass_,
                   uniforms_.compliance[type], uniforms_, uniforms_.share[type]);
         }
     });

@@ -70,10 +70,11 @@ struct RemoveBox {
 };
 /// Brings back the uncut body at rest; parameters, boxes and the time go on.
 struct Restart {};
-/// Restart, with the model placed otherwise: in another unit, turned, scaled, moved. Parameters
-/// that suited its size follow (see followSize()).
+/// Restart, with a model placed otherwise: in another unit, turned, scaled, moved. Parameters that
+/// suited the size of the largest model follow (see followSize()).
 struct Place {
     Placement placement;
+    int model = 0;  ///< of the scene, by number
     /// Belongs to the gesture of the placement just before: one undo takes both back.
     bool continues = false;
 };

@@ -39,6 +39,9 @@ std::string Simulation::State::carryOut(const LiftBlade& lift) {
 
 template <>
 std::string Simulation::State::carryOut(const SetParam& set) {
+    if (std::string problem = body.checkModel(modelOf(set.name)); !problem.empty()) {
+        return problem;
+    }
     const ParamValue before = getParam(input.params, set.name);
     if (std::string error = setParam(input.params, set.name, set.value); !error.empty()) {
         return error;
@@ -137,18 +140,23 @@ std::string Simulation::State::carryOut(const Restart&) {
 
 template <>
 std::string Simulation::State::carryOut(const Place& place) {
-    SurfaceMesh placed = body.placedMesh(place.placement);
-    const Bounds bounds = boxOf(placed.restPositions());
-    if (const std::string problem = checkRoom(bounds); !problem.empty()) {
+    if (std::string problem = body.checkModel(place.model); !problem.empty()) {
+        return problem;
+    }
+    std::vector<PlacedModel> models = body.uncut->models;
+    models[place.model].placement = place.placement;
+    SurfaceMesh placed = body.placedMesh(models);
+    if (const std::string problem = checkRoom(boxOf(placed.restPositions())); !problem.empty()) {
         return "T" + problem.substr(1);
     }
     putBladeAway();
     const bool continues = log.continuesPlacement(place);
     const Params before = input.params;
-    input.params = followSize(body.diagonal, bounds.diagonal(), before);
+    input.params = followSize(body.uncut->sizeOfModels(),
+                              sizeOfModels(placed.restPositions(), models), before);
     log.notePlacement(place, continues ? nullptr : log.captureForUndo(body),
                       changesOfSize(before, input.params), output);
-    body.startAnew(std::move(placed), place.placement);
+    body.startAnew(std::move(placed), std::move(models));
     beginAtRest();
     return "";
 }

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "sim/base/placement.h"
 #include "sim/body/body_updater.h"
@@ -14,6 +16,13 @@ namespace kerf {
 /// Told the name of each part of a long piece of work before it begins; may throw to end the work.
 using StageListener = std::function<void(const char* stage)>;
 
+/// A model of a scene, as it lies in the mesh of all of them.
+struct PlacedModel {
+    Placement placement = {};  ///< how the numbers of its file became metres of the scene
+    int firstVertex = 0;       ///< of the uncut mesh; those of the next model follow its own
+    bool operator==(const PlacedModel&) const = default;
+};
+
 /// A body before anything was done to it, to come back to. Body and cutter refer to the
 /// mesh of the simulation that they are copied into.
 struct UncutBody {
@@ -21,19 +30,24 @@ struct UncutBody {
     BodyUpdater body;
     Cutter cutter;
     bool closed = false;  ///< see checkClosedManifold
-    Placement placement;  ///< how the numbers of its file became the metres of the mesh
+    std::vector<PlacedModel> models;  ///< that it consists of; one at least
+
+    /// The longest diagonal of its models' boxes at rest [m].
+    double sizeOfModels() const;
 };
 
-/// Makes all that a body needs of `atRest`, which lies where `placement` has put it.
-UncutBody makeUncutBody(SurfaceMesh& atRest, const Placement& placement,
+/// Makes all that a body needs of `atRest`, which consists of `models`.
+UncutBody makeUncutBody(SurfaceMesh& atRest, std::vector<PlacedModel> models,
                         const StageListener& enter = {});
+/// The longest diagonal of these models' boxes, where `restPositions` are those of all [m].
+double sizeOfModels(std::span<const Vec3> restPositions, std::span<const PlacedModel> models);
 
 /// A body at rest with all that takes long and needs no GPU. Made on any thread; a BodyUpload takes
 /// it over. It owns the mesh at an address that stays, to which body and cutter refer.
 struct PreparedBody {
-    /// Prepares a mesh at rest, in world units, which lies where `placement` has put it.
+    /// Prepares a mesh at rest, in world units, which consists of `models`.
     explicit PreparedBody(SurfaceMesh atRest, const StageListener& enter = {},
-                          const Placement& placement = {});
+                          std::vector<PlacedModel> models = {{}});
 
     std::unique_ptr<SurfaceMesh> mesh;
     std::unique_ptr<BodyUpdater> body;

@@ -6,6 +6,7 @@
 #include "sim/base/boxes.h"
 #include "sim/base/pausing.h"
 #include "sim/base/sort_unique.h"
+#include "sim/base/text.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/oriented_box.h"
 
@@ -15,6 +16,17 @@ namespace {
 
 OrientedBox oriented(const Bounds& box) {
     return {box.center(), Eigen::Matrix3d::Identity(), 0.5 * (box.high - box.low)};
+}
+
+/// Of what the parameters say of each model, as multiples of what they say of all.
+std::vector<MemberMaterial> materialsOf(const Params& params, std::size_t models) {
+    std::vector<MemberMaterial> materials(models);
+    for (std::size_t m = 1; m < std::min(models, params.models.size() + 1); ++m) {
+        const OwnMaterial& own = params.models[m - 1];
+        materials[m] = {own.youngsModulus.value_or(params.youngsModulus) / params.youngsModulus,
+                        own.density.value_or(params.density) / params.density};
+    }
+    return materials;
 }
 
 }  // namespace
@@ -41,26 +53,38 @@ void RunningBody::startAsAtFirst() {
     startAnew();
 }
 
-/// From the placement at first, so that it does not matter which ones were tried in between.
-SurfaceMesh RunningBody::placedMesh(const Placement& placement) const {
+std::string RunningBody::checkModel(int model) const {
+    const std::size_t models = uncut->models.size();
+    return static_cast<std::size_t>(model) < models
+               ? ""
+               : "There is no model " + std::to_string(model) + "; the scene has " +
+                     counted(models, "model", "models") + ", numbered from 0.";
+}
+
+/// From the placements at first, so that it does not matter which ones were tried in between.
+SurfaceMesh RunningBody::placedMesh(std::span<const PlacedModel> models) const {
     SurfaceMesh placed = first->mesh;
-    const PlacementMap from(first->placement);
-    const PlacementMap to(placement);
-    for (int v = 0; v < placed.vertexCount() && placement != first->placement; ++v) {
-        const Vec3 at = to.toScene(from.toModel(first->mesh.restPosition(v)));
-        placed.setPosition(v, at);
-        placed.setRestPosition(v, at);
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        const Placement& before = first->models[m].placement;
+        const PlacementMap from(before);
+        const PlacementMap to(models[m].placement);
+        const int end = m + 1 < models.size() ? models[m + 1].firstVertex : placed.vertexCount();
+        for (int v = models[m].firstVertex; v < end && models[m].placement != before; ++v) {
+            const Vec3 at = to.toScene(from.toModel(first->mesh.restPosition(v)));
+            placed.setPosition(v, at);
+            placed.setRestPosition(v, at);
+        }
     }
     return placed;
 }
 
-void RunningBody::startAnew(SurfaceMesh placed, const Placement& placement) {
-    if (placement == first->placement) {
+void RunningBody::startAnew(SurfaceMesh placed, std::vector<PlacedModel> models) {
+    if (models == first->models) {
         startAsAtFirst();
         return;
     }
     mesh = std::move(placed);
-    take(std::make_shared<const UncutBody>(makeUncutBody(mesh, placement)));
+    take(std::make_shared<const UncutBody>(makeUncutBody(mesh, std::move(models))));
     startAnew();
 }
 
@@ -100,6 +124,9 @@ void RunningBody::measureAtRest() {
 
 void RunningBody::apply(const Params& params) {
     solver.setUniforms(solverUniforms(params));
+    if (updater->setMaterials(materialsOf(params, uncut->models.size()))) {
+        solver.takeMaterials(model());
+    }
     volumesHeld = holdsVolume(params);
     solver.setVolumeTargets(memory.volumeTargets.targets());
     CutSettings& settings = cutter->settings();

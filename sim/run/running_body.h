@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "sim/base/params.h"
 #include "sim/body/body_updater.h"
@@ -27,10 +28,12 @@ struct RunningBody {
     void startAnew();
     /// startAnew() of the uncut body as it was at first.
     void startAsAtFirst();
-    /// The mesh of the uncut body, put elsewhere.
-    SurfaceMesh placedMesh(const Placement& placement) const;
-    /// startAnew() with the uncut body put elsewhere, where `placed` is its mesh.
-    void startAnew(SurfaceMesh placed, const Placement& placement);
+    /// "", or one sentence where the scene has no model of this number.
+    std::string checkModel(int model) const;
+    /// The mesh of the uncut body, with its models put elsewhere.
+    SurfaceMesh placedMesh(std::span<const PlacedModel> models) const;
+    /// startAnew() with the models of the uncut body put elsewhere, where `placed` is its mesh.
+    void startAnew(SurfaceMesh placed, std::vector<PlacedModel> models);
     void measureAtRest();
     void apply(const Params& params);
 

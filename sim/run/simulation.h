@@ -86,8 +86,10 @@ class Simulation {
 
     /// The uncut body, as it was placed last; another one after each placement. Never null.
     const std::shared_ptr<const UncutBody>& uncut() const;
-    /// How the numbers of the model's file become metres of the scene.
-    const Placement& placement() const { return uncut()->placement; }
+    /// How many models the scene consists of.
+    int modelCount() const { return static_cast<int>(uncut()->models.size()); }
+    /// How the numbers of the file of a model, by number, become metres of the scene.
+    const Placement& placement(int model = 0) const { return uncut()->models[model].placement; }
     /// The boxes that the body collides with, besides the floor.
     const std::vector<StaticBox>& boxes() const;
     /// Vertices that stay where they are, ascending.

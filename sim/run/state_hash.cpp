@@ -61,6 +61,10 @@ void addParameters(StateHash& hash, const Params& params) {
             addValue(hash, getParam(params, info.name));
         }
     }
+    for (const std::string& name : ownNames(params)) {
+        hash.add(std::string_view(name));
+        addValue(hash, getParam(params, name));
+    }
 }
 
 void addBlade(StateHash& hash, const std::optional<Blade>& blade) {

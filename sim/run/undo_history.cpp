@@ -52,8 +52,11 @@ std::size_t snapshotBytes(const SurfaceMesh& mesh) {
            kBytesPerTriangle * static_cast<std::size_t>(mesh.triangleSlots());
 }
 
-std::string nameOfChange(const ParamInfo& info, const ParamValue& value) {
-    std::string name = fmt::format("{}: {}", info.label, std::visit(TextOf{}, value));
+std::string nameOfChange(std::string_view param, const ParamValue& value) {
+    const ParamInfo& info = *findParam(param);
+    const int model = modelOf(param);
+    const std::string whose = model > 0 ? fmt::format(" of model {}", model) : "";
+    std::string name = fmt::format("{}{}: {}", info.label, whose, std::visit(TextOf{}, value));
     if (!info.unit.empty() && !std::holds_alternative<std::monostate>(value)) {
         name.append(" ").append(info.unit);
     }

@@ -95,7 +95,8 @@ class UndoHistory {
     int forgotten_ = 0;
 };
 
-/// The name of a change of a parameter: "Time step: 0.002 s", "Floor: none".
-std::string nameOfChange(const ParamInfo& info, const ParamValue& value);
+/// The name of a change of a parameter: "Time step: 0.002 s", "Floor: none", "Density of model 2:
+/// 900 kg/m^3".
+std::string nameOfChange(std::string_view param, const ParamValue& value);
 
 }  // namespace kerf

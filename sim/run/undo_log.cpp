@@ -26,7 +26,7 @@ SnapshotPointer UndoLog::captureForUndo(RunningBody& body) {
 
 void UndoLog::noteParam(const std::string& param, const ParamValue& before, const ParamValue& after,
                         bool continues, double time) {
-    std::string name = nameOfChange(*findParam(param), after);
+    std::string name = nameOfChange(param, after);
     auto* last = history_.continued<UndoEntry::ParamChange>();
     if (continues && last != nullptr && last->param == param) {
         last->after = after;

@@ -75,6 +75,13 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     collisions_.setBody(model);
 }
 
+void GpuSolver::takeMaterials(const BodyModel& model) {
+    body_.pieces.upload(model, body_.scatter);
+    body_.model.uploadConstraints(model);
+    stepper_.setBody(model, false);
+    masses_.invalidate();
+}
+
 void GpuSolver::setState(const BodyState& state) {
     assert(state.positions.size() == body_.model.areas.size());
     assert(state.velocities.size() == body_.model.areas.size());

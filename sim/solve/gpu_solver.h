@@ -46,6 +46,9 @@ class GpuSolver {
     /// gpu::OutOfMemory.
     void update(const BodyModel& model, const BodyChange& change,
                 std::span<const std::uint32_t> written, const BodyState& state);
+    /// Takes what the members of the body are made of now. Volume targets are the rest volumes
+    /// again. Throws gpu::OutOfMemory.
+    void takeMaterials(const BodyModel& model);
     /// Positions and velocities of the same body.
     void setState(const BodyState& state);
     /// All positions and velocities; waits for the GPU.

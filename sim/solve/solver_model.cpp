@@ -32,22 +32,37 @@ std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
     return links;
 }
 
+/// Of what the member is made of that `vertex` belongs to: a compliance falls with the modulus.
+template <class Record>
+Record ofMaterial(Record record, const BodyModel& model, uint vertex) {
+    if constexpr (requires { record.geometry; }) {
+        record.geometry =
+            static_cast<float>(record.geometry / model.memberOf(vertex).modulus);
+    }
+    return record;
+}
+
 template <class Constraint>
-auto recordsOf(const std::vector<Constraint>& list) {
+auto materialRecordOf(const Constraint& constraint, const BodyModel& model) {
+    return ofMaterial(recordOf(constraint), model, verticesOf(constraint)[0]);
+}
+
+template <class Constraint>
+auto recordsOf(const BodyModel& model, const std::vector<Constraint>& list) {
     std::vector<std::decay_t<decltype(recordOf(list[0]))>> records;
     records.reserve(list.size());
     for (const Constraint& constraint : list) {
-        records.push_back(recordOf(constraint));
+        records.push_back(materialRecordOf(constraint, model));
     }
     return records;
 }
 
 template <class Constraint>
-void updateRecords(const std::vector<Constraint>& list, const std::vector<uint>& slots,
-                   gpu::Buffer& records, Scatter& scatter) {
+void updateRecords(const BodyModel& model, const std::vector<Constraint>& list,
+                   const std::vector<uint>& slots, gpu::Buffer& records, Scatter& scatter) {
     using Record = std::decay_t<decltype(recordOf(list[0]))>;
     scatter.write<Record>(records, list.size(), slots, Scatter::Gaps::fill,
-                          [&](uint slot) { return recordOf(list[slot]); });
+                          [&](uint slot) { return materialRecordOf(list[slot], model); });
 }
 
 /// A texel has so many bytes, but never more than four words.
@@ -55,15 +70,27 @@ constexpr TexelFormat texelsOf(std::size_t bytes) {
     return bytes < 16 ? TexelFormat::uint32x2 : TexelFormat::uint32x4;
 }
 
+/// What lies at a place of the lists of a type.
 template <class Gather, class Constraint>
-void assignLists(Gather gather, const std::vector<Constraint>& list, const Incidence& incidence,
-                 ConstraintBuffers& buffers) {
+auto entryOf(Gather gather, const BodyModel& model, const std::vector<Constraint>& list,
+             const Incidence& incidence, uint place) {
+    const auto entry = entryAt(gather, list, incidence, place);
+    if constexpr (requires { entry.other; }) {
+        return ofMaterial(entry, model, entry.other);
+    } else {
+        return entry;
+    }
+}
+
+template <class Gather, class Constraint>
+void assignLists(Gather gather, const BodyModel& model, const std::vector<Constraint>& list,
+                 const Incidence& incidence, ConstraintBuffers& buffers) {
     std::vector<typename Gather::Range> ranges(incidence.ranges.size());
     std::vector<typename Gather::Entry> entries(incidence.entries.size());
     for (uint v = 0; v < ranges.size(); ++v) {
         ranges[v] = rangeAt(gather, incidence, v);
         for (uint place = ranges[v].first; place < ranges[v].end; ++place) {
-            entries[place] = entryAt(gather, list, incidence, place);
+            entries[place] = entryOf(gather, model, list, incidence, place);
         }
     }
     buffers.ranges.assign(ranges);
@@ -73,14 +100,16 @@ void assignLists(Gather gather, const std::vector<Constraint>& list, const Incid
 }
 
 template <class Gather, class Constraint>
-void updateLists(Gather gather, const std::vector<Constraint>& list, const Incidence& incidence,
-                 const std::vector<uint>& vertices, ConstraintBuffers& buffers, Scatter& scatter) {
+void updateLists(Gather gather, const BodyModel& model, const std::vector<Constraint>& list,
+                 const Incidence& incidence, const std::vector<uint>& vertices,
+                 ConstraintBuffers& buffers, Scatter& scatter) {
     scatter.write<typename Gather::Range>(buffers.ranges, incidence.ranges.size(), vertices,
                                           Scatter::Gaps::fill,
                                           [&](uint v) { return rangeAt(gather, incidence, v); });
     scatter.write<typename Gather::Entry>(
         buffers.entries, incidence.entries.size(), changedPlaces(gather, list, incidence, vertices),
-        Scatter::Gaps::keep, [&](uint place) { return entryAt(gather, list, incidence, place); });
+        Scatter::Gaps::keep,
+        [&](uint place) { return entryOf(gather, model, list, incidence, place); });
 }
 
 }  // namespace
@@ -113,7 +142,7 @@ void SolverModel::uploadRecords(const BodyModel& model, uint type) {
     forEachType(model, [&](auto row, const auto& list) {
         if constexpr (decltype(row)::Gathers::kPulls > 0) {
             if (row.kType == type) {
-                constraints[type].records.assign(recordsOf(list));
+                constraints[type].records.assign(recordsOf(model, list));
             }
         }
     });
@@ -122,10 +151,17 @@ void SolverModel::uploadRecords(const BodyModel& model, uint type) {
 void SolverModel::uploadLists(const BodyModel& model, uint type) {
     forEachType(model, [&](auto row, const auto& list) {
         if (row.kType == type) {
-            assignLists(typename decltype(row)::Gathers{}, list, model.incidences[type],
+            assignLists(typename decltype(row)::Gathers{}, model, list, model.incidences[type],
                         constraints[type]);
         }
     });
+}
+
+void SolverModel::uploadConstraints(const BodyModel& model) {
+    for (uint type = 0; type < kConstraintTypes; ++type) {
+        uploadRecords(model, type);
+        uploadLists(model, type);
+    }
 }
 
 void SolverModel::uploadTriangleLists(const BodyModel& model) {
@@ -166,9 +202,9 @@ void SolverModel::updateConstraints(const BodyModel& model, const BodyChange& ch
         using Gather = typename decltype(row)::Gathers;
         const ListChange& changed = change.constraints[row.kType];
         if constexpr (Gather::kPulls > 0) {
-            updateRecords(list, changed.slots, constraints[row.kType].records, scatter);
+            updateRecords(model, list, changed.slots, constraints[row.kType].records, scatter);
         }
-        updateLists(Gather{}, list, model.incidences[row.kType], changed.vertices,
+        updateLists(Gather{}, model, list, model.incidences[row.kType], changed.vertices,
                     constraints[row.kType], scatter);
     });
 }

@@ -65,6 +65,8 @@ struct SolverModel {
     void uploadLists(const BodyModel& model, std::uint32_t type);
     void uploadTriangleLists(const BodyModel& model);
 
+    /// The constraints again, whose members are made of something else.
+    void uploadConstraints(const BodyModel& model);
     /// Follows a change, at the cost of what changed.
     void update(const BodyModel& model, const BodyChange& change, Scatter& scatter);
 

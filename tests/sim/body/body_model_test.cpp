@@ -48,7 +48,7 @@ TEST(BodyModel, MassIsDensityTimesVolume) {
         expectConsistent(model, mesh);
         EXPECT_NEAR(totalMass(model), meshRestVolume(mesh), 1e-6 * meshRestVolume(mesh));
         EXPECT_DOUBLE_EQ(model.uncutRestVolume, meshRestVolume(mesh));
-        EXPECT_NEAR(model.thickness * model.pieces[0].restArea, model.uncutRestVolume, 1e-12);
+        EXPECT_NEAR(model.members[0].thickness * model.pieces[0].restArea, model.uncutRestVolume, 1e-12);
     }
 }
 
