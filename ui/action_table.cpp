@@ -21,9 +21,10 @@ std::string dragsThat(ViewMotion motion, MouseScheme scheme) {
 std::vector<PointerHint> pointerTable(MouseScheme scheme) {
     const std::string zoom = dragsThat(ViewMotion::zoom, scheme);
     return {
-        {"Left drag", "Cut, move a handle of the guillotine, pull or pin"},
+        {"Left drag", "Cut, move a handle, pull, pin or hold open"},
         {"Shift+left drag", "Stroke: straight, in steps of 15 degrees; pin: a box"},
-        {"Ctrl+left drag", "Pin: free again"},
+        {"Ctrl+left drag", "Pin: free again; a gizmo: in round steps"},
+        {"Right click on a hook", "Remove its retractor"},
         {dragsThat(ViewMotion::orbit, scheme), "Turn the view"},
         {dragsThat(ViewMotion::pan, scheme), "Move the view"},
         {zoom.empty() ? "Wheel" : "Wheel, " + zoom, "Zoom to the pointer"},

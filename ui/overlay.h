@@ -28,7 +28,22 @@ struct Overlay {
         PlotPoint at;
         std::string text;
     };
-    std::vector<PlotPoint> dots;  ///< points that were measured
+    /// A part of a gizmo, in the colour of its axis: 0 to 2, -1 for none.
+    struct AxisLine {
+        Line line;
+        int axis = -1;
+        bool hot = false;
+    };
+    struct AxisDot {
+        PlotPoint at;
+        int axis = -1;
+        bool hot = false;
+        bool square = false;  ///< it sizes
+    };
+    std::vector<AxisLine> axisLines;
+    std::vector<AxisDot> axisDots;
+    bool chooses = false;         ///< a click would choose something
+    std::vector<PlotPoint> dots;  ///< points that were measured, or that a press would hold
     std::vector<Label> labels;
 };
 

@@ -130,6 +130,7 @@ struct PanelModel {
     ToolSettings tools;
     std::vector<MeasureRow> measures;  ///< oldest first
     std::size_t pinned = 0;            ///< vertices that are held in place
+    std::size_t hooks = 0;             ///< of retractors, which hold cuts open
     Overlay overlay;                   ///< of the coming cut
     ViewAxes axes;
     bool orthographic = false;

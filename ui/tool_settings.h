@@ -14,9 +14,11 @@ enum class Tool : std::uint8_t {
     guillotine,  ///< posed by handles and brought straight down
     grab,        ///< pulls at the body
     pin,         ///< holds parts of the body in place, or frees them
+    retract,     ///< holds cuts open by hooks
+    move,        ///< moves, turns and sizes boxes, pins and the model by a gizmo
     measure,     ///< tells distances, angles, areas and volumes by clicks
 };
-inline constexpr int kTools = 6;
+inline constexpr int kTools = 8;
 
 /// The settings of all tools, which the tools panel shows and answers with. Lengths in metres.
 struct ToolSettings {

@@ -24,6 +24,8 @@ constexpr std::array kTools{
     ToolButton{Tool::guillotine, ActionId::toolGuillotine, "Guillotine"},
     ToolButton{Tool::grab, ActionId::toolGrab, "Grab"},
     ToolButton{Tool::pin, ActionId::toolPin, "Pin"},
+    ToolButton{Tool::retract, ActionId::toolRetract, "Retract"},
+    ToolButton{Tool::move, ActionId::toolMove, "Move"},
     ToolButton{Tool::measure, ActionId::toolMeasure, "Measure"},
 };
 constexpr std::size_t kToolsInARow = 3;
@@ -112,6 +114,18 @@ bool drawPinRows(ToolSettings& tools, std::vector<Action>& actions) {
     return changed;
 }
 
+void drawRetractRow(const PanelModel& model, std::vector<Action>& actions) {
+    const std::string label =
+        model.hooks == 0 ? "No retractor holds a cut open" : "Remove the last";
+    if (model.hooks == 0) {
+        ImGui::TextDisabled("%s", label.c_str());
+    } else if (ImGui::Button(label.c_str(), {-1, 0})) {
+        actions.emplace_back(ActionId::removeRetractor);
+    }
+    noteItem("retract.remove");
+    itemTooltip(describeAction(ActionId::removeRetractor));
+}
+
 bool drawRowsOf(const PanelModel& model, ToolSettings& tools, std::vector<Action>& actions) {
     switch (tools.tool) {
         case Tool::stroke:
@@ -126,6 +140,11 @@ bool drawRowsOf(const PanelModel& model, ToolSettings& tools, std::vector<Action
                                "How far around the pointer the hand takes hold");
         case Tool::pin:
             return drawPinRows(tools, actions);
+        case Tool::retract:
+            drawRetractRow(model, actions);
+            return false;
+        case Tool::move:
+            return false;
         case Tool::measure:
             return drawMeasureRows(model, tools, actions);
     }

@@ -57,6 +57,7 @@ void Editor::frame(double elapsedSeconds) {
         s.redraw.panels();
     }
     s.advance(elapsedSeconds);
+    s.followGizmo();
     s.followPlacement();
     s.followThickness();
     s.followMeasures();
@@ -214,6 +215,15 @@ void Editor::State::drawScene() {
     }
     if (picture.fieldRange() != range) {
         redraw.panels();  // The legend was drawn before.
+    }
+}
+
+void Editor::State::followGizmo() {
+    if (scene == nullptr || scene.underWay()) {
+        return;
+    }
+    if (const std::optional<Command> command = view.moveTool.takeCommand(*scene)) {
+        view.moveTool.noteOutcome(execute(*command), *scene);
     }
 }
 

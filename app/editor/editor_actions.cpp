@@ -22,7 +22,10 @@ constexpr double kApart = 0.5;  // of DisplaySettings::apart, by its key
 
 /// A blade is put away at once, a hand lets go when the step is done.
 void stopTools(State& s) {
-    const bool pulls = s.view.pullTool.holds();
+    const bool pulls = s.view.holdsBody();
+    if (s.view.moveTool.holds()) {
+        s.view.moveTool.undoDrag(*s.scene);
+    }
     s.view.cancelTools(pulls ? *s.scene : *s.scene.meanwhile());
     s.redraw.scene();
 }
@@ -79,7 +82,7 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
 
 /// The one before lets go.
 void setTools(State& s, const ui::ToolSettings& settings) {
-    const bool pulls = s.view.pullTool.holds();
+    const bool pulls = s.view.holdsBody();
     s.view.setTools(settings, pulls ? *s.scene : *s.scene.meanwhile());
 }
 
@@ -104,6 +107,15 @@ void freePins(State& s) {
     everywhere.add(Vec3::Constant(-kMaxSessionCoordinate));
     everywhere.add(Vec3::Constant(kMaxSessionCoordinate));
     s.execute(Pin{everywhere, false});
+}
+
+void removeRetractor(State& s) {
+    s.view.retractTool.release(*s.scene);
+    const std::vector<Hands::Hand> hooks = s.scene->hooks();
+    if (!hooks.empty()) {
+        const auto under = RetractTool::hookAt(s.view.frame(), s.view.pointer, *s.scene);
+        s.scene->removeRetractor(under.value_or(hooks.back().number));
+    }
 }
 
 void toggleGravity(State& s) {
@@ -259,10 +271,13 @@ constexpr std::array kHandlers{
     Handler{ActionId::toolGuillotine, Needs::scene, take<Tool::guillotine>},
     Handler{ActionId::toolGrab, Needs::scene, take<Tool::grab>},
     Handler{ActionId::toolPin, Needs::scene, take<Tool::pin>},
+    Handler{ActionId::toolRetract, Needs::scene, take<Tool::retract>},
+    Handler{ActionId::toolMove, Needs::scene, take<Tool::move>},
     Handler{ActionId::toolMeasure, Needs::scene, take<Tool::measure>},
     Handler{ActionId::bringDown, Needs::scene,
             [](State& s) { s.view.bladeTool.bringDown(*s.scene.meanwhile()); }},
     Handler{ActionId::freePins, Needs::body, freePins},
+    Handler{ActionId::removeRetractor, Needs::body, removeRetractor},
     Handler{ActionId::playPause, Needs::scene, playOrPause},
     Handler{ActionId::letFall, Needs::body, letFall},
     Handler{ActionId::timeWhileCutting, Needs::nothing, toggleTimeWhileCutting},
@@ -365,7 +380,11 @@ void placeBox(State& s) {
     const Bounds body = s.scene->bounds();
     const ViewFrame frame = s.view.frame();
     const StaticBox box = boxInView(body, s.scene->simulation().params().floor, frame, s.view.free);
-    if (s.execute(AddBox{box}) && !isInView(box, frame, s.view.free)) {
+    if (!s.execute(AddBox{box})) {
+        return;
+    }
+    s.view.moveTool.chooseBox(static_cast<int>(s.scene->simulation().boxes().size()) - 1);
+    if (!isInView(box, frame, s.view.free)) {
         Bounds both = body;
         both.add(box.bounds());
         s.view.flyToFrame(both);

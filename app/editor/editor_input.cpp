@@ -78,7 +78,8 @@ void Editor::State::dispatch(const ui::InputEvent& event) {
 
 void Editor::State::onButton(const ui::ButtonChange& change) {
     if (!change.down) {
-        say(view.release(change.button, sceneInHand()));
+        const bool clicks = change.button == ui::Button::right && view.rightClicks();
+        say(view.release(change.button, sceneInHand(clicks)));
     } else if (!panels.interface.ownsPointer()) {
         say(view.press(change, sceneInHand(true)));
     }

@@ -82,6 +82,8 @@ struct Editor::State {
     void followMeasures();
     /// Has the thickness of the body worked out where the colours show it.
     void followThickness();
+    /// Does what the gizmo in hand asks for.
+    void followGizmo();
     /// Lets view and picture follow a model that was placed otherwise.
     void followPlacement();
     void saveScreenshot();

@@ -9,6 +9,7 @@ namespace kerf::app {
 namespace {
 
 const Vec2 kNowhere(-1e5, -1e5);  // [px]
+constexpr double kClick = 4;      // a drag is longer [px]
 
 }  // namespace
 
@@ -28,6 +29,8 @@ void EditorView::begin(const EditorScene& scene) {
     measures.clear();
     bladeTool.fitTo(scene.bounds());
     pullTool = {};
+    retractTool = {};
+    moveTool.forget();
     placement_ = scene.placementRevision();
     restBounds_ = scene.rest().bounds;
 }
@@ -38,14 +41,18 @@ bool EditorView::follow(const EditorScene& scene) {
     }
     placement_ = scene.placementRevision();
     const Bounds before = std::exchange(restBounds_, scene.rest().bounds);
+    bladeTool.fitTo(scene.bounds());
+    if (moveTool.holds()) {
+        return true;  // The view stands while the model moves in it.
+    }
     const double ratio = restBounds_.diagonal() / before.diagonal();
     render::Camera moved = camera.destination();
     for (Vec3* point : {&moved.eye, &moved.target}) {
         *point = restBounds_.center() + ratio * (*point - before.center());
     }
     camera = EditorCamera(moved);
-    bladeTool.fitTo(scene.bounds());
     pullTool = {};
+    retractTool = {};
     return true;
 }
 
@@ -79,11 +86,16 @@ void EditorView::move(const ui::PointerMove& move, EditorScene* scene) {
             sectionTool.moved(frame(), pointer, *display.settings.section, scene->bounds());
         return;
     }
-    bladeTool.move(frame(), pointer, move.modifiers.shift, *scene);
+    bladeTool.move(frame(), pointer, move.modifiers, *scene);
     pullTool.move(frame(), pointer, *scene);
+    retractTool.move(frame(), pointer, *scene);
+    moveTool.move(frame(), pointer, move.modifiers.control);
 }
 
 std::string EditorView::press(const ui::ButtonChange& change, EditorScene* scene) {
+    if (change.button == ui::Button::right) {
+        rightPress_ = pointer;
+    }
     if (holds() || camera.press(change, mouse) || change.button != ui::Button::left ||
         scene == nullptr) {
         return "";
@@ -98,6 +110,12 @@ std::string EditorView::press(const ui::ButtonChange& change, EditorScene* scene
     if (settings.tool == ui::Tool::measure) {
         pressMeasure(*scene);
         return "";
+    }
+    if (settings.tool == ui::Tool::retract) {
+        return retractTool.press(frame(), pointer, *scene);
+    }
+    if (settings.tool == ui::Tool::move) {
+        return moveTool.press(frame(), pointer, *scene);
     }
     bladeTool.press(frame(), pointer, *scene);
     return pullTool.press(frame(), pointer, settings, change.modifiers, *scene);
@@ -127,12 +145,28 @@ bool EditorView::endsMeasuring() {
 
 std::string EditorView::release(ui::Button button, EditorScene* scene) {
     camera.release(button);
+    if (button == ui::Button::right && scene != nullptr && rightClicks()) {
+        removeRetractorAt(pointer, *scene);
+    }
     if (button != ui::Button::left || scene == nullptr) {
         return "";
     }
     sectionTool.release();
     bladeTool.release(*scene);
+    retractTool.release(*scene);
+    moveTool.release();
     return pullTool.release(frame(), *scene);
+}
+
+bool EditorView::rightClicks() const {
+    return bladeTool.settings().tool == ui::Tool::retract &&
+           (pointer - rightPress_).norm() < kClick;
+}
+
+void EditorView::removeRetractorAt(const Vec2& pixel, EditorScene& scene) const {
+    if (const std::optional<int> hook = RetractTool::hookAt(frame(), pixel, scene)) {
+        scene.removeRetractor(*hook);
+    }
 }
 
 void EditorView::zoom(double notches, EditorScene* scene) {
@@ -150,6 +184,8 @@ void EditorView::setTools(const ui::ToolSettings& settings, EditorScene& scene) 
         display.join();
         measures.dropPending();
         pullTool.cancel(scene);
+        retractTool.release(scene);
+        moveTool.drop();
     }
     bladeTool.set(settings, scene);
 }
@@ -158,21 +194,30 @@ void EditorView::cancelTools(EditorScene& scene) {
     sectionTool.release();
     bladeTool.cancel(scene);
     pullTool.cancel(scene);
+    retractTool.cancel(scene);
+    moveTool.drop();
 }
 
 ui::Cursor EditorView::cursor(const ui::Overlay& overlay) const {
-    if (camera.dragging() || pullTool.holds() || sectionTool.holds()) {
+    if (camera.dragging() || holdsBody() || sectionTool.holds()) {
         return ui::Cursor::hand;
     }
-    const bool onHandle = std::ranges::any_of(overlay.handles, &ui::Overlay::Handle::hot);
+    const bool onHandle = std::ranges::any_of(overlay.handles, &ui::Overlay::Handle::hot) ||
+                          std::ranges::any_of(overlay.axisLines, &ui::Overlay::AxisLine::hot) ||
+                          std::ranges::any_of(overlay.axisDots, &ui::Overlay::AxisDot::hot);
     switch (bladeTool.settings().tool) {
         case ui::Tool::guillotine:
             return onHandle ? ui::Cursor::hand : ui::Cursor::arrow;
+        case ui::Tool::move:
+            return onHandle || overlay.chooses ? ui::Cursor::hand : ui::Cursor::arrow;
+        case ui::Tool::retract:  // Dots show the lips that it would hook.
+            return onHandle || !overlay.dots.empty() ? ui::Cursor::hand : ui::Cursor::arrow;
         case ui::Tool::grab:  // Its ring is drawn where there is something to hold.
             return overlay.guides.empty() ? ui::Cursor::arrow : ui::Cursor::hand;
-        case ui::Tool::stroke:
         case ui::Tool::scalpel:
-        case ui::Tool::pin:
+        case ui::Tool::pin:  // So are theirs; Shift draws the box of pins anywhere.
+            return overlay.guides.empty() ? ui::Cursor::arrow : ui::Cursor::crosshair;
+        case ui::Tool::stroke:
         case ui::Tool::measure:
             break;
     }
@@ -187,6 +232,13 @@ ui::Overlay EditorView::overlay(bool inView, bool looks, EditorScene& scene) con
         pullTool.addTo(overlay, frame(), at, bladeTool.settings(), scene);
     }
     measures.addTo(overlay, frame(), at);
+    if (looks && bladeTool.settings().tool == ui::Tool::retract) {
+        retractTool.addTo(overlay, frame(), at, scene);
+    }
+    if (looks && bladeTool.settings().tool == ui::Tool::move) {
+        moveTool.addTo(overlay, frame(), at, scene);
+        overlay.chooses = moveTool.isOver(frame(), at, scene);
+    }
     if (display.settings.section) {
         sectionTool.addTo(overlay, frame(), at, *display.settings.section, scene.bounds());
     }

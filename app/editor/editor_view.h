@@ -6,7 +6,9 @@
 #include "app/tools/blade_tool.h"
 #include "app/tools/editor_camera.h"
 #include "app/tools/measure_list.h"
+#include "app/tools/move_tool.h"
 #include "app/tools/pull_tool.h"
+#include "app/tools/retract_tool.h"
 #include "app/tools/section_tool.h"
 #include "ui/cursor.h"
 #include "ui/layout.h"
@@ -26,6 +28,8 @@ struct EditorView {
     BodyDisplay display;
     BladeTool bladeTool;
     PullTool pullTool;
+    RetractTool retractTool;
+    MoveTool moveTool;
     SectionTool sectionTool;
     MeasureList measures;
 
@@ -51,7 +55,11 @@ struct EditorView {
 
     // The tools of its left button.
     /// Whether a stroke or a pull is under way, or a handle is held.
-    bool holds() const { return bladeTool.holds() || pullTool.holds() || sectionTool.holds(); }
+    bool holds() const { return bladeTool.holds() || holdsBody() || sectionTool.holds(); }
+    /// Whether one holds what takes part in the simulation.
+    bool holdsBody() const { return pullTool.holds() || retractTool.holds() || moveTool.holds(); }
+    /// Whether the right button, which goes up, was no drag but a click for the tool.
+    bool rightClicks() const;
     /// Takes another tool, which lets go, or another depth.
     void setTools(const ui::ToolSettings& settings, EditorScene& scene);
     /// Esc while one measures: forgets the points so far, or else takes the stroke again. False
@@ -69,8 +77,11 @@ struct EditorView {
     bool pressSection(const EditorScene& scene);
     void pressMeasure(EditorScene& scene);
 
-    int placement_ = 0;  ///< EditorScene::placementRevision() that is shown
-    Bounds restBounds_;  ///< of the body then [m]
+    void removeRetractorAt(const Vec2& pixel, EditorScene& scene) const;
+
+    Vec2 rightPress_ = Vec2::Zero();  ///< where the right button went down [px]
+    int placement_ = 0;               ///< EditorScene::placementRevision() that is shown
+    Bounds restBounds_;               ///< of the body then [m]
 };
 
 }  // namespace kerf::app

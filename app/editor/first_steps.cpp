@@ -103,8 +103,9 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
             "it, and it falls in two.",
             {{ActionId::undo, "Undo"}}};
     }
-    if (now.outcome == StrokeOutcome::incised && !hasUsed(Tool::grab)) {
-        return {"An incision. Pull it open:", {{ActionId::toolGrab, "Pull"}}};
+    if (now.outcome == StrokeOutcome::incised && !hasUsed(Tool::grab) && !hasUsed(Tool::retract)) {
+        return {"An incision. Hold it open, or pull at a lip:",
+                {{ActionId::toolRetract, "Hold open"}, {ActionId::toolGrab, "Pull"}}};
     }
     return {};
 }
@@ -138,6 +139,16 @@ Hint FirstSteps::beforeStroke(const Situation& now) const {
                 "Drag over the model and what is under the brush stays in place. Shift+drag "
                 "pins a box, Ctrl+drag frees.",
                 {}};
+        case Tool::retract:
+            return {
+                "Press beside a cut and drag: two hooks draw its lips apart and stay. A right "
+                "click on a hook removes them.",
+                {}};
+        case Tool::move:
+            return {
+                "Drag an arrow, a ring or a square. A click on a box, on what is pinned or on the "
+                "uncut model puts them there.",
+                {}};
         case Tool::measure:
             return {"Click on the body. Esc ends it.", {}};
     }
@@ -161,7 +172,7 @@ Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView&
     now.past = scene->inThePast();
     now.session = scene->playingBack() && !now.past;
     now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
-    now.touching = view.pullTool.holds();
+    now.touching = view.holdsBody();
     now.pieces = scene->pieceCount();
     now.piecesAtFirst = piecesAtFirst_;
     now.outcome = cutWatch_.outcome();

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kStrokeBacklog = 8;         // poses that may wait per step of a picture
 constexpr int kMaxStrokeSteps = 4;                // per picture
 constexpr std::size_t kUndoBudget = 512'000'000;  // [bytes]
-constexpr int kPersonsHand = 0;                   // its number among the hands
+constexpr int kSettleSteps = 60;                  // for what hooks hold to arrive
 constexpr int kCheckEvery = 50;                   // steps of a recording
 constexpr int kPiecesEvery = 10;                  // steps between two looks at the pieces' volumes
 constexpr int kKeyframes = 48;                    // over a session that was opened
@@ -90,7 +90,8 @@ EditorScene::EditorScene(Document document, BodyUpload body)
 void EditorScene::startAnew() {
     playing = false;
     pulling_ = false;
-    dragTo_.reset();
+    dragTo_.clear();
+    settling_ = 0;
     stroke_.clear();
     runner_.setStrokePoses({});
     readings_.clear();
@@ -181,11 +182,15 @@ void EditorScene::followPlacement() {
 }
 
 std::string EditorScene::execute(const Command& command) {
+    if (std::holds_alternative<MovePins>(command)) {
+        takeBlade();
+        settle();
+    }
     if (takesBodyElsewhere(command)) {
         if (!playsOnAfter(command)) {
             takeBlade();
         }
-        letGo();
+        letGoForGood();
         stroke_.clear();
         runner_.setStrokePoses({});
     }
@@ -198,7 +203,7 @@ std::string EditorScene::execute(const Command& command) {
     if (problem.empty() && takesBodyElsewhere(command)) {
         followUndo(before);
         volumes_ = {};
-        releaseAllHands();
+        releaseHandsButHooks();
         readings_.addJump(timeNow(), simulation_);
         readings_.mark(timeNow(), markOf(command));
         refreshPieces();
@@ -220,32 +225,92 @@ void EditorScene::followUndo(const Params& before) {
     }
 }
 
-std::string EditorScene::grab(const Vec3& at, double radius) {
+std::string EditorScene::grab(const Vec3& at, double wanted) {
     takeBlade();
     letGo();
-    std::string problem = perform(Grab{kPersonsHand, at, radius});
+    std::string problem = perform(Grab{kPersonsHand, at, reachOfHand(at, wanted), true});
     pulling_ = problem.empty();
     return problem;
 }
 
-void EditorScene::moveHand() {
-    if (pulling_ && dragTo_) {
-        perform(Drag{kPersonsHand, *dragTo_});
+double EditorScene::reachOfHand(const Vec3& at, double wanted) {
+    Bounds piece = simulation_.bounds();
+    for (Bounds box : simulation_.pieceBounds()) {
+        box.widen(1e-3 * box.diagonal());
+        if (contains(box, at) && box.diagonal() < piece.diagonal()) {
+            piece = box;
+        }
     }
-    dragTo_.reset();
+    return handRadius(simulation_.mesh(), at, wanted, piece);
+}
+
+std::variant<int, std::string> EditorScene::hook(const Incision& incision) {
+    takeBlade();
+    letGo();
+    const std::optional<int> first = freeRetractor(simulation_.hands());
+    if (!first) {
+        return "All retractors are in use; remove one first.";
+    }
+    const double radius = hookRadius(incision);
+    std::string problem = perform(Grab{*first, incision.lips[0], radius, true});
+    if (problem.empty()) {
+        problem = perform(Grab{partnerOf(*first), incision.lips[1], radius, true, true});
+        if (!problem.empty()) {
+            perform(Release{*first});
+        }
+    }
+    pulling_ = problem.empty();
+    return problem.empty() ? std::variant<int, std::string>(*first) : problem;
+}
+
+void EditorScene::removeRetractor(int hook) {
+    takeBlade();
+    for (const Hands::Hand& hand : hooks()) {
+        if (hand.number == hook || hand.number == partnerOf(hook)) {
+            dragTo_.erase(hand.number);
+            perform(Release{hand.number});
+        }
+    }
+    settle();
+}
+
+void EditorScene::settle() {
+    settling_ = kSettleSteps;
+}
+
+void EditorScene::moveHands() {
+    for (const auto& [hand, to] : std::exchange(dragTo_, {})) {
+        perform(Drag{hand, to});
+    }
+    settling_ = std::max(0, settling_ - 1);
 }
 
 void EditorScene::letGo() {
-    dragTo_.reset();
+    dragTo_.erase(kPersonsHand);
     if (std::exchange(pulling_, false)) {
-        perform(Release{kPersonsHand});
+        if (perform(Release{kPersonsHand}).empty()) {
+            return;
+        }
+        settle();
     }
 }
 
+/// Nothing that was held goes on moving.
+void EditorScene::letGoForGood() {
+    letGo();
+    dragTo_.clear();
+    settling_ = 0;
+}
+
 /// After an undo or a redo hands may hold what nobody drags any more.
-void EditorScene::releaseAllHands() {
-    while (!simulation_.hands().empty()) {
-        perform(Release{simulation_.hands().front().number});
+void EditorScene::releaseHandsButHooks() {
+    std::vector<int> numbers;
+    for (const Hands::Hand& hand : simulation_.hands()) {
+        numbers.push_back(hand.number);
+    }
+    std::erase_if(numbers, isHook);
+    for (const int number : numbers) {
+        perform(Release{number});
     }
 }
 
@@ -278,7 +343,7 @@ void EditorScene::takeBlade() {
     keyframes_.changedAt(step, journal_.commandsDone(step));
     playback_.reset();
     seekTarget_.reset();
-    releaseAllHands();
+    releaseHandsButHooks();
     if (simulation_.blade()) {
         perform(LiftBlade{});
     }
@@ -309,7 +374,7 @@ void EditorScene::reset() {
     }
     playing = false;
     takeBlade();
-    letGo();
+    letGoForGood();
     stroke_.clear();
     runner_.setStrokePoses({});
     perform(Restart{});
@@ -332,7 +397,7 @@ void EditorScene::step() {
     } else if (playingBack()) {
         playSessionEvents();
     }
-    moveHand();
+    moveHands();
     letTimeRunAsWanted(pose.has_value());
     const int piecesBefore = pieceCount();
     const StepReport& report = runner_.step();
@@ -348,7 +413,7 @@ void EditorScene::step() {
 
 /// A session that is played says itself when time stands.
 void EditorScene::letTimeRunAsWanted(bool cuts) {
-    const bool runs = playing || pulling_ || timeRunsWhileCutting || !cuts;
+    const bool runs = playing || pulling() || timeRunsWhileCutting || !cuts;
     if (!playingBack() && simulation_.timeRuns() != runs) {
         perform(SetTime{runs});
     }
@@ -361,7 +426,7 @@ void EditorScene::watchVolumes(const StepReport& report) {
 }
 
 bool EditorScene::running() const {
-    return playing || pulling_ || stroke_.pending() > 0 || seekSteps() > 0;
+    return playing || pulling() || stroke_.pending() > 0 || seekSteps() > 0;
 }
 
 int EditorScene::strokeSteps() const {
@@ -466,7 +531,8 @@ void EditorScene::goTo(int step, const Keyframe& keyframe) {
     runner_.setStrokePoses(keyframe.strokePoses);
     stroke_.clear();
     pulling_ = false;
-    dragTo_.reset();
+    dragTo_.clear();
+    settling_ = 0;
     readings_.forgetAfter(timeNow());
     refreshPieces();
 }
@@ -731,6 +797,7 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.startParams = document_.session.params;
     model.boxes = simulation_.boxes();
     model.pinned = simulation_.pinnedVertices().size();
+    model.hooks = hooks().size();
     model.bodySize = rest_.bounds.diagonal();
     model.bodyBounds = simulation_.bounds();
     model.edgeLength = rest_.edgeLength;

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/scene/editor_document.h"
 #include "app/scene/editor_readings.h"
 #include "app/scene/editor_stroke.h"
+#include "app/scene/hooks.h"
+#include "app/scene/incision.h"
 #include "app/scene/keyframes.h"
 #include "app/scene/saved_session.h"
 #include "app/scene/session_journal.h"
@@ -76,13 +80,25 @@ class EditorScene {
     /// Steps that the stroke needs for the coming picture so as not to fall behind the hand.
     int strokeSteps() const;
 
-    // A hand that pulls at the body. Time runs while it does.
-    /// Takes hold of what lies within `radius` of `at` [m]. Returns "" or one sentence.
-    std::string grab(const Vec3& at, double radius);
-    /// Moves the hand to where it is in the coming steps [m].
-    void dragTo(const Vec3& to) { dragTo_ = to; }
+    // Hands that pull at the body. Time runs while they do.
+    /// Takes hold with a person's hand of what lies about `at`, along the surface and on one side
+    /// of a cut; `wanted` [m] is the most that it reaches. Returns "" or one sentence.
+    std::string grab(const Vec3& at, double wanted);
+    /// How far such a hand reaches at a point of the surface [m].
+    double reachOfHand(const Vec3& at, double wanted);
+    /// Hooks both lips of a cut. Returns the first of the two hooks, or one sentence.
+    std::variant<int, std::string> hook(const Incision& incision);
+    /// Moves a hand to where it is in the coming steps [m].
+    void dragTo(const Vec3& to, int hand = kPersonsHand) { dragTo_[hand] = to; }
+    /// The person's hand lets go; hooks hold on, and time runs on until they have arrived.
     void letGo();
-    bool pulling() const { return pulling_; }
+    bool pulling() const { return pulling_ || settling_ > 0; }
+    /// Lets time run on for a while, also in a pause: for what hooks and pins hold to follow them.
+    void settle();
+    /// The hooks of all retractors, by number.
+    std::vector<Hands::Hand> hooks() const { return hooksOf(simulation_.hands()); }
+    /// Takes away the retractor that a hook belongs to.
+    void removeRetractor(int hook);
 
     /// Whether time runs while a stroke is cut in a pause; otherwise it stands, so that the stroke
     /// cuts where it was aimed, and costs no more than the cut.
@@ -173,11 +189,14 @@ class EditorScene {
     void describe(ui::PanelModel& model);
 
   private:
+    static constexpr int kPersonsHand = 0;  ///< its number among the hands
+
     std::string perform(const Command& command);
     void followUndo(const Params& before);
     void followPlacement();
-    void moveHand();
-    void releaseAllHands();
+    void moveHands();
+    void releaseHandsButHooks();
+    void letGoForGood();
     bool playsOnAfter(const Command& command) const;
     void letTimeRunAsWanted(bool cuts);
     void takeBlade();
@@ -226,7 +245,8 @@ class EditorScene {
     BladeStroke stroke_;
     std::vector<SetParam> choices_;  ///< of a person, one per name; a played session keeps them
     bool pulling_ = false;
-    std::optional<Vec3> dragTo_;  ///< where the hand is to go, until it is told
+    int settling_ = 0;            ///< steps that time runs on for what was let go or hooked
+    std::map<int, Vec3> dragTo_;  ///< where hands are to go, until they are told
     SessionJournal journal_;
     std::optional<render::Camera> chosenView_;
     bool recording_ = false;

@@ -156,6 +156,9 @@ void describe(auto& fields, Grab& grab) {
     fields.required({"at", "The point [m]."}, grab.at, kCoordinates);
     fields.required({"radius", "How far about the point the hand reaches [m]."}, grab.radius,
                     kRadii);
+    fields.optional({"surface", "How far along the surface, and of one side of a cut alone."},
+                    grab.alongSurface);
+    fields.optional({"continues", "One change with the grab before it."}, grab.continues);
 }
 
 void describe(auto& fields, Drag& drag) {
@@ -174,6 +177,13 @@ void describe(auto& fields, Pin& pin) {
                 {"unpin", "What is now in the ball or box is free again."}, pin.pinned);
     describe(fields, pin.region);
     fields.optional({"continues", "One change with the pin or unpin before it."}, pin.continues);
+}
+
+void describe(auto& fields, MovePins& move) {
+    fields.type({"move_pins", "What is pinned is turned about its middle and moved, at once."});
+    fields.required({"by", "How far it moves [m]."}, move.by, kCoordinates);
+    fields.optional(kRotate, move.rotate, kTurns);
+    fields.optional({"continues", "One change with the move_pins before it."}, move.continues);
 }
 
 void describe(auto& fields, AddBox& add) {

@@ -16,6 +16,7 @@ constexpr double kPinRadius = 0.08;
 constexpr double kLongest = 2;
 
 constexpr double kHandleReach = 14;  // [px]
+const Vec2 kNowhere(-1e5, -1e5);     // [px]
 constexpr std::size_t kMostPreviewPoses = 32;
 constexpr int kMostPreviewTriangles = 50'000;  // of the body: more would slow the pictures down
 
@@ -70,6 +71,7 @@ void BladeTool::fitTo(const Bounds& bounds) {
     settings_.drop = guillotine_.drop();
     scalpel_.reset();
     handle_.reset();
+    gizmo_.release();
     held_ = false;
 }
 
@@ -104,12 +106,18 @@ void BladeTool::press(const ViewFrame& view, const Vec2& pixel, EditorScene& sce
             moveScalpel(view, pixel, scene);
             return;
         case ui::Tool::guillotine:
+            heldGuillotine_ = guillotine_;
             handle_ = handleAt(view, pixel);
+            if (!handle_) {
+                gizmo_.press(view, pixel, frameOfGuillotine());
+            }
             return;
         case ui::Tool::grab:
         case ui::Tool::pin:
+        case ui::Tool::retract:
+        case ui::Tool::move:
         case ui::Tool::measure:
-            return;  // see PullTool, MeasureList
+            return;  // see PullTool, RetractTool, MoveTool, MeasureList
     }
 }
 
@@ -123,20 +131,31 @@ void BladeTool::pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScen
     held_ = true;
 }
 
-void BladeTool::move(const ViewFrame& view, const Vec2& pixel, bool straight, EditorScene& scene) {
-    if (handle_) {
-        raise(scene);
-        guillotine_.move(*handle_, view.onPlaneThrough(guillotine_.handles()[*handle_], pixel));
-        settings_.length = guillotine_.length();
-        settings_.drop = guillotine_.drop();
+void BladeTool::move(const ViewFrame& view, const Vec2& pixel, const ui::Modifiers& modifiers,
+                     EditorScene& scene) {
+    if (handle_ || gizmo_.holds()) {
+        moveGuillotine(view, pixel, modifiers.control, scene);
     } else if (held_ && settings_.tool == ui::Tool::scalpel) {
         moveScalpel(view, pixel, scene);
     } else if (held_) {
-        const std::optional<Vec2> to = straight ? ruler_->along(pixel) : pixel;
+        const std::optional<Vec2> to = modifiers.shift ? ruler_->along(pixel) : pixel;
         if (to) {
             scene.stroke().moveTo(view.toNdc(*to));
         }
     }
+}
+
+void BladeTool::moveGuillotine(const ViewFrame& view, const Vec2& pixel, bool snaps,
+                               EditorScene& scene) {
+    raise(scene);
+    if (handle_) {
+        guillotine_.move(*handle_, view.onPlaneThrough(guillotine_.handles()[*handle_], pixel));
+    } else {
+        const GizmoChange change = gizmo_.moved(view, pixel, snaps);
+        guillotine_ = heldGuillotine_.moved(change.by, change.turn);
+    }
+    settings_.length = guillotine_.length();
+    settings_.drop = guillotine_.drop();
 }
 
 void BladeTool::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
@@ -160,6 +179,7 @@ void BladeTool::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScen
 
 void BladeTool::release(EditorScene& scene) {
     handle_.reset();
+    gizmo_.release();
     scalpel_.reset();
     if (held_) {
         held_ = false;
@@ -168,7 +188,13 @@ void BladeTool::release(EditorScene& scene) {
 }
 
 void BladeTool::cancel(EditorScene& scene) {
+    if (handle_ || gizmo_.holds()) {
+        guillotine_ = heldGuillotine_;
+        settings_.length = guillotine_.length();
+        settings_.drop = guillotine_.drop();
+    }
     handle_.reset();
+    gizmo_.release();
     scalpel_.reset();
     held_ = false;
     settings_.lowered = 0;
@@ -208,6 +234,10 @@ void BladeTool::raise(EditorScene& scene) {
         scene.stroke().end();
         settings_.lowered = 0;
     }
+}
+
+GizmoFrame BladeTool::frameOfGuillotine() const {
+    return {guillotine_.center(), guillotine_.axes()};
 }
 
 std::optional<Guillotine::Handle> BladeTool::handleAt(const ViewFrame& view,
@@ -271,6 +301,10 @@ ui::Overlay BladeTool::overlay(const ViewFrame& view, const Vec2& pixel, EditorS
     if (settings_.tool == ui::Tool::guillotine) {
         if (way.empty()) {
             addSwept(view, {guillotine_.at(0), guillotine_.at(1)}, overlay);  // where it came down
+        }
+        if (!handle_) {
+            const bool free = !handleAt(view, pixel).has_value();
+            gizmo_.addTo(overlay, view, free ? pixel : kNowhere, frameOfGuillotine());
         }
         addHandles(view, pixel, overlay);
     }

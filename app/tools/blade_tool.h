@@ -3,10 +3,12 @@
 #include <optional>
 
 #include "app/scene/editor_scene.h"
+#include "app/tools/gizmo.h"
 #include "app/tools/guillotine.h"
 #include "app/tools/ruler.h"
 #include "app/tools/scalpel.h"
 #include "app/tools/view_frame.h"
+#include "ui/input.h"
 #include "ui/overlay.h"
 #include "ui/tool_settings.h"
 
@@ -27,15 +29,16 @@ class BladeTool {
 
     /// Takes the blade or a handle at a pixel of the picture.
     void press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
-    /// Leads the blade to a pixel of the picture. A `straight` stroke goes on along a line (see
-    /// Ruler).
-    void move(const ViewFrame& view, const Vec2& pixel, bool straight, EditorScene& scene);
+    /// Leads the blade to a pixel of the picture. With Shift a stroke goes on along a line (see
+    /// Ruler), with Ctrl the gizmo of the guillotine goes in whole steps.
+    void move(const ViewFrame& view, const Vec2& pixel, const ui::Modifiers& modifiers,
+              EditorScene& scene);
     /// Ends the stroke, or lets go of the handle.
     void release(EditorScene& scene);
     /// Gives up the stroke and lets go of everything.
     void cancel(EditorScene& scene);
     /// Whether the tool holds the blade or a handle.
-    bool holds() const { return held_ || handle_.has_value(); }
+    bool holds() const { return held_ || handle_ || gizmo_.holds(); }
 
     /// The guillotine falls from where it is.
     void bringDown(EditorScene& scene);
@@ -53,12 +56,16 @@ class BladeTool {
     void raise(EditorScene& scene);
     std::optional<Guillotine::Handle> handleAt(const ViewFrame& view, const Vec2& pixel) const;
     std::vector<Blade> wayAhead(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const;
+    GizmoFrame frameOfGuillotine() const;
+    void moveGuillotine(const ViewFrame& view, const Vec2& pixel, bool snaps, EditorScene& scene);
     void addHandles(const ViewFrame& view, const Vec2& pixel, ui::Overlay& overlay) const;
 
     ui::ToolSettings settings_;
     Guillotine guillotine_;
     std::optional<Scalpel> scalpel_;  ///< while it is on the surface
+    Guillotine heldGuillotine_;       ///< as it was when a handle or its gizmo was taken
     std::optional<Guillotine::Handle> handle_;
+    Gizmo gizmo_;        ///< of the guillotine
     bool held_ = false;  ///< by the pointer
     std::optional<Ruler> ruler_;
 };

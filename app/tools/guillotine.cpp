@@ -1,5 +1,6 @@
 #include "app/tools/guillotine.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace kerf::app {
@@ -52,6 +53,20 @@ void Guillotine::move(Handle handle, const Vec3& to) {
             return;
         }
     }
+}
+
+Eigen::Matrix3d Guillotine::axes() const {
+    Eigen::Matrix3d axes;
+    axes << along_, -down_, along_.cross(-down_);
+    return axes;
+}
+
+Guillotine Guillotine::moved(const Vec3& by, const Eigen::Matrix3d& turn) const {
+    Guillotine moved = *this;
+    moved.center_ += by;
+    moved.along_ = (turn * along_).normalized();
+    moved.down_ = (turn * down_).normalized();
+    return moved;
 }
 
 void Guillotine::turnTo(const Vec3& along) {

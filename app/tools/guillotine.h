@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 
 #include "sim/base/math.h"
@@ -30,6 +31,13 @@ class Guillotine {
     /// goes.
     std::array<Vec3, kHandles> handles() const;
     void move(Handle handle, const Vec3& to);
+
+    /// The blade's middle at the top [m].
+    const Vec3& center() const { return center_; }
+    /// Columns, unit: from A to B, upwards, and across both.
+    Eigen::Matrix3d axes() const;
+    /// The same blade, turned about its middle and moved.
+    Guillotine moved(const Vec3& by, const Eigen::Matrix3d& turn) const;
 
   private:
     void turnTo(const Vec3& along);

@@ -15,6 +15,7 @@ constexpr double kLeastBox = 4;         // a smaller one was a click [px]
 constexpr double kBoxMargin = 0.01;     // beyond the body, of its diagonal
 constexpr double kFarthestCorner = 20;  // of a box to be pinned, of the distance to the body
 constexpr int kRingPoints = 40;
+constexpr int kMostPreviewTriangles = 50'000;  // of the body: more would slow the pictures down
 
 /// A circle on the surface.
 void addRing(const ViewFrame& view, const SurfacePoint& point, double radius,
@@ -40,6 +41,11 @@ void addBox(const ViewFrame& view, const Bounds& box, ui::Overlay& overlay) {
     }
 }
 
+/// Whether all of the body would be looked at for a picture, while it moves or is large.
+bool isCostly(const EditorScene& scene) {
+    return scene.running() || scene.simulation().report().triangles > kMostPreviewTriangles;
+}
+
 /// How far the tool reaches around the point of the surface that it is over, none where it does not
 /// go by the surface [m].
 std::optional<double> reachOf(const ui::ToolSettings& settings) {
@@ -52,6 +58,8 @@ std::optional<double> reachOf(const ui::ToolSettings& settings) {
             return settings.pinRadius;
         case ui::Tool::stroke:
         case ui::Tool::guillotine:
+        case ui::Tool::retract:
+        case ui::Tool::move:
         case ui::Tool::measure:
             break;
     }
@@ -168,7 +176,9 @@ void PullTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pi
     }
     if (const std::optional<double> radius = reachOf(settings)) {
         if (const auto point = scene.pick(view.rayThrough(pixel))) {
-            addRing(view, *point, *radius, overlay);
+            const bool fits = settings.tool == ui::Tool::grab && !isCostly(scene);
+            const double reach = fits ? scene.reachOfHand(point->position, *radius) : *radius;
+            addRing(view, *point, reach, overlay);
         }
     }
 }

@@ -3,13 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "app/tools/gizmo_math.h"
+
 namespace kerf::app {
 namespace {
 
 constexpr double kReach = 14;      // of a handle [px]
 constexpr double kTipShare = 0.3;  // of the body's diagonal, from the middle handle to the tip
 constexpr double kSideShare = 0.55;
-constexpr double kSlanted = 0.2;  // sine of the least angle between line of sight and normal
 
 /// The point of the plane nearest to the body's middle.
 Vec3 middleOf(const render::SectionPlane& plane, const Bounds& bounds) {
@@ -63,16 +64,12 @@ render::SectionPlane SectionTool::moved(const ViewFrame& view, const Vec2& pixel
 double SectionTool::shiftTo(const ViewFrame& view, const Vec2& pixel,
                             const render::SectionPlane& plane, const Bounds& bounds) const {
     const Vec3 at = middleOf(plane, bounds);
-    const auto ray = view.rayThrough(pixel);
-    const double along = ray.direction.dot(plane.normal);
-    const double square = 1 - along * along;
-    if (square < kSlanted * kSlanted) {
-        const double perPixel =
-            (view.onPlaneThrough(at, pixel) - view.onPlaneThrough(at, pixel + Vec2(0, 1))).norm();
-        return (last_.y() - pixel.y()) * perPixel;
+    if (const auto shift = alongAxis(view.rayThrough(pixel), at, plane.normal)) {
+        return *shift;
     }
-    const Vec3 offset = ray.origin - at;
-    return (offset.dot(plane.normal) - along * offset.dot(ray.direction)) / square;
+    const double perPixel =
+        (view.onPlaneThrough(at, pixel) - view.onPlaneThrough(at, pixel + Vec2(0, 1))).norm();
+    return (last_.y() - pixel.y()) * perPixel;
 }
 
 std::optional<SectionTool::Handle> SectionTool::handleAt(const ViewFrame& view, const Vec2& pixel,

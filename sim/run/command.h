@@ -35,6 +35,10 @@ struct Grab {
     int hand = 0;
     Vec3 at = Vec3::Zero();
     double radius = 0;  ///< [m]
+    /// Within the radius along the surface, and on one side of a cut: see surfacePatch().
+    bool alongSurface = false;
+    /// Belongs to the gesture of the grab just before: one undo takes both back.
+    bool continues = false;
 };
 /// Moves a hand to a point during the coming step, and what it holds along.
 struct Drag {
@@ -50,6 +54,13 @@ struct Pin {
     Region region;
     bool pinned = true;  ///< false frees those in the region
     /// Belongs to the gesture of the pin just before: one undo takes both back.
+    bool continues = false;
+};
+/// Turns what is pinned about its middle and moves it, at once; it is at rest then.
+struct MovePins {
+    Vec3 by = Vec3::Zero();      ///< [m]
+    Vec3 rotate = Vec3::Zero();  ///< about the world's x, then y, then z axis [degrees]
+    /// Belongs to the gesture of the move just before: one undo takes both back.
     bool continues = false;
 };
 /// Puts up a box, behind those there are.
@@ -90,7 +101,7 @@ struct SetTime {
     bool runs = true;
 };
 
-using Command = std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, AddBox,
-                             ChangeBox, RemoveBox, Restart, Place, Undo, Redo, SetTime>;
+using Command = std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, MovePins,
+                             AddBox, ChangeBox, RemoveBox, Restart, Place, Undo, Redo, SetTime>;
 
 }  // namespace kerf

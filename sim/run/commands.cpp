@@ -20,6 +20,13 @@ std::vector<UndoEntry::ParamChange> changesOfSize(const Params& before, const Pa
     return changes;
 }
 
+/// Whether all of it has coordinates that a scene may have.
+bool isNear(const Bounds& bounds) {
+    constexpr double kFarthest = 1e6;  // [m]
+    return bounds.low.allFinite() && bounds.high.allFinite() &&
+           bounds.low.minCoeff() >= -kFarthest && bounds.high.maxCoeff() <= kFarthest;
+}
+
 }  // namespace
 
 template <>
@@ -57,11 +64,14 @@ std::string Simulation::State::carryOut(const SetParam& set) {
 
 template <>
 std::string Simulation::State::carryOut(const Grab& grab) {
-    const SnapshotPointer before = log.captureForUndo(body);
+    const bool continues = grab.continues && log.continuesBody(BodyGesture::hands);
+    const SnapshotPointer before = continues ? nullptr : log.captureForUndo(body);
     log.touch();
     std::string error = body.memory.hands.grab(grab, body.mesh);
-    if (error.empty()) {
-        log.noteBody("Pull", before, output);
+    if (error.empty() && continues) {
+        log.history().renameLast("Hold open");
+    } else if (error.empty()) {
+        log.noteBody("Pull", before, output, BodyGesture::hands);
     }
     return error;
 }
@@ -88,6 +98,23 @@ std::string Simulation::State::carryOut(const Pin& pin) {
     }
     body.solver.masses().setPinned(body.memory.pins.vertices());
     log.notePins(std::move(before), body.memory.pins, pin, output.clock.time);
+    return "";
+}
+
+template <>
+std::string Simulation::State::carryOut(const MovePins& move) {
+    if (body.memory.pins.vertices().empty()) {
+        return "Nothing is pinned that could be moved.";
+    }
+    if (!isNear(body.pinnedAfter(move))) {
+        return "What is pinned would leave the range of 1e6 m; move it less far.";
+    }
+    if (!(move.continues && log.continuesBody(BodyGesture::pins))) {
+        log.noteBody("Move pins", log.captureForUndo(body), output, BodyGesture::pins);
+    }
+    log.touch();
+    body.movePinned(move);
+    publish();
     return "";
 }
 
@@ -150,7 +177,7 @@ std::string Simulation::State::carryOut(const Place& place) {
         return "T" + problem.substr(1);
     }
     putBladeAway();
-    const bool continues = log.continuesPlacement(place);
+    const bool continues = place.continues && log.continuesBody(BodyGesture::placement);
     const Params before = input.params;
     input.params = followSize(body.uncut->sizeOfModels(),
                               sizeOfModels(placed.restPositions(), models), before);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sim/base/region.h"
+#include "sim/mesh/surface_patch.h"
 
 namespace kerf {
 
@@ -12,6 +13,20 @@ namespace {
 
 std::string emptyHand(int number) {
     return fmt::format("Hand {} holds nothing; let it grab first.", number);
+}
+
+/// What a hand that grabs would hold, whoever else does; ascending.
+std::vector<int> withinReach(const Grab& grab, const SurfaceMesh& mesh) {
+    if (grab.alongSurface) {
+        return surfacePatch(mesh, grab.at, grab.radius);
+    }
+    std::vector<int> vertices;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (contains(Ball{grab.at, grab.radius}, mesh.position(v)) && mesh.outgoing(v) >= 0) {
+            vertices.push_back(v);
+        }
+    }
+    return vertices;
 }
 
 shared::PullRecord pullOf(const Hands::Hand& hand, const Hands::Held& held, double timeStep) {
@@ -34,13 +49,12 @@ std::string Hands::grab(const Grab& grab, const SurfaceMesh& mesh) {
         return "A grab needs a finite point and a radius above 0.";
     }
     Hand hand{grab.hand, grab.at, grab.at, {}};
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const bool near = contains(Ball{grab.at, grab.radius}, mesh.position(v));
+    for (const int v : withinReach(grab, mesh)) {
         const Hand* own = find(grab.hand);
         const bool free =
             !holds(v) ||
             (own && std::ranges::any_of(own->held, [v](const Held& h) { return h.vertex == v; }));
-        if (near && free && mesh.outgoing(v) >= 0) {
+        if (free) {
             hand.held.push_back({v, mesh.position(v) - grab.at});
         }
     }

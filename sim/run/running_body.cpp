@@ -1,12 +1,15 @@
 #include "sim/run/running_body.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "sim/base/boxes.h"
+#include "sim/base/float_rounding.h"
 #include "sim/base/pausing.h"
 #include "sim/base/sort_unique.h"
 #include "sim/base/text.h"
+#include "sim/base/turn.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/oriented_box.h"
 
@@ -167,6 +170,39 @@ void RunningBody::restore(const Snapshot& snapshot) {
     solver.savedPieces().save();
     forgetPieces();
     becomeWhole();
+}
+
+Bounds RunningBody::pinnedAfter(const MovePins& move) const {
+    return boxOf(placesAfter(move));
+}
+
+std::vector<Vec3> RunningBody::placesAfter(const MovePins& move) const {
+    std::vector<Vec3> places;
+    for (const std::uint32_t v : memory.pins.vertices()) {
+        places.push_back(mesh.position(static_cast<int>(v)));
+    }
+    // Their mean stays the same however they are turned.
+    const Vec3 sum = std::accumulate(places.begin(), places.end(), Vec3(Vec3::Zero()));
+    const Vec3 middle = sum / static_cast<double>(std::max<std::size_t>(1, places.size()));
+    const Eigen::Matrix3d turn = turnOf(move.rotate);
+    for (Vec3& place : places) {
+        place = nearestFloats(middle + turn * (place - middle) + move.by);
+    }
+    return places;
+}
+
+void RunningBody::movePinned(const MovePins& move) {
+    mesh.bringAll();
+    const std::vector<Vec3> places = placesAfter(move);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const int v = static_cast<int>(memory.pins.vertices()[i]);
+        mesh.setPosition(v, places[i]);
+        mesh.setVelocity(v, Vec3::Zero());
+    }
+    solver.setState(stateOf(mesh));
+    sync.forget();
+    measureAtRest();
+    forgetPieces();
 }
 
 void RunningBody::prepareStep(const Params& params) {

@@ -62,6 +62,11 @@ struct RunningBody {
     /// See Simulation::readAllBack().
     void readAllBack(bool all);
 
+    /// The box around what is pinned, once it is moved so [m].
+    Bounds pinnedAfter(const MovePins& move) const;
+    /// Moves it, at once.
+    void movePinned(const MovePins& move);
+
     const BodyModel& model() const { return updater->model(); }
     /// Whether a piece may have gone through itself, as far as the last measure shows: some edge is
     /// folded, or a piece holds little of its volume.
@@ -93,6 +98,7 @@ struct RunningBody {
 
   private:
     std::vector<shared::PullRecord> leadsBack(const Params& params);
+    std::vector<Vec3> placesAfter(const MovePins& move) const;
     void take(std::shared_ptr<const UncutBody> body);
     void lookUpTriangles();
     void beginAtRest();

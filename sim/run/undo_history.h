@@ -10,6 +10,9 @@
 
 namespace kerf {
 
+/// A gesture that changes the body and may go on in further commands: one undo takes all back.
+enum class BodyGesture { none, placement, hands, pins };
+
 /// A change that a person made, and how to take it back.
 struct UndoEntry {
     /// A parameter that went from one value to another.
@@ -30,11 +33,11 @@ struct UndoEntry {
         std::vector<StaticBox> after;
         int changed = -1;  ///< number of the box that was changed; -1 for none
     };
-    /// A cut, a grab, a restart or a placement. `after` is known while it is undone.
+    /// A cut, a grab, moved pins, a restart or a placement. `after` is known while it is undone.
     struct BodySnapshotChange {
         SnapshotPointer before;
         SnapshotPointer after;
-        bool placed = false;                   ///< by a placement
+        BodyGesture gesture = BodyGesture::none;
         std::vector<ParamChange> params = {};  ///< that followed the size
     };
 

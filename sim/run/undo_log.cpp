@@ -56,10 +56,11 @@ void UndoLog::noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, doub
     }
 }
 
-void UndoLog::noteBody(std::string name, SnapshotPointer before, SimulationOutput& output) {
+void UndoLog::noteBody(std::string name, SnapshotPointer before, SimulationOutput& output,
+                       BodyGesture gesture) {
     if (before) {
         history_.add({std::move(name), output.clock.time,
-                      UndoEntry::BodySnapshotChange{std::move(before), nullptr}});
+                      UndoEntry::BodySnapshotChange{std::move(before), nullptr, gesture}});
         output.toldTooLarge = false;
     } else if (history_.keeps()) {
         history_.forgetAll();
@@ -72,19 +73,18 @@ void UndoLog::noteBody(std::string name, SnapshotPointer before, SimulationOutpu
     }
 }
 
-bool UndoLog::continuesPlacement(const Place& place) {
+bool UndoLog::continuesBody(BodyGesture gesture) {
     const auto* last = history_.continued<UndoEntry::BodySnapshotChange>();
-    return place.continues && last != nullptr && last->placed;
+    return last != nullptr && last->gesture == gesture;
 }
 
 void UndoLog::notePlacement(const Place& place, SnapshotPointer before,
                             std::vector<UndoEntry::ParamChange> params, SimulationOutput& output) {
-    if (!continuesPlacement(place)) {
+    if (!place.continues || !continuesBody(BodyGesture::placement)) {
         const bool kept = before != nullptr;
-        noteBody("Placement", std::move(before), output);
+        noteBody("Placement", std::move(before), output, BodyGesture::placement);
         if (kept) {
             auto* entry = history_.continued<UndoEntry::BodySnapshotChange>();
-            entry->placed = true;
             entry->params = std::move(params);
         }
         return;

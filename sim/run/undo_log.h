@@ -36,10 +36,11 @@ class UndoLog {
     void noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, double time);
     /// Notes a change of the body. `before` is null where no snapshot fits, or none is kept. Says
     /// where one is too large, so that neither it nor what was before can be taken back.
-    void noteBody(std::string name, SnapshotPointer before, SimulationOutput& output);
+    void noteBody(std::string name, SnapshotPointer before, SimulationOutput& output,
+                  BodyGesture gesture = BodyGesture::none);
 
-    /// Whether a placement goes on with the gesture of the last change.
-    bool continuesPlacement(const Place& place);
+    /// Whether the last change was such a gesture, which may go on.
+    bool continuesBody(BodyGesture gesture);
     /// A placement, before which the body was `before` (see noteBody()) and the parameters others;
     /// one that goes on with a gesture needs no `before`.
     void notePlacement(const Place& place, SnapshotPointer before,

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/tools/view_frame.h"
+#include "ui/overlay.h"
+
+namespace kerf::app {
+
+/// What a gizmo is put on: something that has a place and axes, and perhaps a size.
+struct GizmoFrame {
+    Vec3 at = Vec3::Zero();                              ///< [m]
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns: its own axes
+    /// Half its size along its own axes; zero where it can't be sized [m].
+    Vec3 half = Vec3::Zero();
+    bool scales = false;  ///< as a whole
+};
+
+/// What a drag of a gizmo has changed since it was taken.
+struct GizmoChange {
+    Vec3 by = Vec3::Zero();                              ///< [m]
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< about the place
+    Vec3 grow = Vec3::Zero();                            ///< of the size along its own axes [m]
+    double factor = 1;                                   ///< of the whole
+};
+
+/// Arrows that move, rings that turn, and handles that size, drawn over the scene. One is held at a
+/// time. It knows nothing of what it is put on.
+class Gizmo {
+  public:
+    /// Takes a part at a pixel of the picture. False where there is none.
+    bool press(const ViewFrame& view, const Vec2& pixel, const GizmoFrame& frame);
+    /// What the pointer at a pixel has changed since the press; `snaps`: in whole steps.
+    GizmoChange moved(const ViewFrame& view, const Vec2& pixel, bool snaps);
+    void release() { held_.reset(); }
+    bool holds() const { return held_.has_value(); }
+
+    /// Adds the gizmo on `frame`, and the number of the drag.
+    void addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
+               const GizmoFrame& frame) const;
+    /// Whether a part is at a pixel.
+    static bool isAt(const ViewFrame& view, const Vec2& pixel, const GizmoFrame& frame);
+
+    /// Pixels of the tip of an arrow, for tests.
+    static std::optional<Vec2> tipOf(const ViewFrame& view, const GizmoFrame& frame, int axis);
+    /// Pixels of points of a ring, for tests.
+    static std::vector<Vec2> ringOf(const ViewFrame& view, const GizmoFrame& frame, int axis);
+    /// Pixels of the handle that sizes a side (1 or -1) along an axis, for tests.
+    static std::optional<Vec2> faceOf(const ViewFrame& view, const GizmoFrame& frame, int axis,
+                                      int side);
+    /// Pixels of the handle that scales the whole, for tests.
+    static std::optional<Vec2> cornerOf(const ViewFrame& view, const GizmoFrame& frame);
+
+  private:
+    enum class Kind { none, arrow, ring, face, corner };
+    struct Part {
+        Kind kind = Kind::none;
+        int axis = 0;
+        int side = 1;
+        bool operator==(const Part&) const = default;
+    };
+    struct Held {
+        Part part;
+        GizmoFrame frame;   ///< at the press
+        Vec2 from;          ///< [px]
+        Vec2 last;          ///< [px]
+        double turned = 0;  ///< so far [degrees]
+        std::string label;
+    };
+    static Part partAt(const ViewFrame& view, const Vec2& pixel, const GizmoFrame& frame);
+    GizmoChange shifted(const ViewFrame& view, const Vec2& pixel, bool snaps);
+    GizmoChange turned(const ViewFrame& view, const Vec2& pixel, bool snaps);
+    GizmoChange sized(const ViewFrame& view, const Vec2& pixel, bool snaps);
+    GizmoChange scaled(const ViewFrame& view, const Vec2& pixel, bool snaps);
+    std::optional<double> shiftOf(const ViewFrame& view, const Vec2& pixel) const;
+
+    std::optional<Held> held_;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "render/scene/camera.h"
+#include "sim/base/math.h"
+
+namespace kerf::app {
+
+// What a drag in the picture means in the scene.
+
+/// How far along an axis (unit, through `point`) the place lies that is nearest to a ray [m]. None
+/// where the ray looks along the axis, so that a pixel more or less would be far away.
+std::optional<double> alongAxis(const render::Ray& ray, const Vec3& point, const Vec3& axis);
+
+/// The angle from one pixel to another about a third [degrees], counter-clockwise as one sees it,
+/// from -180 to 180. Pixels count downwards.
+double turnAbout(const Vec2& center, const Vec2& from, const Vec2& to);
+
+/// The distance of a pixel from a line between two [px].
+double distanceToLine(const Vec2& pixel, const Vec2& from, const Vec2& to);
+
+/// The multiple of `step` nearest to a value.
+double snapped(double value, double step);
+
+/// The least of 1, 2, 5, 10, 20 and so on, and of a tenth, hundredth and so on of them, that is no
+/// less than `least`, which is above 0.
+double roundStep(double least);
+
+}  // namespace kerf::app

@@ -1,0 +1,237 @@
+#include "app/tools/move_tool.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "sim/base/turn.h"
+#include "sim/mesh/ray_box.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr int kMostLiveTriangles = 20'000;  // of a model that follows a drag, not only its end
+
+/// How far along a ray it enters a box, if it does.
+double entryInto(const StaticBox& box, const render::Ray& ray) {
+    const Eigen::Matrix3d back = box.axes().transpose();
+    const Bounds own{-0.5 * box.size, 0.5 * box.size};
+    return entryInto(own, {back * (ray.origin - box.center), back * ray.direction}, 1e300);
+}
+
+bool isUncut(const EditorScene& scene) {
+    const Simulation& simulation = scene.simulation();
+    return simulation.report().triangles == simulation.uncut()->mesh.aliveTriangles();
+}
+
+bool isPinned(const EditorScene& scene, const SurfacePoint& point) {
+    const std::vector<std::uint32_t>& pinned = scene.simulation().pinnedVertices();
+    return std::ranges::any_of(
+        scene.simulation().meshAsRead().triangle(point.triangle),
+        [&](int v) { return std::ranges::binary_search(pinned, static_cast<std::uint32_t>(v)); });
+}
+
+StaticBox changed(StaticBox box, const GizmoChange& change) {
+    box.center += change.by;
+    box.size = (box.size + change.grow).cwiseMax(kLeastBoxSize).cwiseMin(kLargestBoxSize);
+    if (!change.turn.isIdentity(0)) {
+        box.rotate = turnsOf(change.turn * box.axes());
+    }
+    return box;
+}
+
+}  // namespace
+
+// --- What it is put on -------------------------------------------------------------------------
+
+MoveTool::Subject MoveTool::subjectOf(const EditorScene& scene) const {
+    const int boxes = static_cast<int>(scene.simulation().boxes().size());
+    const bool pins = !scene.simulation().pinnedVertices().empty();
+    if (subject_ && (subject_->kind == Kind::model || (subject_->kind == Kind::pins && pins) ||
+                     (subject_->kind == Kind::box && subject_->box < boxes))) {
+        return *subject_;
+    }
+    if (boxes > 0) {
+        return {Kind::box, boxes - 1};
+    }
+    return {pins ? Kind::pins : Kind::model};
+}
+
+std::optional<GizmoFrame> MoveTool::frameOf(EditorScene& scene) const {
+    const Subject subject = subjectOf(scene);
+    GizmoFrame frame;
+    switch (subject.kind) {
+        case Kind::box: {
+            const StaticBox& box = scene.simulation().boxes()[subject.box];
+            return GizmoFrame{box.center, box.axes(), 0.5 * box.size};
+        }
+        case Kind::pins:
+            frame.at = middleOfPins(scene);
+            return frame;
+        case Kind::model:
+            frame.at = scene.rest().bounds.center();
+            frame.scales = true;
+            break;
+    }
+    return isUncut(scene) ? std::optional(frame) : std::nullopt;
+}
+
+Vec3 MoveTool::middleOfPins(EditorScene& scene) const {
+    const std::vector<std::uint32_t>& vertices = scene.simulation().pinnedVertices();
+    const int revision = scene.simulation().bodyRevision();
+    const bool moved = revision != pins_.revision && (!scene.running() || start_);
+    if (vertices != pins_.vertices || moved) {
+        Vec3 sum = Vec3::Zero();
+        for (const std::uint32_t v : vertices) {
+            sum += scene.simulation().mesh().position(static_cast<int>(v));
+        }
+        pins_ = {vertices, revision, sum / static_cast<double>(vertices.size())};
+    }
+    return pins_.at;
+}
+
+std::optional<MoveTool::Subject> MoveTool::subjectAt(const ViewFrame& view, const Vec2& pixel,
+                                                     EditorScene& scene) {
+    const render::Ray ray = view.rayThrough(pixel);
+    std::optional<Subject> found;
+    double nearest = std::numeric_limits<double>::max();
+    if (const auto point = scene.pick(ray)) {
+        found = Subject{isPinned(scene, *point) ? Kind::pins : Kind::model};
+        nearest = (point->position - ray.origin).norm();
+    }
+    const std::vector<StaticBox>& boxes = scene.simulation().boxes();
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (const double way = entryInto(boxes[i], ray); way < kMissesBox && way < nearest) {
+            found = Subject{Kind::box, static_cast<int>(i)};
+            nearest = way;
+        }
+    }
+    return found;
+}
+
+// --- A drag ------------------------------------------------------------------------------------
+
+std::string MoveTool::press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+    const std::optional<GizmoFrame> frame = frameOf(scene);
+    if (frame && gizmo_.press(view, pixel, *frame)) {
+        const Subject subject = subjectOf(scene);
+        start_ = Start{.subject = subject,
+                       .frame = *frame,
+                       .box = {},
+                       .placement = scene.simulation().placement(),
+                       .sent = {}};
+        if (subject.kind == Kind::box) {
+            start_->box = scene.simulation().boxes()[subject.box];
+        }
+        return "";
+    }
+    if (const std::optional<Subject> subject = subjectAt(view, pixel, scene)) {
+        subject_ = subject;
+        if (subject->kind == Kind::model && !isUncut(scene)) {
+            return "The model is cut: to place it begins with the uncut one. The panel Model does "
+                   "that.";
+        }
+    }
+    return "";
+}
+
+void MoveTool::move(const ViewFrame& view, const Vec2& pixel, bool snaps) {
+    if (gizmo_.holds()) {
+        wanted_ = gizmo_.moved(view, pixel, snaps);
+    }
+}
+
+void MoveTool::release() {
+    gizmo_.release();
+    if (!wanted_) {
+        start_.reset();
+    }
+}
+
+void MoveTool::drop() {
+    gizmo_.release();
+    start_.reset();
+    wanted_.reset();
+}
+
+std::optional<Command> MoveTool::takeCommand(const EditorScene& scene) {
+    if (!wanted_ || !start_) {
+        return std::nullopt;
+    }
+    const bool live = start_->subject.kind != Kind::model ||
+                      scene.simulation().report().triangles <= kMostLiveTriangles;
+    if (!live && gizmo_.holds()) {
+        return std::nullopt;
+    }
+    return commandOf(*wanted_);
+}
+
+void MoveTool::noteOutcome(bool done, const EditorScene& scene) {
+    const GizmoChange sent = *std::exchange(wanted_, std::nullopt);
+    if (done) {
+        start_->sent = sent;
+        start_->continues = true;
+        start_->changes = scene.simulation().history().done();
+    }
+    if (!gizmo_.holds()) {
+        start_.reset();
+    }
+}
+
+void MoveTool::undoDrag(EditorScene& scene) {
+    const bool did =
+        start_ && start_->continues && start_->changes == scene.simulation().history().done();
+    drop();
+    if (did) {
+        scene.execute(Undo{});
+    }
+}
+
+Command MoveTool::commandOf(const GizmoChange& change) const {
+    switch (start_->subject.kind) {
+        case Kind::box:
+            return ChangeBox{start_->subject.box, changed(start_->box, change), start_->continues};
+        case Kind::pins:
+            return MovePins{change.by - start_->sent.by,
+                            turnsOf(change.turn * start_->sent.turn.transpose()),
+                            start_->continues};
+        case Kind::model:
+            break;
+    }
+    return placed(change);
+}
+
+/// The model's middle stays where it is, or goes where the arrow goes.
+Command MoveTool::placed(const GizmoChange& change) const {
+    Placement placement = start_->placement;
+    const Vec3 middle = start_->frame.at;
+    const Vec3 arm = middle - placement.translate;
+    if (!change.turn.isIdentity(0)) {
+        placement.rotate = turnsOf(change.turn * turnOf(placement.rotate));
+    }
+    placement.scale = std::clamp(placement.scale * change.factor, 1e-6, 1e6);
+    const double factor = placement.scale / start_->placement.scale;
+    placement.translate = middle + change.by - factor * (change.turn * arm);
+    return Place{placement, start_->continues};
+}
+
+// --- The picture -------------------------------------------------------------------------------
+
+bool MoveTool::isOver(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const {
+    const std::optional<GizmoFrame> frame = frameOf(scene);
+    if (frame && Gizmo::isAt(view, pixel, *frame)) {
+        return true;
+    }
+    const std::optional<Subject> subject = subjectAt(view, pixel, scene);
+    return subject && *subject != subjectOf(scene);
+}
+
+void MoveTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
+                     EditorScene& scene) const {
+    if (const std::optional<GizmoFrame> frame = frameOf(scene)) {
+        gizmo_.addTo(overlay, view, pixel, *frame);
+    }
+}
+
+}  // namespace kerf::app
