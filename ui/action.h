@@ -104,8 +104,8 @@ struct ShowPiece {
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
 using Action =
     std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
-                 PlaceModel, RemoveModel, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView,
-                 ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment, HoverPiece, FramePiece,
-                 ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
+                 PlaceModel, RemoveModel, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings,
+                 SetPlotView, ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment,
+                 HoverPiece, FramePiece, ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

@@ -127,9 +127,8 @@ void FileDialog::draw(const FileDialogState& state, std::vector<Action>& actions
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
-    if (!beginModal(std::string(titleOf(state)) + kWindow,
-                    std::min(60 * line, 0.94F * display.x), std::min(36 * line, 0.92F * display.y),
-                    wanted)) {
+    if (!beginModal(std::string(titleOf(state)) + kWindow, std::min(60 * line, 0.94F * display.x),
+                    std::min(36 * line, 0.92F * display.y), wanted)) {
         return;
     }
     takeKeys(state, actions);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sim/base/quantity_text.h"
+#include "ui/action_table.h"
 #include "ui/item_rects.h"
 #include "ui/parameters_panel.h"
 #include "ui/widgets.h"
@@ -194,8 +195,7 @@ void drawModel(const PanelModel& model, std::vector<Action>& actions) {
         actions.emplace_back(ActionId::addModel);
     }
     noteItem("model.add");
-    itemTooltip("Puts another model beside what there is: " +
-                keysOf(ActionId::addModel));
+    itemTooltip("Puts another model beside what there is: " + keysOf(ActionId::addModel));
 }
 
 }  // namespace kerf::ui

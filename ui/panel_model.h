@@ -114,11 +114,11 @@ struct Hint {
 
 /// All that the panels show: filled by the editor every frame, read only here.
 struct PanelModel {
-    std::string name;  ///< of what is open; empty while nothing is
+    std::string name;                ///< of what is open; empty while nothing is
     std::vector<ModelState> models;  ///< of the scene, by number
     bool untouched = true;           ///< no cut was made that a placement would undo
     bool liveModels = true;          ///< small enough to follow a drag
-    Params params;       ///< as they are
+    Params params;                   ///< as they are
     Params startParams;  ///< as they were when it was opened: what the reset mark returns to
     std::vector<StaticBox> boxes;  ///< that the body collides with
     double bodySize = 1;           ///< diagonal of the body at rest [m]

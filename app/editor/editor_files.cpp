@@ -26,11 +26,10 @@ void Editor::State::addModel(const std::filesystem::path& file) {
         open(file);
         return;
     }
-    openScene({"Adding " + file.filename().string(), file,
-               [name = scene->document().name, start = scene->startOfScene(),
-                file](const ReadOptions& options) {
-                   return openWithModel(name, start, file, options);
-               }});
+    openScene(
+        {"Adding " + file.filename().string(), file,
+         [name = scene->document().name, start = scene->startOfScene(),
+          file](const ReadOptions& options) { return openWithModel(name, start, file, options); }});
 }
 
 void Editor::State::removeModel(int model) {
@@ -124,9 +123,8 @@ void Editor::State::askAboutTest() {
               {"Add a picture of the end", "Go without", "Cancel"}},
              [this](int choice) {
                  if (choice != kCancel) {
-                     browse(ui::FilePurpose::saveTest, choice == kAddPicture
-                                                           ? BrowseFor::testWithPicture
-                                                           : BrowseFor::itself);
+                     browse(ui::FilePurpose::saveTest,
+                            choice == kAddPicture ? BrowseFor::testWithPicture : BrowseFor::itself);
                  }
              }};
 }

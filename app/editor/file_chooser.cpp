@@ -70,8 +70,7 @@ bool offersNothing(const std::filesystem::path& folder, const ui::FileDialogStat
 FileChooser::FileChooser(std::filesystem::path here, std::filesystem::path recentFiles)
     : here_(std::move(here)), recent_(std::move(recentFiles)) {}
 
-void FileChooser::browse(ui::FilePurpose purpose, const std::string& document,
-                         BrowseFor what) {
+void FileChooser::browse(ui::FilePurpose purpose, const std::string& document, BrowseFor what) {
     what_ = what;
     recent_.look();
     const std::filesystem::path& last = lastFolder(purpose);
@@ -141,8 +140,7 @@ std::optional<ChosenFile> FileChooser::take(const ui::FileAction& action) {
     if (!file) {
         return std::nullopt;
     }
-    const ChosenFile chosen{dialog.purpose, *file, dialog.filePerPiece, dialog.inScene,
-                            what_};
+    const ChosenFile chosen{dialog.purpose, *file, dialog.filePerPiece, dialog.inScene, what_};
     close();
     return chosen;
 }

@@ -11,8 +11,7 @@ constexpr double kUploadBudget = 0.006;  // of a picture [s]; a portion may take
 
 PreparedDocument prepareDocument(Document document, WorkProgress* progress) {
     PreparedBody body(
-        document.mesh, [&](const char* stage) { enter(progress, stage); },
-        document.placed);
+        document.mesh, [&](const char* stage) { enter(progress, stage); }, document.placed);
     enter(progress, "Measuring the depth below the skin");
     render::DepthField depth = render::measureSkinDepth(document.mesh);
     enter(progress, "Bringing it to the GPU");

@@ -44,8 +44,8 @@ Document finish(std::string name, Session session, ModelMesh model, std::string 
     for (const std::string& remark : model.remarks) {
         note += (note.empty() ? "" : " ") + remark;
     }
-    return {std::move(name),        std::move(session),      std::move(model.mesh), bounds, camera,
-            std::move(model.looks), std::move(model.placed), std::move(note),       {}};
+    return {std::move(name),        std::move(session), std::move(model.mesh), bounds, camera,
+            std::move(model.looks), std::move(note),    std::nullopt,          std::move(model.placed)};
 }
 
 Document openModel(const std::filesystem::path& file, const ReadOptions& options) {
@@ -127,8 +127,8 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     added.placement = beside(before, stands, own.restPositions());
     scene.moreModels.push_back(std::move(added));
     Document document = openScene(name, std::move(scene), {});
-    document.note = "Model " + std::to_string(others) + " of the scene. " +
-                    modelNote(report, guess);
+    document.note =
+        "Model " + std::to_string(others) + " of the scene. " + modelNote(report, guess);
     return document;
 }
 

@@ -38,29 +38,24 @@ const char* markOf(const Command& command) {
     return std::holds_alternative<Redo>(command) ? "redo" : "restart";
 }
 
-std::vector<EditorScene::ModelFigures> figuresOf(const SurfaceMesh& uncut,
-                                                 std::span<const PlacedModel> models) {
-    std::vector<EditorScene::ModelFigures> figures(models.size());
-    const auto modelOf = [&](int vertex) {
-        const auto after = std::ranges::upper_bound(models, vertex, {}, &PlacedModel::firstVertex);
-        return after - models.begin() - 1;
-    };
-    for (int v = 0; v < uncut.vertexCount(); ++v) {
-        figures[modelOf(v)].bounds.add(uncut.restPosition(v));
+std::vector<EditorScene::ModelFigures> figuresOf(const UncutBody& uncut) {
+    const SurfaceMesh& mesh = uncut.mesh;
+    std::vector<EditorScene::ModelFigures> figures(uncut.models.size());
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        figures[uncut.modelOf(v)].bounds.add(mesh.restPosition(v));
     }
-    for (int t = 0; t < uncut.triangleSlots(); ++t) {
-        const auto& [a, b, c] = uncut.triangle(t);
-        EditorScene::ModelFigures& model = figures[modelOf(a)];
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        const auto& [a, b, c] = mesh.triangle(t);
+        EditorScene::ModelFigures& model = figures[uncut.modelOf(a)];
         const Vec3& origin = model.bounds.low;
-        const Vec3 normal = (uncut.restPosition(b) - origin).cross(uncut.restPosition(c) - origin);
-        model.volume += (uncut.restPosition(a) - origin).dot(normal) / 6;
+        const Vec3 normal = (mesh.restPosition(b) - origin).cross(mesh.restPosition(c) - origin);
+        model.volume += (mesh.restPosition(a) - origin).dot(normal) / 6;
     }
     return figures;
 }
 
 EditorScene::RestFigures restFigures(const UncutBody& uncut) {
-    return {meshBounds(uncut.mesh), meanRestEdgeLength(uncut.mesh),
-            figuresOf(uncut.mesh, uncut.models)};
+    return {meshBounds(uncut.mesh), meanRestEdgeLength(uncut.mesh), figuresOf(uncut)};
 }
 
 /// The parameters as they are for one model.
@@ -142,8 +137,8 @@ std::string EditorScene::place(const Placement& wanted, bool continues, int mode
     const PlacementMap map(simulation_.placement(model));
     const std::vector<PlacedModel>& models = uncut_->models;
     const int last = model + 1;
-    const int end = last < simulation_.modelCount() ? models[last].firstVertex
-                                                    : uncut_->mesh.vertexCount();
+    const int end =
+        last < simulation_.modelCount() ? models[last].firstVertex : uncut_->mesh.vertexCount();
     std::vector<Vec3> own;
     own.reserve(end - models[model].firstVertex);
     for (int v = models[model].firstVertex; v < end; ++v) {

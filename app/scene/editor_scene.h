@@ -48,9 +48,9 @@ class EditorScene {
     void reset();
 
     // Where the model lies.
-    /// Places a model otherwise: in another unit, turned, scaled. It stands on the floor below where
-    /// it was, and all models are uncut; the translation of `wanted` does not matter. `continues`:
-    /// with the gesture of the placement before. Returns "" or one sentence.
+    /// Places a model otherwise: in another unit, turned, scaled. It stands on the floor below
+    /// where it was, and all models are uncut; the translation of `wanted` does not matter.
+    /// `continues`: with the gesture of the placement before. Returns "" or one sentence.
     std::string place(const Placement& wanted, bool continues, int model = 0);
     /// The models as they lie at rest, the parameters and the boxes, as a session without events.
     Session startOfScene() const;

@@ -73,8 +73,7 @@ ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
     models.reserve(session.moreModels.size() + 1);
     models.push_back(loadPlaced(session.model, session.placement, "placement", options));
     for (const FurtherModel& further : session.moreModels) {
-        const std::string key =
-            "more_models[" + std::to_string(models.size() - 1) + "].placement";
+        const std::string key = "more_models[" + std::to_string(models.size() - 1) + "].placement";
         models.push_back(loadPlaced(further.model, further.placement, key, options));
         if (further.color) {
             paint(models.back(), further.model.name(), *further.color);

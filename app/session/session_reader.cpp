@@ -500,8 +500,8 @@ void requireModelsOfParams(const Session& session) {
     for (const std::string& name : ownNames(session.params)) {
         if (modelOf(name) >= models) {
             fail("params." + name, "there is no model " + std::to_string(modelOf(name)) +
-                                       "; the session has " +
-                                       counted(models, "model", "models") + ", numbered from 0.");
+                                       "; the session has " + counted(models, "model", "models") +
+                                       ", numbered from 0.");
         }
     }
 }

@@ -174,12 +174,26 @@ Json paramSchema(const ParamInfo& info) {
     return schema;
 }
 
+/// "^(density|...)@[1-9][0-9]?$"
+std::string patternOfOwnNames() {
+    std::string names;
+    for (const ParamInfo& info : paramTable()) {
+        if (info.perModel) {
+            names.append(names.empty() ? "" : "|").append(info.name);
+        }
+    }
+    return "^(" + names + ")@[1-9][0-9]?$";
+}
+
 /// Parameters have no unknown names.
 Json paramsSchema() {
     Json schema{{"type", "object"}};
     for (const ParamInfo& info : paramTable()) {
         schema["properties"][std::string(info.name)] = paramSchema(info);
     }
+    schema["patternProperties"][patternOfOwnNames()] = {
+        {"description", "That of one of the further models, by its number. Null: as all models."},
+        {"type", {"number", "null"}}};
     schema["additionalProperties"] = false;
     return schema;
 }
@@ -249,7 +263,7 @@ class FieldSchemas : public NoFields {
             keywords_["allOf"].push_back(
                 whereKeyIs(nameWord.name, {name}, {{"properties", {{valueWord.name, value}}}}));
         }
-        property(nameWord, choiceOf(names));
+        property(nameWord, {{"anyOf", {choiceOf(names), {{"pattern", patternOfOwnNames()}}}}});
         property(valueWord, Json::object());
         keywords_["required"] = {nameWord.name, valueWord.name};
     }

@@ -109,9 +109,9 @@ void describe(auto& fields, Session& session) {
                      "How the model's numbers become metres, and where it lies: scaled, turned, "
                      "then moved."},
                     session.placement);
-    fields.list({"more_models",
-                 "Further models of the scene, numbered from 1; model 0 is the one above."},
-                session.moreModels, kMostModels - 1);
+    fields.list(
+        {"more_models", "Further models of the scene, numbered from 1; model 0 is the one above."},
+        session.moreModels, kMostModels - 1);
     fields.params({"params", "The parameters at the start. One left out has its default."},
                   session.params);
     fields.list({"boxes", "What the body collides with besides the floor."}, session.boxes,

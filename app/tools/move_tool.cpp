@@ -32,6 +32,12 @@ bool isPinned(const EditorScene& scene, const SurfacePoint& point) {
         [&](int v) { return std::ranges::binary_search(pinned, static_cast<std::uint32_t>(v)); });
 }
 
+/// Of an uncut body.
+int modelAt(const EditorScene& scene, const SurfacePoint& point) {
+    const int vertex = scene.simulation().meshAsRead().triangle(point.triangle)[0];
+    return scene.simulation().uncut()->modelOf(vertex);
+}
+
 StaticBox changed(StaticBox box, const GizmoChange& change) {
     box.center += change.by;
     box.size = (box.size + change.grow).cwiseMax(kLeastBoxSize).cwiseMin(kLargestBoxSize);
@@ -49,7 +55,7 @@ MoveTool::Subject MoveTool::subjectOf(const EditorScene& scene) const {
     const int boxes = static_cast<int>(scene.simulation().boxes().size());
     const bool pins = !scene.simulation().pinnedVertices().empty();
     if (subject_ && (subject_->kind == Kind::model || (subject_->kind == Kind::pins && pins) ||
-                     (subject_->kind == Kind::box && subject_->box < boxes))) {
+                     (subject_->kind == Kind::box && subject_->number < boxes))) {
         return *subject_;
     }
     if (boxes > 0) {
@@ -63,14 +69,14 @@ std::optional<GizmoFrame> MoveTool::frameOf(EditorScene& scene) const {
     GizmoFrame frame;
     switch (subject.kind) {
         case Kind::box: {
-            const StaticBox& box = scene.simulation().boxes()[subject.box];
+            const StaticBox& box = scene.simulation().boxes()[subject.number];
             return GizmoFrame{box.center, box.axes(), 0.5 * box.size};
         }
         case Kind::pins:
             frame.at = middleOfPins(scene);
             return frame;
         case Kind::model:
-            frame.at = scene.rest().bounds.center();
+            frame.at = scene.rest().models[subject.number].bounds.center();
             frame.scales = true;
             break;
     }
@@ -97,7 +103,8 @@ std::optional<MoveTool::Subject> MoveTool::subjectAt(const ViewFrame& view, cons
     std::optional<Subject> found;
     double nearest = std::numeric_limits<double>::max();
     if (const auto point = scene.pick(ray)) {
-        found = Subject{isPinned(scene, *point) ? Kind::pins : Kind::model};
+        found = isPinned(scene, *point) ? Subject{Kind::pins}
+                                        : Subject{Kind::model, modelAt(scene, *point)};
         nearest = (point->position - ray.origin).norm();
     }
     const std::vector<StaticBox>& boxes = scene.simulation().boxes();
@@ -119,10 +126,11 @@ std::string MoveTool::press(const ViewFrame& view, const Vec2& pixel, EditorScen
         start_ = Start{.subject = subject,
                        .frame = *frame,
                        .box = {},
-                       .placement = scene.simulation().placement(),
+                       .placement = scene.simulation().placement(
+                           subject.kind == Kind::model ? subject.number : 0),
                        .sent = {}};
         if (subject.kind == Kind::box) {
-            start_->box = scene.simulation().boxes()[subject.box];
+            start_->box = scene.simulation().boxes()[subject.number];
         }
         return "";
     }
@@ -191,7 +199,8 @@ void MoveTool::undoDrag(EditorScene& scene) {
 Command MoveTool::commandOf(const GizmoChange& change) const {
     switch (start_->subject.kind) {
         case Kind::box:
-            return ChangeBox{start_->subject.box, changed(start_->box, change), start_->continues};
+            return ChangeBox{start_->subject.number, changed(start_->box, change),
+                             start_->continues};
         case Kind::pins:
             return MovePins{change.by - start_->sent.by,
                             turnsOf(change.turn * start_->sent.turn.transpose()),
@@ -213,7 +222,7 @@ Command MoveTool::placed(const GizmoChange& change) const {
     placement.scale = std::clamp(placement.scale * change.factor, 1e-6, 1e6);
     const double factor = placement.scale / start_->placement.scale;
     placement.translate = middle + change.by - factor * (change.turn * arm);
-    return Place{placement, start_->continues};
+    return Place{placement, start_->subject.number, start_->continues};
 }
 
 // --- The picture -------------------------------------------------------------------------------

@@ -45,7 +45,7 @@ class MoveTool {
     enum class Kind { model, pins, box };
     struct Subject {
         Kind kind = Kind::model;
-        int box = 0;
+        int number = 0;  ///< of the model or the box
         bool operator==(const Subject&) const = default;
     };
     /// What is held as it was when it was taken, and what was asked for so far.

@@ -90,8 +90,9 @@ std::vector<std::string> ownNames(const Params& params);
 const ParamInfo* findParam(std::string_view name);
 /// The value that setParam would set it to; std::monostate for an unknown name.
 ParamValue getParam(const Params& params, std::string_view name);
-/// Sets a parameter. One of a model's own takes a number, or none: that of all models. Returns "" or one clause without a full stop that says why not (unknown name,
-/// wrong type, not finite, out of range); the parameters are then unchanged.
+/// Sets a parameter. One of a model's own takes a number, or none: that of all models. Returns ""
+/// or one clause without a full stop that says why not (unknown name, wrong type, not finite, out
+/// of range); the parameters are then unchanged.
 std::string setParam(Params& params, std::string_view name, const ParamValue& value);
 bool operator==(const Params& a, const Params& b);
 

@@ -60,9 +60,9 @@ struct BodyModel : ConstraintLists {
     Incidence neighbours;
     // Fixed at load, carried along by cuts.
     std::vector<BodyMember> members;  ///< one at least
-    double edgeLength = 0;       ///< mean rest edge length of the uncut body [m]
-    double diagonal = 0;         ///< of the uncut body's box at rest [m]
-    double uncutRestVolume = 0;  ///< [m^3]
+    double edgeLength = 0;            ///< mean rest edge length of the uncut body [m]
+    double diagonal = 0;              ///< of the uncut body's box at rest [m]
+    double uncutRestVolume = 0;       ///< [m^3]
 
     /// The member that a vertex of a piece is of.
     const BodyMember& memberOf(std::uint32_t vertex) const {

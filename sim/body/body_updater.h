@@ -105,7 +105,7 @@ class BodyUpdater {
     BodyModel model_;
     PieceLabels labels_;
     SkinNormals skinNormals_;
-    std::vector<VertexAreas> areas_;      ///< by piece
+    std::vector<VertexAreas> areas_;  ///< by piece
     std::vector<int> memberOfPiece_;
     std::vector<int> slotOfTriangle_;     ///< in model_.triangles, by mesh slot; -1 for dead ones
     std::vector<EdgeSlots> slotsOfEdge_;  ///< by half-edge

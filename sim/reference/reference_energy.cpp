@@ -50,7 +50,8 @@ double strainEnergy(const BodyModel& model, const shared::SolverUniforms& unifor
     double sum = 0;
     forEachType(model, [&](auto row, const auto& constraints) {
         const bool on = (uniforms.active_parts >> row.kType & 1u) != 0;
-        sum += sumOver(model, constraints, on ? square * uniforms.compliance[row.kType] : 0.0, state);
+        sum +=
+            sumOver(model, constraints, on ? square * uniforms.compliance[row.kType] : 0.0, state);
     });
     return sum;
 }

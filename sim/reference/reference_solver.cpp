@@ -79,8 +79,8 @@ Pull pullOf(const shared::SolverUniforms& uniforms) {
 template <class Constraint>
 void sweep(ReferenceState& state, const BodyModel& model,
            const std::vector<Constraint>& constraints, const Incidence& incidence,
-           const std::vector<double>& w, double compliance,
-           const shared::SolverUniforms& uniforms, double share) {
+           const std::vector<double>& w, double compliance, const shared::SolverUniforms& uniforms,
+           double share) {
     std::vector<Vec3> correction(state.positions.size(), Vec3::Zero());
     for (const Constraint& constraint : constraints) {
         const double modulus = model.memberOf(verticesOf(constraint)[0]).modulus;

@@ -32,6 +32,11 @@ double sizeOfModels(std::span<const Vec3> restPositions, std::span<const PlacedM
     return size;
 }
 
+int UncutBody::modelOf(int vertex) const {
+    const auto after = std::ranges::upper_bound(models, vertex, {}, &PlacedModel::firstVertex);
+    return static_cast<int>(after - models.begin()) - 1;
+}
+
 double UncutBody::sizeOfModels() const {
     return kerf::sizeOfModels(mesh.restPositions(), models);
 }

@@ -29,9 +29,11 @@ struct UncutBody {
     SurfaceMesh mesh;  ///< at rest, where the placement puts it [m]
     BodyUpdater body;
     Cutter cutter;
-    bool closed = false;  ///< see checkClosedManifold
+    bool closed = false;              ///< see checkClosedManifold
     std::vector<PlacedModel> models;  ///< that it consists of; one at least
 
+    /// The number of the model that a vertex is of.
+    int modelOf(int vertex) const;
     /// The longest diagonal of its models' boxes at rest [m].
     double sizeOfModels() const;
 };

@@ -36,8 +36,7 @@ std::vector<shared::VertexLinks> vertexLinks(const BodyModel& model) {
 template <class Record>
 Record ofMaterial(Record record, const BodyModel& model, uint vertex) {
     if constexpr (requires { record.geometry; }) {
-        record.geometry =
-            static_cast<float>(record.geometry / model.memberOf(vertex).modulus);
+        record.geometry = static_cast<float>(record.geometry / model.memberOf(vertex).modulus);
     }
     return record;
 }

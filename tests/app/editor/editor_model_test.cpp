@@ -26,7 +26,7 @@ class EditorModelTest : public EditorTest {
         waitForWork();
         frames(2);
     }
-    const ui::ModelState& model() { return panels().model; }
+    const ui::ModelState& model() { return panels().models[0]; }
     Simulation& simulation() { return editor->scene()->simulation(); }
     /// Where the middle of the body is in the picture, and how large it looks.
     Vec3 appearance() {
@@ -55,7 +55,7 @@ TEST_F(EditorModelTest, OpensAsItIsAndSaysWhatWasTaken) {
     EXPECT_EQ(model().placement.unit, LengthUnit::centimetre);
     EXPECT_NEAR(model().size.y(), 0.0966, 1e-6);
     EXPECT_THAT(model().physics, HasSubstr("9.66 cm of this material weighs 86.9 g."));
-    EXPECT_TRUE(model().untouched);
+    EXPECT_TRUE(panels().untouched);
     EXPECT_TRUE(editor->itemRects().contains("model.unit.m"));  // unfolded
 }
 
@@ -99,7 +99,7 @@ TEST_F(EditorModelTest, APlacementAfterACutStartsAnewAndIsReplayed) {
     drag({160, 5}, {160, 235}, 6);
     settle();
     ASSERT_EQ(editor->scene()->pieceCount(), 2);
-    EXPECT_FALSE(model().untouched);
+    EXPECT_FALSE(panels().untouched);
     const std::string cut = simulation().stateHash();
     Placement feet = model().placement;
     feet.unit = LengthUnit::foot;
@@ -127,6 +127,49 @@ TEST_F(EditorModelTest, ARecordingKeepsThePlacement) {
     frames(2);
     EXPECT_EQ(model().placement.unit, LengthUnit::millimetre);
     EXPECT_EQ(simulation().stateHash(), hash);
+}
+
+TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
+    const TriangleSoup soup = test::boxSoup(Vec3(4, 2, 2), 2);
+    test::writeText(folder / "stool.obj", test::objText(soup));
+    const Bounds before = editor->scene()->rest().bounds;
+    tap(Key::o, {.shift = true, .control = true});
+    frames(2);
+    type("stool.obj");
+    tap(Key::enter);
+    waitForWork();
+    frames(2);
+    ASSERT_EQ(panels().models.size(), 2u);
+    EXPECT_EQ(panels().models[1].name, "stool");
+    EXPECT_EQ(editor->scene()->pieceCount(), 2);
+    const EditorScene::RestFigures& rest = editor->scene()->rest();
+    EXPECT_GT(rest.models[1].bounds.low.x(), before.high.x());
+    EXPECT_GT(rest.models[1].bounds.low.y(), -1e-9);  // on the floor
+    EXPECT_NEAR(rest.models[1].volume, 16e-6, 1e-9);
+    click("model.1");
+    click("model.unit.in");
+    EXPECT_EQ(simulation().placement(1).unit, LengthUnit::inch);
+    EXPECT_EQ(simulation().placement(0).unit, LengthUnit::centimetre);
+    const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
+    expectReplayed(session, loadSessionModel(session));
+    click("model.remove.1");
+    click("question.0");
+    waitForWork();
+    frames(2);
+    EXPECT_EQ(panels().models.size(), 1u);
+    EXPECT_EQ(editor->scene()->pieceCount(), 1);
+    EXPECT_EQ(simulation().placement(0).unit, LengthUnit::centimetre);
+}
+
+TEST_F(EditorModelTest, AddsNoSession) {
+    test::writeText(folder / "other.kerf.json", "{}");
+    tap(Key::o, {.shift = true, .control = true});
+    frames(2);
+    type("other.kerf.json");
+    tap(Key::enter);
+    waitForWork();
+    EXPECT_THAT(panels().toast, HasSubstr("a session has a scene of its own"));
+    EXPECT_EQ(panels().models.size(), 1u);
 }
 
 }  // namespace

@@ -24,14 +24,14 @@ class FileChooserTest : public ::testing::Test {
 };
 
 TEST_F(FileChooserTest, ATestIsChosenUnderTheNameOfTheDocument) {
-    chooser.browse(FilePurpose::saveTest, "ball", true);
+    chooser.browse(FilePurpose::saveTest, "ball", BrowseFor::testWithPicture);
     EXPECT_EQ(dialog().name, "ball.kerf.json");
     EXPECT_FALSE(chooser.take(ui::NameFile{"other.kerf.json"}));
     const std::optional<ChosenFile> chosen = chooser.take(ui::AcceptFile{});
     ASSERT_TRUE(chosen);
     EXPECT_EQ(chosen->purpose, FilePurpose::saveTest);
     EXPECT_EQ(chosen->file, folder / "other.kerf.json");
-    EXPECT_TRUE(chosen->testGetsPicture);
+    EXPECT_EQ(chosen->what, BrowseFor::testWithPicture);
     EXPECT_EQ(dialog().purpose, FilePurpose::none) << "it closes";
 }
 

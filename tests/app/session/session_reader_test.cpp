@@ -34,6 +34,47 @@ TEST(SessionReader, WarnsOfTwoFilesOfOneName) {
                                     "that name."});
 }
 
+TEST(SessionReader, ReadsFurtherModelsAndWritesThemAgain) {
+    const std::string text = sessionWith(
+        R"("more_models": [{"builtin": "sphere80", "placement": {"translate": [2, 0, 0]}},
+                           {"path": "cup.obj", "color": [1, 0.5, 0]}],
+           "params": {"density@1": 900, "youngs_modulus@2": 20000})");
+    const Session session = parseSession(text, "/folder");
+    ASSERT_EQ(session.moreModels.size(), 2u);
+    EXPECT_EQ(session.moreModels[0].model.builtin, "sphere80");
+    EXPECT_EQ(session.moreModels[0].placement.translate, Vec3(2, 0, 0));
+    EXPECT_EQ(session.moreModels[1].model.path, "/folder/cup.obj");
+    EXPECT_EQ(*session.moreModels[1].color, Vec3(1, 0.5, 0));
+    const Session again = parseSession(formatSession(session, "/folder"), "/folder");
+    ASSERT_EQ(again.moreModels.size(), 2u);
+    EXPECT_EQ(again.moreModels[1].model.path, "/folder/cup.obj");
+    EXPECT_EQ(again.moreModels[0].placement, session.moreModels[0].placement);
+    EXPECT_TRUE(again.params == session.params);
+}
+
+TEST(SessionReader, RefusesParametersOfModelsThatThereAreNot) {
+    EXPECT_EQ(errorOf(sessionWith(R"("params": {"density@1": 900})")),
+              "params.density@1: there is no model 1; the session has 1 model, numbered from 0.");
+    EXPECT_EQ(errorOf(sessionWith(R"("more_models": [{"color": [1, 1, 1]}])")),
+              "more_models[0]: expected either \"builtin\" or \"path\".");
+}
+
+TEST(SessionReader, LoadsAllModelsOneBehindTheOther) {
+    const Session session = parseSession(
+        sessionWith(R"("more_models": [{"builtin": "sphere80", "color": [0, 0, 1],
+                                        "placement": {"translate": [2, 0, 0]}}])"),
+        ".");
+    const ModelMesh scene = loadSessionModel(session);
+    ASSERT_EQ(scene.placed.size(), 2u);
+    EXPECT_EQ(scene.mesh.aliveTriangles(), 20 + 80);
+    EXPECT_EQ(scene.mesh.restPosition(scene.placed[1].firstVertex).x() > 1, true);
+    ASSERT_EQ(scene.looks.skin.materials.size(), 100u);
+    EXPECT_EQ(scene.looks.skin.materials[19], -1);
+    EXPECT_EQ(scene.looks.skin.materials[20], 0);
+    EXPECT_EQ(scene.looks.appearance->materials[0].baseColor.head<3>(),
+              Eigen::Vector3f(0, 0, 1));
+}
+
 TEST(SessionReader, MinimalSessionHasDefaults) {
     const Session session = parseSession(sessionWith(""), "/folder");
     EXPECT_EQ(session.model.builtin, "sphere20");

@@ -49,6 +49,34 @@ ParamValue anotherValue(const ParamInfo& info) {
     }
 }
 
+TEST(Params, AModelHasSomeOfItsOwn) {
+    Params params;
+    EXPECT_EQ(setParam(params, "density@2", 900.0), "");
+    EXPECT_EQ(setParam(params, "youngs_modulus@1", 2e4), "");
+    EXPECT_EQ(getParam(params, "density@2"), ParamValue(900.0));
+    EXPECT_EQ(getParam(params, "density@1"), ParamValue(std::monostate{}));
+    EXPECT_EQ(getParam(params, "density"), getParam(Params{}, "density"));
+    EXPECT_EQ(ownNames(params), (std::vector<std::string>{"youngs_modulus@1", "density@2"}));
+    EXPECT_EQ(modelOf("density@2"), 2);
+    EXPECT_EQ(modelOf("density"), 0);
+    EXPECT_FALSE(params == Params{});
+    EXPECT_EQ(setParam(params, "density@2", std::monostate{}), "");
+    EXPECT_EQ(setParam(params, "youngs_modulus@1", std::monostate{}), "");
+    EXPECT_TRUE(params == Params{});
+}
+
+TEST(Params, RefusesWhatNoModelHasOfItsOwn) {
+    Params params;
+    for (const char* name : {"friction@1", "density@0", "density@", "density@01", "density@64",
+                             "density@-1", "density@1x", "@1"}) {
+        EXPECT_THAT(setParam(params, name, 900.0), HasSubstr("there is no parameter")) << name;
+        EXPECT_EQ(findParam(name), nullptr) << name;
+    }
+    EXPECT_THAT(setParam(params, "density@1", 1.0), HasSubstr("must lie between"));
+    EXPECT_THAT(setParam(params, "density@1", Vec3(1, 2, 3)), HasSubstr("or none"));
+    EXPECT_TRUE(params == Params{});
+}
+
 TEST(Params, EveryRowSetsItsOwnMember) {
     for (const ParamInfo& info : paramTable()) {
         const ParamValue value = anotherValue(info);

@@ -1,0 +1,171 @@
+// A scene of several models, each of its own material.
+#include <gmock/gmock.h>
+
+#include <array>
+
+#include "sim/run/prepared_body.h"
+#include "tests/support/shapes.h"
+#include "tests/support/simulation_fixture.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kApart = 2;  // between the middles of both [m]
+constexpr std::size_t kBudget = 1u << 30;
+
+SurfaceMesh moved(const SurfaceMesh& mesh, const Vec3& by) {
+    std::vector<Vec3> positions;
+    std::vector<Triangle> triangles;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        positions.push_back(mesh.restPosition(v) + by);
+    }
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        triangles.push_back(mesh.triangle(t));
+    }
+    return SurfaceMesh::fromTriangles(positions, triangles);
+}
+
+/// One behind the other.
+SurfaceMesh both(const SurfaceMesh& first, const SurfaceMesh& second) {
+    std::vector<Vec3> positions;
+    std::vector<Triangle> triangles;
+    for (const SurfaceMesh* mesh : {&first, &second}) {
+        const int offset = static_cast<int>(positions.size());
+        for (int v = 0; v < mesh->vertexCount(); ++v) {
+            positions.push_back(mesh->restPosition(v));
+        }
+        for (int t = 0; t < mesh->triangleSlots(); ++t) {
+            const auto& [a, b, c] = mesh->triangle(t);
+            triangles.push_back({a + offset, b + offset, c + offset});
+        }
+    }
+    return SurfaceMesh::fromTriangles(positions, triangles);
+}
+
+class SeveralModelsTest : public test::SimulationTest {
+  protected:
+    /// A ball and beside it a smaller, longish box.
+    void SetUp() override {
+        SimulationTest::SetUp();
+        params.floor = -0.5;
+        begin(params);
+    }
+    void begin(const Params& with) {
+        const std::vector<PlacedModel> models{{}, {{}, ball.vertexCount()}};
+        simulation.emplace(BodyUpload(PreparedBody(both(ball, bar), {}, models)), with);
+        simulation->setUndoBudget(kBudget);
+    }
+    /// Where the vertices of the second are after so many steps.
+    std::vector<Vec3> barAfter(int steps) {
+        run(steps);
+        std::vector<Vec3> positions;
+        for (int v = 0; v < bar.vertexCount(); ++v) {
+            positions.push_back(simulation->mesh().position(ball.vertexCount() + v));
+        }
+        return positions;
+    }
+    std::vector<Vec3> aloneAfter(int steps, const Params& with) {
+        Simulation alone(bar, with);
+        for (int i = 0; i < steps; ++i) {
+            alone.step();
+        }
+        std::vector<Vec3> positions;
+        for (int v = 0; v < bar.vertexCount(); ++v) {
+            positions.push_back(alone.mesh().position(v));
+        }
+        return positions;
+    }
+    static double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+        double most = 0;
+        for (std::size_t v = 0; v < a.size(); ++v) {
+            most = std::max(most, (a[v] - b[v]).norm());
+        }
+        return most;
+    }
+    std::string cutThroughBoth() {
+        for (int i = 0; i <= 20; ++i) {
+            const double y = 0.8 - 0.08 * i;
+            simulation->execute(MoveBlade{{Vec3(-1, y, 0.011), Vec3(kApart + 1, y, 0.012)}});
+            simulation->step();
+        }
+        simulation->execute(LiftBlade{});
+        simulation->step();
+        return simulation->stateHash();
+    }
+
+    Params params;
+    SurfaceMesh ball = test::cubeSphere(6, 0.5);
+    SurfaceMesh bar = moved(test::box(Vec3(0.6, 0.4, 0.3), 4), Vec3(kApart, -0.2, 0));
+};
+
+TEST_F(SeveralModelsTest, EachFallsAsIfItWereAlone) {
+    EXPECT_EQ(simulation->modelCount(), 2);
+    EXPECT_LT(apart(barAfter(60), aloneAfter(60, params)), 1e-4);
+}
+
+TEST_F(SeveralModelsTest, OneOfItsOwnMaterialIsAsASceneOfThatMaterial) {
+    Params soft = params;
+    soft.youngsModulus = 5e3;
+    soft.density = 1500;
+    Params own = params;
+    ASSERT_EQ(setParam(own, "youngs_modulus@1", soft.youngsModulus), "");
+    ASSERT_EQ(setParam(own, "density@1", soft.density), "");
+    begin(own);
+    const std::vector<Vec3> alone = aloneAfter(60, soft);
+    EXPECT_LT(apart(barAfter(60), alone), 1e-4);
+    EXPECT_GT(apart(aloneAfter(60, params), alone), 5e-3);  // it makes a difference
+}
+
+TEST_F(SeveralModelsTest, AMaterialMayChangeOnTheWayAndUndoTakesItBack) {
+    EXPECT_EQ(simulation->execute(SetParam{"youngs_modulus@1", 5e3}), "");
+    EXPECT_EQ(simulation->history().lastDone().name, "Young's modulus of model 1: 5000 Pa");
+    Params soft = params;
+    soft.youngsModulus = 5e3;
+    EXPECT_LT(apart(barAfter(60), aloneAfter(60, soft)), 1e-4);
+    EXPECT_EQ(simulation->execute(Undo{}), "");
+    EXPECT_TRUE(simulation->params() == params);
+    EXPECT_EQ(simulation->execute(SetParam{"density@2", 100.0}),
+              "There is no model 2; the scene has 2 models, numbered from 0.");
+}
+
+TEST_F(SeveralModelsTest, PiecesStayOfTheirModel) {
+    cutThroughBoth();
+    EXPECT_EQ(simulation->report().pieces, 4);
+    const BodyModel& model = simulation->bodyModel();
+    for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+        if (model.pieceOfVertex[v] >= 0) {
+            const int wanted = model.restPositions[v].x() > 0.5 * kApart ? 1 : 0;
+            EXPECT_EQ(model.pieces[model.pieceOfVertex[v]].member, wanted);
+        }
+    }
+    EXPECT_NEAR(model.members[0].thickness, buildBodyModel(ball).members[0].thickness, 1e-12);
+    EXPECT_NEAR(model.members[1].thickness, buildBodyModel(bar).members[0].thickness, 1e-12);
+}
+
+TEST_F(SeveralModelsTest, ACutWithAMaterialOnTheWayIsThatOfOneFromTheStart) {
+    Params own = params;
+    ASSERT_EQ(setParam(own, "youngs_modulus@1", 2e4), "");
+    begin(own);
+    const std::string fromTheStart = cutThroughBoth();
+    begin(params);
+    ASSERT_EQ(simulation->execute(SetParam{"youngs_modulus@1", 2e4}), "");
+    EXPECT_EQ(cutThroughBoth(), fromTheStart);
+}
+
+TEST_F(SeveralModelsTest, OneIsPlacedAndTheOtherStays) {
+    Placement higher;
+    higher.translate = Vec3(0, 1, 0);
+    EXPECT_EQ(simulation->execute(Place{higher, 1}), "");
+    EXPECT_EQ(simulation->placement(0), Placement{});
+    EXPECT_EQ(simulation->placement(1), higher);
+    EXPECT_TRUE(simulation->params() == params);  // it is as large as it was
+    EXPECT_EQ(simulation->mesh().position(0), ball.restPosition(0));
+    EXPECT_EQ(simulation->mesh().position(ball.vertexCount()),
+              Vec3(bar.restPosition(0) + higher.translate));
+    EXPECT_EQ(simulation->execute(Undo{}), "");
+    EXPECT_EQ(simulation->placement(1), Placement{});
+    EXPECT_THAT(simulation->execute(Place{higher, 2}), testing::HasSubstr("no model 2"));
+}
+
+}  // namespace
+}  // namespace kerf
