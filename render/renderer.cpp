@@ -13,9 +13,14 @@
 #include "render/passes/floor_pass.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
+#include "render/passes/occlusion_pass.h"
 #include "render/passes/overlay_pass.h"
+#include "render/passes/rim_pass.h"
 #include "render/passes/smooth_pass.h"
 #include "render/passes/surface_pass.h"
+#include "render/scene/environment.h"
+#include "render/studios.h"
+#include "shaders/shared/render_bindings.h"
 #include "shaders/shared/shared_types.h"
 
 namespace kerf::render {
@@ -36,6 +41,10 @@ int floorShadeSize(Quality quality) {
     return quality == Quality::full ? 384 : 192;
 }
 
+Roundness roundnessOf(Quality quality) {
+    return quality == Quality::full ? Roundness{32768, 4} : Roundness{12000, 1};
+}
+
 /// The state that every picture starts from, whatever the interface left behind.
 void resetState() {
     glDisable(GL_CULL_FACE);
@@ -46,7 +55,7 @@ void resetState() {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    for (GLuint unit = 0; unit < 3; ++unit) {
+    for (GLuint unit = 0; unit < 4; ++unit) {
         glBindSampler(unit, 0);
     }
 }
@@ -77,6 +86,7 @@ struct Renderer::ShadowSource {
     std::vector<PieceLook> pieces;
     std::vector<StaticBox> boxes;
     std::optional<double> floor;
+    double hardEdges = 0;
     Eigen::Matrix4f light, shade;
     bool operator==(const ShadowSource&) const = default;
 
@@ -90,6 +100,7 @@ struct Renderer::ShadowSource {
                             scene.pieces,
                             scene.boxes,
                             scene.floor,
+                            scene.hardEdges,
                             frame.lightMatrix,
                             frame.shadeMatrix};
     }
@@ -99,12 +110,16 @@ struct Renderer::State {
     explicit State(Quality wanted)
         : quality(wanted),
           samples(quality == Quality::full ? std::min(kSamples, gpu::queryDevice().maxSamples) : 1),
+          normals(roundnessOf(quality)),
           shadow(shadowSize(quality)),
           floorShade(floorShadeSize(quality)),
           surface(definesFor(quality)),
           boxes(definesFor(quality)) {
         // Core profile draws nothing without a vertex array, even where no attribute is read.
         glCreateVertexArrays(1, &vertexArray);
+        if (quality == Quality::full) {
+            occlusion.emplace();
+        }
     }
     ~State() { glDeleteVertexArrays(1, &vertexArray); }
     State(const State&) = delete;
@@ -114,6 +129,7 @@ struct Renderer::State {
     void uploadLooks(const SceneView& scene, Frame& frame);
     void drawShadows(const SceneView& scene, const Frame& frame);
     void drawOverlays(const SceneView& scene, const Frame& frame);
+    void drawBody(const SceneView& scene, const Frame& frame);
     void drawGround(const SceneView& scene, const Camera& camera, const Frame& frame);
     void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
 
@@ -126,13 +142,16 @@ struct Renderer::State {
     NormalsPass normals;
     ShadowPass shadow;
     FloorShadePass floorShade;
+    Studios studios;
     SurfacePass surface;
     BoxPass boxes;
     FloorPass floor;
+    RimPass rims;
     BladePass blade;
     SmoothPass smoothing;
-    std::optional<ShadowSource> shadowsOf;  ///< what the shadows were drawn of
-    std::optional<OverlayPass> overlays;    ///< from the first picture that shows some
+    std::optional<ShadowSource> shadowsOf;   ///< what the shadows were drawn of
+    std::optional<OverlayPass> overlays;     ///< from the first picture that shows some
+    std::optional<OcclusionPass> occlusion;  ///< of the full tier
 };
 
 void Renderer::State::makeTargets(int width, int height) {
@@ -163,7 +182,7 @@ void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
         return;
     }
     shadowsOf = std::move(source);
-    normals.run(scene.body);
+    normals.run(scene.body, scene.hardEdges);
     shadow.draw(scene, boxes.view(), frame);
     if (scene.floor) {
         floorShade.draw(scene, boxes.view(), frame);
@@ -189,6 +208,20 @@ void Renderer::State::drawGround(const SceneView& scene, const Camera& camera, c
     }
 }
 
+/// The body, and the boxes that it may lie on.
+void Renderer::State::drawBody(const SceneView& scene, const Frame& frame) {
+    shadow.bind();
+    studios.of(scene.bright).bind(shared::kUnitEnvironment);
+    if (frame.hasBody) {
+        surface.draw(scene, frame, normals);
+    }
+    boxes.draw(frame);
+    if (occlusion && frame.hasBody && scene.look.shading == Shading::lit) {
+        occlusion->draw(frame, drawn, resolved);
+    }
+    floorShade.bind();
+}
+
 void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, const Frame& frame) {
     drawn.bind();
     glEnable(GL_DEPTH_TEST);
@@ -198,15 +231,13 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     glClearColor(0, 0, 0, 0);
     glClear(scene.transparent ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
     closeOff(scene.covered, frame.height);
-    shadow.bind();
-    floorShade.bind();
-    if (frame.hasBody) {
-        surface.draw(scene, frame, normals.normals());
-    }
-    boxes.draw(frame);
+    drawBody(scene, frame);
     blade.drawBlade(scene, frame);
     if (!scene.transparent) {
         drawGround(scene, camera, frame);
+    }
+    if (frame.hasBody && scene.cutLines && scene.hasWalls) {
+        rims.draw(scene, frame, normals);
     }
     drawOverlays(scene, frame);
     blade.drawSweep(scene, frame);
@@ -248,6 +279,7 @@ void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int
     height = std::max(height, 1);
     state_->makeTargets(width, height);
     Frame frame = frameOf(scene, camera, width, height, state_->shadow.size());
+    frame.mattLight = state_->studios.of(scene.bright).matt();
     state_->uploadLooks(scene, frame);
     glBindVertexArray(state_->vertexArray);
     resetState();

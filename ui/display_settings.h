@@ -3,6 +3,7 @@
 #include "render/renderer.h"
 #include "render/scene/body_look.h"
 #include "render/scene/overlays.h"
+#include "render/scene/scene.h"
 
 namespace kerf::ui {
 
@@ -14,7 +15,9 @@ struct DisplaySettings {
     /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
     double apart = 0;
     render::Overlays overlays;
-    render::ChosenColors colors;  ///< instead of the model's own
+    render::ChosenColors colors;  ///< look and colours instead of the model's own
+    /// Faces that meet at more than this angle have a hard edge between them [degrees].
+    double hardEdges = kHardEdgeAngle;
     bool operator==(const DisplaySettings&) const = default;
 };
 

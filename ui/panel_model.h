@@ -141,7 +141,7 @@ struct PanelModel {
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
     bool helpOpen = false;
     DisplaySettings display;
-    Vec3 ownSkin = Vec3::Zero();  ///< colours of the model itself (see DisplaySettings::colors)
+    Vec3 ownSkin = Vec3::Zero();  ///< colours of the look itself (see DisplaySettings::colors)
     Vec3 ownFlesh = Vec3::Zero();
     int step = 0;
     double time = 0;  ///< simulated [s]

@@ -100,6 +100,7 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     render::SceneView view = scene.view();
     view.wireframe = settings.wireframe;
     view.cutLines = settings.cutLines;
+    view.hardEdges = settings.hardEdges;
     view.look = render::colored(ownLook(scene), settings.colors);
     view.pieces = looksOf(bounds);
     if (settings.apart > 0) {
@@ -147,8 +148,10 @@ void BodyDisplay::describe(const EditorScene* scene, ui::PanelModel& model) cons
     if (scene == nullptr) {
         return;
     }
-    model.ownSkin = render::toDisplay(ownLook(*scene).skin);
-    model.ownFlesh = render::toDisplay(ownLook(*scene).inner);
+    const render::BodyLook look =
+        render::colored(ownLook(*scene), {.look = settings.colors.look, .skin = {}, .flesh = {}});
+    model.ownSkin = render::toDisplay(look.skin);
+    model.ownFlesh = render::toDisplay(look.inner);
     model.hoveredPiece = hovered_;
     for (std::size_t p = 0; p < model.pieces.size(); ++p) {
         model.pieces[p].hidden = hidden_.contains(static_cast<int>(p));

@@ -1,7 +1,10 @@
-#include "body.glsl"
+#include "rounded.glsl"
+#include "corner_normals.glsl"
 #include "piece_looks.glsl"
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
-layout(std430, binding = kBindNormals) readonly buffer Normals { vec4 normals[]; };
+layout(std430, binding = kBindCornerNormals) readonly buffer CornerNormals {
+    uint cornerNormals[];  // of the skin: 3 * triangle + corner
+};
 
 #ifdef WALLS
 const uint kKind = 1u;
@@ -10,36 +13,52 @@ const uint kKind = 0u;
 #endif
 
 uniform mat4 viewProjection;
-uniform float facets;
 
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 restPosition;
-out vec3 corners;
+out vec3 corners;  // weights of the corners of the triangle
 flat out vec4 pieceTint;
-#ifndef WALLS
-flat out vec3 rims;  // by corner: 1 where the edge opposite to it lies on the rim of a cut
-#endif
 
-vec3 faceNormal(uvec4 triangle) {
-    vec3 a = positions[triangle.x].xyz;
-    vec3 n = cross(positions[triangle.y].xyz - a, positions[triangle.z].xyz - a);
-    float size = length(n);
-    return size > 0.0 ? n / size : vec3(0);
+vec3 cornerNormal(int triangle, uint vertex, int corner) {
+#ifdef WALLS
+    return normals[2u * vertex + 1u].xyz;
+#else
+    return unpackedNormal(cornerNormals[3 * triangle + corner]);
+#endif
 }
 
-void main() {
-    uvec4 triangle = triangles[gl_VertexID / 3];
-    int corner = gl_VertexID % 3;
-    uint vertex = triangle[corner];
-    worldPosition = positions[vertex].xyz + shiftOfPiece(triangle);
-    restPosition = restPositions[vertex].xyz;
-    worldNormal = normals[2u * vertex + kKind].xyz;
-#ifndef WALLS
-    worldNormal = mix(worldNormal, faceNormal(triangle), facets);
-    rims = vec3((triangle.www >> uvec3(2u, 3u, 1u)) & 1u);
-#endif
+#ifdef ROUNDED
+uniform int sidePieces;
+
+void placeCorner(int id, uvec3 vertices) {
+    int triangle = id / (3 * sidePieces * sidePieces);
+    int local = id % (3 * sidePieces * sidePieces);
+    corners = pieceWeights(local / 3, local % 3, sidePieces);
+    worldPosition = roundedPoint(vertices, corners);
+    restPosition = corners.x * restPositions[vertices.x].xyz +
+        corners.y * restPositions[vertices.y].xyz + corners.z * restPositions[vertices.z].xyz;
+    worldNormal = corners.x * cornerNormal(triangle, vertices.x, 0) +
+        corners.y * cornerNormal(triangle, vertices.y, 1) +
+        corners.z * cornerNormal(triangle, vertices.z, 2);
+}
+#else
+const int sidePieces = 1;
+
+void placeCorner(int id, uvec3 vertices) {
+    int corner = id % 3;
+    uint vertex = vertices[corner];
     corners = vec3(corner == 0, corner == 1, corner == 2);
+    worldPosition = positions[vertex].xyz;
+    restPosition = restPositions[vertex].xyz;
+    worldNormal = cornerNormal(id / 3, vertex, corner);
+}
+#endif
+
+void main() {
+    uvec4 triangle = triangles[gl_VertexID / (3 * sidePieces * sidePieces)];
+    placeCorner(gl_VertexID, triangle.xyz);
+    worldPosition += shiftOfPiece(triangle);
     pieceTint = lookOfPiece(triangle);
     // Triangles of the other kind, and of hidden pieces, fall outside the picture.
     bool drawn = (triangle.w & 1u) == kKind && pieceTint.w >= 0.0;

@@ -11,14 +11,17 @@ SHARED_CONST int kBindIncidenceRanges = 3;
 SHARED_CONST int kBindIncidence = 4;
 SHARED_CONST int kBindNormals = 5;  // vec4 per vertex and kind: 2 * vertex + kind
 SHARED_CONST int kBindCutSkinNormals = 6;
-SHARED_CONST int kBindSegments = 6;      // vec4 pairs: ends of lines, or blade poses A, B
-SHARED_CONST int kBindLooks = 7;         // two vec4 per piece, see piece_looks.glsl
-SHARED_CONST int kBindConstraints = 8;   // what an overlay draws: records of the solver, vertices
-SHARED_CONST int kBindContactState = 9;  // ContactState
+SHARED_CONST int kBindSegments = 6;        // vec4 pairs: ends of lines, or blade poses A, B
+SHARED_CONST int kBindLooks = 7;           // two vec4 per piece, see piece_looks.glsl
+SHARED_CONST int kBindConstraints = 8;     // what an overlay draws: records of the solver, vertices
+SHARED_CONST int kBindContactState = 9;    // ContactState
+SHARED_CONST int kBindCornerNormals = 10;  // uint per corner of a triangle: see corner_normals.glsl
+SHARED_CONST int kBindRims = 11;           // a draw command, then the edges on the rims of cuts
 
 SHARED_CONST int kUnitShadow = 0;
 SHARED_CONST int kUnitGround = 1;
 SHARED_CONST int kUnitDepthField = 2;
+SHARED_CONST int kUnitEnvironment = 3;
 
 SHARED_CONST uint kNormalsGroupSize = 64u;
 
