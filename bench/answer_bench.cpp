@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -17,12 +16,10 @@
 #include <vector>
 
 #include "app/editor/editor.h"
-#include "app/files/export.h"
-#include "app/files/file_io.h"
 #include "app/scene/editor_scene.h"
+#include "bench/model_file.h"
 #include "gpu/context.h"
 #include "sim/base/stopwatch.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -32,22 +29,6 @@ constexpr int kHeight = 900;
 constexpr double kMoveEvery = 0.1;  // [s]
 constexpr double kLongest = 300;    // of what is waited for [s]
 constexpr double kWatched = 5;      // of what never ends [s]
-
-/// A sphere in a file of the temporary folder that is gone at the end.
-class ModelFile {
-  public:
-    explicit ModelFile(int triangles)
-        : path(std::filesystem::temp_directory_path() / "kerf_answer_bench.ply") {
-        const int quads = static_cast<int>(std::ceil(std::sqrt(triangles / 12.0)));
-        const SurfaceMesh mesh = test::cubeSphere(quads);
-        app::writeOutputFile(path, app::encodeMesh(mesh, findPieces(mesh), app::MeshFormat::ply));
-    }
-    ~ModelFile() { std::filesystem::remove(path); }
-    ModelFile(const ModelFile&) = delete;
-    ModelFile& operator=(const ModelFile&) = delete;
-
-    const std::filesystem::path path;
-};
 
 /// A person at the editor's window, whose hand never waits for it.
 class Person {
@@ -112,7 +93,9 @@ class Person {
 class AnswerBench {
   public:
     explicit AnswerBench(int triangles)
-        : triangles_(triangles), file_(triangles), editor_(options(), app::openDefaultDocument()) {}
+        : triangles_(triangles),
+          file_("kerf_answer_bench", triangles),
+          editor_(options(), app::openDefaultDocument()) {}
 
     void run() {
         open();
@@ -208,7 +191,7 @@ class AnswerBench {
     }
 
     const int triangles_;
-    const ModelFile file_;
+    const bench::ModelFile file_;
     app::Editor editor_;
     Person person_{editor_};
     double angle_ = 0;

@@ -10,17 +10,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <vector>
 
 #include "app/editor/editor.h"
-#include "app/files/export.h"
-#include "app/files/file_io.h"
+#include "bench/model_file.h"
 #include "gpu/context.h"
 #include "sim/base/stopwatch.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -28,22 +25,6 @@ namespace {
 constexpr int kOrdinaryFrames = 30;
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
-
-/// A sphere in a file of the temporary folder that is gone at the end.
-class ModelFile {
-  public:
-    explicit ModelFile(int triangles)
-        : path(std::filesystem::temp_directory_path() / "kerf_load_bench.ply") {
-        const int quads = static_cast<int>(std::ceil(std::sqrt(triangles / 12.0)));
-        const SurfaceMesh mesh = test::cubeSphere(quads);
-        app::writeOutputFile(path, app::encodeMesh(mesh, findPieces(mesh), app::MeshFormat::ply));
-    }
-    ~ModelFile() { std::filesystem::remove(path); }
-    ModelFile(const ModelFile&) = delete;
-    ModelFile& operator=(const ModelFile&) = delete;
-
-    const std::filesystem::path path;
-};
 
 /// Turns the view by a drag of the right button that never ends.
 class Turning {
@@ -82,7 +63,7 @@ void print(const char* name, double ours, double theirs, const char* peer) {
 }
 
 void benchLoading(int triangles) {
-    const ModelFile file(triangles);
+    const bench::ModelFile file("kerf_load_bench", triangles);
     app::EditorOptions options;
     options.width = kWidth;
     options.height = kHeight;

@@ -90,7 +90,9 @@ Framebuffer::Framebuffer(std::uint32_t colorFormat, std::uint32_t depthFormat, i
         color_ = Texture(colorFormat, width, height, samples);
     }
     glCreateFramebuffers(1, &id_);
-    glNamedFramebufferTexture(id_, GL_DEPTH_ATTACHMENT, depth_.id(), 0);
+    const bool stencil = depthFormat == GL_DEPTH32F_STENCIL8;
+    glNamedFramebufferTexture(id_, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                              depth_.id(), 0);
     if (colorFormat == 0) {
         glNamedFramebufferDrawBuffer(id_, GL_NONE);
         glNamedFramebufferReadBuffer(id_, GL_NONE);

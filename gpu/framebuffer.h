@@ -29,7 +29,8 @@ class Texture {
     int height_ = 0;
 };
 
-/// An off-screen target with colour (optional) and depth. With samples > 1 it is multisampled:
+/// An off-screen target with colour (optional) and depth, with a stencil where the format of the
+/// depth is GL_DEPTH32F_STENCIL8. With samples > 1 it is multisampled:
 /// blit it into a plain one before reading.
 class Framebuffer {
   public:

@@ -10,12 +10,14 @@
 #include "render/passes/blade_pass.h"
 #include "render/passes/box_pass.h"
 #include "render/passes/depth_passes.h"
+#include "render/passes/field_pass.h"
 #include "render/passes/floor_pass.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
 #include "render/passes/occlusion_pass.h"
 #include "render/passes/overlay_pass.h"
 #include "render/passes/rim_pass.h"
+#include "render/passes/section_pass.h"
 #include "render/passes/smooth_pass.h"
 #include "render/passes/surface_pass.h"
 #include "render/scene/environment.h"
@@ -50,6 +52,9 @@ void resetState() {
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_STENCIL_TEST);
+    glDisable(GL_CLIP_DISTANCE0);
+    glStencilMask(0xff);
+    glClearStencil(0);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -76,6 +81,17 @@ void closeOff(const std::vector<PixelRect>& covered, int pictureHeight) {
     glDisable(GL_SCISSOR_TEST);
 }
 
+/// A section counts the surface itself; colours of its own and quantities are told by its corners.
+bool isFlat(const SceneView& scene) {
+    return scene.section || scene.paint || scene.field.choice.field != SurfaceField::look;
+}
+
+/// Crevices are darker where there is light, and where no section shows the inside.
+bool hasDarkCrevices(const SceneView& scene) {
+    return !scene.section && scene.look.shading == Shading::lit &&
+           scene.field.choice.field == SurfaceField::look;
+}
+
 }  // namespace
 
 /// All that shadows and normals depend on.
@@ -87,6 +103,7 @@ struct Renderer::ShadowSource {
     std::vector<StaticBox> boxes;
     std::optional<double> floor;
     double hardEdges = 0;
+    bool flat = false;
     Eigen::Matrix4f light, shade;
     bool operator==(const ShadowSource&) const = default;
 
@@ -101,6 +118,7 @@ struct Renderer::ShadowSource {
                             scene.boxes,
                             scene.floor,
                             scene.hardEdges,
+                            isFlat(scene),
                             frame.lightMatrix,
                             frame.shadeMatrix};
     }
@@ -125,12 +143,14 @@ struct Renderer::State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
-    void makeTargets(int width, int height);
+    void makeTargets(int width, int height, bool withStencil);
     void uploadLooks(const SceneView& scene, Frame& frame);
     void drawShadows(const SceneView& scene, const Frame& frame);
     void drawOverlays(const SceneView& scene, const Frame& frame);
-    void drawBody(const SceneView& scene, const Frame& frame);
     void drawGround(const SceneView& scene, const Camera& camera, const Frame& frame);
+    void drawBody(const SceneView& scene, const Camera& camera, const Frame& frame);
+    void drawOpened(const SceneView& scene, const Camera& camera, const Frame& frame);
+    void drawSurface(const SceneView& scene, const Frame& frame);
     void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
 
     const Quality quality;
@@ -138,6 +158,7 @@ struct Renderer::State {
     std::uint32_t vertexArray = 0;
     gpu::Buffer looks;
     gpu::Framebuffer drawn;
+    bool hasStencil = false;  ///< of `drawn`, for a section
     gpu::Framebuffer resolved;
     NormalsPass normals;
     ShadowPass shadow;
@@ -152,14 +173,18 @@ struct Renderer::State {
     std::optional<ShadowSource> shadowsOf;   ///< what the shadows were drawn of
     std::optional<OverlayPass> overlays;     ///< from the first picture that shows some
     std::optional<OcclusionPass> occlusion;  ///< of the full tier
+    std::optional<FieldPass> field;          ///< from the first picture that shows a quantity
+    std::optional<SectionPass> section;      ///< from the first picture that has one
 };
 
-void Renderer::State::makeTargets(int width, int height) {
-    if (resolved.width() == width && resolved.height() == height) {
+void Renderer::State::makeTargets(int width, int height, bool withStencil) {
+    if (resolved.width() == width && resolved.height() == height && hasStencil == withStencil) {
         return;
     }
+    hasStencil = withStencil;
     resolved = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height);
-    drawn = gpu::Framebuffer(GL_RGBA8, GL_DEPTH_COMPONENT32F, width, height, samples);
+    drawn = gpu::Framebuffer(GL_RGBA8, withStencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F,
+                             width, height, samples);
 }
 
 void Renderer::State::uploadLooks(const SceneView& scene, Frame& frame) {
@@ -182,7 +207,7 @@ void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
         return;
     }
     shadowsOf = std::move(source);
-    normals.run(scene.body, scene.hardEdges);
+    normals.run(scene.body, scene.hardEdges, isFlat(scene));
     shadow.draw(scene, boxes.view(), frame);
     if (scene.floor) {
         floorShade.draw(scene, boxes.view(), frame);
@@ -209,17 +234,44 @@ void Renderer::State::drawGround(const SceneView& scene, const Camera& camera, c
 }
 
 /// The body, and the boxes that it may lie on.
-void Renderer::State::drawBody(const SceneView& scene, const Frame& frame) {
+void Renderer::State::drawBody(const SceneView& scene, const Camera& camera, const Frame& frame) {
     shadow.bind();
     studios.of(scene.bright).bind(shared::kUnitEnvironment);
     if (frame.hasBody) {
-        surface.draw(scene, frame, normals);
+        drawOpened(scene, camera, frame);
     }
     boxes.draw(frame);
-    if (occlusion && frame.hasBody && scene.look.shading == Shading::lit) {
+    if (occlusion && frame.hasBody && hasDarkCrevices(scene)) {
         occlusion->draw(frame, drawn, resolved);
     }
     floorShade.bind();
+}
+
+void Renderer::State::drawOpened(const SceneView& scene, const Camera& camera, const Frame& frame) {
+    if (!scene.section) {
+        drawSurface(scene, frame);
+        return;
+    }
+    if (!section) {
+        section.emplace();
+    }
+    glEnable(GL_CLIP_DISTANCE0);
+    drawSurface(scene, frame);
+    glDisable(GL_CLIP_DISTANCE0);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    section->draw(scene, frame, camera, surface);
+}
+
+void Renderer::State::drawSurface(const SceneView& scene, const Frame& frame) {
+    if (scene.field.choice.field == SurfaceField::look) {
+        surface.draw(scene, frame, normals);
+        return;
+    }
+    if (!field) {
+        field.emplace();
+    }
+    field->update(scene);
+    field->draw(scene, frame, normals);
 }
 
 void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, const Frame& frame) {
@@ -231,7 +283,7 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     glClearColor(0, 0, 0, 0);
     glClear(scene.transparent ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
     closeOff(scene.covered, frame.height);
-    drawBody(scene, frame);
+    drawBody(scene, camera, frame);
     blade.drawBlade(scene, frame);
     if (!scene.transparent) {
         drawGround(scene, camera, frame);
@@ -277,7 +329,7 @@ void Renderer::setRestDepth(const DepthField& depth) {
 void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int height) {
     width = std::max(width, 1);
     height = std::max(height, 1);
-    state_->makeTargets(width, height);
+    state_->makeTargets(width, height, scene.section.has_value());
     Frame frame = frameOf(scene, camera, width, height, state_->shadow.size());
     frame.mattLight = state_->studios.of(scene.bright).matt();
     state_->uploadLooks(scene, frame);
@@ -291,6 +343,17 @@ void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int
     state_->drawColors(scene, camera, frame);
     glBindVertexArray(0);
     state_->resolved.bind();
+}
+
+FieldRange Renderer::fieldRange() const {
+    return state_->field ? state_->field->range() : FieldRange{};
+}
+
+std::optional<float> Renderer::fieldAt(int bodyRevision, std::uint32_t vertex, bool onWall) const {
+    if (!state_->field || state_->field->bodyRevision() != bodyRevision) {
+        return std::nullopt;
+    }
+    return state_->field->valueAt(vertex, onWall);
 }
 
 const gpu::Framebuffer& Renderer::target() const {

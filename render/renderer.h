@@ -34,6 +34,13 @@ class Renderer {
     /// Takes what measureSkinDepth() found, instead of measuring again.
     void setRestDepth(const DepthField& depth);
 
+    /// What the colours of the last picture, which showed a quantity, reach from and to (waits for
+    /// the GPU).
+    FieldRange fieldRange() const;
+    /// Value of that quantity at a vertex, over its skin or its walls. None where there is none, or
+    /// where the picture was of another revision of the body (waits for the GPU).
+    std::optional<float> fieldAt(int bodyRevision, std::uint32_t vertex, bool onWall) const;
+
     /// Draws into target(), made or remade at this size.
     void draw(const SceneView& scene, const Camera& camera, int width, int height);
     /// The resolved picture, RGBA8; the editor draws its panels into it and blits it to the window.

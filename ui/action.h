@@ -70,6 +70,12 @@ struct SetPlotView {
 struct ExportPlots {
     bool asPicture = false;  ///< as PNG; otherwise their values as CSV
 };
+/// Takes a measure out of the list, or with 0 all of them.
+struct RemoveMeasure {
+    int id = 0;
+};
+/// Writes the measures into the current folder as CSV.
+struct ExportMeasures {};
 /// Opens the session of one of the paper's experiments.
 struct OpenExperiment {
     std::string name;
@@ -82,6 +88,8 @@ struct HoverPiece {
 struct FramePiece {
     int piece = 0;
 };
+/// Writes the list of pieces into the current folder as CSV.
+struct ExportPieces {};
 /// Shows or hides a piece; it is simulated and cut all the same.
 struct ShowPiece {
     int piece = 0;
@@ -89,9 +97,10 @@ struct ShowPiece {
 };
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
-using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools,
-                            SetDisplay, PlaceModel, PlaceBox, ChangeBox, RemoveBox, CancelWork,
-                            SetSettings, SetPlotView, ExportPlots, OpenExperiment, HoverPiece,
-                            FramePiece, ShowPiece, AnswerQuestion, FileAction>;
+using Action =
+    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
+                 PlaceModel, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView,
+                 ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment, HoverPiece, FramePiece,
+                 ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -23,7 +24,7 @@ constexpr std::array kSwitches{
     Switch{ActionId::showBends, "Bends"},          Switch{ActionId::showIspcs, "ISPCs"},
     Switch{ActionId::showErrors, "Errors"},        Switch{ActionId::showContacts, "Contacts"},
     Switch{ActionId::showBoxes, "Boxes"},          Switch{ActionId::showCutLines, "Lines of cuts"},
-    Switch{ActionId::fineQuality, "Fine picture"},
+    Switch{ActionId::fineQuality, "Fine picture"}, Switch{ActionId::section, "Section"},
 };
 
 void drawSwitches(const PanelModel& model, std::vector<Action>& actions) {
@@ -108,6 +109,121 @@ bool chooseHardEdges(double& angle) {
         .changed;
 }
 
+/// Where the colours of the skin come from, for models that have some.
+bool chooseSource(const PanelModel& model, render::ChosenColors& colors) {
+    if (!model.hasOwnColors) {
+        return false;
+    }
+    bool own = colors.showOwn();
+    const bool changed = ImGui::Checkbox("The model's colours", &own);
+    noteItem("color.own");
+    itemTooltip("Shows the colours and images of the model's file; otherwise the colour above");
+    if (changed) {
+        colors.ofLook = !own;
+        if (own) {
+            colors.look.reset();
+            colors.skin.reset();
+        }
+    }
+    return changed;
+}
+
+/// One of the quantities, or the look.
+bool chooseField(render::FieldChoice& choice) {
+    bool changed = false;
+    const std::string current(render::infoOf(choice.field).name);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Colour by");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##field", current.c_str());
+    noteItem("display.field");
+    if (!open) {
+        itemTooltip(describeAction(ActionId::nextField));
+        return false;
+    }
+    for (int i = 0; i < render::kSurfaceFields; ++i) {
+        const auto field = static_cast<render::SurfaceField>(i);
+        const render::FieldInfo& info = render::infoOf(field);
+        if (ImGui::Selectable(std::string(info.name).c_str(), field == choice.field)) {
+            choice = {field, std::nullopt};
+            changed = true;
+        }
+        noteItem("field." + std::string(info.name));
+        itemTooltip(info.meaning);
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+/// A box for the automatic range, and where it is off, the end of the fixed one.
+bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend, double bodySize) {
+    bool automatic = !choice.high;
+    bool changed = ImGui::Checkbox("Automatic range", &automatic);
+    noteItem("display.automatic_range");
+    itemTooltip("The colours reach to the largest value of now; off: to a number of yours");
+    if (changed) {
+        choice.high = automatic ? std::nullopt : std::optional(legend.range.high);
+    }
+    if (!choice.high) {
+        return changed;
+    }
+    const bool length = render::infoOf(choice.field).isLength;
+    const float unit = length ? 1 : 100;
+    const float low = length ? static_cast<float>(1e-4 * bodySize) : 0.1F;
+    const float high = length ? static_cast<float>(bodySize) : 200;
+    float shown = *choice.high * unit;
+    const std::string format = length ? std::string(lengthFormat(bodySize)) + " m" : "%.3g %%";
+    if (slideRow({"Up to", "The value of the last colour", "display.range"},
+                 {ImGuiDataType_Float, &shown, &low, &high, format, true},
+                 ImGui::GetContentRegionAvail().x)
+            .changed) {
+        choice.high = std::max(shown, low) / unit;
+        changed = true;
+    }
+    return changed;
+}
+
+/// A row of buttons: square to an axis, or the other half. True where one was pressed.
+bool chooseSide(render::SectionPlane& plane, const Vec3& center) {
+    constexpr std::array kAxes{"X", "Y", "Z"};
+    bool changed = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (ImGui::SmallButton(kAxes[axis])) {
+            plane = {center, Vec3::Unit(axis)};
+            changed = true;
+        }
+        noteItem(std::string("section.") + kAxes[axis]);
+        itemTooltip("Square to this axis, through the middle of the body");
+        ImGui::SameLine();
+    }
+    if (ImGui::SmallButton("Other half")) {
+        plane.normal = -plane.normal;
+        changed = true;
+    }
+    noteItem("section.other_half");
+    itemTooltip("Hides what is shown and shows what is hidden");
+    return changed;
+}
+
+/// Where the section lies and what it hides.
+bool chooseSection(render::SectionPlane& plane, const PanelModel& model) {
+    const Vec3 center = model.bodyBounds.center();
+    bool changed = chooseSide(plane, center);
+    const double reach = 0.5 * model.bodyBounds.diagonal();
+    const double low = -reach;
+    double along = -plane.distance(center);
+    if (slideRow({"Along", "How far the plane lies from the body's middle", "section.along"},
+                 {ImGuiDataType_Double, &along, &low, &reach,
+                  std::string(lengthFormat(model.bodySize)) + " m"},
+                 ImGui::GetContentRegionAvail().x)
+            .changed) {
+        plane.point = center + along * plane.normal;
+        changed = true;
+    }
+    return changed;
+}
+
 }  // namespace
 
 void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
@@ -119,6 +235,14 @@ void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::SameLine(ImGui::GetContentRegionAvail().x / 2 + ImGui::GetStyle().WindowPadding.x);
     changed |=
         chooseColor("Flesh", display.colors.flesh, model.ownFlesh, "Colour of the cut faces");
+    changed |= chooseSource(model, display.colors);
+    changed |= chooseField(display.field);
+    if (display.field.field != render::SurfaceField::look) {
+        changed |= chooseRange(display.field, model.fieldLegend, model.bodySize);
+    }
+    if (display.section) {
+        changed |= chooseSection(*display.section, model);
+    }
     if (changed) {
         actions.emplace_back(SetDisplay{display});
     }
@@ -170,8 +294,10 @@ void drawErrorScale(float scale) {
 
 }  // namespace
 
-void drawLegend(const DisplaySettings& display, const Rect& view, float scale) {
-    if (!display.overlays.any()) {
+void drawLegend(const PanelModel& model, const Rect& view, float scale) {
+    const DisplaySettings& display = model.display;
+    const bool field = display.field.field != render::SurfaceField::look;
+    if (!display.overlays.any() && !field) {
         return;
     }
     // Below the axes; what the editor says comes in the middle.
@@ -183,6 +309,9 @@ void drawLegend(const DisplaySettings& display, const Rect& view, float scale) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
+    if (field) {
+        drawFieldScale(model.fieldLegend, scale);
+    }
     std::size_t count = 0;
     const std::array<LegendRow, 5> rows = legendRows(display.overlays, count);
     for (std::size_t i = 0; i < count; ++i) {

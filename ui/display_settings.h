@@ -1,9 +1,13 @@
 #pragma once
 
+#include <optional>
+
 #include "render/renderer.h"
 #include "render/scene/body_look.h"
 #include "render/scene/overlays.h"
 #include "render/scene/scene.h"
+#include "render/scene/section_plane.h"
+#include "render/scene/surface_field.h"
 
 namespace kerf::ui {
 
@@ -14,7 +18,10 @@ struct DisplaySettings {
     bool cutLines = true;  ///< a dark line along the rim of each cut: a closed one shows by it
     /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
     double apart = 0;
+    bool pieceDetails = false;  ///< the list of pieces has all its columns
     render::Overlays overlays;
+    render::FieldChoice field;                    ///< what its colours show instead of the look
+    std::optional<render::SectionPlane> section;  ///< opens the picture of the body
     render::ChosenColors colors;  ///< look and colours instead of the model's own
     /// Faces that meet at more than this angle have a hard edge between them [degrees].
     double hardEdges = kHardEdgeAngle;

@@ -146,20 +146,24 @@ struct Division {
     static Division ofTheRest() {
         return {ImGui::GetCursorScreenPos().y, ImGui::GetContentRegionAvail().y - splitterHeight()};
     }
-    /// Each part keeps a few lines.
-    float upper(double share) const {
-        const float least = 4 * ImGui::GetTextLineHeightWithSpacing();
+    /// The upper part keeps a few lines, the lower one `lower` of them.
+    float upper(double share, float lower) const {
+        const float line = ImGui::GetTextLineHeightWithSpacing();
+        const float least = 4 * line;
         return std::clamp(static_cast<float>(share) * height, least,
-                          std::max(least, height - least));
+                          std::max(least, height - lower * line));
     }
 };
+
+constexpr float kLeastPieces = 6;  // lines: a heading, a slider, another heading, three rows
+constexpr float kLeastTabs = 4;    // lines
 
 void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
     beginPanel("controls", rect, true);
     drawMenuBar(model, actions);
     drawTransport(model, actions);
     const Division division = Division::ofTheRest();
-    drawSections(model, division.upper(1 - model.settings.piecesShare), actions);
+    drawSections(model, division.upper(1 - model.settings.piecesShare, kLeastPieces), actions);
     if (const auto share = horizontalSplitter("pieces", division.top, division.height)) {
         Settings settings = model.settings;
         settings.piecesShare = 1 - *share;
@@ -222,7 +226,7 @@ void drawTabs(const PanelModel& model, std::vector<Action>& actions) {
 void drawReadings(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
     beginPanel("readings", rect);
     const Division division = Division::ofTheRest();
-    drawPlots(model, division.upper(model.settings.plotsShare), actions);
+    drawPlots(model, division.upper(model.settings.plotsShare, kLeastTabs), actions);
     if (const auto share = horizontalSplitter("plots", division.top, division.height)) {
         Settings settings = model.settings;
         settings.plotsShare = *share;
@@ -261,9 +265,9 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     std::vector<Action> actions;
     const ItemNotes notes(itemRects_);
     const float scale = context_.scale();
-    const bool played = model.playback.steps > 0 && model.settings.showsPanels();
+    const bool timed = !model.name.empty() && model.settings.showsPanels();
     const Layout layout =
-        layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings, played);
+        layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings, timed);
     noteCovered(model.settings, layout);
     freeView_ = layout.view;
     drawOverlay(model.overlay, scale);
@@ -276,10 +280,10 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     drawEdges(model, layout, scale, actions);
     drawPanelsHint(model, layout.view, actions);
     if (!model.name.empty()) {
-        drawLegend(model.display, layout.view, scale);
+        drawLegend(model, layout.view, scale);
         drawAxes(model.axes, layout.view, scale, actions);
     }
-    if (played) {
+    if (timed) {
         drawTimeline(model, layout.timeline, actions);
     }
     drawStatusBar(model, layout.status);

@@ -9,7 +9,7 @@ Layout layoutPanels(float width, float height, float scale, const Settings& sett
                     bool withTimeline) {
     constexpr float kMargin = 8;
     constexpr float kStatusHeight = 28;
-    constexpr float kTimelineHeight = 44;
+    constexpr float kTimelineHeight = 34;
     const float margin = kMargin * scale;
     const float status = kStatusHeight * scale;
     const float timeline = withTimeline ? kTimelineHeight * scale : 0;

@@ -12,10 +12,21 @@ constexpr ImU32 kTouchedEdge = IM_COL32(240, 228, 66, 130);
 constexpr ImU32 kSwept = IM_COL32(64, 224, 190, 150);
 constexpr ImU32 kShade = IM_COL32(0, 0, 0, 110);
 constexpr ImU32 kGuide = IM_COL32(86, 180, 233, 255);
+constexpr ImU32 kLabelGround = IM_COL32(12, 14, 18, 200);
 constexpr ImU32 kWound = IM_COL32(255, 255, 255, 255);
 
 ImVec2 at(const PlotPoint& p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y)};
+}
+
+/// On a dark ground, a little above its point.
+void drawLabel(ImDrawList& draw, const Overlay::Label& label, float scale) {
+    const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
+    const ImVec2 low{at(label.at).x - size.x / 2, at(label.at).y - size.y - 9 * scale};
+    const float margin = 3 * scale;
+    draw.AddRectFilled({low.x - margin, low.y - margin},
+                       {low.x + size.x + margin, low.y + size.y + margin}, kLabelGround, margin);
+    draw.AddText(low, kWound, label.text.c_str());
 }
 
 }  // namespace
@@ -40,6 +51,13 @@ void drawOverlay(const Overlay& overlay, float scale) {
     }
     for (const Overlay::Line& line : overlay.guides) {
         draw.AddLine(at(line[0]), at(line[1]), kGuide, 1.5F * scale);
+    }
+    for (const PlotPoint& dot : overlay.dots) {
+        draw.AddCircleFilled(at(dot), 5 * scale, kShade, 16);
+        draw.AddCircleFilled(at(dot), 3.5F * scale, kGuide, 16);
+    }
+    for (const Overlay::Label& label : overlay.labels) {
+        drawLabel(draw, label, scale);
     }
     for (const Overlay::Handle& handle : overlay.handles) {
         const float radius = (handle.hot ? 9.0F : 7.0F) * scale;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "ui/plot_math.h"
@@ -22,6 +23,13 @@ struct Overlay {
     std::vector<Line> wound;    ///< where that meets the surface
     std::vector<Line> guides;   ///< how far the tool reaches
     std::vector<Handle> handles;
+    /// A number beside the body.
+    struct Label {
+        PlotPoint at;
+        std::string text;
+    };
+    std::vector<PlotPoint> dots;  ///< points that were measured
+    std::vector<Label> labels;
 };
 
 /// Draws the overlay behind all panels; it takes no input. `scale` is the display's (1 = 96 dpi).

@@ -10,21 +10,15 @@
 #include "ui/action.h"
 #include "ui/axes_widget.h"
 #include "ui/display_settings.h"
+#include "ui/field_legend.h"
 #include "ui/file_dialog_state.h"
 #include "ui/history.h"
 #include "ui/overlay.h"
+#include "ui/piece_row.h"
 #include "ui/settings.h"
 #include "ui/tool_settings.h"
 
 namespace kerf::ui {
-
-/// One row of the pieces table.
-struct PieceRow {
-    int triangles = 0;
-    double volume = 0;  ///< [m^3]
-    double share = 0;   ///< of its rest volume, 1 = all
-    bool hidden = false;
-};
 
 /// The model that is open, and how its numbers became the metres of the scene.
 struct ModelState {
@@ -51,10 +45,12 @@ struct ChangeList {
     std::size_t budget = 0;  ///< [bytes]
 };
 
-/// The session that is played.
+/// The course on the time line: the session that is played, or what was done so far.
 struct PlaybackState {
     int step = 0;
-    int steps = 0;  ///< 0 while none is
+    int steps = 0;
+    bool goesBack = false;  ///< whether earlier steps are kept
+    bool played = false;    ///< not the present: events are to come by themselves
     bool loop = false;
     std::optional<int> divergedAt;  ///< the first step that came out differently
 };
@@ -96,6 +92,7 @@ struct WorkState {
     double seconds = 0;
     /// What is done of it, 0 to 1; none where that is not known.
     std::optional<double> share = std::nullopt;
+    bool mayEnd = true;  ///< before it is done, if the person wishes
 };
 
 /// A choice that a person has to make before anything else; none where the text is empty.
@@ -124,13 +121,15 @@ struct PanelModel {
     Params startParams;  ///< as they were when it was opened: what the reset mark returns to
     std::vector<StaticBox> boxes;  ///< that the body collides with
     double bodySize = 1;           ///< diagonal of the body at rest [m]
+    Bounds bodyBounds;             ///< of the body as it is [m]
     double edgeLength = 1;         ///< mean of the uncut body at rest [m]
     bool playing = false;
     double speed = 1;  ///< of simulated time against the clock
     ChangeList changes;
     ToolSettings tools;
-    std::size_t pinned = 0;  ///< vertices that are held in place
-    Overlay overlay;         ///< of the coming cut
+    std::vector<MeasureRow> measures;  ///< oldest first
+    std::size_t pinned = 0;            ///< vertices that are held in place
+    Overlay overlay;                   ///< of the coming cut
     ViewAxes axes;
     bool orthographic = false;
     PlaybackState playback;
@@ -141,8 +140,10 @@ struct PanelModel {
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
     bool helpOpen = false;
     DisplaySettings display;
+    FieldLegend fieldLegend;
     Vec3 ownSkin = Vec3::Zero();  ///< colours of the look itself (see DisplaySettings::colors)
     Vec3 ownFlesh = Vec3::Zero();
+    bool hasOwnColors = false;  ///< the model's file has colours or images
     int step = 0;
     double time = 0;  ///< simulated [s]
     int vertices = 0;

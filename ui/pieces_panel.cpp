@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/base/quantity_text.h"
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
 #include "ui/theme.h"
@@ -71,8 +72,32 @@ bool rowButton(int index, std::vector<Action>& actions) {
     return hovered;
 }
 
+std::string coordinates(const Vec3& v) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.3g %.3g %.3g", v.x(), v.y(), v.z());
+    return text;
+}
+
+/// The columns that are there on demand. Sums come once time stands.
+void drawDetails(const PieceRow& piece) {
+    char text[32];
+    ImGui::TableNextColumn();
+    std::snprintf(text, sizeof text, "%.2f", 100 * piece.shareOfAll);
+    textRight(text);
+    ImGui::TableNextColumn();
+    textRight(piece.sums ? areaText(piece.sums->skinArea + piece.sums->cutArea) : "-");
+    if (piece.sums) {
+        itemTooltip("Skin " + areaText(piece.sums->skinArea) + ", faces of cuts " +
+                    areaText(piece.sums->cutArea));
+    }
+    ImGui::TableNextColumn();
+    textRight(piece.bounds.empty() ? "-" : coordinates(piece.bounds.high - piece.bounds.low));
+    ImGui::TableNextColumn();
+    textRight(piece.sums ? coordinates(piece.sums->centroid) : "-");
+}
+
 /// True while the pointer is on the row.
-bool drawRow(int index, const PieceRow& piece, std::vector<Action>& actions) {
+bool drawRow(int index, const PieceRow& piece, bool details, std::vector<Action>& actions) {
     char text[32];
     ImGui::TableNextRow();
     ImGui::PushID(index);
@@ -88,39 +113,110 @@ bool drawRow(int index, const PieceRow& piece, std::vector<Action>& actions) {
     ImGui::TableNextColumn();
     std::snprintf(text, sizeof text, "%.2f", 100 * piece.share);
     textRight(text);
+    if (details) {
+        drawDetails(piece);
+    }
     ImGui::PopID();
     return hovered;
 }
 
-void drawHeader() {
+struct ColumnTitle {
+    PieceColumn column;
+    const char* title;
+    float width;  ///< in letters; 0: what is left
+    const char* tooltip;
+};
+constexpr std::array kColumns{
+    ColumnTitle{PieceColumn::number, "#", 2, "In the order in which they came off"},
+    ColumnTitle{PieceColumn::triangles, "tri.", 0, "Triangles of its surface"},
+    ColumnTitle{PieceColumn::volume, "volume", 0, "Volume as it is"},
+    ColumnTitle{PieceColumn::ofRest, "% rest", 0, "Of its volume at rest"},
+    ColumnTitle{PieceColumn::ofAll, "% all", 4, "Of the volume of all pieces"},
+    ColumnTitle{PieceColumn::area, "area", 5.5F, "Of its surface, faces of cuts included"},
+    ColumnTitle{PieceColumn::size, "size x y z [m]", 9, "Of its box"},
+    ColumnTitle{PieceColumn::centre, "centre x y z [m]", 10, "Centroid of its volume"},
+};
+constexpr std::size_t kShortColumns = 4;  // without details
+
+std::size_t columnCount(bool details) {
+    return details ? kColumns.size() : kShortColumns;
+}
+
+void setUpColumns(bool details) {
     const float letter = ImGui::GetFontSize();
     ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 1.3F * letter);
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 2 * letter);
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.2F);
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.1F);
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn(
+        "##eye", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort, 1.3F * letter);
+    for (std::size_t i = 0; i < columnCount(details); ++i) {
+        const ColumnTitle& column = kColumns[i];
+        const bool fixed = details || column.width > 0;
+        const float width = column.width > 0 ? column.width : 4.6F;
+        ImGui::TableSetupColumn(
+            column.title,
+            fixed ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
+            fixed ? width * letter : 1, static_cast<ImGuiID>(column.column));
+    }
+}
+
+/// A click on a title sorts by it, another one the other way round.
+void drawHeader(bool details) {
+    setUpColumns(details);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::TableNextColumn();
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("#");
-    for (const char* title : {"triangles", "volume", "% rest"}) {
+    for (std::size_t i = 0; i < columnCount(details); ++i) {
         ImGui::TableNextColumn();
-        textRight(title);
+        ImGui::TableHeader(kColumns[i].title);
+        noteItem(std::string("pieces.by.") + kColumns[i].title);
+        itemTooltip(std::string(kColumns[i].tooltip) + ". A click sorts by it.");
     }
+}
+
+std::vector<int> orderOf(const std::vector<PieceRow>& rows) {
+    const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+    if (specs == nullptr || specs->SpecsCount == 0) {
+        return sortedPieces(rows, PieceColumn::number, false);
+    }
+    const ImGuiTableColumnSortSpecs& by = specs->Specs[0];
+    return sortedPieces(rows, static_cast<PieceColumn>(by.ColumnUserID),
+                        by.SortDirection == ImGuiSortDirection_Descending);
 }
 
 /// The row under the pointer, -1 for none.
 int drawRows(const PanelModel& model, std::vector<Action>& actions) {
     int hovered = -1;
+    const std::vector<int> order = orderOf(model.pieces);
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(model.pieces.size()));
+    clipper.Begin(static_cast<int>(order.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            hovered = drawRow(i, model.pieces[static_cast<std::size_t>(i)], actions) ? i : hovered;
+            const int piece = order[static_cast<std::size_t>(i)];
+            const bool on = drawRow(piece, model.pieces[static_cast<std::size_t>(piece)],
+                                    model.display.pieceDetails, actions);
+            hovered = on ? piece : hovered;
         }
     }
     return hovered;
+}
+
+/// Buttons at the right end of the heading: all columns, and the export.
+void drawTableButtons(const PanelModel& model, std::vector<Action>& actions) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const char* const label = model.display.pieceDetails ? "Less" : "More";
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth(label) - buttonWidth("CSV") - gap);
+    if (ImGui::SmallButton(label)) {
+        DisplaySettings display = model.display;
+        display.pieceDetails = !display.pieceDetails;
+        actions.emplace_back(SetDisplay{display});
+    }
+    noteItem("pieces.details");
+    itemTooltip(
+        "Share, area, size and centre too; areas and centres are added up while time stands");
+    ImGui::SameLine(0, gap);
+    if (ImGui::SmallButton("CSV")) {
+        actions.emplace_back(ExportPieces{});
+    }
+    noteItem("pieces.csv");
+    itemTooltip("Saves the table with all columns into the current folder");
 }
 
 /// Draws the pieces away from each other, without moving them.
@@ -143,13 +239,13 @@ void slideApart(const PanelModel& model, std::vector<Action>& actions) {
 void drawTitle(const PanelModel& model, std::vector<Action>& actions) {
     const auto hidden = std::ranges::count_if(model.pieces, &PieceRow::hidden);
     ImGui::TextDisabled("Pieces: %zu", model.pieces.size());
+    drawTableButtons(model, actions);
     if (hidden == 0) {
         if (model.pieces.size() > 1) {
             slideApart(model, actions);
         }
         return;
     }
-    ImGui::SameLine();
     ImGui::TextDisabled("(%td hidden)", hidden);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Show all"));
     if (ImGui::SmallButton("Show all")) {
@@ -178,13 +274,17 @@ std::string volumeText(double volume) {
 
 void drawPieces(const PanelModel& model, std::vector<Action>& actions) {
     drawTitle(model, actions);
-    constexpr ImGuiTableFlags kFlags =
-        ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
+    const bool details = model.display.pieceDetails;
+    const ImGuiTableFlags flags =
+        ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
+        (details ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
+                 : ImGuiTableFlags_SizingStretchProp);
     int hovered = -1;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
                         {0.25F * ImGui::GetFontSize(), 0.2F * ImGui::GetFontSize()});
-    if (ImGui::BeginTable("pieces", 5, kFlags)) {
-        drawHeader();
+    const int columns = static_cast<int>(columnCount(details)) + 1;
+    if (ImGui::BeginTable(details ? "all columns" : "pieces", columns, flags)) {
+        drawHeader(details);
         hovered = drawRows(model, actions);
         ImGui::EndTable();
     }

@@ -304,24 +304,49 @@ void drawTooltip(const PlotSpec& spec, double time) {
     ImGui::EndTooltip();
 }
 
-void drawCrosshair(ImDrawList& draw, const PlotFrame& frame, const PlotSpec& spec) {
-    const ImVec2 pointer = ImGui::GetMousePos();
+/// The time of the value nearest to the pointer; none where there are no values, or the pointer is
+/// beside the plot.
+std::optional<double> timeUnderPointer(const PlotFrame& frame, const PlotSpec& spec) {
+    const float x = ImGui::GetMousePos().x;
     const auto curve =
         std::ranges::find_if(spec.curves, [](const PlotCurve& c) { return !c.series->empty(); });
-    if (curve == spec.curves.end() || !frame.holds(pointer)) {
-        return;
+    if (curve == spec.curves.end() || x < frame.low.x || x > frame.high.x) {
+        return std::nullopt;
     }
-    const double time = nearestBucket(curve->series->buckets(), frame.timeAt(pointer.x)).x;
+    return nearestBucket(curve->series->buckets(), frame.timeAt(x)).x;
+}
+
+/// A line at a time, with a dot on each curve.
+void drawCrosshair(ImDrawList& draw, const PlotFrame& frame, const PlotSpec& spec, double time) {
     const float x = std::clamp(frame.atX(time), frame.low.x, frame.high.x);
     draw.AddLine({x, frame.low.y}, {x, frame.high.y}, palette().frame);
-    for (const PlotCurve& other : spec.curves) {
-        if (!other.series->empty()) {
-            const SeriesBucket& bucket = nearestBucket(other.series->buckets(), time);
+    for (const PlotCurve& curve : spec.curves) {
+        if (!curve.series->empty()) {
+            const SeriesBucket& bucket = nearestBucket(curve.series->buckets(), time);
             const float y = std::clamp(frame.atY(bucket.mean), frame.low.y, frame.high.y);
-            draw.AddCircleFilled({x, y}, ImGui::GetFontSize() / 5, colorOf(other));
+            draw.AddCircleFilled({x, y}, ImGui::GetFontSize() / 5, colorOf(curve));
         }
     }
-    drawTooltip(spec, time);
+}
+
+/// The values at a time beside the line there, in the colours of their curves.
+void drawValues(ImDrawList& draw, const PlotFrame& frame, const PlotSpec& spec, double time) {
+    const float line = ImGui::GetFontSize();
+    const float x = std::clamp(frame.atX(time), frame.low.x, frame.high.x);
+    float top = frame.low.y + 1;
+    for (const PlotCurve& curve : spec.curves) {
+        if (curve.series->empty() || top + line > frame.high.y) {
+            continue;
+        }
+        const SeriesBucket& bucket = nearestBucket(curve.series->buckets(), time);
+        const std::string text = readout(bucket, spec.readoutDecimals);
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        const bool right = x + width + 0.6F * line < frame.high.x;
+        const float left = right ? x + 0.4F * line : x - width - 0.4F * line;
+        draw.AddRectFilled({left - 2, top}, {left + width + 2, top + line}, palette().plotGround);
+        draw.AddText({left, top}, colorOf(curve), text.c_str());
+        top += line;
+    }
 }
 
 PlotRange shownValues(const PlotSpec& spec, const PlotRange& x) {
@@ -414,8 +439,14 @@ std::optional<PlotView> drawPlot(const PlotSpec& spec, const PlotTimeline& timel
     }
     draw.PopClipRect();
     draw.AddRect(frame.low, frame.high, palette().frame);
-    if (hovered) {
-        drawCrosshair(draw, frame, spec);
+    const auto time = timeline.hovered ? timeUnderPointer(frame, spec) : std::nullopt;
+    if (time) {
+        drawCrosshair(draw, frame, spec, *time);
+    }
+    if (time && hovered && frame.holds(ImGui::GetMousePos())) {
+        drawTooltip(spec, *time);
+    } else if (time) {
+        drawValues(draw, frame, spec, *time);
     }
     return view;
 }

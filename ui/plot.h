@@ -49,6 +49,8 @@ struct PlotTimeline {
     PlotView view;
     double newest = 0;     ///< [s]
     bool running = false;  ///< the newest value moves
+    /// The pointer is over one of the plots: all of them show their values at its time.
+    bool hovered = false;
 };
 /// The time of the newest value of all curves of the plots [s].
 double newestOf(std::span<const PlotSpec> plots);

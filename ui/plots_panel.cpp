@@ -164,7 +164,8 @@ void drawPlots(const PanelModel& model, float height, std::vector<Action>& actio
     drawButtons(model, actions);
     ImGui::BeginChild("curves");
     const std::vector<PlotSpec> plots = chosenPlots(model);
-    const PlotTimeline timeline{model.plotView, model.time, model.playing};
+    const PlotTimeline timeline{model.plotView, model.time, model.playing,
+                                ImGui::IsWindowHovered()};
     const float room = ImGui::GetContentRegionAvail().y;
     for (const PlotSpec& plot : plots) {
         if (const auto view = drawPlot(plot, timeline, plotHeight(room, plots.size()))) {

@@ -43,12 +43,12 @@ void drawRow(const PanelModel& model, const SessionMark& mark, std::vector<Actio
     textRight(std::to_string(mark.step));
     ImGui::TableNextColumn();
     const std::string label = labelOf(mark);
-    const bool played = model.playback.steps > 0;
-    if (ImGui::Selectable(label.c_str()) && played) {
+    const bool goes = model.playback.goesBack;
+    if (ImGui::Selectable(label.c_str()) && goes) {
         actions.emplace_back(SeekTo{mark.step});
     }
     itemTooltip(label + ", step " + std::to_string(mark.step) +
-                (played ? "\nClick to go there" : ""));
+                (goes ? "\nClick to go there" : ""));
     ImGui::TableNextColumn();
     if (ImGui::SmallButton(kRemove)) {
         actions.emplace_back(RemoveMark{mark.id});

@@ -21,7 +21,7 @@ constexpr std::size_t kMostListed = 8;
 class StepScale {
   public:
     /// Of the slider that was drawn last.
-    explicit StepScale(int steps) : steps_(static_cast<float>(steps)) {
+    explicit StepScale(int steps) : steps_(static_cast<float>(std::max(1, steps))) {
         constexpr float kInset = 2;  // ImGui's, of the knob
         const float width = ImGui::GetItemRectSize().x - 2 * kInset;
         const float knob = std::clamp(ImGui::GetStyle().GrabMinSize, width / (steps_ + 1), width);
@@ -109,22 +109,32 @@ bool slideStep(int& step, int steps) {
     return moved;
 }
 
+const char* adviceOn(const PlaybackState& playback) {
+    if (!playback.goesBack) {
+        return "What is done is kept here, to go back to it";
+    }
+    if (playback.divergedAt) {
+        return "Go to a step. Red: here it came out differently than recorded";
+    }
+    return playback.played ? "Go to a step"
+                           : "Go back to a step. What you do there goes on from it";
+}
+
 StepScale drawSlider(const PanelModel& model, std::vector<Action>& actions) {
     const PlaybackState& playback = model.playback;
     int step = std::min(playback.step, playback.steps);
     ImGui::SetNextItemWidth(-1);
+    ImGui::BeginDisabled(!playback.goesBack || playback.steps == 0);
     if (slideStep(step, playback.steps)) {
         actions.emplace_back(SeekTo{step});
     }
+    ImGui::EndDisabled();
     noteItem("scrubber");
     const StepScale scale(playback.steps);
     drawTicks(model.course, scale);
     markDivergence(playback, scale);
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-        const std::string what = coursedAt(ImGui::GetIO().MousePos.x, model.course, scale);
-        tellAbove(what + (playback.divergedAt
-                              ? "Go to a step. Red: here it came out differently than recorded"
-                              : "Go to a step of the session"));
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive()) {
+        tellAbove(coursedAt(ImGui::GetIO().MousePos.x, model.course, scale) + adviceOn(playback));
     }
     return scale;
 }

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "ui/measures.h"
+
 namespace kerf::ui {
 
 /// The tool of the left button in the view: it leads a blade in one of three ways, or touches the
@@ -12,8 +14,9 @@ enum class Tool : std::uint8_t {
     guillotine,  ///< posed by handles and brought straight down
     grab,        ///< pulls at the body
     pin,         ///< holds parts of the body in place, or frees them
+    measure,     ///< tells distances, angles, areas and volumes by clicks
 };
-inline constexpr int kTools = 5;
+inline constexpr int kTools = 6;
 
 /// The settings of all tools, which the tools panel shows and answers with. Lengths in metres.
 struct ToolSettings {
@@ -26,7 +29,8 @@ struct ToolSettings {
     double lowered = 0;         ///< share of that, 0 to 1
     double grabRadius = 0.1;    ///< of what the hand takes hold of
     double pinRadius = 0.1;     ///< of the brush
-    double longest = 3;         ///< end of all sliders
+    MeasureKind measure = MeasureKind::distance;
+    double longest = 3;  ///< end of all sliders
     bool operator==(const ToolSettings&) const = default;
 };
 

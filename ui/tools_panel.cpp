@@ -7,6 +7,7 @@
 
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
+#include "ui/measure_rows.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -23,6 +24,7 @@ constexpr std::array kTools{
     ToolButton{Tool::guillotine, ActionId::toolGuillotine, "Guillotine"},
     ToolButton{Tool::grab, ActionId::toolGrab, "Grab"},
     ToolButton{Tool::pin, ActionId::toolPin, "Pin"},
+    ToolButton{Tool::measure, ActionId::toolMeasure, "Measure"},
 };
 constexpr std::size_t kToolsInARow = 3;
 constexpr double kLargestRadius = 0.2;  // of a hand or brush, of the longest blade
@@ -110,7 +112,7 @@ bool drawPinRows(ToolSettings& tools, std::vector<Action>& actions) {
     return changed;
 }
 
-bool drawRowsOf(ToolSettings& tools, std::vector<Action>& actions) {
+bool drawRowsOf(const PanelModel& model, ToolSettings& tools, std::vector<Action>& actions) {
     switch (tools.tool) {
         case Tool::stroke:
             return drawStrokeRows(tools);
@@ -124,6 +126,8 @@ bool drawRowsOf(ToolSettings& tools, std::vector<Action>& actions) {
                                "How far around the pointer the hand takes hold");
         case Tool::pin:
             return drawPinRows(tools, actions);
+        case Tool::measure:
+            return drawMeasureRows(model, tools, actions);
     }
     return false;
 }
@@ -146,7 +150,7 @@ void drawTimeWhileCutting(const PanelModel& model, std::vector<Action>& actions)
 void drawTools(const PanelModel& model, std::vector<Action>& actions) {
     drawToolButtons(model, actions);
     ToolSettings tools = model.tools;
-    if (drawRowsOf(tools, actions)) {
+    if (drawRowsOf(model, tools, actions)) {
         actions.emplace_back(SetTools{tools});
     }
     if (cuts(model.tools.tool)) {

@@ -119,7 +119,7 @@ void drawTransport(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
     drawSpeed(model.speed, actions);
-    const bool played = model.playback.steps > 0;
+    const bool played = model.playback.played;
     if (played || model.recording) {
         drawAddButton(width, actions);
     }

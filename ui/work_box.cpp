@@ -29,6 +29,14 @@ void drawRunner(double seconds) {
     ImGui::Dummy({width, height});
 }
 
+void drawCancel(std::vector<Action>& actions) {
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Cancel"));
+    if (ImGui::Button("Cancel")) {
+        actions.emplace_back(CancelWork{});
+    }
+    noteItem("work.cancel");
+}
+
 }  // namespace
 
 void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& actions) {
@@ -51,11 +59,9 @@ void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& acti
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s, %.0f s", work.stage.c_str(), work.seconds);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Cancel"));
-    if (ImGui::Button("Cancel")) {
-        actions.emplace_back(CancelWork{});
+    if (work.mayEnd) {
+        drawCancel(actions);
     }
-    noteItem("work.cancel");
     ImGui::End();
 }
 

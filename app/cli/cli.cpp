@@ -190,7 +190,12 @@ void describeInspect(Parser& parser, Arguments& arguments) {
         ->add_option("MODEL", arguments.inspect.model, "A model file, or the name of a builtin one")
         ->required()
         ->check(refuseEmpty);
-    parser.inspect->add_flag("--json", arguments.inspect.json, "Print one JSON object");
+    CLI::Option* const json =
+        parser.inspect->add_flag("--json", arguments.inspect.json, "Print one JSON object");
+    parser.inspect
+        ->add_flag("--pieces", arguments.inspect.pieces,
+                   "Print a table of the pieces as CSV: volume, areas, centre, box")
+        ->excludes(json);
 }
 
 std::string refuseNoMask(const std::string& text) {

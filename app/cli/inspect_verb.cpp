@@ -1,15 +1,21 @@
 #include "app/cli/inspect_verb.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <vector>
 
 #include "app/cli/exit_codes.h"
 #include "app/files/builtin_models.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/files/model_units.h"
+#include "sim/mesh/invariants.h"
+#include "sim/mesh/piece_figures.h"
+#include "ui/piece_row.h"
 
 namespace kerf::app {
 
@@ -33,7 +39,11 @@ std::filesystem::path modelFile(const std::filesystem::path& model) {
 Inspection inspect(const std::filesystem::path& file) {
     Inspection inspection;
     try {
-        loadModel(file, &inspection.report);
+        ReadOptions options;
+        options.report = &inspection.report;
+        for (const std::string& remark : readModel(file, options).remarks) {
+            spdlog::warn("{}: {}", file.string(), remark);
+        }
     } catch (const InputError& error) {
         if (inspection.report.triangles == 0) {
             throw;
@@ -108,10 +118,42 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     line("cuttable") << yesNo(inspection.refusal.empty()) << "\n";
 }
 
+/// The lowest triangle of each piece, in the order of findPieces().
+std::vector<int> firstTriangles(const SurfaceMesh& mesh, const PieceMap& pieces) {
+    std::vector<int> first(pieces.pieces.size(), -1);
+    for (const int t : livingTriangles(mesh)) {
+        int& of = first[pieces.ofVertex[mesh.triangle(t)[0]]];
+        of = of < 0 ? t : of;
+    }
+    return first;
+}
+
+/// The pieces of a model at rest.
+std::vector<ui::PieceRow> pieceRows(const SurfaceMesh& mesh) {
+    const double all = meshVolume(mesh);
+    std::vector<ui::PieceRow> rows;
+    for (const int triangle : firstTriangles(mesh, findPieces(mesh))) {
+        const PieceFigures piece = figuresOfPiece(mesh, triangle);
+        ui::PieceRow row;
+        row.triangles = piece.triangles;
+        row.volume = piece.volume;
+        row.share = 1;
+        row.shareOfAll = all > 0 ? piece.volume / all : 0;
+        row.bounds = piece.bounds;
+        row.sums = ui::PieceSums{piece.skinArea, piece.cutArea, piece.centroid};
+        rows.push_back(row);
+    }
+    return rows;
+}
+
 }  // namespace
 
 int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
     const std::filesystem::path file = modelFile(arguments.model);
+    if (arguments.pieces) {
+        out << ui::piecesAsCsv(pieceRows(loadModel(file)));
+        return kExitDone;
+    }
     const Inspection inspection = inspect(file);
     if (arguments.json) {
         out << toJson(inspection.report, file).dump(-1, ' ', false, Json::error_handler_t::replace)

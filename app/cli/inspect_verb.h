@@ -5,10 +5,11 @@
 
 namespace kerf::app {
 
-/// The arguments of `kerf inspect MODEL [--json]`, parsed.
+/// The arguments of `kerf inspect MODEL [--json | --pieces]`, parsed.
 struct InspectArguments {
     std::filesystem::path model;  ///< a file, or the name of a builtin model
     bool json = false;
+    bool pieces = false;  ///< a table of the pieces as CSV instead
 };
 
 /// Prints on `out` what the model is and whether it can be cut. Throws InputError where it can't be

@@ -14,6 +14,7 @@
 #include "app/session/iteration_watch.h"
 #include "app/session/scene_view.h"
 #include "app/session/session_runner.h"
+#include "app/session/skin_follower.h"
 #include "app/session/volume_watch.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
@@ -86,7 +87,7 @@ class Replay {
           folder_(folder),
           player_(session),
           files_(folder, options.hashes, options.pieces),
-          uvs_(std::move(model.uvs)),
+          looks_(std::move(model.looks)),
           simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, session.placement)),
                       session.params, session.boxes),
           uncut_(simulation_.uncut()),
@@ -95,6 +96,8 @@ class Replay {
           iterations_(meanRestEdgeLength(uncut_->mesh)),
           camera_(sessionCamera(session, restBounds_)) {
         summary_.model = session.model.name();
+        std::ranges::for_each(model.remarks,
+                              [&](const std::string& sentence) { remark(sentence); });
         const gpu::DeviceInfo device = gpu::queryDevice();
         summary_.renderer = device.renderer;
         summary_.driver = device.version;
@@ -139,9 +142,7 @@ class Replay {
     }
     void take(const ScreenshotEvent& event) {
         pictureMs_ += outside_.measure([&] {
-            renderer_->draw(
-                sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses()), camera_,
-                event.width, event.height);
+            renderer_->draw(view(), camera_, event.width, event.height);
             writePicture(renderer_->readPicture(), folder_.pathOf(event.file));
             folder_.noteWritten(event.file);
         });
@@ -149,10 +150,12 @@ class Replay {
     void take(const ExportEvent& event) {
         outside_.measure([&] {
             const SurfaceMesh& mesh = simulation_.mesh();
+            const ExportTarget target{event.file, event.filePerPiece,
+                                      coordinatesOf(event, simulation_.placement()),
+                                      folder_.pathOf(event.file).parent_path()};
             for (const ExportedFile& file :
-                 encodeExport({event.file, event.filePerPiece,
-                               coordinatesOf(event, simulation_.placement())},
-                              mesh, simulation_.pieces(), carryUvs(uncut_->mesh, uvs_, mesh),
+                 encodeExport(target, mesh, simulation_.pieces(),
+                              {carried(looks_, uncut_->mesh, mesh), lookOf(session_)},
                               simulation_.placement())) {
                 folder_.write(file.file.generic_string(), file.bytes);
             }
@@ -163,6 +166,13 @@ class Replay {
     }
 
   private:
+    render::SceneView view() {
+        render::SceneView view =
+            sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses());
+        view.paint = session_.colors.showOwn() ? skin_.paintOf(simulation_) : nullptr;
+        return view;
+    }
+
     /// The model was placed otherwise: pictures are of another rest shape.
     void followPlacement() {
         uncut_ = simulation_.uncut();
@@ -319,7 +329,8 @@ class Replay {
     OutputFolder& folder_;
     SessionPlayer player_;
     RunFiles files_;
-    const std::vector<CornerUvs> uvs_;          ///< of the uncut body
+    const OwnLooks looks_;  ///< of the uncut body
+    SkinFollower skin_{looks_};
     std::optional<render::Renderer> renderer_;  ///< of a session with pictures
     Simulation simulation_;
     std::shared_ptr<const UncutBody> uncut_;  ///< that the pictures tell of

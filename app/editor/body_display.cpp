@@ -79,6 +79,7 @@ void addOverlays(const render::Overlays& overlays, const Simulation& simulation,
 void BodyDisplay::begin(const Document& document) {
     settings.colors = document.session.colors;
     settings.apart = 0;
+    settings.section.reset();
     hidden_.clear();
     hovered_ = -1;
 }
@@ -100,8 +101,13 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     render::SceneView view = scene.view();
     view.wireframe = settings.wireframe;
     view.cutLines = settings.cutLines;
+    view.field.choice = settings.field;
+    view.section = settings.section;
     view.hardEdges = settings.hardEdges;
-    view.look = render::colored(ownLook(scene), settings.colors);
+    view.look = look(scene);
+    if (!settings.colors.showOwn()) {
+        view.paint.reset();
+    }
     view.pieces = looksOf(bounds);
     if (settings.apart > 0) {
         view.focus = shownBounds(bounds, view.pieces);
@@ -124,6 +130,10 @@ Bounds BodyDisplay::boundsOf(const EditorScene& scene, int piece) const {
     }
     const std::vector<render::PieceLook> looks = looksOf(pieces);
     return looks.empty() ? pieces[index] : shifted(pieces[index], looks[index].shift);
+}
+
+render::BodyLook BodyDisplay::look(const EditorScene& scene) const {
+    return render::colored(ownLook(scene), settings.colors);
 }
 
 /// The look of each piece; empty where all look as always.
@@ -152,6 +162,7 @@ void BodyDisplay::describe(const EditorScene* scene, ui::PanelModel& model) cons
         render::colored(ownLook(*scene), {.look = settings.colors.look, .skin = {}, .flesh = {}});
     model.ownSkin = render::toDisplay(look.skin);
     model.ownFlesh = render::toDisplay(look.inner);
+    model.hasOwnColors = scene->document().looks.colored();
     model.hoveredPiece = hovered_;
     for (std::size_t p = 0; p < model.pieces.size(); ++p) {
         model.pieces[p].hidden = hidden_.contains(static_cast<int>(p));

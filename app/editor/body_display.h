@@ -32,6 +32,8 @@ class BodyDisplay {
     /// Those of one piece; empty where there is none of that number.
     Bounds boundsOf(const EditorScene& scene, int piece) const;
 
+    /// The look that the body is shown in, as far as it has no colours of its own.
+    render::BodyLook look(const EditorScene& scene) const;
     /// The scene with all that the person chose to see.
     render::SceneView viewOf(EditorScene& scene) const;
     /// Sets the settings, and of an open `scene` the colours of the model itself, and which rows of

@@ -58,6 +58,9 @@ void Editor::frame(double elapsedSeconds) {
     }
     s.advance(elapsedSeconds);
     s.followPlacement();
+    s.followThickness();
+    s.followMeasures();
+    s.followPieceSums();
     s.drawScene();
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
@@ -86,7 +89,7 @@ double Editor::idleSeconds() const {
     if (const DocumentLoading* opening = s.work.opening()) {
         return opening->preparing() ? kWorkPause : 0;
     }
-    if (s.work.saves() || s.chooser.previews()) {
+    if (s.work.saves() || s.chooser.previews() || (scene && scene->thickness().working())) {
         return kWorkPause;
     }
     const double rest = s.kernels.left() ? kWorkPause : kForever;
@@ -152,12 +155,13 @@ void Editor::State::advance(double elapsedSeconds) {
 void Editor::State::beginSteps() {
     EditorScene& s = *scene;
     if (!s.running()) {
-        clock.measure(false);
+        clock.stop();
         return;
     }
     view.display.join();
     s.timeRunsWhileCutting = panels.settings.now.timeRunsWhileCutting;
-    const int due = s.playing || s.pulling() ? clock.takeDue(s.simulation().params().timeStep) : 0;
+    const int passed = clock.takeDue(s.simulation().params().timeStep);
+    const int due = s.playing || s.pulling() ? passed : 0;
     const int needed = s.strokeSteps();
     const int most = std::max(due, std::min(s.seekSteps(), kMostSeekSteps));
     scene.begin(SceneWork::steps,
@@ -184,7 +188,7 @@ void Editor::State::goOn() {
     }
     showMessages();
     redraw.steps();
-    if (const std::optional<double> seconds = steps ? clock.measure(true) : std::nullopt) {
+    if (const std::optional<double> seconds = steps ? clock.measure() : std::nullopt) {
         scene->recordPicture(*seconds, renderMs);
         experiments.note(*scene);
     }
@@ -200,6 +204,7 @@ void Editor::State::showMessages() {
 void Editor::State::drawScene() {
     sincePicture.restart();
     EditorScene* const now = scene.meanwhile();
+    const render::FieldRange range = picture.fieldRange();
     if (now == nullptr || now->simulation().isWhole()) {
         const bool rests =
             now != nullptr && now->running() && clock.byTheClock() && picture.rests();
@@ -207,11 +212,37 @@ void Editor::State::drawScene() {
     } else {
         picture.keep(view);
     }
+    if (picture.fieldRange() != range) {
+        redraw.panels();  // The legend was drawn before.
+    }
 }
 
 void Editor::State::followPlacement() {
     if (scene != nullptr && !scene.underWay() && view.follow(*scene)) {
         picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
+        redraw.scene();
+    }
+}
+
+void Editor::State::followMeasures() {
+    if (scene == nullptr || scene.underWay() || !view.measures.any()) {
+        return;
+    }
+    if (const std::string word = view.measures.follow(*scene); !word.empty()) {
+        toast.show(word, false);
+    }
+}
+
+void Editor::State::followPieceSums() {
+    const bool wanted = view.display.settings.pieceDetails;
+    if (scene != nullptr && !scene.underWay() && scene->followPieceSums(wanted)) {
+        redraw.panels();
+    }
+}
+
+void Editor::State::followThickness() {
+    const bool wanted = view.display.settings.field.field == render::SurfaceField::thickness;
+    if (scene != nullptr && !scene.underWay() && scene->followThickness(wanted)) {
         redraw.scene();
     }
 }

@@ -30,6 +30,8 @@ void stopTools(State& s) {
 void cancel(State& s) {
     if (s.panels.helpOpen) {
         s.panels.helpOpen = false;
+    } else if (s.view.endsMeasuring()) {
+        s.redraw.panels();
     } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
         stopTools(s);
     }
@@ -197,6 +199,22 @@ void toggleApart(State& s) {
     apart = apart > 0 || s.scene->pieceCount() < 2 ? 0 : kApart;
 }
 
+void takeNextField(State& s) {
+    render::FieldChoice& choice = s.view.display.settings.field;
+    const int next = (static_cast<int>(choice.field) + 1) % render::kSurfaceFields;
+    choice = {static_cast<render::SurfaceField>(next), std::nullopt};
+}
+
+void toggleSection(State& s) {
+    std::optional<render::SectionPlane>& section = s.view.display.settings.section;
+    s.view.sectionTool.release();
+    if (section) {
+        section.reset();
+    } else {
+        section = sectionAcross(s.scene.meanwhile()->bounds(), s.view.camera.destination());
+    }
+}
+
 void toggleQuality(State& s) {
     render::Quality& quality = s.view.display.settings.quality;
     quality = quality == render::Quality::full ? render::Quality::light : render::Quality::full;
@@ -239,6 +257,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::toolGuillotine, Needs::scene, take<Tool::guillotine>},
     Handler{ActionId::toolGrab, Needs::scene, take<Tool::grab>},
     Handler{ActionId::toolPin, Needs::scene, take<Tool::pin>},
+    Handler{ActionId::toolMeasure, Needs::scene, take<Tool::measure>},
     Handler{ActionId::bringDown, Needs::scene,
             [](State& s) { s.view.bladeTool.bringDown(*s.scene.meanwhile()); }},
     Handler{ActionId::freePins, Needs::body, freePins},
@@ -278,6 +297,8 @@ constexpr std::array kHandlers{
     Handler{ActionId::showErrors, Needs::scene, toggleOverlay<&Overlays::errors>},
     Handler{ActionId::showContacts, Needs::scene, toggleOverlay<&Overlays::contacts>},
     Handler{ActionId::showBoxes, Needs::scene, toggleOverlay<&Overlays::boxes>},
+    Handler{ActionId::nextField, Needs::scene, takeNextField},
+    Handler{ActionId::section, Needs::scene, toggleSection},
     Handler{ActionId::fineQuality, Needs::scene, toggleQuality},
     Handler{ActionId::togglePanels, Needs::nothing, [](State& s) { s.panels.toggle(); }},
     Handler{ActionId::holdPlots, Needs::nothing, holdPlots},
@@ -302,7 +323,8 @@ bool needsBody(const ui::Action& action) {
     return std::visit(
         []<class Kind>(const Kind&) {
             return std::is_constructible_v<Command, Kind> ||
-                   isOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark>;
+                   isOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark,
+                           ui::ExportPieces>;
         },
         action);
 }
@@ -322,6 +344,18 @@ void exportPlots(State& s, bool asPicture) {
             writeOutputFile(file, text);
         });
     }
+}
+
+void exportMeasures(State& s) {
+    s.work.saveBehind("kerf-measures", ".csv",
+                      [text = ui::measuresAsCsv(s.view.measures.rows())](
+                          const std::filesystem::path& file) { writeOutputFile(file, text); });
+}
+
+void exportPieces(State& s) {
+    s.work.saveBehind("kerf-pieces", ".csv",
+                      [text = ui::piecesAsCsv(s.scene->measurePieces())](
+                          const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
 /// Where it is seen; what has no room beside the panels is brought into view with the body.
@@ -357,6 +391,14 @@ struct Answer {
     void operator()(const ui::SetSettings& to) const { s.panels.take(to.settings); }
     void operator()(const ui::SetPlotView& wanted) const { s.panels.plotView = wanted.view; }
     void operator()(const ui::ExportPlots& wanted) const { exportPlots(s, wanted.asPicture); }
+    void operator()(const ui::RemoveMeasure& removal) const {
+        if (removal.id == 0) {
+            s.view.measures.clear();
+        } else {
+            s.view.measures.remove(removal.id);
+        }
+    }
+    void operator()(const ui::ExportMeasures&) const { exportMeasures(s); }
     void operator()(const ui::OpenExperiment& wanted) const {
         s.open(gpu::dataPath("assets/sessions/" + wanted.name + ".kerf.json"));
     }
@@ -395,6 +437,7 @@ struct Answer {
     }
     void onBody(const ui::RemoveMark& removal) const { s.scene->removeMark(removal.id); }
     void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }
+    void onBody(const ui::ExportPieces&) const { exportPieces(s); }
     void onBody(const ui::FramePiece& wanted) const {
         const Bounds piece = s.view.display.boundsOf(*s.scene.meanwhile(), wanted.piece);
         if (!piece.empty()) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/editor/editor_state.h"
+#include "app/scene/section_pick.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -45,9 +46,11 @@ void Editor::State::describe(bool withOverlay) {
         }
     }
     view.display.describe(scene.meanwhile(), model);
+    model.fieldLegend = fieldLegend(withOverlay && !panels.interface.ownsPointer());
     model.axes = axesOf(view.camera.shown());
     model.orthographic = view.camera.shown().orthographic;
     model.tools = view.bladeTool.settings();
+    model.measures = view.measures.rows();
     model.speed = clock.speed();
     chooser.describe(model);
     model.work = work.state();
@@ -58,6 +61,23 @@ void Editor::State::describe(bool withOverlay) {
         model.question = asked->question;
     }
     toast.describe(model);
+}
+
+ui::FieldLegend Editor::State::fieldLegend(bool inView) {
+    ui::FieldLegend legend{view.display.settings.field.field, picture.fieldRange(), {}, ""};
+    if (legend.field == render::SurfaceField::look || scene == nullptr || scene.underWay()) {
+        return legend;
+    }
+    if (legend.field == render::SurfaceField::thickness) {
+        legend.note = scene->thickness().note(scene->simulation());
+    }
+    if (inView && view.display.settings.apart == 0) {
+        if (const auto point = pickVisible(*scene, view.frame().rayThrough(view.pointer),
+                                           view.display.settings.section)) {
+            legend.underPointer = picture.fieldAt(*scene, *point);
+        }
+    }
+    return legend;
 }
 
 /// A stroke by its poses; and what else takes long, which has no end that could be told.
@@ -74,7 +94,10 @@ ui::WorkState Editor::State::sceneWork() const {
                 left * perStep, static_cast<double>(cut.done) / static_cast<double>(cut.poses)};
     }
     if (scene.isAt(SceneWork::change) && scene.seconds() > kQuietSeconds) {
-        return {"Changing the body", "Waiting", scene.seconds()};
+        return {.title = "Changing the body",
+                .stage = "Waiting",
+                .seconds = scene.seconds(),
+                .mayEnd = false};
     }
     if (scene.isAt(SceneWork::steps) && perStep > kQuietSeconds) {
         return {fmt::format("A step takes {:.1f} s", perStep), "Computing", scene.seconds(),

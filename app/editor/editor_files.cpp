@@ -114,7 +114,7 @@ void Editor::State::save(const ChosenFile& chosen) {
     if (chosen.purpose == ui::FilePurpose::exportMesh) {
         const auto coordinates = chosen.inScene ? Coordinates::scene : Coordinates::model;
         work.save(startExport({chosen.file, chosen.filePerPiece, coordinates}, scene->document(),
-                              scene->simulation()));
+                              scene->simulation(), view.display.look(*scene)));
         return;
     }
     if (chosen.testGetsPicture) {

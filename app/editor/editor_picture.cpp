@@ -5,6 +5,9 @@
 #include <array>
 #include <utility>
 
+#include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
+
 namespace kerf::app {
 namespace {
 
@@ -21,6 +24,9 @@ void EditorPicture::drawScene(EditorScene& scene, const Shot& shot, bool transpa
     view.bright = shot.bright;
     renderer_.setQuality(shot.display.settings.quality);
     renderer_.draw(view, shot.frame.camera, shot.frame.width, shot.frame.height);
+    if (view.field.choice.field != render::SurfaceField::look) {
+        fieldRange_ = renderer_.fieldRange();
+    }
 }
 
 void EditorPicture::fit(const EditorView& view) {
@@ -63,6 +69,25 @@ void EditorPicture::draw(EditorScene* scene, const EditorView& view,
         drawn_ = std::move(shot);
     }
     renderer_.target().blitColorTo(target_);  // The panels move while the scene stands still.
+}
+
+std::optional<double> EditorPicture::fieldAt(EditorScene& scene, const SurfacePoint& point) const {
+    const SurfaceMesh& mesh = scene.simulation().meshAsRead();
+    const Triangle& corners = mesh.triangle(point.triangle);
+    const bool onWall = mesh.kind(point.triangle) == SurfaceKind::wall;
+    const auto [a, b, c] = cornersOf(mesh, point.triangle);
+    const Vec3 shares = closestWeights(point.position, a, b, c);
+    double value = 0;
+    for (int i = 0; i < 3; ++i) {
+        const auto vertex = static_cast<std::uint32_t>(corners[i]);
+        const std::optional<float> at =
+            renderer_.fieldAt(scene.simulation().bodyRevision(), vertex, onWall);
+        if (!at) {
+            return std::nullopt;
+        }
+        value += shares[i] * *at;
+    }
+    return value;
 }
 
 render::Image EditorPicture::readScene(EditorScene& scene, const EditorView& view) {

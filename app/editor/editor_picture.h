@@ -35,6 +35,12 @@ class EditorPicture {
     /// Time that the scene took to draw since the last call [ms].
     double takeSceneMilliseconds() { return sceneTimer_.takeMilliseconds(); }
 
+    /// What the colours of the last picture reach from and to, where they show a quantity.
+    const render::FieldRange& fieldRange() const { return fieldRange_; }
+    /// The value of that quantity at a point of the surface as it is; none where the picture is
+    /// older, or the quantity has none there (waits for the GPU).
+    std::optional<double> fieldAt(EditorScene& scene, const SurfacePoint& point) const;
+
     /// A copy of target() in main memory.
     render::Image read() const { return {target_.width(), target_.height(), target_.readColor()}; }
     /// The scene alone, without panels and background.
@@ -55,6 +61,7 @@ class EditorPicture {
     render::Renderer renderer_;
     gpu::Timer sceneTimer_;
     gpu::Framebuffer target_;
+    render::FieldRange fieldRange_;
     double drawSeconds_ = 0;  ///< that the last picture of the scene took
     Stopwatch sinceDrawn_;
     std::optional<Shot> drawn_;  ///< the picture of the scene that the renderer holds

@@ -76,6 +76,12 @@ struct Editor::State {
     void goOn();
     void showMessages();
     void drawScene();
+    /// Has the pieces added up where their list has all columns.
+    void followPieceSums();
+    /// Lets the measures go on with the body.
+    void followMeasures();
+    /// Has the thickness of the body worked out where the colours show it.
+    void followThickness();
     /// Lets view and picture follow a model that was placed otherwise.
     void followPlacement();
     void saveScreenshot();
@@ -124,6 +130,8 @@ struct Editor::State {
     void describe(bool withOverlay);
     void describeScene();
     ui::WorkState sceneWork() const;
+    /// The legend of the colours, with the value under the pointer where the scene rests.
+    ui::FieldLegend fieldLegend(bool inView);
     /// The title of the window.
     std::string title() const;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scene/section_pick.h"
+
 namespace kerf::app {
 namespace {
 
@@ -23,6 +25,7 @@ bool EditorView::resize(int newWidth, int newHeight) {
 void EditorView::begin(const EditorScene& scene) {
     camera = EditorCamera(scene.homeView());
     display.begin(scene.document());
+    measures.clear();
     bladeTool.fitTo(scene.bounds());
     pullTool = {};
     placement_ = scene.placementRevision();
@@ -71,6 +74,11 @@ void EditorView::move(const ui::PointerMove& move, EditorScene* scene) {
     if (turned) {
         camera.keepNear(scene->bounds());
     }
+    if (sectionTool.holds() && display.settings.section) {
+        display.settings.section =
+            sectionTool.moved(frame(), pointer, *display.settings.section, scene->bounds());
+        return;
+    }
     bladeTool.move(frame(), pointer, move.modifiers.shift, *scene);
     pullTool.move(frame(), pointer, *scene);
 }
@@ -79,12 +87,41 @@ std::string EditorView::press(const ui::ButtonChange& change, EditorScene* scene
     if (holds() || camera.press(change) || change.button != ui::Button::left || scene == nullptr) {
         return "";
     }
+    if (pressSection(*scene)) {
+        return "";
+    }
     const ui::ToolSettings& settings = bladeTool.settings();
     if (display.join() && settings.tool != ui::Tool::stroke) {
         return "";  // What was aimed at is elsewhere.
     }
+    if (settings.tool == ui::Tool::measure) {
+        pressMeasure(*scene);
+        return "";
+    }
     bladeTool.press(frame(), pointer, *scene);
     return pullTool.press(frame(), pointer, settings, change.modifiers, *scene);
+}
+
+bool EditorView::pressSection(const EditorScene& scene) {
+    const std::optional<render::SectionPlane>& section = display.settings.section;
+    return section && sectionTool.press(frame(), pointer, *section, scene.bounds());
+}
+
+void EditorView::pressMeasure(EditorScene& scene) {
+    const auto point = pickVisible(scene, frame().rayThrough(pointer), display.settings.section);
+    if (point) {
+        measures.click(bladeTool.settings().measure, *point, scene);
+    }
+}
+
+bool EditorView::endsMeasuring() {
+    if (bladeTool.settings().tool != ui::Tool::measure) {
+        return false;
+    }
+    if (!measures.dropPending()) {
+        bladeTool.choose(ui::Tool::stroke);
+    }
+    return true;
 }
 
 std::string EditorView::release(ui::Button button, EditorScene* scene) {
@@ -92,6 +129,7 @@ std::string EditorView::release(ui::Button button, EditorScene* scene) {
     if (button != ui::Button::left || scene == nullptr) {
         return "";
     }
+    sectionTool.release();
     bladeTool.release(*scene);
     return pullTool.release(frame(), *scene);
 }
@@ -109,18 +147,20 @@ void EditorView::zoom(double notches, EditorScene* scene) {
 void EditorView::setTools(const ui::ToolSettings& settings, EditorScene& scene) {
     if (settings.tool != bladeTool.settings().tool) {
         display.join();
+        measures.dropPending();
         pullTool.cancel(scene);
     }
     bladeTool.set(settings, scene);
 }
 
 void EditorView::cancelTools(EditorScene& scene) {
+    sectionTool.release();
     bladeTool.cancel(scene);
     pullTool.cancel(scene);
 }
 
 ui::Cursor EditorView::cursor(const ui::Overlay& overlay) const {
-    if (camera.dragging() || pullTool.holds()) {
+    if (camera.dragging() || pullTool.holds() || sectionTool.holds()) {
         return ui::Cursor::hand;
     }
     const bool onHandle = std::ranges::any_of(overlay.handles, &ui::Overlay::Handle::hot);
@@ -132,6 +172,7 @@ ui::Cursor EditorView::cursor(const ui::Overlay& overlay) const {
         case ui::Tool::stroke:
         case ui::Tool::scalpel:
         case ui::Tool::pin:
+        case ui::Tool::measure:
             break;
     }
     return ui::Cursor::crosshair;
@@ -139,11 +180,15 @@ ui::Cursor EditorView::cursor(const ui::Overlay& overlay) const {
 
 ui::Overlay EditorView::overlay(bool inView, bool looks, EditorScene& scene) const {
     const Vec2 at = inView ? pointer : kNowhere;
-    if (!looks) {
-        return bladeTool.swept(frame(), scene.stroke());
+    ui::Overlay overlay =
+        looks ? bladeTool.overlay(frame(), at, scene) : BladeTool::swept(frame(), scene.stroke());
+    if (looks) {
+        pullTool.addTo(overlay, frame(), at, bladeTool.settings(), scene);
     }
-    ui::Overlay overlay = bladeTool.overlay(frame(), at, scene);
-    pullTool.addTo(overlay, frame(), at, bladeTool.settings(), scene);
+    measures.addTo(overlay, frame(), at);
+    if (display.settings.section) {
+        sectionTool.addTo(overlay, frame(), at, *display.settings.section, scene.bounds());
+    }
     return overlay;
 }
 

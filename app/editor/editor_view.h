@@ -5,7 +5,9 @@
 #include "app/editor/body_display.h"
 #include "app/tools/blade_tool.h"
 #include "app/tools/editor_camera.h"
+#include "app/tools/measure_list.h"
 #include "app/tools/pull_tool.h"
+#include "app/tools/section_tool.h"
 #include "ui/cursor.h"
 #include "ui/layout.h"
 
@@ -23,6 +25,8 @@ struct EditorView {
     BodyDisplay display;
     BladeTool bladeTool;
     PullTool pullTool;
+    SectionTool sectionTool;
+    MeasureList measures;
 
     /// The camera looks at the middle of what the panels leave free.
     ViewFrame frame() const;
@@ -45,10 +49,13 @@ struct EditorView {
     void zoom(double notches, EditorScene* scene);
 
     // The tools of its left button.
-    /// Whether a stroke or a pull is under way.
-    bool holds() const { return bladeTool.holds() || pullTool.holds(); }
+    /// Whether a stroke or a pull is under way, or a handle is held.
+    bool holds() const { return bladeTool.holds() || pullTool.holds() || sectionTool.holds(); }
     /// Takes another tool, which lets go, or another depth.
     void setTools(const ui::ToolSettings& settings, EditorScene& scene);
+    /// Esc while one measures: forgets the points so far, or else takes the stroke again. False
+    /// where nobody measures.
+    bool endsMeasuring();
     /// Gives up the stroke and lets go of everything.
     void cancelTools(EditorScene& scene);
     /// The shape of the pointer over the view, where the tools show `overlay`.
@@ -58,6 +65,9 @@ struct EditorView {
     ui::Overlay overlay(bool inView, bool looks, EditorScene& scene) const;
 
   private:
+    bool pressSection(const EditorScene& scene);
+    void pressMeasure(EditorScene& scene);
+
     int placement_ = 0;  ///< EditorScene::placementRevision() that is shown
     Bounds restBounds_;  ///< of the body then [m]
 };

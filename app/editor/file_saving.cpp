@@ -13,7 +13,8 @@ namespace {
 struct ExportInput {
     ExportTarget target;
     SurfaceMesh uncut;
-    std::vector<CornerUvs> uvs;  ///< of it
+    OwnLooks own;  ///< of it
+    render::BodyLook look;
     SurfaceMesh mesh;
     Placement placement;
 };
@@ -22,10 +23,10 @@ std::string exportBody(const ExportInput& input, WorkProgress& progress) {
     progress.enter("Looking for the pieces");
     const PieceMap pieces = findPieces(input.mesh);
     progress.enter("Carrying the texture along");
-    const std::vector<CornerUvs> uvs = carryUvs(input.uncut, input.uvs, input.mesh);
+    const ExportLooks looks{carried(input.own, input.uncut, input.mesh), input.look};
     progress.enter("Encoding");
     const std::vector<ExportedFile> files =
-        encodeExport(input.target, input.mesh, pieces, uvs, input.placement);
+        encodeExport(input.target, input.mesh, pieces, looks, input.placement);
     progress.enter("Writing");
     for (const ExportedFile& file : files) {
         writeOutputFile(file.file, file.bytes);
@@ -39,12 +40,12 @@ std::string exportBody(const ExportInput& input, WorkProgress& progress) {
 }  // namespace
 
 std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
-                                        Simulation& simulation) {
-    const bool textured = !document.uvs.empty();
+                                        Simulation& simulation, const render::BodyLook& look) {
+    const bool hasLooks = !document.looks.skin.empty();
     const std::string title = "Exporting " + target.file.filename().string();
     auto input = std::make_shared<const ExportInput>(
-        ExportInput{std::move(target), textured ? simulation.uncut()->mesh : SurfaceMesh{},
-                    document.uvs, simulation.mesh(), simulation.placement()});
+        ExportInput{std::move(target), hasLooks ? simulation.uncut()->mesh : SurfaceMesh{},
+                    document.looks, look, simulation.mesh(), simulation.placement()});
     return std::make_unique<FileSaving>(
         title, [input](WorkProgress& progress) { return exportBody(*input, progress); });
 }

@@ -21,9 +21,9 @@ struct FileSaving : BackgroundJob<std::string> {
     std::string title;  ///< "Exporting slice.obj"
 };
 
-/// Begins to export the body as it is now.
+/// Begins to export the body as it is now. `look`: what it is shown in.
 std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
-                                        Simulation& simulation);
+                                        Simulation& simulation, const render::BodyLook& look);
 /// Begins to write a session.
 std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved);
 /// Begins to write a session and what a run of it comes out like, which takes as long as that.

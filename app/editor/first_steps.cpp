@@ -134,6 +134,8 @@ Hint FirstSteps::beforeStroke(const Situation& now) const {
                 "Drag over the model and what is under the brush stays in place. Shift+drag "
                 "pins a box, Ctrl+drag frees.",
                 {}};
+        case Tool::measure:
+            return {"Click on the body. Esc ends it.", {}};
     }
     return {};
 }

@@ -6,7 +6,6 @@
 
 #include "app/scene/editor_scene.h"
 #include "sim/base/pausing.h"
-#include "sim/base/stopwatch.h"
 
 namespace kerf::app {
 namespace {
@@ -36,28 +35,31 @@ int StepClock::takeDue(double timeStep) {
 }
 
 void StepClock::run(EditorScene& scene, int needed, int due) {
-    const Stopwatch watch;
-    const double pausedBefore = pausedSeconds();
+    const WorkWatch watch;
     int done = 0;
-    const auto seconds = [&] { return watch.seconds() - (pausedSeconds() - pausedBefore); };
     const auto mayGoOn = [&] {
         const double budget = done < needed ? kNeededBudgetSeconds : kStepBudgetSeconds;
-        return !byTheClock_ || done == 0 || seconds() < budget;
+        return !byTheClock_ || done == 0 || watch.seconds() < budget;
     };
     for (; done < std::max(needed, due) && mayGoOn(); ++done) {
         scene.step();
     }
-    secondsPerStep_ = done > 0 ? seconds() / done : secondsPerStep_;
+    secondsPerStep_ = done > 0 ? watch.seconds() / done : secondsPerStep_;
 }
 
 double StepClock::portion() const {
     return byTheClock_ ? portion_ : std::numeric_limits<double>::infinity();
 }
 
-std::optional<double> StepClock::measure(bool ran) {
-    // Only between two pictures that both showed steps: a pause in between is no frame time.
+void StepClock::stop() {
+    due_ = 0;
+    sinceDue_ = 0;
+    ranBefore_ = false;
+}
+
+std::optional<double> StepClock::measure() {
     const double seconds = std::exchange(sinceShown_, 0);
-    const bool isFrame = std::exchange(ranBefore_, ran) && ran && seconds > 0;
+    const bool isFrame = std::exchange(ranBefore_, true) && seconds > 0;
     return isFrame ? std::optional(seconds) : std::nullopt;
 }
 

@@ -33,12 +33,12 @@ class StepClock {
     double portion() const;
     /// How long a step took when one was last run [s].
     double secondsPerStep() const { return secondsPerStep_; }
-    /// Forgets what is due, since time stands still.
-    void stop() { due_ = 0; }
+    /// Time stands still: nothing is due, and the next steps to be seen end no frame.
+    void stop();
 
-    /// Notes that new steps are to be seen (`ran`), or that none are due. Returns the frame time
-    /// where steps were to be seen before as well [s].
-    std::optional<double> measure(bool ran);
+    /// Notes that new steps are to be seen. Returns the frame time where time has not stood still
+    /// since steps were to be seen before [s].
+    std::optional<double> measure();
 
   private:
     bool byTheClock_;

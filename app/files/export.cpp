@@ -1,14 +1,18 @@
 #include "app/files/export.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <iterator>
 #include <tuple>
 #include <vector>
 
+#include "app/files/companion_names.h"
 #include "app/files/export_gltf.h"
-#include "app/files/export_mesh.h"
 #include "app/files/file_io.h"
+#include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::app {
@@ -26,6 +30,11 @@ void append(std::string& bytes, const Vec3f& v) {
     bytes.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(float));
 }
 
+bool hasSkinUvs(const ExportMesh& mesh) {
+    return std::ranges::any_of(
+        mesh.faces, [](const ExportFace& face) { return !face.cut && face.uvs[0] >= 0; });
+}
+
 /// As MeshLab has them: two numbers a corner; none on the faces of cuts, since readers that keep
 /// one pair a vertex would take theirs.
 void appendTexcoord(std::string& bytes, const ExportMesh& mesh, const ExportFace& face) {
@@ -36,20 +45,48 @@ void appendTexcoord(std::string& bytes, const ExportMesh& mesh, const ExportFace
     }
 }
 
-std::string encodePly(const ExportMesh& mesh) {
-    std::string bytes =
-        "ply\nformat binary_little_endian 1.0\ncomment Kerf, " + mesh.coordinates +
-        "\nelement vertex " + std::to_string(mesh.positions.size()) +
-        "\nproperty float x\nproperty float y\nproperty float z\n"
-        "property float nx\nproperty float ny\nproperty float nz\n"
-        "element face " +
-        std::to_string(mesh.faces.size()) +
-        "\nproperty list uchar int vertex_indices\nproperty int piece\nproperty uchar cut\n" +
-        (mesh.uvs.empty() ? "" : "property list uchar float texcoord\n") + "end_header\n";
+/// From linear light to a byte for displays.
+std::uint8_t displayByte(double linear) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(linear, 0.0, 1.0)));
+}
+
+void appendColor(std::string& bytes, const Eigen::Vector4f& color) {
+    for (const double part : render::toDisplay(color.head<3>().cwiseMin(1).cwiseMax(0))) {
+        append(bytes, displayByte(part));
+    }
+    append(bytes, displayByte(color.w()));
+}
+
+/// What a PLY file has besides the shape.
+struct PlyLooks {
+    std::vector<Eigen::Vector4f> colors{};  ///< of the vertices, linear; or none
+    std::string image{};                    ///< the name of its file, or ""
+};
+
+std::string plyHeader(const ExportMesh& mesh, const PlyLooks& looks) {
+    return "ply\nformat binary_little_endian 1.0\ncomment Kerf, " + mesh.coordinates + "\n" +
+           (looks.image.empty() ? "" : "comment TextureFile " + looks.image + "\n") +
+           "element vertex " + std::to_string(mesh.positions.size()) +
+           "\nproperty float x\nproperty float y\nproperty float z\n"
+           "property float nx\nproperty float ny\nproperty float nz\n" +
+           (looks.colors.empty() ? ""
+                                 : "property uchar red\nproperty uchar green\n"
+                                   "property uchar blue\nproperty uchar alpha\n") +
+           "element face " + std::to_string(mesh.faces.size()) +
+           "\nproperty list uchar int vertex_indices\nproperty int piece\nproperty uchar cut\n" +
+           (hasSkinUvs(mesh) ? "property list uchar float texcoord\n" : "") + "end_header\n";
+}
+
+std::string encodePly(const ExportMesh& mesh, const PlyLooks& looks = {}) {
+    std::string bytes = plyHeader(mesh, looks);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         append(bytes, mesh.positions[v]);
         append(bytes, mesh.normals[v]);
+        if (!looks.colors.empty()) {
+            appendColor(bytes, looks.colors[v]);
+        }
     }
+    const bool textured = hasSkinUvs(mesh);
     for (const ExportFace& face : mesh.faces) {
         append(bytes, std::uint8_t{3});
         for (const int corner : face.corners) {
@@ -57,7 +94,7 @@ std::string encodePly(const ExportMesh& mesh) {
         }
         append(bytes, std::int32_t{face.piece});
         append(bytes, std::uint8_t{face.cut});
-        if (!mesh.uvs.empty()) {
+        if (textured) {
             appendTexcoord(bytes, mesh, face);
         }
     }
@@ -74,31 +111,74 @@ void appendObjVector(std::string& text, const char* keyword, const Vector& v) {
     text += '\n';
 }
 
-std::string encodeObj(ExportMesh mesh) {
-    const auto byGroup = [](const ExportFace& a, const ExportFace& b) {
-        return std::tie(a.piece, a.cut) < std::tie(b.piece, b.cut);
+/// Positions, with the colours of displays behind them where there are some.
+void appendObjPositions(std::string& text, const ExportMesh& mesh) {
+    if (mesh.colors.empty()) {
+        for (const Vec3f& p : mesh.positions) appendObjVector(text, "v", p);
+        return;
+    }
+    const std::vector<Eigen::Vector4f> colors = vertexColors(mesh, false);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const Vec3f& p = mesh.positions[v];
+        const Vec3f c = render::toDisplay(colors[v].head<3>()).cast<float>();
+        appendObjVector(text, "v", std::array{p.x(), p.y(), p.z(), c.x(), c.y(), c.z()});
+    }
+}
+
+void appendObjFace(std::string& text, const ExportFace& face) {
+    text += 'f';
+    for (int i = 0; i < 3; ++i) {
+        const std::string index = std::to_string(face.corners[i] + 1);
+        const std::string uv = face.uvs[i] < 0 ? "" : std::to_string(face.uvs[i] + 1);
+        text.append(" ").append(index).append("/").append(uv).append("/").append(index);
+    }
+    text += '\n';
+}
+
+/// `materials`: the name of the file that has them; "" for none.
+std::string encodeObj(ExportMesh mesh, const std::string& materials = "") {
+    const auto keyOf = [](const ExportFace& face) {
+        return std::tuple(face.piece, face.cut, face.material);
     };
-    std::stable_sort(mesh.faces.begin(), mesh.faces.end(), byGroup);
+    std::ranges::stable_sort(mesh.faces, {}, keyOf);
     std::string text = "# Kerf, " + mesh.coordinates + "\n";
-    for (const Vec3f& p : mesh.positions) appendObjVector(text, "v", p);
+    text += materials.empty() ? "" : "mtllib " + materials + "\n";
+    appendObjPositions(text, mesh);
     for (const Eigen::Vector2f& uv : mesh.uvs) appendObjVector(text, "vt", uv);
     for (const Vec3f& n : mesh.normals) appendObjVector(text, "vn", n);
     const ExportFace* last = nullptr;
     for (const ExportFace& face : mesh.faces) {
-        if (last == nullptr || last->piece != face.piece) {
+        const bool otherPiece = last == nullptr || last->piece != face.piece;
+        if (otherPiece) {
             text += "o piece_" + std::to_string(face.piece + 1) + "\n";
         }
-        if (last == nullptr || last->piece != face.piece || last->cut != face.cut) {
+        if (otherPiece || last->cut != face.cut) {
             text += face.cut ? "g cut\n" : "g skin\n";
         }
-        text += 'f';
-        for (int i = 0; i < 3; ++i) {
-            const std::string index = std::to_string(face.corners[i] + 1);
-            const std::string uv = face.uvs[i] < 0 ? "" : std::to_string(face.uvs[i] + 1);
-            text.append(" ").append(index).append("/").append(uv).append("/").append(index);
+        if (!materials.empty() && (otherPiece || last->material != face.material)) {
+            text += "usemtl " + mesh.materials[face.material].name + "\n";
         }
-        text += '\n';
+        appendObjFace(text, face);
         last = &face;
+    }
+    return text;
+}
+
+/// `images`: the names of their files.
+std::string encodeMtl(const std::vector<render::Material>& materials,
+                      const std::vector<std::string>& images) {
+    std::string text = "# " + std::string(kCompanionMark) + ", materials\n";
+    for (const render::Material& material : materials) {
+        const float shine = 30 * (1 - material.roughness);
+        text += "newmtl " + material.name + "\n";
+        appendObjVector(text, "Kd", Vec3f(material.baseColor.head<3>()));
+        text += "d " + formatNumber(material.baseColor.w()) + "\n";
+        text += "Ns " + formatNumber(shine * shine) + "\n";
+        text += "Pr " + formatNumber(material.roughness) + "\n";
+        text += "Pm " + formatNumber(material.metallic) + "\nillum 2\n";
+        if (material.image >= 0) {
+            text += "map_Kd " + images[material.image] + "\n";
+        }
     }
     return text;
 }
@@ -147,9 +227,10 @@ SurfaceMesh inModel(SurfaceMesh mesh, const Placement& placement) {
     return mesh;
 }
 
-ExportMesh gatherInModel(const SurfaceMesh& mesh, const PieceMap& pieces,
-                         const std::vector<CornerUvs>& uvs, const Placement& placement) {
-    ExportMesh gathered = gatherMesh(inModel(mesh, placement), pieces, uvs);
+ExportMesh gatherInModel(const SurfaceMesh& mesh, const PieceMap& pieces, const ExportLooks& looks,
+                         const Placement& placement) {
+    const double unitsPerMetre = 1 / (placement.metresPerUnit() * placement.scale);
+    ExportMesh gathered = gatherMesh(inModel(mesh, placement), pieces, looks, unitsPerMetre);
     gathered.coordinates = "coordinates of the model";
     if (placement.unit) {
         gathered.coordinates.append(", ").append(nameOf(*placement.unit));
@@ -157,30 +238,161 @@ ExportMesh gatherInModel(const SurfaceMesh& mesh, const PieceMap& pieces,
     return gathered;
 }
 
+/// Only materials that faces have, in their order: others would be told of in vain.
+ExportMesh withoutUnused(ExportMesh mesh) {
+    std::vector<int> numbers(mesh.materials.size(), -1);
+    for (const ExportFace& face : mesh.faces) {
+        numbers[face.material] = 0;
+    }
+    std::vector<render::Material> used;
+    for (std::size_t m = 0; m < numbers.size(); ++m) {
+        if (numbers[m] == 0) {
+            numbers[m] = static_cast<int>(used.size());
+            used.push_back(mesh.materials[m]);
+        }
+    }
+    for (ExportFace& face : mesh.faces) {
+        face.material = numbers[face.material];
+    }
+    mesh.materials = std::move(used);
+    return mesh;
+}
+
+/// With the ending of its kind.
+std::string fileNameOf(const render::ModelImage& image) {
+    const std::string kind(render::endingOf(render::kindOfImage(image.bytes)));
+    std::string ending = lowerCase(std::filesystem::path(image.name).extension().string());
+    ending = ending == ".jpeg" ? ".jpg" : ending;
+    return ending == kind ? image.name : image.name + kind;
+}
+
+/// Writes the files of one export, and what they refer to.
+class ExportWriter {
+  public:
+    ExportWriter(const ExportTarget& target, const ExportMesh& whole)
+        : target_(target),
+          whole_(whole),
+          format_(*meshFormatOf(target.file)),
+          names_(target.folder.empty() ? folderOf(target.file) : target.folder) {
+        if (format_ != MeshFormat::stl && format_ != MeshFormat::glb) {
+            addImages();
+        }
+        if (format_ == MeshFormat::obj) {
+            materials_ = addCompanion(target.file.stem().string() + ".mtl",
+                                      encodeMtl(whole.materials, images_));
+        }
+    }
+
+    void add(const std::filesystem::path& file, const ExportMesh& mesh) {
+        files_.push_back({file, encodeBeside(file, mesh)});
+    }
+
+    std::vector<ExportedFile> takeFiles() {
+        std::ranges::move(companions_, std::back_inserter(files_));
+        return std::move(files_);
+    }
+
+  private:
+    static std::filesystem::path folderOf(const std::filesystem::path& file) {
+        return file.has_parent_path() ? file.parent_path() : ".";
+    }
+
+    std::string encodeBeside(const std::filesystem::path& file, const ExportMesh& mesh) {
+        if (format_ == MeshFormat::ply) {
+            return encodePly(mesh, {vertexColors(mesh, true), onlyImage()});
+        }
+        if (format_ == MeshFormat::obj) {
+            return encodeObj(mesh, materials_);
+        }
+        if (format_ == MeshFormat::gltf) {
+            return encodeGltfBeside(mesh, images_, [&](std::string bytes) {
+                return addCompanion(file.stem().string() + ".bin", std::move(bytes));
+            });
+        }
+        return encode(mesh, format_);
+    }
+
+    /// Those that materials show; the others have no name.
+    void addImages() {
+        images_.resize(whole_.appearance ? whole_.appearance->images.size() : 0);
+        for (const render::Material& material : whole_.materials) {
+            if (material.image >= 0 && images_[material.image].empty()) {
+                const render::ModelImage& image = whole_.appearance->images[material.image];
+                images_[material.image] = addCompanion(fileNameOf(image), image.bytes);
+            }
+        }
+    }
+
+    /// A .ply names one image for the whole mesh.
+    std::string onlyImage() const {
+        const auto isShown = [](const std::string& name) { return !name.empty(); };
+        const bool one = std::ranges::count_if(images_, isShown) == 1;
+        return one ? *std::ranges::find_if(images_, isShown) : "";
+    }
+
+    std::string addCompanion(const std::string& wanted, std::string bytes) {
+        std::string name = freeAmongOurs(wanted, bytes);
+        const std::filesystem::path file = target_.file.parent_path() / name;
+        const bool known =
+            std::ranges::find(companions_, file, &ExportedFile::file) != companions_.end();
+        if (!known && !names_.isThere(name, bytes)) {
+            companions_.push_back({file, std::move(bytes)});
+        }
+        return name;
+    }
+
+    /// Two images of a model may have one name.
+    std::string freeAmongOurs(const std::string& wanted, const std::string& bytes) const {
+        std::string name = names_.nameFor(wanted, bytes);
+        for (int number = 2; isOther(name, bytes); ++number) {
+            name = names_.nameFor(std::to_string(number) + "-" + wanted, bytes);
+        }
+        return name;
+    }
+    bool isOther(const std::string& name, const std::string& bytes) const {
+        const auto isTaken = [&](const ExportedFile& file) {
+            return file.file.filename() == name && file.bytes != bytes;
+        };
+        return std::ranges::any_of(companions_, isTaken) || target_.file.filename() == name;
+    }
+
+    const ExportTarget& target_;
+    const ExportMesh& whole_;
+    MeshFormat format_;
+    CompanionNames names_;
+    std::vector<std::string> images_;  // the names of their files; "" for those not written
+    std::string materials_;
+    std::vector<ExportedFile> files_;
+    std::vector<ExportedFile> companions_;
+};
+
 }  // namespace
 
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
-                       const std::vector<CornerUvs>& uvs) {
-    return encode(gatherMesh(mesh, pieces, uvs), format);
+                       const ExportLooks& looks) {
+    return encode(gatherMesh(mesh, pieces, looks), format);
 }
 
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
-                                       const PieceMap& pieces, const std::vector<CornerUvs>& uvs,
+                                       const PieceMap& pieces, const ExportLooks& looks,
                                        const Placement& placement) {
-    const MeshFormat format = *meshFormatOf(target.file);
-    const ExportMesh whole = target.coordinates == Coordinates::scene
-                                 ? gatherMesh(mesh, pieces, uvs)
-                                 : gatherInModel(mesh, pieces, uvs, placement);
-    std::vector<ExportedFile> files;
+    const ExportMesh whole = withoutUnused(target.coordinates == Coordinates::scene
+                                               ? gatherMesh(mesh, pieces, looks)
+                                               : gatherInModel(mesh, pieces, looks, placement));
+    ExportWriter writer(target, whole);
     if (!target.filePerPiece) {
-        files.push_back({target.file, encode(whole, format)});
-        return files;
+        writer.add(target.file, whole);
+        return writer.takeFiles();
     }
     for (int piece = 0; piece < static_cast<int>(pieces.pieces.size()); ++piece) {
         const auto belongs = [&](const ExportFace& face) { return face.piece == piece; };
-        files.push_back({pieceFile(target.file, piece), encode(partOf(whole, belongs), format)});
+        writer.add(pieceFile(target.file, piece), partOf(whole, belongs));
     }
-    return files;
+    return writer.takeFiles();
+}
+
+OwnLooks carried(const OwnLooks& looks, const SurfaceMesh& uncut, const SurfaceMesh& cut) {
+    return {carrySkin(uncut, looks.skin, cut), looks.appearance};
 }
 
 std::filesystem::path pieceFile(const std::filesystem::path& file, int piece) {

@@ -5,26 +5,26 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/export_mesh.h"
 #include "app/files/mesh_formats.h"
 #include "sim/base/placement.h"
-#include "sim/mesh/corner_uvs.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::app {
 
 /// The living triangles at their current positions and the vertices that they use, as the bytes of
-/// a file. `pieces` must be those of `mesh`; `uvs` its texture coordinates by slot (see carryUvs),
-/// or empty. Pieces and the faces of cuts can be told apart:
+/// a file that stands alone. `pieces` must be those of `mesh`; the skin of `looks` is by slot of it
+/// (see carrySkin). Pieces and the faces of cuts can be told apart:
 /// - ply: binary little-endian; x y z nx ny nz per vertex, `piece` (int) and `cut` (uchar, 1 on the
 ///   faces that a cut made) per face; vertices are shared inside a piece. Texture coordinates
-///   stand with the faces (`texcoord`, empty on the faces of cuts).
-/// - obj: an object per piece with the groups `skin` and `cut`.
-/// - stl: binary; the attribute word of a triangle is its piece; without texture coordinates.
-/// - glb, gltf: glTF 2.0, a node and a mesh per piece with a primitive for each of the materials
-///   `skin` and `cut`; in a .gltf the buffer is part of the file.
+///   stand with the faces (`texcoord`, empty on the faces of cuts). No colours.
+/// - obj: an object per piece with the groups `skin` and `cut`; no materials.
+/// - stl: binary; the attribute word of a triangle is its piece; no looks at all.
+/// - glb, gltf: glTF 2.0, a node and a mesh per piece with a primitive per material, and all images
+///   in the file.
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
-                       const std::vector<CornerUvs>& uvs = {});
+                       const ExportLooks& looks = {});
 
 /// The coordinates that a mesh is written in.
 enum class Coordinates {
@@ -39,16 +39,24 @@ struct ExportTarget {
     std::filesystem::path file;
     bool filePerPiece = false;  ///< named by pieceFile()
     Coordinates coordinates = Coordinates::scene;
+    /// The folder that `file` will lie in, where its own path does not say.
+    std::filesystem::path folder{};
 };
 struct ExportedFile {
     std::filesystem::path file;
     std::string bytes;
 };
-/// encodeMesh() of the whole body or of each piece. `placement` is how the numbers of the model's
-/// file became the metres of `mesh`; what has not moved at all has exactly its own again.
+/// encodeMesh() of the whole body or of each piece, and behind these the files that they refer to,
+/// as far as those are not there yet: an .mtl and images beside an .obj, a .bin and images beside a
+/// .gltf, the image beside a .ply that has one. A .ply has the colours of its vertices (see
+/// vertexColors). `placement` is how the numbers of the model's file became the metres of `mesh`;
+/// what has not moved at all has exactly its own again.
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
-                                       const PieceMap& pieces, const std::vector<CornerUvs>& uvs,
+                                       const PieceMap& pieces, const ExportLooks& looks,
                                        const Placement& placement = {});
+
+/// The looks of an uncut body, carried along to what was cut out of it.
+OwnLooks carried(const OwnLooks& looks, const SurfaceMesh& uncut, const SurfaceMesh& cut);
 
 /// The file of a piece where each piece gets one: "slice.obj" becomes "slice-1.obj" for piece 0.
 std::filesystem::path pieceFile(const std::filesystem::path& file, int piece);

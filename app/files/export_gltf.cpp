@@ -3,12 +3,16 @@
 #include <nettle/base64.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cctype>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <utility>
+#include <set>
+#include <string_view>
 
+#include "app/files/companion_names.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::app {
@@ -27,11 +31,12 @@ constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 
 static_assert(std::endian::native == std::endian::little, "buffers are written as they lie");
 
-/// Vertices of a primitive: a corner with another normal or texture coordinate is another one.
+/// Vertices of a primitive: a corner with another texture coordinate or colour is another one.
 struct Primitive {
     std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;
-    std::vector<Eigen::Vector2f> uvs;  ///< empty where there are none
+    std::vector<Eigen::Vector2f> uvs;     ///< empty where there are none
+    std::vector<Eigen::Vector4f> colors;  ///< empty where there are none
     std::vector<std::uint32_t> indices;
 };
 
@@ -52,21 +57,23 @@ std::vector<Vec3f> normalsWithin(const ExportMesh& part) {
 }
 
 Primitive primitiveOf(const ExportMesh& part) {
-    const std::vector<Vec3f> normals = normalsWithin(part);
     Primitive out;
-    std::map<std::pair<int, int>, std::uint32_t> numbers;  // by position and texture coordinate
+    std::map<std::array<int, 3>, std::uint32_t> numbers;  // by position, coordinate and colour
     for (const ExportFace& face : part.faces) {
         for (int i = 0; i < 3; ++i) {
             const int v = face.corners[i];
             const auto next = static_cast<std::uint32_t>(out.positions.size());
-            const auto [place, isNew] = numbers.try_emplace({v, face.uvs[i]}, next);
+            const auto [place, isNew] = numbers.try_emplace({v, face.uvs[i], face.colors[i]}, next);
             if (isNew) {
                 out.positions.push_back(part.positions[v]);
-                out.normals.push_back(normals[v]);
+                out.normals.push_back(part.normals[v]);
                 if (!part.uvs.empty()) {
                     // v runs downwards in glTF.
                     const Eigen::Vector2f& uv = part.uvs[face.uvs[i]];
                     out.uvs.emplace_back(uv.x(), 1 - uv.y());
+                }
+                if (!part.colors.empty()) {
+                    out.colors.push_back(part.colors[face.colors[i]]);
                 }
             }
             out.indices.push_back(place->second);
@@ -75,26 +82,47 @@ Primitive primitiveOf(const ExportMesh& part) {
     return out;
 }
 
+/// A name as a part of a URI.
+std::string escaped(const std::string& name) {
+    std::string uri;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0 || std::string_view("-._~").find(c) != std::string_view::npos) {
+            uri += c;
+        } else {
+            constexpr const char* kDigits = "0123456789ABCDEF";
+            uri.append({'%', kDigits[byte / 16U], kDigits[byte % 16U]});
+        }
+    }
+    return uri;
+}
+
 /// The JSON and the buffer of a file, as they grow.
 class GltfFile {
   public:
-    GltfFile() {
+    /// `images`: the names of their files; null where they go into the buffer.
+    GltfFile(const ExportMesh& mesh, const std::vector<std::string>* images) {
         json_["asset"] = {{"version", "2.0"}, {"generator", "Kerf"}};
         json_["scene"] = 0;
         json_["scenes"] = Json::array({{{"nodes", Json::array()}}});
-        json_["materials"] = Json::array(
-            {material("skin", {0.74, 0.07, 0.035, 1}), material("cut", {0.42, 0.46, 0.17, 1})});
+        if (images != nullptr) {
+            bytes_ = kCompanionMark;  // a file of its own
+        }
+        for (const render::Material& material : mesh.materials) {
+            Json json = toJson(material, mesh, images);  // adds to other lists itself
+            json_["materials"].push_back(std::move(json));
+        }
     }
 
     void addPiece(const ExportMesh& mesh, int piece) {
+        const ExportMesh whole =
+            partOf(mesh, [&](const ExportFace& face) { return face.piece == piece; });
         Json primitives = Json::array();
         for (const bool cut : {false, true}) {
-            const ExportMesh part = partOf(mesh, [&](const ExportFace& face) {
-                return face.piece == piece && face.cut == cut;
-            });
-            if (!part.faces.empty()) {
-                primitives.push_back(add(primitiveOf(part), cut ? 1 : 0));
-            }
+            ExportMesh part =
+                partOf(whole, [&](const ExportFace& face) { return face.cut == cut; });
+            part.normals = normalsWithin(part);
+            addByMaterial(part, primitives);
         }
         const std::string name = "piece_" + std::to_string(piece + 1);
         const std::size_t index = json_["meshes"].size();
@@ -110,15 +138,57 @@ class GltfFile {
             buffer["uri"] = uri;
         }
         json_["buffers"] = Json::array({buffer});
-        return json_.dump();
+        return json_.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
     const std::string& bytes() const { return bytes_; }
 
   private:
-    static Json material(const char* name, const std::array<double, 4>& color) {
-        return {{"name", name},
-                {"pbrMetallicRoughness",
-                 {{"baseColorFactor", color}, {"metallicFactor", 0}, {"roughnessFactor", 0.6}}}};
+    void addByMaterial(const ExportMesh& part, Json& primitives) {
+        std::set<int> materials;
+        for (const ExportFace& face : part.faces) {
+            materials.insert(face.material);
+        }
+        for (const int material : materials) {
+            const auto has = [&](const ExportFace& face) { return face.material == material; };
+            primitives.push_back(add(primitiveOf(partOf(part, has)), material));
+        }
+    }
+
+    Json toJson(const render::Material& material, const ExportMesh& mesh,
+                const std::vector<std::string>* images) {
+        const Eigen::Vector4f color = render::shownColor(material);
+        Json pbr = {{"baseColorFactor", std::vector<float>(color.begin(), color.end())},
+                    {"metallicFactor", material.metallic},
+                    {"roughnessFactor", material.roughness}};
+        if (material.image >= 0) {
+            pbr["baseColorTexture"] = {{"index", textureOf(material.image, mesh, images)}};
+        }
+        return {{"name", material.name}, {"pbrMetallicRoughness", pbr}};
+    }
+
+    int textureOf(int image, const ExportMesh& mesh, const std::vector<std::string>* names) {
+        const auto next = static_cast<int>(textures_.size());
+        const auto [place, isNew] = textures_.try_emplace(image, next);
+        if (isNew) {
+            const render::ModelImage& from = mesh.appearance->images[image];
+            Json json = {{"uri", names == nullptr ? "" : escaped((*names)[image])}};
+            if (names == nullptr) {
+                json = inBuffer(from);
+            }
+            json_["images"].push_back(std::move(json));
+            json_["textures"].push_back({{"source", next}});
+        }
+        return place->second;
+    }
+
+    Json inBuffer(const render::ModelImage& image) {
+        json_["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", image.bytes.size()}});
+        bytes_ += image.bytes;
+        bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
+        return {{"name", image.name},
+                {"mimeType", std::string(mediaTypeOf(render::kindOfImage(image.bytes)))},
+                {"bufferView", json_["bufferViews"].size() - 1}};
     }
 
     Json add(const Primitive& primitive, int material) {
@@ -127,6 +197,9 @@ class GltfFile {
         attributes["NORMAL"] = addVectors(primitive.normals, "VEC3", false);
         if (!primitive.uvs.empty()) {
             attributes["TEXCOORD_0"] = addVectors(primitive.uvs, "VEC2", false);
+        }
+        if (!primitive.colors.empty()) {
+            attributes["COLOR_0"] = addVectors(primitive.colors, "VEC4", false);
         }
         const int view = addView(primitive.indices, kElementArrayBuffer);
         const int indices = addAccessor({{"bufferView", view},
@@ -176,16 +249,17 @@ class GltfFile {
 
     Json json_;
     std::string bytes_;
+    std::map<int, int> textures_;  // by image
 };
 
-GltfFile gather(const ExportMesh& mesh) {
+GltfFile gather(const ExportMesh& mesh, const std::vector<std::string>* images = nullptr) {
     int pieces = 0;
     int first = mesh.faces.empty() ? 0 : mesh.faces.front().piece;
     for (const ExportFace& face : mesh.faces) {
         pieces = std::max(pieces, face.piece + 1);
         first = std::min(first, face.piece);
     }
-    GltfFile file;
+    GltfFile file(mesh, images);
     for (int piece = first; piece < pieces; ++piece) {
         file.addPiece(mesh, piece);
     }
@@ -227,6 +301,12 @@ std::string encodeGlb(const ExportMesh& mesh) {
 std::string encodeGltf(const ExportMesh& mesh) {
     GltfFile file = gather(mesh);
     return file.text("data:application/octet-stream;base64," + base64(file.bytes()));
+}
+
+std::string encodeGltfBeside(const ExportMesh& mesh, const std::vector<std::string>& images,
+                             const std::function<std::string(std::string)>& nameOf) {
+    GltfFile file = gather(mesh, &images);
+    return file.text(escaped(nameOf(file.bytes())));
 }
 
 }  // namespace kerf::app

@@ -1,42 +1,72 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "sim/mesh/corner_uvs.h"
+#include "app/files/model_source.h"
+#include "render/scene/appearance.h"
+#include "render/scene/body_look.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::app {
 
+/// What is told of the looks of a body that is written.
+struct ExportLooks {
+    OwnLooks own{};           ///< those of the model, carried along to the slots of the mesh
+    render::BodyLook look{};  ///< what it is shown in where it has none of its own
+};
+
 struct ExportFace {
-    Triangle corners;                    ///< indices into ExportMesh::positions
-    int piece = 0;                       ///< from 0
-    bool cut = false;                    ///< made by a cut
-    std::array<int, 3> uvs{-1, -1, -1};  ///< indices into ExportMesh::uvs; -1 for none
+    Triangle corners;                       ///< indices into ExportMesh::positions
+    int piece = 0;                          ///< from 0
+    bool cut = false;                       ///< made by a cut
+    int material = 0;                       ///< index into ExportMesh::materials
+    std::array<int, 3> uvs{-1, -1, -1};     ///< indices into ExportMesh::uvs; -1 for none
+    std::array<int, 3> colors{-1, -1, -1};  ///< indices into ExportMesh::colors; -1 for none
 };
 
 /// A mesh without dead slots and unused vertices, in float as it is written.
 struct ExportMesh {
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals;        ///< unit, area-weighted, one per position
-    std::vector<Eigen::Vector2f> uvs;  ///< each once, in the order of their first use
+    std::vector<Vec3f> normals;           ///< unit, area-weighted, one per position
+    std::vector<Eigen::Vector2f> uvs;     ///< each once, in the order of their first use
+    std::vector<Eigen::Vector4f> colors;  ///< linear; each once, in the order of their first use
     std::vector<ExportFace> faces;
+    /// Those of the model, each with a name of its own; "skin" for what has none; "cut".
+    std::vector<render::Material> materials;
+    std::shared_ptr<const render::Appearance> appearance;  ///< with the images; may be null
     std::string coordinates = "metres, +y up";  ///< what they are, for a comment in the file
 };
 
-/// The living triangles of `mesh`. `uvs`: by slot, or empty; walls get none.
-ExportMesh gatherMesh(const SurfaceMesh& mesh, const PieceMap& pieces,
-                      const std::vector<CornerUvs>& uvs);
+/// The living triangles of `mesh`. Faces of cuts get the material "cut" and texture coordinates in
+/// the plane of their cut, in the body's rest shape, `unitsPerMetre` to a metre.
+ExportMesh gatherMesh(const SurfaceMesh& mesh, const PieceMap& pieces, const ExportLooks& looks,
+                      double unitsPerMetre = 1);
+
+/// The colour of each position, in linear light: the mean of what the corners of the skin have
+/// there, of faces of cuts where it touches no skin. Materials count where `withMaterials`.
+std::vector<Eigen::Vector4f> vertexColors(const ExportMesh& mesh, bool withMaterials);
 
 /// The faces for which `belongs(face)` holds, and what they use, in the same order.
 template <class Belongs>
 ExportMesh partOf(const ExportMesh& mesh, Belongs&& belongs) {
     ExportMesh part;
     part.coordinates = mesh.coordinates;
+    part.materials = mesh.materials;
+    part.appearance = mesh.appearance;
     std::vector<int> vertex(mesh.positions.size(), -1);
     std::vector<int> uv(mesh.uvs.size(), -1);
+    std::vector<int> color(mesh.colors.size(), -1);
+    const auto take = [](std::vector<int>& numbers, const auto& from, auto& into, int& index) {
+        if (index >= 0 && numbers[index] < 0) {
+            numbers[index] = static_cast<int>(into.size());
+            into.push_back(from[index]);
+        }
+        index = index < 0 ? index : numbers[index];
+    };
     for (const ExportFace& face : mesh.faces) {
         if (!belongs(face)) {
             continue;
@@ -44,18 +74,13 @@ ExportMesh partOf(const ExportMesh& mesh, Belongs&& belongs) {
         ExportFace copy = face;
         for (int& v : copy.corners) {
             if (vertex[v] < 0) {
-                vertex[v] = static_cast<int>(part.positions.size());
-                part.positions.push_back(mesh.positions[v]);
                 part.normals.push_back(mesh.normals[v]);
             }
-            v = vertex[v];
+            take(vertex, mesh.positions, part.positions, v);
         }
-        for (int& u : copy.uvs) {
-            if (u >= 0 && uv[u] < 0) {
-                uv[u] = static_cast<int>(part.uvs.size());
-                part.uvs.push_back(mesh.uvs[u]);
-            }
-            u = u < 0 ? u : uv[u];
+        for (int i = 0; i < 3; ++i) {
+            take(uv, mesh.uvs, part.uvs, copy.uvs[i]);
+            take(color, mesh.colors, part.colors, copy.colors[i]);
         }
         part.faces.push_back(copy);
     }

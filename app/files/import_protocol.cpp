@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/files/model_source.h"
@@ -11,7 +12,9 @@ namespace kerf::app {
 
 namespace {
 
-constexpr char kMagic[8] = {'K', 'E', 'R', 'F', 'M', 'E', 'S', '2'};
+using Json = nlohmann::json;
+
+constexpr char kMagic[8] = {'K', 'E', 'R', 'F', 'M', 'E', 'S', '3'};
 constexpr std::uint64_t kMaxMessage = 1000;
 constexpr std::uint64_t kLeastTriangles = 4;  // a tetrahedron; the sentence below says it
 
@@ -79,50 +82,149 @@ void checkIndices(const TriangleSoup& soup) {
     }
 }
 
-void clearOddUvs(std::vector<CornerUvs>& uvs) {
-    for (CornerUvs& corners : uvs) {
-        for (Eigen::Vector2f& uv : corners) {
-            if (!uv.allFinite()) {
-                uv.setZero();
+/// Numbers that are none become 0.
+template <class Values>
+void clearOdd(std::vector<Values>& triangles) {
+    for (Values& corners : triangles) {
+        for (auto& value : corners) {
+            if (!value.allFinite()) {
+                value.setZero();
             }
         }
     }
 }
 
-TriangleSoup readBody(const ImportHeader& head, std::string_view body) {
-    const std::size_t positionBytes = head.vertices * sizeof(Vec3);
-    const std::size_t triangleBytes = head.triangles * sizeof(Triangle);
-    const std::size_t uvBytes = head.textured != 0 ? head.triangles * sizeof(CornerUvs) : 0;
-    if (body.size() != positionBytes + triangleBytes + uvBytes) {
+/// Walks through the bytes of an answer.
+class AnswerReader {
+  public:
+    explicit AnswerReader(std::string_view bytes) : rest_(bytes) {}
+
+    template <class T>
+    std::vector<T> take(std::uint64_t count) {
+        const std::string_view bytes = takeBytes(count * sizeof(T));
+        std::vector<T> items(count);
+        std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
+        return items;
+    }
+    std::string_view takeBytes(std::uint64_t count) {
+        if (count > rest_.size()) {
+            stoppedInTheMiddle();
+        }
+        const std::string_view bytes = rest_.substr(0, count);
+        rest_.remove_prefix(count);
+        return bytes;
+    }
+    void end() const {
+        if (!rest_.empty()) {
+            stoppedInTheMiddle();
+        }
+    }
+
+  private:
+    [[noreturn]] static void stoppedInTheMiddle() {
         throw InputError("the model reader stopped in the middle; the file may be damaged");
     }
+
+    std::string_view rest_;
+};
+
+TriangleSoup readSoup(const ImportHeader& head, AnswerReader& reader) {
+    const auto perTriangle = [&](std::uint64_t there) { return there != 0 ? head.triangles : 0; };
     TriangleSoup soup;
-    soup.positions.resize(head.vertices);
-    soup.triangles.resize(head.triangles);
-    std::memcpy(static_cast<void*>(soup.positions.data()), body.data(), positionBytes);
-    std::memcpy(soup.triangles.data(), body.data() + positionBytes, triangleBytes);
-    if (uvBytes > 0) {
-        soup.uvs.resize(head.triangles);
-        std::memcpy(static_cast<void*>(soup.uvs.data()),
-                    body.data() + positionBytes + triangleBytes, uvBytes);
-        clearOddUvs(soup.uvs);
-    }
+    soup.positions = reader.take<Vec3>(head.vertices);
+    soup.triangles = reader.take<Triangle>(head.triangles);
+    soup.skin.uvs = reader.take<CornerUvs>(perTriangle(head.textured));
+    soup.skin.colors = reader.take<CornerColors>(perTriangle(head.colored));
+    soup.skin.materials = reader.take<int>(perTriangle(head.materials));
+    clearOdd(soup.skin.uvs);
+    clearOdd(soup.skin.colors);
     return soup;
+}
+
+Json toJson(const ImportedModel& model) {
+    Json materials = Json::array();
+    for (const render::Material& material : model.appearance.materials) {
+        const Eigen::Vector4f& c = material.baseColor;
+        materials.push_back({{"name", material.name},
+                             {"color", {c.x(), c.y(), c.z(), c.w()}},
+                             {"roughness", material.roughness},
+                             {"metallic", material.metallic},
+                             {"image", material.image}});
+    }
+    Json images = Json::array();
+    for (const render::ModelImage& image : model.appearance.images) {
+        images.push_back({{"name", image.name}, {"bytes", image.bytes.size()}});
+    }
+    return {{"materials", materials}, {"images", images}, {"remarks", model.remarks}};
+}
+
+/// What a file calls something, without what would break a line.
+std::string nameIn(const Json& json) {
+    std::string name = json.get<std::string>().substr(0, kMaxMessage);
+    std::ranges::replace_if(
+        name, [](char c) { return c >= 0 && c < ' '; }, '_');
+    return name;
+}
+
+render::Material materialOf(const Json& json, int images) {
+    render::Material material;
+    material.name = nameIn(json.at("name"));
+    for (int i = 0; i < 4; ++i) {
+        material.baseColor[i] = json.at("color").at(i).get<float>();
+    }
+    material.roughness = json.at("roughness").get<float>();
+    material.metallic = json.at("metallic").get<float>();
+    const int image = json.at("image").get<int>();
+    material.image = image < images ? image : -1;
+    return material;
+}
+
+void readLooks(const Json& json, AnswerReader& reader, ImportedModel& model) {
+    for (const Json& image : json.at("images")) {
+        const std::string_view bytes = reader.takeBytes(image.at("bytes").get<std::uint64_t>());
+        model.appearance.images.push_back({nameIn(image.at("name")), std::string(bytes), {}});
+    }
+    for (const Json& material : json.at("materials")) {
+        model.appearance.materials.push_back(
+            materialOf(material, static_cast<int>(model.appearance.images.size())));
+    }
+    for (const Json& remark : json.at("remarks")) {
+        model.remarks.push_back(nameIn(remark));
+    }
+}
+
+void clearOddMaterials(ImportedModel& model) {
+    const int count = static_cast<int>(model.appearance.materials.size());
+    for (int& material : model.soup.skin.materials) {
+        material = material >= 0 && material < count ? material : -1;
+    }
 }
 
 }  // namespace
 
-std::string encodeImport(const TriangleSoup& soup) {
-    static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(CornerUvs) == 24);
+std::string encodeImport(const ImportedModel& model) {
+    static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(CornerUvs) == 24 &&
+                  sizeof(CornerColors) == 48);
+    const TriangleSoup& soup = model.soup;
+    const std::string looks = toJson(model).dump(-1, ' ', false, Json::error_handler_t::replace);
     ImportHeader head = header(0);
     head.vertices = soup.positions.size();
     head.triangles = soup.triangles.size();
-    head.textured = soup.uvs.empty() ? 0 : 1;
+    head.messageLength = looks.size();
+    head.textured = soup.skin.uvs.empty() ? 0 : 1;
+    head.colored = soup.skin.colors.empty() ? 0 : 1;
+    head.materials = soup.skin.materials.empty() ? 0 : 1;
     std::string bytes;
     append(bytes, &head, 1);
     append(bytes, soup.positions.data(), soup.positions.size());
     append(bytes, soup.triangles.data(), soup.triangles.size());
-    append(bytes, soup.uvs.data(), soup.uvs.size());
+    append(bytes, soup.skin.uvs.data(), soup.skin.uvs.size());
+    append(bytes, soup.skin.colors.data(), soup.skin.colors.size());
+    append(bytes, soup.skin.materials.data(), soup.skin.materials.size());
+    bytes += looks;
+    for (const render::ModelImage& image : model.appearance.images) {
+        bytes += image.bytes;
+    }
     return bytes;
 }
 
@@ -134,16 +236,24 @@ std::string encodeImportFailure(std::string_view message) {
     return bytes.append(message);
 }
 
-TriangleSoup decodeImport(std::string_view answer) {
+ImportedModel decodeImport(std::string_view answer) {
     const ImportHeader head = readHeader(answer);
     const std::string_view body = answer.substr(sizeof(head));
     if (head.failed != 0) {
         throwFailure(head, body);
     }
     checkCounts(head);
-    TriangleSoup soup = readBody(head, body);
-    checkIndices(soup);
-    return soup;
+    AnswerReader reader(body);
+    ImportedModel model{readSoup(head, reader), {}, {}};
+    try {
+        readLooks(Json::parse(reader.takeBytes(head.messageLength)), reader, model);
+    } catch (const Json::exception&) {
+        throw InputError("the model reader gave an answer of another kind; rebuild Kerf");
+    }
+    reader.end();
+    checkIndices(model.soup);
+    clearOddMaterials(model);
+    return model;
 }
 
 void checkImportedPositions(const TriangleSoup& soup) {

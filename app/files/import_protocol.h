@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "render/scene/appearance.h"
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf::app {
@@ -15,10 +17,24 @@ inline constexpr std::uint64_t kMaxImportTriangles = 20'000'000;
 inline constexpr double kMinImportExtent = 1e-6;
 inline constexpr double kMaxImportExtent = 1e6;
 
+/// Most bytes of the images of a model together.
+inline constexpr std::uint64_t kMaxImportImages = 500'000'000;
+/// Most bytes of what an answer says of materials and images.
+inline constexpr std::uint64_t kMaxImportLooks = 16'000'000;
+
+/// A model as its file gives it.
+struct ImportedModel {
+    TriangleSoup soup;
+    render::Appearance appearance;     ///< pictures are not decoded
+    std::vector<std::string> remarks;  ///< sentences about images that were left out
+};
+
 /// Head of the answer of a reader process, which is an ImportHeader in the machine's own byte
-/// order, then either `vertices` positions of three doubles, `triangles` of three 32-bit indices
-/// and, where `textured` is 1, six floats for each triangle, or, where `failed` is 1,
-/// `messageLength` bytes that say why.
+/// order. Where `failed` is 1, `messageLength` bytes follow that say why. Else there follow
+/// `vertices` positions of three doubles, `triangles` of three 32-bit indices, then for each
+/// triangle six floats where `textured` is 1, twelve where `colored` is 1, and a 32-bit index where
+/// `materials` is 1, then `messageLength` bytes of JSON (materials, images, remarks), and the bytes
+/// of the images one after the other.
 struct ImportHeader {
     char magic[8];
     std::uint64_t failed;
@@ -26,21 +42,24 @@ struct ImportHeader {
     std::uint64_t triangles;
     std::uint64_t messageLength;
     std::uint64_t textured;
+    std::uint64_t colored;
+    std::uint64_t materials;
 };
-static_assert(sizeof(ImportHeader) == 48);
+static_assert(sizeof(ImportHeader) == 64);
 
 /// Most bytes that an answer within the limits can have.
-inline constexpr std::uint64_t kMaxImportAnswer =
-    sizeof(ImportHeader) + kMaxImportVertices * 24 + kMaxImportTriangles * (12 + 24);
+inline constexpr std::uint64_t kMaxImportAnswer = sizeof(ImportHeader) + kMaxImportVertices * 24 +
+                                                  kMaxImportTriangles * (12 + 24 + 48 + 4) +
+                                                  kMaxImportLooks + kMaxImportImages;
 
-/// Answers of the reader process: the triangles, or why there are none.
-std::string encodeImport(const TriangleSoup& soup);
+/// Answers of the reader process: the model, or why there is none.
+std::string encodeImport(const ImportedModel& model);
 std::string encodeImportFailure(std::string_view message);
 
 /// Decodes an answer and trusts nothing in it: lengths, counts and indices are checked; texture
-/// coordinates that are no finite numbers become 0. Throws
-/// InputError with what is wrong, without the file's name.
-TriangleSoup decodeImport(std::string_view answer);
+/// coordinates and colours that are no finite numbers become 0. Throws InputError with what is
+/// wrong, without the file's name.
+ImportedModel decodeImport(std::string_view answer);
 
 /// Throws InputError where a coordinate is not finite or the extent is out of bounds.
 void checkImportedPositions(const TriangleSoup& soup);

@@ -8,10 +8,13 @@
 #include <cerrno>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "app/files/import_appearance.h"
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
+#include "render/scene/body_look.h"
 
 namespace kerf::app {
 
@@ -32,14 +35,7 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     }
 
   private:
-    bool isAllowed(const std::filesystem::path& name) const {
-        std::error_code error;
-        const std::filesystem::path file = std::filesystem::canonical(name, error);
-        const auto [end, rest] =
-            std::mismatch(folder_.begin(), folder_.end(), file.begin(), file.end());
-        return !error && end == folder_.end() && std::filesystem::is_regular_file(file, error) &&
-               std::filesystem::file_size(file, error) <= kMaxModelBytes && !error;
-    }
+    bool isAllowed(const std::filesystem::path& name) const { return isFileBelow(folder_, name); }
 
     std::filesystem::path folder_;
 };
@@ -54,7 +50,38 @@ CornerUvs uvsOf(const aiMesh& mesh, const aiFace& face) {
     return uvs;
 }
 
-void appendMesh(const aiMesh& mesh, bool textured, TriangleSoup& soup) {
+/// From what displays take to linear light, apart from the opacity.
+Eigen::Vector4f linearOf(const aiColor4D& color) {
+    const Vec3f linear = render::toLinear(Vec3(color.r, color.g, color.b));
+    return {linear.x(), linear.y(), linear.z(), color.a};
+}
+
+/// Colours at vertices are linear in glTF, and what displays take in all other formats.
+CornerColors colorsOf(const aiMesh& mesh, const aiFace& face, bool linear) {
+    CornerColors colors;
+    for (unsigned i = 0; i < 3; ++i) {
+        const aiColor4D color =
+            mesh.HasVertexColors(0) ? mesh.mColors[0][face.mIndices[i]] : aiColor4D(1, 1, 1, 1);
+        colors[i] = linear ? Eigen::Vector4f(color.r, color.g, color.b, color.a) : linearOf(color);
+    }
+    return colors;
+}
+
+/// What the meshes of a scene have, at least one of them.
+struct SceneHas {
+    bool uvs;
+    bool colors;
+    bool linearColors;
+};
+
+SceneHas contentOf(std::span<const aiMesh* const> meshes, const std::filesystem::path& file) {
+    return {
+        std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasTextureCoords(0); }),
+        std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasVertexColors(0); }),
+        isGltf(file)};
+}
+
+void appendMesh(const aiMesh& mesh, const SceneHas& has, TriangleSoup& soup) {
     const int first = static_cast<int>(soup.positions.size());
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
         const aiVector3D& p = mesh.mVertices[i];
@@ -62,13 +89,17 @@ void appendMesh(const aiMesh& mesh, bool textured, TriangleSoup& soup) {
     }
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
-        if (face.mNumIndices == 3) {
-            soup.triangles.push_back({first + static_cast<int>(face.mIndices[0]),
-                                      first + static_cast<int>(face.mIndices[1]),
-                                      first + static_cast<int>(face.mIndices[2])});
-            if (textured) {
-                soup.uvs.push_back(uvsOf(mesh, face));
-            }
+        if (face.mNumIndices != 3) {
+            continue;
+        }
+        soup.triangles.push_back({first + static_cast<int>(face.mIndices[0]),
+                                  first + static_cast<int>(face.mIndices[1]),
+                                  first + static_cast<int>(face.mIndices[2])});
+        if (has.uvs) {
+            soup.skin.uvs.push_back(uvsOf(mesh, face));
+        }
+        if (has.colors) {
+            soup.skin.colors.push_back(colorsOf(mesh, face, has.linearColors));
         }
     }
 }
@@ -85,7 +116,7 @@ std::string plainReason(const std::string& message) {
 }
 
 /// Node transforms are applied, polygons triangulated, points and lines left out.
-TriangleSoup readTriangles(const std::filesystem::path& file) {
+ImportedModel readScene(const std::filesystem::path& file) {
     Assimp::Importer importer;
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
@@ -97,13 +128,16 @@ TriangleSoup readTriangles(const std::filesystem::path& file) {
         throw InputError(plainReason(importer.GetErrorString()));
     }
     const std::span<aiMesh* const> meshes(scene->mMeshes, scene->mNumMeshes);
-    const bool textured =
-        std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasTextureCoords(0); });
-    TriangleSoup soup;
+    const SceneHas has = contentOf(meshes, file);
+    ImportedModel model;
+    std::vector<int> triangles;  // by mesh
     for (const aiMesh* mesh : meshes) {
-        appendMesh(*mesh, textured, soup);
+        const std::size_t before = model.soup.triangles.size();
+        appendMesh(*mesh, has, model.soup);
+        triangles.push_back(static_cast<int>(model.soup.triangles.size() - before));
     }
-    return soup;
+    addAppearance(*scene, file, triangles, model);
+    return model;
 }
 
 /// The answer's stream, set aside so that nothing that a library prints gets into it.
@@ -126,7 +160,7 @@ bool writeAll(int descriptor, std::string_view bytes) {
 
 std::string answerFor(const std::filesystem::path& file) {
     try {
-        return encodeImport(readTriangles(file));
+        return encodeImport(readScene(file));
     } catch (const std::exception& error) {
         return encodeImportFailure(plainReason(error.what()));
     }

@@ -99,8 +99,8 @@ void checkOutcome(const ImportOutcome& outcome, const std::string& format,
     }
 }
 
-TriangleSoup readThroughProcess(const fs::path& file, const ImportLimits& limits,
-                                WorkProgress* progress) {
+ImportedModel readThroughProcess(const fs::path& file, const ImportLimits& limits,
+                                 WorkProgress* progress) {
     enter(progress, "Reading the file");
     checkFile(file);
     const Format& format = formatOf(file);
@@ -111,9 +111,10 @@ TriangleSoup readThroughProcess(const fs::path& file, const ImportLimits& limits
     }
     checkOutcome(outcome, format.name, limits);
     enter(progress, "Joining equal vertices");
-    TriangleSoup soup = weldExactly(decodeImport(outcome.answer));
-    checkImportedPositions(soup);
-    return soup;
+    ImportedModel model = decodeImport(outcome.answer);
+    model.soup = weldExactly(model.soup);
+    checkImportedPositions(model.soup);
+    return model;
 }
 
 /// Fills holes where that is wanted, and turns what is inside out.
@@ -144,14 +145,51 @@ int holesThatHelp(TriangleSoup soup, const MeshReport& report) {
     return inspectAndRepair(soup, false).cuttable ? holes : 0;
 }
 
+/// A picture that can't be shown is left out of the materials.
+void decodeImages(ImportedModel& model) {
+    std::size_t pixels = 0;
+    for (std::size_t i = 0; i < model.appearance.images.size(); ++i) {
+        render::ModelImage& image = model.appearance.images[i];
+        try {
+            const render::PixelRect size = render::sizeOfImage(image.bytes);
+            pixels += std::size_t(size.width) * std::size_t(size.height);
+            if (pixels > render::kMaxTexturePixels) {
+                throw std::runtime_error("all images together have more pixels than are read");
+            }
+            image.pixels = render::decodeImage(image.bytes);
+        } catch (const std::runtime_error& error) {
+            model.remarks.push_back("The image \"" + image.name +
+                                    "\" was left out: " + error.what() +
+                                    "; save it anew as PNG and open the model again.");
+            for (render::Material& material : model.appearance.materials) {
+                material.image = material.image == static_cast<int>(i) ? -1 : material.image;
+            }
+        }
+    }
+}
+
+OwnLooks looksOf(ImportedModel& model) {
+    decodeImages(model);
+    OwnLooks looks{std::move(model.soup.skin)};
+    if (!model.appearance.materials.empty()) {
+        looks.appearance = std::make_shared<const render::Appearance>(std::move(model.appearance));
+    }
+    return looks;
+}
+
 }  // namespace
 
-TriangleSoup importModel(const fs::path& file, const ImportLimits& limits, WorkProgress* progress) {
+ImportedModel importWithLooks(const fs::path& file, const ImportLimits& limits,
+                              WorkProgress* progress) {
     try {
         return readThroughProcess(file, limits, progress);
     } catch (const InputError& error) {
         throw InputError(file.string() + ": " + error.what());
     }
+}
+
+TriangleSoup importModel(const fs::path& file, const ImportLimits& limits, WorkProgress* progress) {
+    return importWithLooks(file, limits, progress).soup;
 }
 
 TriangleSoup importModel(const fs::path& file, WorkProgress* progress) {
@@ -165,7 +203,8 @@ bool isModelFile(const fs::path& file) {
 }
 
 ModelMesh readModel(const fs::path& file, const ReadOptions& options) {
-    TriangleSoup soup = importModel(file, options.progress);
+    ImportedModel model = importWithLooks(file, ImportLimits{}, options.progress);
+    TriangleSoup& soup = model.soup;
     enter(options.progress, "Looking for faults");
     const MeshReport found = inspectAndRepair(soup, options.fillHoles);
     if (options.report != nullptr) {
@@ -176,7 +215,11 @@ ModelMesh readModel(const fs::path& file, const ReadOptions& options) {
         throw ModelFault(file.string() + ": " + found.problem, holes);
     }
     enter(options.progress, "Building the surface");
-    return {SurfaceMesh::fromTriangles(soup.positions, soup.triangles), std::move(soup.uvs)};
+    ModelMesh built(SurfaceMesh::fromTriangles(soup.positions, soup.triangles));
+    enter(options.progress, "Reading the images");
+    built.looks = looksOf(model);
+    built.remarks = std::move(model.remarks);
+    return built;
 }
 
 SurfaceMesh loadModel(const fs::path& file, MeshReport* report) {

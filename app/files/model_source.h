@@ -1,11 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "app/files/work_progress.h"
+#include "render/scene/appearance.h"
+#include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_soup.h"
 
@@ -29,20 +32,31 @@ class ModelFault : public InputError {
     int holes_;
 };
 
+/// The looks that a model brings along.
+struct OwnLooks {
+    SkinAttributes skin;                                             ///< by triangle slot
+    std::shared_ptr<const render::Appearance> appearance = nullptr;  ///< none: no materials
+
+    /// Whether it has colours to show.
+    bool colored() const { return appearance != nullptr || !skin.colors.empty(); }
+};
+
 /// A model as it is cut, and what it keeps of its looks.
 struct ModelMesh {
-    // NOLINTNEXTLINE(google-explicit-constructor): a mesh is a model without texture
-    ModelMesh(SurfaceMesh surface, std::vector<CornerUvs> textured = {})
-        : mesh(std::move(surface)), uvs(std::move(textured)) {}
+    // NOLINTNEXTLINE(google-explicit-constructor): a mesh is a model without looks of its own
+    ModelMesh(SurfaceMesh surface, OwnLooks own = {})
+        : mesh(std::move(surface)), looks(std::move(own)) {}
 
     SurfaceMesh mesh;
-    std::vector<CornerUvs> uvs;  ///< by triangle slot, or none
+    OwnLooks looks;
+    std::vector<std::string> remarks;  ///< sentences about what was left out of them
 };
 
 /// Largest model file that is read [bytes].
 inline constexpr std::uintmax_t kMaxModelBytes = 1'000'000'000;
 
 struct ImportLimits;
+struct ImportedModel;
 
 /// Tells whether the file's name ends like that of a model that importModel() reads.
 bool isModelFile(const std::filesystem::path& file);
@@ -53,6 +67,9 @@ bool isModelFile(const std::filesystem::path& file);
 TriangleSoup importModel(const std::filesystem::path& file, WorkProgress* progress = nullptr);
 TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& limits,
                          WorkProgress* progress = nullptr);
+/// The same with materials and the bytes of their pictures.
+ImportedModel importWithLooks(const std::filesystem::path& file, const ImportLimits& limits,
+                              WorkProgress* progress = nullptr);
 /// importModel, then refuses with the sentence of the report what cannot be cut.
 /// An inside-out model is turned; that is named in report->repairs. The report is filled for a
 /// refused model as well.
@@ -65,7 +82,8 @@ struct ReadOptions {
     MeshReport* report = nullptr;  ///< filled for a refused model as well
     WorkProgress* progress = nullptr;
 };
-/// loadModel() with the texture coordinates. Throws ModelFault where a model can't be cut.
+/// loadModel() with the looks that the model has, pictures decoded. A picture that can't be shown
+/// is left out, with a remark. Throws ModelFault where a model can't be cut.
 ModelMesh readModel(const std::filesystem::path& file, const ReadOptions& options);
 
 /// The hidden verb of the child process: reads `file`, writes the triangles to standard output.

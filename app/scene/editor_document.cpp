@@ -32,8 +32,11 @@ std::string modelNote(const MeshReport& report, const UnitGuess& guess) {
 Document finish(std::string name, Session session, ModelMesh model, std::string note) {
     const Bounds bounds = meshBounds(model.mesh);
     const render::Camera camera = sessionCamera(session, bounds);
-    return {std::move(name), std::move(session),   std::move(model.mesh), bounds,
-            camera,          std::move(model.uvs), std::move(note),       {}};
+    for (const std::string& remark : model.remarks) {
+        note += (note.empty() ? "" : " ") + remark;
+    }
+    return {std::move(name), std::move(session),     std::move(model.mesh), bounds,
+            camera,          std::move(model.looks), std::move(note),       {}};
 }
 
 Document openModel(const std::filesystem::path& file, const ReadOptions& options) {

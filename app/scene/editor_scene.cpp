@@ -7,6 +7,7 @@
 #include "app/scene/size_effect.h"
 #include "app/session/scene_view.h"
 #include "sim/body/rest_geometry.h"
+#include "sim/mesh/piece_figures.h"
 #include "ui/unit_text.h"
 
 namespace kerf::app {
@@ -18,6 +19,7 @@ constexpr std::size_t kUndoBudget = 512'000'000;  // [bytes]
 constexpr int kPersonsHand = 0;                   // its number among the hands
 constexpr int kCheckEvery = 50;                   // steps of a recording
 constexpr int kPiecesEvery = 10;                  // steps between two looks at the pieces' volumes
+constexpr int kKeyframes = 48;                    // over a session that was opened
 constexpr int kMostLiveTriangles = 20'000;        // of a body that follows a drag of its placement
 
 bool takesBodyElsewhere(const Command& command) {
@@ -77,10 +79,12 @@ void EditorScene::startAnew() {
 void EditorScene::beginPlayback() {
     const bool loop = playback_ && playback_->loop;
     playback_.reset();
+    keyframes_ = Keyframes();
     journal_.restart();
     if (!document_.session.events.empty()) {
-        playback_.emplace(document_.session).loop = loop;
+        playback_.emplace(document_.session, SessionPlayback::Of::session).loop = loop;
         playback_->extendTo(journal_.lastStep());
+        keyframes_ = Keyframes(std::max(1, document_.session.steps / kKeyframes));
     }
 }
 
@@ -92,7 +96,7 @@ std::string EditorScene::perform(const Command& command) {
     if (problem.empty()) {
         const int step = simulation_.stepCount();
         if (playback_) {
-            playback_->changedAt(step, journal_.commandsDone());
+            keyframes_.changedAt(step, journal_.commandsDone(step));
             playback_->extendTo(step);
         }
         journal_.note(step, command);
@@ -214,7 +218,12 @@ void EditorScene::takeBlade() {
     if (!playback_) {
         return;
     }
-    journal_.takeOver(simulation_.stepCount(), movesOnTheirWay());
+    const int step = simulation_.stepCount();
+    if (journal_.takeOver(step, movesOnTheirWay()) > 0 && playback_->isPast()) {
+        messages_.push_back("What was done after step " + std::to_string(step) +
+                            " is left out: another way goes on from here.");
+    }
+    keyframes_.changedAt(step, journal_.commandsDone(step));
     playback_.reset();
     seekTarget_.reset();
     releaseAllHands();
@@ -247,10 +256,15 @@ void EditorScene::reset() {
         return;
     }
     playing = false;
+    takeBlade();
     letGo();
     stroke_.clear();
     runner_.setStrokePoses({});
     perform(Restart{});
+    countFromHere();
+}
+
+void EditorScene::countFromHere() {
     start_ = {simulation_.stepCount(), simulation_.report().time};
     readings_.clear();
     volumes_ = {};
@@ -333,6 +347,9 @@ void EditorScene::play(JournalEntry& entry) {
         std::string problem = simulation_.execute(*command);
         entry.failed = !problem.empty();
         tell(std::move(problem));
+        if (std::holds_alternative<Restart>(*command) && playback_->isPast()) {
+            countFromHere();
+        }
     } else if (const auto* check = std::get_if<CheckEvent>(&action)) {
         const CheckDifference difference = runner_.compare(*check);
         if (entry.doubtful) {
@@ -345,27 +362,52 @@ void EditorScene::play(JournalEntry& entry) {
 
 void EditorScene::keepKeyframe() {
     const int step = simulation_.stepCount();
-    if (playback_ && playback_->wantsKeyframe(step)) {
-        playback_->keep(step,
-                        {simulation_.moment(), journal_.commandsDone(), runner_.strokePoses()},
-                        snapshotBytes(simulation_.mesh()));
+    const std::size_t bytes = snapshotBytes(simulation_.mesh());
+    if (keyframes_.wants(step, bytes)) {
+        keyframes_.keep(
+            step,
+            {simulation_.moment(), journal_.commandsDone(step), runner_.strokePoses(), start_},
+            bytes);
     }
 }
 
 void EditorScene::seek(int step) {
+    if (!playback_ && goesBack(step)) {
+        playPast();
+    }
     if (!playback_) {
         return;
     }
     step = std::clamp(step, 0, playback_->steps());
-    const int from = playback_->keyframeStepBefore(step);
+    const int from = keyframes_.stepBefore(step);
     const int now = simulation_.stepCount();
     if (from >= 0 && (step < now || from > now)) {
-        goTo(from, *playback_->keyframeBefore(step));
+        goTo(from, *keyframes_.before(step));
     }
     seekTarget_ = step;
 }
 
+bool EditorScene::goesBack(int step) const {
+    return step < simulation_.stepCount() && keyframes_.stepBefore(step) >= 0;
+}
+
+/// What was done since the start is a session that can be played, too.
+void EditorScene::playPast() {
+    playing = false;
+    letGo();
+    stroke_.clear();
+    if (simulation_.blade()) {
+        perform(LiftBlade{});
+    }
+    Session past = sessionAsSaved(document_.session, journal_).session;
+    past.steps = simulation_.stepCount();
+    playback_.emplace(std::move(past), SessionPlayback::Of::past);
+}
+
 void EditorScene::goTo(int step, const Keyframe& keyframe) {
+    if (std::exchange(start_, keyframe.start).step != keyframe.start.step) {
+        readings_.clear();
+    }
     simulation_.goTo(keyframe.moment);
     followPlacement();
     journal_.goTo(step, keyframe.commandsDone);
@@ -407,6 +449,15 @@ void EditorScene::atEndOfSession() {
         seekTarget_.reset();
     } else {
         playing = false;
+        endPast();
+    }
+}
+
+/// The present is reached again.
+void EditorScene::endPast() {
+    if (playback_->isPast()) {
+        playback_.reset();
+        seekTarget_.reset();
     }
 }
 
@@ -551,14 +602,53 @@ void EditorScene::recordPicture(double elapsedSeconds, double renderMs) {
 }
 
 render::SceneView EditorScene::view() {
-    return sceneOf(simulation_, lookOf(document_.session), rest_.bounds, runner_.strokePoses());
+    render::SceneView view =
+        sceneOf(simulation_, lookOf(document_.session), rest_.bounds, runner_.strokePoses());
+    view.paint = skin_.paintOf(simulation_);
+    view.field.values = thickness_.values();
+    return view;
+}
+
+bool EditorScene::followPieceSums(bool wanted) {
+    const bool due = wanted && !running() && sumsRevision_ != simulation_.bodyRevision();
+    if (due) {
+        measurePieces();
+    }
+    return due;
+}
+
+const std::vector<ui::PieceRow>& EditorScene::measurePieces() {
+    refreshPieces();
+    const std::vector<int> triangles = simulation_.trianglesOfPieces();
+    const SurfaceMesh& mesh = simulation_.mesh();
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+        if (triangles[p] >= 0) {
+            const PieceFigures figures = figuresOfPiece(mesh, triangles[p]);
+            pieces_[p].sums = {figures.skinArea, figures.cutArea, figures.centroid};
+        }
+    }
+    sumsRevision_ = simulation_.bodyRevision();
+    return pieces_;
 }
 
 void EditorScene::refreshPieces() {
-    pieces_.clear();
+    const bool same = sumsRevision_ == simulation_.bodyRevision();
+    const std::vector<ui::PieceRow> before = std::exchange(pieces_, {});
+    const std::vector<Bounds>& bounds = simulation_.pieceBounds();
+    double all = 0;
     for (const Piece& piece : simulation_.measuredPieces()) {
-        pieces_.push_back({piece.triangles, piece.volume,
-                           piece.restVolume > 0 ? piece.volume / piece.restVolume : 0});
+        ui::PieceRow row;
+        row.triangles = piece.triangles;
+        row.volume = piece.volume;
+        row.share = piece.restVolume > 0 ? piece.volume / piece.restVolume : 0;
+        const std::size_t p = pieces_.size();
+        row.bounds = p < bounds.size() ? bounds[p] : Bounds{};
+        row.sums = same && p < before.size() ? before[p].sums : std::nullopt;
+        all += piece.volume;
+        pieces_.push_back(row);
+    }
+    for (ui::PieceRow& row : pieces_) {
+        row.shareOfAll = all > 0 ? row.volume / all : 0;
     }
     piecesStep_ = simulation_.stepCount();
     piecesTriangles_ = simulation_.report().triangles;
@@ -589,6 +679,7 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.boxes = simulation_.boxes();
     model.pinned = simulation_.pinnedVertices().size();
     model.bodySize = rest_.bounds.diagonal();
+    model.bodyBounds = simulation_.bounds();
     model.edgeLength = rest_.edgeLength;
     model.playing = playing;
     model.stroking = stroke_.drawing() || stroke_.pending() > 0;
@@ -627,9 +718,14 @@ void EditorScene::describeMarks(ui::PanelModel& model) {
 }
 
 void EditorScene::describePlayback(ui::PlaybackState& state) const {
+    state.step = simulation_.stepCount();
+    state.steps = state.step;
+    state.goesBack = playback_ || goesBack(state.step - 1);
     if (playback_) {
-        state = {simulation_.stepCount(), playback_->steps(), playback_->loop,
-                 playback_->divergedAt()};
+        state.steps = playback_->steps();
+        state.played = true;
+        state.loop = playback_->loop;
+        state.divergedAt = playback_->divergedAt();
     }
 }
 

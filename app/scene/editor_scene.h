@@ -8,11 +8,14 @@
 #include "app/scene/editor_document.h"
 #include "app/scene/editor_readings.h"
 #include "app/scene/editor_stroke.h"
+#include "app/scene/keyframes.h"
 #include "app/scene/saved_session.h"
 #include "app/scene/session_journal.h"
 #include "app/scene/session_playback.h"
 #include "app/scene/surface_look.h"
+#include "app/scene/thickness_map.h"
 #include "app/session/session_runner.h"
+#include "app/session/skin_follower.h"
 #include "app/session/volume_watch.h"
 #include "render/renderer.h"
 #include "sim/run/simulation.h"
@@ -76,13 +79,15 @@ class EditorScene {
     /// cuts where it was aimed, and costs no more than the cut.
     bool timeRunsWhileCutting = false;
 
-    // The session that is played.
+    // The course: the session that is played, or what was done since the start.
     bool playing = false;
     /// Whether steps are due: time runs, or a stroke or a seek is under way.
     bool running() const;
     /// Tells whether events of the session are still to come.
     bool playingBack() const;
     /// Goes to a step of it, at once where it is a keyframe; otherwise seekSteps() are left to do.
+    /// What was done after a step that lies back plays again from there, until a person takes
+    /// blade or body in hand: then it is left out.
     void seek(int step);
     int seekSteps() const;
     void stopSeeking() { seekTarget_.reset(); }
@@ -133,6 +138,15 @@ class EditorScene {
     const CutPreview& preview(const std::vector<Blade>& way) {
         return look_.preview(simulation_, way);
     }
+    /// Lets the thickness of the body be worked out where it is `wanted` and time stands. True
+    /// where it is another than in the last view().
+    bool followThickness(bool wanted) { return thickness_.follow(simulation_, wanted, !running()); }
+    const ThicknessMap& thickness() const { return thickness_; }
+    /// Adds up areas and middles of the pieces where they are `wanted`, while time stands and
+    /// nothing is cut. True where they are other ones than before.
+    bool followPieceSums(bool wanted);
+    /// The pieces as they are now, with their sums.
+    const std::vector<ui::PieceRow>& measurePieces();
     /// Number of searches through the triangles that pick() and preview() needed, for tests.
     int surfaceSearches() const { return look_.searches(); }
     /// Number of pieces after the last step: 1 for an uncut body.
@@ -163,6 +177,10 @@ class EditorScene {
     void tell(std::string message);
     void keepKeyframe();
     void goTo(int step, const Keyframe& keyframe);
+    bool goesBack(int step) const;
+    void playPast();
+    void endPast();
+    void countFromHere();
     void beginPlayback();
     void wrapPlayback();
     void atEndOfSession();
@@ -190,7 +208,9 @@ class EditorScene {
     std::shared_ptr<const UncutBody> uncut_ = simulation_.uncut();  ///< that these tell of
     int placementRevision_ = 0;
     SessionRunner runner_{simulation_};
-    std::optional<SessionPlayback> playback_;  ///< of a session with events, until a person cuts
+    /// Of a session with events, or of the past, until a person cuts.
+    std::optional<SessionPlayback> playback_;
+    Keyframes keyframes_;
     std::optional<int> seekTarget_;
     BladeStroke stroke_;
     std::vector<SetParam> choices_;  ///< of a person, one per name; a played session keeps them
@@ -200,17 +220,16 @@ class EditorScene {
     std::optional<render::Camera> chosenView_;
     bool recording_ = false;
     bool recorded_ = false;  ///< the document was begun anew by a recording
-    /// The last restart: what the panels count from.
-    struct Start {
-        int step = 0;
-        double time = 0;  ///< [s]
-    } start_;
+    CountStart start_;
     SurfaceLook look_;
+    SkinFollower skin_{document_.looks};
+    ThicknessMap thickness_;
     EditorReadings readings_;
     VolumeWatch volumes_;
     std::vector<std::string> messages_;
     std::vector<ui::PieceRow> pieces_;
-    int piecesStep_ = -1;  ///< step that pieces_ tells of
+    int sumsRevision_ = -1;  ///< of the body that the sums in pieces_ are of
+    int piecesStep_ = -1;    ///< step that pieces_ tells of
     int piecesTriangles_ = -1;
     std::vector<ui::SessionMark> marks_;
     std::vector<ui::SessionMark> course_;

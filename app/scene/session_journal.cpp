@@ -189,33 +189,48 @@ JournalEntry* SessionJournal::takeDue(int step) {
     return due ? &entries_[done_++] : nullptr;
 }
 
-std::size_t SessionJournal::commandsDone() const {
-    return static_cast<std::size_t>(std::count_if(
-        entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(done_), isCommand));
+std::size_t SessionJournal::commandsDone(int step) const {
+    const std::size_t first = std::min(indexOf({step, 0}), done_);
+    const auto begin = entries_.begin();
+    return static_cast<std::size_t>(std::count_if(begin + static_cast<std::ptrdiff_t>(first),
+                                                  begin + static_cast<std::ptrdiff_t>(done_),
+                                                  isCommand));
 }
 
 void SessionJournal::goTo(int step, std::size_t commandsDone) {
     noted_.reset();
-    done_ = 0;
-    for (std::size_t commands = 0; done_ < entries_.size(); ++done_) {
-        const bool command = isCommand(entries_[done_]);
-        if (commands == commandsDone && (command || entries_[done_].event.step >= step)) {
-            return;
-        }
-        commands += command ? 1 : 0;
+    done_ = indexOf({step, 0});
+    for (std::size_t commands = 0; commands < commandsDone && done_ < entries_.size(); ++done_) {
+        commands += isCommand(entries_[done_]) ? 1 : 0;
     }
 }
 
-void SessionJournal::takeOver(int step, const std::vector<PlayedAction>& cutShort) {
+std::size_t SessionJournal::takeOver(int step, const std::vector<PlayedAction>& cutShort) {
     firstChange_ = std::min(step, firstChange_.value_or(step));
-    takenOver_ = lastId_;
-    const auto present = entries_.begin() + static_cast<std::ptrdiff_t>(done_);
-    std::move(present, entries_.end(), std::back_inserter(rest_));
-    entries_.erase(present, entries_.end());
+    takenOver_ = takenOver_.value_or(lastId_);
+    const std::size_t own = leaveOutRest();
     for (const PlayedAction& pose : cutShort) {
         insert(indexOf({step, 0}), Origin::editor, {step - 1, pose.action});
     }
     ++revision_;
+    return own;
+}
+
+/// What is to come of the session comes back when it is restarted, with its pictures.
+std::size_t SessionJournal::leaveOutRest() {
+    const auto present = entries_.begin() + static_cast<std::ptrdiff_t>(done_);
+    const auto own = std::stable_partition(present, entries_.end(), [](const JournalEntry& entry) {
+        return entry.origin == Origin::session || !isCommand(entry);
+    });
+    const auto count = static_cast<std::size_t>(std::count_if(own, entries_.end(), isChange));
+    rest_.insert(rest_.begin(), std::make_move_iterator(present), std::make_move_iterator(own));
+    entries_.erase(present, entries_.end());
+    return count;
+}
+
+std::size_t SessionJournal::leftOut() const {
+    return static_cast<std::size_t>(
+        std::ranges::count(rest_, Origin::session, &JournalEntry::origin));
 }
 
 // --- Pictures, exports and checks --------------------------------------------------------------

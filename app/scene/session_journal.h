@@ -51,13 +51,15 @@ class SessionJournal {
     void restart();
     /// The next event where it is due before `step`, which counts as done then; else null.
     JournalEntry* takeDue(int step);
-    /// Commands that are done so far: with the step, what goTo() takes.
-    std::size_t commandsDone() const;
-    /// Another present: before `step`, when so many commands were done.
+    /// Commands that are done so far of those before the coming step `step`: with the step, what
+    /// goTo() takes.
+    std::size_t commandsDone(int step) const;
+    /// Another present: before `step`, when so many of its commands were done.
     void goTo(int step, std::size_t commandsDone);
-    /// A person goes on alone at `step`: what is to come is left out. `cutShort`: the poses before
-    /// the last step of the moves that end here on their way.
-    void takeOver(int step, const std::vector<PlayedAction>& cutShort);
+    /// A person goes on alone at `step`: what is to come is left out, the person's own for good.
+    /// `cutShort`: the poses before the last step of the moves that end here on their way. Returns
+    /// how many events of the person these were.
+    std::size_t takeOver(int step, const std::vector<PlayedAction>& cutShort);
 
     // Pictures, exports and checks.
     /// The present, before step `step`.
@@ -69,8 +71,8 @@ class SessionJournal {
     const std::vector<JournalEntry>& entries() const { return entries_; }
     /// The first step before which a person changed the run of a played session or took it over.
     std::optional<int> firstChange() const { return firstChange_; }
-    /// Events that were to come when a person took over.
-    std::size_t leftOut() const { return rest_.size(); }
+    /// Events of the session that were to come when a person took over.
+    std::size_t leftOut() const;
     /// Step of the last entry; 0 where there is none.
     int lastStep() const { return entries_.empty() ? 0 : entries_.back().event.step; }
     /// Grows when entries come or go that are no commands.
@@ -85,6 +87,7 @@ class SessionJournal {
     void notePose(int step, const Command& command);
     void noteHand(int step, const Command& command);
     void hold(const SessionEvent& last, int step);
+    std::size_t leaveOutRest();
     void dropTakeOver();
 
     std::vector<JournalEntry> entries_;  ///< by step
@@ -94,7 +97,7 @@ class SessionJournal {
     std::optional<int> noted_;  ///< id of the last command, while it may still be extended
     std::optional<int> firstChange_;
     std::optional<int> takenOver_;           ///< last id before a person took over
-    std::vector<JournalEntry> rest_;         ///< what was to come then
+    std::vector<JournalEntry> rest_;         ///< what was to come of the session
     std::optional<SessionEvent> lastPose_;   ///< while a person's blade is placed
     std::map<int, SessionEvent> lastDrags_;  ///< of hands that hold something, by number
 };

@@ -82,6 +82,10 @@ void describe(auto& fields, render::ChosenColors& colors) {
                     colors.skin, kColorParts);
     fields.optional({"flesh", "Colour of the faces of cuts: red, green and blue, 0 to 1."},
                     colors.flesh, kColorParts);
+    fields.optional({"of_look",
+                     "Whether the skin shows the colours of the look, even where the model's file "
+                     "has colours or images of its own."},
+                    colors.ofLook);
 }
 
 void describe(auto& fields, SessionView& view) {

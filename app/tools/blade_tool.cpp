@@ -108,7 +108,8 @@ void BladeTool::press(const ViewFrame& view, const Vec2& pixel, EditorScene& sce
             return;
         case ui::Tool::grab:
         case ui::Tool::pin:
-            return;  // see PullTool
+        case ui::Tool::measure:
+            return;  // see PullTool, MeasureList
     }
 }
 

@@ -20,6 +20,8 @@ class BladeTool {
     void fitTo(const Bounds& bounds);
 
     const ui::ToolSettings& settings() const { return settings_; }
+    /// Takes another tool, while none of them holds anything.
+    void choose(ui::Tool tool) { settings_.tool = tool; }
     /// Takes another tool or another depth; a guillotine that is lowered cuts.
     void set(const ui::ToolSettings& settings, EditorScene& scene);
 

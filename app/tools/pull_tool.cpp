@@ -52,6 +52,7 @@ std::optional<double> reachOf(const ui::ToolSettings& settings) {
             return settings.pinRadius;
         case ui::Tool::stroke:
         case ui::Tool::guillotine:
+        case ui::Tool::measure:
             break;
     }
     return std::nullopt;

@@ -17,12 +17,12 @@ int NormalsPass::sidePiecesOf(std::uint32_t triangles) const {
     return std::clamp(static_cast<int>(pieces), 1, roundness_.mostSidePieces);
 }
 
-void NormalsPass::run(const BodyView& body, double hardEdges) {
+void NormalsPass::run(const BodyView& body, double hardEdges, bool flat) {
     normals_.resize(std::size_t(2) * body.vertexCount * sizeof(shared::vec4));
     cornerNormals_.resize(std::size_t(3) * body.triangleCount * sizeof(std::uint32_t));
     // Each vertex of a rim begins an edge of it, some begin two.
     rims_.resize(sizeof(shared::vec4) + std::size_t(2) * body.vertexCount * sizeof(std::uint32_t));
-    sidePieces_ = sidePiecesOf(body.triangleCount);
+    sidePieces_ = flat ? 1 : sidePiecesOf(body.triangleCount);
     const std::array<std::uint32_t, 4> noRims{6 * static_cast<std::uint32_t>(sidePieces_), 0, 0, 0};
     rims_.write<std::uint32_t>(0, noRims);
     body.positions->bindStorage(shared::kBindPositions);

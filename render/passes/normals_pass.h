@@ -19,8 +19,9 @@ struct Roundness {
 class NormalsPass {
   public:
     explicit NormalsPass(const Roundness& roundness = {});
-    /// Skin has hard edges where its faces met at more than so many degrees at rest.
-    void run(const BodyView& body, double hardEdges);
+    /// Skin has hard edges where its faces met at more than so many degrees at rest. `flat`: coarse
+    /// skin is not to look round.
+    void run(const BodyView& body, double hardEdges, bool flat);
 
     /// vec4, shape [2 * vertexCount]: entry 2 * vertex + kind, over skin and over wall triangles;
     /// w of the first: 1 where the skin is smooth there, 0 at hard edges and where there is none; w

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "gpu/program.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
@@ -12,10 +14,13 @@ class RimPass {
   public:
     RimPass();
     /// Draws over the surface in the bound target.
-    void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape) const;
+    void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
 
   private:
-    gpu::Program program_;
+    const gpu::Program& programFor(const SceneView& scene);
+
+    gpu::Program whole_;
+    std::optional<gpu::Program> opened_;  // from the first picture of a section
 };
 
 }  // namespace kerf::render

@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 
 #include <string>
+#include <utility>
 
 #include "render/scene/environment.h"
 #include "shaders/shared/render_bindings.h"
@@ -10,12 +11,15 @@
 namespace kerf::render {
 namespace {
 
-void bindBody(const BodyView& body, const NormalsPass& shape) {
-    body.positions->bindStorage(shared::kBindPositions);
-    body.restPositions->bindStorage(shared::kBindRestPositions);
-    body.triangles->bindStorage(shared::kBindTriangles);
-    shape.normals().bindStorage(shared::kBindNormals);
-    shape.cornerNormals().bindStorage(shared::kBindCornerNormals);
+void drawTriangles(std::uint32_t first, std::uint32_t count) {
+    glDrawArrays(GL_TRIANGLES, GLint(3 * first), GLsizei(3 * count));
+}
+
+/// All triangles, divided as they are shown.
+void drawBody(const gpu::Program& program, const BodyView& body, const NormalsPass& shape) {
+    const auto side = static_cast<std::uint32_t>(shape.sidePieces());
+    program.set("sidePieces", shape.sidePieces());
+    drawTriangles(0, side * side * body.triangleCount);
 }
 
 void setFinish(const gpu::Program& program, const Finish& finish) {
@@ -27,31 +31,23 @@ void setFinish(const gpu::Program& program, const Finish& finish) {
 
 }  // namespace
 
-void SurfacePass::setDepth(const DepthField& depth) {
-    depth_ = depth.values.empty() ? DepthTexture() : DepthTexture(depth);
+void bindBody(const BodyView& body, const NormalsPass& shape) {
+    body.positions->bindStorage(shared::kBindPositions);
+    body.restPositions->bindStorage(shared::kBindRestPositions);
+    body.triangles->bindStorage(shared::kBindTriangles);
+    shape.normals().bindStorage(shared::kBindNormals);
+    shape.cornerNormals().bindStorage(shared::kBindCornerNormals);
 }
 
-const gpu::Program& SurfacePass::programOf(const Kind& kind) {
-    const auto found = programs_.find(kind);
-    if (found != programs_.end()) {
-        return found->second;
-    }
-    gpu::Defines defines = defines_;
-    const bool isWall = kind.surface == SurfaceKind::wall;
-    defines.emplace_back(isWall ? "PATTERN" : "SKIN", std::to_string(kind.pattern));
-    if (isWall) {
-        defines.emplace_back("WALLS", "1");
-    }
-    if (kind.rounded) {
-        defines.emplace_back("ROUNDED", "1");
-    }
-    if (kind.shading != Shading::lit) {
-        defines.emplace_back("MATCAP", std::to_string(static_cast<int>(kind.shading)));
-    }
-    return programs_
-        .emplace(kind,
-                 gpu::Program::graphics("render/surface.vert", "render/surface.frag", defines))
-        .first->second;
+void setSection(const gpu::Program& program, const SceneView& scene) {
+    const SectionPlane& plane = *scene.section;
+    const Vec3f n = plane.normal.cast<float>();
+    const auto offset = float(-plane.normal.dot(plane.point));
+    program.set("sectionPlane", Eigen::Vector4f(n.x(), n.y(), n.z(), offset));
+}
+
+void SurfacePass::setDepth(const DepthField& depth) {
+    depth_ = depth.values.empty() ? DepthTexture() : DepthTexture(depth);
 }
 
 void SurfacePass::setLook(const gpu::Program& program, const SceneView& scene) const {
@@ -71,27 +67,98 @@ void SurfacePass::setLook(const gpu::Program& program, const SceneView& scene) c
     program.set("fieldScale", depth_.scale());
 }
 
+SurfacePass::Kind SurfacePass::kindOf(const SceneView& scene, const NormalsPass& shape, bool wall) {
+    const BodyLook& look = scene.look;
+    const bool painted = !wall && scene.paint != nullptr;
+    const int skin = painted ? 0 : static_cast<int>(look.skinPattern);
+    return {.wall = wall,
+            .pattern = wall ? static_cast<int>(look.pattern) : skin,
+            .shading = look.shading,
+            .rounded = shape.sidePieces() > 1,
+            .opened = scene.section.has_value(),
+            .painted = painted};
+}
+
+gpu::Defines SurfacePass::definesOf(const Kind& kind) const {
+    gpu::Defines defines = defines_;
+    const auto add = [&](bool wanted, const char* name, const std::string& value) {
+        if (wanted) {
+            defines.emplace_back(name, value);
+        }
+    };
+    add(kind.wall, "WALLS", "1");
+    add(true, kind.wall ? "PATTERN" : "SKIN", std::to_string(kind.pattern));
+    add(kind.rounded, "ROUNDED", "1");
+    add(kind.shading != Shading::lit, "MATCAP", std::to_string(static_cast<int>(kind.shading)));
+    add(kind.opened, "SECTION", "1");
+    add(kind.painted, "OWN_COLOURS", "1");
+    return defines;
+}
+
+const gpu::Program& SurfacePass::programOf(const Kind& kind) {
+    auto found = programs_.find(kind);
+    if (found == programs_.end()) {
+        gpu::Program program =
+            gpu::Program::graphics("render/surface.vert", "render/surface.frag", definesOf(kind));
+        found = programs_.emplace(kind, std::move(program)).first;
+    }
+    return found->second;
+}
+
 void SurfacePass::draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape) {
     depth_.bind(shared::kUnitDepthField);
     bindBody(scene.body, shape);
-    const BodyLook& look = scene.look;
-    const bool rounded = shape.sidePieces() > 1;
-    drawKind({SurfaceKind::skin, static_cast<int>(look.skinPattern), look.shading, rounded}, scene,
-             frame, shape.sidePieces());
+    drawSkin(scene, frame, shape);
+    const gpu::Program& walls = programOf(kindOf(scene, shape, true));  // before a cut waits for it
     if (scene.hasWalls) {
-        drawKind({SurfaceKind::wall, static_cast<int>(look.pattern), look.shading, rounded}, scene,
-                 frame, shape.sidePieces());
+        prepare(walls, scene, frame);
+        setFinish(walls, scene.look.cutFinish);
+        drawBody(walls, scene.body, shape);
     }
 }
 
-void SurfacePass::drawKind(const Kind& kind, const SceneView& scene, const Frame& frame,
-                           int sidePieces) {
-    const gpu::Program& program = programOf(kind);
+void SurfacePass::upload(const std::shared_ptr<const SkinPaint>& paint) {
+    if (paint == paint_) {
+        return;
+    }
+    paintRecords_.assign(paint->records);
+    if (!textures_.areOf(paint->appearance)) {
+        textures_ = SkinTextures(paint->appearance);
+    }
+    paint_ = paint;
+}
+
+void SurfacePass::drawSkin(const SceneView& scene, const Frame& frame, const NormalsPass& shape) {
+    const gpu::Program& skin = programOf(kindOf(scene, shape, false));
+    prepare(skin, scene, frame);
+    setFinish(skin, scene.look.skinFinish);
+    if (scene.paint == nullptr) {
+        drawBody(skin, scene.body, shape);
+        return;
+    }
+    upload(scene.paint);
+    drawPainted(skin);
+}
+
+void SurfacePass::drawPainted(const gpu::Program& skin) {
+    paintRecords_.bindStorage(shared::kBindSkin);
+    for (const SkinPaint::Range& range : paint_->ranges) {
+        skin.set("hasSkinPicture", range.image >= 0 ? 1.0f : 0.0f);
+        if (range.image >= 0) {
+            textures_.bind(range.image, shared::kUnitSkin);
+        }
+        drawTriangles(range.first, range.count);
+    }
+}
+
+void SurfacePass::prepare(const gpu::Program& program, const SceneView& scene,
+                          const Frame& frame) const {
     program.use();
     setLight(program, frame);
     setLook(program, scene);
-    setFinish(program,
-              kind.surface == SurfaceKind::wall ? scene.look.cutFinish : scene.look.skinFinish);
+    if (scene.section) {
+        setSection(program, scene);
+    }
     bindLooks(program, frame);
     program.set("viewProjection", frame.viewProjection);
     program.set("eye", frame.eye);
@@ -99,12 +166,9 @@ void SurfacePass::drawKind(const Kind& kind, const SceneView& scene, const Frame
     program.set("hasFloor", scene.floor ? 1.0f : 0.0f);
     program.set("floorHeight", float(scene.floor.value_or(0)));
     program.set("wireframe", scene.wireframe ? 1.0f : 0.0f);
-    program.set("sidePieces", sidePieces);
     for (std::size_t i = 0; i < frame.mattLight.size(); ++i) {
         program.set("mattLight[" + std::to_string(i) + "]", frame.mattLight[i]);
     }
-    glDrawArrays(GL_TRIANGLES, 0,
-                 GLsizei(3 * sidePieces * sidePieces * int(scene.body.triangleCount)));
 }
 
 }  // namespace kerf::render

@@ -1,14 +1,21 @@
 #pragma once
 
 #include <map>
-#include <tuple>
+#include <memory>
+#include <utility>
 
 #include "gpu/program.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
+#include "render/passes/skin_textures.h"
 #include "render/scene/depth_field.h"
 
 namespace kerf::render {
+
+/// Binds the buffers of a body for the shaders that draw it.
+void bindBody(const BodyView& body, const NormalsPass& shape);
+/// The plane of the section that there must be, for a program that is in use.
+void setSection(const gpu::Program& program, const SceneView& scene);
 
 /// The body itself: skin, walls, wireframe.
 class SurfacePass {
@@ -19,24 +26,35 @@ class SurfacePass {
     /// Takes over what another pass was told of the rest shape.
     void takeRestShape(SurfacePass& other) { depth_ = std::move(other.depth_); }
     /// Draws into the bound target, with the shadow map and the environment bound. Compiles the
-    /// programs of a look when it is first drawn.
+    /// programs of a look when it is first drawn, those of its walls too.
     void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
+    /// Colours and inner structure, of a program that is in use.
+    void setLook(const gpu::Program& program, const SceneView& scene) const;
 
   private:
     /// What a program is made for; the rest are its uniforms.
     struct Kind {
-        SurfaceKind surface = SurfaceKind::skin;
-        int pattern = 0;
+        bool wall = false;
+        int pattern = 0;  ///< SkinPattern or FleshPattern
         Shading shading = Shading::lit;
         bool rounded = false;
+        bool opened = false;   ///< by a section
+        bool painted = false;  ///< in the model's own colours
         auto operator<=>(const Kind&) const = default;
     };
+    static Kind kindOf(const SceneView& scene, const NormalsPass& shape, bool wall);
+    gpu::Defines definesOf(const Kind& kind) const;
     const gpu::Program& programOf(const Kind& kind);
-    void drawKind(const Kind& kind, const SceneView& scene, const Frame& frame, int sidePieces);
-    void setLook(const gpu::Program& program, const SceneView& scene) const;
+    void upload(const std::shared_ptr<const SkinPaint>& paint);
+    void drawSkin(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
+    void drawPainted(const gpu::Program& skin);
+    void prepare(const gpu::Program& program, const SceneView& scene, const Frame& frame) const;
 
     gpu::Defines defines_;
     std::map<Kind, gpu::Program> programs_;
+    std::shared_ptr<const SkinPaint> paint_;  ///< that was uploaded last
+    gpu::Buffer paintRecords_;
+    SkinTextures textures_;
     DepthTexture depth_;
 };
 

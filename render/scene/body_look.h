@@ -81,8 +81,11 @@ struct ChosenColors {
     std::optional<LookName> look;
     std::optional<Vec3> skin;
     std::optional<Vec3> flesh;  ///< of the cut faces
+    bool ofLook = false;        ///< of the skin, even where the model's file has its own
+    /// Whether the skin shows what the model's file has.
+    bool showOwn() const { return !ofLook && !look && !skin; }
     bool operator==(const ChosenColors&) const = default;
-    bool any() const { return look || skin || flesh; }
+    bool any() const { return *this != ChosenColors{}; }
 };
 /// The chosen look, or else `own`, in the chosen colours; its rind, between skin and flesh, follows
 /// them.

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "render/scene/body_look.h"
 #include "render/scene/image.h"
 #include "render/scene/overlays.h"
+#include "render/scene/section_plane.h"
+#include "render/scene/skin_paint.h"
+#include "render/scene/surface_field.h"
 #include "sim/base/boxes.h"
 #include "sim/body/skin_normals.h"
 #include "sim/contact/blade_body.h"
@@ -34,7 +38,12 @@ struct SceneView {
     std::optional<int> bodyRevision;
     bool hasWalls = true;  ///< the body may have faces of cuts
     BodyLook look;
-    Bounds restBounds;  ///< of the uncut rest shape, for the inner structure
+    /// The model's own colours, in place of the look's on the skin; null for those of the look.
+    /// They tell of `body` as it is.
+    std::shared_ptr<const SkinPaint> paint;
+    FieldView field;                      ///< what the colours of the body show instead of the look
+    std::optional<SectionPlane> section;  ///< opens the body
+    Bounds restBounds;                    ///< of the uncut rest shape, for the inner structure
     std::vector<StaticBox> boxes;
     std::optional<double> floor;           ///< height of the grid floor [m]
     std::optional<Blade> blade;            ///< steel with a bright edge

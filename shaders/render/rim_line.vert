@@ -3,6 +3,9 @@
 #include "rounded.glsl"
 #include "piece_looks.glsl"
 #include "thick_line.glsl"
+#ifdef SECTION
+#include "section.glsl"
+#endif
 layout(std430, binding = kBindRims) readonly buffer Rims {
     uvec4 rimCommand;
     uint rims[];  // 4 * triangle + the corner that it begins at
@@ -21,7 +24,11 @@ void main() {
     int piece = gl_VertexID / 6;
     vec3 shift = shiftOfPiece(triangle);
     bool drawn = lookOfPiece(triangle).w >= 0.0;
-    vec4 place = lineCorner(pointOfRim(ends, piece) + shift, pointOfRim(ends, piece + 1) + shift,
-                            gl_VertexID % 6);
+    vec3 from = pointOfRim(ends, piece) + shift;
+    vec3 to = pointOfRim(ends, piece + 1) + shift;
+    vec4 place = lineCorner(from, to, gl_VertexID % 6);
+#ifdef SECTION
+    hideBehindSection(0.5 * (from + to));
+#endif
     gl_Position = drawn ? place : vec4(2, 2, 2, 1);
 }

@@ -1,5 +1,6 @@
 // The body: its skin, or with WALLS the walls of a cut. Two programs rather than a branch, since
 // llvmpipe walks through both sides of every branch.
+#include "edge_lines.glsl"
 #include "tone.glsl"
 #ifdef MATCAP
 #include "matcap.glsl"
@@ -9,7 +10,7 @@
 #ifdef WALLS
 #include "inner.glsl"
 #else
-#include "skin.glsl"
+#include "skin_colour.glsl"
 #endif
 
 in vec3 worldPosition;
@@ -27,7 +28,7 @@ const float kFacing = 0.36;
 vec3 ownColor(vec3 rest) { return innerAlbedo(rest); }
 #else
 const float kFacing = 0.06;
-vec3 ownColor(vec3 rest) { return skinAlbedo(rest); }
+vec3 ownColor(vec3 rest) { return skinColour(rest); }
 #endif
 
 // A normal as the height of the surface tells it (Mikkelsen, "Bump mapping unparametrized
@@ -40,13 +41,6 @@ vec3 bumped(vec3 n, float height) {
     float det = dot(dx, r1);
     vec3 slope = sign(det) * (dFdx(height) * r1 + dFdy(height) * r2);
     return normalize(abs(det) * n - slope + 1e-20 * n);
-}
-
-// Of a line along the edges of the triangle, a pixel wide.
-float edgeCover() {
-    vec3 slope = sqrt(dFdx(corners) * dFdx(corners) + dFdy(corners) * dFdy(corners));
-    vec3 d = corners / max(slope, vec3(1e-6));
-    return 1.0 - smoothstep(0.3, 1.2, min(d.x, min(d.y, d.z)));
 }
 
 void main() {
@@ -63,7 +57,8 @@ void main() {
     vec3 light = shade(worldPosition, albedo, n, v, kFacing);
 #endif
     if (wireframe > 0.0) {
-        light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * edgeCover());
+        float cover = lineCover(edgeDistances(corners), 0.3, 1.2);
+        light = mix(light, vec3(0.004, 0.005, 0.007), 0.6 * cover);
     }
     color = vec4(display(light), 1);
 }

@@ -1,10 +1,26 @@
 #include "rounded.glsl"
 #include "corner_normals.glsl"
 #include "piece_looks.glsl"
+#ifdef SECTION
+#include "section.glsl"
+#endif
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
 layout(std430, binding = kBindCornerNormals) readonly buffer CornerNormals {
     uint cornerNormals[];  // of the skin: 3 * triangle + corner
 };
+
+#ifdef OWN_COLOURS
+#include "skin_records.h"
+layout(std430, binding = kBindSkin) readonly buffer Skin { SkinRecord skinRecords[]; };
+out vec2 skinUv;
+out vec4 skinTint;
+
+void paintCorner(SkinRecord record, int corner) {
+    SkinCorner at = corner == 0 ? record.first : corner == 1 ? record.second : record.third;
+    skinUv = vec2(at.u, at.v);
+    skinTint = vec4(unpackHalf2x16(at.red_green), unpackHalf2x16(at.blue_own));
+}
+#endif
 
 #ifdef WALLS
 const uint kKind = 1u;
@@ -18,6 +34,11 @@ out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 restPosition;
 out vec3 corners;  // weights of the corners of the triangle
+#ifdef FIELD
+#define FIELD_ACCESS readonly
+#include "field.glsl"
+out float fieldPlace;  // in the range of its colours, 0 to 1
+#endif
 flat out vec4 pieceTint;
 
 vec3 cornerNormal(int triangle, uint vertex, int corner) {
@@ -31,8 +52,9 @@ vec3 cornerNormal(int triangle, uint vertex, int corner) {
 #ifdef ROUNDED
 uniform int sidePieces;
 
-void placeCorner(int id, uvec3 vertices) {
-    int triangle = id / (3 * sidePieces * sidePieces);
+int triangleOf(int id) { return id / (3 * sidePieces * sidePieces); }
+
+void placeCorner(int id, int triangle, uvec3 vertices) {
     int local = id % (3 * sidePieces * sidePieces);
     corners = pieceWeights(local / 3, local % 3, sidePieces);
     worldPosition = roundedPoint(vertices, corners);
@@ -43,22 +65,38 @@ void placeCorner(int id, uvec3 vertices) {
         corners.z * cornerNormal(triangle, vertices.z, 2);
 }
 #else
-const int sidePieces = 1;
+int triangleOf(int id) {
+#ifdef OWN_COLOURS
+    return int(skinRecords[id / 3].triangle);
+#else
+    return id / 3;
+#endif
+}
 
-void placeCorner(int id, uvec3 vertices) {
+void placeCorner(int id, int triangle, uvec3 vertices) {
     int corner = id % 3;
     uint vertex = vertices[corner];
     corners = vec3(corner == 0, corner == 1, corner == 2);
     worldPosition = positions[vertex].xyz;
     restPosition = restPositions[vertex].xyz;
-    worldNormal = cornerNormal(id / 3, vertex, corner);
+    worldNormal = cornerNormal(triangle, vertex, corner);
+#ifdef OWN_COLOURS
+    paintCorner(skinRecords[id / 3], corner);
+#endif
+#ifdef FIELD
+    fieldPlace = (fieldValues[2u * vertex + kKind] - rangeLow) / (rangeHigh - rangeLow);
+#endif
 }
 #endif
 
 void main() {
-    uvec4 triangle = triangles[gl_VertexID / (3 * sidePieces * sidePieces)];
-    placeCorner(gl_VertexID, triangle.xyz);
+    int number = triangleOf(gl_VertexID);
+    uvec4 triangle = triangles[number];
+    placeCorner(gl_VertexID, number, triangle.xyz);
     worldPosition += shiftOfPiece(triangle);
+#ifdef SECTION
+    hideBehindSection(worldPosition);
+#endif
     pieceTint = lookOfPiece(triangle);
     // Triangles of the other kind, and of hidden pieces, fall outside the picture.
     bool drawn = (triangle.w & 1u) == kKind && pieceTint.w >= 0.0;

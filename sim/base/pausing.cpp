@@ -3,13 +3,11 @@
 #include <cassert>
 #include <utility>
 
-#include "sim/base/stopwatch.h"
-
 namespace kerf {
 
 namespace {
 thread_local const std::function<void()>* pauseNow = nullptr;
-thread_local double pausedSoFar = 0;
+thread_local double pausedSoFar = 0;  // [s]
 }  // namespace
 
 void pausePoint() {
@@ -29,8 +27,10 @@ Pauses::~Pauses() {
     pauseNow = nullptr;
 }
 
-double pausedSeconds() {
-    return pausedSoFar;
+WorkWatch::WorkWatch() : pausedBefore_(pausedSoFar) {}
+
+double WorkWatch::seconds() const {
+    return watch_.seconds() - (pausedSoFar - pausedBefore_);
 }
 
 }  // namespace kerf

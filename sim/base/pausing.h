@@ -2,6 +2,8 @@
 
 #include <functional>
 
+#include "sim/base/stopwatch.h"
+
 namespace kerf {
 
 /// A place in long work where whoever had it begun may do something else on this thread before it
@@ -22,8 +24,16 @@ class Pauses {
     std::function<void()> pause_;
 };
 
-/// Time that work of this thread has spent in pauses so far [s]: measures of how long it took leave
-/// that out.
-double pausedSeconds();
+/// Wall-clock time that this thread has worked since it was made: without its pauses.
+class WorkWatch {
+  public:
+    WorkWatch();
+    double seconds() const;
+    double milliseconds() const { return 1000 * seconds(); }
+
+  private:
+    Stopwatch watch_;
+    double pausedBefore_;  ///< [s]
+};
 
 }  // namespace kerf

@@ -38,6 +38,12 @@ std::string lengthText(double metres) {
     return textIn(kUnits, metres);
 }
 
+std::string areaText(double squareMetres) {
+    static constexpr std::array kUnits{Unit{1e6, "km\u00b2"}, Unit{1, "m\u00b2"},
+                                       Unit{1e-4, "cm\u00b2"}, Unit{1e-6, "mm\u00b2"}};
+    return textIn(kUnits, squareMetres);
+}
+
 std::string massText(double kilograms) {
     static constexpr std::array kUnits{Unit{1e9, "million t"}, Unit{1e3, "t"}, Unit{1, "kg"},
                                        Unit{1e-3, "g"}, Unit{1e-6, "mg"}};

@@ -150,10 +150,7 @@ HoleFilling fillHoles(TriangleSoup& welded) {
         }
     }
     done.triangles = static_cast<int>(welded.triangles.size() - before);
-    if (!welded.uvs.empty()) {
-        const Eigen::Vector2f none = Eigen::Vector2f::Zero();
-        welded.uvs.resize(welded.triangles.size(), CornerUvs{none, none, none});
-    }
+    resizeAttributes(welded.skin, welded.triangles.size());
     return done;
 }
 

@@ -329,7 +329,7 @@ TriangleSoup weldExactly(const TriangleSoup& soup) {
         const int second = weld(b);
         welded.triangles.push_back({first, second, weld(c)});
     }
-    welded.uvs = soup.uvs;
+    welded.skin = soup.skin;
     return welded;
 }
 
@@ -367,9 +367,10 @@ int turnOutward(TriangleSoup& soup) {
     for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
         if (insideOut[pieces.ofTriangle[i]]) {
             std::swap(soup.triangles[i][1], soup.triangles[i][2]);
-            if (!soup.uvs.empty()) {
-                std::swap(soup.uvs[i][1], soup.uvs[i][2]);
-            }
+            TriangleAttributes turned = attributesOf(soup.skin, static_cast<int>(i));
+            std::swap(turned.uvs[1], turned.uvs[2]);
+            std::swap(turned.colors[1], turned.colors[2]);
+            setAttributes(soup.skin, static_cast<int>(i), turned);
         }
     }
     return static_cast<int>(std::ranges::count(insideOut, true));

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/base/math.h"
-#include "sim/mesh/corner_uvs.h"
+#include "sim/mesh/skin_attributes.h"
 
 namespace kerf {
 
@@ -12,7 +12,7 @@ namespace kerf {
 struct TriangleSoup {
     std::vector<Vec3> positions;  ///< [m]
     std::vector<Triangle> triangles;
-    std::vector<CornerUvs> uvs{};  ///< one per triangle, or none at all
+    SkinAttributes skin{};  ///< by triangle
 };
 
 /// Joins vertices with bit-equal coordinates (-0 equals 0) and drops unused ones. The order of

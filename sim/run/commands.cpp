@@ -46,8 +46,7 @@ std::string Simulation::State::carryOut(const SetParam& set) {
     const ParamValue after = getParam(input.params, set.name);
     if (after != before) {
         log.touch();
-        input.paramsChanged = true;
-        body.memory.mayCollapse = true;
+        noteParamsChanged();
         log.noteParam(set.name, before, after, set.continues, output.clock.time);
     }
     return "";

@@ -35,10 +35,12 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     const BodyState state = roundVertices(body.mesh, written);
     // The model, by the mesh.
     pausePoint();
+    body.whole = false;
     const BodyChange change = body.updater->update(delta);
     pausePoint();
     // The solver, by the records of the model that changed.
     body.solver.update(body.model(), change, written, state);
+    body.becomeWhole();
     // The measure, by the solver: new pieces have volumes of their own.
     if (change.pieces.piecesChanged || body.isOpen() != wasOpen) {
         memory.measure = body.solver.measure();

@@ -5,10 +5,10 @@
 
 #include "gpu/program.h"
 #include "shaders/shared/small_body_bindings.h"
-#include "sim/base/boxes.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/mesh/box_surface.h"
+#include "sim/solve/float_vectors.h"
 
 namespace kerf {
 
@@ -49,14 +49,6 @@ Bounds boundsOfVelocities() {
     return velocities;
 }
 
-Bounds boundsOfPositions(const BodyState& state) {
-    Bounds bounds;
-    for (const Vec3f& p : state.positions) {
-        bounds.add(Vec3(p.cast<double>()));
-    }
-    return bounds;
-}
-
 }  // namespace
 
 KernelWarmUp::KernelWarmUp(Params params, std::size_t vertices) {
@@ -91,7 +83,7 @@ void KernelWarmUp::expect() {
     RelativeMotion motion;
     motion.touching = true;
     motion.folded = act_ == Act::fold;
-    solver_.collisions().expect(boundsOfPositions(start_), boundsOfVelocities(), motion);
+    solver_.collisions().expect(boundsOf(start_.positions), boundsOfVelocities(), motion);
 }
 
 }  // namespace kerf

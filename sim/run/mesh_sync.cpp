@@ -4,8 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "sim/base/pausing.h"
 #include "sim/base/sort_unique.h"
-#include "sim/base/stopwatch.h"
 
 namespace kerf {
 
@@ -36,7 +36,7 @@ void MeshSync::invalidate() {
 }
 
 double MeshSync::takePrefetched() {
-    const Stopwatch watch;
+    const WorkWatch watch;
     const std::optional<OrientedBox> box = std::exchange(prefetched_, std::nullopt);
     if (!box) {
         return 0;

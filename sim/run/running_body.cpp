@@ -74,6 +74,12 @@ void RunningBody::startAnew() {
     cutter.emplace(uncut->cutter);
     lookUpTriangles();
     beginAtRest();
+    becomeWhole();
+}
+
+/// As another one than before.
+void RunningBody::becomeWhole() {
+    ++modelRevision;
     whole = true;
 }
 
@@ -133,7 +139,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
     solver.masses().setPinned(memory.pins.vertices());
     solver.savedPieces().save();
     forgetPieces();
-    whole = true;
+    becomeWhole();
 }
 
 void RunningBody::prepareStep(const Params& params) {

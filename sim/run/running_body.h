@@ -60,12 +60,14 @@ struct RunningBody {
     void readAllBack(bool all);
 
     const BodyModel& model() const { return updater->model(); }
-    /// Tells whether a piece may have gone through itself, as far as the last measure shows: some
-    /// edge is folded, or a piece holds little of its volume.
+    /// Whether a piece may have gone through itself, as far as the last measure shows: some edge is
+    /// folded, or a piece holds little of its volume.
     bool looksCollapsed() const;
     /// Tells whether walls of a stroke of the open course are absent.
     bool isOpen() const;
     const PieceMap& pieces();
+    /// The solver has the model again after it became another one.
+    void becomeWhole();
 
     // What it was made with, and what it starts anew from. Never null.
     const std::shared_ptr<const UncutBody> first;
@@ -83,6 +85,7 @@ struct RunningBody {
     std::optional<Cutter> cutter;
     BodyMemory memory;
     bool whole = true;        ///< see Simulation::isWhole()
+    int modelRevision = 0;    ///< see Simulation::modelRevision()
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:

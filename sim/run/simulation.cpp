@@ -1,8 +1,9 @@
 #include "sim/run/simulation.h"
 
+#include <algorithm>
 #include <utility>
 
-#include "sim/base/stopwatch.h"
+#include "sim/base/pausing.h"
 #include "sim/base/text.h"
 #include "sim/body/folded_triangles.h"
 #include "sim/body/inside_out.h"
@@ -82,6 +83,14 @@ const StepReport& Simulation::State::step() {
     return output.report;
 }
 
+/// What is folded now was so by the parameters before.
+void Simulation::State::noteParamsChanged() {
+    input.paramsChanged = true;
+    if (body.solver.stepper().unfolds() || body.looksCollapsed()) {
+        body.memory.mayHaveCollapsed = true;
+    }
+}
+
 void Simulation::State::applyParameters() {
     if (std::exchange(input.paramsChanged, false)) {
         body.apply(input.params);
@@ -142,7 +151,7 @@ void Simulation::State::lookAfterShape() {
     const bool keeps = keepsShape(input.params);
     if (!keeps) {
         body.memory.recovery.stop();
-        body.memory.mayCollapse = true;
+        body.memory.mayHaveCollapsed = true;
     }
     int& foldedSteps = body.memory.foldedSteps;
     if (body.cutter->inStroke()) {
@@ -154,16 +163,23 @@ void Simulation::State::lookAfterShape() {
         return;
     }
     foldedSteps = 0;
-    std::vector<double> insideOut(body.model().pieces.size(), 0);
-    if (body.memory.mayCollapse) {
-        insideOut = sharesInsideOut(body.model(), body.mesh);
-    }
+    const std::vector<double> insideOut = findInsideOut();
     if (keeps) {
         drawCollapsedBack(insideOut);
     }
     if (unfolds) {
         mendFolds(insideOut);
     }
+}
+
+std::vector<double> Simulation::State::findInsideOut() {
+    if (!body.memory.mayHaveCollapsed) {
+        return std::vector<double>(body.model().pieces.size(), 0);
+    }
+    std::vector<double> shares = sharesInsideOut(body.model(), body.mesh);
+    const bool any = std::ranges::any_of(shares, [](double s) { return s > kMostMended; });
+    body.memory.mayHaveCollapsed = any || body.memory.recovery.draws();
+    return shares;
 }
 
 /// Not what a hand holds: somebody is at work on it.
@@ -184,7 +200,7 @@ void Simulation::State::drawCollapsedBack(std::vector<double> insideOut) {
 /// What the solver can't unfold in kPatience steps lies at short edges that a cut left there: these
 /// are removed. The folds of what has collapsed say nothing about edges.
 void Simulation::State::mendFolds(std::span<const double> insideOut) {
-    const Stopwatch watch;
+    const WorkWatch watch;
     std::vector<int> triangles = foldedTriangles(body.mesh, body.uncut->mesh.triangleSlots());
     std::erase_if(triangles, [&](int t) {
         const int piece = body.updater->pieceOfMeshVertex()[body.mesh.triangle(t)[0]];
@@ -314,6 +330,14 @@ BodyView Simulation::bodyView() const {
     return state_->body.solver.view();
 }
 
+const BodyModel& Simulation::bodyModel() const {
+    return state_->body.model();
+}
+
+int Simulation::modelRevision() const {
+    return state_->body.modelRevision;
+}
+
 ConstraintView Simulation::constraintView() const {
     return state_->body.solver.constraintView();
 }
@@ -332,6 +356,15 @@ std::vector<Piece> Simulation::measuredPieces() const {
                        piece.restArea});
     }
     return out;
+}
+
+std::vector<int> Simulation::trianglesOfPieces() const {
+    const BodyModel& model = state_->body.model();
+    std::vector<int> triangles(model.pieces.size(), -1);
+    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+        triangles[model.triangles[t][3] >> 8U] = model.meshTriangle[t];
+    }
+    return triangles;
 }
 
 const std::vector<Bounds>& Simulation::pieceBounds() const {

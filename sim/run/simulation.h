@@ -97,12 +97,18 @@ class Simulation {
 
     /// The buffers that the renderer draws from; valid until the next step or reset.
     BodyView bodyView() const;
+    /// The model of what bodyView() shows, where isWhole(); valid as that.
+    const BodyModel& bodyModel() const;
+    /// Grows whenever bodyModel() becomes another one.
+    int modelRevision() const;
     /// The buffers that overlays draw from; valid as bodyView().
     ConstraintView constraintView() const;
     /// Box around the body and what each piece holds, as of the last step, without reading anything
     /// back. Pieces stand in the order in which they came off.
     const Bounds& bounds() const;
     std::vector<Piece> measuredPieces() const;
+    /// A triangle of the mesh of each of these pieces, in their order. O(triangles).
+    std::vector<int> trianglesOfPieces() const;
     /// Boxes around these pieces [m], in their order.
     const std::vector<Bounds>& pieceBounds() const;
     /// The mesh with current positions and velocities (waits for the GPU where they are newer).

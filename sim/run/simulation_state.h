@@ -52,12 +52,15 @@ struct Simulation::State {
     void beginAtRest();
 
     // The phases of a step.
+    void noteParamsChanged();
     void applyParameters();
     void solve();
     void prefetchCut();
     void moveBody();
     void takeBackLostPieces();
     void lookAfterShape();
+    /// sharesInsideOut() where parameters may have brought that about, else 0 for all.
+    std::vector<double> findInsideOut();
     void drawCollapsedBack(std::vector<double> insideOut);
     void mendFolds(std::span<const double> insideOut);
     void publish();

@@ -24,8 +24,9 @@ struct BodyMemory {
     ShapeRecovery recovery;
     BodyMeasure measure;  ///< as of the last step
     SubdivisionCounts subdivisions{};
-    /// Parameters were changed, or keep no shape: what they have turned inside out stays so.
-    bool mayCollapse = false;
+    /// Parameters keep no shape, or were changed while it was folded: what they have turned inside
+    /// out stays so.
+    bool mayHaveCollapsed = false;
     int foldedSteps = 0;  ///< without a stroke, since its shape was last looked at
     bool closed = true;   ///< no cut has left a defect; see checkClosedManifold
 };

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "sim/base/stopwatch.h"
+#include "sim/base/pausing.h"
 #include "sim/run/cut_followers.h"
 
 namespace kerf {
@@ -11,7 +11,7 @@ void StrokeCourse::step() {
     if (!input_.blade.isTold()) {
         return;
     }
-    const Stopwatch watch;
+    const WorkWatch watch;
     for (const BladeAction& action : input_.blade.takeActions()) {
         std::visit([this](const auto& a) { carryOut(a); }, action);
     }

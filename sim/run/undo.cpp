@@ -35,8 +35,7 @@ std::string Simulation::State::redo() {
 void Simulation::State::apply(const UndoEntry::ParamChange& change, bool forward) {
     log.touch();
     setParam(input.params, change.param, forward ? change.after : change.before);
-    input.paramsChanged = true;
-    body.memory.mayCollapse = true;
+    noteParamsChanged();
 }
 
 void Simulation::State::apply(const UndoEntry::PinChange& change, bool forward) {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "sim/base/pausing.h"
-#include "sim/base/stopwatch.h"
 
 namespace kerf {
 
@@ -68,10 +67,9 @@ bool TimeStepper::sweepsInOneGroup() const {
 /// The cores of llvmpipe may be so far from each other that one of them is done sooner alone; their
 /// compute shaders have run when a dispatch returns.
 void TimeStepper::stepTheFasterWay() {
-    const Stopwatch watch;
-    const double pausedBefore = pausedSeconds();
+    const WorkWatch watch;
     sweepsFaster_.next() == 0 ? stepBySweeps() : stepByPhases();
-    sweepsFaster_.took(watch.seconds() - (pausedSeconds() - pausedBefore));
+    sweepsFaster_.took(watch.seconds());
 }
 
 /// SubstepRun or SweepRun.

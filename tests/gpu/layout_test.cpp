@@ -17,6 +17,7 @@
 #include "shaders/shared/box_records.h"
 #include "shaders/shared/constraints.h"
 #include "shaders/shared/contact_records.h"
+#include "shaders/shared/skin_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "shaders/shared/unfold_records.h"
 #include "tests/paths.h"
@@ -55,6 +56,11 @@ void PrintTo(const Record& record, std::ostream* out) {
 /// All records of shaders/shared with all of their members.
 std::vector<Record> sharedRecords() {
     return {
+        RECORD(SkinCorner, AT(u), AT(v), AT(red_green), AT(blue_own)),
+        RECORD(SkinRecord, AT(triangle), AT(first.u), AT(first.v), AT(first.red_green),
+               AT(first.blue_own), AT(second.u), AT(second.v), AT(second.red_green),
+               AT(second.blue_own), AT(third.u), AT(third.v), AT(third.red_green),
+               AT(third.blue_own)),
         RECORD(BladeRecord, AT(box.center), AT(box.x), AT(box.y), AT(box.z), AT(shift), AT(turn),
                AT(bevel)),
         RECORD(VertexLinks, AT(counts[0]), AT(piece)),

@@ -450,7 +450,7 @@ TEST_F(RendererTest, NormalsAgreeWithTheDefinition) {
     const SurfaceMesh mesh = test::openedSphere(6, 0.1, 0.3);
     const test::UploadedBody body(mesh);
     NormalsPass pass;
-    pass.run(body.view(), kHardEdgeAngle);
+    pass.run(body.view(), kHardEdgeAngle, false);
     const auto normals = pass.normals().read<shared::vec4>(0, 2 * body.vertexCount);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         for (const SurfaceKind kind : {SurfaceKind::skin, SurfaceKind::wall}) {

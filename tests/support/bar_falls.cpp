@@ -94,7 +94,9 @@ BarFigures fallOnBar(const BarFall& fall, Params params) {
     bar.rotate = {fall.roll, kBarTurn, 0};
     params.floor = fall.floor;
     params.youngsModulus = fall.modulus;
+    const Vec3 gravity = std::exchange(params.gravity, Vec3::Zero());
     Simulation simulation(fallen(fall), params, {bar});
+    simulation.execute(SetParam{"gravity", gravity});  // as a person does it in the editor
     BarFigures figures;
     figures.steps = static_cast<int>(std::lround(fall.seconds / params.timeStep));
     for (int i = 0; i < figures.steps; ++i) {

@@ -72,7 +72,7 @@ std::string sessionWithEveryEvent() {
                        {"step": 5, "type": "export", "file": "a/b.obj", "coordinates": "model"},
                        {"step": 6, "type": "check", "hash": "00ff00ff00ff00ff"}],
             "view": {"eye": [1, 2, 3.3], "target": [0, 0, 0], "orthographic": true,
-                     "skin": [0.2, 0.5, 1], "flesh": [1, 0.9, 0]})");
+                     "skin": [0.2, 0.5, 1], "flesh": [1, 0.9, 0], "of_look": true})");
 }
 
 const std::vector<BrokenSession>& brokenSessions() {

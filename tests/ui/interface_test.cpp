@@ -4,6 +4,7 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -93,7 +94,7 @@ TEST_F(InterfaceTest, PanelsOwnThePointerOnlyOverThemselves) {
     }
     model.hint.text = "Drag across the model to cut it.";
     model.toast = "Saved.";
-    for (const double y : {2.0, 60.0, 360.0, 660.0}) {
+    for (const double y : {2.0, 60.0, 360.0, 640.0}) {
         moveTo(kWidth / 2.0, y);
         EXPECT_FALSE(interface->ownsPointer()) << y;
     }
@@ -347,12 +348,81 @@ TEST_F(InterfaceTest, TheTimeLineTakesTheWholeWidthBelowTheView) {
     EXPECT_LE(strip.y + strip.height, bar.y + 1);
 }
 
+TEST_F(InterfaceTest, WorkIsGivenUpOnlyWhereItMayEnd) {
+    model.work = {.title = "Opening ball.ply", .stage = "Reading", .seconds = 1};
+    update({});
+    clickOn("work.cancel");
+    EXPECT_TRUE(std::ranges::any_of(
+        others, [](const Action& a) { return std::holds_alternative<CancelWork>(a); }));
+    model.work.mayEnd = false;
+    update({});
+    EXPECT_FALSE(interface->itemRects().contains("work.cancel"));
+}
+
 TEST_F(InterfaceTest, APopupOpensBelowItsButton) {
     clickOn("plots.choose");
     update({});
     update({});
     const Rect button = interface->itemRects().at("plots.choose");
     EXPECT_GE(interface->itemRects().at("plots.frames").y, button.y + button.height);
+}
+
+TEST_F(InterfaceTest, AClickOnATitleOfThePiecesSortsThem) {
+    model.pieces = {{100, 1, 1.0}, {300, 3, 1.0}, {200, 2, 1.0}};
+    model.settings.piecesShare = 0.6;  // room for all three
+    update({});
+    update({});
+    const auto top = [this](int piece) {
+        return interface->itemRects().at("piece." + std::to_string(piece)).y;
+    };
+    EXPECT_LT(top(0), top(1));
+    clickOn("pieces.by.volume");
+    update({});
+    EXPECT_LT(top(0), top(2));
+    EXPECT_LT(top(2), top(1));
+    clickOn("pieces.by.volume");
+    update({});
+    EXPECT_LT(top(1), top(2));
+    EXPECT_LT(top(2), top(0));
+}
+
+TEST_F(InterfaceTest, ThePointerOverAPlotShowsItsTimeInTheOthers) {
+    for (int step = 0; step < 50; ++step) {
+        for (Series& series : history.readings) {
+            series.add(0.01 * step, 1 + step % 7);
+        }
+    }
+    model.time = 0.5;
+    update({});
+    const gpu::Framebuffer picture(GL_RGBA8, GL_DEPTH_COMPONENT24, kWidth, kHeight);
+    const auto drawn = [&] {
+        picture.bind();
+        glClear(GL_COLOR_BUFFER_BIT);
+        interface->draw(picture);
+        return picture.readColor();
+    };
+    std::vector<Rect> plots;
+    for (const auto& [name, rect] : interface->itemRects()) {
+        if (name.starts_with("plot.")) {
+            plots.push_back(rect);
+        }
+    }
+    ASSERT_GE(plots.size(), 2U);
+    moveTo(2, kHeight - 200);
+    update({});
+    const std::vector<std::uint8_t> before = drawn();
+    moveTo(plots[0].x + 0.6 * plots[0].width, plots[0].y + 0.4 * plots[0].height);
+    update({});
+    const std::vector<std::uint8_t> after = drawn();
+    const Rect& other = plots[1];
+    const int row = static_cast<int>(other.y + 0.5 * other.height);
+    long moved = 0;
+    for (int x = static_cast<int>(other.x); x < static_cast<int>(other.x + other.width); ++x) {
+        const std::size_t at = 4 * (std::size_t(row) * kWidth + std::size_t(x));
+        moved += before[at] != after[at] ? 1 : 0;
+    }
+    EXPECT_GT(moved, 0) << "its line is there";
+    EXPECT_LT(moved, other.width / 2) << "and the rest as before";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 #include "sim/base/sort_unique.h"
@@ -129,8 +130,10 @@ OrientedBox Cutter::reach(std::span<const Blade> path, double time) const {
 
 std::vector<int> Cutter::followedVertices() const {
     std::vector<int> vertices;
+    const auto lives = [this](int v) { return state_->body.mesh.outgoing(v) >= 0; };
     for (const GroupStroke& group : state_->stroke.groups) {
         group.airTies.addVertices(vertices);
+        std::ranges::copy_if(group.past.startVertices(), std::back_inserter(vertices), lives);
         for (const RungNode& node : group.rung) {
             if (node.vertex >= 0) {
                 vertices.push_back(node.vertex);

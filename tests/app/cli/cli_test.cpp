@@ -191,6 +191,22 @@ TEST(CommandLine, InspectReportsABuiltinModel) {
     EXPECT_EQ(runKerf({"inspect", "sphere80"}).exitCode, 0);
 }
 
+TEST(CommandLine, InspectPrintsATableOfThePieces) {
+    const test::TemporaryFolder folder;
+    const TriangleSoup two = test::joined(test::boxSoup(Vec3(1, 1, 1), 1),
+                                          test::boxSoup(Vec3(1, 1, 3), 1), Vec3(5, 0, 0));
+    test::writeText(folder / "two.obj", test::objText(two));
+    const ProgramRun run = runKerf({"inspect", folder / "two.obj", "--pieces"});
+    ASSERT_EQ(run.exitCode, 0) << run.errors;
+    EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 3);
+    for (const char* part :
+         {"\n1,12,1,1,0.25,6,0,", ",-0.5,-0.5,-0.5,0.5,0.5,0.5\n", "\n2,12,3,1,0.75,14,0,5,"}) {
+        EXPECT_NE(run.out.find(part), std::string::npos) << run.out;
+    }
+    EXPECT_EQ(runKerf({"inspect", "sphere80", "--pieces", "--json"}).exitCode, 2);
+    EXPECT_EQ(runKerf({"inspect", folder / "none.obj", "--pieces"}).exitCode, 3);
+}
+
 TEST(CommandLine, DocumentsEveryParameter) {
     const std::string docs = readBytes(KERF_SOURCE_DIR "/docs/session-format.md");
     for (const ParamInfo& info : paramTable()) {

@@ -18,7 +18,7 @@ using ui::Button;
 using ui::Key;
 
 inline constexpr int kWidth = 960;
-inline constexpr int kHeight = 540;
+inline constexpr int kHeight = 580;
 inline constexpr double kFrameSeconds = 1.0 / 60;
 
 /// A sphere in the middle of the view, weightless and paused.
@@ -28,7 +28,7 @@ inline Document sphereDocument() {
                       .mesh = test::cubeSphere(8, 0.5),
                       .restBounds = {},
                       .camera = {},
-                      .uvs = {},
+                      .looks = {},
                       .note = {}};
     document.session.model.builtin = "sphere768";
     document.session.params.gravity = Vec3::Zero();
@@ -135,7 +135,8 @@ class EditorTest : public test::GlTest {
 
 /// What the panels leave free: they show measured times.
 inline std::vector<std::uint8_t> viewPixels(const render::Image& image) {
-    const ui::Rect view = ui::layoutPanels(float(image.width), float(image.height), 1).view;
+    const ui::Rect view =
+        ui::layoutPanels(float(image.width), float(image.height), 1, {}, true).view;
     std::vector<std::uint8_t> pixels;
     for (int y = 0; y < static_cast<int>(view.height); ++y) {
         const auto row = image.pixels.begin() + 4 * ((y + int(view.y)) * image.width + int(view.x));

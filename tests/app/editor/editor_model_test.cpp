@@ -117,7 +117,7 @@ TEST_F(EditorModelTest, APlacementAfterACutStartsAnewAndIsReplayed) {
     const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
     const Session again = parseSession(formatSession(session, folder.path()), folder.path());
     EXPECT_EQ(again.placement, opened.session.placement);
-    expectReplayed(again, {opened.mesh, opened.uvs});
+    expectReplayed(again, {opened.mesh, opened.looks});
 }
 
 TEST_F(EditorModelTest, ARecordingKeepsThePlacement) {

@@ -168,6 +168,11 @@ class EditorStormTest : public EditorTest {
         editor->post(ui::KeyChange{Key::escape, true, {}});
         editor->post(ui::KeyChange{Key::escape, false, {}});
     }
+    void goBack() {
+        if (const auto at = someItem("scrubber")) {
+            drag(*at, *someItem("scrubber"), 2);
+        }
+    }
     void loseFocus() { editor->post(ui::FocusLost{}); }
 
     struct Act {
@@ -190,6 +195,7 @@ class EditorStormTest : public EditorTest {
         {"size", &EditorStormTest::size, 2},
         {"scale", &EditorStormTest::displayScale, 1},
         {"drop", &EditorStormTest::drop, 1},
+        {"go back", &EditorStormTest::goBack, 3},
         {"lose focus", &EditorStormTest::loseFocus, 1},
     };
 
@@ -322,7 +328,7 @@ class EditorStormTest : public EditorTest {
             EXPECT_EQ(test::placesWrongBySchema({text})[0], std::vector<std::string>{});
         }
         const Session session = readSession(folder / "storm.kerf.json");
-        EXPECT_EQ(replayedHash(session, {document.mesh, document.uvs}), simulation().stateHash());
+        EXPECT_EQ(replayedHash(session, {document.mesh, document.looks}), simulation().stateHash());
     }
 
     void writeFiles() {

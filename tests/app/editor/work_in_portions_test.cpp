@@ -105,10 +105,9 @@ TEST(WorkInPortions, LeavesTheTimeOfItsPausesOutOfWhatItTook) {
     double took = 0;
     WorkInPortions work;
     work.begin([&] {
-        const Stopwatch watch;
-        const double pausedBefore = pausedSeconds();
+        const WorkWatch watch;
         pausePoint();
-        took = watch.seconds() - (pausedSeconds() - pausedBefore);
+        took = watch.seconds();
     });
     work.goOn(0);
     const Stopwatch pause;

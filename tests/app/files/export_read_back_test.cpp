@@ -35,7 +35,7 @@ struct CutBox {
         }
         cutter.finish();
         pieces = findPieces(mesh);
-        uvs = carryUvs(uncut, uncutUvs, mesh);
+        looks.own.skin = carrySkin(uncut, {uncutUvs, {}, {}}, mesh);
         openUp();
     }
 
@@ -66,7 +66,7 @@ struct CutBox {
     std::vector<CornerUvs> uncutUvs;
     SurfaceMesh mesh;
     PieceMap pieces;
-    std::vector<CornerUvs> uvs;
+    ExportLooks looks;
 };
 
 class ExportReadBack : public ::testing::TestWithParam<const char*> {
@@ -79,7 +79,7 @@ class ExportReadBack : public ::testing::TestWithParam<const char*> {
     std::filesystem::path write(const CutBox& box, bool filePerPiece) {
         std::filesystem::path file = folder_ / (std::string("box") + GetParam());
         for (const ExportedFile& part :
-             encodeExport({file, filePerPiece}, box.mesh, box.pieces, box.uvs)) {
+             encodeExport({file, filePerPiece}, box.mesh, box.pieces, box.looks)) {
             writeOutputFile(part.file, part.bytes);
         }
         return file;
@@ -119,17 +119,17 @@ TEST_P(ExportReadBack, TextureCoordinatesComeBackWhereTheFormatHasThem) {
     const CutBox box;
     const ModelMesh model = readModel(write(box, false), {});
     if (std::string(GetParam()) == ".stl") {
-        EXPECT_TRUE(model.uvs.empty());
+        EXPECT_TRUE(model.looks.skin.uvs.empty());
         return;
     }
-    ASSERT_EQ(static_cast<int>(model.uvs.size()), model.mesh.triangleSlots());
+    ASSERT_EQ(static_cast<int>(model.looks.skin.uvs.size()), model.mesh.triangleSlots());
     int right = 0;
     for (int t = 0; t < model.mesh.triangleSlots(); ++t) {
         double worst = 0;
         for (int i = 0; i < 3; ++i) {
             const Eigen::Vector2f expected =
                 CutBox::uvAt(CutBox::closed(model.mesh.restPosition(model.mesh.triangle(t)[i])));
-            worst = std::max<double>(worst, (model.uvs[t][i] - expected).norm());
+            worst = std::max<double>(worst, (model.looks.skin.uvs[t][i] - expected).norm());
         }
         right += worst < 1e-4;
     }

@@ -291,14 +291,14 @@ TEST_F(Import, FileNameThatLooksLikeAnOption) {
 }
 
 std::string damaged(std::size_t offset, std::uint64_t value) {
-    std::string answer = encodeImport(test::boxSoup());
+    std::string answer = encodeImport({test::boxSoup(), {}, {}});
     std::memcpy(answer.data() + offset, &value, sizeof(value));
     return answer;
 }
 
 TEST(ImportProtocol, RoundTrip) {
     const TriangleSoup soup = test::icosphereSoup(2);
-    const TriangleSoup back = decodeImport(encodeImport(soup));
+    const TriangleSoup back = decodeImport(encodeImport({soup, {}, {}})).soup;
     EXPECT_EQ(back.positions, soup.positions);
     EXPECT_EQ(back.triangles, soup.triangles);
 }
@@ -310,9 +310,9 @@ TEST(ImportProtocol, FailureIsOneCleanLine) {
 }
 
 TEST(ImportProtocol, NothingIsTrusted) {
-    const std::string answer = encodeImport(test::boxSoup());
+    const std::string answer = encodeImport({test::boxSoup(), {}, {}});
     EXPECT_THAT(sentenceOf([&] { decodeImport(""); }), HasSubstr("before it answered"));
-    EXPECT_THAT(sentenceOf([&] { decodeImport(answer.substr(0, 39)); }),
+    EXPECT_THAT(sentenceOf([&] { decodeImport(answer.substr(0, 63)); }),
                 HasSubstr("before it answered"));
     EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(0, 0)); }), HasSubstr("another kind"));
     EXPECT_THAT(sentenceOf([&] { decodeImport(answer.substr(0, answer.size() - 1)); }),
@@ -323,7 +323,9 @@ TEST(ImportProtocol, NothingIsTrusted) {
     EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(16, 1ull << 60)); }),
                 HasSubstr("of which at most"));
     EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(24, 3)); }), HasSubstr("3 triangles, but"));
-    EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(answer.size() - 8, ~0ull)); }),
+    EXPECT_THAT(sentenceOf([&] {
+                    decodeImport(damaged(sizeof(ImportHeader) + 8 * 24 + 12 * 12 - 8, ~0ull));
+                }),
                 HasSubstr("not there"));
 }
 

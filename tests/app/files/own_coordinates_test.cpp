@@ -83,10 +83,12 @@ int countIn(const std::string& header, const std::string& element) {
 Soup readPly(const std::string& bytes) {
     std::size_t at = bytes.find("end_header\n") + 11;
     const std::string header = bytes.substr(0, at);
+    const bool colored = header.find("uchar red") != std::string::npos;
     std::vector<Point> points(countIn(header, "vertex"));
     for (Point& point : points) {
         point = take<Point>(bytes, at);
         take<Point>(bytes, at);  // normal
+        at += colored ? 4 : 0;
     }
     std::vector<std::array<int, 3>> triangles(countIn(header, "face"));
     for (auto& triangle : triangles) {

@@ -48,7 +48,7 @@ class OpenedSession {
   public:
     explicit OpenedSession(const std::filesystem::path& file) : OpenedSession(openDocument(file)) {}
     explicit OpenedSession(Document document)
-        : model_{document.mesh, document.uvs},
+        : model_{document.mesh, document.looks},
           uploaded_(prepareDocument(std::move(document))),
           scene_(std::move(uploaded_.document), std::move(uploaded_.body)) {}
 

@@ -138,16 +138,16 @@ TEST(SessionJournal, GoesToWhereSoManyCommandsWereDone) {
     journal.open({{2, pose(1)}, {2, CheckEvent{{}, 1}}, {4, pose(0)}, {4, LiftBlade{}}});
     playTo(journal, 4);
     journal.note(4, SetParam{"friction", 0.1});
-    EXPECT_EQ(journal.commandsDone(), 2U);
+    EXPECT_EQ(journal.commandsDone(4), 1U);
     EXPECT_EQ(journal.takeDue(4)->event.step, 4);
     journal.add(journal.here(4), ScreenshotEvent{"a.png"});
-    journal.goTo(4, 2);
+    journal.goTo(4, 1);
     journal.note(4, SetParam{"density", 100.0});
     const std::vector<SessionEvent> events = eventsOf(journal);
     ASSERT_EQ(events.size(), 7U);
     EXPECT_EQ(std::get<SetParam>(events[2].action).name, "friction");
     EXPECT_EQ(std::get<SetParam>(events[3].action).name, "density");
-    journal.goTo(3, 1);
+    journal.goTo(3, 0);
     EXPECT_EQ(journal.takeDue(3), nullptr);
     EXPECT_EQ(std::get<SetParam>(journal.takeDue(4)->event.action).name, "friction");
 }
@@ -177,6 +177,34 @@ TEST(SessionJournal, ChecksBehindAChangeAreRenewedOrLoseTheirHash) {
     journal.restart();
     EXPECT_EQ(checkAt(eventsOf(journal), 4).pieces, 2);
     EXPECT_EQ(checkAt(eventsOf(journal), 3).hash, hash) << "nothing is changed any more";
+}
+
+TEST(SessionJournal, WhatAHoldAddsBeforeAStepDoesNotCountForIt) {
+    SessionJournal journal;
+    journal.note(2, pose(1));
+    journal.note(9, SetParam{"friction", 0.1});
+    const std::size_t done = journal.commandsDone(9);
+    journal.note(9, pose(0));  // the blade stood still until step 8
+    EXPECT_THAT(stepsOf(journal), ElementsAre(2, 8, 9, 9));
+    journal.goTo(9, done);
+    EXPECT_TRUE(std::holds_alternative<MoveBlade>(journal.takeDue(9)->event.action));
+}
+
+TEST(SessionJournal, APersonsOwnRestIsLeftOutForGood) {
+    SessionJournal journal;
+    journal.open({{2, pose(1)}, {10, pose(0)}});
+    playTo(journal, 6);
+    EXPECT_EQ(journal.takeOver(6, {}), 0U);
+    journal.note(6, LiftBlade{});
+    journal.note(8, SetParam{"friction", 0.1});
+    journal.goTo(7, 0);
+    EXPECT_EQ(journal.takeOver(7, {}), 1U);
+    EXPECT_EQ(journal.leftOut(), 1U) << "of the session";
+    EXPECT_THAT(stepsOf(journal), ElementsAre(2, 6));
+    journal.goTo(1, 0);
+    EXPECT_EQ(journal.takeOver(1, {}), 1U);
+    journal.restart();
+    EXPECT_THAT(stepsOf(journal), ElementsAre(2, 10));
 }
 
 TEST(SessionJournal, AMoveThatATakeOverCutsShortEndsWhereTheBladeIs) {

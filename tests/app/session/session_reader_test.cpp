@@ -182,6 +182,7 @@ TEST(SessionWriter, RoundTripKeepsEveryBit) {
     EXPECT_TRUE(again.view->orthographic);
     EXPECT_EQ(again.colors.skin, Vec3(0.2, 0.5, 1));
     EXPECT_EQ(again.colors.flesh, Vec3(1, 0.9, 0));
+    EXPECT_TRUE(again.colors.ofLook);
     EXPECT_TRUE(again.warnings.empty());
 }
 

@@ -172,8 +172,7 @@ TEST_F(SimulationTest, ACollapsedBodyIsFilledAgainWithoutBeingShotOff) {
     EXPECT_LT(fastestIn(simulation, 400), 10);
     EXPECT_NEAR(simulation.report().volumeRatio, 1, 1e-3);
     EXPECT_LT(simulation.bounds().high.y(), 0.5);
-    EXPECT_THAT(simulation.takeMessages(),
-                testing::Each(testing::HasSubstr("is drawn back to its shape at rest")));
+    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
 }
 
 TEST_F(SimulationTest, WhatPlainPbdTurnedInsideOutComesBack) {
@@ -194,7 +193,8 @@ TEST_F(SimulationTest, WhatPlainPbdTurnedInsideOutComesBack) {
     EXPECT_LT(fastestIn(simulation, 300), 50);
     EXPECT_NEAR(simulation.report().volumeRatio, 1, 0.01);
     EXPECT_THAT(simulation.takeMessages(),
-                testing::Each(testing::HasSubstr("is drawn back to its shape at rest")));
+                testing::ElementsAre("step 101: 1 piece of 1 collapsed, partly inside out, and is "
+                                     "drawn back to its shape at rest."));
 }
 
 TEST_F(SimulationTest, ARaisedFloorLiftsTheBodyGently) {

@@ -1,8 +1,9 @@
-#include "sim/mesh/corner_uvs.h"
+#include "sim/mesh/skin_attributes.h"
 
 #include <gtest/gtest.h>
 
 #include "sim/cut/stroke/cutter.h"
+#include "sim/mesh/triangle.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -46,20 +47,20 @@ void cutThrough(SurfaceMesh& mesh, const Vec3& from, const Vec3& to) {
     cutter.finish();
 }
 
-TEST(CarryUvs, AnUncutMeshKeepsItsOwn) {
+TEST(SkinAttributes, AnUncutMeshKeepsItsOwn) {
     const SurfaceMesh mesh = test::box(Vec3::Ones(), 2);
-    const std::vector<CornerUvs> uvs = linearUvs(mesh);
-    EXPECT_EQ(carryUvs(mesh, uvs, mesh), uvs);
-    EXPECT_TRUE(carryUvs(mesh, {}, mesh).empty());
+    const SkinAttributes skin{.uvs = linearUvs(mesh), .colors = {}, .materials = {}};
+    EXPECT_EQ(carrySkin(mesh, skin, mesh), skin);
+    EXPECT_TRUE(carrySkin(mesh, {}, mesh).empty());
 }
 
-TEST(CarryUvs, NewSkinGetsWhatItsPlaceHasAndWallsGetNone) {
+TEST(SkinAttributes, NewSkinGetsWhatItsPlaceHasAndWallsGetNone) {
     const SurfaceMesh uncut = test::box(Vec3::Ones(), 4);
     const std::vector<CornerUvs> uvs = linearUvs(uncut);
     SurfaceMesh cut = uncut;
     cutThrough(cut, Vec3(-0.83, 1.1, 0), Vec3(0.61, -1.2, 0));
     ASSERT_GT(cut.aliveTriangles(), uncut.aliveTriangles());
-    const std::vector<CornerUvs> carried = carryUvs(uncut, uvs, cut);
+    const std::vector<CornerUvs> carried = carrySkin(uncut, {uvs, {}, {}}, cut).uvs;
     ASSERT_EQ(static_cast<int>(carried.size()), cut.triangleSlots());
     int newSkin = 0;
     for (int t = 0; t < cut.triangleSlots(); ++t) {
@@ -79,6 +80,38 @@ TEST(CarryUvs, NewSkinGetsWhatItsPlaceHasAndWallsGetNone) {
         }
     }
     EXPECT_GT(newSkin, 20);
+}
+
+/// Red grows with x, and the material changes at x = 0 along edges of the box.
+TEST(SkinAttributes, ColoursAndMaterialsFollowACut) {
+    const SurfaceMesh uncut = test::box(Vec3::Ones(), 4);
+    const auto colorAt = [](const Vec3& p) {
+        const float red = 0.5F + 0.4F * static_cast<float>(p.x());
+        return Eigen::Vector4f(red, 0.25F, 1, 1);
+    };
+    SkinAttributes skin;
+    for (int t = 0; t < uncut.triangleSlots(); ++t) {
+        const auto [a, b, c] = restCornersOf(uncut, t);
+        skin.colors.push_back({colorAt(a), colorAt(b), colorAt(c)});
+        skin.materials.push_back((a + b + c).x() > 0 ? 1 : 0);
+    }
+    SurfaceMesh cut = uncut;
+    cutThrough(cut, Vec3(-0.83, 1.1, 0), Vec3(0.61, -1.2, 0));
+    const SkinAttributes carried = carrySkin(uncut, skin, cut);
+    EXPECT_TRUE(carried.uvs.empty());
+    ASSERT_EQ(static_cast<int>(carried.materials.size()), cut.triangleSlots());
+    for (int t = 0; t < cut.triangleSlots(); ++t) {
+        if (!cut.alive(t)) {
+            continue;
+        }
+        const auto corners = restCornersOf(cut, t);
+        const bool wall = cut.kind(t) == SurfaceKind::wall;
+        const int side = (corners[0] + corners[1] + corners[2]).x() > 0 ? 1 : 0;
+        EXPECT_EQ(carried.materials[t], wall ? -1 : side);
+        for (int i = 0; i < 3 && !wall; ++i) {
+            EXPECT_LT((carried.colors[t][i] - colorAt(corners[i])).norm(), 1e-5);
+        }
+    }
 }
 
 }  // namespace

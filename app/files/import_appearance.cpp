@@ -1,0 +1,246 @@
+#include "app/files/import_appearance.h"
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "app/files/file_io.h"
+#include "app/files/model_source.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Materials that assimp makes up where a file names none.
+bool isMadeUpName(std::string_view name) {
+    static constexpr std::array<std::string_view, 3> kNames{"", "DefaultMaterial", "%%%DEFAULT"};
+    return std::ranges::find(kNames, name) != kNames.end();
+}
+
+Eigen::Vector4f colorOf(const aiMaterial& material) {
+    aiColor4D color(1, 1, 1, 1);
+    float opacity = 1;
+    if (material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS) {
+        material.Get(AI_MATKEY_COLOR_DIFFUSE, color);
+        material.Get(AI_MATKEY_OPACITY, opacity);
+        color.a = opacity;
+    }
+    const Eigen::Vector4f out(color.r, color.g, color.b, color.a);
+    return out.allFinite() ? out : Eigen::Vector4f(Eigen::Vector4f::Ones());
+}
+
+/// Of files that know no roughness, that of the highlight of their exponent, as Blender reads it.
+float roughnessOf(const aiMaterial& material) {
+    float roughness = render::Material{}.roughness;
+    float shininess = 0;
+    if (material.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness) != aiReturn_SUCCESS &&
+        material.Get(AI_MATKEY_SHININESS, shininess) == aiReturn_SUCCESS && shininess > 0) {
+        roughness = 1 - std::sqrt(std::min(shininess, 900.0F)) / 30;
+    }
+    return std::isfinite(roughness) ? std::clamp(roughness, 0.0F, 1.0F) : 1;
+}
+
+float metallicOf(const aiMaterial& material) {
+    float metallic = 0;
+    material.Get(AI_MATKEY_METALLIC_FACTOR, metallic);
+    return std::isfinite(metallic) ? std::clamp(metallic, 0.0F, 1.0F) : 0;
+}
+
+/// The name by which a material asks for its picture; empty for none.
+std::string imageNameOf(const aiMaterial& material) {
+    aiString name;
+    if (material.GetTexture(aiTextureType_BASE_COLOR, 0, &name) != aiReturn_SUCCESS) {
+        material.GetTexture(aiTextureType_DIFFUSE, 0, &name);
+    }
+    return name.C_Str();
+}
+
+int hexDigit(char c) {
+    const auto digit = std::string_view("0123456789abcdef")
+                           .find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+    return digit == std::string_view::npos ? -1 : static_cast<int>(digit);
+}
+
+/// A URI without its escapes, such as %20.
+std::string unescaped(const std::string& uri) {
+    std::string name;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const bool escape = uri[i] == '%' && i + 2 < uri.size();
+        const int high = escape ? hexDigit(uri[i + 1]) : -1;
+        const int low = escape ? hexDigit(uri[i + 2]) : -1;
+        const bool valid = high >= 0 && low >= 0;
+        name += valid ? static_cast<char>(16 * high + low) : uri[i];
+        i += valid ? 2 : 0;
+    }
+    return name;
+}
+
+/// The file beside the model that a name means: written with either slash, or with a folder of
+/// another machine before it.
+std::optional<fs::path> findBeside(const fs::path& folder, std::string name) {
+    std::ranges::replace(name, '\\', '/');
+    for (const fs::path& way : {fs::path(name), fs::path(name).filename()}) {
+        if (way.is_relative() && isFileBelow(folder, folder / way)) {
+            return folder / way;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Takes over the materials of one scene, each once.
+class AppearanceReader {
+  public:
+    AppearanceReader(const aiScene& scene, const fs::path& file, ImportedModel& model)
+        : scene_(scene),
+          folder_(fs::canonical(file).parent_path()),
+          gltf_(isGltf(file)),
+          model_(model) {}
+
+    /// Number of a material among those of the model; -1 where a file named none.
+    int numberOf(unsigned index) {
+        const auto [place, isNew] = numbers_.try_emplace(index, -1);
+        if (isNew && index < scene_.mNumMaterials) {
+            place->second = add(*scene_.mMaterials[index]);
+        }
+        return place->second;
+    }
+
+  private:
+    int add(const aiMaterial& from) {
+        render::Material material;
+        material.name = from.GetName().C_Str();
+        material.baseColor = colorOf(from);
+        material.roughness = roughnessOf(from);
+        material.metallic = metallicOf(from);
+        const std::string image = imageNameOf(from);
+        const bool plain = !gltf_ || material.baseColor == Eigen::Vector4f::Ones();
+        if (isMadeUpName(material.name) && image.empty() && plain) {
+            return -1;
+        }
+        material.image = image.empty() ? -1 : imageNumber(image, material.name);
+        model_.appearance.materials.push_back(std::move(material));
+        return static_cast<int>(model_.appearance.materials.size()) - 1;
+    }
+
+    int imageNumber(const std::string& name, const std::string& material) {
+        const auto [place, isNew] = images_.try_emplace(name, -1);
+        if (isNew) {
+            try {
+                place->second = take(readImage(name, material));
+            } catch (const InputError& error) {
+                model_.remarks.emplace_back(error.what());
+            }
+        }
+        return place->second;
+    }
+
+    int take(render::ModelImage image) {
+        bytes_ += image.bytes.size();
+        if (bytes_ > kMaxImportImages) {
+            throw InputError("The image \"" + image.name +
+                             "\" was left out: the images of a model may have 500 MB together.");
+        }
+        model_.appearance.images.push_back(std::move(image));
+        return static_cast<int>(model_.appearance.images.size()) - 1;
+    }
+
+    render::ModelImage readImage(const std::string& name, const std::string& material) const {
+        if (const aiTexture* within = scene_.GetEmbeddedTexture(name.c_str())) {
+            return embedded(*within, material);
+        }
+        const std::optional<fs::path> file = findBeside(folder_, gltf_ ? unescaped(name) : name);
+        if (!file) {
+            throw InputError("The image \"" + name + "\" of the material \"" + material +
+                             "\" was left out: there is no such file in the model's folder or "
+                             "below; put it there and open the model again.");
+        }
+        return {file->filename().string(), readInputFile(*file, kMaxImportImages), {}};
+    }
+
+    static render::ModelImage embedded(const aiTexture& texture, const std::string& material) {
+        if (texture.mHeight != 0) {
+            throw InputError("The image within the file of the material \"" + material +
+                             "\" was left out: it is neither PNG nor JPEG.");
+        }
+        const std::string name = fs::path(texture.mFilename.C_Str()).filename().string();
+        return {name.empty() ? material : name,
+                std::string(reinterpret_cast<const char*>(texture.pcData), texture.mWidth),
+                {}};
+    }
+
+    const aiScene& scene_;
+    fs::path folder_;
+    bool gltf_;
+    ImportedModel& model_;
+    std::map<unsigned, int> numbers_;
+    std::map<std::string, int> images_;
+    std::uint64_t bytes_ = 0;
+};
+
+/// The files of materials that an OBJ file names at its beginning, and that are missing.
+std::vector<std::string> missingLibraries(const fs::path& file) {
+    constexpr int kLines = 1000;
+    const fs::path folder = fs::canonical(file).parent_path();
+    std::ifstream stream(file);
+    std::vector<std::string> missing;
+    std::string line;
+    for (int i = 0; i < kLines && std::getline(stream, line); ++i) {
+        if (line.starts_with("mtllib ")) {
+            const std::size_t first = line.find_first_not_of(' ', 7);
+            const std::size_t last = line.find_last_not_of(" \r");
+            const std::string name = first <= last ? line.substr(first, last - first + 1) : "";
+            if (!findBeside(folder, name)) {
+                missing.push_back(name);
+            }
+        }
+    }
+    return missing;
+}
+
+}  // namespace
+
+bool isGltf(const fs::path& file) {
+    const std::string ending = lowerCase(file.extension().string());
+    return ending == ".gltf" || ending == ".glb";
+}
+
+bool isFileBelow(const fs::path& folder, const fs::path& file) {
+    std::error_code error;
+    const fs::path whole = fs::canonical(file, error);
+    const auto [end, rest] =
+        std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end());
+    return !error && end == folder.end() && fs::is_regular_file(whole, error) &&
+           fs::file_size(whole, error) <= kMaxModelBytes && !error;
+}
+
+void addAppearance(const aiScene& scene, const fs::path& file, const std::vector<int>& triangles,
+                   ImportedModel& model) {
+    if (lowerCase(file.extension().string()) == ".obj") {
+        for (const std::string& name : missingLibraries(file)) {
+            model.remarks.push_back("The materials of \"" + name +
+                                    "\" were left out: there is no such file in the model's folder "
+                                    "or below; put it there and open the model again.");
+        }
+    }
+    AppearanceReader reader(scene, file, model);
+    std::vector<int>& materials = model.soup.skin.materials;
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+        const int number = reader.numberOf(scene.mMeshes[i]->mMaterialIndex);
+        materials.insert(materials.end(), triangles[i], number);
+    }
+    if (model.appearance.materials.empty()) {
+        materials.clear();
+    }
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "app/scene/editor_scene.h"
+#include "render/scene/section_plane.h"
+
+namespace kerf::app {
+
+/// The point of the body's surface that the picture shows along a ray, where a section plane may
+/// open it: none where the ray meets the filled section first.
+std::optional<SurfacePoint> pickVisible(EditorScene& scene, const render::Ray& ray,
+                                        const std::optional<render::SectionPlane>& section);
+
+}  // namespace kerf::app

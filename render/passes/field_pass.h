@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "render/passes/frame.h"
+#include "render/passes/normals_pass.h"
+
+namespace kerf::render {
+
+/// Draws the body in the colours of a quantity instead of its look.
+class FieldPass {
+  public:
+    FieldPass();
+
+    /// Works out the quantity of the picture, unless it is that of the last one.
+    void update(const SceneView& scene);
+    /// Draws into the bound target.
+    void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
+
+    /// What the colours of the last picture reach from and to (waits for the GPU).
+    FieldRange range() const;
+    /// The value of the last picture at a vertex, over its skin or over its walls; none where there
+    /// is none (waits for the GPU).
+    std::optional<float> valueAt(std::uint32_t vertex, bool onWall) const;
+    /// SceneView::bodyRevision that the values are of.
+    std::optional<int> bodyRevision() const { return shown_ ? shown_->revision : std::nullopt; }
+
+  private:
+    /// All that values and range depend on.
+    struct Source {
+        std::optional<int> revision;
+        FieldChoice choice;
+        const FieldValues* values = nullptr;
+        std::uint32_t vertexCount = 0;
+        bool operator==(const Source&) const = default;
+    };
+    void measure(const SceneView& scene);
+    void take(const FieldValues& values);
+    void settleRange(const FieldChoice& choice);
+    void drawKind(const gpu::Program& program, const SceneView& scene, const Frame& frame) const;
+
+    gpu::Program strain_;
+    gpu::Program area_;
+    gpu::Program range_;
+    using Kinds = std::array<gpu::Program, 2>;  // skin, walls
+    static Kinds kindsFor(const gpu::Defines& defines);
+
+    Kinds whole_;
+    std::optional<Kinds> opened_;  // from the first picture of a section
+    gpu::Buffer values_;
+    gpu::Buffer ends_;  // of the range: see field.glsl
+    std::optional<Source> shown_;
+};
+
+}  // namespace kerf::render

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "gpu/program.h"
+#include "render/passes/frame.h"
+#include "render/passes/surface_pass.h"
+#include "render/scene/camera.h"
+
+namespace kerf::render {
+
+/// Fills the body where a section plane opens it. The stencil counts, at each pixel, the surface
+/// behind the plane: once more left than entered means that the plane lies inside there. Exact,
+/// since pieces are closed. The target must have a stencil of zeros.
+class SectionPass {
+  public:
+    SectionPass();
+    /// Draws into the bound target, behind what is drawn of the body; `surface` has its look.
+    void draw(const SceneView& scene, const Frame& frame, const Camera& camera,
+              const SurfacePass& surface);
+
+  private:
+    void count(const SceneView& scene, const Frame& frame) const;
+    void fill(const SceneView& scene, const Frame& frame, const SurfacePass& surface);
+    const gpu::Program& fillingOf(FleshPattern pattern);
+
+    gpu::Program count_;
+    std::map<FleshPattern, gpu::Program> flesh_;
+    gpu::Program plain_;
+};
+
+}  // namespace kerf::render

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/scene/image.h"
+#include "sim/base/math.h"
+
+namespace kerf::render {
+
+/// A material of a model, in the terms of glTF: what a texture and the colours of corners give is
+/// multiplied by the base colour.
+struct Material {
+    std::string name;
+    Eigen::Vector4f baseColor = Eigen::Vector4f::Ones();  ///< linear light, and opacity
+    float roughness = 0.6F;                               ///< 0 to 1
+    float metallic = 0;                                   ///< 0 to 1
+    int image = -1;                                       ///< of the base colour; -1 for none
+    bool operator==(const Material&) const = default;
+};
+
+/// A picture that a model brings along: the bytes of its file, PNG or JPEG, and what they show.
+struct ModelImage {
+    std::string name;   ///< of its file, without folders
+    std::string bytes;  ///< as they were read
+    Image pixels;       ///< empty until they are decoded
+};
+
+/// The looks that a model has of itself, besides what lies at its triangles (SkinAttributes).
+struct Appearance {
+    std::vector<Material> materials;
+    std::vector<ModelImage> images;
+    bool empty() const { return materials.empty() && images.empty(); }
+};
+
+/// The kinds of pictures that are read for models, by their first bytes.
+enum class ImageKind { png, jpeg };
+/// ".png" or ".jpg".
+std::string_view endingOf(ImageKind kind);
+/// "image/png" or "image/jpeg".
+std::string_view mediaTypeOf(ImageKind kind);
+/// The kind of the bytes of a file; throws std::runtime_error where it is neither.
+ImageKind kindOfImage(std::string_view bytes);
+
+/// Most pixels on a side of a picture of a model, and of all of its pictures together.
+inline constexpr int kMaxTextureSide = 16384;
+inline constexpr std::size_t kMaxTexturePixels = std::size_t{1} << 28;
+
+/// How large a picture is by its header, which costs nothing. Throws std::runtime_error with a
+/// clause ("it is damaged") for what is no PNG or JPEG, too large, or too short for its size.
+PixelRect sizeOfImage(std::string_view bytes);
+/// Decodes a picture of sizeOfImage(). Throws as that does.
+Image decodeImage(std::string_view bytes);
+
+/// The colour of a material that is shown and multiplied: a texture under a black colour would not
+/// be seen, so writers of MTL files that leave black there can't mean it.
+Eigen::Vector4f shownColor(const Material& material);
+
+}  // namespace kerf::render

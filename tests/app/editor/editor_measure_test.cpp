@@ -1,0 +1,213 @@
+// Distances, angles, areas and volumes by clicks; their points stick to the material.
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "app/tools/surface_anchor.h"
+#include "tests/app/editor/editor_fixture.h"
+
+namespace kerf::app {
+namespace {
+
+/// A cube with sides of 1 m before the camera, without perspective, straight from the front.
+class EditorMeasureTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        Document document = sphereDocument();
+        document.mesh = test::box(Vec3::Ones(), 4);
+        document.restBounds = meshBounds(document.mesh);
+        document.camera.eye = Vec3(0, 0, 3);
+        open(std::move(document));
+    }
+    void open(Document document) {
+        EditorOptions options;
+        options.width = kWidth;
+        options.height = kHeight;
+        options.quality = render::Quality::light;
+        options.byTheClock = false;
+        options.screenshotFolder = folder.path();
+        editor.reset();
+        editor = std::make_unique<Editor>(options, std::move(document));
+        frames(2);
+        tap(Key::digit5);
+        tap(Key::m);
+        settle();
+    }
+    /// At so many metres from the middle of the picture.
+    Vec2 pixelOf(double x, double y) const {
+        const double perPixel = 2 * 3 * std::tan(17.5 * std::numbers::pi / 180) / kHeight;
+        return {kWidth / 2.0 + x / perPixel, kHeight / 2.0 - y / perPixel};
+    }
+    void clickAt(double x, double y) {
+        const Vec2 at = pixelOf(x, y);
+        moveTo(at.x(), at.y());
+        press(true);
+        press(false);
+        frames(2);
+    }
+    const std::vector<ui::MeasureRow>& rows() const { return panels().measures; }
+    double value(std::size_t row, std::size_t figure = 0) const {
+        return rows().at(row).figures.at(figure).value;
+    }
+};
+
+TEST_F(EditorMeasureTest, TwoClicksTellADistance) {
+    clickAt(-0.3, -0.2);
+    EXPECT_TRUE(rows().empty()) << "one point is no distance";
+    clickAt(0.3, 0.25);
+    ASSERT_EQ(rows().size(), 1U);
+    EXPECT_NEAR(value(0), std::hypot(0.6, 0.45), 0.004);
+    EXPECT_EQ(rows()[0].figures[0].unit, "m");
+    EXPECT_EQ(panels().overlay.dots.size(), 2U);
+    ASSERT_EQ(panels().overlay.labels.size(), 1U);
+    EXPECT_EQ(panels().overlay.labels[0].text, rows()[0].figures[0].text);
+    EXPECT_EQ(panels().step, 0) << "and nothing is cut";
+}
+
+TEST_F(EditorMeasureTest, ThreeClicksTellTheAngleAtTheSecond) {
+    click("measure.Angle");
+    clickAt(0.3, 0);
+    clickAt(0, 0);
+    clickAt(-0.2, 0.2);
+    ASSERT_EQ(rows().size(), 1U);
+    EXPECT_NEAR(value(0), 135, 0.7);
+    EXPECT_EQ(rows()[0].figures[0].unit, "deg");
+}
+
+TEST_F(EditorMeasureTest, AClickOnAPieceTellsItsAreaAndVolume) {
+    click("measure.Piece");
+    clickAt(0.1, 0.1);
+    ASSERT_EQ(rows().size(), 1U);
+    ASSERT_EQ(rows()[0].figures.size(), 2U);
+    EXPECT_NEAR(value(0, 0), 6, 1e-5);
+    EXPECT_NEAR(value(0, 1), 1, 1e-5);
+}
+
+TEST_F(EditorMeasureTest, AModelInMillimetresIsToldInMillimetresToo) {
+    Document document = sphereDocument();
+    document.mesh = test::box(Vec3::Ones(), 4);
+    document.restBounds = meshBounds(document.mesh);
+    document.camera.eye = Vec3(0, 0, 3);
+    document.session.placement.unit = LengthUnit::millimetre;
+    open(std::move(document));
+    clickAt(-0.25, 0);
+    clickAt(0.25, 0);
+    ASSERT_EQ(rows().size(), 1U);
+    EXPECT_NEAR(rows()[0].figures[0].ownValue, 500, 4);
+    EXPECT_EQ(rows()[0].figures[0].ownUnit, "mm");
+    EXPECT_THAT(rows()[0].figures[0].text, testing::HasSubstr("mm in its file"));
+}
+
+TEST_F(EditorMeasureTest, PointsMoveWithTheBody) {
+    clickAt(-0.3, 0.3);
+    clickAt(0.3, 0.3);
+    const ui::PlotPoint before = panels().overlay.dots.at(0);
+    tap(Key::v);
+    tap(Key::space);
+    frames(12);
+    tap(Key::space);
+    settle();
+    ASSERT_EQ(rows().size(), 1U);
+    EXPECT_GT(panels().overlay.dots.at(0).y, before.y + 2) << "it fell";
+    EXPECT_NEAR(value(0), 0.6, 0.05);
+}
+
+TEST_F(EditorMeasureTest, MeasuresGoOnThroughACutAndItsUndo) {
+    clickAt(-0.3, 0.3);
+    clickAt(-0.3, -0.3);
+    click("measure.Piece");
+    clickAt(-0.3, 0);
+    ASSERT_EQ(rows().size(), 2U);
+    tap(Key::c);
+    drag(kTop, kBottom, 30);
+    settle();
+    frames(4);
+    ASSERT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+    ASSERT_EQ(rows().size(), 2U);
+    EXPECT_NEAR(value(0), 0.6, 0.02);
+    EXPECT_EQ(rows()[1].figures.size(), 3U) << "it has a face of the cut now";
+    EXPECT_NEAR(rows()[1].figures.back().value, 0.5, 0.03);
+    tap(Key::z, {.control = true});
+    settle();
+    frames(4);
+    ASSERT_EQ(rows().size(), 2U);
+    EXPECT_NEAR(rows()[1].figures.back().value, 1, 1e-3);
+}
+
+TEST_F(EditorMeasureTest, EscForgetsThePointsAndThenEndsMeasuring) {
+    clickAt(0, 0);
+    EXPECT_EQ(panels().overlay.dots.size(), 1U);
+    tap(Key::escape);
+    frames(2);
+    EXPECT_EQ(panels().overlay.dots.size(), 0U);
+    EXPECT_EQ(panels().tools.tool, ui::Tool::measure);
+    tap(Key::escape);
+    frames(2);
+    EXPECT_EQ(panels().tools.tool, ui::Tool::stroke);
+}
+
+TEST_F(EditorMeasureTest, TheListIsSavedAndEmptied) {
+    clickAt(-0.3, 0);
+    clickAt(0.3, 0);
+    clickAt(0, -0.3);
+    clickAt(0, 0.3);
+    click("measure.csv");
+    waitForWork();
+    std::stringstream text;
+    text << std::ifstream(onlyFile(folder.path())).rdbuf();
+    EXPECT_THAT(text.str(),
+                testing::StartsWith("id,measure,quantity,value,unit,value_in_file,unit_in_file\n"
+                                    "1,distance,distance,0."));
+    EXPECT_THAT(text.str(), testing::HasSubstr("\n2,distance,distance,"));
+    click("measure.remove.1");
+    ASSERT_EQ(rows().size(), 1U);
+    EXPECT_EQ(rows()[0].id, 2);
+    click("measure.clear");
+    EXPECT_TRUE(rows().empty());
+}
+
+TEST_F(EditorMeasureTest, TheTableOfPiecesHasAllColumnsOnDemandAndSavesThem) {
+    EXPECT_FALSE(panels().pieces.at(0).sums);
+    click("pieces.details");
+    frames(2);
+    ASSERT_TRUE(panels().pieces.at(0).sums);
+    EXPECT_NEAR(panels().pieces[0].sums->skinArea, 6, 1e-5);
+    EXPECT_EQ(panels().pieces[0].sums->cutArea, 0);
+    EXPECT_NEAR(panels().pieces[0].sums->centroid.norm(), 0, 1e-6);
+    EXPECT_NEAR(panels().pieces[0].shareOfAll, 1, 1e-9);
+    tap(Key::c);
+    drag(kTop, kBottom, 30);
+    settle();
+    frames(4);
+    ASSERT_EQ(panels().pieces.size(), 2U);
+    for (const ui::PieceRow& piece : panels().pieces) {
+        ASSERT_TRUE(piece.sums);
+        EXPECT_NEAR(piece.sums->cutArea, 1, 0.02);
+        EXPECT_NEAR(std::abs(piece.sums->centroid.x()), 0.25, 0.02);
+        EXPECT_TRUE(piece.bounds.center().isApprox(piece.sums->centroid, 0.1));
+    }
+    click("pieces.csv");
+    waitForWork();
+    std::stringstream text;
+    text << std::ifstream(onlyFile(folder.path())).rdbuf();
+    EXPECT_THAT(text.str(), testing::StartsWith("piece,triangles,volume_m3,"));
+    EXPECT_THAT(text.str(), testing::HasSubstr("\n2,"));
+}
+
+TEST(SurfaceAnchor, EndsWhereItsMaterialIsGone) {
+    const SurfaceMesh whole = test::meshOf(test::joined(
+        test::boxSoup(Vec3::Ones(), 1), test::boxSoup(Vec3::Ones(), 1), Vec3(5, 0, 0)));
+    SurfaceAnchor anchor(whole, {12, whole.position(whole.triangle(12)[0]), Vec3::UnitX()});
+    EXPECT_TRUE(anchor.follow(whole));
+    SurfaceMesh rest = whole;
+    for (int t = 12; t < 24; ++t) {
+        rest.removeTriangle(t);
+    }
+    EXPECT_FALSE(anchor.follow(rest));
+    EXPECT_TRUE(anchor.follow(whole)) << "nothing had changed";
+}
+
+}  // namespace
+}  // namespace kerf::app

@@ -1,0 +1,207 @@
+// Going back in time by the time line, and on from there.
+#include <gmock/gmock.h>
+
+#include "app/scene/editor_scene.h"
+#include "app/session/session.h"
+#include "tests/app/editor/editor_fixture.h"
+#include "tests/app/session/replayed_session.h"
+
+namespace kerf::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+class EditorPastTest : public EditorTest {
+  protected:
+    EditorScene& scene() { return *editor->scene(); }
+    int step() { return scene().simulation().stepCount(); }
+    std::string hash() { return scene().simulation().stateHash(); }
+    int pieces() { return scene().pieceCount(); }
+    void goTo(int wanted) {
+        scene().seek(wanted);
+        settle();
+        frames(1);
+    }
+    void playFor(int pictures) {
+        tap(Key::space);
+        frames(pictures);
+        tap(Key::space);
+        frames(1);
+    }
+    /// In two halves, which fall.
+    void cutAndLetFall() {
+        drag(kTop, kBottom, 10);
+        settle();
+        tap(Key::space, {.shift = true});
+        frames(25);
+        tap(Key::space);
+        settle();
+    }
+    void dragTimeLineTo(double share) {
+        const ui::Rect bar = editor->itemRects().at("scrubber");
+        drag(Vec2(bar.x + bar.width - 4, bar.y + bar.height / 2),
+             Vec2(bar.x + share * bar.width, bar.y + bar.height / 2), 3);
+        settle();
+        frames(1);
+    }
+    /// What is saved, without a window.
+    void expectItReplays() {
+        const Document& document = scene().document();
+        const Session session =
+            scene().savedSession(document.camera, document.session.colors).session;
+        const auto file = folder / "past.kerf.json";
+        test::writeText(file, formatSession(session, folder.path()));
+        EXPECT_EQ(replayedHash(readSession(file), {document.mesh, document.uvs}), hash());
+    }
+};
+
+TEST_F(EditorPastTest, EachMomentIsAsItWas) {
+    drag(kTop, kBottom, 10);
+    settle();
+    playFor(20);
+    const int between = step();
+    const std::string then = hash();
+    playFor(30);
+    const int end = step();
+    const std::string last = hash();
+    ASSERT_EQ(pieces(), 2);
+    goTo(0);
+    EXPECT_EQ(step(), 0);
+    EXPECT_EQ(pieces(), 1);
+    EXPECT_TRUE(panels().playback.played);
+    goTo(between);
+    EXPECT_EQ(hash(), then);
+    goTo(end);
+    EXPECT_EQ(hash(), last);
+    EXPECT_FALSE(panels().playback.played) << "the present again";
+    expectItReplays();
+    goTo(between);
+    EXPECT_EQ(hash(), then);
+}
+
+TEST_F(EditorPastTest, ThePointerDragsTheTimeLineBack) {
+    cutAndLetFall();
+    const int end = step();
+    dragTimeLineTo(0.02);
+    EXPECT_LT(step(), end / 10);
+    EXPECT_EQ(pieces(), 1);
+    EXPECT_FALSE(panels().playing);
+    EXPECT_EQ(panels().playback.steps, end) << "nothing is lost yet";
+    tap(Key::space);
+    frames(end);
+    EXPECT_EQ(step(), end) << "at the present it stops";
+    EXPECT_EQ(pieces(), 2);
+}
+
+TEST_F(EditorPastTest, AStrokeThereLeavesOutWhatCameAfter) {
+    cutAndLetFall();
+    const int end = step();
+    goTo(3);
+    ASSERT_EQ(pieces(), 1);
+    drag(kTop + Vec2(60, 0), kBottom + Vec2(60, 0), 10);
+    settle();
+    EXPECT_EQ(pieces(), 2);
+    EXPECT_LT(step(), end);
+    EXPECT_FALSE(panels().playback.played);
+    EXPECT_THAT(panels().toast, HasSubstr("is left out"));
+    expectItReplays();
+    const int here = step();
+    const std::string now = hash();
+    playFor(10);
+    ASSERT_GT(step(), here);
+    goTo(here);
+    EXPECT_EQ(hash(), now);
+}
+
+TEST_F(EditorPastTest, AParameterThatIsChangedThereGoesIntoWhatPlaysOn) {
+    cutAndLetFall();
+    const int end = step();
+    const std::string last = hash();
+    goTo(end / 2);
+    ASSERT_EQ(scene().execute(SetParam{"youngs_modulus", 3e5}), "");
+    goTo(end);
+    EXPECT_NE(hash(), last);
+    EXPECT_EQ(pieces(), 2);
+    expectItReplays();
+}
+
+TEST_F(EditorPastTest, ItGoesBackBeyondARestart) {
+    cutAndLetFall();
+    const int fallen = step();
+    const std::string then = hash();
+    tap(Key::r);
+    settle();
+    playFor(10);
+    EXPECT_LT(panels().step, fallen) << "counts from the restart";
+    const int end = step();
+    const std::string last = hash();
+    goTo(fallen);
+    EXPECT_EQ(hash(), then);
+    EXPECT_EQ(panels().step, fallen);
+    goTo(end);
+    EXPECT_EQ(hash(), last);
+    EXPECT_LT(panels().step, fallen);
+}
+
+TEST_F(EditorPastTest, ARestartThereLeavesOutWhatCameAfter) {
+    cutAndLetFall();
+    goTo(5);
+    tap(Key::r);
+    settle();
+    EXPECT_EQ(pieces(), 1);
+    EXPECT_FALSE(panels().playback.played);
+    playFor(5);
+    EXPECT_EQ(pieces(), 1) << "no stroke comes of itself";
+    expectItReplays();
+}
+
+TEST_F(EditorPastTest, ABladeThatIsDownIsPutAway) {
+    press(false);
+    moveTo(kTop.x(), kTop.y());
+    press(true);
+    for (int i = 1; i <= 6; ++i) {
+        const Vec2 at = kTop + (kBottom - kTop) * (i / 10.0);
+        moveTo(at.x(), at.y());
+        frames(1);
+    }
+    settle();
+    ASSERT_GT(step(), 2);
+    const int end = step();
+    goTo(1);
+    press(false);
+    goTo(end);
+    EXPECT_FALSE(panels().playback.played);
+    expectItReplays();
+}
+
+TEST_F(EditorPastTest, ASessionThatAPersonWentOnWithGoesBackIntoItself) {
+    test::writeText(folder / "slice.kerf.json", R"({
+        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
+        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
+                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
+                   {"step": 41, "type": "lift"}]})");
+    editor->open(folder / "slice.kerf.json");
+    waitForWork();
+    goTo(50);
+    drag(kTop, kBottom, 10);
+    settle();
+    const int end = step();
+    const std::string last = hash();
+    ASSERT_GT(pieces(), 2);
+    goTo(20);
+    EXPECT_EQ(pieces(), 1);
+    goTo(end);
+    EXPECT_EQ(hash(), last);
+    goTo(45);
+    drag(kTop, kBottom, 10);
+    settle();
+    expectItReplays();
+    tap(Key::r);
+    settle();
+    goTo(60);
+    EXPECT_EQ(pieces(), 2) << "from its start the session is whole again";
+}
+
+}  // namespace
+}  // namespace kerf::app

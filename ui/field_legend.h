@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "render/scene/surface_field.h"
+
+namespace kerf::ui {
+
+/// What the colours of the body mean, where they show a quantity.
+struct FieldLegend {
+    render::SurfaceField field = render::SurfaceField::look;
+    render::FieldRange range;
+    std::optional<double> underPointer;  ///< in the quantity's own unit (share or m)
+    std::string note;                    ///< where the values are not those of now; may be empty
+};
+
+/// "12.3 %" of a share, "3.5 mm" of a length [m].
+std::string fieldText(render::SurfaceField field, double value);
+
+/// Draws name, colours and numbers of a quantity into the current window. `scale` is the display's.
+void drawFieldScale(const FieldLegend& legend, float scale);
+
+}  // namespace kerf::ui
