@@ -51,7 +51,7 @@ class EditorPastTest : public EditorTest {
             scene().savedSession(document.camera, document.session.colors).session;
         const auto file = folder / "past.kerf.json";
         test::writeText(file, formatSession(session, folder.path()));
-        EXPECT_EQ(replayedHash(readSession(file), {document.mesh, document.uvs}), hash());
+        EXPECT_EQ(replayedHash(readSession(file), {document.mesh, document.looks}), hash());
     }
 };
 
