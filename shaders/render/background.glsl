@@ -3,9 +3,9 @@
 uniform float bright;
 
 vec3 sky(float elevation) {
-    vec3 haze = mix(vec3(0.0150, 0.0175, 0.0225), vec3(0.70, 0.73, 0.78), bright);
-    vec3 zenith = mix(vec3(0.0048, 0.0056, 0.0080), vec3(0.42, 0.48, 0.58), bright);
-    return mix(haze, zenith, smoothstep(-0.02, 0.42, elevation));
+    vec3 haze = mix(vec3(0.032, 0.037, 0.046), vec3(0.74, 0.77, 0.81), bright);
+    vec3 zenith = mix(vec3(0.0085, 0.0100, 0.0140), vec3(0.46, 0.53, 0.64), bright);
+    return mix(haze, zenith, smoothstep(-0.02, 0.60, elevation));
 }
 
 vec3 studio(vec2 screen) {
