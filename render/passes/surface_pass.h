@@ -41,7 +41,7 @@ class SurfacePass {
         bool rounded = false;
         bool opened = false;   ///< by a section
         bool painted = false;  ///< in the model's own colours
-        auto key() const { return std::tuple(wall, pattern, opened, painted); }
+        auto key() const { return std::tuple(wall, pattern, shading, rounded, opened, painted); }
         bool operator<(const Kind& other) const { return key() < other.key(); }
     };
     static Kind kindOf(const SceneView& scene, const NormalsPass& shape, bool wall);
