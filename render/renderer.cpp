@@ -147,7 +147,6 @@ struct Renderer::State {
     void uploadLooks(const SceneView& scene, Frame& frame);
     void drawShadows(const SceneView& scene, const Frame& frame);
     void drawOverlays(const SceneView& scene, const Frame& frame);
-    void drawGround(const SceneView& scene, const Camera& camera, const Frame& frame);
     void drawBody(const SceneView& scene, const Camera& camera, const Frame& frame);
     void drawOpened(const SceneView& scene, const Camera& camera, const Frame& frame);
     void drawSurface(const SceneView& scene, const Frame& frame);
@@ -226,13 +225,6 @@ void Renderer::State::drawOverlays(const SceneView& scene, const Frame& frame) {
     overlays->draw(scene, frame);
 }
 
-void Renderer::State::drawGround(const SceneView& scene, const Camera& camera, const Frame& frame) {
-    floor.drawBackdrop(scene.floor.has_value(), frame);
-    if (scene.floor) {
-        floor.drawFloor(*scene.floor, frame, camera);
-    }
-}
-
 /// The body, and the boxes that it may lie on.
 void Renderer::State::drawBody(const SceneView& scene, const Camera& camera, const Frame& frame) {
     shadow.bind();
@@ -286,7 +278,7 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     drawBody(scene, camera, frame);
     blade.drawBlade(scene, frame);
     if (!scene.transparent) {
-        drawGround(scene, camera, frame);
+        floor.draw(scene.floor, frame, camera);
     }
     if (frame.hasBody && scene.cutLines && scene.hasWalls) {
         rims.draw(scene, frame, normals);

@@ -19,12 +19,13 @@ int NormalsPass::sidePiecesOf(std::uint32_t triangles) const {
 
 void NormalsPass::run(const BodyView& body, double hardEdges, bool flat) {
     normals_.resize(std::size_t(2) * body.vertexCount * sizeof(shared::vec4));
-    cornerNormals_.resize(std::size_t(3) * body.triangleCount * sizeof(std::uint32_t));
     // Each vertex of a rim begins an edge of it, some begin two.
-    rims_.resize(sizeof(shared::vec4) + std::size_t(2) * body.vertexCount * sizeof(std::uint32_t));
+    const std::size_t words =
+        std::size_t(3) * body.triangleCount + std::size_t(2) * body.vertexCount;
+    skinCorners_.resize(sizeof(shared::vec4) + words * sizeof(std::uint32_t));
     sidePieces_ = flat ? 1 : sidePiecesOf(body.triangleCount);
     const std::array<std::uint32_t, 4> noRims{6 * static_cast<std::uint32_t>(sidePieces_), 0, 0, 0};
-    rims_.write<std::uint32_t>(0, noRims);
+    skinCorners_.write<std::uint32_t>(0, noRims);
     body.positions->bindStorage(shared::kBindPositions);
     body.restPositions->bindStorage(shared::kBindRestPositions);
     body.cutSkinNormals->bindStorage(shared::kBindCutSkinNormals);
@@ -32,10 +33,10 @@ void NormalsPass::run(const BodyView& body, double hardEdges, bool flat) {
     body.incidenceRanges->bindStorage(shared::kBindIncidenceRanges);
     body.incidence->bindStorage(shared::kBindIncidence);
     normals_.bindStorage(shared::kBindNormals);
-    cornerNormals_.bindStorage(shared::kBindCornerNormals);
-    rims_.bindStorage(shared::kBindRims);
+    skinCorners_.bindStorage(shared::kBindSkinCorners);
     program_.use();
     program_.set("vertexCount", body.vertexCount);
+    program_.set("triangleCount", body.triangleCount);
     const double angle = std::clamp(hardEdges, 0.0, 180.0) * std::numbers::pi / 180;
     program_.set("hardCosine", float(std::cos(angle)));
     program_.set("hardHalfCosine", float(std::cos(angle / 2)));

@@ -27,11 +27,9 @@ class NormalsPass {
     /// w of the first: 1 where the skin is smooth there, 0 at hard edges and where there is none; w
     /// of the second: how far above it the skin is shown where it is drawn round [m].
     const gpu::Buffer& normals() const { return normals_; }
-    /// uint, shape [3 * triangleCount]: of each corner of the skin (corner_normals.glsl).
-    const gpu::Buffer& cornerNormals() const { return cornerNormals_; }
     /// uvec4, a command of glDrawArraysIndirect whose instances are the edges on the rims of cuts;
-    /// behind it a uint for each of them.
-    const gpu::Buffer& rims() const { return rims_; }
+    /// behind it normals of the corners of the skin, and the rims (skin_corners.glsl).
+    const gpu::Buffer& skinCorners() const { return skinCorners_; }
     /// Into how many a side of a triangle is divided where it is shown; coarse skin looks round so.
     int sidePieces() const { return sidePieces_; }
 
@@ -41,8 +39,7 @@ class NormalsPass {
     gpu::Program program_;
     Roundness roundness_;
     gpu::Buffer normals_;
-    gpu::Buffer cornerNormals_;
-    gpu::Buffer rims_;
+    gpu::Buffer skinCorners_;
     int sidePieces_ = 1;
 };
 

@@ -38,13 +38,14 @@ void RimPass::draw(const SceneView& scene, const Frame& frame, const NormalsPass
     scene.body.positions->bindStorage(shared::kBindPositions);
     scene.body.triangles->bindStorage(shared::kBindTriangles);
     shape.normals().bindStorage(shared::kBindNormals);
-    shape.rims().bindStorage(shared::kBindRims);
+    shape.skinCorners().bindStorage(shared::kBindSkinCorners);
     lines.use();
     bindLooks(lines, frame);
     lines.set("viewProjection", frame.viewProjection);
     lines.set("viewport", Eigen::Vector2f(float(frame.width), float(frame.height)));
     lines.set("width", std::max(kLeastWidth, kWidthShare * float(frame.height)));
     lines.set("strength", kStrength);
+    lines.set("triangleCount", scene.body.triangleCount);
     lines.set("sidePieces", shape.sidePieces());
     if (scene.section) {
         setSection(lines, scene);
@@ -54,7 +55,7 @@ void RimPass::draw(const SceneView& scene, const Frame& frame, const NormalsPass
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);
     glBlendEquation(GL_MIN);
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, shape.rims().id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, shape.skinCorners().id());
     glDrawArraysIndirect(GL_TRIANGLES, nullptr);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
     glBlendEquation(GL_FUNC_ADD);

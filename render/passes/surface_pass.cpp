@@ -26,7 +26,9 @@ void setFinish(const gpu::Program& program, const Finish& finish) {
     program.set("roughness", finish.roughness);
     program.set("gloss", finish.gloss);
     program.set("glow", finish.glow);
-    program.set("mirrorLevel", environmentLevel(finish.roughness));
+    const MirrorLevel mirror = mirrorLevel(finish.roughness);
+    program.set("mirrorLevel", float(mirror.level));
+    program.set("mirrorReach", mirror.reach);
 }
 
 }  // namespace
@@ -36,7 +38,7 @@ void bindBody(const BodyView& body, const NormalsPass& shape) {
     body.restPositions->bindStorage(shared::kBindRestPositions);
     body.triangles->bindStorage(shared::kBindTriangles);
     shape.normals().bindStorage(shared::kBindNormals);
-    shape.cornerNormals().bindStorage(shared::kBindCornerNormals);
+    shape.skinCorners().bindStorage(shared::kBindSkinCorners);
 }
 
 void setSection(const gpu::Program& program, const SceneView& scene) {

@@ -113,12 +113,13 @@ void append(std::vector<std::uint8_t>& bytes, const Vec3f& light) {
     bytes.push_back(255);
 }
 
+/// The outermost texels lie on the seams, where each has a twin, so that filtering shows no seam.
 template <class Look>
 std::vector<std::uint8_t> square(int side, Look&& look) {
     std::vector<std::uint8_t> bytes;
     for (int z = 0; z < side; ++z) {
         for (int x = 0; x < side; ++x) {
-            const auto place = [side](int i) { return 2 * (float(i) + 0.5F) / float(side) - 1; };
+            const auto place = [side](int i) { return 2 * float(i) / float(side - 1) - 1; };
             append(bytes, look(unfolded(place(x), place(z))));
         }
     }
@@ -176,13 +177,15 @@ Environment prefilter(const Panorama& panorama) {
     return out;
 }
 
-float environmentLevel(float roughness) {
+MirrorLevel mirrorLevel(float roughness) {
     float level = 0;
     for (std::size_t i = 1; i < kRoughness.size(); ++i) {
         const float step = (roughness - kRoughness[i - 1]) / (kRoughness[i] - kRoughness[i - 1]);
         level += std::clamp(step, 0.0F, 1.0F);
     }
-    return level;
+    const int nearest = static_cast<int>(std::lround(level));
+    const auto side = static_cast<float>(Environment::kSide >> nearest);
+    return {nearest, (side - 1) / side};
 }
 
 EnvironmentTexture::EnvironmentTexture(const Environment& environment) : matt_(environment.matt) {

@@ -36,8 +36,13 @@ inline constexpr float kEnvironmentRange = 8;
 
 /// Blurs a panorama for all levels, a few milliseconds.
 Environment prefilter(const Panorama& panorama);
-/// The level that a surface of this roughness mirrors.
-float environmentLevel(float roughness);
+/// The level that a surface of this roughness mirrors, and how far the middles of its outermost
+/// texels lie from the middle of the square, whose border is at 1.
+struct MirrorLevel {
+    int level = 0;
+    float reach = 1;
+};
+MirrorLevel mirrorLevel(float roughness);
 
 /// An environment on the GPU (move only).
 class EnvironmentTexture {

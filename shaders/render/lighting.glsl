@@ -8,6 +8,7 @@ uniform float roughness;
 uniform float gloss;
 uniform float glow;
 uniform float mirrorLevel;  // of the environment, for this roughness
+uniform float mirrorReach;  // see mirrored()
 uniform float bodySize;     // diagonal at rest [m]
 uniform float floorHeight;
 uniform float hasFloor;
@@ -47,14 +48,15 @@ vec3 shade(vec3 point, vec3 albedo, vec3 n, vec3 v, float facing) {
     vec3 inside = mix(albedo, deep, glow);
     vec3 light = kKeyColor * (albedo * (direct * lit) + (0.22 + 0.28 * glow) * scattered * inside);
     float fill = facing * nv * (1.0 - 0.7 * direct * lit);
-    light += albedo * (lightFromAround(n) + fill * kFillColor) * open;
+    MattLight around = lightFromAround(n);
+    light += albedo * (around.front + fill * kFillColor) * open;
     // From behind: most where the way through the body is short, at its outline.
     float through = clamp(-dot(v, keyDirection) * 0.5 + 0.5, 0.0, 1.0);
     float thin = 1.0 - 0.75 * nv;
-    light += glow * thin * deep * (0.3 * kKeyColor * through * through + 0.6 * lightFromAround(-n));
+    light += glow * thin * deep * (0.3 * kKeyColor * through * through + 0.6 * around.back);
     float edge = 1.0 - nv;
     float edge2 = edge * edge;
     float fresnel = gloss * (0.04 + (1.0 - 0.85 * roughness) * 0.5 * edge2 * edge2);
     light += kKeyColor * (0.045 * gloss * min(highlight(n, v), 14.0) * direct * lit);
-    return light + mirrored(reflect(-v, n), mirrorLevel) * (fresnel * open);
+    return light + mirrored(reflect(-v, n), mirrorLevel, mirrorReach) * (fresnel * open);
 }

@@ -1,6 +1,5 @@
 // Pictures of a lit ball: the colour is that of the ball where it faces the same way. The same from
 // wherever one looks, and free of shadows: for shape alone. MATCAP: 1 clay, 2 steel, 3 normals.
-uniform mat4 pictureToWorld;
 
 vec3 seenNormal(vec3 n, vec3 v) {
     vec3 up = vec3(0, 1, 0);

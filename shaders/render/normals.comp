@@ -23,13 +23,8 @@ layout(std430, binding = kBindCutSkinNormals) readonly buffer CutSkinNormals {
 layout(std430, binding = kBindIncidenceRanges) readonly buffer Ranges { uvec2 ranges[]; };
 layout(std430, binding = kBindIncidence) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = kBindNormals) writeonly buffer Normals { vec4 normals[]; };
-layout(std430, binding = kBindCornerNormals) writeonly buffer CornerNormals {
-    uint cornerNormals[];
-};
-layout(std430, binding = kBindRims) buffer Rims {
-    uvec4 rimCommand;  // of glDrawArraysIndirect: y counts the rims
-    uint rims[];       // of each 4 * triangle + the corner that it begins at
-};
+#define SKIN_CORNERS_ACCESS
+#include "skin_corners.glsl"
 
 // Triangles whose height is a smaller share of their longest edge are slivers.
 const float kSliverQuality = 0.2;
@@ -38,6 +33,7 @@ const float kSliverQuality = 0.2;
 const int kMostFan = 20;
 
 uniform uint vertexCount;
+uniform uint triangleCount;
 uniform float hardCosine;  // of the angle above which an edge of the skin is hard
 uniform float hardHalfCosine;
 
@@ -175,7 +171,7 @@ bool writeParts(uint vertex) {
         }
         hard = hard || fan.part[i] != fan.part[0];
         uint entry = fan.entry[i];
-        cornerNormals[3u * (entry / 4u) + entry % 4u] = packedNormal(unit(sum));
+        skinCorners[3u * (entry / 4u) + entry % 4u] = packedNormal(unit(sum));
     }
     return hard;
 }
@@ -183,7 +179,7 @@ bool writeParts(uint vertex) {
 void writeCorners(uint vertex, vec3 normal) {
     uint word = packedNormal(normal);
     for (uint i = ranges[vertex].x; i < ranges[vertex].y; ++i) {
-        cornerNormals[3u * (entries[i] / 4u) + entries[i] % 4u] = word;
+        skinCorners[3u * (entries[i] / 4u) + entries[i] % 4u] = word;
     }
 }
 
@@ -194,9 +190,9 @@ void noteRims(uint vertex) {
         uvec4 triangle = triangles[entries[i] / 4u];
         uint corner = entries[i] % 4u;
         if (isSkin(triangle) && ((triangle.w >> (1u + corner)) & 1u) == 1u) {
-            uint place = atomicAdd(rimCommand.y, 1u);
-            if (place < uint(rims.length())) {
-                rims[place] = entries[i];
+            uint place = 3u * triangleCount + atomicAdd(rimCommand.y, 1u);
+            if (place < uint(skinCorners.length())) {
+                skinCorners[place] = entries[i];
             }
         }
     }

@@ -10,15 +10,19 @@ out vec4 color;
 
 const int kTaps = 16;
 
-vec3 pointAt(ivec2 pixel, vec2 size) {
-    float depth = texelFetch(depths, clamp(pixel, ivec2(0), ivec2(size) - 1), 0).r;
+vec3 pointAt(ivec2 wanted, vec2 size) {
+    ivec2 pixel = clamp(wanted, ivec2(0), ivec2(size) - 1);
+    float depth = texelFetch(depths, pixel, 0).r;
     vec4 p = clipToWorld * vec4((vec2(pixel) + 0.5) / size * 2.0 - 1.0, depth * 2.0 - 1.0, 1);
     return p.xyz / p.w;
 }
 
-// The shorter of two steps: the other one may lead over an edge.
+// The shorter of two steps: the other one may lead over an edge. At the border of the picture one
+// leads nowhere.
 vec3 shorter(vec3 a, vec3 b) {
-    return dot(a, a) < dot(b, b) ? a : b;
+    float sizeA = dot(a, a);
+    float sizeB = dot(b, b);
+    return sizeB == 0.0 || (sizeA > 0.0 && sizeA < sizeB) ? a : b;
 }
 
 // Turns the taps from pixel to pixel, in a pattern of 4x4 that the blur evens out.

@@ -6,18 +6,20 @@
 #ifdef SECTION
 #include "section.glsl"
 #endif
-layout(std430, binding = kBindRims) readonly buffer Rims {
-    uvec4 rimCommand;
-    uint rims[];  // 4 * triangle + the corner that it begins at
-};
+#define SKIN_CORNERS_ACCESS readonly
+#include "skin_corners.glsl"
+uniform uint triangleCount;
 uniform int sidePieces;
 
 vec3 pointOfRim(uvec3 ends, int at) {
+    if (sidePieces == 1) {
+        return positions[at == 0 ? ends.x : ends.y].xyz;
+    }
     return roundedPoint(ends, vec3(sidePieces - at, at, 0) / float(sidePieces));
 }
 
 void main() {
-    uint entry = rims[gl_InstanceID];
+    uint entry = skinCorners[3u * triangleCount + uint(gl_InstanceID)];
     uvec4 triangle = triangles[entry / 4u];
     uint corner = entry % 4u;
     uvec3 ends = uvec3(triangle[corner], triangle[(corner + 1u) % 3u], triangle[corner]);

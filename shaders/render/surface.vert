@@ -5,9 +5,8 @@
 #include "section.glsl"
 #endif
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
-layout(std430, binding = kBindCornerNormals) readonly buffer CornerNormals {
-    uint cornerNormals[];  // of the skin: 3 * triangle + corner
-};
+#define SKIN_CORNERS_ACCESS readonly
+#include "skin_corners.glsl"
 
 #ifdef OWN_COLOURS
 #include "skin_records.h"
@@ -45,7 +44,7 @@ vec3 cornerNormal(int triangle, uint vertex, int corner) {
 #ifdef WALLS
     return normals[2u * vertex + 1u].xyz;
 #else
-    return unpackedNormal(cornerNormals[3 * triangle + corner]);
+    return unpackedNormal(skinCorners[3 * triangle + corner]);
 #endif
 }
 

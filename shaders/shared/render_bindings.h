@@ -18,8 +18,7 @@ SHARED_CONST int kBindContactState = 9;  // ContactState
 SHARED_CONST int kBindField = 10;        // see field.glsl
 SHARED_CONST int kBindFieldRange = 11;   // its range
 SHARED_CONST int kBindSkin = 12;         // SkinRecord per drawn triangle of skin
-SHARED_CONST int kBindCornerNormals = 13;  // uint per corner of a triangle: see corner_normals.glsl
-SHARED_CONST int kBindRims = 14;  // a draw command, then the edges on the rims of cuts
+SHARED_CONST int kBindSkinCorners = 13;  // see skin_corners.glsl
 
 SHARED_CONST int kUnitShadow = 0;
 SHARED_CONST int kUnitGround = 1;

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "shaders/shared/roundness.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/nearest_triangle.h"
@@ -29,9 +30,8 @@ Kinds kindsAround(const SurfaceMesh& mesh, int vertex) {
     return kinds;
 }
 
-/// How far towards the planes of its corners a triangle that is drawn round bulges: a little less
-/// than shaders/render/rounded.glsl says, since the pieces about a new vertex bulge once more.
-constexpr double kRoundness = 0.6;
+/// A little less than drawn skin has, since the pieces about a new vertex bulge once more.
+constexpr double kRoundness = 0.8 * shared::kRoundness;
 constexpr double kLeastLength = 0.01;  // of a normal that tells a bulge
 
 /// A corner of an old triangle of the skin at rest.
@@ -51,16 +51,24 @@ RoundCorner roundCorner(const Vec3& position, const Vec3& told, bool hard, doubl
     return {position + (length - 1) * normal, normal, weight};
 }
 
+/// Four times how far the middle of an edge bulges (shaders/render/rounded.glsl).
+Vec3 edgeBulge(const RoundCorner& a, const RoundCorner& b) {
+    if (a.normal.dot(b.normal) <= shared::kLeastAgreement) {
+        return Vec3::Zero();
+    }
+    const Vec3 along = a.position - b.position;
+    return along.dot(a.normal) * a.normal - along.dot(b.normal) * b.normal;
+}
+
 /// How far above the point with these weights the round skin lies, along `up`.
 double bulgeAt(const std::array<RoundCorner, 3>& corners, const Vec3& point, const Vec3& up) {
     Vec3 chord = Vec3::Zero();
-    for (const RoundCorner& corner : corners) {
-        chord += corner.weight * corner.position;
-    }
     Vec3 bulge = Vec3::Zero();
-    for (const RoundCorner& corner : corners) {
-        bulge += kRoundness * corner.weight * (corner.position - chord).dot(corner.normal) *
-                 corner.normal;
+    for (int i = 0; i < 3; ++i) {
+        const RoundCorner& corner = corners[i];
+        const RoundCorner& next = corners[(i + 1) % 3];
+        chord += corner.weight * corner.position;
+        bulge += kRoundness * corner.weight * next.weight * edgeBulge(corner, next);
     }
     return (chord + bulge - point).dot(up);
 }

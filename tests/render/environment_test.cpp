@@ -47,9 +47,25 @@ TEST(Environment, LightFromAboveShinesOnWhatFacesUp) {
 }
 
 TEST(Environment, RougherSurfacesMirrorHigherLevels) {
-    EXPECT_EQ(environmentLevel(0), 0);
-    EXPECT_NEAR(environmentLevel(0.5F), 2, 1e-5F);
-    EXPECT_EQ(environmentLevel(1), Environment::kLevels - 1);
+    EXPECT_EQ(mirrorLevel(0).level, 0);
+    EXPECT_EQ(mirrorLevel(0.5F).level, 2);
+    EXPECT_EQ(mirrorLevel(1).level, Environment::kLevels - 1);
+}
+
+TEST(Environment, TexelsThatMeetAtASeamAreTheSame) {
+    Panorama panorama = even(0);
+    for (std::size_t i = 0; i < panorama.pixels.size(); ++i) {
+        panorama.pixels[i] = Vec3f::Constant(float(i % 64) / 32);
+    }
+    const Environment environment = prefilter(panorama);
+    for (int level = 0; level < Environment::kLevels; ++level) {
+        const int side = Environment::kSide >> level;
+        for (int i = 0; i < side; ++i) {
+            const int twin = side - 1 - i;
+            EXPECT_NEAR(environment.levels[level][std::size_t(4) * i],
+                        environment.levels[level][std::size_t(4) * twin], 1);
+        }
+    }
 }
 
 TEST(Environment, OurStudiosCanBeRead) {
