@@ -135,6 +135,12 @@ void Framebuffer::blitColorTo(const Framebuffer& target) const {
                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void Framebuffer::blitDepthTo(const Framebuffer& target) const {
+    assert(width_ == target.width_ && height_ == target.height_);
+    glBlitNamedFramebuffer(id_, target.id_, 0, 0, width_, height_, 0, 0, width_, height_,
+                           GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
 std::vector<std::uint8_t> Framebuffer::readColor() const {
     std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width_) *
                                      static_cast<std::size_t>(height_) * 4);

@@ -14,10 +14,15 @@
 #include "render/passes/floor_pass.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
+#include "render/passes/occlusion_pass.h"
 #include "render/passes/overlay_pass.h"
+#include "render/passes/rim_pass.h"
 #include "render/passes/section_pass.h"
 #include "render/passes/smooth_pass.h"
 #include "render/passes/surface_pass.h"
+#include "render/scene/environment.h"
+#include "render/studios.h"
+#include "shaders/shared/render_bindings.h"
 #include "shaders/shared/shared_types.h"
 
 namespace kerf::render {
@@ -36,6 +41,10 @@ int shadowSize(Quality quality) {
 
 int floorShadeSize(Quality quality) {
     return quality == Quality::full ? 384 : 192;
+}
+
+Roundness roundnessOf(Quality quality) {
+    return quality == Quality::full ? Roundness{32768, 4} : Roundness{12000, 1};
 }
 
 /// The state that every picture starts from, whatever the interface left behind.
@@ -72,6 +81,17 @@ void closeOff(const std::vector<PixelRect>& covered, int pictureHeight) {
     glDisable(GL_SCISSOR_TEST);
 }
 
+/// A section counts the surface itself; colours of its own and quantities are told by its corners.
+bool isFlat(const SceneView& scene) {
+    return scene.section || scene.paint || scene.field.choice.field != SurfaceField::look;
+}
+
+/// Crevices are darker where there is light, and where no section shows the inside.
+bool hasDarkCrevices(const SceneView& scene) {
+    return !scene.section && scene.look.shading == Shading::lit &&
+           scene.field.choice.field == SurfaceField::look;
+}
+
 }  // namespace
 
 /// All that shadows and normals depend on.
@@ -82,6 +102,8 @@ struct Renderer::ShadowSource {
     std::vector<PieceLook> pieces;
     std::vector<StaticBox> boxes;
     std::optional<double> floor;
+    double hardEdges = 0;
+    bool flat = false;
     Eigen::Matrix4f light, shade;
     bool operator==(const ShadowSource&) const = default;
 
@@ -95,6 +117,8 @@ struct Renderer::ShadowSource {
                             scene.pieces,
                             scene.boxes,
                             scene.floor,
+                            scene.hardEdges,
+                            isFlat(scene),
                             frame.lightMatrix,
                             frame.shadeMatrix};
     }
@@ -104,12 +128,16 @@ struct Renderer::State {
     explicit State(Quality wanted)
         : quality(wanted),
           samples(quality == Quality::full ? std::min(kSamples, gpu::queryDevice().maxSamples) : 1),
+          normals(roundnessOf(quality)),
           shadow(shadowSize(quality)),
           floorShade(floorShadeSize(quality)),
           surface(definesFor(quality)),
           boxes(definesFor(quality)) {
         // Core profile draws nothing without a vertex array, even where no attribute is read.
         glCreateVertexArrays(1, &vertexArray);
+        if (quality == Quality::full) {
+            occlusion.emplace();
+        }
     }
     ~State() { glDeleteVertexArrays(1, &vertexArray); }
     State(const State&) = delete;
@@ -119,8 +147,8 @@ struct Renderer::State {
     void uploadLooks(const SceneView& scene, Frame& frame);
     void drawShadows(const SceneView& scene, const Frame& frame);
     void drawOverlays(const SceneView& scene, const Frame& frame);
-    void drawGround(const SceneView& scene, const Camera& camera, const Frame& frame);
     void drawBody(const SceneView& scene, const Camera& camera, const Frame& frame);
+    void drawOpened(const SceneView& scene, const Camera& camera, const Frame& frame);
     void drawSurface(const SceneView& scene, const Frame& frame);
     void drawColors(const SceneView& scene, const Camera& camera, const Frame& frame);
 
@@ -134,15 +162,18 @@ struct Renderer::State {
     NormalsPass normals;
     ShadowPass shadow;
     FloorShadePass floorShade;
+    Studios studios;
     SurfacePass surface;
     BoxPass boxes;
     FloorPass floor;
+    RimPass rims;
     BladePass blade;
     SmoothPass smoothing;
-    std::optional<ShadowSource> shadowsOf;  ///< what the shadows were drawn of
-    std::optional<OverlayPass> overlays;    ///< from the first picture that shows some
-    std::optional<FieldPass> field;         ///< from the first picture that shows a quantity
-    std::optional<SectionPass> section;     ///< from the first picture that has one
+    std::optional<ShadowSource> shadowsOf;   ///< what the shadows were drawn of
+    std::optional<OverlayPass> overlays;     ///< from the first picture that shows some
+    std::optional<OcclusionPass> occlusion;  ///< of the full tier
+    std::optional<FieldPass> field;          ///< from the first picture that shows a quantity
+    std::optional<SectionPass> section;      ///< from the first picture that has one
 };
 
 void Renderer::State::makeTargets(int width, int height, bool withStencil) {
@@ -175,7 +206,7 @@ void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
         return;
     }
     shadowsOf = std::move(source);
-    normals.run(scene.body);
+    normals.run(scene.body, scene.hardEdges, isFlat(scene));
     shadow.draw(scene, boxes.view(), frame);
     if (scene.floor) {
         floorShade.draw(scene, boxes.view(), frame);
@@ -194,14 +225,21 @@ void Renderer::State::drawOverlays(const SceneView& scene, const Frame& frame) {
     overlays->draw(scene, frame);
 }
 
-void Renderer::State::drawGround(const SceneView& scene, const Camera& camera, const Frame& frame) {
-    floor.drawBackdrop(scene.floor.has_value(), frame);
-    if (scene.floor) {
-        floor.drawFloor(*scene.floor, frame, camera);
+/// The body, and the boxes that it may lie on.
+void Renderer::State::drawBody(const SceneView& scene, const Camera& camera, const Frame& frame) {
+    shadow.bind();
+    studios.of(scene.bright).bind(shared::kUnitEnvironment);
+    if (frame.hasBody) {
+        drawOpened(scene, camera, frame);
     }
+    boxes.draw(frame);
+    if (occlusion && frame.hasBody && hasDarkCrevices(scene)) {
+        occlusion->draw(frame, drawn, resolved);
+    }
+    floorShade.bind();
 }
 
-void Renderer::State::drawBody(const SceneView& scene, const Camera& camera, const Frame& frame) {
+void Renderer::State::drawOpened(const SceneView& scene, const Camera& camera, const Frame& frame) {
     if (!scene.section) {
         drawSurface(scene, frame);
         return;
@@ -218,14 +256,14 @@ void Renderer::State::drawBody(const SceneView& scene, const Camera& camera, con
 
 void Renderer::State::drawSurface(const SceneView& scene, const Frame& frame) {
     if (scene.field.choice.field == SurfaceField::look) {
-        surface.draw(scene, frame, normals.normals());
+        surface.draw(scene, frame, normals);
         return;
     }
     if (!field) {
         field.emplace();
     }
     field->update(scene);
-    field->draw(scene, frame, normals.normals());
+    field->draw(scene, frame, normals);
 }
 
 void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, const Frame& frame) {
@@ -237,15 +275,13 @@ void Renderer::State::drawColors(const SceneView& scene, const Camera& camera, c
     glClearColor(0, 0, 0, 0);
     glClear(scene.transparent ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
     closeOff(scene.covered, frame.height);
-    shadow.bind();
-    floorShade.bind();
-    if (frame.hasBody) {
-        drawBody(scene, camera, frame);
-    }
-    boxes.draw(frame);
+    drawBody(scene, camera, frame);
     blade.drawBlade(scene, frame);
     if (!scene.transparent) {
-        drawGround(scene, camera, frame);
+        floor.draw(scene.floor, frame, camera);
+    }
+    if (frame.hasBody && scene.cutLines && scene.hasWalls) {
+        rims.draw(scene, frame, normals);
     }
     drawOverlays(scene, frame);
     blade.drawSweep(scene, frame);
@@ -287,6 +323,7 @@ void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int
     height = std::max(height, 1);
     state_->makeTargets(width, height, scene.section.has_value());
     Frame frame = frameOf(scene, camera, width, height, state_->shadow.size());
+    frame.mattLight = state_->studios.of(scene.bright).matt();
     state_->uploadLooks(scene, frame);
     glBindVertexArray(state_->vertexArray);
     resetState();

@@ -11,7 +11,7 @@
 
 namespace kerf::render {
 
-/// What the light tier leaves out: multisampling, the soft edge of the shadow.
+/// What the light tier leaves out: multisampling, the soft edge of the shadow, ambient occlusion.
 enum class Quality { light, full };
 
 /// Draws a scene into an off-screen target: shadow pass, floor, surface, boxes, blade, overlays.

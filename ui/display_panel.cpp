@@ -66,6 +66,49 @@ bool chooseColor(const char* label, std::optional<Vec3>& chosen, const Vec3& own
     return changed;
 }
 
+const char* labelOf(std::optional<render::LookName> look) {
+    return look ? render::rowOf(*look).label : "The model's own";
+}
+
+/// Another look takes the colours that were chosen for the last one along with it.
+bool chooseLook(render::ChosenColors& colors) {
+    bool changed = false;
+    const auto offer = [&](std::optional<render::LookName> look) {
+        if (ImGui::Selectable(labelOf(look), colors.look == look)) {
+            colors = {.look = look, .skin = {}, .flesh = {}};
+            changed = true;
+        }
+        noteItem(std::string("look.") + labelOf(look));
+    };
+    rowLabel("Look");
+    ImGui::SameLine(0.3F * ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##look", labelOf(colors.look), ImGuiComboFlags_HeightLargest)) {
+        offer(std::nullopt);
+        for (std::size_t i = 0; i < render::kLookNames; ++i) {
+            offer(static_cast<render::LookName>(i));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("display.look");
+    itemTooltip(
+        "What the body looks made of, cut faces included; the simulation knows nothing of "
+        "it");
+    return changed;
+}
+
+bool chooseHardEdges(double& angle) {
+    constexpr double kLow = 0;
+    constexpr double kHigh = 180;
+    const float width = ImGui::GetContentRegionAvail().x;
+    return slideRow({"Hard edges above",
+                     "Faces that meet at more than this angle have a hard edge "
+                     "between them; 0 draws every triangle flat, 180 none",
+                     "display.hard_edges"},
+                    {ImGuiDataType_Double, &angle, &kLow, &kHigh, "%.0f\u00b0"}, width)
+        .changed;
+}
+
 /// Where the colours of the skin come from, for models that have some.
 bool chooseSource(const PanelModel& model, render::ChosenColors& colors) {
     if (!model.hasOwnColors) {
@@ -77,7 +120,10 @@ bool chooseSource(const PanelModel& model, render::ChosenColors& colors) {
     itemTooltip("Shows the colours and images of the model's file; otherwise the colour above");
     if (changed) {
         colors.ofLook = !own;
-        colors.skin = own ? std::nullopt : colors.skin;
+        if (own) {
+            colors.look.reset();
+            colors.skin.reset();
+        }
     }
     return changed;
 }
@@ -181,9 +227,11 @@ bool chooseSection(render::SectionPlane& plane, const PanelModel& model) {
 }  // namespace
 
 void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
-    drawSwitches(model, actions);
     DisplaySettings display = model.display;
-    bool changed = chooseColor("Skin", display.colors.skin, model.ownSkin, "Colour of the skin");
+    bool changed = chooseLook(display.colors);
+    drawSwitches(model, actions);
+    changed |= chooseHardEdges(display.hardEdges);
+    changed |= chooseColor("Skin", display.colors.skin, model.ownSkin, "Colour of the skin");
     ImGui::SameLine(ImGui::GetContentRegionAvail().x / 2 + ImGui::GetStyle().WindowPadding.x);
     changed |=
         chooseColor("Flesh", display.colors.flesh, model.ownFlesh, "Colour of the cut faces");

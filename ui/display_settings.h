@@ -5,6 +5,7 @@
 #include "render/renderer.h"
 #include "render/scene/body_look.h"
 #include "render/scene/overlays.h"
+#include "render/scene/scene.h"
 #include "render/scene/section_plane.h"
 #include "render/scene/surface_field.h"
 
@@ -21,7 +22,9 @@ struct DisplaySettings {
     render::Overlays overlays;
     render::FieldChoice field;                    ///< what its colours show instead of the look
     std::optional<render::SectionPlane> section;  ///< opens the picture of the body
-    render::ChosenColors colors;                  ///< instead of the model's own
+    render::ChosenColors colors;  ///< look and colours instead of the model's own
+    /// Faces that meet at more than this angle have a hard edge between them [degrees].
+    double hardEdges = kHardEdgeAngle;
     bool operator==(const DisplaySettings&) const = default;
 };
 

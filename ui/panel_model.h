@@ -143,7 +143,7 @@ struct PanelModel {
     bool helpOpen = false;
     DisplaySettings display;
     FieldLegend fieldLegend;
-    Vec3 ownSkin = Vec3::Zero();  ///< colours of the model itself (see DisplaySettings::colors)
+    Vec3 ownSkin = Vec3::Zero();  ///< colours of the look itself (see DisplaySettings::colors)
     Vec3 ownFlesh = Vec3::Zero();
     bool hasOwnColors = false;  ///< the model's file has colours or images
     int step = 0;

@@ -93,6 +93,8 @@ void describeReplayChanges(CLI::App& replay, ReplayArguments& arguments) {
                     "Replace a parameter at the start; VALUE is JSON. May be given several times")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+    replay.add_flag("--fine", arguments.fine,
+                    "Take screenshots as with Fine picture: for looking at, not for comparing");
     replay.add_option("--until", arguments.until, "End after that many steps")
         ->check(CLI::Range(1, kMaxSteps))
         ->type_name("STEP");

@@ -103,7 +103,7 @@ class Replay {
         summary_.driver = device.version;
         summary_.before = countBody();
         if (!pictureFiles(session).empty()) {
-            renderer_.emplace(render::Quality::full);
+            renderer_.emplace(options_.quality);
             renderer_->setRestShape(simulation_.mesh());
         }
         if (undoesAnything(session)) {

@@ -9,6 +9,7 @@
 #include "app/session/hash_course.h"
 #include "app/session/metrics.h"
 #include "app/session/session.h"
+#include "render/renderer.h"
 
 namespace kerf::app {
 
@@ -29,6 +30,8 @@ struct ReplayOptions {
     int until = kMaxSteps;               ///< ends after that many steps, where the session has more
     bool keepGoing = false;              ///< runs on after a check failed
     bool hashChecks = true;              ///< false: passes over state hashes in check events
+    /// Of screenshots. The light tier, whose edges no driver smooths by itself, is the same on all.
+    render::Quality quality = render::Quality::light;
 };
 
 /// The result of a replay.

@@ -48,13 +48,15 @@ ReplayListener listenerFor(const ReplayArguments& arguments, ProgressLine& line,
 ReplayResult runHeadless(const Session& session, const ReplayArguments& arguments,
                          std::ostream& out) {
     const std::optional<HashCourse> expected = readExpectedHashes(arguments);
-    const ReplayOptions options{.hashes = arguments.hashes,
-                                .pieces = arguments.pieces,
-                                .verify = expected ? &*expected : nullptr,
-                                .verifyName = arguments.verify.string(),
-                                .until = arguments.until,
-                                .keepGoing = arguments.keepGoing,
-                                .hashChecks = arguments.hashChecks};
+    const ReplayOptions options{
+        .hashes = arguments.hashes,
+        .pieces = arguments.pieces,
+        .verify = expected ? &*expected : nullptr,
+        .verifyName = arguments.verify.string(),
+        .until = arguments.until,
+        .keepGoing = arguments.keepGoing,
+        .hashChecks = arguments.hashChecks,
+        .quality = arguments.fine ? render::Quality::full : render::Quality::light};
     ModelMesh model = loadSessionModel(session);
     gpu::EglContext context;
     gpu::enableDebugOutput();

@@ -23,6 +23,7 @@ struct ReplayArguments {
     int until = kMaxSteps;
     bool keepGoing = false;
     bool hashChecks = true;
+    bool fine = false;
     bool json = false;
     bool jsonl = false;
 };

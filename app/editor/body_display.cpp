@@ -103,6 +103,7 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     view.cutLines = settings.cutLines;
     view.field.choice = settings.field;
     view.section = settings.section;
+    view.hardEdges = settings.hardEdges;
     view.look = look(scene);
     if (!settings.colors.showOwn()) {
         view.paint.reset();
@@ -157,8 +158,10 @@ void BodyDisplay::describe(const EditorScene* scene, ui::PanelModel& model) cons
     if (scene == nullptr) {
         return;
     }
-    model.ownSkin = render::toDisplay(ownLook(*scene).skin);
-    model.ownFlesh = render::toDisplay(ownLook(*scene).inner);
+    const render::BodyLook look =
+        render::colored(ownLook(*scene), {.look = settings.colors.look, .skin = {}, .flesh = {}});
+    model.ownSkin = render::toDisplay(look.skin);
+    model.ownFlesh = render::toDisplay(look.inner);
     model.hasOwnColors = scene->document().looks.colored();
     model.hoveredPiece = hovered_;
     for (std::size_t p = 0; p < model.pieces.size(); ++p) {

@@ -659,7 +659,7 @@ void EditorScene::setView(Session& session, const render::Camera& camera,
         session.view = chosenView_;
     } else if (!keepsView) {
         session.view = camera;
-    } else if (!session.view && colors != render::ChosenColors{}) {
+    } else if (!session.view && colors.any()) {
         session.view = document_.camera;  // the one that it has of itself
     }
     session.colors = colors;

@@ -110,7 +110,7 @@ struct Session {
     int steps = 0;
     std::vector<SessionEvent> events;  ///< by step, the file's order within one
     std::optional<render::Camera> view;
-    render::ChosenColors colors;        ///< of the view, instead of the model's own
+    render::ChosenColors colors;        ///< of the view, with the look, instead of the model's own
     std::vector<std::string> warnings;  ///< unknown extra keys, files of one name
 };
 

@@ -82,6 +82,10 @@ void describe(auto& fields, render::Camera& camera) {
 }
 
 void describe(auto& fields, render::ChosenColors& colors) {
+    fields.optional({"look",
+                     "What the body looks made of, faces of cuts included, instead of the model's "
+                     "own look."},
+                    colors.look, Words{render::kLookWords});
     fields.optional({"skin",
                      "Colour of the skin: red, green and blue, 0 to 1 as displays take "
                      "them."},

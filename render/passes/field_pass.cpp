@@ -110,12 +110,12 @@ std::optional<float> FieldPass::valueAt(std::uint32_t vertex, bool onWall) const
     return value > 0.5F * shared::kNoField ? std::optional(value) : std::nullopt;
 }
 
-void FieldPass::draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) {
+void FieldPass::draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape) {
     if (scene.section && !opened_) {
         opened_ = kindsFor({{"FIELD", "1"}, {"SECTION", "1"}});
     }
     const Kinds& kinds = scene.section ? *opened_ : whole_;
-    bindBody(scene.body, normals);
+    bindBody(scene.body, shape);
     values_.bindStorage(shared::kBindField);
     ends_.bindStorage(shared::kBindFieldRange);
     drawKind(kinds[0], scene, frame);
@@ -129,13 +129,11 @@ void FieldPass::drawKind(const gpu::Program& program, const SceneView& scene,
     program.use();
     bindLooks(program, frame);
     setColors(program, *infoOf(scene.field.choice.field).map);
-    setCutLines(program, scene, frame);
     if (scene.section) {
         setSection(program, scene);
     }
     program.set("viewProjection", frame.viewProjection);
     program.set("eye", frame.eye);
-    program.set("facets", scene.look.facets);
     program.set("wireframe", scene.wireframe ? 1.0F : 0.0F);
     glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * scene.body.triangleCount));
 }

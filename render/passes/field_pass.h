@@ -7,6 +7,7 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "render/passes/frame.h"
+#include "render/passes/normals_pass.h"
 
 namespace kerf::render {
 
@@ -17,8 +18,8 @@ class FieldPass {
 
     /// Works out the quantity of the picture, unless it is that of the last one.
     void update(const SceneView& scene);
-    /// Draws into the bound target; `normals` are those of NormalsPass.
-    void draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals);
+    /// Draws into the bound target.
+    void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
 
     /// What the colours of the last picture reach from and to (waits for the GPU).
     FieldRange range() const;

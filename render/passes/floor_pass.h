@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "gpu/program.h"
 #include "render/passes/frame.h"
 
@@ -9,12 +11,14 @@ namespace kerf::render {
 class FloorPass {
   public:
     FloorPass();
-    /// Draws the backdrop where nothing was drawn yet.
-    void drawBackdrop(bool hasFloor, const Frame& frame) const;
-    /// Blends the floor over the backdrop, with its shade bound.
-    void drawFloor(double height, const Frame& frame, const Camera& camera) const;
+    /// Draws the floor, if there is one at a height, with its shade bound, and the backdrop where
+    /// nothing else was drawn.
+    void draw(std::optional<double> height, const Frame& frame, const Camera& camera) const;
 
   private:
+    void drawBackdrop(bool hasFloor, const Frame& frame) const;
+    void drawFloor(double height, const Frame& frame, const Camera& camera) const;
+
     gpu::Program backdrop_;
     gpu::Program floor_;
 };

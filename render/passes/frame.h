@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "gpu/program.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"
@@ -29,6 +31,7 @@ struct Frame {
     Eigen::Matrix4f shadeMatrixAlongKey = Eigen::Matrix4f::Identity();
     float shadeRange = 1;
     float shadeReach = 1;
+    std::array<Vec3f, 4> mattLight{};    ///< see Environment::matt
     const gpu::Buffer* looks = nullptr;  ///< two vec4 per piece (see kBindLooks); never empty
     std::uint32_t lookCount = 0;
 };

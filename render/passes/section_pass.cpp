@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <string>
 
 #include "shaders/shared/render_bindings.h"
 
@@ -69,11 +70,10 @@ void setBody(const gpu::Program& program, const SceneView& scene) {
 SectionPass::SectionPass()
     : count_(gpu::Program::graphics("render/shadow.vert", "render/depth_only.frag",
                                     {{"SECTION", "1"}})),
-      flesh_{filling({{"PATTERN", "0"}}), filling({{"PATTERN", "1"}}), filling({{"PATTERN", "2"}})},
       plain_(filling({{"PLAIN", "1"}})) {}
 
 void SectionPass::draw(const SceneView& scene, const Frame& frame, const Camera& camera,
-                       const SurfacePass& surface) const {
+                       const SurfacePass& surface) {
     const SectionPlane& plane = *scene.section;
     if (plane.normal.dot(camera.towardsEye(plane.point)) <= 0) {
         return;  // seen from behind, where the body hides it
@@ -95,11 +95,18 @@ void SectionPass::count(const SceneView& scene, const Frame& frame) const {
     endCounting();
 }
 
-void SectionPass::fill(const SceneView& scene, const Frame& frame,
-                       const SurfacePass& surface) const {
+const gpu::Program& SectionPass::fillingOf(FleshPattern pattern) {
+    auto found = flesh_.find(pattern);
+    if (found == flesh_.end()) {
+        const std::string number = std::to_string(static_cast<int>(pattern));
+        found = flesh_.emplace(pattern, filling({{"PATTERN", number}})).first;
+    }
+    return found->second;
+}
+
+void SectionPass::fill(const SceneView& scene, const Frame& frame, const SurfacePass& surface) {
     const bool plain = scene.field.choice.field != SurfaceField::look;
-    const gpu::Program& program =
-        plain ? plain_ : flesh_[static_cast<std::size_t>(scene.look.pattern)];
+    const gpu::Program& program = plain ? plain_ : fillingOf(scene.look.pattern);
     program.use();
     setLight(program, frame);
     surface.setLook(program, scene);

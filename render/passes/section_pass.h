@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <map>
 #include <optional>
 
 #include "gpu/program.h"
@@ -18,14 +18,15 @@ class SectionPass {
     SectionPass();
     /// Draws into the bound target, behind what is drawn of the body; `surface` has its look.
     void draw(const SceneView& scene, const Frame& frame, const Camera& camera,
-              const SurfacePass& surface) const;
+              const SurfacePass& surface);
 
   private:
     void count(const SceneView& scene, const Frame& frame) const;
-    void fill(const SceneView& scene, const Frame& frame, const SurfacePass& surface) const;
+    void fill(const SceneView& scene, const Frame& frame, const SurfacePass& surface);
+    const gpu::Program& fillingOf(FleshPattern pattern);
 
     gpu::Program count_;
-    std::array<gpu::Program, 3> flesh_;  // by FleshPattern
+    std::map<FleshPattern, gpu::Program> flesh_;
     gpu::Program plain_;
 };
 

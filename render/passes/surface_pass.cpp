@@ -2,35 +2,43 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
+#include "render/scene/environment.h"
 #include "shaders/shared/render_bindings.h"
 
 namespace kerf::render {
 namespace {
 
-// Of the line on the skin along a cut, on either side of it.
-constexpr float kCutLineStrength = 0.75F;
-constexpr float kCutLineShare = 1.0F / 800;  // of the picture's height, a pixel at least
-
 void drawTriangles(std::uint32_t first, std::uint32_t count) {
     glDrawArrays(GL_TRIANGLES, GLint(3 * first), GLsizei(3 * count));
 }
 
+/// All triangles, divided as they are shown.
+void drawBody(const gpu::Program& program, const BodyView& body, const NormalsPass& shape) {
+    const auto side = static_cast<std::uint32_t>(shape.sidePieces());
+    program.set("sidePieces", shape.sidePieces());
+    drawTriangles(0, side * side * body.triangleCount);
+}
+
+void setFinish(const gpu::Program& program, const Finish& finish) {
+    program.set("roughness", finish.roughness);
+    program.set("gloss", finish.gloss);
+    program.set("glow", finish.glow);
+    const MirrorLevel mirror = mirrorLevel(finish.roughness);
+    program.set("mirrorLevel", float(mirror.level));
+    program.set("mirrorReach", mirror.reach);
+}
+
 }  // namespace
 
-void bindBody(const BodyView& body, const gpu::Buffer& normals) {
+void bindBody(const BodyView& body, const NormalsPass& shape) {
     body.positions->bindStorage(shared::kBindPositions);
     body.restPositions->bindStorage(shared::kBindRestPositions);
     body.triangles->bindStorage(shared::kBindTriangles);
-    normals.bindStorage(shared::kBindNormals);
-}
-
-void setCutLines(const gpu::Program& program, const SceneView& scene, const Frame& frame) {
-    program.set("cutLines", scene.cutLines ? kCutLineStrength : 0.0f);
-    program.set("cutLineWidth", std::max(1.0f, kCutLineShare * float(frame.height)));
+    shape.normals().bindStorage(shared::kBindNormals);
+    shape.skinCorners().bindStorage(shared::kBindSkinCorners);
 }
 
 void setSection(const gpu::Program& program, const SceneView& scene) {
@@ -51,9 +59,9 @@ void SurfacePass::setLook(const gpu::Program& program, const SceneView& scene) c
     program.set("skinColor", look.skin);
     program.set("innerColor", look.inner);
     program.set("rindColor", look.rind);
+    program.set("rindShare", look.rindShare);
     program.set("mottle", look.mottle);
     program.set("spots", look.spots);
-    program.set("facets", look.facets);
     program.set("restCenter", Vec3f(bounds.center().cast<float>()));
     program.set("restExtent", Vec3f(extent.cwiseMax(1e-6).cast<float>()));
     program.set("hasDepthField", depth_.empty() ? 0.0f : 1.0f);
@@ -61,17 +69,16 @@ void SurfacePass::setLook(const gpu::Program& program, const SceneView& scene) c
     program.set("fieldScale", depth_.scale());
 }
 
-SurfacePass::Kind SurfacePass::skinOf(const SceneView& scene) {
-    const bool painted = scene.paint != nullptr;
-    return {.pattern = scene.look.spots > 0 && !painted ? 1 : 0,
+SurfacePass::Kind SurfacePass::kindOf(const SceneView& scene, const NormalsPass& shape, bool wall) {
+    const BodyLook& look = scene.look;
+    const bool painted = !wall && scene.paint != nullptr;
+    const int skin = painted ? 0 : static_cast<int>(look.skinPattern);
+    return {.wall = wall,
+            .pattern = wall ? static_cast<int>(look.pattern) : skin,
+            .shading = look.shading,
+            .rounded = shape.sidePieces() > 1,
             .opened = scene.section.has_value(),
             .painted = painted};
-}
-
-SurfacePass::Kind SurfacePass::wallsOf(const SceneView& scene) {
-    return {.wall = true,
-            .pattern = static_cast<int>(scene.look.pattern),
-            .opened = scene.section.has_value()};
 }
 
 gpu::Defines SurfacePass::definesOf(const Kind& kind) const {
@@ -82,8 +89,9 @@ gpu::Defines SurfacePass::definesOf(const Kind& kind) const {
         }
     };
     add(kind.wall, "WALLS", "1");
-    add(kind.wall, "PATTERN", std::to_string(kind.pattern));
-    add(!kind.wall && kind.pattern == 1, "SPOTS", "1");
+    add(true, kind.wall ? "PATTERN" : "SKIN", std::to_string(kind.pattern));
+    add(kind.rounded, "ROUNDED", "1");
+    add(kind.shading != Shading::lit, "MATCAP", std::to_string(static_cast<int>(kind.shading)));
     add(kind.opened, "SECTION", "1");
     add(kind.painted, "OWN_COLOURS", "1");
     return defines;
@@ -99,14 +107,15 @@ const gpu::Program& SurfacePass::programOf(const Kind& kind) {
     return found->second;
 }
 
-void SurfacePass::draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals) {
+void SurfacePass::draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape) {
     depth_.bind(shared::kUnitDepthField);
-    bindBody(scene.body, normals);
-    drawSkin(scene, frame);
-    const gpu::Program& walls = programOf(wallsOf(scene));  // before a cut waits for it
+    bindBody(scene.body, shape);
+    drawSkin(scene, frame, shape);
+    const gpu::Program& walls = programOf(kindOf(scene, shape, true));  // before a cut waits for it
     if (scene.hasWalls) {
         prepare(walls, scene, frame);
-        drawTriangles(0, scene.body.triangleCount);
+        setFinish(walls, scene.look.cutFinish);
+        drawBody(walls, scene.body, shape);
     }
 }
 
@@ -121,15 +130,19 @@ void SurfacePass::upload(const std::shared_ptr<const SkinPaint>& paint) {
     paint_ = paint;
 }
 
-void SurfacePass::drawSkin(const SceneView& scene, const Frame& frame) {
-    const gpu::Program& skin = programOf(skinOf(scene));
+void SurfacePass::drawSkin(const SceneView& scene, const Frame& frame, const NormalsPass& shape) {
+    const gpu::Program& skin = programOf(kindOf(scene, shape, false));
     prepare(skin, scene, frame);
-    setCutLines(skin, scene, frame);
+    setFinish(skin, scene.look.skinFinish);
     if (scene.paint == nullptr) {
-        drawTriangles(0, scene.body.triangleCount);
+        drawBody(skin, scene.body, shape);
         return;
     }
     upload(scene.paint);
+    drawPainted(skin);
+}
+
+void SurfacePass::drawPainted(const gpu::Program& skin) {
     paintRecords_.bindStorage(shared::kBindSkin);
     for (const SkinPaint::Range& range : paint_->ranges) {
         skin.set("hasSkinPicture", range.image >= 0 ? 1.0f : 0.0f);
@@ -155,6 +168,9 @@ void SurfacePass::prepare(const gpu::Program& program, const SceneView& scene,
     program.set("hasFloor", scene.floor ? 1.0f : 0.0f);
     program.set("floorHeight", float(scene.floor.value_or(0)));
     program.set("wireframe", scene.wireframe ? 1.0f : 0.0f);
+    for (std::size_t i = 0; i < frame.mattLight.size(); ++i) {
+        program.set("mattLight[" + std::to_string(i) + "]", frame.mattLight[i]);
+    }
 }
 
 }  // namespace kerf::render

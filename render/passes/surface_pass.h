@@ -7,15 +7,14 @@
 
 #include "gpu/program.h"
 #include "render/passes/frame.h"
+#include "render/passes/normals_pass.h"
 #include "render/passes/skin_textures.h"
 #include "render/scene/depth_field.h"
 
 namespace kerf::render {
 
 /// Binds the buffers of a body for the shaders that draw it.
-void bindBody(const BodyView& body, const gpu::Buffer& normals);
-/// The lines along rims of cuts, for a program of the skin that is in use.
-void setCutLines(const gpu::Program& program, const SceneView& scene, const Frame& frame);
+void bindBody(const BodyView& body, const NormalsPass& shape);
 /// The plane of the section that there must be, for a program that is in use.
 void setSection(const gpu::Program& program, const SceneView& scene);
 
@@ -27,9 +26,9 @@ class SurfacePass {
     void setDepth(const DepthField& depth);
     /// Takes over what another pass was told of the rest shape.
     void takeRestShape(SurfacePass& other) { depth_ = std::move(other.depth_); }
-    /// Draws into the bound target, with the shadow map bound. Compiles the programs of a look when
-    /// it is first drawn, those of its walls too.
-    void draw(const SceneView& scene, const Frame& frame, const gpu::Buffer& normals);
+    /// Draws into the bound target, with the shadow map and the environment bound. Compiles the
+    /// programs of a look when it is first drawn, those of its walls too.
+    void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
     /// Colours and inner structure, of a program that is in use.
     void setLook(const gpu::Program& program, const SceneView& scene) const;
 
@@ -37,18 +36,20 @@ class SurfacePass {
     /// What a program is made for; the rest are its uniforms.
     struct Kind {
         bool wall = false;
-        int pattern = 0;       ///< FleshPattern of walls; of skin 1 for spots
+        int pattern = 0;  ///< SkinPattern or FleshPattern
+        Shading shading = Shading::lit;
+        bool rounded = false;
         bool opened = false;   ///< by a section
         bool painted = false;  ///< in the model's own colours
-        auto key() const { return std::tuple(wall, pattern, opened, painted); }
+        auto key() const { return std::tuple(wall, pattern, shading, rounded, opened, painted); }
         bool operator<(const Kind& other) const { return key() < other.key(); }
     };
-    static Kind skinOf(const SceneView& scene);
-    static Kind wallsOf(const SceneView& scene);
+    static Kind kindOf(const SceneView& scene, const NormalsPass& shape, bool wall);
     gpu::Defines definesOf(const Kind& kind) const;
     const gpu::Program& programOf(const Kind& kind);
     void upload(const std::shared_ptr<const SkinPaint>& paint);
-    void drawSkin(const SceneView& scene, const Frame& frame);
+    void drawSkin(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
+    void drawPainted(const gpu::Program& skin);
     void prepare(const gpu::Program& program, const SceneView& scene, const Frame& frame) const;
 
     gpu::Defines defines_;

@@ -12,6 +12,7 @@
 #include "render/scene/skin_paint.h"
 #include "render/scene/surface_field.h"
 #include "sim/base/boxes.h"
+#include "sim/body/skin_normals.h"
 #include "sim/contact/blade_body.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/blade.h"
@@ -51,7 +52,9 @@ struct SceneView {
     Bounds focus;                          ///< what the shadow map must cover (body, current)
     bool wireframe = false;
     bool cutLines = false;  ///< a dark line on the skin along the rim of each cut
-    bool bright = false;    ///< a light backdrop and a light floor
+    /// Faces of the skin that met at more than this angle at rest have a hard edge [degrees].
+    double hardEdges = kHardEdgeAngle;
+    bool bright = false;  ///< a light backdrop and a light floor
     /// Body, boxes and blade alone, on nothing: colours come out multiplied by their alpha.
     bool transparent = false;
     std::vector<PieceLook> pieces;   ///< by BodyView's pieces; those behind its end look as always

@@ -1,11 +1,21 @@
 // Blue-grey, dark or bright. Over a floor: haze at the horizon, another tone above. In empty space:
 // a soft glow behind the middle of the picture, as a studio backdrop.
 uniform float bright;
+// Where the lower left corner of the picture looks, and from there to its other corners.
+uniform vec3 rayCorner;
+uniform vec3 rayAcross;
+uniform vec3 rayUp;
 
-vec3 sky(float elevation) {
-    vec3 haze = mix(vec3(0.0150, 0.0175, 0.0225), vec3(0.70, 0.73, 0.78), bright);
-    vec3 zenith = mix(vec3(0.0048, 0.0056, 0.0080), vec3(0.42, 0.48, 0.58), bright);
-    return mix(haze, zenith, smoothstep(-0.02, 0.42, elevation));
+// Sine of the angle above the horizon; `screen`: 0 to 1.
+float elevation(vec2 screen) {
+    return normalize(rayCorner + screen.x * rayAcross + screen.y * rayUp).y;
+}
+
+vec3 sky(vec2 screen) {
+    vec3 haze = mix(vec3(0.055, 0.066, 0.088), vec3(0.80, 0.82, 0.84), bright);
+    vec3 zenith = mix(vec3(0.0060, 0.0075, 0.0120), vec3(0.40, 0.49, 0.63), bright);
+    float up = max(elevation(screen), 0.0);
+    return mix(zenith, haze, 1.0 / (1.0 + mix(26.0, 9.0, bright) * up * up + 4.0 * up));
 }
 
 vec3 studio(vec2 screen) {

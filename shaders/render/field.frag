@@ -10,12 +10,6 @@ in vec3 corners;
 in float fieldPlace;
 flat in vec4 pieceTint;  // w: strength
 
-#ifndef WALLS
-flat in vec3 rims;
-uniform float cutLines;      // strength
-uniform float cutLineWidth;  // [px]
-#endif
-
 uniform vec3 eye;
 uniform float wireframe;
 out vec4 color;
@@ -24,11 +18,6 @@ void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 shown = fieldShade(fieldPlace, abs(dot(normalize(worldNormal), v)));
     shown = mix(shown, vec3(1), 0.5 * max(pieceTint.w, 0.0));
-    vec3 d = edgeDistances(corners);
-    shown *= 1.0 - wireframe * 0.45 * lineCover(d, 0.3, 1.2);
-#ifndef WALLS
-    shown *= 1.0 - cutLines * lineCover(d + 1e3 * (1.0 - rims), 0.5 * cutLineWidth,
-                                        0.5 * cutLineWidth + 1.0);
-#endif
+    shown *= 1.0 - wireframe * 0.45 * lineCover(edgeDistances(corners), 0.3, 1.2);
     color = vec4(shown, 1);
 }

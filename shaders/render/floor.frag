@@ -1,4 +1,5 @@
 // The floor: matt, shadowed, with an anti-aliased grid that fades into the backdrop.
+#include "background.glsl"
 #include "light.glsl"
 #include "render_bindings.h"
 #include "tone.glsl"
@@ -9,11 +10,12 @@ in vec3 worldPosition;
 uniform vec3 eye;
 uniform float cell;         // side of a small grid cell [m]
 uniform vec2 floorCenter;
+uniform float poolSize;     // [m]
 uniform float fadeStart;    // [m] from floorCenter
 uniform float fadeEnd;      // [m]
 uniform mat4 shadeMatrix;   // world to the map of floorShade
 uniform float hasBody;
-uniform float bright;
+uniform vec2 pixel;  // of the picture, 0 to 1
 out vec4 color;
 
 // Share of the pixel that lines of `width` around the integers cover (after Golus, "The best darn
@@ -44,26 +46,35 @@ vec2 shadeAt(vec3 point) {
 }
 
 vec3 floorColor(vec2 p) {
-    vec2 pixel = fwidth(p);
+    vec2 width = fwidth(p);
     vec3 albedo = mix(vec3(0.050, 0.056, 0.067), vec3(0.62, 0.63, 0.64), bright);
-    float small = gridCover(p / cell, pixel / cell, 0.014);
-    float large = gridCover(p / (5.0 * cell), pixel / (5.0 * cell), 0.0055);
+    float small = gridCover(p / cell, width / cell, 0.014);
+    float large = gridCover(p / (5.0 * cell), width / (5.0 * cell), 0.0055);
     vec3 fine = mix(vec3(0.105, 0.115, 0.135), vec3(0.42, 0.44, 0.47), bright);
     vec3 coarse = mix(vec3(0.15, 0.165, 0.195), vec3(0.33, 0.35, 0.39), bright);
     albedo = mix(albedo, fine, 0.40 * small);
     albedo = mix(albedo, coarse, 0.62 * large);
-    albedo = mix(albedo, vec3(0.42, 0.09, 0.08), 0.8 * axisCover(p.y, pixel.y, 0.016 * cell));
-    return mix(albedo, vec3(0.08, 0.16, 0.46), 0.8 * axisCover(p.x, pixel.x, 0.016 * cell));
+    albedo = mix(albedo, vec3(0.42, 0.09, 0.08), 0.8 * axisCover(p.y, width.y, 0.016 * cell));
+    return mix(albedo, vec3(0.08, 0.16, 0.46), 0.8 * axisCover(p.x, width.x, 0.016 * cell));
+}
+
+// The lamp over the middle leaves what is far from it dimmer.
+float pool(float away) {
+    float share = away / poolSize;
+    float near = 1.0 / (1.0 + share * share);
+    return mix(mix(0.55, 0.86, bright), mix(1.30, 1.04, bright), near);
 }
 
 void main() {
     vec2 shade = shadeAt(worldPosition);
     float open = 1.0 - 0.88 * shade.x;
     vec3 key = kKeyColor * (0.36 * keyDirection.y * (1.0 - 0.92 * shade.y) * (1.0 - 0.6 * shade.x));
-    vec3 light = key + kSkyColor * open;
     float away = distance(worldPosition.xz, floorCenter);
+    vec3 light = (key + kSkyColor * open) * pool(away);
     float fade = 1.0 - smoothstep(fadeStart, fadeEnd, away);
-    // From below, the floor is a pane of glass.
-    float opacity = eye.y >= worldPosition.y ? fade : 0.25 * fade;
-    color = vec4(display(floorColor(worldPosition.xz) * light), opacity);
+    vec3 lit = floorColor(worldPosition.xz) * light;
+    // From below, the floor is a pane of glass and blended; from above it is drawn without.
+    bool above = eye.y >= worldPosition.y;
+    vec3 shown = mix(sky(gl_FragCoord.xy * pixel), lit, above ? fade : 1.0);
+    color = vec4(display(shown), above ? 1.0 : 0.25 * fade);
 }

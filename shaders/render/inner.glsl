@@ -1,16 +1,17 @@
-// The walls of a cut, in rest space. PATTERN: 0 pulp, 1 rings, 2 marbling.
+// The walls of a cut, in rest space. PATTERN: 0 pulp, 1 rings, 2 marbling, 3 gel, 4 meat,
+// 5 sponge, 6 wood, 7 stone, 8 even.
 #include "render_bindings.h"
 #include "rest_space.glsl"
+#include "solid.glsl"
 
 uniform vec3 innerColor;
 uniform vec3 rindColor;
+uniform float rindShare;  // of the depth, 0 for none
 
 layout(binding = kUnitDepthField) uniform sampler3D depthField;
 uniform float hasDepthField;
 uniform vec3 fieldOrigin;
 uniform vec3 fieldScale;  // rest metres to texture coordinates
-
-const float kRindShare = 0.11;
 
 // How deep below the skin: 0 at the skin, 1 at the innermost point of the uncut body.
 float depthBelowSkin(vec3 rest) {
@@ -73,7 +74,7 @@ vec3 fleshAlbedo(vec3 rest, float depth) {
     float seed = smoothstep(0.70, 0.80, valueNoise(u * 42.0)) * smoothstep(0.62, 0.72, depth);
     return mix(flesh, vec3(0.10, 0.055, 0.025), 0.7 * seed);
 }
-#else
+#elif PATTERN == 2
 vec3 fleshAlbedo(vec3 rest, float depth) {
     vec3 u = inUnits(rest);
     vec3 warp = vec3(valueNoise(u * 4.0), valueNoise(u * 4.0 + 17.0), valueNoise(u * 4.0 + 41.0));
@@ -82,14 +83,52 @@ vec3 fleshAlbedo(vec3 rest, float depth) {
     vec3 flesh = innerColor * (0.94 + 0.14 * warp.x);
     return mix(flesh, rindColor, 0.38 * thin);
 }
+#elif PATTERN == 3
+// Clear, with a few bubbles, paler towards the middle.
+vec3 fleshAlbedo(vec3 rest, float depth) {
+    vec3 u = inUnits(rest);
+    float bubble = smoothstep(0.05, 0.2, holes(u * 4.0, 0.02, 0.22));
+    float rim = bubble * (1.0 - smoothstep(0.2, 0.7, holes(u * 4.0, 0.02, 0.22)));
+    vec3 flesh = innerColor * (0.9 + 0.25 * valueNoise(u * 2.0) + 0.15 * depth);
+    return mix(flesh, rindColor, 0.6 * rim + 0.25 * bubble);
+}
+#elif PATTERN == 4
+vec3 fleshAlbedo(vec3 rest, float depth) {
+    return meatColor(inUnits(rest), innerColor, rindColor, 1.0);
+}
+#elif PATTERN == 5
+vec3 fleshAlbedo(vec3 rest, float depth) {
+    return spongeColor(inUnits(rest), innerColor, rindColor);
+}
+#define BUMPS
+float heightOf(vec3 rest) {
+    float size = max(restExtent.x, max(restExtent.y, restExtent.z));
+    return -0.03 * size * spongeHoles(inUnits(rest));
+}
+#elif PATTERN == 6
+vec3 fleshAlbedo(vec3 rest, float depth) {
+    return woodColor(inUnits(rest), innerColor, rindColor);
+}
+#elif PATTERN == 7
+vec3 fleshAlbedo(vec3 rest, float depth) {
+    return stoneColor(inUnits(rest), innerColor, rindColor);
+}
+#else
+vec3 fleshAlbedo(vec3 rest, float depth) {
+    vec3 u = inUnits(rest);
+    return innerColor * (1.0 + 0.10 * (valueNoise(u * 5.0) - 0.5));
+}
 #endif
 
 vec3 innerAlbedo(vec3 rest) {
     float depth = depthBelowSkin(rest);
     vec3 flesh = fleshAlbedo(rest, depth);
+    if (rindShare == 0.0) {
+        return flesh;
+    }
     float soft = max(fwidth(depth), 0.012);
-    float rind = 1.0 - smoothstep(kRindShare - soft, kRindShare + soft, depth);
-    float pith = exp(-pow((depth - kRindShare - 0.02) / 0.03, 2.0));
+    float rind = 1.0 - smoothstep(rindShare - soft, rindShare + soft, depth);
+    float pith = exp(-pow((depth - rindShare - 0.02) / 0.03, 2.0));
     flesh = mix(flesh, min(flesh * 1.35 + 0.06, vec3(0.9)), 0.7 * pith);
     return mix(flesh, rindColor, rind);
 }

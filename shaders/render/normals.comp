@@ -2,13 +2,18 @@
 // a wound stays crisp. A vertex that a cut made or divided has the normal that the whole skin had
 // there at rest, turned as the triangles around it have turned, so that a closed cut does not show.
 // Weighted by corner angle, so that subdividing a flat face doesn't change them; slivers count
-// less, because a little motion turns them over. Reads positions, rest positions, normals of cut
-// skin, triangles, incidence; writes normals. One thread per vertex; a storage barrier follows. The
-// gather runs in the order of the incidence list: the same bits every time.
+// less, because a little motion turns them over. Besides, a normal for each corner of the skin:
+// where faces meet at more than an angle at rest, those on either side of such an edge have their
+// own. And a list of the edges on the rims of cuts.
+// Reads positions, rest positions, normals of cut skin, triangles, incidence; writes normals,
+// corner normals, rims. One thread per vertex; a storage barrier follows. The gather runs in the
+// order of the incidence list: the same bits every time. The order of the rims is another one each
+// time.
 #include "render_bindings.h"
 layout(local_size_x = kNormalsGroupSize) in;
 
 #include "body.glsl"
+#include "corner_normals.glsl"
 layout(std430, binding = kBindRestPositions) readonly buffer RestPositions {
     vec4 restPositions[];
 };
@@ -18,11 +23,19 @@ layout(std430, binding = kBindCutSkinNormals) readonly buffer CutSkinNormals {
 layout(std430, binding = kBindIncidenceRanges) readonly buffer Ranges { uvec2 ranges[]; };
 layout(std430, binding = kBindIncidence) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = kBindNormals) writeonly buffer Normals { vec4 normals[]; };
+#define SKIN_CORNERS_ACCESS
+#include "skin_corners.glsl"
 
 // Triangles whose height is a smaller share of their longest edge are slivers.
 const float kSliverQuality = 0.2;
 
+// So many triangles around a vertex are told apart by the edges between them.
+const int kMostFan = 20;
+
 uniform uint vertexCount;
+uniform uint triangleCount;
+uniform float hardCosine;  // of the angle above which an edge of the skin is hard
+uniform float hardHalfCosine;
 
 vec3 weightedNormal(vec3 u, vec3 v) {
     vec3 n = cross(u, v);
@@ -75,7 +88,114 @@ vec3 wholeSkinNormal(uint vertex, vec3 now) {
             rest += normalAtRest(triangle, entries[i] % 4u);
         }
     }
-    return turned(cutSkinNormals[vertex].xyz, unit(rest), now);
+    return turned(normalize(cutSkinNormals[vertex].xyz), unit(rest), now);
+}
+
+// --- Hard edges
+
+// Whether the skin around a vertex is bent so much that a hard edge may be there.
+bool isBent(uint vertex) {
+    vec3 first = vec3(0);
+    bool bent = false;
+    for (uint i = ranges[vertex].x; i < ranges[vertex].y; ++i) {
+        uvec4 triangle = triangles[entries[i] / 4u];
+        if (isSkin(triangle)) {
+            vec3 n = normalNow(triangle, entries[i] % 4u);
+            first = first == vec3(0) ? n : first;
+            float size = length(n) * length(first);
+            bent = bent || (size > 0.0 && dot(first, n) < hardHalfCosine * size);
+        }
+    }
+    return bent;
+}
+
+// The triangles of the skin around a vertex, and to which smooth part of it each belongs.
+struct Fan {
+    int count;
+    uint entry[kMostFan];
+    vec3 rest[kMostFan];  // unit normals at rest
+    int part[kMostFan];
+};
+
+Fan fanOf(uint vertex) {
+    Fan fan;
+    fan.count = 0;
+    for (uint i = ranges[vertex].x; i < ranges[vertex].y && fan.count < kMostFan; ++i) {
+        uvec4 triangle = triangles[entries[i] / 4u];
+        if (isSkin(triangle)) {
+            fan.entry[fan.count] = entries[i];
+            fan.rest[fan.count] = unit(normalAtRest(triangle, entries[i] % 4u));
+            fan.part[fan.count] = fan.count;
+            ++fan.count;
+        }
+    }
+    return fan;
+}
+
+// Whether two triangles around a vertex have an edge together that is not hard.
+bool goOn(uint a, uint b, vec3 restA, vec3 restB) {
+    uvec4 ta = triangles[a / 4u];
+    uvec4 tb = triangles[b / 4u];
+    bool together = ta[(a % 4u + 1u) % 3u] == tb[(b % 4u + 2u) % 3u] ||
+        ta[(a % 4u + 2u) % 3u] == tb[(b % 4u + 1u) % 3u];
+    return together && dot(restA, restB) >= hardCosine;
+}
+
+// Joins what goes on across an edge; false where nothing was left to join.
+bool joinParts(inout Fan fan) {
+    bool changed = false;
+    for (int i = 0; i < fan.count; ++i) {
+        for (int j = 0; j < i; ++j) {
+            if (fan.part[i] != fan.part[j] &&
+                goOn(fan.entry[i], fan.entry[j], fan.rest[i], fan.rest[j])) {
+                fan.part[i] = fan.part[j] = min(fan.part[i], fan.part[j]);
+                changed = true;
+            }
+        }
+    }
+    return changed;
+}
+
+// Writes a normal for each corner at a vertex, over the smooth part that it belongs to; returns
+// whether there is more than one part.
+bool writeParts(uint vertex) {
+    Fan fan = fanOf(vertex);
+    for (int round = 0; round < kMostFan && joinParts(fan); ++round) {}
+    bool hard = false;
+    for (int i = 0; i < fan.count; ++i) {
+        vec3 sum = vec3(0);
+        for (int j = 0; j < fan.count; ++j) {
+            if (fan.part[j] == fan.part[i]) {
+                sum += normalNow(triangles[fan.entry[j] / 4u], fan.entry[j] % 4u);
+            }
+        }
+        hard = hard || fan.part[i] != fan.part[0];
+        uint entry = fan.entry[i];
+        skinCorners[3u * (entry / 4u) + entry % 4u] = packedNormal(unit(sum));
+    }
+    return hard;
+}
+
+void writeCorners(uint vertex, vec3 normal) {
+    uint word = packedNormal(normal);
+    for (uint i = ranges[vertex].x; i < ranges[vertex].y; ++i) {
+        skinCorners[3u * (entries[i] / 4u) + entries[i] % 4u] = word;
+    }
+}
+
+// --- Rims
+
+void noteRims(uint vertex) {
+    for (uint i = ranges[vertex].x; i < ranges[vertex].y; ++i) {
+        uvec4 triangle = triangles[entries[i] / 4u];
+        uint corner = entries[i] % 4u;
+        if (isSkin(triangle) && ((triangle.w >> (1u + corner)) & 1u) == 1u) {
+            uint place = 3u * triangleCount + atomicAdd(rimCommand.y, 1u);
+            if (place < uint(skinCorners.length())) {
+                skinCorners[place] = entries[i];
+            }
+        }
+    }
 }
 
 void main() {
@@ -94,10 +214,16 @@ void main() {
             wall += n;
         }
     }
+    bool hasSkin = skin != vec3(0);
     vec3 outside = unit(skin);
-    if (cutSkinNormals[vertex].xyz != vec3(0)) {
+    bool isWhole = cutSkinNormals[vertex].xyz == vec3(0);
+    if (!isWhole) {
         outside = wholeSkinNormal(vertex, outside);
     }
-    normals[2u * vertex] = vec4(outside, 0);
-    normals[2u * vertex + 1u] = vec4(unit(wall), 0);
+    writeCorners(vertex, outside);
+    bool hard = isWhole && hasSkin && isBent(vertex) && writeParts(vertex);
+    float bulge = isWhole ? 0.0 : length(cutSkinNormals[vertex].xyz) - 1.0;
+    normals[2u * vertex] = vec4(outside, hasSkin && !hard ? 1.0 : 0.0);
+    normals[2u * vertex + 1u] = vec4(unit(wall), bulge);
+    noteRims(vertex);
 }

@@ -16,6 +16,7 @@ float shadowTap(vec2 uv, float depth, vec2 size) {
 }
 
 #ifdef SOFT_SHADOWS
+const float kLift = 2.0;  // the texels have half the size
 const int kSearchTaps = 12;
 const int kFilterTaps = 20;
 
@@ -47,6 +48,8 @@ float filterShadow(vec2 uv, float depth, vec2 size) {
     return lit / float(kFilterTaps);
 }
 #else
+const float kLift = 1.0;
+
 float filterShadow(vec2 uv, float depth, vec2 size) {
     vec2 t = 1.3 / size;
     return 0.25 * (shadowTap(uv + t * vec2(-0.4, -1), depth, size) +
@@ -60,7 +63,7 @@ float filterShadow(vec2 uv, float depth, vec2 size) {
 // the light grazes.
 float keyVisibility(vec3 point, vec3 n) {
     float grazing = 1.0 - clamp(dot(n, keyDirection), 0.0, 1.0);
-    vec3 lifted = point + n * shadowTexel * (1.2 + 3.0 * grazing);
+    vec3 lifted = point + n * shadowTexel * kLift * (1.2 + 3.0 * grazing);
     vec3 clip = (lightMatrix * vec4(lifted, 1)).xyz;
     vec2 uv = clip.xy * 0.5 + 0.5;
     if (any(lessThan(uv, vec2(0.005))) || any(greaterThan(uv, vec2(0.995)))) {

@@ -1,10 +1,12 @@
-#include "body.glsl"
+#include "rounded.glsl"
+#include "corner_normals.glsl"
 #include "piece_looks.glsl"
 #ifdef SECTION
 #include "section.glsl"
 #endif
 layout(std430, binding = kBindRestPositions) readonly buffer Rest { vec4 restPositions[]; };
-layout(std430, binding = kBindNormals) readonly buffer Normals { vec4 normals[]; };
+#define SKIN_CORNERS_ACCESS readonly
+#include "skin_corners.glsl"
 
 #ifdef OWN_COLOURS
 #include "skin_records.h"
@@ -12,13 +14,10 @@ layout(std430, binding = kBindSkin) readonly buffer Skin { SkinRecord skinRecord
 out vec2 skinUv;
 out vec4 skinTint;
 
-// Tells which triangle of the body is drawn, and paints this corner of it.
-uint paintCorner(int corner) {
-    SkinRecord record = skinRecords[gl_VertexID / 3];
+void paintCorner(SkinRecord record, int corner) {
     SkinCorner at = corner == 0 ? record.first : corner == 1 ? record.second : record.third;
     skinUv = vec2(at.u, at.v);
     skinTint = vec4(unpackHalf2x16(at.red_green), unpackHalf2x16(at.blue_own));
-    return record.triangle;
 }
 #endif
 
@@ -29,51 +28,74 @@ const uint kKind = 0u;
 #endif
 
 uniform mat4 viewProjection;
-uniform float facets;
 
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 restPosition;
-out vec3 corners;
+out vec3 corners;  // weights of the corners of the triangle
 #ifdef FIELD
 #define FIELD_ACCESS readonly
 #include "field.glsl"
 out float fieldPlace;  // in the range of its colours, 0 to 1
 #endif
 flat out vec4 pieceTint;
-#ifndef WALLS
-flat out vec3 rims;  // by corner: 1 where the edge opposite to it lies on the rim of a cut
-#endif
 
-vec3 faceNormal(uvec4 triangle) {
-    vec3 a = positions[triangle.x].xyz;
-    vec3 n = cross(positions[triangle.y].xyz - a, positions[triangle.z].xyz - a);
-    float size = length(n);
-    return size > 0.0 ? n / size : vec3(0);
+vec3 cornerNormal(int triangle, uint vertex, int corner) {
+#ifdef WALLS
+    return normals[2u * vertex + 1u].xyz;
+#else
+    return unpackedNormal(skinCorners[3 * triangle + corner]);
+#endif
 }
 
-void main() {
-    int corner = gl_VertexID % 3;
-#ifdef OWN_COLOURS
-    uvec4 triangle = triangles[paintCorner(corner)];
+#ifdef ROUNDED
+uniform int sidePieces;
+
+int triangleOf(int id) { return id / (3 * sidePieces * sidePieces); }
+
+void placeCorner(int id, int triangle, uvec3 vertices) {
+    int local = id % (3 * sidePieces * sidePieces);
+    corners = pieceWeights(local / 3, local % 3, sidePieces);
+    worldPosition = roundedPoint(vertices, corners);
+    restPosition = corners.x * restPositions[vertices.x].xyz +
+        corners.y * restPositions[vertices.y].xyz + corners.z * restPositions[vertices.z].xyz;
+    worldNormal = corners.x * cornerNormal(triangle, vertices.x, 0) +
+        corners.y * cornerNormal(triangle, vertices.y, 1) +
+        corners.z * cornerNormal(triangle, vertices.z, 2);
+}
 #else
-    uvec4 triangle = triangles[gl_VertexID / 3];
+int triangleOf(int id) {
+#ifdef OWN_COLOURS
+    return int(skinRecords[id / 3].triangle);
+#else
+    return id / 3;
 #endif
-    uint vertex = triangle[corner];
-    worldPosition = positions[vertex].xyz + shiftOfPiece(triangle);
+}
+
+void placeCorner(int id, int triangle, uvec3 vertices) {
+    int corner = id % 3;
+    uint vertex = vertices[corner];
+    corners = vec3(corner == 0, corner == 1, corner == 2);
+    worldPosition = positions[vertex].xyz;
     restPosition = restPositions[vertex].xyz;
-    worldNormal = normals[2u * vertex + kKind].xyz;
-#ifndef WALLS
-    worldNormal = mix(worldNormal, faceNormal(triangle), facets);
-    rims = vec3((triangle.www >> uvec3(2u, 3u, 1u)) & 1u);
+    worldNormal = cornerNormal(triangle, vertex, corner);
+#ifdef OWN_COLOURS
+    paintCorner(skinRecords[id / 3], corner);
 #endif
 #ifdef FIELD
     fieldPlace = (fieldValues[2u * vertex + kKind] - rangeLow) / (rangeHigh - rangeLow);
 #endif
+}
+#endif
+
+void main() {
+    int number = triangleOf(gl_VertexID);
+    uvec4 triangle = triangles[number];
+    placeCorner(gl_VertexID, number, triangle.xyz);
+    worldPosition += shiftOfPiece(triangle);
 #ifdef SECTION
     hideBehindSection(worldPosition);
 #endif
-    corners = vec3(corner == 0, corner == 1, corner == 2);
     pieceTint = lookOfPiece(triangle);
     // Triangles of the other kind, and of hidden pieces, fall outside the picture.
     bool drawn = (triangle.w & 1u) == kKind && pieceTint.w >= 0.0;

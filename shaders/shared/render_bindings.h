@@ -18,11 +18,13 @@ SHARED_CONST int kBindContactState = 9;  // ContactState
 SHARED_CONST int kBindField = 10;        // see field.glsl
 SHARED_CONST int kBindFieldRange = 11;   // its range
 SHARED_CONST int kBindSkin = 12;         // SkinRecord per drawn triangle of skin
+SHARED_CONST int kBindSkinCorners = 13;  // see skin_corners.glsl
 
 SHARED_CONST int kUnitShadow = 0;
 SHARED_CONST int kUnitGround = 1;
 SHARED_CONST int kUnitDepthField = 2;
-SHARED_CONST int kUnitSkin = 3;  // the picture of the model's own skin
+SHARED_CONST int kUnitEnvironment = 3;
+SHARED_CONST int kUnitSkin = 4;  // the picture of the model's own skin
 
 SHARED_CONST float kNoField = -1e30f;  // where a quantity has no value
 

@@ -2,16 +2,21 @@
 
 #include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
 
+/// The angle at which faces of the skin must meet at rest to have a hard edge between them, where
+/// nobody says otherwise [degrees].
+inline constexpr double kHardEdgeAngle = 40;
+
 /// The normals that smooth shading gives the skin at rest, carried through cuts: what is left of
 /// the triangles around a vertex at the border of a wound, or flat triangles around a vertex that a
 /// cut put into the middle of one, would give it another normal, and the cut would show though
-/// closed.
+/// closed. Where faces meet at more than kHardEdgeAngle, each side of the edge has its own.
 class SkinNormals {
   public:
     SkinNormals() = default;
@@ -22,16 +27,30 @@ class SkinNormals {
     /// shading had at their places on the skin triangles `old`, which the step removed or changed.
     void follow(const SurfaceMesh& mesh, int firstNew, std::span<const Triangle> old);
 
-    /// The unit normal of a vertex of the skin that a cut made or that lies at the border of a
-    /// wound; zero for all others, whose triangles give it.
+    /// The normal at a cut, of length 1 + how far above it skin that is drawn round lies [m]; zero
+    /// of vertices whose triangles give it: those that no cut made or parted, and those at hard
+    /// edges.
     Vec3 ofCut(const SurfaceMesh& mesh, int vertex) const;
 
   private:
+    /// A triangle at a hard edge, and the normal of the smooth skin on its side.
+    struct Side {
+        Vec3 face = Vec3::Zero();
+        Vec3 normal = Vec3::Zero();
+    };
+    using HardVertices = std::unordered_map<int, std::vector<Side>>;
+    static std::vector<Side> sidesAround(const SurfaceMesh& mesh, int vertex);
+
     int uncutVertices() const { return uncut_ ? static_cast<int>(uncut_->size()) : 0; }
     const Vec3& normal(int vertex) const;
+    /// That of a vertex as a corner of a triangle with this unit normal.
+    const Vec3& normal(int vertex, const Vec3& face) const;
+    const std::vector<Side>* sidesOf(int vertex) const;
 
     std::shared_ptr<const std::vector<Vec3>> uncut_;  ///< shared by all copies
+    std::shared_ptr<const HardVertices> hardUncut_;   ///< those of them at hard edges
     std::vector<Vec3> later_;                         ///< of the vertices that cuts made
+    HardVertices hardLater_;
 };
 
 }  // namespace kerf

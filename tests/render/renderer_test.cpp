@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -322,6 +323,108 @@ TEST_F(RendererTest, WireframeShowsEdges) {
     EXPECT_GT(channelDifference(plain, pictureOf(stage)).pixels, 1000);
 }
 
+/// A cube of twelve triangles, of one even colour, from where three faces are seen.
+Stage cubeStage() {
+    Stage stage(test::box(Vec3::Ones(), 1));
+    stage.scene.look = rowOf(LookName::grey).look;
+    stage.scene.floor.reset();
+    stage.camera.eye = Vec3(2, 1.5, 3);
+    stage.camera.frame(stage.body.bounds);
+    return stage;
+}
+
+/// Where a point of the scene is drawn.
+std::array<int, 2> pixelOf(const Stage& stage, const Vec3& point) {
+    const Eigen::Vector4f clip = stage.camera.projection(double(kWidth) / kHeight) *
+                                 stage.camera.view() * Vec3f(point.cast<float>()).homogeneous();
+    return {int((0.5F + 0.5F * clip.x() / clip.w()) * kWidth),
+            int((0.5F - 0.5F * clip.y() / clip.w()) * kHeight)};
+}
+
+int greenAt(const Image& picture, const Stage& stage, const Vec3& point) {
+    const auto [x, y] = pixelOf(stage, point);
+    return pixelAt(picture, x, y)[1];
+}
+
+/// How much the front face of the cube differs from its middle towards its four corners, at most.
+int unevenness(const Image& picture, const Stage& stage) {
+    const int middle = greenAt(picture, stage, {0, 0, 0.5});
+    int most = 0;
+    for (const double x : {-0.4, 0.4}) {
+        for (const double y : {-0.4, 0.4}) {
+            most = std::max(most, std::abs(greenAt(picture, stage, {x, y, 0.5}) - middle));
+        }
+    }
+    return most;
+}
+
+TEST_F(RendererTest, ACubeOfTwelveTrianglesHasFlatFacesAndHardEdges) {
+    Stage stage = cubeStage();
+    const Image hard = pictureOf(stage);
+    EXPECT_LT(unevenness(hard, stage), 12);
+    EXPECT_GT(std::abs(greenAt(hard, stage, {0, 0.45, 0.5}) - greenAt(hard, stage, {0, 0.5, 0.45})),
+              15)
+        << "top and front on either side of their edge";
+    stage.scene.hardEdges = 180;
+    EXPECT_GT(unevenness(pictureOf(stage), stage), 30) << "what hard edges are for";
+}
+
+TEST_F(RendererTest, ACutThroughACubeLeavesItsFacesFlat) {
+    const SurfaceMesh whole = test::box(Vec3::Ones(), 1);
+    const CutBody cut(whole);
+    Stage stage = cubeStage();
+    Stage after(cut.mesh, cut.normals);
+    after.scene.look = stage.scene.look;
+    after.scene.floor.reset();
+    after.camera = stage.camera;
+    const Image before = pictureOf(stage);
+    EXPECT_LT(largestDifference(pictureOf(after), before), 16) << "of 255";
+}
+
+TEST_F(RendererTest, ACoarseBallHasARoundOutline) {
+    Stage stage(test::icosphere(1));
+    stage.scene.floor.reset();
+    stage.camera.eye = Vec3(0, 0, 3);
+    stage.camera.target = Vec3::Zero();
+    Renderer full(Quality::full);
+    const Image picture = stage.picture(full);
+    const auto radiusTowards = [&](double angle) {
+        int radius = kHeight / 2 - 2;
+        const auto at = [&](int r) {
+            return pixelAt(picture, kWidth / 2 + int(std::lround(r * std::cos(angle))),
+                           kHeight / 2 - int(std::lround(r * std::sin(angle))));
+        };
+        while (radius > 0 && !isReddish(at(radius))) {
+            --radius;
+        }
+        return radius;
+    };
+    int low = kHeight;
+    int high = 0;
+    for (int i = 0; i < 72; ++i) {
+        const int radius = radiusTowards(i * 2 * 3.14159265 / 72);
+        low = std::min(low, radius);
+        high = std::max(high, radius);
+    }
+    EXPECT_GT(low, 20);
+    EXPECT_GE(low, 0.955 * high - 1) << "with straight sides it is less than 0.95";
+}
+
+TEST_F(RendererTest, EachLookIsAnotherPicture) {
+    Stage stage(test::openedSphere(12, 0.05, 0.5));
+    stage.camera.eye = Vec3(4, 1.5, 0.8);
+    stage.camera.frame(stage.body.bounds);
+    std::vector<Image> pictures;
+    for (std::size_t i = 0; i < kLookNames; ++i) {
+        stage.scene.look = rowOf(static_cast<LookName>(i)).look;
+        const Image picture = pictureOf(stage);
+        for (const Image& other : pictures) {
+            EXPECT_GT(largestDifference(picture, other), 40) << kLookWords[i];
+        }
+        pictures.push_back(picture);
+    }
+}
+
 /// Normals from the definition, in double precision: angle-weighted, slivers less, one kind of
 /// triangle only.
 Vec3 referenceNormal(const SurfaceMesh& mesh, int vertex, SurfaceKind kind) {
@@ -347,7 +450,7 @@ TEST_F(RendererTest, NormalsAgreeWithTheDefinition) {
     const SurfaceMesh mesh = test::openedSphere(6, 0.1, 0.3);
     const test::UploadedBody body(mesh);
     NormalsPass pass;
-    pass.run(body.view());
+    pass.run(body.view(), kHardEdgeAngle, false);
     const auto normals = pass.normals().read<shared::vec4>(0, 2 * body.vertexCount);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         for (const SurfaceKind kind : {SurfaceKind::skin, SurfaceKind::wall}) {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "gpu/program.h"
+#include "render/passes/frame.h"
+#include "render/passes/normals_pass.h"
+#include "render/scene/scene.h"
+
+namespace kerf::render {
+
+/// A dark line along the rim of each cut, by which a closed one shows.
+class RimPass {
+  public:
+    RimPass();
+    /// Draws over the surface in the bound target.
+    void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
+
+  private:
+    const gpu::Program& programFor(const SceneView& scene);
+
+    gpu::Program whole_;
+    std::optional<gpu::Program> opened_;  // from the first picture of a section
+};
+
+}  // namespace kerf::render

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/base/math.h"
+
+namespace kerf::render {
+
+/// A picture of all that is around, as light: linear radiance, width x height, top row first; its
+/// middle column lies along -z, the top is +y (an equirectangular panorama).
+struct Panorama {
+    int width = 0;
+    int height = 0;
+    std::vector<Vec3f> pixels;
+};
+
+/// Reads a panorama in Radiance's .hdr format. Throws std::runtime_error with one sentence.
+Panorama readPanorama(const std::filesystem::path& file);
+
+/// The light of a panorama, blurred the more the rougher the surface that mirrors it.
+struct Environment {
+    /// Squares of halving sides, folded from an octahedron (environment.glsl). A byte is the square
+    /// root of the radiance over kEnvironmentRange.
+    static constexpr int kLevels = 5;
+    static constexpr int kSide = 64;
+    std::array<std::vector<std::uint8_t>, kLevels> levels;  ///< RGBA8
+    /// The light that a matt surface takes from all around, of direction n:
+    /// matt[0] + n.x * matt[1] + n.y * matt[2] + n.z * matt[3].
+    std::array<Vec3f, 4> matt{};
+};
+inline constexpr float kEnvironmentRange = 8;
+
+/// Blurs a panorama for all levels, a few milliseconds.
+Environment prefilter(const Panorama& panorama);
+/// The level that a surface of this roughness mirrors, and how far the middles of its outermost
+/// texels lie from the middle of the square, whose border is at 1.
+struct MirrorLevel {
+    int level = 0;
+    float reach = 1;
+};
+MirrorLevel mirrorLevel(float roughness);
+
+/// An environment on the GPU (move only).
+class EnvironmentTexture {
+  public:
+    EnvironmentTexture() = default;
+    explicit EnvironmentTexture(const Environment& environment);
+    ~EnvironmentTexture();
+    EnvironmentTexture(EnvironmentTexture&& other) noexcept;
+    EnvironmentTexture& operator=(EnvironmentTexture&& other) noexcept;
+    EnvironmentTexture(const EnvironmentTexture&) = delete;
+    EnvironmentTexture& operator=(const EnvironmentTexture&) = delete;
+
+    void bind(std::uint32_t unit) const;
+    const std::array<Vec3f, 4>& matt() const { return matt_; }
+
+  private:
+    std::uint32_t id_ = 0;
+    std::array<Vec3f, 4> matt_{};
+};
+
+}  // namespace kerf::render
