@@ -141,7 +141,7 @@ bool Gizmo::press(const ViewFrame& view, const Vec2& pixel, const GizmoFrame& fr
     if (part.kind != Kind::none) {
         held_ = Held{part, frame, pixel, pixel, 0, ""};
     }
-    return held_.has_value();
+    return part.kind != Kind::none;
 }
 
 GizmoChange Gizmo::moved(const ViewFrame& view, const Vec2& pixel, bool snaps) {
@@ -191,8 +191,10 @@ GizmoChange Gizmo::turned(const ViewFrame& view, const Vec2& pixel, bool snaps) 
         const Vec2 way = pixel - held_->last;
         held_->turned +=
             (along.x() * way.y() - along.y() * way.x()) / kRing * 180 / std::numbers::pi;
-    } else if (middle) {
-        held_->turned += turnAbout(*middle, held_->last, pixel) * (towards < 0 ? -1 : 1);
+    } else {
+        held_->turned +=
+            turnAbout(frame.at, axis, view.rayThrough(held_->last), view.rayThrough(pixel))
+                .value_or(0);
     }
     held_->last = pixel;
     const double degrees = snaps ? snapped(held_->turned, kTurnStep) : held_->turned;

@@ -1,5 +1,6 @@
 #include "app/tools/gizmo_math.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +9,13 @@ namespace kerf::app {
 namespace {
 
 constexpr double kSlanted = 0.2;  // sine of the least angle between the line of sight and an axis
+
+/// From the center to where a ray meets the plane across the axis.
+std::optional<Vec3> armTo(const Vec3& center, const Vec3& axis, const render::Ray& ray) {
+    const double slope = ray.direction.dot(axis);
+    const double way = slope == 0 ? -1 : (center - ray.origin).dot(axis) / slope;
+    return way > 0 ? std::optional(Vec3(ray.origin + way * ray.direction - center)) : std::nullopt;
+}
 
 }  // namespace
 
@@ -21,11 +29,14 @@ std::optional<double> alongAxis(const render::Ray& ray, const Vec3& point, const
     return (offset.dot(axis) - along * offset.dot(ray.direction)) / square;
 }
 
-double turnAbout(const Vec2& center, const Vec2& from, const Vec2& to) {
-    const Vec2 a = from - center;
-    const Vec2 b = to - center;
-    const double downwards = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-    return -downwards * 180 / std::numbers::pi;
+std::optional<double> turnAbout(const Vec3& center, const Vec3& axis, const render::Ray& from,
+                                const render::Ray& to) {
+    const std::optional<Vec3> a = armTo(center, axis, from);
+    const std::optional<Vec3> b = armTo(center, axis, to);
+    if (!a || !b) {
+        return std::nullopt;
+    }
+    return std::atan2(axis.dot(a->cross(*b)), a->dot(*b)) * 180 / std::numbers::pi;
 }
 
 double distanceToLine(const Vec2& pixel, const Vec2& from, const Vec2& to) {

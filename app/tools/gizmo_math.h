@@ -13,9 +13,10 @@ namespace kerf::app {
 /// where the ray looks along the axis, so that a pixel more or less would be far away.
 std::optional<double> alongAxis(const render::Ray& ray, const Vec3& point, const Vec3& axis);
 
-/// The angle from one pixel to another about a third [degrees], counter-clockwise as one sees it,
-/// from -180 to 180. Pixels count downwards.
-double turnAbout(const Vec2& center, const Vec2& from, const Vec2& to);
+/// The angle about an axis (unit, through `center`) between the places where two rays meet the
+/// plane across it [degrees], from -180 to 180. None where one doesn't meet it before the eye.
+std::optional<double> turnAbout(const Vec3& center, const Vec3& axis, const render::Ray& from,
+                                const render::Ray& to);
 
 /// The distance of a pixel from a line between two [px].
 double distanceToLine(const Vec2& pixel, const Vec2& from, const Vec2& to);

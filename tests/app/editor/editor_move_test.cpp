@@ -12,6 +12,11 @@ const Vec2 kMiddle(kWidth / 2.0, kHeight / 2.0);
 
 class EditorMoveTest : public EditorTest {
   protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        tap(Key::tab);  // No panel lies over the boxes.
+        settle();
+    }
     EditorScene& scene() { return *editor->scene(); }
     const StaticBox& box(int index) { return scene().simulation().boxes().at(index); }
     void addBox(const Vec3& center) {
@@ -59,6 +64,7 @@ class EditorMoveTest : public EditorTest {
             moveTo(from.x() + way.x() * i / 5, from.y() + way.y() * i / 5);
             frames(1);
         }
+        frames(1);  // What is drawn over the scene is that of before the last input.
     }
     void undo() {
         editor->post(ui::KeyChange{Key::z, true, {.control = true}});

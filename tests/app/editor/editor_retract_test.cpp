@@ -82,7 +82,7 @@ TEST_F(EditorRetractTest, ADragBesideACutHoldsItOpen) {
     EXPECT_EQ(changesSince(), 1U);
     EXPECT_EQ(panels().changes.rows.back().name, "Hold open");
     tap(Key::space);
-    frames(60);
+    frames(20);
     tap(Key::space);
     settle();
     EXPECT_NEAR(gap(), opened, 0.15 * opened) << "the hooks stay";
