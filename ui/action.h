@@ -43,8 +43,8 @@ struct SetTools {
 /// Places the model otherwise; where it stands follows, so its translation does not matter.
 struct PlaceModel {
     Placement placement;
-    int model = 0;           ///< of the scene, by number
     bool continues = false;  ///< the same gesture had placed it before
+    int model = 0;           ///< of the scene, by number
 };
 /// Takes a model out of the scene, by number; the first stays.
 struct RemoveModel {

@@ -107,7 +107,7 @@ void drawNumbers(const NumberRow& row, const ShownModel& model, const Placement&
     noteItem(std::string("model.") + row.label);
     const bool continues = continuesGesture(changed);
     if (changed) {
-        actions.emplace_back(PlaceModel{edited, model.number, continues});
+        actions.emplace_back(PlaceModel{edited, continues, model.number});
     }
     ImGui::SameLine();
     ImGui::TextUnformatted(row.label);
@@ -131,12 +131,12 @@ void drawChoices(const ShownModel& model, std::vector<Action>& actions) {
     const auto unit = static_cast<std::size_t>(placement.unit.value_or(LengthUnit::metre));
     if (const auto clicked = drawChoice("Unit", "model.unit", kLengthUnitNames, unit)) {
         placement.unit = static_cast<LengthUnit>(*clicked);
-        actions.emplace_back(PlaceModel{placement, model.number});
+        actions.emplace_back(PlaceModel{placement, false, model.number});
     }
     const auto up = static_cast<std::size_t>(placement.up.value_or(UpAxis::y));
     if (const auto clicked = drawChoice("Up", "model.up", kUpAxisNames, up)) {
         placement.up = static_cast<UpAxis>(*clicked);
-        actions.emplace_back(PlaceModel{placement, model.number});
+        actions.emplace_back(PlaceModel{placement, false, model.number});
     }
 }
 

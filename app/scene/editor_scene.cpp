@@ -147,7 +147,7 @@ std::string EditorScene::place(const Placement& wanted, bool continues, int mode
     const Bounds& bounds = rest_.models[model].bounds;
     Vec3 ground = bounds.center();
     ground.y() = simulation_.params().floor.value_or(bounds.low.y());
-    return execute(Place{standing(wanted, own, ground), model, continues});
+    return execute(Place{standing(wanted, own, ground), continues, model});
 }
 
 Session EditorScene::startOfScene() const {
@@ -587,7 +587,7 @@ void EditorScene::startRecording() {
     putUp(boxes);
     for (int m = 0; m < simulation_.modelCount(); ++m) {
         if (simulation_.placement(m) != models[m].placement) {
-            perform(Place{models[m].placement, m});
+            perform(Place{models[m].placement, false, m});
         }
     }
     recording_ = recorded_ = true;

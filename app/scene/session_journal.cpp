@@ -31,7 +31,9 @@ bool setTheSame(const SessionAction& earlier, const Command& later) {
         const auto* before = std::get_if<ChangeBox>(&earlier);
         return before != nullptr && before->index == change->index;
     }
-    return std::holds_alternative<Place>(later) && std::holds_alternative<Place>(earlier);
+    const auto* place = std::get_if<Place>(&later);
+    const auto* before = std::get_if<Place>(&earlier);
+    return place != nullptr && before != nullptr && place->model == before->model;
 }
 
 bool continuesGesture(const Command& command) {

@@ -263,7 +263,8 @@ class FieldSchemas : public NoFields {
             keywords_["allOf"].push_back(
                 whereKeyIs(nameWord.name, {name}, {{"properties", {{valueWord.name, value}}}}));
         }
-        property(nameWord, {{"anyOf", {choiceOf(names), {{"pattern", patternOfOwnNames()}}}}});
+        const Json own{{"type", "string"}, {"pattern", patternOfOwnNames()}};
+        property(nameWord, {{"anyOf", Json::array({choiceOf(names), own})}});
         property(valueWord, Json::object());
         keywords_["required"] = {nameWord.name, valueWord.name};
     }

@@ -222,7 +222,7 @@ Command MoveTool::placed(const GizmoChange& change) const {
     placement.scale = std::clamp(placement.scale * change.factor, 1e-6, 1e6);
     const double factor = placement.scale / start_->placement.scale;
     placement.translate = middle + change.by - factor * (change.turn * arm);
-    return Place{placement, start_->subject.number, start_->continues};
+    return Place{placement, start_->continues, start_->subject.number};
 }
 
 // --- The picture -------------------------------------------------------------------------------

@@ -85,9 +85,9 @@ struct Restart {};
 /// suited the size of the largest model follow (see followSize()).
 struct Place {
     Placement placement;
-    int model = 0;  ///< of the scene, by number
     /// Belongs to the gesture of the placement just before: one undo takes both back.
     bool continues = false;
+    int model = 0;  ///< of the scene, by number
 };
 /// Takes back the last change that is not undone: a cut or a grab (with all that the body did
 /// since), a restart, a placement, a parameter, pins or a box. A blade that is in the body is

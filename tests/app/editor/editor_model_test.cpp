@@ -145,7 +145,7 @@ TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     const EditorScene::RestFigures& rest = editor->scene()->rest();
     EXPECT_GT(rest.models[1].bounds.low.x(), before.high.x());
     EXPECT_GT(rest.models[1].bounds.low.y(), -1e-9);  // on the floor
-    EXPECT_NEAR(rest.models[1].volume, 16e-6, 1e-9);
+    EXPECT_NEAR(rest.models[1].volume, 16, 1e-9);
     click("model.1");
     click("model.unit.in");
     EXPECT_EQ(simulation().placement(1).unit, LengthUnit::inch);

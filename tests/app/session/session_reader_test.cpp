@@ -60,10 +60,10 @@ TEST(SessionReader, RefusesParametersOfModelsThatThereAreNot) {
 }
 
 TEST(SessionReader, LoadsAllModelsOneBehindTheOther) {
-    const Session session = parseSession(
-        sessionWith(R"("more_models": [{"builtin": "sphere80", "color": [0, 0, 1],
+    const Session session =
+        parseSession(sessionWith(R"("more_models": [{"builtin": "sphere80", "color": [0, 0, 1],
                                         "placement": {"translate": [2, 0, 0]}}])"),
-        ".");
+                     ".");
     const ModelMesh scene = loadSessionModel(session);
     ASSERT_EQ(scene.placed.size(), 2u);
     EXPECT_EQ(scene.mesh.aliveTriangles(), 20 + 80);
@@ -71,8 +71,7 @@ TEST(SessionReader, LoadsAllModelsOneBehindTheOther) {
     ASSERT_EQ(scene.looks.skin.materials.size(), 100u);
     EXPECT_EQ(scene.looks.skin.materials[19], -1);
     EXPECT_EQ(scene.looks.skin.materials[20], 0);
-    EXPECT_EQ(scene.looks.appearance->materials[0].baseColor.head<3>(),
-              Eigen::Vector3f(0, 0, 1));
+    EXPECT_EQ(scene.looks.appearance->materials[0].baseColor.head<3>(), Eigen::Vector3f(0, 0, 1));
 }
 
 TEST(SessionReader, MinimalSessionHasDefaults) {

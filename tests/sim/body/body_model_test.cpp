@@ -48,7 +48,8 @@ TEST(BodyModel, MassIsDensityTimesVolume) {
         expectConsistent(model, mesh);
         EXPECT_NEAR(totalMass(model), meshRestVolume(mesh), 1e-6 * meshRestVolume(mesh));
         EXPECT_DOUBLE_EQ(model.uncutRestVolume, meshRestVolume(mesh));
-        EXPECT_NEAR(model.members[0].thickness * model.pieces[0].restArea, model.uncutRestVolume, 1e-12);
+        EXPECT_NEAR(model.members[0].thickness * model.pieces[0].restArea, model.uncutRestVolume,
+                    1e-12);
     }
 }
 
@@ -149,7 +150,7 @@ TEST_F(CutBox, HasTwoPiecesThatKeepMassThicknessAndScale) {
         EXPECT_TRUE(piece.holdsVolume);
     }
     EXPECT_NEAR(totalMass(after), totalMass(before), 1e-6);
-    EXPECT_EQ(after.thickness, before.thickness);
+    EXPECT_EQ(after.members[0].thickness, before.members[0].thickness);
     EXPECT_EQ(after.edgeLength, before.edgeLength);
     EXPECT_EQ(after.diagonal, before.diagonal);
     EXPECT_EQ(after.uncutRestVolume, before.uncutRestVolume);

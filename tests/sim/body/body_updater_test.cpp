@@ -221,7 +221,8 @@ TEST(BodyUpdater, FollowsRandomCutsAsASetBuiltAnew) {
         EXPECT_GT(follower.died, 0u);
         const BodyModel fresh = buildBodyModel(follower.mesh);
         // The thickness is that of the uncut body; a model made anew takes that of the cut one.
-        const double thicker = follower.updater.model().members[0].thickness / fresh.members[0].thickness;
+        const double thicker =
+            follower.updater.model().members[0].thickness / fresh.members[0].thickness;
         const auto sameEdge = [&](const auto& a, const auto& b) {
             return a.rest_length == b.rest_length &&
                    std::abs(a.geometry * thicker - b.geometry) <= 1e-5 * b.geometry;
