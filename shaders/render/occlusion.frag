@@ -38,8 +38,10 @@ void main() {
         return;
     }
     vec3 p = pointAt(pixel, size);
-    vec3 dx = shorter(pointAt(pixel + ivec2(1, 0), size) - p, p - pointAt(pixel - ivec2(1, 0), size));
-    vec3 dy = shorter(pointAt(pixel + ivec2(0, 1), size) - p, p - pointAt(pixel - ivec2(0, 1), size));
+    const ivec2 right = ivec2(1, 0);
+    const ivec2 up = ivec2(0, 1);
+    vec3 dx = shorter(pointAt(pixel + right, size) - p, p - pointAt(pixel - right, size));
+    vec3 dy = shorter(pointAt(pixel + up, size) - p, p - pointAt(pixel - up, size));
     vec3 n = normalize(cross(dx, dy));
     vec3 side = normalize(cross(eye - p, vec3(0.31, 0.87, 0.38)));
     vec4 aside = viewProjection * vec4(p + reach * side, 1);
