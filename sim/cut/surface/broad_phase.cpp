@@ -14,8 +14,9 @@ namespace {
 
 constexpr int kMostBins = 4096;
 constexpr double kRotationRounding = 1e-6;  // of the bins: what turning into the frame may move
-// Of a bin: what is taken around the strip at first. Older slits are looked for within 0.1.
-constexpr double kFirstMargin = 0.15;
+// Of a bin: what is taken around the strip at first. Older slits are looked for within 0.1, the
+// walls of a stroke's own past within 0.25.
+constexpr double kFirstMargin = 0.3;
 
 // Whether two boxes overlap, as overlaps() says. Along the strip most boxes of a bin are told
 // apart.
