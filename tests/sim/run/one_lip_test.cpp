@@ -165,7 +165,7 @@ TEST_F(OneLip, WhatIsPinnedIsMovedAndTurnedAtOnceAndUndone) {
     run(100);
     for (const std::uint32_t v : simulation->pinnedVertices()) {
         const int vertex = static_cast<int>(v);
-        const Vec3 was = mesh.position(vertex);
+        const Vec3& was = mesh.position(vertex);
         const Vec3 now = simulation->mesh().position(vertex);
         EXPECT_NEAR(now.y(), was.y() + 0.2, 1e-5);
         EXPECT_NEAR(std::hypot(now.x(), now.z()), std::hypot(was.x(), was.z()), 0.03);
