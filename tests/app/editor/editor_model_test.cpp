@@ -117,7 +117,9 @@ TEST_F(EditorModelTest, APlacementAfterACutStartsAnewAndIsReplayed) {
     const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
     const Session again = parseSession(formatSession(session, folder.path()), folder.path());
     EXPECT_EQ(again.placement, opened.session.placement);
-    expectReplayed(again, {opened.mesh, opened.looks});
+    ModelMesh model(opened.mesh, opened.looks);
+    model.placed = opened.placed;
+    expectReplayed(again, std::move(model));
 }
 
 TEST_F(EditorModelTest, ARecordingKeepsThePlacement) {
@@ -150,6 +152,8 @@ TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     click("model.unit.in");
     EXPECT_EQ(simulation().placement(1).unit, LengthUnit::inch);
     EXPECT_EQ(simulation().placement(0).unit, LengthUnit::centimetre);
+    editor->scene()->step();
+    editor->scene()->addExport();
     const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
     expectReplayed(session, loadSessionModel(session));
     click("model.remove.1");
