@@ -85,6 +85,28 @@ TEST_F(ReplayOptions, UntilEndsInTheStateOfTheWholeRunAtThatStep) {
     EXPECT_EQ(replay("out", {"--until", "0"}).exitCode, 2);
 }
 
+TEST_F(ReplayOptions, FinePicturesAreOnlyTakenOnDemand) {
+    ASSERT_EQ(replay("light", {"--until", "9"}).exitCode, 0);
+    ASSERT_EQ(replay("again", {"--until", "9"}).exitCode, 0);
+    ASSERT_EQ(replay("fine", {"--until", "9", "--fine"}).exitCode, 0);
+    const auto picture = [&](const std::string& out) {
+        return readBytes(folder_ / (out + "/pictures/half.png"));
+    };
+    EXPECT_EQ(picture("again"), picture("light"));
+    EXPECT_NE(picture("fine"), picture("light"));
+}
+
+TEST_F(ReplayOptions, AnEnvironmentThatIsNoPanoramaIsToldAndTheLightIsEven) {
+    ASSERT_EQ(replay("studio", {"--until", "9"}).exitCode, 0);
+    const ProgramRun run =
+        replay("even", {"--until", "9"}, {{"KERF_ENVIRONMENT", path("test.kerf.json")}});
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_THAT(run.errors + run.out, HasSubstr("test.kerf.json: this is no panorama"));
+    EXPECT_THAT(run.errors + run.out, HasSubstr("The light is even instead."));
+    EXPECT_NE(readBytes(folder_ / "even/pictures/half.png"),
+              readBytes(folder_ / "studio/pictures/half.png"));
+}
+
 TEST_F(ReplayOptions, JsonLinesHaveTheColumnsOfTheMetrics) {
     const ProgramRun run = replay("out", {"--jsonl"});
     ASSERT_EQ(run.exitCode, 0) << run.errors;

@@ -311,6 +311,26 @@ TEST_F(EditorViewTest, ColoursAreKeptInTheSessionAndShownAgain) {
     EXPECT_EQ(readSession(onlyFile(folder.path())).colors.skin, before.colors.skin);
 }
 
+TEST_F(EditorViewTest, ALookIsKeptInTheSessionAndShownAgain) {
+    Session before;
+    before.model.builtin = "sphere80";
+    before.steps = 1;
+    before.view = render::Camera{.eye = {0, 0.4, 3}};
+    before.colors.look = render::LookName::marble;
+    test::writeText(folder / "stone.kerf.json", formatSession(before, folder.path()));
+    editor->open(folder / "stone.kerf.json");
+    waitForWork();
+    moveTo(5, 5);
+    settle();
+    EXPECT_EQ(panels().display.colors.look, render::LookName::marble);
+    const render::Image picture = editor->readPicture();
+    const std::size_t middle = 4 * (std::size_t(kHeight / 2) * kWidth + kWidth / 2);
+    EXPECT_LT(picture.pixels[middle], 1.3 * picture.pixels[middle + 2]) << "grey, not red";
+    std::filesystem::remove(folder / "stone.kerf.json");
+    saveByKeys();
+    EXPECT_EQ(readSession(onlyFile(folder.path())).colors.look, before.colors.look);
+}
+
 TEST_F(EditorViewTest, WhatIsShownApartIsFramedApart) {
     drag(kTop, kBottom, 10);
     settle();
