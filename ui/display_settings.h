@@ -22,7 +22,7 @@ struct DisplaySettings {
     render::Overlays overlays;
     render::FieldChoice field;                    ///< what its colours show instead of the look
     std::optional<render::SectionPlane> section;  ///< opens the picture of the body
-    render::ChosenColors colors;  ///< look and colours instead of the model's own
+    render::ChosenColors colors;                  ///< look and colours instead of the model's own
     /// Faces that meet at more than this angle have a hard edge between them [degrees].
     double hardEdges = kHardEdgeAngle;
     bool operator==(const DisplaySettings&) const = default;

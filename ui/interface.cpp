@@ -163,7 +163,9 @@ void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>
     drawMenuBar(model, actions);
     drawTransport(model, actions);
     const Division division = Division::ofTheRest();
-    drawSections(model, division.upper(1 - model.settings.piecesShare, kLeastPieces), actions);
+    const float upper = std::max(division.upper(1 - model.settings.piecesShare, kLeastPieces),
+                                 division.height - piecesHeight(model));
+    drawSections(model, upper, actions);
     if (const auto share = horizontalSplitter("pieces", division.top, division.height)) {
         Settings settings = model.settings;
         settings.piecesShare = 1 - *share;

@@ -16,6 +16,8 @@
 namespace kerf::ui {
 namespace {
 
+constexpr float kRowPadding = 0.2F;  ///< above and below a row [font sizes]
+
 /// An open eye, or one with a bar across.
 void drawEye(const ImVec2& center, float size, bool open) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -272,6 +274,14 @@ std::string volumeText(double volume) {
     return text;
 }
 
+float piecesHeight(const PanelModel& model) {
+    const std::size_t rows = model.pieces.size();
+    const float slider = rows > 1 ? ImGui::GetFrameHeightWithSpacing() : 0;
+    const float row = ImGui::GetTextLineHeight() + 2 * kRowPadding * ImGui::GetFontSize();
+    const float bar = model.display.pieceDetails ? ImGui::GetStyle().ScrollbarSize : 0;
+    return ImGui::GetFrameHeightWithSpacing() + slider + static_cast<float>(rows + 1) * row + bar;
+}
+
 void drawPieces(const PanelModel& model, std::vector<Action>& actions) {
     drawTitle(model, actions);
     const bool details = model.display.pieceDetails;
@@ -281,7 +291,7 @@ void drawPieces(const PanelModel& model, std::vector<Action>& actions) {
                  : ImGuiTableFlags_SizingStretchProp);
     int hovered = -1;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
-                        {0.25F * ImGui::GetFontSize(), 0.2F * ImGui::GetFontSize()});
+                        {0.25F * ImGui::GetFontSize(), kRowPadding * ImGui::GetFontSize()});
     const int columns = static_cast<int>(columnCount(details)) + 1;
     if (ImGui::BeginTable(details ? "all columns" : "pieces", columns, flags)) {
         drawHeader(details);

@@ -50,7 +50,7 @@ struct ModelMesh {
 
     SurfaceMesh mesh;
     OwnLooks looks;
-    std::vector<std::string> remarks;  ///< sentences about what was left out of them
+    std::vector<std::string> remarks;        ///< sentences about what was left out of them
     std::vector<PlacedModel> placed = {{}};  ///< what the mesh consists of
 };
 

@@ -44,8 +44,15 @@ Document finish(std::string name, Session session, ModelMesh model, std::string 
     for (const std::string& remark : model.remarks) {
         note += (note.empty() ? "" : " ") + remark;
     }
-    return {std::move(name),        std::move(session), std::move(model.mesh), bounds, camera,
-            std::move(model.looks), std::move(note),    std::nullopt,          std::move(model.placed)};
+    return {std::move(name),
+            std::move(session),
+            std::move(model.mesh),
+            bounds,
+            camera,
+            std::move(model.looks),
+            std::move(note),
+            std::nullopt,
+            std::move(model.placed)};
 }
 
 Document openModel(const std::filesystem::path& file, const ReadOptions& options) {

@@ -13,13 +13,13 @@ namespace kerf::app {
 
 /// A model or session that is open in the editor: the start state, ready to be simulated.
 struct Document {
-    std::string name;                 ///< of the file, without folder and extension
-    Session session;                  ///< a model file makes one without events
-    SurfaceMesh mesh;                 ///< at rest, placed in the world [m]
-    Bounds restBounds;                ///< of `mesh`
-    render::Camera camera;            ///< the first view
-    OwnLooks looks;                   ///< of `mesh`
-    std::string note;  ///< what was done to it on the way in, one sentence; may be empty
+    std::string name;       ///< of the file, without folder and extension
+    Session session;        ///< a model file makes one without events
+    SurfaceMesh mesh;       ///< at rest, placed in the world [m]
+    Bounds restBounds;      ///< of `mesh`
+    render::Camera camera;  ///< the first view
+    OwnLooks looks;         ///< of `mesh`
+    std::string note;       ///< what was done to it on the way in, one sentence; may be empty
     std::optional<UnitGuess> guess = std::nullopt;  ///< of a model file
     std::vector<PlacedModel> placed = {{}};         ///< what `mesh` consists of
 };

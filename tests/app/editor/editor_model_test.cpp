@@ -157,6 +157,7 @@ TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
     expectReplayed(session, loadSessionModel(session));
     click("model.remove.1");
+    frames(2);
     click("question.0");
     waitForWork();
     frames(2);
