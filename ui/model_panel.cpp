@@ -169,7 +169,7 @@ int chooseModel(const PanelModel& model, std::vector<Action>& actions) {
 }  // namespace
 
 void drawModel(const PanelModel& model, std::vector<Action>& actions) {
-    if (model.name.empty()) {
+    if (model.models.empty()) {
         return;
     }
     const int number = model.models.size() > 1 ? chooseModel(model, actions) : 0;

@@ -220,6 +220,9 @@ TEST_F(InterfaceTest, AnEdgeIsDraggedAndPutsItsPanelAway) {
 }
 
 TEST_F(InterfaceTest, BarsDivideThePanels) {
+    model.pieces.resize(20, model.pieces[0]);
+    update({});
+    update({});
     for (const char* name : {"splitter.pieces", "splitter.plots"}) {
         const Rect bar = interface->itemRects().at(name);
         moveTo(bar.x + bar.width / 2, bar.y + bar.height / 2);
@@ -229,6 +232,14 @@ TEST_F(InterfaceTest, BarsDivideThePanels) {
     }
     EXPECT_GT(model.settings.piecesShare, Settings{}.piecesShare + 0.05);
     EXPECT_LT(model.settings.plotsShare, Settings{}.plotsShare - 0.05);
+}
+
+TEST_F(InterfaceTest, AShortListOfPiecesLeavesItsRoomToTheSections) {
+    const double one = interface->itemRects().at("splitter.pieces").y;
+    model.pieces.resize(20, model.pieces[0]);
+    update({});
+    update({});
+    EXPECT_LT(interface->itemRects().at("splitter.pieces").y, one - 40);
 }
 
 TEST_F(InterfaceTest, SectionsFoldAndStayFolded) {

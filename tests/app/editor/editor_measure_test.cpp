@@ -91,6 +91,7 @@ TEST_F(EditorMeasureTest, AModelInMillimetresIsToldInMillimetresToo) {
     document.restBounds = meshBounds(document.mesh);
     document.camera.eye = Vec3(0, 0, 3);
     document.session.placement.unit = LengthUnit::millimetre;
+    document.placed = {{document.session.placement, 0}};
     open(std::move(document));
     clickAt(-0.25, 0);
     clickAt(0.25, 0);
