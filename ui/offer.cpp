@@ -43,13 +43,42 @@ class ChoiceButton {
     std::string key_;
 };
 
-float widthOf(const std::vector<HintChoice>& choices) {
-    float width = -ImGui::GetStyle().ItemSpacing.x;
-    for (const HintChoice& choice : choices) {
-        width += ChoiceButton(choice).width() + ImGui::GetStyle().ItemSpacing.x;
+/// The buttons one behind the other, in as many lines as they need.
+class ButtonLines {
+  public:
+    ButtonLines(const std::vector<HintChoice>& choices, float most) {
+        const float gap = ImGui::GetStyle().ItemSpacing.x;
+        float end = 0;
+        for (const HintChoice& choice : choices) {
+            const ChoiceButton button(choice);
+            const bool first = lines_.empty() || end + gap + button.width() > most;
+            end = first ? button.width() : end + gap + button.width();
+            if (first) {
+                lines_.emplace_back();
+            }
+            lines_.back().push_back(button);
+            width_ = std::max(width_, end);
+        }
     }
-    return width;
-}
+    float width() const { return width_; }
+    float height() const {
+        return static_cast<float>(lines_.size()) * ImGui::GetFrameHeightWithSpacing();
+    }
+    void draw(const char* offer, std::vector<Action>& actions) const {
+        for (const std::vector<ChoiceButton>& line : lines_) {
+            for (const ChoiceButton& button : line) {
+                if (&button != line.data()) {
+                    ImGui::SameLine();
+                }
+                button.draw(offer, actions);
+            }
+        }
+    }
+
+  private:
+    std::vector<std::vector<ChoiceButton>> lines_;
+    float width_ = 0;
+};
 
 }  // namespace
 
@@ -57,18 +86,14 @@ void drawOffer(const char* name, const Hint& hint, const Rect& view, float botto
                const BannerStyle& style, std::vector<Action>& actions) {
     const float most = view.width - 2 * bannerPadding();
     const ImVec2 text = ImGui::CalcTextSize(hint.text.c_str(), nullptr, false, most);
-    const float width = std::max(text.x, std::min(widthOf(hint.choices), most));
-    const float height = text.y + ImGui::GetStyle().ItemSpacing.y + ImGui::GetFrameHeight();
+    const ButtonLines buttons(hint.choices, most);
+    const float width = std::max(text.x, std::min(buttons.width(), most));
+    const float height = text.y + buttons.height();
     beginBanner(name, {view.x + (view.width - width) / 2, bottom - height, width, height}, style);
     ImGui::PushTextWrapPos(bannerPadding() + width + 1);
     ImGui::TextUnformatted(hint.text.c_str());
     ImGui::PopTextWrapPos();
-    for (std::size_t i = 0; i < hint.choices.size(); ++i) {
-        if (i > 0) {
-            ImGui::SameLine();
-        }
-        ChoiceButton(hint.choices[i]).draw(name, actions);
-    }
+    buttons.draw(name, actions);
     endBanner();
 }
 

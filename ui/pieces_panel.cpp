@@ -125,14 +125,14 @@ bool drawRow(int index, const PieceRow& piece, bool details, std::vector<Action>
 struct ColumnTitle {
     PieceColumn column;
     const char* title;
-    float width;  ///< in letters; 0: what is left
+    float width;  ///< in letters; of what is left in a short list, a share of it
     const char* tooltip;
 };
 constexpr std::array kColumns{
     ColumnTitle{PieceColumn::number, "#", 2, "In the order in which they came off"},
-    ColumnTitle{PieceColumn::triangles, "tri.", 0, "Triangles of its surface"},
-    ColumnTitle{PieceColumn::volume, "volume", 0, "Volume as it is"},
-    ColumnTitle{PieceColumn::ofRest, "% rest", 0, "Of its volume at rest"},
+    ColumnTitle{PieceColumn::triangles, "tri.", 3.6F, "Triangles of its surface"},
+    ColumnTitle{PieceColumn::volume, "volume", 5.4F, "Volume as it is"},
+    ColumnTitle{PieceColumn::ofRest, "% rest", 4.6F, "Of its volume at rest"},
     ColumnTitle{PieceColumn::ofAll, "% all", 4, "Of the volume of all pieces"},
     ColumnTitle{PieceColumn::area, "area", 5.5F, "Of its surface, faces of cuts included"},
     ColumnTitle{PieceColumn::size, "size x y z [m]", 9, "Of its box"},
@@ -151,12 +151,11 @@ void setUpColumns(bool details) {
         "##eye", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort, 1.3F * letter);
     for (std::size_t i = 0; i < columnCount(details); ++i) {
         const ColumnTitle& column = kColumns[i];
-        const bool fixed = details || column.width > 0;
-        const float width = column.width > 0 ? column.width : 4.6F;
+        const bool fixed = details || column.column == PieceColumn::number;
         ImGui::TableSetupColumn(
             column.title,
             fixed ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
-            fixed ? width * letter : 1, static_cast<ImGuiID>(column.column));
+            fixed ? column.width * letter : column.width, static_cast<ImGuiID>(column.column));
     }
 }
 

@@ -101,6 +101,9 @@ void drawChooser(const PanelModel& model, std::vector<Action>& actions) {
 
 bool barButton(const char* label, const char* name, const std::string& tooltip) {
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::GetContentRegionAvail().x < buttonWidth(label)) {
+        ImGui::NewLine();
+    }
     const bool pressed = ImGui::Button(label);
     noteItem(name);
     itemTooltip(tooltip);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdio>
+#include <span>
 
 #include "ui/widgets.h"
 
@@ -65,7 +66,22 @@ void explain(const StageText& row, const PanelModel& model) {
     ImGui::EndTooltip();
 }
 
-void drawRow(const StageText& row, const PanelModel& model) {
+/// What is told of a stage's times.
+struct TimeColumn {
+    const char* title;
+    double (Series::*value)() const;
+};
+constexpr std::array kTimes{TimeColumn{"last", &Series::last}, TimeColumn{"mean", &Series::mean},
+                            TimeColumn{"max", &Series::max}, TimeColumn{"min", &Series::min}};
+
+/// A narrow panel leaves out the last of them.
+std::span<const TimeColumn> timesFor(float width) {
+    constexpr float kLeastLetters = 19;
+    return std::span(kTimes).first(kTimes.size() -
+                                   (width < kLeastLetters * ImGui::GetFontSize() ? 1 : 0));
+}
+
+void drawRow(const StageText& row, std::span<const TimeColumn> times, const PanelModel& model) {
     const Series& series = (*model.history)[row.reading];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -74,8 +90,8 @@ void drawRow(const StageText& row, const PanelModel& model) {
     if (series.empty()) {
         return;
     }
-    for (const double value : {series.last(), series.mean(), series.min(), series.max()}) {
-        millisecondsCell(value);
+    for (const TimeColumn& time : times) {
+        millisecondsCell((series.*time.value)());
     }
     const double sum = sumOfMeans(model);
     if (row.reading != Reading::frameMs && sum > 0) {
@@ -83,14 +99,18 @@ void drawRow(const StageText& row, const PanelModel& model) {
     }
 }
 
-void drawHeader() {
+void drawHeader(std::span<const TimeColumn> times) {
+    const auto title = [](const char* text) {
+        ImGui::TableNextColumn();
+        textRight(text);
+    };
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::TableNextColumn();
     ImGui::TextDisabled("ms");
-    for (const char* title : {"last", "mean", "min", "max", "share"}) {
-        ImGui::TableNextColumn();
-        textRight(title);
+    for (const TimeColumn& time : times) {
+        title(time.title);
     }
+    title("share");
 }
 
 }  // namespace
@@ -98,12 +118,15 @@ void drawHeader() {
 void drawStages(const PanelModel& model) {
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
                         {0.25F * ImGui::GetFontSize(), 0.2F * ImGui::GetFontSize()});
-    if (ImGui::BeginTable("stages", 6, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
+    const std::span<const TimeColumn> times = timesFor(ImGui::GetContentRegionAvail().x);
+    const int columns = static_cast<int>(times.size()) + 2;
+    if (ImGui::BeginTable("stages", columns,
+                          ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
                                 ImGui::CalcTextSize("Collide").x);
-        drawHeader();
+        drawHeader(times);
         for (const StageText& row : kTexts) {
-            drawRow(row, model);
+            drawRow(row, times, model);
         }
         ImGui::EndTable();
     }

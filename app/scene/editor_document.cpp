@@ -90,7 +90,7 @@ Document openSession(const std::filesystem::path& file, const ReadOptions& optio
 }
 
 /// On the floor, at the right of the others.
-Placement beside(const Bounds& others, Placement placement, const std::vector<Vec3>& own) {
+Placement beside(const Bounds& others, const Placement& placement, const std::vector<Vec3>& own) {
     const PlacementMap map(placement);
     Bounds placed;
     for (const Vec3& p : own) {

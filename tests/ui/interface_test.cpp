@@ -242,6 +242,30 @@ TEST_F(InterfaceTest, AShortListOfPiecesLeavesItsRoomToTheSections) {
     EXPECT_LT(interface->itemRects().at("splitter.pieces").y, one - 40);
 }
 
+TEST_F(InterfaceTest, NoButtonIsCutOffInASmallWindow) {
+    constexpr int kSmallWidth = 800;
+    constexpr int kSmallHeight = 600;
+    model.hint = {"2 pieces now. What next?",
+                  {{ActionId::letFall, "Let them fall"},
+                   {ActionId::showApart, "Show them apart"},
+                   {ActionId::toolGrab, "Pull at one"}}};
+    for (int i = 0; i < 2; ++i) {
+        interface->update({}, model, kSmallWidth, kSmallHeight, 1.0 / 60);
+    }
+    const Layout layout = layoutPanels(kSmallWidth, kSmallHeight, 1, model.settings, true);
+    std::size_t buttons = 0;
+    for (const auto& [name, rect] : interface->itemRects()) {
+        if (name.starts_with("hint.")) {
+            ++buttons;
+            EXPECT_LE(rect.x + rect.width, layout.view.x + layout.view.width) << name;
+            EXPECT_LE(rect.y + rect.height, layout.view.y + layout.view.height) << name;
+        } else if (name.starts_with("plots.")) {
+            EXPECT_LE(rect.x + rect.width, kSmallWidth - 8) << name;
+        }
+    }
+    EXPECT_EQ(buttons, 3U);
+}
+
 TEST_F(InterfaceTest, SectionsFoldAndStayFolded) {
     ASSERT_TRUE(interface->itemRects().contains("param.iterations"));
     clickOn("section.simulation");
