@@ -153,6 +153,8 @@ void Simulation::State::lookAfterShape() {
         body.memory.recovery.stop();
         body.memory.mayHaveCollapsed = true;
     }
+    body.memory.crumpled =
+        body.memory.crumpled && (unfolds || body.looksCollapsed() || body.memory.recovery.draws());
     int& foldedSteps = body.memory.foldedSteps;
     if (body.cutter->inStroke()) {
         foldedSteps = 0;
@@ -163,12 +165,12 @@ void Simulation::State::lookAfterShape() {
         return;
     }
     foldedSteps = 0;
-    const std::vector<double> insideOut = findInsideOut();
+    std::vector<double> insideOut = findInsideOut();
     if (keeps) {
-        drawCollapsedBack(insideOut);
+        drawCollapsedBack(std::move(insideOut));
     }
-    if (unfolds) {
-        mendFolds(insideOut);
+    if (unfolds && keeps && !body.memory.crumpled) {
+        mendFolds();
     }
 }
 
@@ -178,6 +180,7 @@ std::vector<double> Simulation::State::findInsideOut() {
     }
     std::vector<double> shares = sharesInsideOut(body.model(), body.mesh);
     const bool any = std::ranges::any_of(shares, [](double s) { return s > kMostMended; });
+    body.memory.crumpled = body.memory.crumpled || any;
     body.memory.mayHaveCollapsed = any || body.memory.recovery.draws();
     return shares;
 }
@@ -198,14 +201,11 @@ void Simulation::State::drawCollapsedBack(std::vector<double> insideOut) {
 }
 
 /// What the solver can't unfold in kPatience steps lies at short edges that a cut left there: these
-/// are removed. The folds of what has collapsed say nothing about edges.
-void Simulation::State::mendFolds(std::span<const double> insideOut) {
+/// are removed. The folds of what has collapsed say nothing about edges, nor do those that are left
+/// of it.
+void Simulation::State::mendFolds() {
     const WorkWatch watch;
-    std::vector<int> triangles = foldedTriangles(body.mesh, body.uncut->mesh.triangleSlots());
-    std::erase_if(triangles, [&](int t) {
-        const int piece = body.updater->pieceOfMeshVertex()[body.mesh.triangle(t)[0]];
-        return insideOut[piece] > kMostMended || body.memory.recovery.draws(piece);
-    });
+    const std::vector<int> triangles = foldedTriangles(body.mesh, body.uncut->mesh.triangleSlots());
     const CutDelta mended = triangles.empty() ? CutDelta{} : body.cutter->mend(triangles);
     if (!mended.empty()) {
         followCut(mended, body, log.history(), output);

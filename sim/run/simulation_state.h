@@ -62,7 +62,7 @@ struct Simulation::State {
     /// sharesInsideOut() where parameters may have brought that about, else 0 for all.
     std::vector<double> findInsideOut();
     void drawCollapsedBack(std::vector<double> insideOut);
-    void mendFolds(std::span<const double> insideOut);
+    void mendFolds();
     void publish();
 
     /// Carries a command out at once. Returns "" or one sentence; nothing changed then. Every kind

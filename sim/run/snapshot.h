@@ -27,6 +27,8 @@ struct BodyMemory {
     /// Parameters keep no shape, or were changed while it was folded: what they have turned inside
     /// out stays so.
     bool mayHaveCollapsed = false;
+    /// Some piece was partly inside out, and something has been folded since.
+    bool crumpled = false;
     int foldedSteps = 0;  ///< without a stroke, since its shape was last looked at
     bool closed = true;   ///< no cut has left a defect; see checkClosedManifold
 };
