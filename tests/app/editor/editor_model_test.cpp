@@ -119,7 +119,7 @@ TEST_F(EditorModelTest, APlacementAfterACutStartsAnewAndIsReplayed) {
     EXPECT_EQ(again.placement, opened.session.placement);
     ModelMesh model(opened.mesh, opened.looks);
     model.placed = opened.placed;
-    expectReplayed(again, std::move(model));
+    expectReplayed(again, model);
 }
 
 TEST_F(EditorModelTest, ARecordingKeepsThePlacement) {

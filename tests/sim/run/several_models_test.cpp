@@ -14,13 +14,13 @@ constexpr double kApart = 2;  // between the middles of both [m]
 constexpr std::size_t kBudget = 1u << 30;
 
 SurfaceMesh moved(const SurfaceMesh& mesh, const Vec3& by) {
-    std::vector<Vec3> positions;
-    std::vector<Triangle> triangles;
+    std::vector<Vec3> positions(mesh.vertexCount());
+    std::vector<Triangle> triangles(mesh.triangleSlots());
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        positions.push_back(mesh.restPosition(v) + by);
+        positions[v] = mesh.restPosition(v) + by;
     }
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        triangles.push_back(mesh.triangle(t));
+        triangles[t] = mesh.triangle(t);
     }
     return SurfaceMesh::fromTriangles(positions, triangles);
 }
@@ -31,6 +31,8 @@ SurfaceMesh both(const SurfaceMesh& first, const SurfaceMesh& second) {
     std::vector<Triangle> triangles;
     for (const SurfaceMesh* mesh : {&first, &second}) {
         const int offset = static_cast<int>(positions.size());
+        positions.reserve(positions.size() + mesh->vertexCount());
+        triangles.reserve(triangles.size() + mesh->triangleSlots());
         for (int v = 0; v < mesh->vertexCount(); ++v) {
             positions.push_back(mesh->restPosition(v));
         }
@@ -40,6 +42,14 @@ SurfaceMesh both(const SurfaceMesh& first, const SurfaceMesh& second) {
         }
     }
     return SurfaceMesh::fromTriangles(positions, triangles);
+}
+
+std::vector<Vec3> positionsFrom(const SurfaceMesh& mesh, int first) {
+    std::vector<Vec3> positions(mesh.vertexCount() - first);
+    for (int v = first; v < mesh.vertexCount(); ++v) {
+        positions[v - first] = mesh.position(v);
+    }
+    return positions;
 }
 
 class SeveralModelsTest : public test::SimulationTest {
@@ -58,22 +68,14 @@ class SeveralModelsTest : public test::SimulationTest {
     /// Where the vertices of the second are after so many steps.
     std::vector<Vec3> barAfter(int steps) {
         run(steps);
-        std::vector<Vec3> positions;
-        for (int v = 0; v < bar.vertexCount(); ++v) {
-            positions.push_back(simulation->mesh().position(ball.vertexCount() + v));
-        }
-        return positions;
+        return positionsFrom(simulation->mesh(), ball.vertexCount());
     }
     std::vector<Vec3> aloneAfter(int steps, const Params& with) {
         Simulation alone(bar, with);
         for (int i = 0; i < steps; ++i) {
             alone.step();
         }
-        std::vector<Vec3> positions;
-        for (int v = 0; v < bar.vertexCount(); ++v) {
-            positions.push_back(alone.mesh().position(v));
-        }
-        return positions;
+        return positionsFrom(alone.mesh(), 0);
     }
     static double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
         double most = 0;
