@@ -1,7 +1,7 @@
 // What contact must hold: halves that rest on each other, an octopus dropped on
 // its arms, bodies dropped and thrown at random, spheres that fall onto bars.
-//   kerf_contact_bench [halves|blocks|octopus|speed|collision|drops|bars] [--runs N] [--first I]
-//   [--seed S] [--NAME VALUE ...]
+//   kerf_contact_bench [halves|blocks|octopus|speed|crowd|collision|drops|bars] [--runs N]
+//   [--first I] [--seed S] [--NAME VALUE ...]
 // where NAME is a parameter of the simulation.
 
 #include <cmath>
@@ -141,6 +141,13 @@ void play(const Options& options) {
     if (asked("speed")) {
         for (const char* model : {"sphere768", "banana", "octopus"}) {
             std::printf("%s: %s\n", model, text(timeDrop(model, options.params)).c_str());
+            std::fflush(stdout);
+        }
+    }
+    if (asked("crowd")) {
+        for (const double speed : {1.0, 5.0, 20.0}) {
+            std::printf("crowd at %.0f m/s: %s\n", speed,
+                        text(throwCrowd(speed, options.params)).c_str());
             std::fflush(stdout);
         }
     }

@@ -42,13 +42,6 @@ struct BoxRecord {
     vec4 z;
 };
 
-// The box around the vertices of a piece at the beginning of a time step, as words in the order of
-// the floats, see ordered_floats.glsl.
-struct PieceBounds {
-    uint low_x, low_y, low_z;
-    uint high_x, high_y, high_z;
-};
-
 // Where a corner or an edge of a box meets a triangle in a substep.
 struct BoxTouch {
     vec4 normal;   // away from the box; w: how far X is to be pushed along it [m]

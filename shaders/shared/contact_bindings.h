@@ -21,7 +21,7 @@ SHARED_CONST uint kContactStartsBinding = 9u;        // ContactBucket
 SHARED_CONST uint kContactSharesBinding = 9u;        // uint per vertex: contacts that it is part of
 SHARED_CONST uint kContactBlocksBinding = 10u;       // uint per block of buckets: its first entry
 SHARED_CONST uint kContactSumsBinding = 10u;         // 6 int per vertex: fixed-point d, then X
-SHARED_CONST uint kContactPiecesBinding = 11u;       // PieceRecord
+SHARED_CONST uint kContactReachBinding = 11u;        // PieceReach per piece
 SHARED_CONST uint kContactCountsBinding = 11u;       // uint per bucket: triangles left to enter
 SHARED_CONST uint kContactEntriesBinding = 12u;      // uint: triangles, bucket by bucket
 SHARED_CONST uint kContactRangesBinding = 12u;       // IncidenceRange per vertex: of
@@ -31,6 +31,8 @@ SHARED_CONST uint kContactPointsBinding = 14u;      // uint: points with candida
 SHARED_CONST uint kContactBucketsBinding = 14u;     // uint per triangle: its bucket
 SHARED_CONST uint kContactStateBinding = 15u;       // ContactState
 SHARED_CONST uint kContactRingsBinding = 10u;       // as kContactIncidenceBinding
+SHARED_CONST uint kContactPiecesBinding = 8u;       // PieceRecord
+SHARED_CONST uint kContactMotionBinding = 9u;       // PieceMotion per piece
 
 // Of the kernels of the paper's contact, besides those of the grid.
 SHARED_CONST uint kPaperRequestsBinding = 3u;   // PaperRequest per triangle

@@ -49,7 +49,7 @@ struct ContactUniforms {
     float reach;            // pairs this near are candidates whatever their speed [m]
     float interval;         // time until candidates are looked for anew [s]
     float margin;           // no pair is a candidate beyond this [m]
-    float cell;             // of the finest grid [m]
+    float cell;             // of the finest grid [m]; piece_reach writes it where that runs
     float thickness;        // distance kept from what was never one material [m]
     float substep;          // [s]
     float lift_speed;       // at which penetrations are taken back [m/s]
@@ -64,7 +64,7 @@ struct ContactUniforms {
 // The box around a triangle.
 struct ContactBox {
     vec4 low;   // w: as uint, kFirstBin + the bin of its normal, see directions.glsl
-    vec4 high;  // w unused
+    vec4 high;  // w: as uint, kFirstBin + its piece
 };
 
 // Added to a bin: a word with these bits is an ordinary number as a float.
@@ -73,8 +73,30 @@ SHARED_CONST uint kNoBin = 24u;  // of a triangle without an area
 
 // A bucket of the grid.
 struct ContactBucket {
-    uint start;       // first entry in its block
-    uint directions;  // bins of the normals of its triangles
+    uint start;        // first entry in its block
+    uint directions;   // bins of the normals of its triangles
+    uint first_piece;  // the complement of the lowest number of their pieces
+    uint last_piece;   // 1 + the highest
+};
+
+// The box around the vertices of a piece, as words in the order of the floats, see
+// ordered_floats.glsl.
+struct PieceBounds {
+    uint low_x, low_y, low_z;
+    uint high_x, high_y, high_z;
+};
+
+// How the vertices of a piece lie and move when candidates are looked for. The lows hold the
+// complements of words, so that each number is a maximum that begins with 0.
+struct PieceMotion {
+    PieceBounds place;     // of X [m]
+    PieceBounds velocity;  // [m/s]
+};
+
+// Up to where vertices of a piece look for triangles [m].
+struct PieceReach {
+    float own;     // of their piece; below 0: they look for none
+    float others;  // of other pieces; 0: none comes near
 };
 
 // A triangle that a point may touch.

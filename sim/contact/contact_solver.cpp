@@ -20,7 +20,9 @@ using shared::uint;
 
 static_assert(sizeof(shared::ContactUniforms) == 56);
 static_assert(sizeof(shared::ContactBox) == 32);
-static_assert(sizeof(shared::ContactBucket) == 8);
+static_assert(sizeof(shared::ContactBucket) == 16);
+static_assert(sizeof(shared::PieceMotion) == 48);
+static_assert(sizeof(shared::PieceReach) == 8);
 static_assert(sizeof(shared::ContactCandidate) == 8);
 static_assert(sizeof(shared::ContactRecord) == 64);
 static_assert(sizeof(shared::EdgePair) == 12);
@@ -90,6 +92,8 @@ shared::ContactUniforms contactUniforms(const ContactSettings& settings, double 
 
 ContactSolver::ContactSolver() {
     kernels_.normals = gpu::Program::compute("sim/contact/normals.comp");
+    kernels_.pieceMotion = gpu::Program::compute("sim/contact/piece_motion.comp");
+    kernels_.pieceReach = gpu::Program::compute("sim/contact/piece_reach.comp");
     kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
     kernels_.edgePairs = gpu::Program::compute("sim/contact/edge_pairs.comp");
     kernels_.detectEdges = gpu::Program::compute("sim/contact/detect_edges.comp");
@@ -131,6 +135,8 @@ void ContactSolver::takeBody() {
     const std::size_t n = body_.vertexCount;
     normals_.resize(n * sizeof(shared::vec4));
     restNormals_.resize(n * sizeof(shared::vec4));
+    motions_.resize(std::max(body_.pieceCount, 1u) * sizeof(shared::PieceMotion));
+    reaches_.resize(std::max(body_.pieceCount, 1u) * sizeof(shared::PieceReach));
     grid_.resize(body_.triangleCount);
     candidates_.resize(n * kCandidatesPerPoint * sizeof(shared::ContactCandidate));
     points_.resize(n * sizeof(uint));
@@ -178,6 +184,7 @@ void ContactSolver::search() {
 
 void ContactSolver::findFromSearched() {
     runNormals(searchedPositions_, normals_);
+    findReaches();
     grid_.fill(searchedPositions_);
     findCandidates();
     ++searches_;
@@ -220,11 +227,25 @@ void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& 
     run(kernels_.normals, body_.vertexCount);
 }
 
+// Before the grid, whose cells are as wide as they ask for.
+void ContactSolver::findReaches() {
+    motions_.clear();
+    searchedPositions_.bindStorage(shared::kContactPositionsBinding);
+    searchedVelocities_.bindStorage(shared::kContactVelocitiesBinding);
+    body_.links->bindStorage(shared::kContactLinksBinding);
+    body_.pieces->bindStorage(shared::kContactPiecesBinding);
+    motions_.bindStorage(shared::kContactMotionBinding);
+    reaches_.bindStorage(shared::kContactReachBinding);
+    run(kernels_.pieceMotion, body_.vertexCount);
+    kernels_.pieceReach.set("pieceCount", body_.pieceCount);
+    run(kernels_.pieceReach, 1);
+}
+
 void ContactSolver::findCandidates() {
     searchedVelocities_.bindStorage(shared::kContactVelocitiesBinding);
     body_.restPositions->bindStorage(shared::kContactRestBinding);
     body_.links->bindStorage(shared::kContactLinksBinding);
-    body_.pieces->bindStorage(shared::kContactPiecesBinding);
+    reaches_.bindStorage(shared::kContactReachBinding);
     normals_.bindStorage(shared::kContactNormalsBinding);
     restNormals_.bindStorage(shared::kContactRestNormalsBinding);
     candidates_.bindStorage(shared::kContactCandidatesBinding);

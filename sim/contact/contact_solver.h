@@ -26,6 +26,7 @@ struct ContactBody {
     const gpu::Buffer* incidence = nullptr;
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;
+    std::uint32_t pieceCount = 0;
 };
 
 /// How surfaces answer to one another.
@@ -138,14 +139,15 @@ class ContactSolver {
 
   private:
     struct Kernels {
-        gpu::Program normals, candidates, edgePairs, detect, detectEdges, respond, apply,
-            respondAgain, applyLast;
+        gpu::Program normals, pieceMotion, pieceReach, candidates, edgePairs, detect, detectEdges,
+            respond, apply, respondAgain, applyLast;
     };
     const gpu::Program& detect() const;
     void takeBody();
     void uploadUniforms();
     void findFromSearched();
     void runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
+    void findReaches();
     void findCandidates();
     void run(const gpu::Program& kernel, std::uint32_t threads);
     void runIndirect(const gpu::Program& kernel, std::size_t offset);
@@ -168,6 +170,7 @@ class ContactSolver {
 
     gpu::Buffer uniformBuffer_, state_;
     gpu::Buffer searchedPositions_, searchedVelocities_;
+    gpu::Buffer motions_, reaches_;
     gpu::Buffer normals_, restNormals_;
     gpu::Buffer candidates_, points_, edgePairs_, records_, shares_, sums_;
 };

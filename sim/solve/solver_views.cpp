@@ -14,7 +14,8 @@ ContactBody contactBodyOf(const SolverBody& body) {
             .incidenceRanges = &model.triangleIncidence.ranges,
             .incidence = &model.triangleIncidence.entries,
             .vertexCount = body.uniforms.vertex_count,
-            .triangleCount = body.uniforms.triangle_count};
+            .triangleCount = body.uniforms.triangle_count,
+            .pieceCount = static_cast<std::uint32_t>(body.pieces.pieces().size())};
 }
 
 BodyView bodyViewOf(const SolverBody& body) {

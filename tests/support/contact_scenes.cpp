@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <numbers>
 #include <numeric>
@@ -300,6 +301,85 @@ std::string text(const SpeedFigures& f) {
                   "%ld steps, without contact %.2f ms, with %.2f ms (medians), ratio %.2f, of all "
                   "steps together %.2f",
                   f.steps, f.plain, f.touching, f.touching / f.plain, f.touchingSum / f.plainSum);
+    return line;
+}
+
+namespace {
+
+constexpr int kCrowdSide = 8;
+constexpr double kCrowdRadius = 0.1;
+
+TriangleSoup crowdSoup() {
+    const TriangleSoup one = icosphereSoup(2, kCrowdRadius);
+    TriangleSoup all;
+    for (int i = 0; i < kCrowdSide * kCrowdSide; ++i) {
+        const Vec3 cell(i % kCrowdSide, 0, i / kCrowdSide);
+        all = joined(all, one, 2.1 * kCrowdRadius * cell);
+    }
+    return all;
+}
+
+/// Each piece another way, upwards rather than down.
+void throwApart(SurfaceMesh& mesh, double speed) {
+    cut::Jitter random(1);
+    const int each = mesh.vertexCount() / (kCrowdSide * kCrowdSide);
+    Vec3 velocity = Vec3::Zero();
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (v % each == 0) {
+            velocity = speed * random.direction();
+            velocity.y() = std::abs(velocity.y());
+        }
+        mesh.setVelocity(v, velocity);
+    }
+}
+
+/// Of all threads, of which llvmpipe's are some.
+double processorMilliseconds() {
+    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+std::vector<double> processorTimes(Simulation& simulation, int steps) {
+    std::vector<double> times;
+    for (int i = 0; i < steps; ++i) {
+        const double start = processorMilliseconds();
+        simulation.step();
+        times.push_back(processorMilliseconds() - start);
+    }
+    return times;
+}
+
+}  // namespace
+
+CrowdFigures throwCrowd(double speed, const Params& given, int steps) {
+    Params params = given;
+    params.contact = 1;
+    SurfaceMesh mesh = meshOf(crowdSoup());
+    params.floor = meshBounds(mesh).low.y();
+    CrowdFigures figures;
+    figures.vertices = mesh.vertexCount();
+    {
+        Simulation lying(mesh, params);
+        for (int i = 0; i < stepsOf(0.5, params); ++i) {
+            lying.step();
+        }
+        figures.lying = median(processorTimes(lying, steps));
+    }
+    throwApart(mesh, speed);
+    Simulation thrown(std::move(mesh), params);
+    const std::vector<double> times = processorTimes(thrown, steps);
+    figures.thrown = median(times);
+    figures.longest = std::ranges::max(times);
+    figures.stateHash = thrown.stateHash();
+    return figures;
+}
+
+std::string text(const CrowdFigures& f) {
+    char line[256];
+    std::snprintf(line, sizeof line,
+                  "%d vertices, processor time of a step: lying %.1f ms, thrown %.1f ms (medians), "
+                  "ratio %.2f, longest %.1f ms; ends as %s",
+                  f.vertices, f.lying, f.thrown, f.thrown / f.lying, f.longest,
+                  f.stateHash.c_str());
     return line;
 }
 

@@ -54,6 +54,19 @@ struct SpeedFigures {
 SpeedFigures timeDrop(const std::string& model, const Params& params, double seconds = 1);
 std::string text(const SpeedFigures& figures);
 
+/// Processor time of a step with 64 pieces of 162 vertices each that lie side by side, and of the
+/// same ones just thrown, each in another direction.
+struct CrowdFigures {
+    int vertices = 0;
+    double lying = 0;   ///< median [ms of all threads]
+    double thrown = 0;  ///< median [ms of all threads]
+    double longest = 0;
+    std::string stateHash;  ///< at the end
+};
+/// `speed`: of each [m/s].
+CrowdFigures throwCrowd(double speed, const Params& params, int steps = 40);
+std::string text(const CrowdFigures& figures);
+
 /// Two spheres without gravity that fly into each other off their middles, spin, and part.
 struct CollisionFigures {
     int stepsInContact = 0;

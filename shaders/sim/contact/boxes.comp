@@ -1,5 +1,5 @@
 // The box of each triangle and its bucket in the grid, and how many triangles a bucket gets.
-// Reads X, triangles. Writes boxes, buckets, counts, directions, the levels in use and how large
+// Reads X, triangles. Writes boxes, buckets, counts, directions and pieces, the levels in use and how large
 // their boxes are. One thread per triangle. A storage barrier follows, then scan.
 #include "body_records.h"
 #include "contact_bindings.h"
@@ -32,8 +32,12 @@ void main() {
     uint bucket = bucketOf(ivec3(floor(0.5 * (low + high) / cellSize(level))), level);
     vec3 normal = cross(b - a, c - a);
     uint bin = dot(normal, normal) > 0.0 ? binOf(normal) : kNoBin;
-    boxes[t] = ContactBox(vec4(low, uintBitsToFloat(kFirstBin + bin)), vec4(high, 0.0));
+    uint piece = triangles[t].w >> 8;
+    boxes[t] = ContactBox(vec4(low, uintBitsToFloat(kFirstBin + bin)),
+                          vec4(high, uintBitsToFloat(kFirstBin + piece)));
     atomicOr(starts[bucket].directions, 1u << bin);
+    atomicMax(starts[bucket].first_piece, ~piece);
+    atomicMax(starts[bucket].last_piece, piece + 1u);
     buckets[t] = bucket;
     atomicAdd(counts[bucket], 1u);
     atomicOr(state.levels, 1u << level);

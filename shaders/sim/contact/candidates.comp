@@ -5,7 +5,7 @@
 // Within a piece a vertex touches the opposite wall of a slit, or what is far away in the rest
 // shape, as another arm; never the material around it or behind it.
 //
-// Reads X, velocities, rest shape, normals, the grid. Writes candidates, the list of points with
+// Reads X, velocities, rest shape, normals, reaches, the grid. Writes candidates, the list of points with
 // any and its length. One thread per vertex. A storage and a command barrier follow.
 #include "body_records.h"
 #include "contact_bindings.h"
@@ -27,7 +27,7 @@ layout(std430, binding = kContactRestNormalsBinding) readonly buffer RestNormals
 layout(std430, binding = kContactBoxesBinding) readonly buffer Boxes { ContactBox boxes[]; };
 layout(std430, binding = kContactStartsBinding) readonly buffer Starts { ContactBucket starts[]; };
 layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };
-layout(std430, binding = kContactPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
+layout(std430, binding = kContactReachBinding) readonly buffer Reaches { PieceReach reaches[]; };
 layout(std430, binding = kContactEntriesBinding) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = kContactCandidatesBinding) writeonly buffer Candidates {
     ContactCandidate candidates[];
@@ -108,7 +108,7 @@ float thicknessAt(float separation) {
 void consider(uint v, vec3 p, uint index) {
     uvec4 t = triangles[index];
     if (t.x == v || t.y == v || t.z == v) return;
-    if (pieces[t.w >> 8].constrained == 0u) return;  // a chip
+    if (reaches[t.w >> 8].own < 0.0) return;  // a chip
     vec3 a = positions[t.x].xyz - p;
     vec3 b = positions[t.y].xyz - p;
     vec3 c = positions[t.z].xyz - p;
@@ -130,15 +130,24 @@ void consider(uint v, vec3 p, uint index) {
 const uint kMostPending = 32u;
 // Of the margin: what floats may say of a box's distance against the triangle's.
 const float kSlack = 0.01;
+const int kMostCells = 6;            // along an axis
 uint pending[kMostPending];
 uint waiting;
 float farthest;  // from here no box holds one of the nearest [m]
+uint ownPiece;
+PieceReach reach;
+
+float limitFor(bool own) {
+    return min(farthest, own ? reach.own : reach.others);
+}
 
 void look(vec3 p, uint index) {
     vec4 low = boxes[index].low;
-    vec3 outside = max(max(low.xyz - p, p - boxes[index].high.xyz), vec3(0.0));
+    vec4 high = boxes[index].high;
+    vec3 outside = max(max(low.xyz - p, p - high.xyz), vec3(0.0));
     bool mayOppose = (opposed >> (floatBitsToUint(low.w) - kFirstBin) & 1u) != 0u;
-    if (mayOppose && dot(outside, outside) <= farthest * farthest) {
+    float limit = limitFor(floatBitsToUint(high.w) - kFirstBin == ownPiece);
+    if (mayOppose && dot(outside, outside) <= limit * limit) {
         pending[waiting] = index;
         ++waiting;
     }
@@ -151,36 +160,45 @@ struct Cursor {
     uint entry;   // of that cell's bucket
 };
 
+// Whether the bucket holds something that the vertex may touch, which is `away` at least.
+bool isWorthALook(uint bucket, float away) {
+    bool own = ~starts[bucket].first_piece == ownPiece && starts[bucket].last_piece == ownPiece + 1u;
+    float limit = own ? reach.own : max(reach.own, reach.others);
+    return (starts[bucket].directions & opposed) != 0u && away <= min(farthest, limit);
+}
+
 // Whether the end of the bucket was reached before too many waited.
-bool searchCell(vec3 p, ivec3 cell, uint level, inout uint entry) {
-    uint bucket = bucketOf(cell, level);
+bool searchCell(vec3 p, uint bucket, inout uint entry) {
     uint next = bucket + 1u;
     uint first = blocks[bucket / kGroupSize] + starts[bucket].start;
     uint end = next == uniforms.bucket_count ? uniforms.triangle_count
                                              : blocks[next / kGroupSize] + starts[next].start;
-    if ((starts[bucket].directions & opposed) == 0u) end = first;
     uint k = first + entry;
     for (; k < end && waiting < kMostPending; ++k) {
         look(p, entries[k]);
     }
-    bool done = k >= end;
-    entry = done ? 0u : k - first;
-    return done;
+    entry = k - first;
+    return k >= end;
 }
 
 bool searchLevel(vec3 p, uint level, inout Cursor cursor) {
     float size = cellSize(level);
-    float range = 0.5 * min(size, uintBitsToFloat(state.largest[level])) + uniforms.margin;
+    float halfBox = 0.5 * min(size, uintBitsToFloat(state.largest[level]));
+    float range = halfBox + max(reach.own, reach.others);
     ivec3 low = ivec3(floor((p - range) / size));
-    // Cells are at least two margins wide; a number that is not finite may say anything.
-    ivec3 count = clamp(ivec3(floor((p + range) / size)) - low, 0, 2) + 1;
+    // No reach is three cells wide; a number that is not finite may say anything.
+    ivec3 count = clamp(ivec3(floor((p + range) / size)) - low, 0, kMostCells - 1) + 1;
     int cells = count.x * count.y * count.z;
     bool goesOn = true;
     while (goesOn && cursor.cell < cells) {
         int i = cursor.cell;
         ivec3 cell = low + ivec3(i % count.x, (i / count.x) % count.y, i / (count.x * count.y));
-        goesOn = searchCell(p, cell, level, cursor.entry);
+        vec3 middle = (vec3(cell) + 0.5) * size;
+        vec3 outside = max(abs(p - middle) - (0.5 + kSlack) * size - halfBox, vec3(0.0));
+        uint bucket = bucketOf(cell, level);
+        goesOn = !isWorthALook(bucket, length(outside)) || searchCell(p, bucket, cursor.entry);
         cursor.cell += goesOn ? 1 : 0;
+        cursor.entry = goesOn ? 0u : cursor.entry;
     }
     return goesOn;
 }
@@ -188,6 +206,8 @@ bool searchLevel(vec3 p, uint level, inout Cursor cursor) {
 void search(uint v, vec3 p) {
     Cursor cursor = Cursor(state.levels, 0, 0u);
     farthest = uniforms.margin;
+    ownPiece = links[v].piece;
+    reach = reaches[ownPiece];
     while (cursor.levels != 0u) {
         waiting = 0u;
         bool goesOn = true;
@@ -211,7 +231,7 @@ void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     uint piece = links[v].piece;
-    if (piece != kNoPiece && pieces[piece].constrained != 0u) {
+    if (piece != kNoPiece && reaches[piece].own >= 0.0) {
         opposed = opposedBins(normals[v].xyz);
         search(v, positions[v].xyz);
     }
