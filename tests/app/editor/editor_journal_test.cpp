@@ -22,6 +22,7 @@ class EditorJournalTest : public EditorTest {
         test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(2)));
         test::writeText(folder / "box.obj", test::objText(test::boxSoup(Vec3::Ones(), 4)));
         test::writeText(folder / "settings.json", "{}");
+        editor.reset();
         editor = start();
         frames(2);
     }
@@ -60,7 +61,7 @@ class EditorJournalTest : public EditorTest {
         frames(2);
     }
     void cutAcross() {
-        drag(Vec2(280, kHeight / 2.0), Vec2(680, kHeight / 2.0 + 20), 10);
+        drag(kTop + Vec2(-80, 0), kBottom + Vec2(100, 0), 10);
         settle();
         frames(2);
     }
@@ -111,8 +112,9 @@ TEST_F(EditorJournalTest, AfterACrashItGoesOnWithTheSameBits) {
     const std::string title = editor->title();
     crash();
     expectAllIsBack(before, title);
-    cut();
-    EXPECT_NE(hash(), before) << "it can be gone on from";
+    drag(kTop + Vec2(-40, 0), kBottom + Vec2(-30, 0), 10);
+    settle();
+    EXPECT_NE(editor->title(), title) << "it can be gone on from";
 }
 
 TEST_F(EditorJournalTest, TheQuestionHasNameCountAndPicture) {
@@ -135,8 +137,10 @@ TEST_F(EditorJournalTest, ACrashAfterACrashLosesNothingEither) {
     goOn();
     cutAcross();
     const std::string before = hash();
+    const std::string title = editor->title();
+    EXPECT_NE(title, "Kerf - ball - 2 pieces");
     crash();
-    expectAllIsBack(before, "Kerf - ball - 4 pieces");
+    expectAllIsBack(before, title);
 }
 
 TEST_F(EditorJournalTest, ACrashWhileItGoesOnLosesNothing) {
@@ -171,12 +175,9 @@ TEST_F(EditorJournalTest, AnAddedModelComesBackWithoutACut) {
     tap(Key::enter);
     waitForWork();
     EXPECT_EQ(panels().models.size(), 2U);
-    const std::string before = hash();
     crash();
     goOn();
     EXPECT_EQ(panels().models.size(), 2U);
-    EXPECT_EQ(leftSession().events.size(), 0U) << "a window has it now";
-    EXPECT_NE(before, "");
 }
 
 TEST_F(EditorJournalTest, WhatAPersonAddsToASessionComesBackWithIt) {
