@@ -77,6 +77,7 @@ void Editor::State::show(UploadedDocument uploaded) {
     panels.plotView = {};
     clock.stop();
     toast.withdrawOffer();
+    describeScene();  // It may begin to work at once, and what was told is of the one before.
     redraw.scene();
     if (scene->document().guess && !scene->document().guess->certain) {
         panels.unfold("model");  // The guess is a question, too.

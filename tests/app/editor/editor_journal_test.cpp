@@ -26,12 +26,13 @@ class EditorJournalTest : public EditorTest {
         editor = start();
         frames(2);
     }
-    std::unique_ptr<Editor> start() {
+    std::unique_ptr<Editor> start(bool byTheClock = false) {
         EditorOptions options;
         options.width = kWidth;
         options.height = kHeight;
         options.quality = render::Quality::light;
-        options.byTheClock = false;
+        options.byTheClock = byTheClock;
+        options.portion = 1e-6;
         options.screenshotFolder = folder.path();
         options.settingsFile = folder / "settings.json";
         options.journals = journals.path();
@@ -152,6 +153,17 @@ TEST_F(EditorJournalTest, ACrashWhileItGoesOnLosesNothing) {
     click("question.0");
     crash();
     expectAllIsBack(before, "Kerf - ball - 2 pieces");
+}
+
+// The plots had read from the scene before, which was gone.
+TEST_F(EditorJournalTest, WhatComesBackInPortionsIsToldOfAtOnce) {
+    cut();
+    crash();
+    editor = start(true);
+    awaitQuestion();
+    click("question.0");
+    waitForWork();
+    EXPECT_EQ(panels().history, &editor->scene()->readings().history());
 }
 
 TEST_F(EditorJournalTest, UndoneAndFallingWorkComesBackToo) {
