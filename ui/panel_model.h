@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "render/scene/image.h"
 #include "sim/base/params.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/subdivision_pattern.h"
@@ -99,6 +101,7 @@ struct Question {
     std::string title;
     std::string text;
     std::vector<std::string> choices;  ///< Enter takes the first, Esc the last
+    std::shared_ptr<const render::Image> picture = nullptr;  ///< what it is about; may be null
 };
 
 /// An action that a hint offers, with its label there.

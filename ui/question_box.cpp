@@ -1,8 +1,10 @@
 #include "ui/question_box.h"
 
+#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "ui/item_rects.h"
@@ -35,7 +37,25 @@ void drawChoices(const Question& question, std::vector<Action>& actions) {
     }
 }
 
+gpu::Texture textureOf(const render::Image& image) {
+    gpu::Texture texture(GL_RGBA8, image.width, image.height);
+    glTextureSubImage2D(texture.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                        image.pixels.data());
+    return texture;
+}
+
 }  // namespace
+
+void QuestionBox::drawPicture() {
+    const float most = ImGui::GetContentRegionAvail().x;
+    const auto width = static_cast<float>(picture_.width());
+    const auto height = static_cast<float>(picture_.height());
+    const float scale = std::min(1.0F, most / width);
+    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.id())),
+                 {scale * width, scale * height});
+    noteItem("question.picture");
+    ImGui::Spacing();
+}
 
 void QuestionBox::draw(const Question& question, std::vector<Action>& actions) {
     const bool wanted = !question.text.empty();
@@ -45,12 +65,16 @@ void QuestionBox::draw(const Question& question, std::vector<Action>& actions) {
         return;
     }
     if (justOpened) {
+        picture_ = question.picture ? textureOf(*question.picture) : gpu::Texture();
         ImGui::OpenPopup(kWindow);
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(34 * ImGui::GetFontSize(), 0.9F * display.x);
     if (!beginModal(question.title + kWindow, width, 0, wanted)) {
         return;
+    }
+    if (picture_.id() != 0) {
+        drawPicture();
     }
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(question.text.c_str());

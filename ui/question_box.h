@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "gpu/framebuffer.h"
 #include "ui/action.h"
 #include "ui/panel_model.h"
 
@@ -15,6 +16,9 @@ class QuestionBox {
     bool isOpen() const { return open_; }
 
   private:
+    void drawPicture();
+
+    gpu::Texture picture_;
     bool open_ = false;
 };
 

@@ -19,7 +19,8 @@ struct Settings {
     double uiScale = 1;  ///< over the display's own
     bool showControls = true;
     bool showReadings = true;
-    bool timeRunsWhileCutting = false;                   ///< in a pause; it stands otherwise
+    bool timeRunsWhileCutting = false;  ///< in a pause; it stands otherwise
+    bool keepsJournal = true;  ///< of what is done, for the case that the program ends unexpectedly
     double controlsWidth = 300;                          ///< of the left panel [px]
     double readingsWidth = 300;                          ///< of the right panel [px]
     double piecesShare = 0.2;                            ///< of the left panel's height

@@ -76,6 +76,11 @@ void drawWindowRows(const PanelModel& model, std::vector<Action>& actions) {
     rowLabel("Mouse");
     itemTooltip("How drags turn and move the view; F1 lists them");
     changed = chooseMouse(settings) || changed;
+    changed = ImGui::Checkbox("Keep a journal", &settings.keepsJournal) || changed;
+    noteItem("window.journal");
+    itemTooltip(
+        "What you do is written down at once, so that nothing is lost if Kerf ends "
+        "unexpectedly");
     if (changed) {
         actions.emplace_back(SetSettings{settings});
     }

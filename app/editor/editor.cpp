@@ -57,12 +57,15 @@ void Editor::frame(double elapsedSeconds) {
         s.redraw.panels();
     }
     s.advance(elapsedSeconds);
+    s.keepWork(elapsedSeconds);
+    s.offerLeftWork();
     s.followGizmo();
     s.followPlacement();
     s.followThickness();
     s.followMeasures();
     s.followPieceSums();
     s.drawScene();
+    s.keepPicture();
     s.panels.interface.draw(s.picture.target());
     s.saveScreenshot();
     s.keepSettings();
@@ -93,12 +96,18 @@ double Editor::idleSeconds() const {
     if (s.work.saves() || s.chooser.previews() || (scene && scene->thickness().working())) {
         return kWorkPause;
     }
-    const double rest = s.kernels.left() ? kWorkPause : kForever;
+    const bool soon = s.kernels.left() || s.offers.looking() || !s.keeping.settled();
+    const double rest =
+        std::min(soon ? kWorkPause : kForever, s.keeping.pictureDue().value_or(kForever));
     return s.toast.visible() ? std::min(rest, s.toast.steadySeconds()) : rest;
 }
 
 bool Editor::working() const {
     return state_->work.opening() != nullptr || state_->work.saves();
+}
+
+void Editor::askToLeave() {
+    state_->leave();
 }
 
 bool Editor::closing() const {

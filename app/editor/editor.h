@@ -36,6 +36,7 @@ struct EditorOptions {
     /// The file of the person's settings; empty keeps none, as in tests.
     std::filesystem::path settingsFile;
     std::filesystem::path recentFiles;  ///< see RecentFiles; empty keeps none
+    std::filesystem::path journals;     ///< the folder of journals; empty keeps none
 };
 
 /// The editor behind a window or without one: events in, pictures out. It needs a current OpenGL
@@ -65,6 +66,8 @@ class Editor {
 
     /// Whether a file is on its way in or out; what is open goes on meanwhile.
     bool working() const;
+    /// The person wants to leave, as by the window's own button: asks about work that is not saved.
+    void askToLeave();
     /// Whether the person asked to leave and nothing is left to be saved.
     bool closing() const;
 

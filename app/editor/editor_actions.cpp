@@ -261,7 +261,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::screenshot, Needs::nothing, [](State& s) { s.screenshotWanted = true; }},
     Handler{ActionId::sceneScreenshot, Needs::body,
             [](State& s) { s.savePicture(s.picture.readScene(*s.scene, s.view), "kerf-scene"); }},
-    Handler{ActionId::quit, Needs::nothing, [](State& s) { s.closing = true; }},
+    Handler{ActionId::quit, Needs::nothing, [](State& s) { s.leave(); }},
     Handler{ActionId::undo, Needs::body, [](State& s) { stepThroughHistory(s, Undo{}); }},
     Handler{ActionId::redo, Needs::body, [](State& s) { stepThroughHistory(s, Redo{}); }},
     Handler{ActionId::cancel, Needs::nothing, cancel},
@@ -275,7 +275,11 @@ constexpr std::array kHandlers{
     Handler{ActionId::toolMove, Needs::scene, take<Tool::move>},
     Handler{ActionId::toolMeasure, Needs::scene, take<Tool::measure>},
     Handler{ActionId::bringDown, Needs::scene,
-            [](State& s) { s.view.bladeTool.bringDown(*s.scene.meanwhile()); }},
+            [](State& s) {
+                if (!s.comesBack()) {
+                    s.view.bladeTool.bringDown(*s.scene.meanwhile());
+                }
+            }},
     Handler{ActionId::freePins, Needs::body, freePins},
     Handler{ActionId::removeRetractor, Needs::body, removeRetractor},
     Handler{ActionId::playPause, Needs::scene, playOrPause},
@@ -421,7 +425,8 @@ struct Answer {
     }
     void operator()(const ui::ExportMeasures&) const { exportMeasures(s); }
     void operator()(const ui::OpenExperiment& wanted) const {
-        s.open(gpu::dataPath("assets/sessions/" + wanted.name + ".kerf.json"));
+        const auto file = gpu::dataPath("assets/sessions/" + wanted.name + ".kerf.json");
+        s.askBefore("Open " + wanted.name, [&s = s, file] { s.open(file); });
     }
     void operator()(const ui::HoverPiece& hover) const { s.view.display.hover(hover.piece); }
     void operator()(const ui::ShowPiece& row) const { s.view.display.show(row.piece, row.visible); }
@@ -471,7 +476,9 @@ struct Answer {
 }  // namespace
 
 void Editor::State::apply(const ui::Action& action) {
-    if (scene != nullptr && needsBody(action)) {
+    if (scene != nullptr && needsBody(action) && comesBack()) {
+        toast.show("Wait a moment: your work is still coming back.", false);
+    } else if (scene != nullptr && needsBody(action)) {
         waiting.push_back(action);
         workOff();
     } else {

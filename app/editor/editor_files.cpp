@@ -66,6 +66,9 @@ void Editor::State::show(UploadedDocument uploaded) {
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     picture.setRestDepth(uploaded.depth);
     scene.set(std::move(next));
+    keeping.begin();
+    comingBack = false;
+    sessionSaving.reset();
     waiting.clear();
     view.begin(*scene);
     guide.begin(*scene);
@@ -74,6 +77,7 @@ void Editor::State::show(UploadedDocument uploaded) {
     panels.plotView = {};
     clock.stop();
     toast.withdrawOffer();
+    describeScene();  // It may begin to work at once, and what was told is of the one before.
     redraw.scene();
     if (scene->document().guess && !scene->document().guess->certain) {
         panels.unfold("model");  // The guess is a question, too.
@@ -131,7 +135,12 @@ void Editor::State::askAboutTest() {
 
 void Editor::State::take(const ChosenFile& chosen) {
     if (chosen.purpose == ui::FilePurpose::open) {
-        chosen.what == BrowseFor::addition ? addModel(chosen.file) : open(chosen.file);
+        if (chosen.what == BrowseFor::addition) {
+            addModel(chosen.file);
+        } else {
+            askBefore("Open " + chosen.file.filename().string(),
+                      [this, file = chosen.file] { open(file); });
+        }
         return;
     }
     save(chosen);
@@ -150,6 +159,7 @@ void Editor::State::save(const ChosenFile& chosen) {
         return;
     }
     if (chosen.purpose == ui::FilePurpose::exportMesh) {
+        sessionSaving.reset();
         const auto coordinates = chosen.inScene ? Coordinates::scene : Coordinates::model;
         work.save(startExport({chosen.file, chosen.filePerPiece, coordinates}, scene->document(),
                               scene->simulation(), view.display.look(*scene)));
@@ -158,6 +168,7 @@ void Editor::State::save(const ChosenFile& chosen) {
     if (chosen.what == BrowseFor::testWithPicture) {
         scene->addPicture(scene->end());
     }
+    sessionSaving = SessionSaving{scene->deeds(), std::exchange(afterSaving, nullptr)};
     const bool isTest = chosen.purpose == ui::FilePurpose::saveTest;
     SavedSession saved =
         scene->savedSession(view.camera.destination(), view.display.settings.colors,
@@ -182,9 +193,27 @@ void Editor::State::followFiles() {
                     outcome->sentence);
         toast.show(*outcome);
         redraw.panels();
+        onSaved(*outcome);
+    }
+    if (!chooser.isOpen()) {
+        afterSaving = nullptr;  // The dialog was left without a name.
     }
     if (chooser.followPreview()) {
         redraw.panels();
+    }
+}
+
+void Editor::State::onSaved(const SavingQueue::Outcome& outcome) {
+    constexpr int kNoNumber = 0;  // not of FileWork::saveBehind()
+    if (outcome.number != kNoNumber || !sessionSaving) {
+        return;
+    }
+    const SessionSaving saved = *std::exchange(sessionSaving, std::nullopt);
+    if (!outcome.failed) {
+        keeping.noteSaved(saved.deeds);
+        if (saved.then) {
+            saved.then();
+        }
     }
 }
 
@@ -198,7 +227,12 @@ void Editor::State::followOpening() {
     try {
         if (auto uploaded = work.advanceOpening(!view.holds())) {
             show(std::move(*uploaded));
-            chooser.addRecent(order.file);
+            if (!order.file.empty()) {
+                chooser.addRecent(order.file);
+            }
+            if (order.shown) {
+                order.shown();
+            }
         }
     } catch (const ModelFault& fault) {
         spdlog::error("{}", fault.what());

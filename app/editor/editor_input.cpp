@@ -69,7 +69,8 @@ void Editor::State::dispatch(const ui::InputEvent& event) {
                 "Of " + counted(drop->files.size(), "file", "files") + " the first is opened.",
                 false);
         }
-        open(drop->files.front());
+        const std::filesystem::path file = drop->files.front();
+        askBefore("Open " + file.filename().string(), [this, file] { open(file); });
     } else if (std::holds_alternative<ui::FocusLost>(event)) {
         view.camera.releaseAll();
         onButton({ui::Button::left, false, {}});
@@ -95,6 +96,9 @@ void Editor::State::onKey(ui::Key key, const ui::Modifiers& modifiers) {
 }
 
 EditorScene* Editor::State::sceneInHand(bool presses) {
+    if (presses && comesBack()) {
+        return nullptr;
+    }
     const ui::Tool tool = view.bladeTool.settings().tool;
     const bool leadsBlade = tool == ui::Tool::stroke || tool == ui::Tool::guillotine;
     return leadsBlade || !(presses || view.holds()) ? scene.meanwhile() : scene.get();

@@ -2,7 +2,9 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 
 #include "sim/mesh/closest_point.h"
@@ -88,6 +90,26 @@ std::optional<double> EditorPicture::fieldAt(EditorScene& scene, const SurfacePo
         value += shares[i] * *at;
     }
     return value;
+}
+
+render::Image EditorPicture::readFree(const EditorView& view) const {
+    const render::Image whole = read();
+    const auto clamped = [](float value, int most) {
+        return std::clamp(static_cast<int>(value), 0, most);
+    };
+    const int left = clamped(view.free.x, whole.width);
+    const int top = clamped(view.free.y, whole.height);
+    const int right = clamped(view.free.x + view.free.width, whole.width);
+    const int bottom = clamped(view.free.y + view.free.height, whole.height);
+    if (right <= left || bottom <= top) {
+        return whole;
+    }
+    render::Image part{right - left, bottom - top, {}};
+    for (int y = top; y < bottom; ++y) {
+        const auto row = whole.pixels.begin() + std::ptrdiff_t(4) * (y * whole.width + left);
+        part.pixels.insert(part.pixels.end(), row, row + std::ptrdiff_t(4) * part.width);
+    }
+    return part;
 }
 
 render::Image EditorPicture::readScene(EditorScene& scene, const EditorView& view) {

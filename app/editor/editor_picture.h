@@ -43,6 +43,8 @@ class EditorPicture {
 
     /// A copy of target() in main memory.
     render::Image read() const { return {target_.width(), target_.height(), target_.readColor()}; }
+    /// What the panels leave free of target(), before they are drawn over it.
+    render::Image readFree(const EditorView& view) const;
     /// The scene alone, without panels and background.
     render::Image readScene(EditorScene& scene, const EditorView& view);
 

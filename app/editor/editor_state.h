@@ -19,9 +19,11 @@
 #include "app/editor/first_steps.h"
 #include "app/editor/input_queue.h"
 #include "app/editor/kernel_preparation.h"
+#include "app/editor/left_work.h"
 #include "app/editor/redraw.h"
 #include "app/editor/scene_at_work.h"
 #include "app/editor/step_clock.h"
+#include "app/editor/work_keeping.h"
 
 namespace kerf::app {
 
@@ -34,7 +36,9 @@ struct Editor::State {
           panels(options),
           picture(options.quality),
           chooser(options.screenshotFolder, options.recentFiles),
-          work(options.screenshotFolder) {
+          work(options.screenshotFolder),
+          keeping(options.journals),
+          offers(options.journals) {
         view.resize(options.width, options.height);
         view.display.settings.quality = options.quality;
     }
@@ -57,12 +61,23 @@ struct Editor::State {
     ExperimentBoard experiments;
     FileChooser chooser;
     FileWork work;
+    WorkKeeping keeping;
+    LeftWorkOffers offers;
     /// A question that waits for the person, and what is done with the choice.
     struct Asked {
         ui::Question question;
         std::function<void(int choice)> answer;
     };
     std::optional<Asked> asked;
+    /// What comes after the session is saved that the dialog asks a name for.
+    std::function<void()> afterSaving;
+    /// A session on its way into a file.
+    struct SessionSaving {
+        int deeds = 0;               ///< that it has
+        std::function<void()> then;  ///< once it is there; may be null
+    };
+    std::optional<SessionSaving> sessionSaving;
+    bool comingBack = false;  ///< see comesBack()
     bool screenshotWanted = false;
     bool closing = false;
 
@@ -131,6 +146,24 @@ struct Editor::State {
     void take(const ChosenFile& chosen);
     void save(const ChosenFile& chosen);
     int savePicture(render::Image image, const std::string& name);
+
+    /// Takes note of the end of a saving.
+    void onSaved(const SavingQueue::Outcome& outcome);
+
+    // Work that must not be lost: editor_keeping.cpp.
+    void keepWork(double elapsedSeconds);
+    /// Keeps a small picture of the scene, where one is due.
+    void keepPicture();
+    /// Asks what becomes of what a window left behind, if there is any.
+    void offerLeftWork();
+    void goOnFrom(const LeftWork& left);
+    /// Whether it is still being played: what is done now would leave the rest of it out.
+    bool comesBack();
+    bool hasUnsavedWork() const;
+    /// Does `next`, before which a person is asked about work that is not saved: "WHAT and lose
+    /// what was done?"
+    void askBefore(const std::string& what, std::function<void()> next);
+    void leave();
 
     // What the panels show: editor_description.cpp.
     /// Fills it in. Without `withOverlay` the lines of the coming cut stay as they were.

@@ -43,6 +43,7 @@ class FileChooser {
     /// The file of the open model, beside which it is exported until another folder is chosen. An
     /// empty path for none; what comes with Kerf counts as none.
     void setModel(const std::filesystem::path& file);
+    bool isOpen() const { return browser_.has_value(); }
     /// Does what the person did in the dialog. Returns the file once one is chosen.
     std::optional<ChosenFile> take(const ui::FileAction& action);
     /// Puts a file first among the recent ones.

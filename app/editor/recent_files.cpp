@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "app/files/file_io.h"
+
 namespace kerf::app {
 namespace {
 
@@ -48,9 +50,13 @@ void RecentFiles::write() const {
     }
     std::error_code error;
     fs::create_directories(store_.parent_path(), error);
-    std::ofstream out(store_);
+    std::string lines;
     for (const fs::path& file : files_) {
-        out << file.string() << '\n';
+        lines += file.string() + '\n';
+    }
+    try {
+        writeOutputFile(store_, lines);
+    } catch (const OutputError&) {  // a convenience, see add()
     }
 }
 

@@ -42,6 +42,7 @@ constexpr std::array kSwitches{
     SwitchRow{"show_controls", &Settings::showControls},
     SwitchRow{"show_readings", &Settings::showReadings},
     SwitchRow{"time_runs_while_cutting", &Settings::timeRunsWhileCutting},
+    SwitchRow{"keep_journal", &Settings::keepsJournal},
 };
 
 struct NamesRow {

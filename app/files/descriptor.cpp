@@ -6,16 +6,15 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "app/files/file_io.h"
 
 namespace kerf::app {
 
-void Descriptor::close() {
-    if (number_ >= 0) {
-        ::close(number_);
-        number_ = -1;
-    }
+bool Descriptor::close() {
+    const int number = std::exchange(number_, -1);
+    return number < 0 || ::close(number) == 0;
 }
 
 std::array<int, 2> Pipe::open() {

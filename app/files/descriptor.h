@@ -13,7 +13,8 @@ class Descriptor {
     Descriptor& operator=(const Descriptor&) = delete;
     /// Its number; -1 once closed.
     int get() const { return number_; }
-    void close();
+    /// Whether all that was written reached the system; true for one that is closed already.
+    bool close();
 
   private:
     int number_;

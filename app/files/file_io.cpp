@@ -4,9 +4,7 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <fstream>
 
 #include "app/files/model_source.h"
@@ -77,16 +75,12 @@ std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limi
 }
 
 AtomicFile::AtomicFile(const std::filesystem::path& file)
-    : file_(replaceable(file)), hidden_(hiddenNameBeside(file_)) {
-    descriptor_ = ::open(hidden_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) {
-        fail();
-    }
-}
+    : file_(replaceable(file)),
+      hidden_(hiddenNameBeside(file_)),
+      out_(hidden_, O_WRONLY | O_CREAT | O_TRUNC, 0666, file_) {}
 
 AtomicFile::~AtomicFile() {
-    if (descriptor_ >= 0) {
-        ::close(descriptor_);
+    if (!committed_) {
         ::unlink(hidden_.c_str());
     }
 }
@@ -100,28 +94,16 @@ void AtomicFile::write(std::string_view bytes) {
 
 void AtomicFile::commit() {
     flush();
-    if (::fsync(descriptor_) != 0 || ::rename(hidden_.c_str(), file_.c_str()) != 0) {
-        fail();
-    }
-    ::close(descriptor_);
-    descriptor_ = -1;
+    out_.sync();
+    out_.close();
+    out_.rename(hidden_, file_);
+    committed_ = true;
+    syncFolder(file_.parent_path());
 }
 
 void AtomicFile::flush() {
-    std::string_view rest = pending_;
-    while (!rest.empty()) {
-        const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-        if (written >= 0) {
-            rest.remove_prefix(static_cast<std::size_t>(written));
-        } else if (errno != EINTR) {
-            fail();
-        }
-    }
+    out_.write(pending_);
     pending_.clear();
-}
-
-void AtomicFile::fail() {
-    throw OutputError(file_.string() + ": it could not be written (" + std::strerror(errno) + ").");
 }
 
 void writeOutputFile(const std::filesystem::path& file, std::string_view bytes) {
@@ -140,9 +122,12 @@ render::Image readPicture(const std::filesystem::path& file) {
 
 void writePicture(const render::Image& picture, const std::filesystem::path& file) {
     try {
-        render::writePng(picture, replaceable(file));
+        const std::vector<std::uint8_t> bytes = render::encodePng(picture);
+        writeOutputFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    } catch (const OutputError&) {
+        throw;
     } catch (const std::runtime_error& error) {
-        throw OutputError(error.what());
+        throw OutputError(file.string() + ": " + error.what());
     }
 }
 

@@ -2,20 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "app/files/system_file.h"
 #include "render/scene/image.h"
 
 namespace kerf::app {
-
-/// A result could not be written: what() is one sentence with the file and the system's reason.
-/// Exit code 5.
-class OutputError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 /// The bytes of a regular file. Throws InputError where it is missing, no regular file, not
 /// readable or larger than `limit` bytes.
@@ -37,18 +30,19 @@ class AtomicFile {
 
   private:
     void flush();
-    [[noreturn]] void fail();
 
     std::filesystem::path file_;
     std::filesystem::path hidden_;
     std::string pending_;
-    int descriptor_ = -1;
+    SystemFile out_;
+    bool committed_ = false;
 };
 
 /// AtomicFile in one call.
 void writeOutputFile(const std::filesystem::path& file, std::string_view bytes);
 
-/// render::readPng and render::writePng, which throw InputError and OutputError here.
+/// Pictures as PNG. A picture appears complete or not at all; they throw InputError and
+/// OutputError.
 render::Image readPicture(const std::filesystem::path& file);
 void writePicture(const render::Image& picture, const std::filesystem::path& file);
 

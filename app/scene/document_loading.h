@@ -35,9 +35,10 @@ struct UploadedDocument {
 /// What is to be shown instead of what is open.
 struct OpeningOrder {
     std::string title;           ///< "Opening bunny.ply"
-    std::filesystem::path file;  ///< that is read
+    std::filesystem::path file;  ///< that is read; empty where people know of none
     /// Reads it, on any thread.
     std::function<Document(const ReadOptions& options)> open;
+    std::function<void()> shown = nullptr;  ///< called once it is what is open; may be null
 };
 /// To open a model or a session.
 OpeningOrder orderOf(const std::filesystem::path& file);

@@ -106,7 +106,9 @@ Placement beside(const Bounds& others, const Placement& placement, const std::ve
 
 Document openScene(const std::string& name, Session scene, const ReadOptions& options) {
     ModelMesh models = loadSessionModel(scene, options);
-    return finish(name, std::move(scene), std::move(models), "");
+    Document document = finish(name, std::move(scene), std::move(models), "");
+    document.inFile = false;
+    return document;
 }
 
 Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,

@@ -22,13 +22,14 @@ struct Document {
     std::string note;       ///< what was done to it on the way in, one sentence; may be empty
     std::optional<UnitGuess> guess = std::nullopt;  ///< of a model file
     std::vector<PlacedModel> placed = {{}};         ///< what `mesh` consists of
+    bool inFile = true;  ///< no work of a person is lost with it; false: no file holds this scene
 };
 
 /// Opens a model or a session (*.kerf.json). Throws InputError, ModelFault among them, and
 /// WorkCancelled where the progress of `options` was cancelled.
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// Opens a scene that no file holds.
+/// Opens a scene that no file holds. Throws as openDocument().
 Document openScene(const std::string& name, Session scene, const ReadOptions& options = {});
 /// Opens a scene with the model of a file as its last, beside what there is. Throws as
 /// openDocument(), and InputError for a session.

@@ -457,7 +457,7 @@ void EditorScene::play(JournalEntry& entry) {
     const SessionAction& action = entry.event.action;
     if (const std::optional<Command> command = commandOf(action)) {
         std::string problem = simulation_.execute(*command);
-        entry.failed = !problem.empty();
+        journal_.noteFailure(entry, !problem.empty());
         tell(std::move(problem));
         if (std::holds_alternative<Restart>(*command) && playback_->isPast()) {
             countFromHere();
@@ -465,7 +465,7 @@ void EditorScene::play(JournalEntry& entry) {
     } else if (const auto* check = std::get_if<CheckEvent>(&action)) {
         const CheckDifference difference = runner_.compare(*check);
         if (entry.doubtful) {
-            entry.found = corrected(*check, difference);
+            journal_.noteFound(entry, corrected(*check, difference));
         } else {
             tell(playback_->compare(*check, difference, simulation_.stepCount()));
         }
@@ -632,6 +632,31 @@ SavedSession EditorScene::savedSession(const render::Camera& camera,
     }
     setView(session, camera, colors);
     return saved;
+}
+
+Session EditorScene::sessionWithoutEvents(const render::Camera& camera,
+                                          const render::ChosenColors& colors) const {
+    const Session& opened = document_.session;
+    Session session;
+    session.model = opened.model;
+    session.placement = opened.placement;
+    session.moreModels = opened.moreModels;
+    session.params = opened.params;
+    session.boxes = opened.boxes;
+    session.view = opened.view;
+    session.steps = stepsAsSaved();
+    setView(session, camera, colors);
+    return session;
+}
+
+SessionChange EditorScene::takeChange(bool whole) {
+    const ChangedPart::Splice splice = journal_.takeChanged(whole);
+    SessionChange change{splice.at, splice.dropped, {}, stepsAsSaved()};
+    change.added.reserve(splice.added);
+    for (std::size_t i = splice.at; i < splice.at + splice.added; ++i) {
+        change.added.push_back(eventAsSaved(journal_.entries()[i], hasChanged()));
+    }
+    return change;
 }
 
 int EditorScene::stepsAsSaved() const {

@@ -18,6 +18,7 @@
 #include "app/scene/session_playback.h"
 #include "app/scene/surface_look.h"
 #include "app/scene/thickness_map.h"
+#include "app/session/session_change.h"
 #include "app/session/session_runner.h"
 #include "app/session/skin_follower.h"
 #include "app/session/volume_watch.h"
@@ -130,6 +131,14 @@ class EditorScene {
     /// stands; it keeps its view. Other documents get `camera`, unless useView() gave one to them.
     SavedSession savedSession(const render::Camera& camera, const render::ChosenColors& colors,
                               SavedAs purpose = SavedAs::session);
+    /// What has become since the last call of the events that savedSession() would have, but for
+    /// its last check; all of them where `whole`.
+    SessionChange takeChange(bool whole);
+    /// That session without events.
+    Session sessionWithoutEvents(const render::Camera& camera,
+                                 const render::ChosenColors& colors) const;
+    /// Grows with all that a person does that a saved session would have.
+    int deeds() const { return journal_.deeds() + (document_.inFile ? 0 : 1); }
     /// The view for the pictures of the session.
     void useView(const render::Camera& camera) { chosenView_ = camera; }
 

@@ -95,6 +95,11 @@ CheckEvent corrected(CheckEvent check, const CheckDifference& difference) {
     return check;
 }
 
+std::optional<SessionEvent> eventAsSaved(const JournalEntry& entry, bool changed) {
+    Losses untold;
+    return asSaved(entry, changed, untold);
+}
+
 SavedSession sessionAsSaved(const Session& opened, const SessionJournal& journal, SavedAs purpose) {
     SavedSession saved{opened, ""};
     saved.session.warnings.clear();

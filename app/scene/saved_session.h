@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/scene/session_journal.h"
@@ -25,6 +26,10 @@ enum class SavedAs {
 /// otherwise they lose their state hash. What could not be carried out after a change is left out.
 SavedSession sessionAsSaved(const Session& opened, const SessionJournal& journal,
                             SavedAs purpose = SavedAs::session);
+
+/// An event of a journal as it is saved; none where it is not. `changed`: a person has done
+/// something before or after it.
+std::optional<SessionEvent> eventAsSaved(const JournalEntry& entry, bool changed);
 
 /// A check of what is found instead of what differs.
 CheckEvent corrected(CheckEvent check, const CheckDifference& difference);

@@ -60,7 +60,7 @@ void takeValue(SessionAction& earlier, const Command& later) {
 // --- What a person does ------------------------------------------------------------------------
 
 void SessionJournal::note(int step, const Command& command) {
-    firstChange_ = std::min(step, firstChange_.value_or(step));
+    noteChangeAt(step);
     if (!mergeIntoLast(step, command)) {
         notePose(step, command);
         noteHand(step, command);
@@ -70,6 +70,20 @@ void SessionJournal::note(int step, const Command& command) {
     doubtChecksFrom(done_);
 }
 
+/// From the first change on, what could not be carried out is saved no more.
+void SessionJournal::noteChangeAt(int step) {
+    ++deeds_;
+    if (!firstChange_ && std::ranges::any_of(entries_, &JournalEntry::failed)) {
+        touchAll();
+    }
+    firstChange_ = std::min(step, firstChange_.value_or(step));
+}
+
+void SessionJournal::touch(const JournalEntry& entry) {
+    const auto index = static_cast<std::size_t>(&entry - entries_.data());
+    touch(index, index + 1);
+}
+
 void SessionJournal::note(int step, CheckEvent check) {
     insert(done_, Origin::editor, {step, std::move(check)});
 }
@@ -77,9 +91,14 @@ void SessionJournal::note(int step, CheckEvent check) {
 void SessionJournal::clear() {
     const int id = lastId_;
     const int revision = revision_;
+    const int deeds = deeds_;
+    const ChangedPart changed = changed_;
     *this = SessionJournal{};
     lastId_ = id;
     revision_ = revision + 1;
+    deeds_ = deeds;
+    changed_ = changed;
+    touchAll();
 }
 
 /// What a slider changes that is dragged while time stands: only its last value counts.
@@ -92,6 +111,7 @@ bool SessionJournal::mergeIntoLast(int step, const Command& command) {
         last.id == noted_ && last.event.step == step && setTheSame(last.event.action, command);
     if (merges) {
         takeValue(last.event.action, command);
+        touch(last);
     }
     return merges;
 }
@@ -101,16 +121,22 @@ void SessionJournal::voidLater(const Command& command) {
     const auto isVoid = [&](const JournalEntry& entry) {
         return isChange(entry) && setTheSame(entry.event.action, command);
     };
-    entries_.erase(std::remove_if(entries_.begin() + static_cast<std::ptrdiff_t>(done_),
-                                  entries_.end(), isVoid),
-                   entries_.end());
+    const auto rest = std::remove_if(entries_.begin() + static_cast<std::ptrdiff_t>(done_),
+                                     entries_.end(), isVoid);
+    if (rest != entries_.end()) {
+        entries_.erase(rest, entries_.end());
+        touch(done_, entries_.size());
+    }
 }
 
 void SessionJournal::doubtChecksFrom(std::size_t index) {
     for (; index < entries_.size(); ++index) {
         JournalEntry& entry = entries_[index];
-        entry.doubtful |= std::holds_alternative<CheckEvent>(entry.event.action);
-        entry.found.reset();
+        if (std::holds_alternative<CheckEvent>(entry.event.action)) {
+            entry.doubtful = true;
+            entry.found.reset();
+            touch(entry);
+        }
     }
 }
 
@@ -173,6 +199,7 @@ void SessionJournal::restart() {
     firstChange_.reset();
     lastPose_.reset();
     lastDrags_.clear();
+    touchAll();
     ++revision_;
 }
 
@@ -208,7 +235,7 @@ void SessionJournal::goTo(int step, std::size_t commandsDone) {
 }
 
 std::size_t SessionJournal::takeOver(int step, const std::vector<PlayedAction>& cutShort) {
-    firstChange_ = std::min(step, firstChange_.value_or(step));
+    noteChangeAt(step);
     takenOver_ = takenOver_.value_or(lastId_);
     const std::size_t own = leaveOutRest();
     for (const PlayedAction& pose : cutShort) {
@@ -227,12 +254,24 @@ std::size_t SessionJournal::leaveOutRest() {
     const auto count = static_cast<std::size_t>(std::count_if(own, entries_.end(), isChange));
     rest_.insert(rest_.begin(), std::make_move_iterator(present), std::make_move_iterator(own));
     entries_.erase(present, entries_.end());
+    touch(done_, entries_.size());
     return count;
 }
 
 std::size_t SessionJournal::leftOut() const {
     return static_cast<std::size_t>(
         std::ranges::count(rest_, Origin::session, &JournalEntry::origin));
+}
+
+void SessionJournal::noteFailure(JournalEntry& entry, bool failed) {
+    if (std::exchange(entry.failed, failed) != failed) {
+        touch(entry);
+    }
+}
+
+void SessionJournal::noteFound(JournalEntry& entry, CheckEvent found) {
+    entry.found = std::move(found);
+    touch(entry);
 }
 
 // --- Pictures, exports and checks --------------------------------------------------------------
@@ -243,6 +282,7 @@ JournalPlace SessionJournal::here(int step) const {
 
 void SessionJournal::add(const JournalPlace& place, SessionAction action) {
     insert(indexOf(place), Origin::person, {place.step, std::move(action)});
+    ++deeds_;
     ++revision_;
 }
 
@@ -250,7 +290,10 @@ void SessionJournal::remove(int id) {
     const auto found = std::ranges::find(entries_, id, &JournalEntry::id);
     if (found != entries_.end()) {
         done_ -= static_cast<std::size_t>(found - entries_.begin()) < done_ ? 1 : 0;
+        const auto index = static_cast<std::size_t>(found - entries_.begin());
         entries_.erase(found);
+        touch(index, index);
+        ++deeds_;
         ++revision_;
     }
 }
@@ -268,6 +311,7 @@ JournalEntry& SessionJournal::insert(std::size_t index, Origin origin, SessionEv
     const auto at = entries_.begin() + static_cast<std::ptrdiff_t>(index);
     const auto entry = entries_.insert(at, {++lastId_, origin, std::move(event), false, false, {}});
     done_ += index <= done_ ? 1 : 0;
+    touch(index, index + 1);
     return *entry;
 }
 

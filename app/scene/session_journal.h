@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/scene/changed_part.h"
 #include "app/session/session.h"
 #include "sim/run/simulation.h"
 
@@ -61,6 +62,11 @@ class SessionJournal {
     /// how many events of the person these were.
     std::size_t takeOver(int step, const std::vector<PlayedAction>& cutShort);
 
+    /// What came of an entry when it was played: whether it could not be carried out, or what a
+    /// doubtful check found.
+    void noteFailure(JournalEntry& entry, bool failed);
+    void noteFound(JournalEntry& entry, CheckEvent found);
+
     // Pictures, exports and checks.
     /// The present, before step `step`.
     JournalPlace here(int step) const;
@@ -71,6 +77,10 @@ class SessionJournal {
     const std::vector<JournalEntry>& entries() const { return entries_; }
     /// The first step before which a person changed the run of a played session or took it over.
     std::optional<int> firstChange() const { return firstChange_; }
+    /// The entries that have changed since the last call, as they are saved; all where `whole`.
+    ChangedPart::Splice takeChanged(bool whole) { return changed_.take(entries_.size(), whole); }
+    /// So many things a person has done, or has had done.
+    int deeds() const { return deeds_; }
     /// Events of the session that were to come when a person took over.
     std::size_t leftOut() const;
     /// Step of the last entry; 0 where there is none.
@@ -89,11 +99,17 @@ class SessionJournal {
     void hold(const SessionEvent& last, int step);
     std::size_t leaveOutRest();
     void dropTakeOver();
+    void noteChangeAt(int step);
+    void touch(std::size_t begin, std::size_t end) { changed_.touch(begin, end, entries_.size()); }
+    void touchAll() { touch(0, entries_.size()); }
+    void touch(const JournalEntry& entry);
 
     std::vector<JournalEntry> entries_;  ///< by step
     std::size_t done_ = 0;               ///< so many of them
     int lastId_ = 0;
     int revision_ = 0;
+    int deeds_ = 0;
+    ChangedPart changed_;
     std::optional<int> noted_;  ///< id of the last command, while it may still be extended
     std::optional<int> firstChange_;
     std::optional<int> takenOver_;           ///< last id before a person took over

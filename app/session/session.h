@@ -148,6 +148,10 @@ void requireModelsOfParams(const Session& session);
 /// is given). Throws InputError rather than write what parseSession would refuse.
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder = {});
 
+/// An event as it stands in the list of a session file, on one line. Throws InputError as
+/// formatSession().
+std::string formatEvent(const SessionEvent& event);
+
 /// The models of a session, placed in the world, as one. Throws InputError, also where a sha256
 /// differs or where a model would be too small or too far from the origin for floats.
 ModelMesh loadSessionModel(const Session& session, const ReadOptions& options = {});

@@ -210,4 +210,8 @@ std::string formatSession(const Session& session, const std::filesystem::path& b
     return textOf(written);
 }
 
+std::string formatEvent(const SessionEvent& event) {
+    return toJson(event, Limits{0, kMaxSteps}).dump();
+}
+
 }  // namespace kerf::app

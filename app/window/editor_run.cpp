@@ -5,6 +5,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/settings_file.h"
+#include "app/journal/journal_folder.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
 #include "gpu/program_binaries.h"
@@ -50,6 +51,7 @@ EditorOptions optionsFor(const Window& window) {
     options.quality = device.software ? render::Quality::light : render::Quality::full;
     options.settingsFile = defaultSettingsFile();
     options.recentFiles = recentFilesStore();
+    options.journals = defaultJournalFolder();
     options.warmsUp = true;
     options.device = device.renderer.substr(0, device.renderer.find(" ("));
     return options;
@@ -58,8 +60,12 @@ EditorOptions optionsFor(const Window& window) {
 /// Draws while something moves, and else waits: a still picture costs nothing.
 void runLoop(Window& window, Editor& editor) {
     Stopwatch watch;
-    while (!window.closing() && !editor.closing()) {
+    while (!editor.closing()) {
         window.waitEvents(std::min(editor.idleSeconds() - watch.seconds(), kLongestWait));
+        if (window.closing()) {
+            window.stayOpen();
+            editor.askToLeave();
+        }
         const bool damaged = window.takeDamage();
         if (!damaged && (editor.idleSeconds() > watch.seconds() || editor.workOn())) {
             continue;

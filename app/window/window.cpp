@@ -305,6 +305,10 @@ bool Window::closing() const {
     return glfwWindowShouldClose(state_->window) == GLFW_TRUE;
 }
 
+void Window::stayOpen() {
+    glfwSetWindowShouldClose(state_->window, GLFW_FALSE);
+}
+
 bool Window::takeDamage() {
     return std::exchange(state_->damaged, false);
 }

@@ -35,6 +35,8 @@ class Window {
     void setCursor(ui::Cursor cursor);
     /// Whether the person asked the window to close.
     bool closing() const;
+    /// The window stays for now, whatever the person asked.
+    void stayOpen();
     /// Whether the window was resized or uncovered since the last call (true the first time).
     bool takeDamage();
     /// Forwards the events so far; waits up to `seconds` for one.

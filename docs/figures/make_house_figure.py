@@ -13,16 +13,17 @@ from svg import (BLUE, BROWN, GREEN, GREY, INK, ORANGE, ROOT, Drawing, mixed, ro
 COLORS = {"app": ORANGE, "ui": BROWN, "render": GREEN, "sim": BLUE, "gpu": GREY}
 # Where a room stands: its left side, its top and its width; and what it is for.
 FLOORS = {
-    "app/files": (24, 82, 78, "import,\nexport, CSV"),
-    "app/session": (112, 82, 78, "their files,\nmetrics"),
-    "app/regression": (200, 82, 86, "sessions as\ntests"),
-    "app/study": (296, 82, 74, "many runs,\none table"),
-    "app/scene": (380, 82, 78, "the edited\nbody"),
-    "app/tools": (468, 82, 78, "blades,\ncamera"),
-    "app/editor": (556, 82, 82, "keys and\nmenus"),
-    "app/window": (648, 82, 80, "the window\nand its loop"),
-    "app/cli": (738, 82, 74, "verbs,\nreplay"),
-    "app": (822, 82, 74, "main()"),
+    "app/files": (24, 82, 70, "import,\nexport, CSV"),
+    "app/session": (103, 82, 70, "their files,\nmetrics"),
+    "app/journal": (182, 82, 70, "work kept\nat once"),
+    "app/regression": (261, 82, 82, "sessions as\ntests"),
+    "app/study": (352, 82, 68, "many runs,\none table"),
+    "app/scene": (429, 82, 70, "the edited\nbody"),
+    "app/tools": (508, 82, 66, "blades,\ncamera"),
+    "app/editor": (583, 82, 70, "keys and\nmenus"),
+    "app/window": (662, 82, 76, "the window\nand its loop"),
+    "app/cli": (747, 82, 64, "verbs,\nreplay"),
+    "app": (820, 82, 60, "main()"),
     "ui": (252, 210, 338, "panels, plots, themes, keys; they queue actions"),
     "render/scene": (30, 296, 150, "what is drawn"),
     "render/passes": (212, 296, 150, "one pass a file"),
@@ -46,7 +47,7 @@ FLOORS = {
 }
 # Where the straight way would lead through rooms: corners of the arrow.
 WAYS = {
-    ("app/session", "sim/run"): [(151, 144), (151, 166), (620, 166), (620, 397)],
+    ("app/session", "sim/run"): [(138, 144), (138, 166), (620, 166), (620, 397)],
     ("ui", "sim/run"): [(575, 254), (575, 397)],
     ("sim/contact", "gpu"): [(239, 460), (239, 727)],
     ("sim/cut/exact", "sim/base"): [(392, 649), (225, 649)],

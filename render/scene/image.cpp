@@ -24,20 +24,6 @@ constexpr std::uintmax_t kMaxFileBytes = 512u << 20;
     throw std::runtime_error(file.string() + ": " + why + ".");
 }
 
-std::vector<std::uint8_t> encode(const Image& image, const fs::path& file) {
-    std::vector<std::uint8_t> bytes;
-    const auto append = [](void* context, void* data, int size) {
-        auto* out = static_cast<std::vector<std::uint8_t>*>(context);
-        const auto* first = static_cast<const std::uint8_t*>(data);
-        out->insert(out->end(), first, first + size);
-    };
-    if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(),
-                               image.width * 4) == 0) {
-        refuse(file, "the picture could not be encoded as PNG");
-    }
-    return bytes;
-}
-
 bool writeAll(std::FILE* out, const std::vector<std::uint8_t>& bytes) {
     return std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() &&
            std::fflush(out) == 0 && ::fsync(::fileno(out)) == 0;
@@ -108,8 +94,22 @@ void divideByAlpha(Image& image) {
     }
 }
 
+std::vector<std::uint8_t> encodePng(const Image& image) {
+    std::vector<std::uint8_t> bytes;
+    const auto append = [](void* context, void* data, int size) {
+        auto* out = static_cast<std::vector<std::uint8_t>*>(context);
+        const auto* first = static_cast<const std::uint8_t*>(data);
+        out->insert(out->end(), first, first + size);
+    };
+    if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(),
+                               image.width * 4) == 0) {
+        throw std::runtime_error("The picture could not be encoded as PNG.");
+    }
+    return bytes;
+}
+
 void writePng(const Image& image, const fs::path& file) {
-    const std::vector<std::uint8_t> bytes = encode(image, file);
+    const std::vector<std::uint8_t> bytes = encodePng(image);
     const fs::path temporary = file.string() + ".part" + std::to_string(::getpid());
     std::error_code error;
     if (const std::string why = writeFile(temporary, bytes); !why.empty()) {

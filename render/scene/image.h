@@ -26,6 +26,8 @@ struct Image {
 /// Divides the colours of a picture that was blended onto nothing by their alpha, as PNG wants it.
 void divideByAlpha(Image& image);
 
+/// The bytes of a PNG file. Throws std::runtime_error with one sentence.
+std::vector<std::uint8_t> encodePng(const Image& image);
 /// Writes to a temporary file in the same folder, then renames. Throws std::runtime_error with one
 /// sentence.
 void writePng(const Image& image, const std::filesystem::path& file);

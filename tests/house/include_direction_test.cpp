@@ -46,6 +46,7 @@ const std::vector<fs::path> kRooms = {
     "ui",
     "app/files",
     "app/session",
+    "app/journal",
     "app/regression",
     "app/study",
     "app/scene",

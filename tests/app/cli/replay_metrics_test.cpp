@@ -132,8 +132,9 @@ TEST(AtomicFile, FailuresNameTheFileAndTheReason) {
         writeOutputFile(file, "x");
         FAIL() << "no error";
     } catch (const OutputError& error) {
-        EXPECT_EQ(error.what(),
-                  file.string() + ": it could not be written (No such file or directory).");
+        EXPECT_EQ(error.what(), file.string() +
+                                    ": it could not be written (No such file or directory); its "
+                                    "folder is not there; choose another one.");
     }
     std::filesystem::create_directory(folder / "a.txt");
     EXPECT_THROW(writeOutputFile(folder / "a.txt", "x"), OutputError);

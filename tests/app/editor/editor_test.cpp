@@ -501,11 +501,15 @@ TEST_F(EditorTest, WhatCannotBeOpenedLeavesTheSceneAsItWas) {
     settle();
     test::writeText(folder / "broken.kerf.json", "{\"format\": \"kerf-session\"");
     editor->post(ui::FileDrop{{folder / "broken.kerf.json"}});
+    frames(3);
+    click("question.1");
     waitForWork();
     EXPECT_TRUE(panels().toastIsError);
     EXPECT_THAT(panels().toast, ::testing::HasSubstr("broken.kerf.json"));
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     editor->post(ui::FileDrop{{folder / "missing.obj"}});
+    frames(3);
+    click("question.1");
     waitForWork();
     EXPECT_THAT(panels().toast, ::testing::HasSubstr("missing.obj"));
 }

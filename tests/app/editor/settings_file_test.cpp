@@ -14,6 +14,7 @@ ui::Settings unusual() {
     settings.mouse = ui::MouseScheme::blender;
     settings.uiScale = 1.25;
     settings.showReadings = false;
+    settings.keepsJournal = false;
     settings.controlsWidth = 333.5;
     settings.piecesShare = 0.1;
     settings.plots = {"energy"};

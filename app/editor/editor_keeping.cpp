@@ -1,0 +1,108 @@
+// What keeps work from being lost: the journal, what windows left behind, questions before it goes.
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+#include "app/editor/editor_state.h"
+
+namespace kerf::app {
+namespace {
+
+/// The choices of askBefore().
+enum UnsavedChoice { kSave, kDoNotSave, kCancel };
+
+}  // namespace
+
+void Editor::State::keepWork(double elapsedSeconds) {
+    if (scene == nullptr || scene.underWay() || closing) {
+        return;
+    }
+    keeping.follow(*scene, view.camera.destination(), view.display.settings.colors,
+                   panels.settings.now.keepsJournal, elapsedSeconds);
+    if (const std::optional<std::string> problem = keeping.takeProblem()) {
+        spdlog::error("{}", *problem);
+        toast.show(*problem, true);
+    }
+}
+
+void Editor::State::keepPicture() {
+    if (keeping.pictureDue() == 0.0 && !closing) {
+        keeping.keepPicture(picture.readFree(view));
+    }
+}
+
+/// Before anything is done: afterwards it would have to be asked what becomes of that.
+void Editor::State::offerLeftWork() {
+    offers.collect();
+    const bool busy = asked || chooser.isOpen() || work.opening() != nullptr || closing;
+    if (busy || view.holds() || hasUnsavedWork()) {
+        return;
+    }
+    std::optional<LeftWork> left = offers.next();
+    if (!left) {
+        return;
+    }
+    asked = {questionAbout(*left), [this, left = *left](int choice) {
+                 if (choice == kGoOn) {
+                     goOnFrom(left);
+                 } else if (choice == kDiscard) {
+                     left.journal->remove();
+                 } else {
+                     offers.putOff();
+                 }
+             }};
+    redraw.panels();
+}
+
+void Editor::State::goOnFrom(const LeftWork& left) {
+    OpeningOrder order = orderOf(left);
+    order.shown = [this, journal = left.journal] {
+        keeping.begin(journal);
+        scene->seek(scene->document().session.steps);
+        comingBack = true;
+    };
+    offers.putOff();
+    open(std::move(order));
+}
+
+bool Editor::State::comesBack() {
+    comingBack = comingBack && scene != nullptr && scene.meanwhile()->seekSteps() > 0;
+    return comingBack;
+}
+
+bool Editor::State::hasUnsavedWork() const {
+    const EditorScene* const now = scene.meanwhile();
+    return now != nullptr && keeping.isUnsaved(*now);
+}
+
+void Editor::State::askBefore(const std::string& what, std::function<void()> next) {
+    if (!hasUnsavedWork()) {
+        next();
+        return;
+    }
+    asked = {{what + " and lose what was done?",
+              "What was done to " + scene.meanwhile()->document().name +
+                  " since it was opened or saved is in no file yet. A saved session can be gone on "
+                  "from.",
+              {"Save...", "Don't save", "Cancel"}},
+             [this, next = std::move(next)](int choice) {
+                 if (choice == kSave) {
+                     browse(ui::FilePurpose::saveSession);
+                     afterSaving = next;
+                 } else if (choice == kDoNotSave) {
+                     next();
+                 }
+             }};
+    redraw.panels();
+}
+
+void Editor::State::leave() {
+    chooser.take(ui::CloseFileDialog{});
+    askBefore("Leave", [this] {
+        closing = true;
+        keeping.discard();
+        redraw.panels();
+    });
+}
+
+}  // namespace kerf::app

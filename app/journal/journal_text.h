@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "app/session/session_change.h"
+
+namespace kerf::app {
+
+/// A journal keeps the session that a window has open as text: a line of JSON says how it begins,
+/// and each further line what has become of it. A line counts once its end is there. Lines in
+/// order, read up to the last that is whole, give an ordinary session.
+
+/// Journals beyond this size are not written and not read [bytes].
+inline constexpr std::uintmax_t kMaxJournalBytes = kMaxSessionBytes;
+
+/// The sha256 of the models' files that were read so far.
+using ModelHashes = std::map<std::filesystem::path, std::string>;
+/// Gives the models of a session their sha256 where they have none, so that another file of the
+/// name is noticed later on. Files that are not `known` are read.
+void addHashes(Session& session, ModelHashes& known);
+
+/// The first line: what the scene is called, and its session without events.
+std::string journalStart(const std::string& name, const Session& session);
+/// A line for the same session with another view or other colours.
+std::string journalView(const Session& session);
+/// A line for what has become of the events. `unsaved`: a person has done something since the
+/// session was saved last.
+std::string journalLine(const SessionChange& change, bool unsaved);
+
+/// The content of a journal.
+struct KeptWork {
+    std::string name;      ///< of the scene
+    std::string session;   ///< text of a session file, with whole paths
+    int cuts = 0;          ///< strokes, those included that were taken back
+    bool unsaved = false;  ///< there is something that no file has
+};
+
+/// Reads a journal up to the last line that is whole and right. Throws InputError where there is
+/// nothing to go on from.
+KeptWork readJournal(const std::filesystem::path& file);
+
+}  // namespace kerf::app

@@ -1,0 +1,74 @@
+// The editor is killed at random moments, and what a next start offers to go on from lacks at most
+// the running stroke. KERF_KILLS rounds, 2 by default; KERF_FUZZ_SEED repeats a run.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "tests/app/session/replayed_session.h"
+#include "tests/paths.h"
+#include "tests/support/fuzz_seed.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+int rounds() {
+    const char* text = std::getenv("KERF_KILLS");
+    return text == nullptr ? 2 : std::max(1, std::atoi(text));
+}
+
+std::string outputOf(const std::string& command) {
+    std::string text;
+    FILE* pipe = ::popen(command.c_str(), "r");
+    char chunk[256];
+    while (pipe != nullptr && std::fgets(chunk, sizeof chunk, pipe) != nullptr) {
+        text += chunk;
+    }
+    return pipe == nullptr || ::pclose(pipe) != 0 ? text + "failed\n" : text;
+}
+
+/// The check of the state that the window had before the session was saved.
+std::string hashOfWindow(const Session& session) {
+    for (auto event = session.events.rbegin(); event != session.events.rend(); ++event) {
+        if (const auto* check = std::get_if<CheckEvent>(&event->action)) {
+            return check->hash.value_or("");
+        }
+    }
+    return "";
+}
+
+class EditorKill : public test::GlTest {};
+
+TEST_F(EditorKill, AtMostTheRunningStrokeIsMissing) {
+    if (std::system(
+            "command -v xvfb-run > /dev/null 2>&1 && command -v xdotool > /dev/null 2>&1") != 0) {
+        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
+    }
+    const test::TemporaryFolder folder;
+    const std::uint32_t seed = test::fuzzSeed(std::random_device()() % 30000);
+    const std::string seen =
+        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                 "/tests/app/window/editor_window_kill.sh " KERF_BINARY_DIR "/kerf " +
+                 folder.path().string() + " " + std::to_string(rounds()) + " " +
+                 std::to_string(seed % 32768) + " 2>&1");
+    std::printf("%s", seen.c_str());
+    SCOPED_TRACE(test::readBytes(folder / "errors.txt"));
+    EXPECT_THAT(seen, HasSubstr("end: reached"));
+    EXPECT_THAT(seen, ::testing::Not(HasSubstr("MISSING")));
+    EXPECT_THAT(seen, ::testing::Not(HasSubstr("left")));
+    for (int n = 1; n <= rounds(); ++n) {
+        SCOPED_TRACE(n);
+        const Session session = readSession(folder / (std::to_string(n) + ".kerf.json"));
+        EXPECT_EQ(replayedHash(session, loadSessionModel(session)), hashOfWindow(session));
+    }
+}
+
+}  // namespace
+}  // namespace kerf::app
