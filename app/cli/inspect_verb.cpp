@@ -82,6 +82,7 @@ Json toJson(const MeshReport& report, const std::filesystem::path& file) {
             {"degenerate_triangles", report.degenerateTriangles},
             {"non_finite_vertices", report.nonFiniteVertices},
             {"out_of_range_indices", report.outOfRangeIndices},
+            {"cavities", report.cavities},
             {"repairs", report.repairs},
             {"cuttable", report.cuttable},
             {"problem", report.problem}};
@@ -132,8 +133,9 @@ std::vector<int> firstTriangles(const SurfaceMesh& mesh, const PieceMap& pieces)
 std::vector<ui::PieceRow> pieceRows(const SurfaceMesh& mesh) {
     const double all = meshVolume(mesh);
     std::vector<ui::PieceRow> rows;
+    const PieceShells shells(mesh);
     for (const int triangle : firstTriangles(mesh, findPieces(mesh))) {
-        const PieceFigures piece = figuresOfPiece(mesh, triangle);
+        const PieceFigures piece = figuresOfPiece(mesh, shells, triangle);
         ui::PieceRow row;
         row.triangles = piece.triangles;
         row.volume = piece.volume;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "sim/base/growth_room.h"
+#include "sim/mesh/cavities.h"
 #include "sim/mesh/triangle.h"
-#include "sim/mesh/union_find.h"
 
 namespace kerf {
 
@@ -216,7 +216,18 @@ class PieceLabels::Splitter {
 };
 
 PieceLabels::PieceLabels(const SurfaceMesh& mesh, Measures measures) : measures_(measures) {
-    labelAll(mesh);
+    UnionFind pieces = shellsOf(mesh);
+    hasCavities_ = joinCavities(mesh, pieces);
+    labelAll(mesh, std::move(pieces));
+}
+
+/// Nothing that a cut makes is a cavity where there was none.
+UnionFind PieceLabels::piecesOf(const SurfaceMesh& mesh) const {
+    UnionFind pieces = shellsOf(mesh);
+    if (hasCavities_) {
+        joinCavities(mesh, pieces);
+    }
+    return pieces;
 }
 
 void PieceLabels::measureVolumes(const SurfaceMesh& mesh) {
@@ -235,19 +246,8 @@ void PieceLabels::measureVolumes(const SurfaceMesh& mesh) {
     }
 }
 
-void PieceLabels::labelAll(const SurfaceMesh& mesh) {
-    UnionFind sets(mesh.vertexCount());
-    std::vector<char> used(mesh.vertexCount(), 0);
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            const Triangle& corners = mesh.triangle(t);
-            sets.join(corners[0], corners[1]);
-            sets.join(corners[0], corners[2]);
-            for (const int v : corners) {
-                used[v] = 1;
-            }
-        }
-    }
+/// `sets`: the vertices of each piece.
+void PieceLabels::labelAll(const SurfaceMesh& mesh, UnionFind sets) {
     pieces_.clear();
     for (std::vector<int>* labels : {&ofVertex_, &placeOfVertex_}) {
         labels->reserve(withGrowthRoom(mesh.vertexCount()));
@@ -256,7 +256,7 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh) {
     ofVertex_.assign(mesh.vertexCount(), -1);
     placeOfVertex_.assign(mesh.vertexCount(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (used[v] == 0) {
+        if (mesh.outgoing(v) < 0) {
             continue;
         }
         const int lowest = sets.root(v);
@@ -296,7 +296,8 @@ LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> tr
     splitter.run(touched, triangles);
     const int vanished = firstEmptyPiece();
     const bool youngestVanished = onlyEmptyFrom(vanished) && splitter.cameOff().empty();
-    if (splitter.joined() || (vanished >= 0 && !youngestVanished)) {
+    const bool asksForCavities = hasCavities_ && !splitter.cameOff().empty();
+    if (splitter.joined() || asksForCavities || (vanished >= 0 && !youngestVanished)) {
         return labelAnew(mesh, labelsBefore(change, oldVertices));
     }
     for (const Splitter::Part& part : splitter.cameOff()) {
@@ -340,7 +341,7 @@ std::vector<int> PieceLabels::labelsBefore(const LabelChange& change, std::size_
 }
 
 LabelChange PieceLabels::labelAnew(const SurfaceMesh& mesh, const std::vector<int>& before) {
-    labelAll(mesh);
+    labelAll(mesh, piecesOf(mesh));
     LabelChange change;
     change.piecesChanged = true;
     change.source.assign(pieces_.size(), -1);
