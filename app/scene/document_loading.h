@@ -39,6 +39,8 @@ struct OpeningOrder {
     /// Reads it, on any thread.
     std::function<Document(const ReadOptions& options)> open;
 };
+/// What is done about a model that can't be cut as it is.
+enum class Mending { none, fillHoles, repair };
 /// To open a model or a session.
 OpeningOrder orderOf(const std::filesystem::path& file);
 
@@ -46,7 +48,7 @@ OpeningOrder orderOf(const std::filesystem::path& file);
 /// the GPU a portion a picture. What is open goes on meanwhile.
 class DocumentLoading {
   public:
-    explicit DocumentLoading(OpeningOrder order, bool fillHoles = false);
+    explicit DocumentLoading(OpeningOrder order, Mending mending = Mending::none);
 
     /// Once a picture, on the thread of the context. Throws InputError where the file can't be
     /// opened, gpu::ShaderError, gpu::OutOfMemory.

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "sim/base/text.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 #include "sim/mesh/winding.h"
@@ -217,23 +218,46 @@ void keepAround(const TriangleSoup& soup, const std::vector<Triangle>& triangles
     std::erase_if(around, [&](int piece) { return winding[piece] == 0; });
 }
 
-/// In how many other pieces a piece lies as a whole, as far as samples tell.
-int enclosingPieces(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
-                    const TrianglePieces& pieces, int piece) {
-    std::vector<int> around;
-    for (int other = 0; other < static_cast<int>(pieces.volumes.size()); ++other) {
-        if (other != piece && liesIn(pieces.bounds[piece], pieces.bounds[other])) {
-            around.push_back(other);
+/// Finds in which other pieces a piece lies as a whole, as far as samples tell.
+class Nesting {
+  public:
+    Nesting(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
+            const TrianglePieces& pieces)
+        : soup_(soup), triangles_(triangles), pieces_(pieces) {
+        std::vector<int> all(pieces.bounds.size());
+        std::iota(all.begin(), all.end(), 0);
+        tree_.insert(all, boundsOf_);
+    }
+
+    /// How many pieces are around one.
+    int depthOf(int piece) {
+        std::vector<int> around = boxesAround(piece);
+        for (const int t : around.empty() ? std::vector<int>{} : samplesOf(pieces_, piece)) {
+            const Vec3 point = pointInside(cornersOf(soup_, triangles_[t]));
+            keepAround(soup_, triangles_, pieces_, point, around);
         }
+        return static_cast<int>(around.size());
     }
-    if (around.empty()) {
-        return 0;
+
+  private:
+    std::vector<int> boxesAround(int piece) {
+        const Bounds& own = pieces_.bounds[piece];
+        std::vector<int> around;
+        const auto mayHold = [&](const Bounds& box) { return liesIn(own, box); };
+        tree_.find(boundsOf_, mayHold, [&](int other) {
+            if (other != piece && liesIn(own, pieces_.bounds[other])) {
+                around.push_back(other);
+            }
+        });
+        return around;
     }
-    for (const int t : samplesOf(pieces, piece)) {
-        keepAround(soup, triangles, pieces, pointInside(cornersOf(soup, triangles[t])), around);
-    }
-    return static_cast<int>(around.size());
-}
+
+    const TriangleSoup& soup_;
+    const std::vector<Triangle>& triangles_;
+    const TrianglePieces& pieces_;
+    BoxTree::BoundsOf boundsOf_ = [this](int piece) { return pieces_.bounds[piece]; };
+    BoxTree tree_;
+};
 
 /// By piece: whether it bounds material from outside or a cavity, and which way it faces.
 struct Facing {
@@ -258,8 +282,9 @@ struct Facing {
 Facing facingOf(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
                 const TrianglePieces& pieces) {
     Facing facing;
+    Nesting nesting(soup, triangles, pieces);
     for (int i = 0; i < static_cast<int>(pieces.volumes.size()); ++i) {
-        const bool cavity = enclosingPieces(soup, triangles, pieces, i) % 2 == 1;
+        const bool cavity = nesting.depthOf(i) % 2 == 1;
         facing.cavity.push_back(cavity);
         facing.wrong.push_back(cavity ? pieces.volumes[i] > 0 : pieces.volumes[i] < 0);
     }

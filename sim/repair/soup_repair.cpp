@@ -233,11 +233,14 @@ class Repair {
         const std::vector<int> parts = partsOf(soup_);
         const std::vector<double> areas = areasOf(soup_, parts);
         const std::vector<char> open = openParts(parts, areas.size());
+        std::vector<int> counts(areas.size(), 0);
+        for (const int part : parts) {
+            ++counts[part];
+        }
         const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
         std::vector<char> loose(areas.size(), 0);
         for (std::size_t p = 0; p < areas.size(); ++p) {
-            const auto count = std::ranges::count(parts, static_cast<int>(p));
-            loose[p] = open[p] != 0 && areas[p] < kLooseShare * all && count < kLeastThatCloses;
+            loose[p] = open[p] != 0 && areas[p] < kLooseShare * all && counts[p] < kLeastThatCloses;
         }
         dropParts(parts, loose, "dropped # loose sheet", "dropped # loose sheets");
     }
