@@ -32,7 +32,7 @@ constexpr int kSteps = 24;
 
 /// What came of it, and what there is to say about it.
 struct Outcome {
-    std::string kind;  ///< "at once", "repaired", "refused", "unreadable"
+    std::string kind;  ///< "at once", "filled", "repaired", "refused", "unreadable"
     std::string sentence;
     std::string cut;  ///< "" where it is sound, else what is wrong
     int refusedSteps = 0;
@@ -77,9 +77,10 @@ Outcome outcomeOf(const fs::path& file) {
             outcome.kind = "refused";
             outcome.sentence = fault.what();
             if (fault.fillableHoles() > 0 || !fault.repairs().empty()) {
-                options.repair = true;
+                options.fillHoles = fault.fillableHoles() > 0;
+                options.repair = !options.fillHoles;
                 model = app::readModel(file, options);
-                outcome.kind = "repaired";
+                outcome.kind = options.fillHoles ? "filled" : "repaired";
             }
         }
         if (model && model->mesh.aliveTriangles() <= kMostTriangles) {

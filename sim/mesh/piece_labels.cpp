@@ -11,6 +11,21 @@
 
 namespace kerf {
 
+namespace {
+
+/// Whether all pieces are those that there were: what fell apart may have been shells of one piece,
+/// which it still is.
+bool isAsBefore(const LabelChange& change, const std::vector<int>& before) {
+    const int count = before.empty() ? 0 : std::ranges::max(before) + 1;
+    std::vector<int> all(count);
+    std::iota(all.begin(), all.end(), 0);
+    return change.source == all && std::ranges::none_of(change.moves, [](const LabelMove& move) {
+               return move.from >= 0 && move.to >= 0;
+           });
+}
+
+}  // namespace
+
 /// Searches from all changed triangles at once, some triangles each in turn, until all but one of
 /// the parts of each piece are known whole. That takes the time of the smaller parts. Triangles
 /// know their neighbours, so this is several times as fast as going from vertex to vertex.
@@ -343,7 +358,6 @@ std::vector<int> PieceLabels::labelsBefore(const LabelChange& change, std::size_
 LabelChange PieceLabels::labelAnew(const SurfaceMesh& mesh, const std::vector<int>& before) {
     labelAll(mesh, piecesOf(mesh));
     LabelChange change;
-    change.piecesChanged = true;
     change.source.assign(pieces_.size(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (const int label = ofVertex_[v]; label >= 0 && change.source[label] < 0) {
@@ -356,6 +370,7 @@ LabelChange PieceLabels::labelAnew(const SurfaceMesh& mesh, const std::vector<in
             change.moves.push_back({v, before[v], ofVertex_[v]});
         }
     }
+    change.piecesChanged = !isAsBefore(change, before);
     return change;
 }
 

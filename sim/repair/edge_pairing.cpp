@@ -78,6 +78,7 @@ std::vector<Side> inTurn(const TriangleSoup& soup, const Side* begin, const Side
     }
     std::ranges::stable_sort(placed, {}, [](const auto& p) { return p.first; });
     std::vector<Side> sides;
+    sides.reserve(placed.size());
     for (const auto& [angle, side] : placed) {
         sides.push_back(side);
     }

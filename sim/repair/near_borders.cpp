@@ -51,8 +51,7 @@ Bounds boundsOfSoup(const TriangleSoup& soup) {
 class Vertices {
   public:
     Vertices(const TriangleSoup& soup, const std::vector<int>& vertices)
-        : soup_(soup),
-          boundsOf_([&soup](int v) {
+        : boundsOf_([&soup](int v) {
               Bounds bounds;
               bounds.add(soup.positions[v]);
               return bounds;
@@ -70,7 +69,6 @@ class Vertices {
     }
 
   private:
-    const TriangleSoup& soup_;
     BoxTree::BoundsOf boundsOf_;
     BoxTree tree_;
 };
@@ -90,6 +88,7 @@ bool isEdge(const std::vector<std::pair<int, int>>& edges, int a, int b) {
 int joinVertices(TriangleSoup& soup, const std::vector<Side>& open, double near) {
     const std::vector<int> vertices = verticesOf(open);
     std::vector<std::pair<int, int>> edges;
+    edges.reserve(open.size());
     for (const Side& side : open) {
         edges.emplace_back(side.low, side.high);
     }
@@ -138,6 +137,7 @@ std::vector<int> verticesOn(const TriangleSoup& soup, int from, int to, Vertices
     }
     std::ranges::sort(found);
     std::vector<int> vertices;
+    vertices.reserve(found.size());
     for (const auto& [way, v] : found) {
         vertices.push_back(v);
     }

@@ -164,12 +164,13 @@ class Repair {
     /// before: what has been divided since is none.
     int onlyNeighbour(int t, int a, int b, const std::vector<Side>& sides) const {
         const std::pair edge(std::min(a, b), std::max(a, b));
-        const auto range = std::ranges::equal_range(
-            sides, edge, {}, [](const Side& s) { return std::pair(s.low, s.high); });
-        if (range.size() != 2) {
+        const auto edgeOf = [](const Side& s) { return std::pair(s.low, s.high); };
+        const auto first = std::ranges::lower_bound(sides, edge, {}, edgeOf);
+        const auto end = std::ranges::upper_bound(sides, edge, {}, edgeOf);
+        if (end - first != 2) {
             return -1;
         }
-        const int other = range[0].triangle() == t ? range[1].triangle() : range[0].triangle();
+        const int other = first->triangle() == t ? first[1].triangle() : first->triangle();
         const Triangle& corners = soup_.triangles[other];
         const bool still = std::ranges::find(corners, a) != corners.end() &&
                            std::ranges::find(corners, b) != corners.end();
