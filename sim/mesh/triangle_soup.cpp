@@ -181,15 +181,12 @@ double totalVolume(const TrianglePieces& pieces) {
     return std::accumulate(pieces.volumes.begin(), pieces.volumes.end(), 0.0);
 }
 
-/// Some triangles of the piece, spread over it.
-std::vector<int> samplesOf(const TrianglePieces& pieces, int piece) {
-    constexpr int kSamples = 5;
+/// So many triangles of the piece, spread over it, or all.
+std::vector<int> samplesOf(const TrianglePieces& pieces, int piece, int count) {
     std::vector<int> samples;
-    const int step = std::max(1, pieces.counts[piece] / kSamples);
+    const int step = std::max(1, pieces.counts[piece] / count);
     int seen = 0;
-    for (int t = pieces.firsts[piece]; t < static_cast<int>(pieces.ofTriangle.size()) &&
-                                       static_cast<int>(samples.size()) < kSamples;
-         ++t) {
+    for (int t = pieces.firsts[piece]; seen < pieces.counts[piece]; ++t) {
         if (pieces.ofTriangle[t] == piece && seen++ % step == 0) {
             samples.push_back(t);
         }
@@ -218,45 +215,67 @@ void keepAround(const TriangleSoup& soup, const std::vector<Triangle>& triangles
     std::erase_if(around, [&](int piece) { return winding[piece] == 0; });
 }
 
-/// Finds in which other pieces a piece lies as a whole, as far as samples tell.
+/// Finds in which other pieces each piece lies as a whole, as far as samples tell.
 class Nesting {
   public:
     Nesting(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
             const TrianglePieces& pieces)
-        : soup_(soup), triangles_(triangles), pieces_(pieces) {
-        std::vector<int> all(pieces.bounds.size());
-        std::iota(all.begin(), all.end(), 0);
-        tree_.insert(all, boundsOf_);
-    }
+        : soup_(soup), triangles_(triangles), pieces_(pieces) {}
 
-    /// How many pieces are around one.
-    int depthOf(int piece) {
-        std::vector<int> around = boxesAround(piece);
-        for (const int t : around.empty() ? std::vector<int>{} : samplesOf(pieces_, piece)) {
-            const Vec3 point = pointInside(cornersOf(soup_, triangles_[t]));
-            keepAround(soup_, triangles_, pieces_, point, around);
+    /// How many pieces are around each.
+    std::vector<int> depths() const {
+        std::vector<std::vector<int>> around = boxesAround();
+        const auto nested =
+            std::ranges::count_if(around, [](const auto& pieces) { return !pieces.empty(); });
+        const auto tests =
+            static_cast<double>(nested * static_cast<std::ptrdiff_t>(triangles_.size()));
+        const int samples = std::max(kLeastSamples, static_cast<int>(kMostTests / (tests + 1)));
+        std::vector<int> depths;
+        for (int piece = 0; piece < static_cast<int>(around.size()); ++piece) {
+            keepThoseAround(piece, samples, around[piece]);
+            depths.push_back(static_cast<int>(around[piece].size()));
         }
-        return static_cast<int>(around.size());
+        return depths;
     }
 
   private:
-    std::vector<int> boxesAround(int piece) {
-        const Bounds& own = pieces_.bounds[piece];
-        std::vector<int> around;
-        const auto mayHold = [&](const Bounds& box) { return liesIn(own, box); };
-        tree_.find(boundsOf_, mayHold, [&](int other) {
-            if (other != piece && liesIn(own, pieces_.bounds[other])) {
-                around.push_back(other);
-            }
-        });
+    static constexpr int kLeastSamples = 5;
+    static constexpr double kMostTests = 3e8;  // of a point with a triangle: about a second
+
+    std::vector<std::vector<int>> boxesAround() const {
+        std::vector<int> all(pieces_.bounds.size());
+        std::iota(all.begin(), all.end(), 0);
+        const BoxTree::BoundsOf boundsOf = [this](int piece) { return pieces_.bounds[piece]; };
+        BoxTree tree(all, boundsOf);
+        std::vector<std::vector<int>> around(all.size());
+        for (const int piece : all) {
+            const Bounds& own = pieces_.bounds[piece];
+            const auto mayHold = [&](const Bounds& box) { return liesIn(own, box); };
+            tree.find(boundsOf, mayHold, [&](int other) {
+                if (other != piece && liesIn(own, pieces_.bounds[other])) {
+                    around[piece].push_back(other);
+                }
+            });
+        }
         return around;
+    }
+
+    void keepThoseAround(int piece, int samples, std::vector<int>& around) const {
+        if (around.empty()) {
+            return;
+        }
+        for (const int t : samplesOf(pieces_, piece, samples)) {
+            const Vec3 point = pointInside(cornersOf(soup_, triangles_[t]));
+            keepAround(soup_, triangles_, pieces_, point, around);
+            if (around.empty()) {
+                return;
+            }
+        }
     }
 
     const TriangleSoup& soup_;
     const std::vector<Triangle>& triangles_;
     const TrianglePieces& pieces_;
-    BoxTree::BoundsOf boundsOf_ = [this](int piece) { return pieces_.bounds[piece]; };
-    BoxTree tree_;
 };
 
 /// By piece: whether it bounds material from outside or a cavity, and which way it faces.
@@ -282,9 +301,9 @@ struct Facing {
 Facing facingOf(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
                 const TrianglePieces& pieces) {
     Facing facing;
-    Nesting nesting(soup, triangles, pieces);
-    for (int i = 0; i < static_cast<int>(pieces.volumes.size()); ++i) {
-        const bool cavity = nesting.depthOf(i) % 2 == 1;
+    const std::vector<int> depths = Nesting(soup, triangles, pieces).depths();
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const bool cavity = depths[i] % 2 == 1;
         facing.cavity.push_back(cavity);
         facing.wrong.push_back(cavity ? pieces.volumes[i] > 0 : pieces.volumes[i] < 0);
     }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -242,6 +243,11 @@ TEST(TurnOutward, ShellsThatCrossStayAsTheyAre) {
         test::joined(test::icosphereSoup(2), test::icosphereSoup(2, 0.3), Vec3(0.4, 0, 0));
     EXPECT_EQ(inspectTriangles(both).cavities, 0);
     EXPECT_EQ(turnOutward(both), 0);
+    // One that looks out by a hundredth of the other's size, within its box.
+    TriangleSoup eye = test::joined(test::icosphereSoup(4), test::icosphereSoup(2, 0.1),
+                                    Vec3::Constant(0.415 / std::sqrt(3.0)));
+    EXPECT_EQ(inspectTriangles(eye).cavities, 0);
+    EXPECT_EQ(turnOutward(eye), 0);
 }
 
 }  // namespace
