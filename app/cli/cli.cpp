@@ -192,10 +192,32 @@ void describeInspect(Parser& parser, Arguments& arguments) {
         ->check(refuseEmpty);
     CLI::Option* const json =
         parser.inspect->add_flag("--json", arguments.inspect.json, "Print one JSON object");
+    CLI::Option* const pieces =
+        parser.inspect
+            ->add_flag("--pieces", arguments.inspect.pieces,
+                       "Print a table of the pieces as CSV: volume, areas, centre, box")
+            ->excludes(json);
+    CLI::Option* const repair =
+        parser.inspect
+            ->add_option("--repair", arguments.inspect.repaired,
+                         "Write the model here as a repair leaves it, and report that one")
+            ->type_name("OUT.ply")
+            ->check(refuseEmpty)
+            ->excludes(pieces);
+    CLI::Option* const remesh =
+        parser.inspect
+            ->add_option("--remesh", arguments.inspect.remeshed,
+                         "Write the model here, repaired and with even triangles")
+            ->type_name("OUT.ply")
+            ->check(refuseEmpty)
+            ->excludes(pieces)
+            ->excludes(repair);
     parser.inspect
-        ->add_flag("--pieces", arguments.inspect.pieces,
-                   "Print a table of the pieces as CSV: volume, areas, centre, box")
-        ->excludes(json);
+        ->add_option("--edge", arguments.inspect.edge,
+                     "Length of their edges in the model's unit; the mean of what there is")
+        ->type_name("LENGTH")
+        ->check(CLI::PositiveNumber)
+        ->needs(remesh);
 }
 
 std::string refuseNoMask(const std::string& text) {

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <vector>
 
 #include "app/cli/exit_codes.h"
+#include "app/cli/usage_error.h"
 #include "app/files/builtin_models.h"
+#include "app/files/export.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/files/model_units.h"
+#include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
 #include "ui/piece_row.h"
@@ -27,6 +31,7 @@ using Json = nlohmann::ordered_json;
 struct Inspection {
     MeshReport report;
     std::string refusal;
+    std::vector<std::string> mending;  ///< what `--repair` would do about it; empty: no help
 };
 
 std::filesystem::path modelFile(const std::filesystem::path& model) {
@@ -35,14 +40,44 @@ std::filesystem::path modelFile(const std::filesystem::path& model) {
     return builtin && !std::filesystem::exists(model) ? builtinModelFile(model.string()) : model;
 }
 
+/// Writes the model as a repair leaves it. What can't be repaired throws.
+Inspection mend(const std::filesystem::path& file, const InspectArguments& arguments) {
+    const bool remesh = !arguments.remeshed.empty();
+    const std::filesystem::path& out = remesh ? arguments.remeshed : arguments.repaired;
+    const std::optional<MeshFormat> format = meshFormatOf(out);
+    if (!format) {
+        throw UsageError(out.string() +
+                         ": the name of a mesh file must end in .ply, .obj, .stl, "
+                         ".glb or .gltf");
+    }
+    const MendedModel mended = mendModel(file, {remesh, arguments.edge});
+    for (const std::string& remark : mended.model.remarks) {
+        spdlog::warn("{}: {}", file.string(), remark);
+    }
+    const SurfaceMesh& mesh = mended.model.mesh;
+    ExportLooks looks;
+    looks.own = mended.model.looks;
+    writeOutputFile(out, encodeMesh(mesh, findPieces(mesh), *format, looks));
+    return {mended.report, "", {}};
+}
+
 /// A file that can't be read at all has no report and throws.
 Inspection inspect(const std::filesystem::path& file) {
     Inspection inspection;
     try {
         ReadOptions options;
         options.report = &inspection.report;
+        options.findCrossingsUpTo = std::numeric_limits<std::size_t>::max();
+        options.tryMending = true;
         for (const std::string& remark : readModel(file, options).remarks) {
             spdlog::warn("{}: {}", file.string(), remark);
+        }
+    } catch (const ModelFault& fault) {
+        inspection.refusal = fault.what();
+        inspection.mending = fault.repairs();
+        if (fault.fillableHoles() > 0) {
+            inspection.mending.push_back("filled " +
+                                         counted(fault.fillableHoles(), "hole", "holes"));
         }
     } catch (const InputError& error) {
         if (inspection.report.triangles == 0) {
@@ -82,6 +117,8 @@ Json toJson(const MeshReport& report, const std::filesystem::path& file) {
             {"degenerate_triangles", report.degenerateTriangles},
             {"non_finite_vertices", report.nonFiniteVertices},
             {"out_of_range_indices", report.outOfRangeIndices},
+            {"cavities", report.cavities},
+            {"crossing_triangles", report.crossingTriangles},
             {"repairs", report.repairs},
             {"cuttable", report.cuttable},
             {"problem", report.problem}};
@@ -108,6 +145,12 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     line("bounds") << lengths(report.bounds.low) << " to " << lengths(report.bounds.high) << "\n";
     line("guess") << guessUnits(file, report.bounds).sentence << "\n";
     line("pieces") << report.pieces << "\n";
+    if (report.cavities > 0) {
+        line("cavities") << report.cavities << "\n";
+    }
+    if (report.crossingTriangles > 0) {
+        line("crossing") << counted(report.crossingTriangles, "triangle", "triangles") << "\n";
+    }
     line("volume") << formatNumber(static_cast<float>(report.volume)) << "\n";
     line("closed") << yesNo(report.closed) << "\n";
     line("manifold") << yesNo(report.manifold) << "\n";
@@ -116,6 +159,9 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
         line("repaired") << repair << "\n";
     }
     line("cuttable") << yesNo(inspection.refusal.empty()) << "\n";
+    if (!inspection.mending.empty()) {
+        line("--repair") << "would help: " << joined(inspection.mending, "; ") << "\n";
+    }
 }
 
 /// The lowest triangle of each piece, in the order of findPieces().
@@ -132,8 +178,9 @@ std::vector<int> firstTriangles(const SurfaceMesh& mesh, const PieceMap& pieces)
 std::vector<ui::PieceRow> pieceRows(const SurfaceMesh& mesh) {
     const double all = meshVolume(mesh);
     std::vector<ui::PieceRow> rows;
+    const PieceShells shells(mesh);
     for (const int triangle : firstTriangles(mesh, findPieces(mesh))) {
-        const PieceFigures piece = figuresOfPiece(mesh, triangle);
+        const PieceFigures piece = figuresOfPiece(mesh, shells, triangle);
         ui::PieceRow row;
         row.triangles = piece.triangles;
         row.volume = piece.volume;
@@ -154,10 +201,12 @@ int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
         out << ui::piecesAsCsv(pieceRows(loadModel(file)));
         return kExitDone;
     }
-    const Inspection inspection = inspect(file);
+    const bool mends = !arguments.repaired.empty() || !arguments.remeshed.empty();
+    const Inspection inspection = mends ? mend(file, arguments) : inspect(file);
     if (arguments.json) {
-        out << toJson(inspection.report, file).dump(-1, ' ', false, Json::error_handler_t::replace)
-            << "\n";
+        Json json = toJson(inspection.report, file);
+        json["repairable"] = !inspection.mending.empty();
+        out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
     } else {
         printForPeople(inspection, file, out);
     }

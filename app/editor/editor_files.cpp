@@ -16,9 +16,9 @@ enum PictureChoice { kAddPicture, kNoPicture, kCancel };
 
 // --- Opening -----------------------------------------------------------------------------------
 
-void Editor::State::open(OpeningOrder order, bool fillHoles) {
+void Editor::State::open(OpeningOrder order, Mending mending) {
     asked.reset();
-    work.open(std::move(order), fillHoles);
+    work.open(std::move(order), mending);
 }
 
 void Editor::State::addModel(const std::filesystem::path& file) {
@@ -89,8 +89,8 @@ void Editor::State::show(UploadedDocument uploaded) {
 }
 
 /// Only what would really help is offered.
-void Editor::State::askAboutHoles(const ModelFault& fault, const OpeningOrder& order) {
-    if (fault.fillableHoles() == 0) {
+void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder& order) {
+    if (fault.fillableHoles() == 0 && fault.repairs().empty()) {
         toast.show(fault.what(), true);
         return;
     }
@@ -98,14 +98,17 @@ void Editor::State::askAboutHoles(const ModelFault& fault, const OpeningOrder& o
     if (const std::string whole = order.file.string(); sentence.starts_with(whole)) {
         sentence.replace(0, whole.size(), order.file.filename().string());
     }
+    const bool holesAlone = fault.fillableHoles() > 0;
     const std::string holes = counted(fault.fillableHoles(), "hole", "holes");
+    const std::string help =
+        holesAlone ? "Filling " + holes + " would close it"
+                   : "A repair would help (" + kerf::joined(fault.repairs(), ", ") + ")";
     asked = {{"This model can't be cut as it is",
-              sentence.substr(0, sentence.find(';')) + ". Filling " + holes +
-                  " would close it; the file stays as it is.",
-              {"Fill " + holes, "Cancel"}},
-             [this, order](int choice) {
+              sentence.substr(0, sentence.find(';')) + ". " + help + "; the file stays as it is.",
+              {holesAlone ? "Fill " + holes : "Repair", "Cancel"}},
+             [this, order, holesAlone](int choice) {
                  if (choice == 0) {
-                     open(order, true);
+                     open(order, holesAlone ? Mending::fillHoles : Mending::repair);
                  }
              }};
 }
@@ -236,7 +239,7 @@ void Editor::State::followOpening() {
         }
     } catch (const ModelFault& fault) {
         spdlog::error("{}", fault.what());
-        askAboutHoles(fault, order);
+        askAboutMending(fault, order);
     } catch (const std::exception& error) {
         spdlog::error("{}", error.what());
         toast.show(error.what(), true);

@@ -132,7 +132,7 @@ struct Editor::State {
 
     // Files: editor_files.cpp.
     void open(const std::filesystem::path& file) { open(orderOf(file)); }
-    void open(OpeningOrder order, bool fillHoles = false);
+    void open(OpeningOrder order, Mending mending = Mending::none);
     /// Opens the scene with the model of a file added, or with one of its models taken out.
     void addModel(const std::filesystem::path& file);
     void removeModel(int model);
@@ -140,7 +140,7 @@ struct Editor::State {
     void show(UploadedDocument uploaded);
     void followFiles();
     void followOpening();
-    void askAboutHoles(const ModelFault& fault, const OpeningOrder& order);
+    void askAboutMending(const ModelFault& fault, const OpeningOrder& order);
     void browse(ui::FilePurpose purpose, BrowseFor what = BrowseFor::itself);
     void askAboutTest();
     void take(const ChosenFile& chosen);

@@ -18,8 +18,8 @@ FileWork::~FileWork() {
     behind_.finish();
 }
 
-void FileWork::open(OpeningOrder order, bool fillHoles) {
-    opening_.start(std::make_unique<DocumentLoading>(std::move(order), fillHoles));
+void FileWork::open(OpeningOrder order, Mending mending) {
+    opening_.start(std::make_unique<DocumentLoading>(std::move(order), mending));
 }
 
 std::optional<UploadedDocument> FileWork::advanceOpening(bool mayTake) {

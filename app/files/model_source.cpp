@@ -9,6 +9,9 @@
 #include "app/files/import_protocol.h"
 #include "sim/base/text.h"
 #include "sim/mesh/hole_filling.h"
+#include "sim/repair/crossings.h"
+#include "sim/repair/remesher.h"
+#include "sim/repair/soup_repair.h"
 
 namespace kerf::app {
 
@@ -117,23 +120,42 @@ ImportedModel readThroughProcess(const fs::path& file, const ImportLimits& limit
     return model;
 }
 
-/// Fills holes where that is wanted, and turns what is inside out.
-MeshReport inspectAndRepair(TriangleSoup& soup, bool withFilling) {
-    MeshReport found = inspectTriangles(soup);
-    std::vector<std::string> repairs;
-    if (withFilling && found.openEdges > 0) {
-        const HoleFilling filled = fillHoles(soup);
-        found = inspectTriangles(soup);
-        repairs.push_back("filled " + counted(filled.holes, "hole", "holes") + " with " +
-                          counted(filled.triangles, "triangle", "triangles"));
-    }
+void noteTurning(const MeshReport& found, std::vector<std::string>& repairs) {
     if (found.insideOutPieces > 0) {
-        const int turned = turnOutward(soup);
+        repairs.push_back("turned " +
+                          counted(found.insideOutPieces, "inside-out piece", "inside-out pieces"));
+    }
+    if (found.outwardCavities > 0) {
+        repairs.push_back("turned " + counted(found.outwardCavities, "shell", "shells") +
+                          " inside another one inwards, around a cavity");
+    }
+}
+
+/// Turns what is inside out.
+MeshReport inspectAndTurn(TriangleSoup& soup, std::vector<std::string> repairs) {
+    MeshReport found = inspectTriangles(soup);
+    if (found.insideOutPieces > 0 || found.outwardCavities > 0) {
+        noteTurning(found, repairs);
+        turnOutward(soup);
         found = inspectTriangles(soup);
-        repairs.push_back("turned " + counted(turned, "inside-out piece", "inside-out pieces"));
     }
     found.repairs = std::move(repairs);
     return found;
+}
+
+/// Fills holes where that is wanted, repairs all there is where that is, and turns what is inside
+/// out.
+MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
+    std::vector<std::string> repairs;
+    if (options.repair && !inspectTriangles(soup).cuttable) {
+        repairs = repair::repairSoup(soup);
+    }
+    if (options.fillHoles && inspectTriangles(soup).openEdges > 0) {
+        const HoleFilling filled = fillHoles(soup);
+        repairs.push_back("filled " + counted(filled.holes, "hole", "holes") + " with " +
+                          counted(filled.triangles, "triangle", "triangles"));
+    }
+    return inspectAndTurn(soup, std::move(repairs));
 }
 
 /// See ModelFault::fillableHoles.
@@ -142,7 +164,21 @@ int holesThatHelp(TriangleSoup soup, const MeshReport& report) {
         return 0;
     }
     const int holes = fillHoles(soup).holes;
-    return inspectAndRepair(soup, false).cuttable ? holes : 0;
+    return inspectAndTurn(soup, {}).cuttable ? holes : 0;
+}
+
+/// See ModelFault::repairs.
+std::vector<std::string> repairsThatHelp(TriangleSoup soup) {
+    std::vector<std::string> repairs = repair::repairSoup(soup);
+    return inspectTriangles(soup).cuttable ? repairs : std::vector<std::string>{};
+}
+
+ModelFault faultOf(const fs::path& file, const TriangleSoup& soup, const MeshReport& found,
+                   const ReadOptions& options) {
+    const int holes = options.tryMending ? holesThatHelp(soup, found) : 0;
+    const bool askMore = options.tryMending && holes == 0;
+    return {file.string() + ": " + found.problem, holes,
+            askMore ? repairsThatHelp(soup) : std::vector<std::string>{}};
 }
 
 /// A picture that can't be shown is left out of the materials.
@@ -202,24 +238,74 @@ bool isModelFile(const fs::path& file) {
                                [&](const Format& f) { return extension == f.extension; });
 }
 
+namespace {
+
+void noteCrossings(const MeshReport& found, std::vector<std::string>& remarks) {
+    if (found.crossingTriangles > 0) {
+        remarks.push_back(counted(found.crossingTriangles, "triangle passes", "triangles pass") +
+                          " through others: where they do, the material counts twice and faces of "
+                          "cuts cross; unite the parts in a modelling tool.");
+    }
+}
+
+ModelMesh meshOf(ImportedModel& model) {
+    ModelMesh built(SurfaceMesh::fromTriangles(model.soup.positions, model.soup.triangles));
+    built.looks = looksOf(model);
+    built.remarks = std::move(model.remarks);
+    return built;
+}
+
+/// As a file of floats holds it.
+void roundToFloats(TriangleSoup& soup) {
+    for (Vec3& p : soup.positions) {
+        p = p.cast<float>().cast<double>();
+    }
+    soup = weldExactly(soup);
+}
+
+}  // namespace
+
 ModelMesh readModel(const fs::path& file, const ReadOptions& options) {
     ImportedModel model = importWithLooks(file, ImportLimits{}, options.progress);
     TriangleSoup& soup = model.soup;
     enter(options.progress, "Looking for faults");
-    const MeshReport found = inspectAndRepair(soup, options.fillHoles);
+    MeshReport found = inspectAndRepair(soup, options);
+    if (soup.triangles.size() <= options.findCrossingsUpTo && found.outOfRangeIndices == 0) {
+        repair::countCrossings(soup, found);
+    }
     if (options.report != nullptr) {
         *options.report = found;
     }
     if (!found.cuttable) {
-        const int holes = options.tryFilling ? holesThatHelp(soup, found) : 0;
-        throw ModelFault(file.string() + ": " + found.problem, holes);
+        throw faultOf(file, soup, found, options);
     }
     enter(options.progress, "Building the surface");
-    ModelMesh built(SurfaceMesh::fromTriangles(soup.positions, soup.triangles));
-    enter(options.progress, "Reading the images");
-    built.looks = looksOf(model);
-    built.remarks = std::move(model.remarks);
+    ModelMesh built = meshOf(model);
+    noteCrossings(found, built.remarks);
     return built;
+}
+
+MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
+    ImportedModel model = importWithLooks(file, ImportLimits{}, nullptr);
+    ReadOptions options;
+    options.repair = true;
+    MeshReport found = inspectAndRepair(model.soup, options);
+    if (order.remesh && found.cuttable) {
+        const std::size_t before = model.soup.triangles.size();
+        const double edge = order.edge > 0 ? order.edge : repair::meanEdge(model.soup);
+        repair::remesh(model.soup, edge);
+        found.repairs.push_back("remeshed " + std::to_string(before) + " triangles to " +
+                                std::to_string(model.soup.triangles.size()));
+    }
+    roundToFloats(model.soup);
+    std::vector<std::string> repairs = std::move(found.repairs);
+    found = inspectTriangles(model.soup);
+    found.repairs = std::move(repairs);
+    repair::countCrossings(model.soup, found);
+    if (!found.cuttable) {
+        throw ModelFault(file.string() + ": after the repair still " + found.problem, 0);
+    }
+    return {meshOf(model), std::move(found)};
 }
 
 SurfaceMesh loadModel(const fs::path& file, MeshReport* report) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/files/work_progress.h"
@@ -25,12 +26,17 @@ class InputError : public std::runtime_error {
 /// A model whose triangles could be read but not be cut.
 class ModelFault : public InputError {
   public:
-    ModelFault(const std::string& sentence, int holes) : InputError(sentence), holes_(holes) {}
+    ModelFault(const std::string& sentence, int holes, std::vector<std::string> repairs = {})
+        : InputError(sentence), holes_(holes), repairs_(std::move(repairs)) {}
     /// So many holes, once filled, leave nothing that is wrong; 0 where filling is no help.
     int fillableHoles() const { return holes_; }
+    /// What a repair would do, one phrase each, to leave nothing that is wrong; empty where it is
+    /// no help.
+    const std::vector<std::string>& repairs() const { return repairs_; }
 
   private:
     int holes_;
+    std::vector<std::string> repairs_;
 };
 
 /// The looks that a model brings along.
@@ -79,14 +85,31 @@ SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nu
 
 /// Options for reading a model.
 struct ReadOptions {
-    bool fillHoles = false;        ///< see fillHoles(); named among the repairs
-    bool tryFilling = false;       ///< to tell in a ModelFault whether it would help
+    bool fillHoles = false;   ///< see fillHoles(); named among the repairs
+    bool repair = false;      ///< see repair::repairSoup(); named among the repairs
+    bool tryMending = false;  ///< to tell in a ModelFault which of both would help
+    /// In models of so many triangles at most, those that pass through others are counted.
+    std::size_t findCrossingsUpTo = 0;
     MeshReport* report = nullptr;  ///< filled for a refused model as well
     WorkProgress* progress = nullptr;
 };
 /// loadModel() with the looks that the model has, pictures decoded. A picture that can't be shown
 /// is left out, with a remark. Throws ModelFault where a model can't be cut.
 ModelMesh readModel(const std::filesystem::path& file, const ReadOptions& options);
+
+/// A model file as a repair, and a remeshing where that is asked for, leave it.
+struct MendedModel {
+    ModelMesh model;
+    MeshReport report;  ///< of the model as it is now, with what was done
+};
+/// How to mend a model.
+struct MendingOrder {
+    bool remesh = false;
+    double edge = 0;  ///< the length of edges wanted, in the file's unit; 0: their mean now
+};
+/// Reads a model, repairs it and rounds it to floats, as files hold it. Throws ModelFault where it
+/// can't be cut even then.
+MendedModel mendModel(const std::filesystem::path& file, const MendingOrder& order);
 
 /// The hidden verb of the child process: reads `file`, writes the triangles to standard output.
 int runImportWorker(const std::filesystem::path& file);

@@ -1,11 +1,14 @@
 #include "app/scene/document_loading.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace kerf::app {
 namespace {
 
 constexpr double kUploadBudget = 0.006;  // of a picture [s]; a portion may take longer
+// Of a model of a million triangles the search would take four seconds.
+constexpr std::size_t kMostSearched = 300'000;
 
 }  // namespace
 
@@ -28,11 +31,13 @@ OpeningOrder orderOf(const std::filesystem::path& file) {
             [file](const ReadOptions& options) { return openDocument(file, options); }};
 }
 
-DocumentLoading::DocumentLoading(OpeningOrder order, bool fillHoles)
-    : order_(std::move(order)), job_([open = order_.open, fillHoles](WorkProgress& progress) {
+DocumentLoading::DocumentLoading(OpeningOrder order, Mending mending)
+    : order_(std::move(order)), job_([open = order_.open, mending](WorkProgress& progress) {
           ReadOptions options;
-          options.fillHoles = fillHoles;
-          options.tryFilling = !fillHoles;
+          options.fillHoles = mending == Mending::fillHoles;
+          options.repair = mending == Mending::repair;
+          options.tryMending = mending == Mending::none;
+          options.findCrossingsUpTo = kMostSearched;
           options.progress = &progress;
           return prepareDocument(open(options), &progress);
       }) {}

@@ -40,6 +40,8 @@ struct OpeningOrder {
     std::function<Document(const ReadOptions& options)> open;
     std::function<void()> shown = nullptr;  ///< called once it is what is open; may be null
 };
+/// What is done about a model that can't be cut as it is.
+enum class Mending { none, fillHoles, repair };
 /// To open a model or a session.
 OpeningOrder orderOf(const std::filesystem::path& file);
 
@@ -47,7 +49,7 @@ OpeningOrder orderOf(const std::filesystem::path& file);
 /// the GPU a portion a picture. What is open goes on meanwhile.
 class DocumentLoading {
   public:
-    explicit DocumentLoading(OpeningOrder order, bool fillHoles = false);
+    explicit DocumentLoading(OpeningOrder order, Mending mending = Mending::none);
 
     /// Once a picture, on the thread of the context. Throws InputError where the file can't be
     /// opened, gpu::ShaderError, gpu::OutOfMemory.

@@ -63,6 +63,7 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
     Session session;
     session.model.path = std::filesystem::absolute(file);
     session.model.fillHoles = options.fillHoles;
+    session.model.repair = options.repair;
     const UnitGuess guess = guessUnits(file, meshBounds(model.mesh));
     session.placement = standing(guess, model.mesh.restPositions());
     place(model.mesh, session.placement);
@@ -81,8 +82,10 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
 Document openSession(const std::filesystem::path& file, const ReadOptions& options) {
     Session session = readSession(file);
     session.model.fillHoles |= options.fillHoles;
+    session.model.repair |= options.repair;
     for (FurtherModel& further : session.moreModels) {
         further.model.fillHoles |= options.fillHoles;
+        further.model.repair |= options.repair;
     }
     ModelMesh model = loadSessionModel(session, options);
     std::string note = joined(session.warnings, "; ");
@@ -130,6 +133,7 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     FurtherModel added;
     added.model.path = std::filesystem::absolute(file);
     added.model.fillHoles = options.fillHoles;
+    added.model.repair = options.repair;
     added.color = kColors[(others - 1) % kColors.size()];
     const Placement stands = standing(guess, own.restPositions());
     const Bounds before = meshBounds(loadSessionModel(scene, {}).mesh);

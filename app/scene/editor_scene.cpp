@@ -760,9 +760,10 @@ const std::vector<ui::PieceRow>& EditorScene::measurePieces() {
     refreshPieces();
     const std::vector<int> triangles = simulation_.trianglesOfPieces();
     const SurfaceMesh& mesh = simulation_.mesh();
+    const PieceShells shells(mesh);
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
         if (triangles[p] >= 0) {
-            const PieceFigures figures = figuresOfPiece(mesh, triangles[p]);
+            const PieceFigures figures = figuresOfPiece(mesh, shells, triangles[p]);
             pieces_[p].sums = {figures.skinArea, figures.cutArea, figures.centroid};
         }
     }

@@ -57,6 +57,7 @@ ModelMesh loadPlaced(const ModelReference& reference, const Placement& placement
     requireDigest(file, reference.sha256);
     ReadOptions ours = options;
     ours.fillHoles |= reference.fillHoles;
+    ours.repair |= reference.repair;
     ModelMesh model = readModel(file, ours);
     place(model.mesh, placement);
     if (const std::string problem = checkRoom(meshBounds(model.mesh)); !problem.empty()) {

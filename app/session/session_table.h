@@ -44,6 +44,7 @@ void describe(auto& fields, ModelReference& model) {
                      "digits."},
                     model.sha256, kSha256Digits);
     fields.optional({"fill_holes", "Fills holes before the model is cut."}, model.fillHoles);
+    fields.optional({"repair", "Repairs the model before it is cut."}, model.repair);
 }
 
 void describe(auto& fields, FurtherModel& further) {

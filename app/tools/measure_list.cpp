@@ -63,7 +63,7 @@ double angleAt(const std::vector<Vec3>& points) {
 
 std::vector<ui::MeasureFigure> pieceFigures(const SurfaceAnchor& anchor, const SurfaceMesh& mesh,
                                             const OwnUnit& unit) {
-    const PieceFigures piece = figuresOfPiece(mesh, anchor.triangle());
+    const PieceFigures piece = figuresOfPiece(mesh, PieceShells(mesh), anchor.triangle());
     std::vector<ui::MeasureFigure> figures{
         unit.figure("skin area", piece.skinArea, 2, areaText(piece.skinArea))};
     if (piece.cutArea > 0) {

@@ -35,6 +35,7 @@ FLOORS = {
     "sim/reference": (736, 398, 154, "plain kernels,\nfor tests alone"),
     "sim/base": (130, 618, 94, "mathematics,\nparameters"),
     "sim/mesh": (130, 532, 94, "half-edges,\npieces, trees"),
+    "sim/repair": (20, 532, 84, "files made\ncuttable"),
     "sim/cut": (264, 541, 98, "types, words"),
     "sim/cut/surface": (392, 541, 106, "what lies near"),
     "sim/cut/exact": (392, 627, 106, "predicates"),
@@ -48,6 +49,9 @@ FLOORS = {
 # Where the straight way would lead through rooms: corners of the arrow.
 WAYS = {
     ("app/session", "sim/run"): [(138, 144), (138, 166), (620, 166), (620, 397)],
+    ("app/files", "sim/repair"): [(25, 144), (25, 531)],
+    ("sim/repair", "sim/cut/exact"): [(64, 594), (64, 700), (445, 700), (445, 673)],
+    ("sim/repair", "sim/mesh"): [(106, 563), (129, 563)],
     ("ui", "sim/run"): [(575, 254), (575, 397)],
     ("sim/contact", "gpu"): [(239, 460), (239, 727)],
     ("sim/cut/exact", "sim/base"): [(392, 649), (225, 649)],

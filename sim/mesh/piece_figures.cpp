@@ -9,11 +9,12 @@
 namespace kerf {
 namespace {
 
-/// The triangles that are joined to one by edges, itself the first.
-std::vector<int> connectedTo(const SurfaceMesh& mesh, int triangle) {
+/// The triangles that are joined to some by edges, these the first.
+std::vector<int> connectedTo(const SurfaceMesh& mesh, std::vector<int> found) {
     std::vector<std::uint8_t> seen(mesh.triangleSlots(), 0);
-    std::vector<int> found{triangle};
-    seen[triangle] = 1;
+    for (const int t : found) {
+        seen[t] = 1;
+    }
     for (std::size_t i = 0; i < found.size(); ++i) {
         for (const int h : mesh.twins(found[i])) {
             const int next = SurfaceMesh::triangleOf(h);
@@ -44,10 +45,10 @@ struct Solid {
 
 }  // namespace
 
-PieceFigures figuresOfPiece(const SurfaceMesh& mesh, int triangle) {
+PieceFigures figuresOfPiece(const SurfaceMesh& mesh, const PieceShells& shells, int triangle) {
     PieceFigures figures;
     Solid solid{mesh.position(mesh.triangle(triangle)[0])};
-    for (const int t : connectedTo(mesh, triangle)) {
+    for (const int t : connectedTo(mesh, shells.shellsAround(mesh, triangle))) {
         if (!mesh.present(t)) {
             continue;
         }

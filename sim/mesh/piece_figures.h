@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/base/math.h"
+#include "sim/mesh/cavities.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
@@ -16,7 +17,8 @@ struct PieceFigures {
     double area() const { return skinArea + cutArea; }
 };
 
-/// Adds up the piece that a living triangle belongs to. Reads back what is old of it.
-PieceFigures figuresOfPiece(const SurfaceMesh& mesh, int triangle);
+/// Adds up the piece that a living triangle belongs to. Reads back what is old of it. `shells`: of
+/// the mesh as it is.
+PieceFigures figuresOfPiece(const SurfaceMesh& mesh, const PieceShells& shells, int triangle);
 
 }  // namespace kerf

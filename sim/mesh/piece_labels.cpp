@@ -6,10 +6,25 @@
 #include <utility>
 
 #include "sim/base/growth_room.h"
+#include "sim/mesh/cavities.h"
 #include "sim/mesh/triangle.h"
-#include "sim/mesh/union_find.h"
 
 namespace kerf {
+
+namespace {
+
+/// Whether all pieces are those that there were: what fell apart may have been shells of one piece,
+/// which it still is.
+bool isAsBefore(const LabelChange& change, const std::vector<int>& before) {
+    const int count = before.empty() ? 0 : std::ranges::max(before) + 1;
+    std::vector<int> all(count);
+    std::iota(all.begin(), all.end(), 0);
+    return change.source == all && std::ranges::none_of(change.moves, [](const LabelMove& move) {
+               return move.from >= 0 && move.to >= 0;
+           });
+}
+
+}  // namespace
 
 /// Searches from all changed triangles at once, some triangles each in turn, until all but one of
 /// the parts of each piece are known whole. That takes the time of the smaller parts. Triangles
@@ -216,7 +231,18 @@ class PieceLabels::Splitter {
 };
 
 PieceLabels::PieceLabels(const SurfaceMesh& mesh, Measures measures) : measures_(measures) {
-    labelAll(mesh);
+    UnionFind pieces = shellsOf(mesh);
+    hasCavities_ = joinCavities(mesh, pieces);
+    labelAll(mesh, std::move(pieces));
+}
+
+/// Nothing that a cut makes is a cavity where there was none.
+UnionFind PieceLabels::piecesOf(const SurfaceMesh& mesh) const {
+    UnionFind pieces = shellsOf(mesh);
+    if (hasCavities_) {
+        joinCavities(mesh, pieces);
+    }
+    return pieces;
 }
 
 void PieceLabels::measureVolumes(const SurfaceMesh& mesh) {
@@ -235,19 +261,8 @@ void PieceLabels::measureVolumes(const SurfaceMesh& mesh) {
     }
 }
 
-void PieceLabels::labelAll(const SurfaceMesh& mesh) {
-    UnionFind sets(mesh.vertexCount());
-    std::vector<char> used(mesh.vertexCount(), 0);
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            const Triangle& corners = mesh.triangle(t);
-            sets.join(corners[0], corners[1]);
-            sets.join(corners[0], corners[2]);
-            for (const int v : corners) {
-                used[v] = 1;
-            }
-        }
-    }
+/// `sets`: the vertices of each piece.
+void PieceLabels::labelAll(const SurfaceMesh& mesh, UnionFind sets) {
     pieces_.clear();
     for (std::vector<int>* labels : {&ofVertex_, &placeOfVertex_}) {
         labels->reserve(withGrowthRoom(mesh.vertexCount()));
@@ -256,7 +271,7 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh) {
     ofVertex_.assign(mesh.vertexCount(), -1);
     placeOfVertex_.assign(mesh.vertexCount(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (used[v] == 0) {
+        if (mesh.outgoing(v) < 0) {
             continue;
         }
         const int lowest = sets.root(v);
@@ -296,7 +311,8 @@ LabelChange PieceLabels::update(const SurfaceMesh& mesh, std::span<const int> tr
     splitter.run(touched, triangles);
     const int vanished = firstEmptyPiece();
     const bool youngestVanished = onlyEmptyFrom(vanished) && splitter.cameOff().empty();
-    if (splitter.joined() || (vanished >= 0 && !youngestVanished)) {
+    const bool asksForCavities = hasCavities_ && !splitter.cameOff().empty();
+    if (splitter.joined() || asksForCavities || (vanished >= 0 && !youngestVanished)) {
         return labelAnew(mesh, labelsBefore(change, oldVertices));
     }
     for (const Splitter::Part& part : splitter.cameOff()) {
@@ -340,9 +356,8 @@ std::vector<int> PieceLabels::labelsBefore(const LabelChange& change, std::size_
 }
 
 LabelChange PieceLabels::labelAnew(const SurfaceMesh& mesh, const std::vector<int>& before) {
-    labelAll(mesh);
+    labelAll(mesh, piecesOf(mesh));
     LabelChange change;
-    change.piecesChanged = true;
     change.source.assign(pieces_.size(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (const int label = ofVertex_[v]; label >= 0 && change.source[label] < 0) {
@@ -355,6 +370,7 @@ LabelChange PieceLabels::labelAnew(const SurfaceMesh& mesh, const std::vector<in
             change.moves.push_back({v, before[v], ofVertex_[v]});
         }
     }
+    change.piecesChanged = !isAsBefore(change, before);
     return change;
 }
 

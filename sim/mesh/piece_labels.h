@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/mesh/surface_mesh.h"
+#include "sim/mesh/union_find.h"
 
 namespace kerf {
 
@@ -33,9 +34,11 @@ struct LabelChange {
     bool piecesChanged = false;
 };
 
-/// The connected pieces of a mesh, followed while it is cut: an update costs what the change
-/// touched, and where a piece falls apart the smaller part besides. The largest part keeps the
-/// label, so labels tell age and not place; they are dense.
+/// The pieces of a mesh: its shells, those of cavities as one with the shells around them (see
+/// cavities.h). They are followed while the mesh is cut: an update costs what the change touched,
+/// and where a piece falls apart the smaller part besides. The largest part keeps the label, so
+/// labels tell age and not place; they are dense. Where there are cavities, and a shell falls
+/// apart, all are labelled anew.
 class PieceLabels {
   public:
     /// Whether volumes and areas are followed.
@@ -55,6 +58,8 @@ class PieceLabels {
 
     const std::vector<int>& ofVertex() const { return ofVertex_; }  ///< -1 for unused vertices
     const std::vector<PieceContent>& pieces() const { return pieces_; }
+    /// Whether a piece had several shells when the labels were made.
+    bool hasCavities() const { return hasCavities_; }
 
   private:
     /// A triangle as it was counted.
@@ -69,7 +74,8 @@ class PieceLabels {
     };
     class Splitter;
 
-    void labelAll(const SurfaceMesh& mesh);
+    void labelAll(const SurfaceMesh& mesh, UnionFind sets);
+    UnionFind piecesOf(const SurfaceMesh& mesh) const;
     int firstEmptyPiece() const;
     bool onlyEmptyFrom(int label) const;
     void keepOrder(LabelChange& change);
@@ -93,6 +99,7 @@ class PieceLabels {
     std::vector<PieceContent> pieces_;
     std::vector<Counted> counted_;  ///< by triangle slot
     Measures measures_;
+    bool hasCavities_ = false;
     std::vector<Share> shares_;  ///< by triangle slot; empty where nothing is measured
     // Room for searches, -1 between them.
     std::vector<int> placeOfVertex_;   ///< among those touched

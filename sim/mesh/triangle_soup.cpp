@@ -4,14 +4,15 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
 
 #include "sim/base/text.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
+#include "sim/mesh/winding.h"
 
 namespace kerf {
 
@@ -131,6 +132,18 @@ struct TrianglePieces {
     std::vector<int> ofTriangle;  ///< numbered by their lowest triangle
     std::vector<double> volumes;  ///< signed [m^3]
     std::vector<double> areas;    ///< [m^2]
+    std::vector<Bounds> bounds;   ///< [m]
+    std::vector<int> firsts;      ///< the lowest triangle
+    std::vector<int> counts;      ///< of triangles
+
+    int add(int firstTriangle) {
+        volumes.push_back(0);
+        areas.push_back(0);
+        bounds.emplace_back();
+        firsts.push_back(firstTriangle);
+        counts.push_back(0);
+        return static_cast<int>(volumes.size()) - 1;
+    }
 };
 
 Corners cornersOf(const TriangleSoup& soup, const Triangle& t) {
@@ -150,14 +163,16 @@ TrianglePieces findTrianglePieces(const TriangleSoup& soup, const std::vector<Tr
     for (const Triangle& t : triangles) {
         int& piece = pieceOfRoot[vertices.root(t[0])];
         if (piece < 0) {
-            piece = static_cast<int>(pieces.volumes.size());
-            pieces.volumes.push_back(0);
-            pieces.areas.push_back(0);
+            piece = pieces.add(static_cast<int>(pieces.ofTriangle.size()));
         }
         pieces.ofTriangle.push_back(piece);
         const Corners at = cornersOf(soup, t);
         pieces.volumes[piece] += tetrahedronVolume(at[0] - middle, at[1] - middle, at[2] - middle);
         pieces.areas[piece] += triangleArea(at);
+        ++pieces.counts[piece];
+        for (const Vec3& corner : at) {
+            pieces.bounds[piece].add(corner);
+        }
     }
     return pieces;
 }
@@ -166,55 +181,133 @@ double totalVolume(const TrianglePieces& pieces) {
     return std::accumulate(pieces.volumes.begin(), pieces.volumes.end(), 0.0);
 }
 
-/// Half the solid angle of a triangle seen from a point, signed (Van Oosterom, Strackee 1983).
-double halfSolidAngle(const TriangleSoup& soup, const Triangle& t, const Vec3& point) {
-    const Vec3 a = soup.positions[t[0]] - point;
-    const Vec3 b = soup.positions[t[1]] - point;
-    const Vec3 c = soup.positions[t[2]] - point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    return std::atan2(a.dot(b.cross(c)),
-                      la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-}
-
-/// In how many other pieces a piece lies, from the winding of each around one of its vertices.
-int enclosingPieces(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
-                    const TrianglePieces& pieces, int piece) {
-    const auto first = std::ranges::find(pieces.ofTriangle, piece) - pieces.ofTriangle.begin();
-    const Vec3& point = soup.positions[triangles[first][0]];
-    std::vector<double> winding(pieces.volumes.size(), 0);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (pieces.ofTriangle[i] != piece) {
-            winding[pieces.ofTriangle[i]] +=
-                halfSolidAngle(soup, triangles[i], point) / (2 * std::numbers::pi);
+/// So many triangles of the piece, spread over it, or all.
+std::vector<int> samplesOf(const TrianglePieces& pieces, int piece, int count) {
+    std::vector<int> samples;
+    const int step = std::max(1, pieces.counts[piece] / count);
+    int seen = 0;
+    for (int t = pieces.firsts[piece]; seen < pieces.counts[piece]; ++t) {
+        if (pieces.ofTriangle[t] == piece && seen++ % step == 0) {
+            samples.push_back(t);
         }
     }
-    return static_cast<int>(
-        std::ranges::count_if(winding, [](double w) { return std::abs(w) > 0.5; }));
+    return samples;
 }
 
-/// Which pieces face inwards; see turnOutward.
-std::vector<bool> findInsideOut(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
-                                const TrianglePieces& pieces) {
-    const bool whole = totalVolume(pieces) < 0;
-    std::vector<bool> insideOut(pieces.volumes.size(), whole);
-    for (int i = 0; i < static_cast<int>(pieces.volumes.size()); ++i) {
-        const bool negative = whole ? pieces.volumes[i] > 0 : pieces.volumes[i] < 0;
-        if (negative && enclosingPieces(soup, triangles, pieces, i) % 2 == 0) {
-            insideOut[i] = !insideOut[i];
+bool liesIn(const Bounds& inner, const Bounds& outer) {
+    return contains(outer, inner.low) && contains(outer, inner.high);
+}
+
+/// Removes from `around` the pieces that do not surround the point.
+void keepAround(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
+                const TrianglePieces& pieces, const Vec3& point, std::vector<int>& around) {
+    std::vector<int> winding(pieces.volumes.size(), 0);
+    std::vector<char> asked(pieces.volumes.size(), 0);
+    for (const int piece : around) {
+        asked[piece] = 1;
+    }
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (asked[pieces.ofTriangle[t]] != 0) {
+            winding[pieces.ofTriangle[t]] +=
+                rayCrossing(cornersOf(soup, triangles[t]), triangles[t], point);
         }
     }
-    return insideOut;
+    std::erase_if(around, [&](int piece) { return winding[piece] == 0; });
 }
 
-/// Pieces that still have negative volume once those that are inside out have been turned.
-int countCavities(const TrianglePieces& pieces, const std::vector<bool>& insideOut) {
-    int cavities = 0;
-    for (std::size_t i = 0; i < pieces.volumes.size(); ++i) {
-        cavities += insideOut[i] ? pieces.volumes[i] > 0 : pieces.volumes[i] < 0;
+/// Finds in which other pieces each piece lies as a whole, as far as samples tell.
+class Nesting {
+  public:
+    Nesting(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
+            const TrianglePieces& pieces)
+        : soup_(soup), triangles_(triangles), pieces_(pieces) {}
+
+    /// How many pieces are around each.
+    std::vector<int> depths() const {
+        std::vector<std::vector<int>> around = boxesAround();
+        const auto nested =
+            std::ranges::count_if(around, [](const auto& pieces) { return !pieces.empty(); });
+        const auto tests =
+            static_cast<double>(nested * static_cast<std::ptrdiff_t>(triangles_.size()));
+        const int samples = std::max(kLeastSamples, static_cast<int>(kMostTests / (tests + 1)));
+        std::vector<int> depths;
+        for (int piece = 0; piece < static_cast<int>(around.size()); ++piece) {
+            keepThoseAround(piece, samples, around[piece]);
+            depths.push_back(static_cast<int>(around[piece].size()));
+        }
+        return depths;
     }
-    return cavities;
+
+  private:
+    static constexpr int kLeastSamples = 5;
+    static constexpr double kMostTests = 3e8;  // of a point with a triangle: about a second
+
+    std::vector<std::vector<int>> boxesAround() const {
+        std::vector<int> all(pieces_.bounds.size());
+        std::iota(all.begin(), all.end(), 0);
+        const BoxTree::BoundsOf boundsOf = [this](int piece) { return pieces_.bounds[piece]; };
+        BoxTree tree(all, boundsOf);
+        std::vector<std::vector<int>> around(all.size());
+        for (const int piece : all) {
+            const Bounds& own = pieces_.bounds[piece];
+            const auto mayHold = [&](const Bounds& box) { return liesIn(own, box); };
+            tree.find(boundsOf, mayHold, [&](int other) {
+                if (other != piece && liesIn(own, pieces_.bounds[other])) {
+                    around[piece].push_back(other);
+                }
+            });
+        }
+        return around;
+    }
+
+    void keepThoseAround(int piece, int samples, std::vector<int>& around) const {
+        if (around.empty()) {
+            return;
+        }
+        for (const int t : samplesOf(pieces_, piece, samples)) {
+            const Vec3 point = pointInside(cornersOf(soup_, triangles_[t]));
+            keepAround(soup_, triangles_, pieces_, point, around);
+            if (around.empty()) {
+                return;
+            }
+        }
+    }
+
+    const TriangleSoup& soup_;
+    const std::vector<Triangle>& triangles_;
+    const TrianglePieces& pieces_;
+};
+
+/// By piece: whether it bounds material from outside or a cavity, and which way it faces.
+struct Facing {
+    std::vector<bool> cavity;
+    std::vector<bool> wrong;
+
+    int wrongPieces() const { return countWrong(false); }
+    int wrongCavities() const { return countWrong(true); }
+    int cavities() const { return static_cast<int>(std::ranges::count(cavity, true)); }
+
+  private:
+    int countWrong(bool ofCavities) const {
+        int found = 0;
+        for (std::size_t i = 0; i < wrong.size(); ++i) {
+            found += wrong[i] && cavity[i] == ofCavities;
+        }
+        return found;
+    }
+};
+
+/// A piece inside another one is a cavity, one inside that is material again, and so on.
+Facing facingOf(const TriangleSoup& soup, const std::vector<Triangle>& triangles,
+                const TrianglePieces& pieces) {
+    Facing facing;
+    const std::vector<int> depths = Nesting(soup, triangles, pieces).depths();
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const bool cavity = depths[i] % 2 == 1;
+        facing.cavity.push_back(cavity);
+        facing.wrong.push_back(cavity ? pieces.volumes[i] > 0 : pieces.volumes[i] < 0);
+    }
+    return facing;
 }
 
 /// A piece encloses nothing where its volume is within rounding of zero.
@@ -286,8 +379,9 @@ std::vector<Fault> listFaults(const MeshReport& r) {
          "a cut needs an inside; give it thickness in a modelling tool"},
         {r.insideOutPieces, "piece that is inside out", "pieces that are inside out",
          "the triangles face inwards; flip the normals in a modelling tool"},
-        {r.cavities, "cavity", "cavities",
-         "hollow bodies can't be cut yet; remove the inner surface in a modelling tool"},
+        {r.outwardCavities, "shell inside another one that faces outward",
+         "shells inside another one that face outward",
+         "a shell inside another one bounds a cavity; flip its normals in a modelling tool"},
     };
 }
 
@@ -351,29 +445,36 @@ MeshReport inspectTriangles(const TriangleSoup& welded) {
     report.oriented = sound && !proper.empty() && report.misorientedEdges == 0;
     if (report.closed && report.manifold && report.misorientedEdges == 0) {
         report.flatPieces = countFlat(pieces);
-        const std::vector<bool> insideOut = findInsideOut(welded, proper, pieces);
-        report.insideOutPieces = static_cast<int>(std::ranges::count(insideOut, true));
-        report.cavities = countCavities(pieces, insideOut);
-        report.oriented = report.insideOutPieces == 0 && report.volume > 0;
+        const Facing facing = facingOf(welded, proper, pieces);
+        report.insideOutPieces = facing.wrongPieces();
+        report.outwardCavities = facing.wrongCavities();
+        report.cavities = facing.cavities();
+        report.pieces -= report.cavities;
+        report.oriented =
+            report.insideOutPieces == 0 && report.outwardCavities == 0 && report.volume > 0;
     }
     report.problem = describeProblem(report);
     report.cuttable = report.problem.empty();
     return report;
 }
 
+void turnTriangle(TriangleSoup& soup, int t) {
+    std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+    TriangleAttributes turned = attributesOf(soup.skin, t);
+    std::swap(turned.uvs[1], turned.uvs[2]);
+    std::swap(turned.colors[1], turned.colors[2]);
+    setAttributes(soup.skin, t, turned);
+}
+
 int turnOutward(TriangleSoup& soup) {
     const TrianglePieces pieces = findTrianglePieces(soup, soup.triangles, boundsOf(soup).center());
-    const std::vector<bool> insideOut = findInsideOut(soup, soup.triangles, pieces);
+    const Facing facing = facingOf(soup, soup.triangles, pieces);
     for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-        if (insideOut[pieces.ofTriangle[i]]) {
-            std::swap(soup.triangles[i][1], soup.triangles[i][2]);
-            TriangleAttributes turned = attributesOf(soup.skin, static_cast<int>(i));
-            std::swap(turned.uvs[1], turned.uvs[2]);
-            std::swap(turned.colors[1], turned.colors[2]);
-            setAttributes(soup.skin, static_cast<int>(i), turned);
+        if (facing.wrong[pieces.ofTriangle[i]]) {
+            turnTriangle(soup, static_cast<int>(i));
         }
     }
-    return static_cast<int>(std::ranges::count(insideOut, true));
+    return facing.wrongPieces() + facing.wrongCavities();
 }
 
 }  // namespace kerf

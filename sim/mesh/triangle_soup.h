@@ -24,7 +24,7 @@ struct MeshReport {
     int vertices = 0;
     int triangles = 0;
     Bounds bounds;
-    int pieces = 0;
+    int pieces = 0;               ///< a shell that bounds a cavity belongs to the one around it
     double volume = 0;            ///< signed [m^3]
     int openEdges = 0;            ///< edges with one triangle
     int nonManifoldEdges = 0;     ///< edges with more than two
@@ -33,9 +33,11 @@ struct MeshReport {
     int degenerateTriangles = 0;  ///< with a repeated corner or exactly zero area
     int nonFiniteVertices = 0;
     int outOfRangeIndices = 0;  ///< triangles that name a vertex that is not there
-    int insideOutPieces = 0;    ///< closed pieces that face inwards; see turnOutward
+    int insideOutPieces = 0;    ///< closed shells of material that face inwards; see turnOutward
     int flatPieces = 0;         ///< closed pieces that enclose no volume
-    int cavities = 0;           ///< closed pieces that bound a hollow inside another one
+    int cavities = 0;           ///< closed shells that bound a hollow inside another one
+    int outwardCavities = 0;    ///< of these: such that face outward; see turnOutward
+    int crossingTriangles = 0;  ///< that pass through others; see repair::countCrossings
     bool closed = false;
     bool manifold = false;
     /// Consistently, and, where it is closed and manifold, outward (positive volume).
@@ -50,9 +52,12 @@ struct MeshReport {
 /// and otherwise left out.
 MeshReport inspectTriangles(const TriangleSoup& welded);
 
-/// Turns what faces inwards: everything where the total volume is negative, then each piece of
-/// negative volume that lies in no other piece (one that does is a cavity and stays). The soup
-/// must be closed, manifold and consistently oriented. Returns the number of pieces turned.
+/// Lets a triangle face the other way, with its attributes.
+void turnTriangle(TriangleSoup& soup, int t);
+
+/// Turns shells that face the wrong way: one inside no other faces outward, one inside another
+/// faces inwards and bounds a cavity, one inside that faces outward again. The soup must be closed,
+/// manifold and consistently oriented. Returns the number of shells turned.
 int turnOutward(TriangleSoup& soup);
 
 }  // namespace kerf

@@ -35,6 +35,7 @@ const std::vector<fs::path> kRooms = {
     "sim/cut/patch",
     "sim/cut/cleanup",
     "sim/cut/stroke",
+    "sim/repair",
     "sim/body",
     "sim/contact",
     "sim/solve",

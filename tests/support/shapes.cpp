@@ -387,4 +387,15 @@ TriangleSoup joined(const TriangleSoup& first, const TriangleSoup& second, const
     return both;
 }
 
+TriangleSoup turned(TriangleSoup soup) {
+    for (Triangle& t : soup.triangles) {
+        std::swap(t[1], t[2]);
+    }
+    return soup;
+}
+
+SurfaceMesh hollow(const TriangleSoup& outer, const TriangleSoup& inner, const Vec3& offset) {
+    return meshOf(joined(outer, turned(inner), offset));
+}
+
 }  // namespace kerf::test

@@ -47,5 +47,9 @@ std::string objText(const TriangleSoup& soup);
 
 /// Both soups in one, `second` moved by `offset`.
 TriangleSoup joined(const TriangleSoup& first, const TriangleSoup& second, const Vec3& offset);
+/// The soup with each triangle facing the other way.
+TriangleSoup turned(TriangleSoup soup);
+/// `outer` with a cavity in it, which has the shape of `inner` moved by `offset`.
+SurfaceMesh hollow(const TriangleSoup& outer, const TriangleSoup& inner, const Vec3& offset);
 
 }  // namespace kerf::test

@@ -71,7 +71,9 @@ std::vector<int> findDebris(const SurfaceMesh& mesh, const PieceLabels& pieces, 
 
 std::vector<int> removePieces(SurfaceMesh& mesh, const PieceLabels& pieces,
                               const std::vector<int>& which, int firstTriangle, CutDelta& delta) {
-    std::vector<int> triangles = trianglesOf(mesh, pieces, which, firstTriangle);
+    // A cavity may lie in what comes off without having been cut.
+    std::vector<int> triangles =
+        trianglesOf(mesh, pieces, which, pieces.hasCavities() ? 0 : firstTriangle);
     const std::vector<int> vertices = cornersOf(mesh, triangles);
     for (const int t : triangles) {
         mesh.removeTriangle(t);

@@ -282,15 +282,38 @@ TEST_F(EditorFilesTest, AHoleIsFilledWhereThePersonWantsItAndASessionKeepsIt) {
                 1e-5);
 }
 
-TEST_F(EditorFilesTest, FillingIsNotOfferedWhereItIsNoHelp) {
+TEST_F(EditorFilesTest, NothingIsOfferedWhereItIsNoHelp) {
+    test::writeText(folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+    editor->open(folder / "sheet.obj");
+    waitForWork();
+    EXPECT_EQ(panels().question.text, "");
+    EXPECT_TRUE(panels().toastIsError);
+}
+
+TEST_F(EditorFilesTest, ARepairIsOfferedWhereFillingIsNoHelpAndASessionKeepsIt) {
     // A side stands twice.
     test::writeText(folder / "odd.obj",
                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
                     "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 2 3 4\n");
     editor->open(folder / "odd.obj");
     waitForWork();
-    EXPECT_EQ(panels().question.text, "");
-    EXPECT_TRUE(panels().toastIsError);
+    EXPECT_THAT(panels().question.text, HasSubstr("dropped 1 double of a triangle"));
+    ASSERT_EQ(panels().question.choices.size(), 2U);
+    EXPECT_EQ(panels().question.choices[0], "Repair");
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    tap(Key::enter);
+    waitForWork();
+    EXPECT_EQ(editor->title(), "Kerf - odd - 1 piece");
+    EXPECT_THAT(panels().toast, HasSubstr("dropped 1 double of a triangle"));
+    tap(Key::s, {.control = true});
+    frames(2);
+    type("mended");
+    tap(Key::enter);
+    waitForWork();
+    const Session session = readSession(folder / "mended.kerf.json");
+    EXPECT_TRUE(session.model.repair);
+    EXPECT_NEAR(meshVolume(loadSessionModel(session).mesh),
+                std::pow(session.placement.scale, 3) / 6, 1e-5);
 }
 
 }  // namespace

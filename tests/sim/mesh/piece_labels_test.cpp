@@ -142,5 +142,24 @@ TEST(PieceLabels, FollowRandomCutsStepByStep) {
     EXPECT_GT(labels.pieces().size(), 3u);
 }
 
+TEST(PieceLabels, FollowCutsOfAHollowBody) {
+    SurfaceMesh mesh =
+        test::hollow(test::icosphereSoup(3), test::icosphereSoup(2, 0.25), Vec3(0.02, 0, 0.01));
+    PieceLabels labels(mesh);
+    Cutter cutter(mesh, test::exactSettings());
+    const test::Stroke stroke =
+        test::straightStroke({0.013, 0.021, 0.034}, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60);
+    int changes = 0;
+    cutter.begin(stroke.front());
+    for (const Blade& blade : stroke) {
+        const CutResult result = cutter.advance(blade);
+        const LabelChange change = labels.update(mesh, changedTriangles(result.delta));
+        expectSamePieces(labels, mesh);
+        changes += change.piecesChanged ? 1 : 0;
+    }
+    EXPECT_EQ(labels.pieces().size(), 2u);
+    EXPECT_EQ(changes, 1) << "while shell and cavity are cut apart they are one piece still";
+}
+
 }  // namespace
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -209,7 +210,9 @@ TEST(TurnOutward, CavityStays) {
         turn(hollow.triangles[t]);
     }
     EXPECT_EQ(inspectTriangles(hollow).cavities, 1);
-    EXPECT_THAT(inspectTriangles(hollow).problem, testing::StartsWith("1 cavity: hollow bodies"));
+    EXPECT_EQ(inspectTriangles(hollow).problem, "");
+    EXPECT_EQ(inspectTriangles(hollow).pieces, 1);
+    EXPECT_TRUE(inspectTriangles(hollow).cuttable);
     EXPECT_EQ(turnOutward(hollow), 0);
 
     for (Triangle& t : hollow.triangles) {
@@ -217,6 +220,34 @@ TEST(TurnOutward, CavityStays) {
     }
     EXPECT_EQ(turnOutward(hollow), 2);
     EXPECT_EQ(inspectTriangles(hollow).cavities, 1);
+}
+
+TEST(TurnOutward, ShellInsideAnotherBecomesACavityAndOneInsideThatMaterial) {
+    TriangleSoup nested =
+        test::joined(test::boxSoup(Vec3(2, 2, 2)), test::icosphereSoup(1), Vec3::Zero());
+    nested = test::joined(nested, test::icosphereSoup(1, 0.2), Vec3(0.1, 0, 0));
+    nested = test::joined(nested, test::icosphereSoup(1, 0.1), Vec3(0.1, 0, 0));
+    const MeshReport before = inspectTriangles(nested);
+    EXPECT_EQ(before.outwardCavities, 2);
+    EXPECT_FALSE(before.cuttable);
+    EXPECT_EQ(turnOutward(nested), 2);
+    const MeshReport after = inspectTriangles(nested);
+    EXPECT_EQ(after.problem, "");
+    EXPECT_EQ(after.cavities, 2);
+    EXPECT_EQ(after.pieces, 2);
+    EXPECT_NEAR(after.volume, 8 - 0.4 + 0.4 * 0.056, 0.1);
+}
+
+TEST(TurnOutward, ShellsThatCrossStayAsTheyAre) {
+    TriangleSoup both =
+        test::joined(test::icosphereSoup(2), test::icosphereSoup(2, 0.3), Vec3(0.4, 0, 0));
+    EXPECT_EQ(inspectTriangles(both).cavities, 0);
+    EXPECT_EQ(turnOutward(both), 0);
+    // One that looks out by a hundredth of the other's size, within its box.
+    TriangleSoup eye = test::joined(test::icosphereSoup(4), test::icosphereSoup(2, 0.1),
+                                    Vec3::Constant(0.415 / std::sqrt(3.0)));
+    EXPECT_EQ(inspectTriangles(eye).cavities, 0);
+    EXPECT_EQ(turnOutward(eye), 0);
 }
 
 }  // namespace

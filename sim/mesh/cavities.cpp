@@ -1,0 +1,155 @@
+#include "sim/mesh/cavities.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/mesh/triangle.h"
+#include "sim/mesh/winding.h"
+
+namespace kerf {
+
+namespace {
+
+// A cavity is no sliver: so much of the power 3/2 of its area, of which a sphere encloses 0.094.
+constexpr double kLeastHollow = 1e-7;
+
+/// What is known of a shell at rest.
+struct Shell {
+    int lowest = -1;    ///< its lowest vertex
+    double volume = 0;  ///< signed [m^3], about that vertex
+    double area = 0;    ///< [m^2]
+    bool hasSkin = false;
+    int largest = -1;  ///< its largest triangle
+    double largestArea = 0;
+    Bounds bounds;
+
+    bool isHollow() const { return hasSkin && volume < -kLeastHollow * std::pow(area, 1.5); }
+};
+
+struct Shells {
+    std::vector<Shell> all;
+    std::vector<int> ofTriangle;  ///< by slot, -1 for dead ones
+};
+
+void add(const SurfaceMesh& mesh, int t, Shell& shell) {
+    const Corners at = restCornersOf(mesh, t);
+    const Vec3& apex = mesh.restPosition(shell.lowest);
+    const double area = triangleArea(at);
+    shell.volume += tetrahedronVolume(at[0] - apex, at[1] - apex, at[2] - apex);
+    shell.area += area;
+    shell.hasSkin = shell.hasSkin || mesh.kind(t) == SurfaceKind::skin;
+    if (area > shell.largestArea) {
+        shell.largest = t;
+        shell.largestArea = area;
+    }
+    for (const Vec3& corner : at) {
+        shell.bounds.add(corner);
+    }
+}
+
+Shells measure(const SurfaceMesh& mesh, UnionFind& sets) {
+    Shells shells;
+    shells.ofTriangle.assign(mesh.triangleSlots(), -1);
+    std::vector<int> shellOfRoot(mesh.vertexCount(), -1);
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (!mesh.alive(t)) {
+            continue;
+        }
+        const int root = sets.root(mesh.triangle(t)[0]);
+        if (shellOfRoot[root] < 0) {
+            shellOfRoot[root] = static_cast<int>(shells.all.size());
+            shells.all.emplace_back().lowest = root;
+        }
+        shells.ofTriangle[t] = shellOfRoot[root];
+        add(mesh, t, shells.all[shellOfRoot[root]]);
+    }
+    return shells;
+}
+
+/// The smallest shell of material that the point lies in, -1 for none.
+int shellAround(const SurfaceMesh& mesh, const Shells& shells, const Vec3& point) {
+    std::vector<int> winding(shells.all.size(), 0);
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        const int shell = shells.ofTriangle[t];
+        if (shell >= 0 && shells.all[shell].volume > 0 &&
+            contains(shells.all[shell].bounds, point)) {
+            winding[shell] += rayCrossing(restCornersOf(mesh, t), mesh.triangle(t), point);
+        }
+    }
+    int around = -1;
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+        if (winding[i] > 0 && (around < 0 || shells.all[i].volume < shells.all[around].volume)) {
+            around = static_cast<int>(i);
+        }
+    }
+    return around;
+}
+
+}  // namespace
+
+UnionFind shellsOf(const SurfaceMesh& mesh) {
+    UnionFind sets(mesh.vertexCount());
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            const Triangle& corners = mesh.triangle(t);
+            sets.join(corners[0], corners[1]);
+            sets.join(corners[0], corners[2]);
+        }
+    }
+    return sets;
+}
+
+bool joinCavities(const SurfaceMesh& mesh, UnionFind& shells) {
+    const Shells measured = measure(mesh, shells);
+    bool joined = false;
+    for (const Shell& shell : measured.all) {
+        if (!shell.isHollow()) {
+            continue;
+        }
+        const Vec3 point = pointInside(restCornersOf(mesh, shell.largest));
+        const int around = shellAround(mesh, measured, point);
+        if (around >= 0) {
+            shells.join(shell.lowest, measured.all[around].lowest);
+            joined = true;
+        }
+    }
+    return joined;
+}
+
+PieceShells::PieceShells(const SurfaceMesh& mesh) {
+    UnionFind shells = shellsOf(mesh);
+    UnionFind pieces = shells;
+    if (!joinCavities(mesh, pieces)) {
+        return;
+    }
+    shellOfVertex_.assign(mesh.vertexCount(), -1);
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (!mesh.alive(t)) {
+            continue;
+        }
+        const int shell = shells.root(mesh.triangle(t)[0]);
+        if (shellOfVertex_[shell] < 0) {
+            shells_.push_back({t, shell, pieces.root(shell)});
+        }
+        for (const int v : mesh.triangle(t)) {
+            shellOfVertex_[v] = shell;
+        }
+    }
+}
+
+std::vector<int> PieceShells::shellsAround(const SurfaceMesh& mesh, int triangle) const {
+    std::vector<int> found{triangle};
+    if (shellOfVertex_.empty()) {
+        return found;
+    }
+    const int own = shellOfVertex_[mesh.triangle(triangle)[0]];
+    const int piece = std::ranges::find(shells_, own, &Shell::shellVertex)->pieceVertex;
+    for (const Shell& shell : shells_) {
+        if (shell.pieceVertex == piece && shell.shellVertex != own) {
+            found.push_back(shell.triangle);
+        }
+    }
+    return found;
+}
+
+}  // namespace kerf

@@ -1,0 +1,87 @@
+#include "sim/repair/crossings.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "sim/base/sort_unique.h"
+#include "sim/cut/exact/piercing.h"
+#include "sim/mesh/box_tree.h"
+#include "sim/mesh/triangle.h"
+
+namespace kerf::repair {
+
+namespace {
+
+// Beyond so many pairs a model is called crossing through and through.
+constexpr std::size_t kMostCounted = 1'000'000;
+
+Corners cornersOf(const TriangleSoup& soup, int t) {
+    const auto& [a, b, c] = soup.triangles[t];
+    return {soup.positions[a], soup.positions[b], soup.positions[c]};
+}
+
+Bounds boundsOf(const TriangleSoup& soup, int t) {
+    Bounds bounds;
+    for (const int v : soup.triangles[t]) {
+        bounds.add(soup.positions[v]);
+    }
+    return bounds;
+}
+
+/// Whether an edge of `edges` passes through the inside of the other triangle.
+bool anyEdgePierces(const TriangleSoup& soup, int edges, int triangle) {
+    const Triangle& from = soup.triangles[edges];
+    const Triangle& through = soup.triangles[triangle];
+    const auto isCorner = [&](int v) { return std::ranges::find(through, v) != through.end(); };
+    const Corners at = cornersOf(soup, triangle);
+    for (int i = 0; i < 3; ++i) {
+        const int u = from[i];
+        const int v = from[(i + 1) % 3];
+        if (!isCorner(u) && !isCorner(v) &&
+            cut::pierces(soup.positions[u], soup.positions[v], at)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool cross(const TriangleSoup& soup, int a, int b) {
+    return anyEdgePierces(soup, a, b) || anyEdgePierces(soup, b, a);
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::size_t most) {
+    std::vector<int> all(welded.triangles.size());
+    std::iota(all.begin(), all.end(), 0);
+    const BoxTree::BoundsOf bounds = [&](int t) { return boundsOf(welded, t); };
+    BoxTree tree(all, bounds);
+    std::vector<std::pair<int, int>> pairs;
+    for (const int t : all) {
+        const Bounds own = boundsOf(welded, t);
+        const auto overlaps = [&](const Bounds& box) { return box.overlaps(own); };
+        tree.find(bounds, overlaps, [&](int other) {
+            if (other > t && own.overlaps(boundsOf(welded, other)) && cross(welded, t, other)) {
+                pairs.emplace_back(t, other);
+            }
+        });
+        if (pairs.size() >= most) {
+            break;
+        }
+    }
+    std::ranges::sort(pairs);
+    pairs.resize(std::min(pairs.size(), most));
+    return pairs;
+}
+
+void countCrossings(const TriangleSoup& welded, MeshReport& report) {
+    std::vector<int> crossing;
+    for (const auto& [a, b] : findCrossings(welded, kMostCounted)) {
+        crossing.push_back(a);
+        crossing.push_back(b);
+    }
+    sortUnique(crossing);
+    report.crossingTriangles = static_cast<int>(crossing.size());
+}
+
+}  // namespace kerf::repair

@@ -1,0 +1,254 @@
+#include "sim/repair/edge_pairing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "sim/mesh/triangle.h"
+#include "sim/mesh/union_find.h"
+#include "sim/repair/soup_editing.h"
+
+namespace kerf::repair {
+
+namespace {
+
+// How far parted vertices move apart, in edges: a float tells them apart, a person does not.
+constexpr double kParting = 1e-3;
+
+/// The half-edge at the other side of each, -1 for none.
+using Partners = std::vector<int>;
+
+Partners pairsOfTwo(const std::vector<Side>& sides, std::size_t triangles) {
+    Partners partners(3 * triangles, -1);
+    forEachEdge(sides, [&](const Side* begin, const Side* end) {
+        if (end - begin == 2) {
+            partners[begin[0].halfEdge] = begin[1].halfEdge;
+            partners[begin[1].halfEdge] = begin[0].halfEdge;
+        }
+    });
+    return partners;
+}
+
+int originOf(const TriangleSoup& soup, int h) {
+    return soup.triangles[h / 3][h % 3];
+}
+
+int apexOf(const TriangleSoup& soup, int h) {
+    return soup.triangles[h / 3][(h + 2) % 3];
+}
+
+/// Walks over the patch of a triangle; `turned` tells which face otherwise than it. Returns the
+/// triangles of the patch.
+std::vector<int> walkPatch(const TriangleSoup& soup, const Partners& partners, int first,
+                           std::vector<char>& seen, std::vector<char>& turned) {
+    std::vector<int> patch{first};
+    seen[first] = 1;
+    for (std::size_t i = 0; i < patch.size(); ++i) {
+        for (int h = 3 * patch[i]; h < 3 * patch[i] + 3; ++h) {
+            const int g = partners[h];
+            if (g >= 0 && seen[g / 3] == 0) {
+                seen[g / 3] = 1;
+                const bool alike = originOf(soup, g) != originOf(soup, h);
+                turned[g / 3] = alike ? turned[patch[i]] : 1 - turned[patch[i]];
+                patch.push_back(g / 3);
+            }
+        }
+    }
+    return patch;
+}
+
+/// The way around an edge at which a triangle stands, from -pi to pi.
+double angleAround(const TriangleSoup& soup, const Side& side, const Vec3& along, const Vec3& right,
+                   const Vec3& ahead) {
+    const Vec3 way = soup.positions[apexOf(soup, side.halfEdge)] - soup.positions[side.low];
+    const Vec3 across = way - way.dot(along) * along;
+    return std::atan2(across.dot(ahead), across.dot(right));
+}
+
+/// The sides of an edge in the order in which one turns about it from low to high.
+std::vector<Side> inTurn(const TriangleSoup& soup, const Side* begin, const Side* end) {
+    const Vec3 along =
+        (soup.positions[begin->high] - soup.positions[begin->low]).stableNormalized();
+    const Vec3 right = along.unitOrthogonal();
+    const Vec3 ahead = along.cross(right);
+    std::vector<std::pair<double, Side>> placed;
+    for (const Side* side = begin; side != end; ++side) {
+        placed.emplace_back(angleAround(soup, *side, along, right, ahead), *side);
+    }
+    std::ranges::stable_sort(placed, {}, [](const auto& p) { return p.first; });
+    std::vector<Side> sides;
+    sides.reserve(placed.size());
+    for (const auto& [angle, side] : placed) {
+        sides.push_back(side);
+    }
+    return sides;
+}
+
+/// Turning from low to high, material lies between a side that runs down and the next that runs
+/// up. They are matched as brackets are; what finds no match stays open.
+void pairAround(const std::vector<Side>& turn, Partners& partners) {
+    std::vector<int> open;
+    for (std::size_t i = 0; i < 2 * turn.size(); ++i) {
+        const Side& side = turn[i % turn.size()];
+        if (partners[side.halfEdge] >= 0) {
+            continue;
+        }
+        if (!side.upward) {
+            if (i < turn.size()) {
+                open.push_back(side.halfEdge);
+            }
+        } else if (!open.empty()) {
+            partners[side.halfEdge] = open.back();
+            partners[open.back()] = side.halfEdge;
+            open.pop_back();
+        }
+    }
+}
+
+bool runAlike(const TriangleSoup& soup, int h, int g) {
+    return originOf(soup, h) == originOf(soup, g);
+}
+
+/// Leaves two that face opposite ways apart: nothing closes there.
+void dropContradictions(const TriangleSoup& soup, Partners& partners) {
+    for (int h = 0; h < static_cast<int>(partners.size()); ++h) {
+        const int g = partners[h];
+        if (g >= 0 && runAlike(soup, h, g)) {
+            partners[h] = -1;
+            partners[g] = -1;
+        }
+    }
+}
+
+/// Corners of triangles that hang together by pairs, as sets.
+UnionFind fansOf(const TriangleSoup& soup, const Partners& partners) {
+    UnionFind corners(3 * soup.triangles.size());
+    for (int h = 0; h < static_cast<int>(partners.size()); ++h) {
+        const int g = partners[h];
+        if (g > h) {
+            corners.join(h, 3 * (g / 3) + (g + 1) % 3);
+            corners.join(3 * (h / 3) + (h + 1) % 3, g);
+        }
+    }
+    return corners;
+}
+
+/// What a vertex moves by when it is parted from others at its place.
+class Inward {
+  public:
+    explicit Inward(const TriangleSoup& soup)
+        : normals_(soup.positions.size(), Vec3::Zero()), edges_(soup.positions.size(), 0.0) {
+        for (const Triangle& t : soup.triangles) {
+            const Corners at{soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
+            for (int i = 0; i < 3; ++i) {
+                normals_[t[i]] += areaNormal(at);
+                const double edge = (at[(i + 1) % 3] - at[i]).norm();
+                double& least = edges_[t[i]];
+                least = least == 0 ? edge : std::min(least, edge);
+            }
+        }
+    }
+    Vec3 at(int v) const { return -kParting * edges_[v] * normals_[v].stableNormalized(); }
+
+  private:
+    std::vector<Vec3> normals_;
+    std::vector<double> edges_;
+};
+
+/// Gives each fan of triangles a vertex of its own. Returns at how many vertices there were
+/// several.
+int divideVertices(TriangleSoup& soup, UnionFind& fans) {
+    std::vector<int> fanOfVertex(soup.positions.size(), -1);
+    std::vector<int> vertexOfFan(3 * soup.triangles.size(), -1);
+    std::vector<char> isParted(soup.positions.size(), 0);
+    const std::size_t before = soup.positions.size();
+    for (int corner = 0; corner < static_cast<int>(3 * soup.triangles.size()); ++corner) {
+        int& v = soup.triangles[corner / 3][corner % 3];
+        const int fan = fans.root(corner);
+        if (vertexOfFan[fan] < 0) {
+            const bool isFirst = fanOfVertex[v] < 0;
+            fanOfVertex[v] = isFirst ? fan : fanOfVertex[v];
+            vertexOfFan[fan] = isFirst ? v : static_cast<int>(soup.positions.size());
+            if (!isFirst) {
+                isParted[v] = 1;
+                isParted.push_back(1);
+                soup.positions.push_back(soup.positions[v]);
+            }
+        }
+        v = vertexOfFan[fan];
+    }
+    const Inward inward(soup);
+    for (std::size_t v = 0; v < isParted.size(); ++v) {
+        if (isParted[v] != 0) {
+            soup.positions[v] += inward.at(static_cast<int>(v));
+        }
+    }
+    return static_cast<int>(
+        std::count(isParted.begin(), isParted.begin() + static_cast<std::ptrdiff_t>(before), 1));
+}
+
+/// Whether an edge has more than two triangles.
+bool branches(const TriangleSoup& soup) {
+    bool found = false;
+    forEachEdge(sidesByEdge(soup.triangles),
+                [&](const Side* begin, const Side* end) { found = found || end - begin > 2; });
+    return found;
+}
+
+/// Turns connected parts of negative volume, so that it can be told where there is material.
+void turnPartsOutward(TriangleSoup& soup) {
+    const std::vector<int> parts = partsOf(soup);
+    const std::vector<double> volumes = volumesOf(soup, parts);
+    for (std::size_t t = 0; t < parts.size(); ++t) {
+        if (volumes[parts[t]] < 0) {
+            turnTriangle(soup, static_cast<int>(t));
+        }
+    }
+}
+
+}  // namespace
+
+int orientAlike(TriangleSoup& soup) {
+    const Partners partners = pairsOfTwo(sidesByEdge(soup.triangles), soup.triangles.size());
+    std::vector<char> seen(soup.triangles.size(), 0);
+    std::vector<char> turned(soup.triangles.size(), 0);
+    int count = 0;
+    for (int first = 0; first < static_cast<int>(soup.triangles.size()); ++first) {
+        if (seen[first] != 0) {
+            continue;
+        }
+        const std::vector<int> patch = walkPatch(soup, partners, first, seen, turned);
+        const auto others = std::ranges::count_if(patch, [&](int t) { return turned[t] != 0; });
+        const char toTurn = 2 * others <= static_cast<std::ptrdiff_t>(patch.size()) ? 1 : 0;
+        for (const int t : patch) {
+            if (turned[t] == toTurn) {
+                turnTriangle(soup, t);
+                ++count;
+            }
+        }
+    }
+    return count;
+}
+
+PartedSurface partBranches(TriangleSoup& soup) {
+    if (branches(soup)) {
+        turnPartsOutward(soup);
+    }
+    const std::vector<Side> sides = sidesByEdge(soup.triangles);
+    Partners partners = pairsOfTwo(sides, soup.triangles.size());
+    PartedSurface parted;
+    forEachEdge(sides, [&](const Side* begin, const Side* end) {
+        if (end - begin > 2) {
+            pairAround(inTurn(soup, begin, end), partners);
+            ++parted.edges;
+        }
+    });
+    dropContradictions(soup, partners);
+    UnionFind fans = fansOf(soup, partners);
+    const int vertices = divideVertices(soup, fans);
+    parted.vertices = parted.edges > 0 ? 0 : vertices;
+    return parted;
+}
+
+}  // namespace kerf::repair

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "sim/mesh/triangle.h"
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf::repair {
+
+/// Makes the triangles of a soup even where it may: long edges are divided, short ones collapse,
+/// edges are flipped towards six triangles a vertex, and vertices move to the middle of their
+/// neighbours, along the surface (Botsch and Kobbelt 2004). Closed stays closed, manifold stays so.
+class Remesher {
+  public:
+    /// What it is to do.
+    struct Order {
+        std::vector<double> edge;  ///< the length wanted, by triangle [m]
+        /// By triangle: whether it may change; those that may not keep their corners. Empty: all.
+        std::vector<char> free;
+        /// Where a point that moved belongs; empty: it stays where it is.
+        std::function<Vec3(const Vec3&)> project;
+        double hardAngle = 40;  ///< edges bent more keep their line [degrees]; above 180 none does
+        int rounds = 10;
+    };
+
+    /// The soup must be manifold and oriented where it is free.
+    Remesher(TriangleSoup& soup, const Order& order);
+
+    void run();
+
+  private:
+    void divideLong();
+    void collapseShort();
+    bool mayCollapse(int gone, int stays) const;
+    void flipEdges();
+    void relax();
+
+    bool isFixed(int v) const { return fixed_[v] != 0; }
+    std::vector<int> trianglesAt(int a, int b) const;
+    bool isHard(const std::vector<int>& both) const;
+    std::vector<int> hardEndsAt(int v) const;
+    std::vector<int> neighboursOf(int v) const;
+    double length(int a, int b) const;
+    Corners cornersOf(const Triangle& t) const;
+    Vec3 normalOf(const Triangle& t) const;
+    void divide(int a, int b, const std::vector<int>& both);
+    void collapse(int gone, int stays);
+    bool staysGood(int v, int except, const Vec3& at) const;
+    void flip(int a, int b, const std::vector<int>& both);
+    bool improves(int a, int b, int c, int d) const;
+    double leastQuality(const Triangle& first, const Triangle& second) const;
+    bool keepsFacing(const std::vector<int>& both, const Triangle& first,
+                     const Triangle& second) const;
+    std::optional<Vec3> middleOf(int v) const;
+    void moveTo(int v, const Vec3& at);
+    int addTriangle(const Triangle& corners, int like);
+    void removeTriangle(int t);
+    void setTriangle(int t, const Triangle& corners);
+    std::vector<std::pair<int, int>> freeEdges() const;
+    void pack();
+
+    TriangleSoup& soup_;
+    const Order& order_;
+    double cosHard_;
+    std::vector<char> free_;            ///< by triangle
+    std::vector<double> wanted_;        ///< the edge length, by triangle [m]
+    std::vector<char> fixed_;           ///< by vertex: touches what is not free
+    std::vector<std::vector<int>> at_;  ///< the living triangles of each vertex
+};
+
+/// The mean length of the edges of a soup [m], 0 where it has none.
+double meanEdge(const TriangleSoup& soup);
+
+/// Remeshes a closed, manifold, oriented soup to edges of about `edge` [m], on its own surface.
+/// Lines along which it is bent by more than 40 degrees stay.
+void remesh(TriangleSoup& soup, double edge);
+
+}  // namespace kerf::repair

@@ -1,0 +1,112 @@
+#include "sim/repair/soup_editing.h"
+
+#include <algorithm>
+
+#include "sim/mesh/triangle.h"
+#include "sim/mesh/union_find.h"
+
+namespace kerf::repair {
+
+std::vector<Side> sidesByEdge(const std::vector<Triangle>& triangles) {
+    std::vector<Side> sides;
+    sides.reserve(3 * triangles.size());
+    for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const int a = triangles[t][corner];
+            const int b = triangles[t][(corner + 1) % 3];
+            sides.push_back({std::min(a, b), std::max(a, b), 3 * t + corner, a < b});
+        }
+    }
+    std::ranges::sort(sides, {},
+                      [](const Side& s) { return std::tuple(s.low, s.high, s.halfEdge); });
+    return sides;
+}
+
+int keepTriangles(TriangleSoup& soup, const std::vector<char>& keep) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+        if (keep[t] != 0) {
+            soup.triangles[kept] = soup.triangles[t];
+            setAttributes(soup.skin, static_cast<int>(kept),
+                          attributesOf(soup.skin, static_cast<int>(t)));
+            ++kept;
+        }
+    }
+    const auto dropped = static_cast<int>(soup.triangles.size() - kept);
+    soup.triangles.resize(kept);
+    resizeAttributes(soup.skin, kept);
+    return dropped;
+}
+
+void dropUnusedVertices(TriangleSoup& soup) {
+    std::vector<int> place(soup.positions.size(), -1);
+    std::vector<char> used(soup.positions.size(), 0);
+    for (const Triangle& t : soup.triangles) {
+        for (const int v : t) {
+            used[v] = 1;
+        }
+    }
+    int next = 0;
+    for (std::size_t v = 0; v < used.size(); ++v) {
+        if (used[v] != 0) {
+            soup.positions[next] = soup.positions[v];
+            place[v] = next++;
+        }
+    }
+    soup.positions.resize(next);
+    for (Triangle& t : soup.triangles) {
+        for (int& v : t) {
+            v = place[v];
+        }
+    }
+}
+
+std::vector<int> partsOf(const TriangleSoup& soup) {
+    UnionFind sets(soup.positions.size());
+    for (const auto& [a, b, c] : soup.triangles) {
+        sets.join(a, b);
+        sets.join(b, c);
+    }
+    std::vector<int> partOfRoot(soup.positions.size(), -1);
+    std::vector<int> parts;
+    int count = 0;
+    for (const Triangle& t : soup.triangles) {
+        int& part = partOfRoot[sets.root(t[0])];
+        part = part < 0 ? count++ : part;
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+namespace {
+
+int countOf(const std::vector<int>& parts) {
+    return parts.empty() ? 0 : std::ranges::max(parts) + 1;
+}
+
+}  // namespace
+
+std::vector<double> volumesOf(const TriangleSoup& soup, const std::vector<int>& parts) {
+    std::vector<double> volumes(countOf(parts), 0.0);
+    std::vector<int> apexes(volumes.size(), -1);
+    for (std::size_t t = 0; t < parts.size(); ++t) {
+        const auto& [a, b, c] = soup.triangles[t];
+        int& apex = apexes[parts[t]];
+        apex = apex < 0 ? a : apex;
+        const Vec3& o = soup.positions[apex];
+        volumes[parts[t]] +=
+            tetrahedronVolume(soup.positions[a] - o, soup.positions[b] - o, soup.positions[c] - o);
+    }
+    return volumes;
+}
+
+std::vector<double> areasOf(const TriangleSoup& soup, const std::vector<int>& parts) {
+    std::vector<double> areas(countOf(parts), 0.0);
+    for (std::size_t t = 0; t < parts.size(); ++t) {
+        const auto& [a, b, c] = soup.triangles[t];
+        areas[parts[t]] += triangleArea(soup.positions[a], soup.positions[b], soup.positions[c]);
+    }
+    return areas;
+}
+
+}  // namespace kerf::repair

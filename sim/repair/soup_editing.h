@@ -1,0 +1,52 @@
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf::repair {
+
+/// One side of one triangle: half-edge 3 * triangle + corner runs from that corner to the next.
+struct Side {
+    int low = 0;
+    int high = 0;
+    int halfEdge = 0;
+    bool upward = false;  ///< runs from low to high
+
+    int triangle() const { return halfEdge / 3; }
+};
+
+/// The sides of all triangles, those of one edge in a row.
+std::vector<Side> sidesByEdge(const std::vector<Triangle>& triangles);
+
+/// Calls f(begin, end) for the sides of each edge.
+template <class F>
+void forEachEdge(const std::vector<Side>& sides, F&& f) {
+    for (std::size_t begin = 0; begin < sides.size();) {
+        std::size_t end = begin + 1;
+        while (end < sides.size() && sides[end].low == sides[begin].low &&
+               sides[end].high == sides[begin].high) {
+            ++end;
+        }
+        f(sides.data() + begin, sides.data() + end);
+        begin = end;
+    }
+}
+
+/// Leaves out the triangles for which `keep` is 0. Returns how many those are.
+int keepTriangles(TriangleSoup& soup, const std::vector<char>& keep);
+
+/// Leaves out vertices that no triangle has.
+void dropUnusedVertices(TriangleSoup& soup);
+
+/// Numbers of connected parts by triangle, in the order of their lowest ones; parts are connected
+/// by common vertices.
+std::vector<int> partsOf(const TriangleSoup& soup);
+
+/// The signed volume of each part [m^3], about a corner of it.
+std::vector<double> volumesOf(const TriangleSoup& soup, const std::vector<int>& parts);
+/// The area of each part [m^2].
+std::vector<double> areasOf(const TriangleSoup& soup, const std::vector<int>& parts);
+
+}  // namespace kerf::repair

@@ -1,0 +1,321 @@
+#include "sim/repair/soup_repair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "sim/base/text.h"
+#include "sim/mesh/hole_filling.h"
+#include "sim/mesh/triangle.h"
+#include "sim/mesh/union_find.h"
+#include "sim/repair/edge_pairing.h"
+#include "sim/repair/hole_patches.h"
+#include "sim/repair/near_borders.h"
+#include "sim/repair/soup_editing.h"
+
+namespace kerf::repair {
+
+namespace {
+
+constexpr int kMostRounds = 4;
+// A sheet that can't be closed is dropped where it is no larger than this share of the whole.
+constexpr double kLooseShare = 0.05;
+
+Corners cornersOf(const TriangleSoup& soup, int t) {
+    const auto& [a, b, c] = soup.triangles[t];
+    return {soup.positions[a], soup.positions[b], soup.positions[c]};
+}
+
+bool repeatsCorner(const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+bool isUsable(const TriangleSoup& soup, const Triangle& t) {
+    const int count = static_cast<int>(soup.positions.size());
+    return !repeatsCorner(t) && std::ranges::all_of(t, [&](int v) {
+        return v >= 0 && v < count && soup.positions[v].allFinite();
+    });
+}
+
+Triangle sorted(Triangle t) {
+    std::ranges::sort(t);
+    return t;
+}
+
+/// Whether a triangle's corners run as those of the sorted one.
+bool runsUp(const Triangle& t) {
+    const auto lowest = std::ranges::min_element(t) - t.begin();
+    return t[(lowest + 1) % 3] < t[(lowest + 2) % 3];
+}
+
+/// The steps of a repair, and what they did.
+class Repair {
+  public:
+    explicit Repair(TriangleSoup& soup) : soup_(soup) {}
+
+    std::vector<std::string> run() {
+        dropUnusable();
+        for (int round = 0; round < kMostRounds && !inspectTriangles(soup_).cuttable; ++round) {
+            joinBorders();
+            dissolveFlatTriangles();
+            dropDoubles();
+            orient();
+            part();
+            dropLooseSheets();
+            fill();
+            dropFlatParts();
+            turn();
+        }
+        dropUnusedVertices(soup_);
+        return describe();
+    }
+
+  private:
+    void note(const char* one, const char* many, int count) {
+        if (count > 0) {
+            const auto found = std::ranges::find(done_, many, &Deed::many);
+            if (found == done_.end()) {
+                done_.push_back({one, many, count});
+            } else {
+                found->count += count;
+            }
+        }
+    }
+
+    std::vector<std::string> describe() const {
+        std::vector<std::string> phrases;
+        for (const Deed& deed : done_) {
+            std::string phrase = deed.count == 1 ? deed.one : deed.many;
+            const auto place = phrase.find('#');
+            phrases.push_back(phrase.replace(place, 1, std::to_string(deed.count)));
+        }
+        return phrases;
+    }
+
+    void dropUnusable() {
+        std::vector<char> keep;
+        for (const Triangle& t : soup_.triangles) {
+            keep.push_back(isUsable(soup_, t) ? 1 : 0);
+        }
+        const int dropped = keepTriangles(soup_, keep);
+        note("dropped # triangle with a repeated or missing corner",
+             "dropped # triangles with a repeated or missing corner", dropped);
+        for (Vec3& p : soup_.positions) {
+            p = p.allFinite() ? p : Vec3(Vec3::Zero());
+        }
+        soup_ = dropped > 0 ? weldExactly(soup_) : soup_;
+    }
+
+    bool isFlat(int t) const { return areaNormal(cornersOf(soup_, t)).isZero(0); }
+
+    /// Three corners in one line: the neighbour across the longest edge is divided in its stead.
+    void dissolveFlatTriangles() {
+        int dissolved = 0;
+        const auto count = static_cast<int>(soup_.triangles.size());
+        std::vector<char> keep(soup_.triangles.size(), 1);
+        std::vector<Side> sides;
+        for (int t = 0; t < count; ++t) {
+            if (!isFlat(t)) {
+                continue;
+            }
+            sides = sides.empty() ? sidesByEdge(soup_.triangles) : std::move(sides);
+            keep[t] = dissolve(t, sides) ? 1 : 0;
+            ++dissolved;
+        }
+        keepTriangles(soup_, keep);
+        note("dissolved # triangle without area", "dissolved # triangles without area", dissolved);
+    }
+
+    int longestSide(int t) const {
+        const Corners at = cornersOf(soup_, t);
+        int longest = 0;
+        for (int i = 1; i < 3; ++i) {
+            const auto length = [&](int k) { return (at[(k + 1) % 3] - at[k]).squaredNorm(); };
+            longest = length(i) > length(longest) ? i : longest;
+        }
+        return longest;
+    }
+
+    /// Whether its slot is used for half of the neighbour; else it goes.
+    bool dissolve(int t, const std::vector<Side>& sides) {
+        const int side = longestSide(t);
+        const int a = soup_.triangles[t][side];
+        const int b = soup_.triangles[t][(side + 1) % 3];
+        const int middle = soup_.triangles[t][(side + 2) % 3];
+        const int other = onlyNeighbour(t, a, b, sides);
+        if (other < 0 ||
+            std::ranges::find(soup_.triangles[other], middle) != soup_.triangles[other].end()) {
+            return false;
+        }
+        // Both halves are the neighbour with one end of the edge moved to the middle.
+        const TriangleAttributes attributes = attributesOf(soup_.skin, other);
+        Triangle half = soup_.triangles[other];
+        std::ranges::replace(soup_.triangles[other], a, middle);
+        std::ranges::replace(half, b, middle);
+        soup_.triangles[t] = half;
+        setAttributes(soup_.skin, t, attributes);
+        return true;
+    }
+
+    /// The one other triangle at an edge, -1 where there is none or several. The sides are those of
+    /// before: what has been divided since is none.
+    int onlyNeighbour(int t, int a, int b, const std::vector<Side>& sides) const {
+        const std::pair edge(std::min(a, b), std::max(a, b));
+        const auto edgeOf = [](const Side& s) { return std::pair(s.low, s.high); };
+        const auto first = std::ranges::lower_bound(sides, edge, {}, edgeOf);
+        const auto end = std::ranges::upper_bound(sides, edge, {}, edgeOf);
+        if (end - first != 2) {
+            return -1;
+        }
+        const int other = first->triangle() == t ? first[1].triangle() : first->triangle();
+        const Triangle& corners = soup_.triangles[other];
+        const bool still = std::ranges::find(corners, a) != corners.end() &&
+                           std::ranges::find(corners, b) != corners.end();
+        return still && other != t && !isFlat(other) ? other : -1;
+    }
+
+    /// Of triangles with the same corners one stays; where a flap has two sides, none. Of a surface
+    /// that is there twice, once for each side, one is left.
+    void dropDoubles() {
+        std::vector<int> order(soup_.triangles.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::stable_sort(order, {}, [&](int t) { return sorted(soup_.triangles[t]); });
+        std::vector<char> keep(soup_.triangles.size(), 1);
+        std::vector<int> flaps;
+        for (std::size_t i = 0; i < order.size();) {
+            std::size_t end = i + 1;
+            const Triangle corners = sorted(soup_.triangles[order[i]]);
+            while (end < order.size() && sorted(soup_.triangles[order[end]]) == corners) {
+                ++end;
+            }
+            for (std::size_t k = i + 1; k < end; ++k) {
+                keep[order[k]] = 0;
+                if (runsUp(soup_.triangles[order[k]]) != runsUp(soup_.triangles[order[i]])) {
+                    flaps.push_back(order[i]);
+                }
+            }
+            i = end;
+        }
+        const bool twice = 2 * flaps.size() * 2 > soup_.triangles.size();
+        for (const int t : flaps) {
+            keep[t] = twice ? keep[t] : 0;
+        }
+        note("dropped # double of a triangle", "dropped # doubles of triangles",
+             keepTriangles(soup_, keep));
+    }
+
+    void joinBorders() {
+        const JoinedBorders joined = joinNearBorders(soup_);
+        note("joined # vertex that nearly met another", "joined # vertices that nearly met others",
+             joined.vertices);
+        note("divided # open edge where a vertex lay on it",
+             "divided # open edges where vertices lay on them", joined.edges);
+    }
+
+    void orient() {
+        note("turned # triangle to face as those beside it",
+             "turned # triangles to face as those beside them", orientAlike(soup_));
+    }
+
+    void part() {
+        const PartedSurface parted = partBranches(soup_);
+        note("parted the surface at # edge of more than two triangles",
+             "parted the surface at # edges of more than two triangles", parted.edges);
+        note("parted the surface at # vertex where it touched itself",
+             "parted the surface at # vertices where it touched itself", parted.vertices);
+    }
+
+    /// Sheets with a border that holes can't be filled of, as single triangles.
+    void dropLooseSheets() {
+        constexpr int kLeastThatCloses = 3;
+        const std::vector<int> parts = partsOf(soup_);
+        const std::vector<double> areas = areasOf(soup_, parts);
+        const std::vector<char> open = openParts(parts, areas.size());
+        std::vector<int> counts(areas.size(), 0);
+        for (const int part : parts) {
+            ++counts[part];
+        }
+        const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
+        std::vector<char> loose(areas.size(), 0);
+        for (std::size_t p = 0; p < areas.size(); ++p) {
+            loose[p] = open[p] != 0 && areas[p] < kLooseShare * all && counts[p] < kLeastThatCloses;
+        }
+        dropParts(parts, loose, "dropped # loose sheet", "dropped # loose sheets");
+    }
+
+    std::vector<char> openParts(const std::vector<int>& parts, std::size_t count) const {
+        std::vector<char> open(count, 0);
+        forEachEdge(sidesByEdge(soup_.triangles), [&](const Side* begin, const Side* end) {
+            if (end - begin == 1) {
+                open[parts[begin->triangle()]] = 1;
+            }
+        });
+        return open;
+    }
+
+    void fill() {
+        const FilledHoles filled = fillHolesEvenly(soup_);
+        note("filled # hole", "filled # holes", filled.holes);
+    }
+
+    /// Sheets that filling has only doubled; not where there is nothing else.
+    void dropFlatParts() {
+        constexpr double kFlatRatio = 1e-9;
+        const std::vector<int> parts = partsOf(soup_);
+        const std::vector<double> volumes = volumesOf(soup_, parts);
+        const std::vector<double> areas = areasOf(soup_, parts);
+        const std::vector<char> open = openParts(parts, areas.size());
+        std::vector<char> flat(volumes.size(), 0);
+        for (std::size_t p = 0; p < volumes.size(); ++p) {
+            flat[p] = open[p] == 0 && std::abs(volumes[p]) <= kFlatRatio * std::pow(areas[p], 1.5);
+        }
+        if (std::ranges::find(flat, 0) != flat.end()) {
+            dropParts(parts, flat, "dropped # sheet that encloses no volume",
+                      "dropped # sheets that enclose no volume");
+        }
+    }
+
+    void dropParts(const std::vector<int>& parts, const std::vector<char>& which, const char* one,
+                   const char* many) {
+        std::vector<char> keep;
+        for (const int part : parts) {
+            keep.push_back(which[part] != 0 ? 0 : 1);
+        }
+        keepTriangles(soup_, keep);
+        note(one, many,
+             static_cast<int>(std::ranges::count_if(which, [](char w) { return w != 0; })));
+    }
+
+    void turn() {
+        const MeshReport found = inspectTriangles(soup_);
+        if (found.insideOutPieces + found.outwardCavities > 0) {
+            turnOutward(soup_);
+            note("turned # piece that was inside out", "turned # pieces that were inside out",
+                 found.insideOutPieces);
+            note("turned # shell inside another one inwards, around a cavity",
+                 "turned # shells inside another one inwards, around cavities",
+                 found.outwardCavities);
+        }
+    }
+
+    /// What was done so often; '#' stands for the number.
+    struct Deed {
+        std::string one;
+        std::string many;
+        int count;
+    };
+
+    TriangleSoup& soup_;
+    std::vector<Deed> done_;
+};
+
+}  // namespace
+
+std::vector<std::string> repairSoup(TriangleSoup& welded) {
+    return Repair(welded).run();
+}
+
+}  // namespace kerf::repair

@@ -1,0 +1,75 @@
+#include "sim/repair/remesher.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/mesh/invariants.h"
+#include "sim/mesh/triangle.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+/// [degrees]
+double leastAngle(const TriangleSoup& soup) {
+    double least = 180;
+    for (const Triangle& t : soup.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 u = soup.positions[t[(i + 1) % 3]] - soup.positions[t[i]];
+            const Vec3 v = soup.positions[t[(i + 2) % 3]] - soup.positions[t[i]];
+            least =
+                std::min(least, std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::numbers::pi);
+        }
+    }
+    return least;
+}
+
+/// A box of long needles.
+TriangleSoup needles() {
+    TriangleSoup soup = test::boxSoup(Vec3(1, 1, 1), 12);
+    for (Vec3& p : soup.positions) {
+        p.x() *= 0.05;
+    }
+    return soup;
+}
+
+TEST(Remesher, MakesEvenTrianglesAndKeepsTheVolume) {
+    for (TriangleSoup soup :
+         {test::gradedSphereSoup(), test::bentTubeSoup(60, 16), test::torusSoup(90, 12)}) {
+        const double volume = inspectTriangles(soup).volume;
+        const double edge = repair::meanEdge(soup);
+        repair::remesh(soup, edge);
+        const MeshReport report = inspectTriangles(soup);
+        EXPECT_EQ(report.problem, "");
+        EXPECT_NEAR(report.volume, volume, 0.01 * volume);
+        EXPECT_GT(leastAngle(soup), 15);
+        EXPECT_NEAR(repair::meanEdge(soup), edge, 0.25 * edge);
+        EXPECT_EQ(checkClosedManifold(test::meshOf(soup)), "");
+    }
+}
+
+TEST(Remesher, KeepsHardEdges) {
+    TriangleSoup soup = needles();
+    const Bounds before = inspectTriangles(soup).bounds;
+    repair::remesh(soup, 0.05);
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_EQ(report.problem, "");
+    EXPECT_NEAR(report.volume, 0.05, 1e-6);
+    EXPECT_NEAR((report.bounds.low - before.low).norm(), 0, 1e-12);
+    EXPECT_NEAR((report.bounds.high - before.high).norm(), 0, 1e-12);
+    EXPECT_GT(leastAngle(soup), 15);
+}
+
+TEST(Remesher, RefinesWhatIsCoarse) {
+    TriangleSoup soup = test::boxSoup();
+    repair::remesh(soup, 0.1);
+    EXPECT_GT(soup.triangles.size(), 600u);
+    EXPECT_EQ(inspectTriangles(soup).problem, "");
+    EXPECT_NEAR(inspectTriangles(soup).volume, 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf::test {
+
+/// Defects that model files have, by their names: each spoils the soup of a ball, or one that is
+/// spoilt already.
+const std::map<std::string, std::function<void(TriangleSoup&)>>& modelDefects();
+
+/// The ball that they are made for.
+TriangleSoup soundBall();
+
+}  // namespace kerf::test
