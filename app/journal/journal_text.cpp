@@ -60,7 +60,7 @@ class Replay {
   public:
     /// False where the line makes no sense, and none behind it does.
     bool take(const Json& line);
-    bool begun() const { return session_.is_object(); }
+    bool begun() const { return !session_.empty(); }
     KeptWork end() const;
 
   private:
@@ -69,7 +69,7 @@ class Replay {
     int cuts() const;
 
     std::string name_;
-    Json session_;
+    std::string session_;  ///< as text, like the events
     std::vector<KeptEvent> events_;
     int steps_ = 0;
     bool unsaved_ = false;
@@ -105,7 +105,8 @@ bool Replay::begin(const Json& line) {
         return false;
     }
     name_ = begun() ? name_ : line["name"].get<std::string>();
-    session_ = line["session"];
+    const Json& session = line["session"];
+    session_ = session.is_object() ? session.dump() : "";
     return begun();
 }
 
@@ -151,7 +152,7 @@ KeptWork Replay::end() const {
     if (events.empty()) {  // Something must happen, or the editor would not play it.
         events = R"({"step":0,"type":"run"})";
     }
-    Json session = session_;
+    Json session = Json::parse(session_);
     session.erase("events");
     session["steps"] = std::max(last, steps_);
     std::string text = session.dump();

@@ -39,8 +39,8 @@ void removeJournal(const fs::path& journal) {
 }
 
 JournalWriter::JournalWriter(fs::path folder)
-    : file_(folder / newName()),
-      hidden_(folder / ("." + file_.filename().string() + ".part")),
+    : file_(std::move(folder.append(newName()))),
+      hidden_(file_.parent_path() / ("." + file_.filename().string() + ".part")),
       thread_([this] { work(); }) {}
 
 JournalWriter::~JournalWriter() {
@@ -141,8 +141,8 @@ void JournalWriter::work() {
 std::string JournalWriter::textOf(std::deque<Text> texts) {
     std::string all;
     try {
-        for (const Text& text : texts) {
-            all += text();
+        for (Text& text : texts) {
+            all += std::exchange(text, nullptr)();  // What it holds may be large.
         }
     } catch (const std::exception& error) {
         fail(error.what());
