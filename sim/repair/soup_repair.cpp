@@ -66,7 +66,9 @@ class Repair {
             part();
             dropLooseSheets();
             fill();
-            dropFlatParts();
+            if (!dropFlatParts()) {
+                break;
+            }
             turn();
         }
         dropUnusedVertices(soup_);
@@ -261,8 +263,9 @@ class Repair {
         note("filled # hole", "filled # holes", filled.holes);
     }
 
-    /// Sheets that filling has only doubled; not where there is nothing else.
-    void dropFlatParts() {
+    /// Sheets that filling has only doubled. False where there is nothing else, so that no repair
+    /// will help.
+    bool dropFlatParts() {
         constexpr double kFlatRatio = 1e-9;
         const std::vector<int> parts = partsOf(soup_);
         const std::vector<double> volumes = volumesOf(soup_, parts);
@@ -272,10 +275,12 @@ class Repair {
         for (std::size_t p = 0; p < volumes.size(); ++p) {
             flat[p] = open[p] == 0 && std::abs(volumes[p]) <= kFlatRatio * std::pow(areas[p], 1.5);
         }
-        if (std::ranges::find(flat, 0) != flat.end()) {
+        const bool anyLeft = std::ranges::find(flat, 0) != flat.end();
+        if (anyLeft) {
             dropParts(parts, flat, "dropped # sheet that encloses no volume",
                       "dropped # sheets that enclose no volume");
         }
+        return anyLeft;
     }
 
     void dropParts(const std::vector<int>& parts, const std::vector<char>& which, const char* one,

@@ -53,7 +53,8 @@ TEST_F(Inspect, RepairsWhatIsBroken) {
 }
 
 TEST_F(Inspect, WritesNothingOfWhatCannotBeRepaired) {
-    write("sheet.obj", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+    write("sheet.obj", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
+                        {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
     const ProgramRun run = runKerf({"inspect", file("sheet.obj"), "--repair", file("out.ply")});
     EXPECT_EQ(run.exitCode, 3);
     EXPECT_NE(run.errors.find("after the repair still"), std::string::npos) << run.errors;

@@ -283,7 +283,9 @@ TEST_F(EditorFilesTest, AHoleIsFilledWhereThePersonWantsItAndASessionKeepsIt) {
 }
 
 TEST_F(EditorFilesTest, NothingIsOfferedWhereItIsNoHelp) {
-    test::writeText(folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+    test::writeText(folder / "sheet.obj",
+                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\n"
+                    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
     editor->open(folder / "sheet.obj");
     waitForWork();
     EXPECT_EQ(panels().question.text, "");

@@ -141,10 +141,11 @@ TEST(Repair, WhateverComesIsMendedOrRefused) {
 }
 
 TEST(Repair, SheetStaysAndIsRefused) {
-    TriangleSoup sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+    TriangleSoup sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
+                       {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
     repair::repairSoup(sheet);
     EXPECT_FALSE(inspectTriangles(sheet).cuttable);
-    EXPECT_NE(inspectTriangles(sheet).problem, "");
+    EXPECT_THAT(inspectTriangles(sheet).problem, HasSubstr("give it thickness"));
 }
 
 }  // namespace
