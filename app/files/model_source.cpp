@@ -255,6 +255,20 @@ ModelMesh meshOf(ImportedModel& model) {
     return built;
 }
 
+void requireMended(const fs::path& file, const MeshReport& found) {
+    if (!found.cuttable) {
+        throw ModelFault(file.string() + ": after the repair still " + found.problem, 0);
+    }
+}
+
+/// `edge`: 0 for the mean of what there is. Returns what was done.
+std::string remeshed(TriangleSoup& soup, double edge) {
+    const std::size_t before = soup.triangles.size();
+    repair::remesh(soup, edge > 0 ? edge : repair::meanEdge(soup));
+    return "remeshed " + std::to_string(before) + " triangles to " +
+           std::to_string(soup.triangles.size());
+}
+
 /// As a file of floats holds it.
 void roundToFloats(TriangleSoup& soup) {
     for (Vec3& p : soup.positions) {
@@ -290,21 +304,16 @@ MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
     ReadOptions options;
     options.repair = true;
     MeshReport found = inspectAndRepair(model.soup, options);
-    if (order.remesh && found.cuttable) {
-        const std::size_t before = model.soup.triangles.size();
-        const double edge = order.edge > 0 ? order.edge : repair::meanEdge(model.soup);
-        repair::remesh(model.soup, edge);
-        found.repairs.push_back("remeshed " + std::to_string(before) + " triangles to " +
-                                std::to_string(model.soup.triangles.size()));
+    requireMended(file, found);
+    std::vector<std::string> repairs = std::move(found.repairs);
+    if (order.remesh) {
+        repairs.push_back(remeshed(model.soup, order.edge));
     }
     roundToFloats(model.soup);
-    std::vector<std::string> repairs = std::move(found.repairs);
     found = inspectTriangles(model.soup);
-    found.repairs = std::move(repairs);
+    requireMended(file, found);
     repair::countCrossings(model.soup, found);
-    if (!found.cuttable) {
-        throw ModelFault(file.string() + ": after the repair still " + found.problem, 0);
-    }
+    found.repairs = std::move(repairs);
     return {meshOf(model), std::move(found)};
 }
 
