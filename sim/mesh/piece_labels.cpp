@@ -24,6 +24,19 @@ bool isAsBefore(const LabelChange& change, const std::vector<int>& before) {
            });
 }
 
+/// Those of living triangles.
+std::vector<char> usedVertices(const SurfaceMesh& mesh) {
+    std::vector<char> used(mesh.vertexCount(), 0);
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        if (mesh.alive(t)) {
+            for (const int v : mesh.triangle(t)) {
+                used[v] = 1;
+            }
+        }
+    }
+    return used;
+}
+
 }  // namespace
 
 /// Searches from all changed triangles at once, some triangles each in turn, until all but one of
@@ -263,6 +276,7 @@ void PieceLabels::measureVolumes(const SurfaceMesh& mesh) {
 
 /// `sets`: the vertices of each piece.
 void PieceLabels::labelAll(const SurfaceMesh& mesh, UnionFind sets) {
+    const std::vector<char> used = usedVertices(mesh);
     pieces_.clear();
     for (std::vector<int>* labels : {&ofVertex_, &placeOfVertex_}) {
         labels->reserve(withGrowthRoom(mesh.vertexCount()));
@@ -271,7 +285,7 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh, UnionFind sets) {
     ofVertex_.assign(mesh.vertexCount(), -1);
     placeOfVertex_.assign(mesh.vertexCount(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (mesh.outgoing(v) < 0) {
+        if (used[v] == 0) {
             continue;
         }
         const int lowest = sets.root(v);

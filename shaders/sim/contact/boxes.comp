@@ -1,6 +1,6 @@
 // The box of each triangle and its bucket in the grid, and how many triangles a bucket gets.
-// Reads X, triangles. Writes boxes, buckets, counts, directions and pieces, the levels in use and how large
-// their boxes are. One thread per triangle. A storage barrier follows, then scan.
+// Reads X, triangles. Writes boxes, buckets, counts, directions and pieces, the levels in use and
+// how large their boxes are. One thread per triangle. A storage barrier follows, then scan.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"

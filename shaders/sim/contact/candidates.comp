@@ -5,8 +5,8 @@
 // Within a piece a vertex touches the opposite wall of a slit, or what is far away in the rest
 // shape, as another arm; never the material around it or behind it.
 //
-// Reads X, velocities, rest shape, normals, reaches, the grid. Writes candidates, the list of points with
-// any and its length. One thread per vertex. A storage and a command barrier follow.
+// Reads X, velocities, rest shape, normals, reaches, the grid. Writes candidates, the list of
+// points with any and its length. One thread per vertex. A storage and a command barrier follow.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -162,9 +162,10 @@ struct Cursor {
 
 // Whether the bucket holds something that the vertex may touch, which is `away` at least.
 bool isWorthALook(uint bucket, float away) {
-    bool own = ~starts[bucket].first_piece == ownPiece && starts[bucket].last_piece == ownPiece + 1u;
+    ContactBucket all = starts[bucket];
+    bool own = ~all.first_piece == ownPiece && all.last_piece == ownPiece + 1u;
     float limit = own ? reach.own : max(reach.own, reach.others);
-    return (starts[bucket].directions & opposed) != 0u && away <= min(farthest, limit);
+    return (all.directions & opposed) != 0u && away <= min(farthest, limit);
 }
 
 // Whether the end of the bucket was reached before too many waited.

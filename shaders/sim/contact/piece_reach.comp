@@ -1,7 +1,7 @@
 // Up to where the vertices of each piece look for triangles until the next search: of their own
 // piece as far as its parts can approach one another, of others as far as those can come that can
-// come near. So what moves fast elsewhere costs nothing here. Cells are as wide as a piece needs for
-// itself.
+// come near. So what moves fast elsewhere costs nothing here. Cells are as wide as a piece needs
+// for itself.
 // Reads motions, pieces. Writes reaches, the size of cells. One group. A storage barrier follows.
 #include "body_records.h"
 #include "contact_bindings.h"
