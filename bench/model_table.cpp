@@ -139,7 +139,7 @@ void writeSpoilt(const fs::path& folder) {
         for (const auto& [second, spoilMore] : test::modelDefects()) {
             TriangleSoup both = soup;
             spoilMore(both);
-            write(first + " + " + second, both);
+            write(std::string(first).append(" + ").append(second), both);
         }
     }
 }

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -51,7 +52,7 @@ void QuestionBox::drawPicture() {
     const auto width = static_cast<float>(picture_.width());
     const auto height = static_cast<float>(picture_.height());
     const float scale = std::min(1.0F, most / width);
-    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.id())),
+    ImGui::Image(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.id())),
                  {scale * width, scale * height});
     noteItem("question.picture");
     ImGui::Spacing();

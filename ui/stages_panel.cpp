@@ -76,7 +76,7 @@ constexpr std::array kTimes{TimeColumn{"last", &Series::last}, TimeColumn{"mean"
 
 /// A narrow panel leaves out the last of them.
 std::span<const TimeColumn> timesFor(float width) {
-    constexpr float kLeastLetters = 19;
+    constexpr float kLeastLetters = 17;
     return std::span(kTimes).first(kTimes.size() -
                                    (width < kLeastLetters * ImGui::GetFontSize() ? 1 : 0));
 }

@@ -93,7 +93,7 @@ std::optional<double> EditorPicture::fieldAt(EditorScene& scene, const SurfacePo
 }
 
 render::Image EditorPicture::readFree(const EditorView& view) const {
-    const render::Image whole = read();
+    render::Image whole = read();
     const auto clamped = [](float value, int most) {
         return std::clamp(static_cast<int>(value), 0, most);
     };

@@ -286,6 +286,7 @@ class Repair {
     void dropParts(const std::vector<int>& parts, const std::vector<char>& which, const char* one,
                    const char* many) {
         std::vector<char> keep;
+        keep.reserve(parts.size());
         for (const int part : parts) {
             keep.push_back(which[part] != 0 ? 0 : 1);
         }

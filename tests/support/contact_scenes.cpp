@@ -313,7 +313,8 @@ TriangleSoup crowdSoup() {
     const TriangleSoup one = icosphereSoup(2, kCrowdRadius);
     TriangleSoup all;
     for (int i = 0; i < kCrowdSide * kCrowdSide; ++i) {
-        const Vec3 cell(i % kCrowdSide, 0, i / kCrowdSide);
+        const int row = i / kCrowdSide;
+        const Vec3 cell(i % kCrowdSide, 0, row);
         all = joined(all, one, 2.1 * kCrowdRadius * cell);
     }
     return all;

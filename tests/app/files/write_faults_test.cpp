@@ -101,7 +101,6 @@ TEST(WriteFaults, ADeviceAFolderAndALongNameAreRefused) {
 
 TEST(WriteFaults, SettingsStayAsTheyWere) {
     const test::TemporaryFolder folder;
-    SettingsFile(folder / "settings.json");
     ui::Settings wide;
     wide.controlsWidth = 400;
     test::writeText(folder / "settings.json", formatSettings(wide));

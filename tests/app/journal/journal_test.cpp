@@ -139,7 +139,7 @@ TEST(Journal, WhatComesBehindGarbageIsLeftOut) {
           std::string("{\"steps\":1,\"at\":1,\"dropped\":9,\"events\":[]}\n"),
           std::string("{\"steps\":1e300,\"at\":1,\"dropped\":0,\"events\":[]}\n"),
           std::string("{\"steps\":1,\"at\":1,\"dropped\":0,\"events\":{}}\n")}) {
-        EXPECT_EQ(readText(whole + bad + next).cuts, 1) << bad;
+        EXPECT_EQ(readText(std::string(whole).append(bad).append(next)).cuts, 1) << bad;
     }
     EXPECT_THROW(readText(""), InputError);
     EXPECT_THROW(readText("{\"kerf_journal\":2,\"name\":\"a\",\"session\":{}}\n"), InputError);

@@ -54,7 +54,7 @@ TEST(Repair, MendsEachDefect) {
 TEST(Repair, MendsDefectsInPairs) {
     for (const auto& [first, spoil] : test::modelDefects()) {
         for (const auto& [second, spoilMore] : test::modelDefects()) {
-            SCOPED_TRACE(first + ", " + second);
+            SCOPED_TRACE(::testing::Message() << first << ", " << second);
             TriangleSoup soup = test::soundBall();
             spoil(soup);
             spoilMore(soup);
