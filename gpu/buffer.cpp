@@ -86,12 +86,14 @@ Buffer::~Buffer() {
 }
 
 Buffer::Buffer(Buffer&& other) noexcept
-    : id_(std::exchange(other.id_, 0)),
+    : readers_(other.readers_),
+      id_(std::exchange(other.id_, 0)),
       size_(std::exchange(other.size_, 0)),
       capacity_(std::exchange(other.capacity_, 0)),
       texels_(std::exchange(other.texels_, {})) {}
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
+    std::swap(readers_, other.readers_);
     std::swap(id_, other.id_);
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
@@ -110,7 +112,8 @@ void Buffer::reserve(std::size_t bytes, std::size_t keep) {
     if (bytes <= capacity_) {
         return;
     }
-    const std::size_t capacity = grownCapacity(capacity_, bytes);
+    const std::size_t capacity = grownCapacity(
+        capacity_, bytes, readers_ == Readers::texels ? texelLimit() : storageLimit());
     const std::uint32_t grown = allocate(capacity);
     if (keep > 0) {
         glCopyNamedBufferSubData(id_, grown, 0, 0, static_cast<GLsizeiptr>(keep));
@@ -136,7 +139,21 @@ void Buffer::clear() {
 
 void Buffer::bindStorage(std::uint32_t binding) const {
     assert(id_ != 0 && "a buffer needs storage before it is bound");
+    assert(readers_ == Readers::storage && "a buffer for texels is bound by parts");
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_);
+}
+
+std::size_t Buffer::storagePart(std::size_t elementBytes) {
+    GLint alignment = 1;
+    glGetIntegerv(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    const std::size_t aligned = elementBytes * static_cast<std::size_t>(alignment);
+    return storageLimit() / aligned * static_cast<std::size_t>(alignment);
+}
+
+void Buffer::bindStorageRange(std::uint32_t binding, std::size_t offset, std::size_t bytes) const {
+    assert(id_ != 0 && "a buffer needs storage before it is bound");
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, id_, static_cast<GLintptr>(offset),
+                      static_cast<GLsizeiptr>(bytes));
 }
 
 void Buffer::bindTexels(std::uint32_t unit, TexelFormat format) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,7 +21,11 @@ enum class TexelFormat { uint32, uint32x2, uint32x4, float32x2, float32x4 };
 /// An OpenGL buffer object (move only) with a size in use and a capacity with headroom.
 class Buffer {
   public:
-    Buffer() = default;
+    /// Who reads it: shader storage, which some drivers hold small (llvmpipe: 128 MiB), or texels
+    /// alone. The size of the latter is bound by the driver's texture buffers.
+    enum class Readers { storage, texels };
+
+    explicit Buffer(Readers readers = Readers::storage) : readers_(readers) {}
     ~Buffer();
     Buffer(Buffer&& other) noexcept;
     Buffer& operator=(Buffer&& other) noexcept;
@@ -62,8 +67,21 @@ class Buffer {
     /// Fills the size in use with zero bits.
     void clear();
 
-    /// Binds as shader storage to `binding`.
+    /// Binds as shader storage to `binding`. A buffer for texels is bound by parts instead.
     void bindStorage(std::uint32_t binding) const;
+    /// Binds it as shader storage to `binding` part by part, each within the driver's limit, and
+    /// calls visit(first, count) for the elements of `elementBytes` of that part: a shader sees
+    /// element `first` as its first.
+    template <class Visit>
+    void bindStorageParts(std::uint32_t binding, std::size_t elementBytes, Visit&& visit) const {
+        const std::size_t count = size_ / elementBytes;
+        const std::size_t most = storagePart(elementBytes);
+        for (std::size_t first = 0; first < count; first += most) {
+            const std::size_t part = std::min(most, count - first);
+            bindStorageRange(binding, first * elementBytes, part * elementBytes);
+            visit(first, part);
+        }
+    }
     /// Binds as a texture buffer to `unit`, for kernels that only read it, here and there: Mesa's
     /// llvmpipe fetches a texel about four times as fast as it reads four words of storage, other
     /// drivers as fast. Throws OutOfMemory where the driver's texture buffers are too small.
@@ -80,10 +98,14 @@ class Buffer {
     /// Makes room for `bytes`; the first `keep` bytes survive.
     void reserve(std::size_t bytes, std::size_t keep);
     void showTexels(TexelFormat format) const;
+    /// The elements of a part that is bound as storage.
+    static std::size_t storagePart(std::size_t elementBytes);
+    void bindStorageRange(std::uint32_t binding, std::size_t offset, std::size_t bytes) const;
     void assignBytes(std::span<const std::byte> data);
     void writeBytes(std::size_t offset, std::span<const std::byte> data);
     void readBytes(std::size_t offset, std::span<std::byte> out) const;
 
+    Readers readers_;
     std::uint32_t id_ = 0;
     std::size_t size_ = 0;
     std::size_t capacity_ = 0;

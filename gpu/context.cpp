@@ -7,6 +7,8 @@
 #include <atomic>
 #include <string_view>
 
+#include "gpu/limits.h"
+
 namespace kerf::gpu {
 namespace {
 
@@ -60,6 +62,10 @@ void loadFunctions(ProcLoader getProcAddress) {
     if (version < GLAD_MAKE_VERSION(kNeededMajor, kNeededMinor)) {
         throw ContextError("Kerf needs OpenGL 4.5, but this driver offers " + text(GL_VERSION) +
                            " on " + text(GL_RENDERER) + ".");
+    }
+    const std::string lack = sentenceOfLack(driverLimits());
+    if (!lack.empty()) {
+        throw ContextError(lack);
     }
 }
 

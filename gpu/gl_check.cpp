@@ -23,10 +23,19 @@ void throwIfOutOfMemory(std::string_view what, std::size_t bytes) {
     }
 }
 
-std::size_t grownCapacity(std::size_t capacity, std::size_t bytes) {
+std::size_t storageLimit() {
     GLint64 most = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    const auto limit = static_cast<std::size_t>(most);
+    return static_cast<std::size_t>(most);
+}
+
+std::size_t texelLimit() {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    return sizeof(GLuint) * static_cast<std::size_t>(most);
+}
+
+std::size_t grownCapacity(std::size_t capacity, std::size_t bytes, std::size_t limit) {
     if (bytes > limit) {
         throw OutOfMemory(fmt::format(
             "A graphics buffer of {} bytes is needed, but this driver allows {} bytes at most; use "

@@ -70,7 +70,7 @@ void MappedRing::reserve(std::size_t bytes) {
     if (bytes <= capacity_) {
         return;
     }
-    const std::size_t capacity = grownCapacity(capacity_, bytes);
+    const std::size_t capacity = grownCapacity(capacity_, bytes, storageLimit());
     const std::size_t stride = strideOf(capacity);
     const Mapping grown = allocateMapped(kSlots * stride);
     release();

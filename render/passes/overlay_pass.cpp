@@ -2,8 +2,11 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <vector>
 
+#include "shaders/shared/body_records.h"
+#include "shaders/shared/constraints.h"
 #include "shaders/shared/render_bindings.h"
 
 namespace kerf::render {
@@ -107,28 +110,38 @@ void OverlayPass::drawConstraints(Kind kind, const SceneView& scene, const Frame
     const ConstraintView& view = scene.constraints;
     struct Source {
         const gpu::Buffer* records;
-        std::uint32_t quads;
+        std::size_t recordBytes;
+        std::uint32_t count;
+        std::uint32_t lines;  // of a record
         DisplayColor color;
         float width;
         float hidden;
     };
     const std::array<Source, 4> sources{
-        {{scene.body.triangles, 3 * scene.body.triangleCount, kEdgeColor, kLineWidth, 0},
-         {view.bends, 2 * view.bendCount, kBendColor, kLineWidth, 0},
-         {view.ispcs, view.ispcCount, kIspcColor, kLineWidth, kHiddenInside},
-         {view.pulls, view.pullCount, kPinColor, kPullWidth, kHiddenInside}}};
+        {{scene.body.triangles, sizeof(std::array<std::uint32_t, 4>), scene.body.triangleCount, 3,
+          kEdgeColor, kLineWidth, 0},
+         {view.bends, sizeof(shared::BendRecord), view.bendCount, 2, kBendColor, kLineWidth, 0},
+         {view.ispcs, sizeof(shared::IspcConstraint), view.ispcCount, 1, kIspcColor, kLineWidth,
+          kHiddenInside},
+         {view.pulls, sizeof(shared::PullRecord), view.pullCount, 1, kPinColor, kPullWidth,
+          kHiddenInside}}};
     const Source& source = sources[kind];
-    if (source.records == nullptr || source.quads == 0) {
+    if (source.records == nullptr || source.count == 0) {
         return;
     }
-    source.records->bindStorage(kind == edges ? shared::kBindTriangles : shared::kBindConstraints);
     const gpu::Program& program = constraints_[kind];
     program.use();
     setView(program, frame);
     program.set("width", source.width);
     setTones(program, source.color, scene.overlays.errors && kind != pulls);
-    drawBothSides(GLsizei(6 * source.quads), source.hidden,
-                  [&](float strength) { program.set("strength", strength); });
+    source.records->bindStorageParts(
+        kind == edges ? shared::kBindTriangles : shared::kBindConstraints, source.recordBytes,
+        [&](std::size_t first, std::size_t count) {
+            const std::size_t end = std::min<std::size_t>(first + count, source.count);
+            const std::size_t drawn = end - std::min(first, end);
+            drawBothSides(GLsizei(6 * source.lines * drawn), source.hidden,
+                          [&](float strength) { program.set("strength", strength); });
+        });
 }
 
 void OverlayPass::drawContacts(const SceneView& scene, const Frame& frame) {

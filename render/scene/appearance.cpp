@@ -5,6 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "render/scene/jpeg_check.h"
+
 namespace kerf::render {
 namespace {
 
@@ -36,7 +38,11 @@ ImageKind kindOfImage(std::string_view bytes) {
 }
 
 PixelRect sizeOfImage(std::string_view bytes) {
-    kindOfImage(bytes);
+    if (kindOfImage(bytes) == ImageKind::jpeg) {
+        if (const std::string fault = faultOfJpeg(bytes); !fault.empty()) {
+            throw std::runtime_error(fault);
+        }
+    }
     PixelRect size;
     int channels = 0;
     if (stbi_info_from_memory(data(bytes), static_cast<int>(bytes.size()), &size.width,

@@ -178,6 +178,7 @@ BodyLook guest() {
 const LookRow& rowOf(LookName name) {
     static const std::array<LookRow, kLookNames> kLooks{{
         {"Citrus", citrus()},
+        {"Banana", banana()},
         {"Jelly", jelly()},
         {"Meat", meat()},
         {"Sponge", sponge()},

@@ -46,6 +46,7 @@ struct BodyLook {
 /// A look that can be chosen for any body, in the order of kLooks.
 enum class LookName {
     citrus,
+    banana,
     jelly,
     meat,
     sponge,
@@ -58,11 +59,11 @@ enum class LookName {
     matcapSteel,
     normals
 };
-inline constexpr std::size_t kLookNames = 12;
+inline constexpr std::size_t kLookNames = 13;
 /// The words for them in sessions.
 inline constexpr std::array<std::string_view, kLookNames> kLookWords{
-    "citrus", "jelly", "meat", "sponge",      "wood",         "clay",
-    "marble", "plain", "grey", "matcap-clay", "matcap-steel", "normals"};
+    "citrus", "banana", "jelly", "meat",        "sponge",       "wood",   "clay",
+    "marble", "plain",  "grey",  "matcap-clay", "matcap-steel", "normals"};
 
 /// A row of the table of looks.
 struct LookRow {

@@ -44,6 +44,21 @@ inline std::string printable(std::string text) {
     return text;
 }
 
+/// At most so many bytes of a text, cut between two characters of UTF-8.
+inline std::string beginningOf(const std::string& text, std::size_t size) {
+    if (text.size() <= size) {
+        return text;
+    }
+    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
+    return text.substr(0, size);
+}
+
+/// What a file holds as a sentence quotes it: printable, and where it is long its beginning.
+inline std::string shortened(const std::string& text) {
+    constexpr std::size_t kMost = 60;
+    return printable(beginningOf(text, kMost)) + (text.size() > kMost ? "..." : "");
+}
+
 /// ASCII letters in lower case.
 inline std::string lowerCase(std::string text) {
     for (char& c : text) {

@@ -6,7 +6,7 @@ namespace kerf {
 
 BodyUpload::BodyUpload(PreparedBody prepared)
     : prepared_(std::move(prepared)),
-      state_(stateOf(*prepared_.mesh)),
+      state_(stateOf(prepared_.uncut->mesh)),
       solver_(std::make_unique<GpuSolver>()) {}
 
 void BodyUpload::advance() {

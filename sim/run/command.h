@@ -28,6 +28,9 @@ struct SetParam {
     /// Belongs to the gesture of the change of this parameter just before: one undo takes both
     /// back.
     bool continues = false;
+    /// The label of the material that it belongs to; empty for none. Parameters that one material
+    /// sets in a row are one change.
+    std::string material = {};
 };
 /// A hand takes hold, by springs, of all vertices that are now within `radius` of `at`. Hands are
 /// told apart by number; one that held something lets go of it.

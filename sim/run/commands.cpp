@@ -1,4 +1,6 @@
 // How each kind of command is carried out.
+#include <utility>
+
 #include "sim/base/boxes.h"
 #include "sim/base/size_params.h"
 #include "sim/run/simulation_state.h"
@@ -57,7 +59,11 @@ std::string Simulation::State::carryOut(const SetParam& set) {
     if (after != before) {
         log.touch();
         noteParamsChanged();
-        log.noteParam(set.name, before, after, set.continues, output.clock.time);
+        if (set.material.empty()) {
+            log.noteParam(set.name, before, after, set.continues, output.clock.time);
+        } else {
+            log.noteMaterial(set.material, {set.name, before, after}, output.clock.time);
+        }
     }
     return "";
 }
@@ -67,7 +73,7 @@ std::string Simulation::State::carryOut(const Grab& grab) {
     const bool continues = grab.continues && log.continuesBody(BodyGesture::hands);
     const SnapshotPointer before = continues ? nullptr : log.captureForUndo(body);
     log.touch();
-    std::string error = body.memory.hands.grab(grab, body.mesh);
+    std::string error = body.memory.hands.grab(grab, body.mesh());
     if (error.empty() && continues) {
         log.history().renameLast("Hold open");
     } else if (error.empty()) {
@@ -92,7 +98,7 @@ template <>
 std::string Simulation::State::carryOut(const Pin& pin) {
     log.touch();
     Pins before = body.memory.pins;
-    if (body.memory.pins.change(pin.region, pin.pinned, body.mesh) == 0) {
+    if (body.memory.pins.change(pin.region, pin.pinned, body.mesh()) == 0) {
         return pin.pinned ? "No free vertex lies in that region; nothing was pinned."
                           : "No pinned vertex lies in that region; nothing was freed.";
     }
@@ -165,6 +171,16 @@ std::string Simulation::State::carryOut(const Restart&) {
     return "";
 }
 
+/// The uncut body with these models, where there is one: as at first, or prepared ahead.
+std::shared_ptr<const UncutBody> Simulation::State::preparedAs(
+    const std::vector<PlacedModel>& models) {
+    std::shared_ptr<const UncutBody> prepared = std::exchange(preparedPlacement, nullptr);
+    if (models == body.first->models) {
+        return body.first;
+    }
+    return prepared && prepared->models == models ? prepared : nullptr;
+}
+
 template <>
 std::string Simulation::State::carryOut(const Place& place) {
     if (std::string problem = body.checkModel(place.model); !problem.empty()) {
@@ -172,18 +188,22 @@ std::string Simulation::State::carryOut(const Place& place) {
     }
     std::vector<PlacedModel> models = body.uncut->models;
     models[place.model].placement = place.placement;
-    SurfaceMesh placed = body.placedMesh(models);
-    if (const std::string problem = checkRoom(boxOf(placed.restPositions())); !problem.empty()) {
+    std::shared_ptr<const UncutBody> placed = preparedAs(models);
+    SurfaceMesh mesh = placed ? SurfaceMesh() : placedMesh(*body.first, models);
+    const std::vector<Vec3>& rest = placed ? placed->mesh.restPositions() : mesh.restPositions();
+    if (const std::string problem = checkRoom(boxOf(rest)); !problem.empty()) {
         return "T" + problem.substr(1);
     }
     putBladeAway();
     const bool continues = place.continues && log.continuesBody(BodyGesture::placement);
     const Params before = input.params;
-    input.params = followSize(body.uncut->sizeOfModels(),
-                              sizeOfModels(placed.restPositions(), models), before);
+    input.params = followSize(body.uncut->sizeOfModels(), sizeOfModels(rest, models), before);
     log.notePlacement(place, continues ? nullptr : log.captureForUndo(body),
                       changesOfSize(before, input.params), output);
-    body.startAnew(std::move(placed), std::move(models));
+    if (placed == nullptr) {
+        placed = makeUncutBody(std::move(mesh), std::move(models));
+    }
+    body.startAnew(std::move(placed));
     beginAtRest();
     return "";
 }

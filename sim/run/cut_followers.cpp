@@ -31,8 +31,8 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     BodyMemory& memory = body.memory;
     const bool wasOpen = body.isOpen();
     // Positions and velocities: what is written becomes what the GPU will hold.
-    const std::vector<std::uint32_t> written = rewrittenVertices(body.mesh, delta);
-    const BodyState state = roundVertices(body.mesh, written);
+    const std::vector<std::uint32_t> written = rewrittenVertices(body.mesh(), delta);
+    const BodyState state = roundVertices(body.mesh(), written);
     // The model, by the mesh.
     pausePoint();
     body.whole = false;
@@ -51,15 +51,15 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     // What is drawn back to its shape, by the pieces.
     memory.recovery.follow(change.pieces.source);
     // The pins, by the mesh; and the solver with them.
-    if (memory.pins.follow(body.mesh, delta)) {
+    if (memory.pins.follow(body.mesh(), delta)) {
         body.solver.masses().setPinned(memory.pins.vertices());
     }
     // The pieces that are measured in double precision, once somebody asks.
     body.forgetPieces();
     // The pins that an undo would bring back.
-    history.followCut(body.mesh, delta);
+    history.followCut(body.mesh(), delta);
     // Last of all the check, and what a person is told.
-    const std::string defect = checkClosedManifoldAround(body.mesh, changedTriangles(delta));
+    const std::string defect = checkClosedManifoldAround(body.mesh(), changedTriangles(delta));
     memory.closed = memory.closed && defect.empty();
     if (!defect.empty()) {
         output.say("the cut left the mesh open: {}", defect);

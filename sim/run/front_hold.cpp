@@ -8,7 +8,7 @@
 namespace kerf {
 
 FrontHold::FrontHold(RunningBody& body, double timeStep) : body_(body) {
-    if (body_.mesh.openStroke() >= 0) {
+    if (body_.mesh().openStroke() >= 0) {
         carryHidden(timeStep);
         return;
     }
@@ -42,7 +42,7 @@ void FrontHold::carryHidden(double timeStep) {
 }
 
 AnchorFrame FrontHold::frame(double timeStep) const {
-    return {body_.mesh, body_.updater->pieceOfMeshVertex(), body_.cutter->edgeLengthAtFront(),
+    return {body_.mesh(), body_.updater->pieceOfMeshVertex(), body_.cutter->edgeLengthAtFront(),
             body_.cutter->strokeSurface(), timeStep};
 }
 

@@ -32,7 +32,7 @@ void MeshSync::prefetch(const OrientedBox& box, std::span<const int> vertices) {
 
 void MeshSync::invalidate() {
     forget();
-    mesh_.leaveTo(*this);
+    mesh_->leaveTo(*this);
 }
 
 double MeshSync::takePrefetched() {
@@ -60,9 +60,9 @@ void MeshSync::takeWatched(const OrientedBox& box) {
 std::vector<int> MeshSync::trianglesAround(const std::vector<shared::NearbyVertex>& states) const {
     std::vector<int> found;
     for (const shared::NearbyVertex& state : states) {
-        mesh_.forEachOutgoing(static_cast<int>(state.vertex), [&](int h) {
-            if (std::ranges::none_of(mesh_.triangle(h / 3),
-                                     [this](int v) { return mesh_.isOld(v); })) {
+        mesh_->forEachOutgoing(static_cast<int>(state.vertex), [&](int h) {
+            if (std::ranges::none_of(mesh_->triangle(h / 3),
+                                     [this](int v) { return mesh_->isOld(v); })) {
                 found.push_back(h / 3);
             }
         });
@@ -72,8 +72,8 @@ std::vector<int> MeshSync::trianglesAround(const std::vector<shared::NearbyVerte
 }
 
 std::vector<int> MeshSync::lookInto(const OrientedBox& box) {
-    if (mesh_.isWhole()) {
-        return livingTriangles(mesh_);
+    if (mesh_->isWhole()) {
+        return livingTriangles(*mesh_);
     }
     const VertexStates states = solver_.measurer().statesNear(box);
     adopt(states.records);
@@ -87,8 +87,8 @@ void MeshSync::forget() {
 
 void MeshSync::adopt(const std::vector<shared::NearbyVertex>& states) {
     for (const shared::NearbyVertex& s : states) {
-        if (const int v = static_cast<int>(s.vertex); mesh_.isOld(v)) {
-            mesh_.setState(v, Vec3(s.x, s.y, s.z), Vec3(s.vx, s.vy, s.vz));
+        if (const int v = static_cast<int>(s.vertex); mesh_->isOld(v)) {
+            mesh_->setState(v, Vec3(s.x, s.y, s.z), Vec3(s.vx, s.vy, s.vz));
         }
     }
 }
@@ -96,17 +96,17 @@ void MeshSync::adopt(const std::vector<shared::NearbyVertex>& states) {
 void MeshSync::bring(std::span<const int> vertices) {
     std::vector<int> old;
     std::ranges::copy_if(vertices, std::back_inserter(old),
-                         [this](int v) { return mesh_.isOld(v); });
+                         [this](int v) { return mesh_->isOld(v); });
     adopt(solver_.measurer().statesOf(old).records);
 }
 
 void MeshSync::bringAll() {
     ++wholeReads_;
     const BodyState state = solver_.readState();
-    for (int v = 0; v < mesh_.vertexCount(); ++v) {
-        if (mesh_.isOld(v)) {
-            mesh_.setState(v, state.positions[v].cast<double>(),
-                           state.velocities[v].cast<double>());
+    for (int v = 0; v < mesh_->vertexCount(); ++v) {
+        if (mesh_->isOld(v)) {
+            mesh_->setState(v, state.positions[v].cast<double>(),
+                            state.velocities[v].cast<double>());
         }
     }
 }
@@ -116,8 +116,9 @@ std::vector<int> MeshSync::near(const OrientedBox& box) {
         lookAround(box);
     }
     std::vector<int> found;
-    std::ranges::copy_if(triangles_, std::back_inserter(found),
-                         [&](int t) { return mesh_.alive(t) && mayMeet(box, boundsOf(mesh_, t)); });
+    std::ranges::copy_if(triangles_, std::back_inserter(found), [&](int t) {
+        return mesh_->alive(t) && mayMeet(box, boundsOf(*mesh_, t));
+    });
     return found;
 }
 
@@ -125,8 +126,8 @@ std::vector<int> MeshSync::near(const OrientedBox& box) {
 void MeshSync::lookAround(const OrientedBox& box) {
     known_ = box;
     known_->half *= 1 + kWidening;
-    triangles_ = livingTriangles(mesh_);
-    std::erase_if(triangles_, [this](int t) { return !mayMeet(*known_, boundsOf(mesh_, t)); });
+    triangles_ = livingTriangles(*mesh_);
+    std::erase_if(triangles_, [this](int t) { return !mayMeet(*known_, boundsOf(*mesh_, t)); });
 }
 
 void MeshSync::update(std::span<const int> triangles) {

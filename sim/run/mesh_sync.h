@@ -17,8 +17,13 @@ namespace kerf {
 /// prefetched.
 class MeshSync final : public VertexSource, public TriangleFinder {
   public:
-    /// Mesh and solver must outlive the object.
-    MeshSync(SurfaceMesh& mesh, GpuSolver& solver) : mesh_(mesh), solver_(solver) {}
+    /// The solver must outlive the object. followMesh() comes first.
+    explicit MeshSync(GpuSolver& solver) : solver_(solver) {}
+    /// From now on this mesh is kept up to date, which must live as long as it is.
+    void followMesh(SurfaceMesh& mesh) {
+        mesh_ = &mesh;
+        forget();
+    }
 
     /// Before the measure of a step: the box that the blade will look into, and vertices that will
     /// be read wherever they are.
@@ -52,7 +57,7 @@ class MeshSync final : public VertexSource, public TriangleFinder {
     std::vector<int> trianglesAround(const std::vector<shared::NearbyVertex>& states) const;
     void lookAround(const OrientedBox& box);
 
-    SurfaceMesh& mesh_;
+    SurfaceMesh* mesh_ = nullptr;
     GpuSolver& solver_;
     std::optional<OrientedBox> prefetched_;
     /// The box in which near() knows all triangles, by the vertices around which they lie and by

@@ -41,28 +41,46 @@ double UncutBody::sizeOfModels() const {
     return kerf::sizeOfModels(mesh.restPositions(), models);
 }
 
-UncutBody makeUncutBody(SurfaceMesh& atRest, std::vector<PlacedModel> models,
-                        const StageListener& enter) {
+std::shared_ptr<const UncutBody> makeUncutBody(SurfaceMesh atRest, std::vector<PlacedModel> models,
+                                               const StageListener& enter) {
     const auto begin = [&](const char* stage) {
         if (enter) {
             enter(stage);
         }
     };
+    auto running = std::make_shared<SurfaceMesh>(std::move(atRest));
     begin("Building the constraints");
-    BodyUpdater body(atRest, firstVertices(models));
+    BodyUpdater body(*running, firstVertices(models));
     begin("Preparing the blade");
-    Cutter cutter(atRest, CutSettings{});
+    Cutter cutter(*running, CutSettings{});
     cutter.prepare();
-    return {atRest, std::move(body), std::move(cutter), checkClosedManifold(atRest).empty(),
-            std::move(models)};
+    const bool closed = checkClosedManifold(*running).empty();
+    return std::make_shared<const UncutBody>(UncutBody{
+        *running, running, std::move(body), std::move(cutter), closed, std::move(models)});
+}
+
+/// From the placements that the body has, so that it does not matter which ones were tried between.
+SurfaceMesh placedMesh(const UncutBody& uncut, std::span<const PlacedModel> models) {
+    SurfaceMesh placed = uncut.mesh;
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        const Placement& before = uncut.models[m].placement;
+        const PlacementMap from(before);
+        const PlacementMap to(models[m].placement);
+        const int end = m + 1 < models.size() ? models[m + 1].firstVertex : placed.vertexCount();
+        for (int v = models[m].firstVertex; v < end && models[m].placement != before; ++v) {
+            const Vec3 at = to.toScene(from.toModel(uncut.mesh.restPosition(v)));
+            placed.setPosition(v, at);
+            placed.setRestPosition(v, at);
+        }
+    }
+    return placed;
 }
 
 PreparedBody::PreparedBody(SurfaceMesh atRest, const StageListener& enter,
                            std::vector<PlacedModel> models)
-    : mesh(std::make_unique<SurfaceMesh>(std::move(atRest))),
-      uncut(std::make_shared<const UncutBody>(makeUncutBody(*mesh, std::move(models), enter))) {
-    body = std::make_unique<BodyUpdater>(uncut->body);
-    cutter = std::make_unique<Cutter>(uncut->cutter);
+    : uncut(makeUncutBody(std::move(atRest), std::move(models), enter)),
+      body(std::make_unique<BodyUpdater>(uncut->body)),
+      cutter(std::make_unique<Cutter>(uncut->cutter)) {
     pages.assign(body->model().pieceOfVertex, body->model().pieces.size());
 }
 

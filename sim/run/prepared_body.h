@@ -23,10 +23,12 @@ struct PlacedModel {
     bool operator==(const PlacedModel&) const = default;
 };
 
-/// A body before anything was done to it, to come back to. Body and cutter refer to the
-/// mesh of the simulation that they are copied into.
+/// A body before anything was done to it, to come back to.
 struct UncutBody {
     SurfaceMesh mesh;  ///< at rest, where the placement puts it [m]
+    /// The mesh that body and cutter refer to, and so do all copies of them: who runs one of these
+    /// has the running mesh there.
+    std::shared_ptr<SurfaceMesh> running;
     BodyUpdater body;
     Cutter cutter;
     bool closed = false;              ///< see checkClosedManifold
@@ -38,24 +40,25 @@ struct UncutBody {
     double sizeOfModels() const;
 };
 
-/// Makes all that a body needs of `atRest`, which consists of `models`.
-UncutBody makeUncutBody(SurfaceMesh& atRest, std::vector<PlacedModel> models,
-                        const StageListener& enter = {});
+/// Makes all that a body needs of a mesh at rest, which consists of `models`. On any thread.
+std::shared_ptr<const UncutBody> makeUncutBody(SurfaceMesh atRest, std::vector<PlacedModel> models,
+                                               const StageListener& enter = {});
+/// The mesh of an uncut body, with its models put elsewhere. On any thread.
+SurfaceMesh placedMesh(const UncutBody& uncut, std::span<const PlacedModel> models);
 /// The longest diagonal of these models' boxes, where `restPositions` are those of all [m].
 double sizeOfModels(std::span<const Vec3> restPositions, std::span<const PlacedModel> models);
 
 /// A body at rest with all that takes long and needs no GPU. Made on any thread; a BodyUpload takes
-/// it over. It owns the mesh at an address that stays, to which body and cutter refer.
+/// it over. Body and cutter refer to uncut->running.
 struct PreparedBody {
     /// Prepares a mesh at rest, in world units, which consists of `models`.
     explicit PreparedBody(SurfaceMesh atRest, const StageListener& enter = {},
                           std::vector<PlacedModel> models = {{}});
 
-    std::unique_ptr<SurfaceMesh> mesh;
+    std::shared_ptr<const UncutBody> uncut;
     std::unique_ptr<BodyUpdater> body;
     std::unique_ptr<Cutter> cutter;
     VertexPages pages;
-    std::shared_ptr<const UncutBody> uncut;
 };
 
 }  // namespace kerf

@@ -36,7 +36,6 @@ std::vector<MemberMaterial> materialsOf(const Params& params, std::size_t models
 
 RunningBody::RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver)
     : first(std::move(prepared.uncut)),
-      meshOwner(std::move(prepared.mesh)),
       updater(std::move(prepared.body)),
       solverOwner(std::move(loadedSolver)),
       cutter(std::move(*prepared.cutter)) {
@@ -47,6 +46,7 @@ RunningBody::RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loade
 
 void RunningBody::take(std::shared_ptr<const UncutBody> body) {
     uncut = std::move(body);
+    sync.followMesh(mesh());
     diagonal = boxOf(uncut->mesh.restPositions()).diagonal();
     wallEdge = contactEdgeLength(uncut->body.model());
 }
@@ -64,39 +64,18 @@ std::string RunningBody::checkModel(int model) const {
                      counted(models, "model", "models") + ", numbered from 0.";
 }
 
-/// From the placements at first, so that it does not matter which ones were tried in between.
-SurfaceMesh RunningBody::placedMesh(std::span<const PlacedModel> models) const {
-    SurfaceMesh placed = first->mesh;
-    for (std::size_t m = 0; m < models.size(); ++m) {
-        const Placement& before = first->models[m].placement;
-        const PlacementMap from(before);
-        const PlacementMap to(models[m].placement);
-        const int end = m + 1 < models.size() ? models[m + 1].firstVertex : placed.vertexCount();
-        for (int v = models[m].firstVertex; v < end && models[m].placement != before; ++v) {
-            const Vec3 at = to.toScene(from.toModel(first->mesh.restPosition(v)));
-            placed.setPosition(v, at);
-            placed.setRestPosition(v, at);
-        }
-    }
-    return placed;
-}
-
-void RunningBody::startAnew(SurfaceMesh placed, std::vector<PlacedModel> models) {
-    if (models == first->models) {
-        startAsAtFirst();
-        return;
-    }
-    mesh = std::move(placed);
-    take(std::make_shared<const UncutBody>(makeUncutBody(mesh, std::move(models))));
+void RunningBody::startAnew(std::shared_ptr<const UncutBody> placed) {
+    whole = false;
+    take(std::move(placed));
     startAnew();
 }
 
 void RunningBody::startAnew() {
     whole = false;
-    mesh = uncut->mesh;
+    mesh() = uncut->mesh;
     pausePoint();
     updater = std::make_unique<BodyUpdater>(uncut->body);
-    solver.setModel(model(), stateOf(mesh));
+    solver.setModel(model(), stateOf(mesh()));
     pausePoint();
     cutter.emplace(uncut->cutter);
     lookUpTriangles();
@@ -141,12 +120,12 @@ void RunningBody::apply(const Params& params) {
 }
 
 SnapshotPointer RunningBody::capture() {
-    mesh.bringAll();
+    mesh().bringAll();
     const auto rested = [](const auto& part) {
         pausePoint();
         return part;
     };
-    return std::make_shared<const Snapshot>(Snapshot{rested(mesh), rested(*updater),
+    return std::make_shared<const Snapshot>(Snapshot{rested(mesh()), rested(*updater),
                                                      rested(*cutter), solver.pages(), memory,
                                                      solver.collisions().memory(), uncut});
 }
@@ -154,8 +133,7 @@ SnapshotPointer RunningBody::capture() {
 void RunningBody::restore(const Snapshot& snapshot) {
     whole = false;
     take(snapshot.uncut);
-    mesh = snapshot.mesh;
-    sync.forget();
+    mesh() = snapshot.mesh;
     pausePoint();
     updater = std::make_unique<BodyUpdater>(snapshot.body);
     pausePoint();
@@ -163,7 +141,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
     lookUpTriangles();
     memory = snapshot.memory;
     sync.setBounds(memory.measure.bounds);
-    solver.restoreModel(model(), stateOf(mesh), snapshot.pages);
+    solver.restoreModel(model(), stateOf(mesh()), snapshot.pages);
     solver.collisions().remember(snapshot.contact);
     solver.setVolumeTargets(memory.volumeTargets.targets());
     solver.masses().setPinned(memory.pins.vertices());
@@ -179,7 +157,7 @@ Bounds RunningBody::pinnedAfter(const MovePins& move) const {
 std::vector<Vec3> RunningBody::placesAfter(const MovePins& move) const {
     std::vector<Vec3> places;
     for (const std::uint32_t v : memory.pins.vertices()) {
-        places.push_back(mesh.position(static_cast<int>(v)));
+        places.push_back(mesh().position(static_cast<int>(v)));
     }
     // Their mean stays the same however they are turned.
     const Vec3 sum = std::accumulate(places.begin(), places.end(), Vec3(Vec3::Zero()));
@@ -192,14 +170,14 @@ std::vector<Vec3> RunningBody::placesAfter(const MovePins& move) const {
 }
 
 void RunningBody::movePinned(const MovePins& move) {
-    mesh.bringAll();
+    mesh().bringAll();
     const std::vector<Vec3> places = placesAfter(move);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const int v = static_cast<int>(memory.pins.vertices()[i]);
-        mesh.setPosition(v, places[i]);
-        mesh.setVelocity(v, Vec3::Zero());
+        mesh().setPosition(v, places[i]);
+        mesh().setVelocity(v, Vec3::Zero());
     }
-    solver.setState(stateOf(mesh));
+    solver.setState(stateOf(mesh()));
     sync.forget();
     measureAtRest();
     forgetPieces();
@@ -222,7 +200,7 @@ std::vector<shared::PullRecord> RunningBody::leadsBack(const Params& params) {
     const std::vector<std::uint32_t>& pinned = memory.pins.vertices();
     held.insert(held.end(), pinned.begin(), pinned.end());
     sortUnique(held);
-    return memory.recovery.advance({model(), mesh, params, std::move(held)});
+    return memory.recovery.advance({model(), mesh(), params, std::move(held)});
 }
 
 /// What needs no result is done while the GPU measures.
@@ -246,7 +224,7 @@ double RunningBody::endStep() {
     const double prefetchMs = sync.takePrefetched();
     sync.setBounds(memory.measure.bounds);
     if (readsAllBack) {
-        mesh.bringAll();
+        mesh().bringAll();
     }
     return prefetchMs;
 }
@@ -274,7 +252,7 @@ std::vector<RungNode> RunningBody::front() const {
     std::vector<RungNode> nodes = cutter->rung();
     for (RungNode& node : nodes) {
         if (node.vertex >= 0) {
-            node.position = mesh.position(node.vertex);
+            node.position = mesh().position(node.vertex);
         }
     }
     return nodes;
@@ -306,7 +284,7 @@ bool RunningBody::isOpen() const {
 
 const PieceMap& RunningBody::pieces() {
     if (!pieces_) {
-        pieces_ = findPieces(mesh);
+        pieces_ = findPieces(mesh());
     }
     return *pieces_;
 }

@@ -30,10 +30,8 @@ struct RunningBody {
     void startAsAtFirst();
     /// "", or one sentence where the scene has no model of this number.
     std::string checkModel(int model) const;
-    /// The mesh of the uncut body, with its models put elsewhere.
-    SurfaceMesh placedMesh(std::span<const PlacedModel> models) const;
-    /// startAnew() with the models of the uncut body put elsewhere, where `placed` is its mesh.
-    void startAnew(SurfaceMesh placed, std::vector<PlacedModel> models);
+    /// startAnew() with `placed`, the uncut body with its models put elsewhere.
+    void startAnew(std::shared_ptr<const UncutBody> placed);
     void measureAtRest();
     void apply(const Params& params);
 
@@ -67,6 +65,8 @@ struct RunningBody {
     /// Moves it, at once.
     void movePinned(const MovePins& move);
 
+    /// The running mesh: another one after models were put elsewhere, and what was before.
+    SurfaceMesh& mesh() const { return *uncut->running; }
     const BodyModel& model() const { return updater->model(); }
     /// Whether a piece may have gone through itself, as far as the last measure shows: some edge is
     /// folded, or a piece holds little of its volume.
@@ -83,12 +83,10 @@ struct RunningBody {
     double diagonal = 0;  ///< of the uncut body at rest [m]
     double wallEdge = 0;  ///< edge length of walls [m]
 
-    const std::unique_ptr<SurfaceMesh> meshOwner;
-    SurfaceMesh& mesh = *meshOwner;
     std::unique_ptr<BodyUpdater> updater;
     const std::unique_ptr<GpuSolver> solverOwner;
     GpuSolver& solver = *solverOwner;
-    MeshSync sync{mesh, solver};
+    MeshSync sync{solver};
     bool readsAllBack = false;
     std::optional<Cutter> cutter;
     BodyMemory memory;

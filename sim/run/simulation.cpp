@@ -178,7 +178,7 @@ std::vector<double> Simulation::State::findInsideOut() {
     if (!body.memory.mayHaveCollapsed) {
         return std::vector<double>(body.model().pieces.size(), 0);
     }
-    std::vector<double> shares = sharesInsideOut(body.model(), body.mesh);
+    std::vector<double> shares = sharesInsideOut(body.model(), body.mesh());
     const bool any = std::ranges::any_of(shares, [](double s) { return s > kMostMended; });
     body.memory.crumpled = body.memory.crumpled || any;
     body.memory.mayHaveCollapsed = any || body.memory.recovery.draws();
@@ -205,7 +205,8 @@ void Simulation::State::drawCollapsedBack(std::vector<double> insideOut) {
 /// of it.
 void Simulation::State::mendFolds() {
     const WorkWatch watch;
-    const std::vector<int> triangles = foldedTriangles(body.mesh, body.uncut->mesh.triangleSlots());
+    const std::vector<int> triangles =
+        foldedTriangles(body.mesh(), body.uncut->mesh.triangleSlots());
     const CutDelta mended = triangles.empty() ? CutDelta{} : body.cutter->mend(triangles);
     if (!mended.empty()) {
         followCut(mended, body, log.history(), output);
@@ -314,6 +315,14 @@ const std::shared_ptr<const UncutBody>& Simulation::uncut() const {
     return state_->body.uncut;
 }
 
+const std::shared_ptr<const UncutBody>& Simulation::firstUncut() const {
+    return state_->body.first;
+}
+
+void Simulation::expectPlacement(std::shared_ptr<const UncutBody> placed) {
+    state_->preparedPlacement = std::move(placed);
+}
+
 const std::vector<StaticBox>& Simulation::boxes() const {
     return state_->input.boxes;
 }
@@ -372,12 +381,12 @@ const std::vector<Bounds>& Simulation::pieceBounds() const {
 }
 
 const SurfaceMesh& Simulation::mesh() {
-    state_->body.mesh.bringAll();
-    return state_->body.mesh;
+    state_->body.mesh().bringAll();
+    return state_->body.mesh();
 }
 
 const SurfaceMesh& Simulation::meshAsRead() const {
-    return state_->body.mesh;
+    return state_->body.mesh();
 }
 
 std::vector<int> Simulation::trianglesIn(const OrientedBox& box) {

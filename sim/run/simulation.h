@@ -86,6 +86,12 @@ class Simulation {
 
     /// The uncut body, as it was placed last; another one after each placement. Never null.
     const std::shared_ptr<const UncutBody>& uncut() const;
+    /// The uncut body as it was at first, from which placements are made. Never null.
+    const std::shared_ptr<const UncutBody>& firstUncut() const;
+    /// Hands over what takes long of the next Place: makeUncutBody() of placedMesh() of
+    /// firstUncut(), made on any thread. A Place that leads elsewhere does without it; no result
+    /// changes.
+    void expectPlacement(std::shared_ptr<const UncutBody> placed);
     /// How many models the scene consists of.
     int modelCount() const { return static_cast<int>(uncut()->models.size()); }
     /// How the numbers of the file of a model, by number, become metres of the scene.

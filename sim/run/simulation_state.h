@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,6 +46,8 @@ struct Simulation::State {
     UndoLog log;
     SimulationOutput output;
     StrokeCourse stroke{body, input, log, output};
+    /// See Simulation::expectPlacement().
+    std::shared_ptr<const UncutBody> preparedPlacement;
 
   private:
     void startRun();
@@ -69,6 +72,7 @@ struct Simulation::State {
     /// has a specialization in commands.cpp: without one nothing compiles.
     template <class Kind>
     std::string carryOut(const Kind& command) = delete;
+    std::shared_ptr<const UncutBody> preparedAs(const std::vector<PlacedModel>& models);
     std::string apply(BoxEdit edit);
     void setBoxes(std::vector<StaticBox> now);
     void putBladeAway();
@@ -78,6 +82,7 @@ struct Simulation::State {
     std::string redo();
     void restoreBody(const SnapshotPointer& snapshot);
     void apply(const UndoEntry::ParamChange& change, bool forward);
+    void apply(const UndoEntry::MaterialChange& change, bool forward);
     void apply(const UndoEntry::PinChange& change, bool forward);
     void apply(const UndoEntry::BodySnapshotChange& change, bool forward);
     void apply(const UndoEntry::BoxesChange& change, bool forward);

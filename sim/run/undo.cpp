@@ -38,6 +38,12 @@ void Simulation::State::apply(const UndoEntry::ParamChange& change, bool forward
     noteParamsChanged();
 }
 
+void Simulation::State::apply(const UndoEntry::MaterialChange& change, bool forward) {
+    for (const UndoEntry::ParamChange& param : change.params) {
+        apply(param, forward);
+    }
+}
+
 void Simulation::State::apply(const UndoEntry::PinChange& change, bool forward) {
     log.touch();
     body.memory.pins = forward ? change.after : change.before;

@@ -21,6 +21,7 @@ constexpr std::size_t kBytesPerPin = 84;
 /// Of what a change holds apart from snapshots, which several may share.
 struct OwnBytes {
     std::size_t operator()(const UndoEntry::ParamChange&) const { return 0; }
+    std::size_t operator()(const UndoEntry::MaterialChange&) const { return 0; }
     std::size_t operator()(const UndoEntry::BodySnapshotChange&) const { return 0; }
     std::size_t operator()(const UndoEntry::PinChange& pins) const {
         return kBytesPerPin * (pins.before.vertices().size() + pins.after.vertices().size());

@@ -21,6 +21,11 @@ struct UndoEntry {
         ParamValue before;
         ParamValue after;
     };
+    /// A material that gave parameters other values.
+    struct MaterialChange {
+        std::string material;  ///< its label
+        std::vector<ParamChange> params;
+    };
     /// Vertices that were pinned or freed, of the mesh as it is between the changes of the body
     /// before and after: see UndoHistory::followCut.
     struct PinChange {
@@ -43,7 +48,7 @@ struct UndoEntry {
 
     std::string name;  ///< as people read it: "Cut 2", "Gravity: none"
     double time = 0;   ///< simulated, when it happened [s]
-    std::variant<ParamChange, PinChange, BoxesChange, BodySnapshotChange> change;
+    std::variant<ParamChange, MaterialChange, PinChange, BoxesChange, BodySnapshotChange> change;
 };
 
 /// The changes of a simulation in their order. The first done() of them are in force, the others

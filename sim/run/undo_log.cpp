@@ -5,6 +5,20 @@
 
 namespace kerf {
 
+namespace {
+
+/// Each parameter stands there once, with its first value and its last one.
+void join(std::vector<UndoEntry::ParamChange>& changes, UndoEntry::ParamChange later) {
+    const auto earlier = std::ranges::find(changes, later.param, &UndoEntry::ParamChange::param);
+    if (earlier == changes.end()) {
+        changes.push_back(std::move(later));
+    } else {
+        earlier->after = later.after;
+    }
+}
+
+}  // namespace
+
 void UndoLog::clear() {
     history_.clear();
     cutsSoFar_ = 0;
@@ -12,7 +26,7 @@ void UndoLog::clear() {
 }
 
 SnapshotPointer UndoLog::capture(RunningBody& body) {
-    body.mesh.bringAll();
+    body.mesh().bringAll();
     if (!current_) {
         current_ = body.capture();
     }
@@ -20,7 +34,7 @@ SnapshotPointer UndoLog::capture(RunningBody& body) {
 }
 
 SnapshotPointer UndoLog::captureForUndo(RunningBody& body) {
-    const bool fits = history_.keeps() && snapshotBytes(body.mesh) <= history_.budget();
+    const bool fits = history_.keeps() && snapshotBytes(body.mesh()) <= history_.budget();
     return fits ? capture(body) : nullptr;
 }
 
@@ -33,6 +47,17 @@ void UndoLog::noteParam(const std::string& param, const ParamValue& before, cons
         history_.renameLast(std::move(name));
     } else {
         history_.add({std::move(name), time, UndoEntry::ParamChange{param, before, after}});
+    }
+}
+
+void UndoLog::noteMaterial(const std::string& material, UndoEntry::ParamChange change,
+                           double time) {
+    auto* last = history_.continued<UndoEntry::MaterialChange>();
+    if (last == nullptr || last->material != material) {
+        history_.add({"Material: " + material, time,
+                      UndoEntry::MaterialChange{material, {std::move(change)}}});
+    } else {
+        join(last->params, std::move(change));
     }
 }
 
@@ -91,13 +116,7 @@ void UndoLog::notePlacement(const Place& place, SnapshotPointer before,
     }
     auto* entry = history_.continued<UndoEntry::BodySnapshotChange>();
     for (UndoEntry::ParamChange& change : params) {
-        const auto earlier =
-            std::ranges::find(entry->params, change.param, &UndoEntry::ParamChange::param);
-        if (earlier == entry->params.end()) {
-            entry->params.push_back(std::move(change));
-        } else {
-            earlier->after = change.after;
-        }
+        join(entry->params, std::move(change));
     }
 }
 

@@ -32,6 +32,8 @@ class UndoLog {
     /// simulated [s].
     void noteParam(const std::string& param, const ParamValue& before, const ParamValue& after,
                    bool continues, double time);
+    /// A material of that label changes a parameter, as it may have changed others just before.
+    void noteMaterial(const std::string& material, UndoEntry::ParamChange change, double time);
     void notePins(Pins before, Pins after, const Pin& pin, double time);
     void noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, double time);
     /// Notes a change of the body. `before` is null where no snapshot fits, or none is kept. Says

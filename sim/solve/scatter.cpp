@@ -24,13 +24,31 @@ std::vector<Scatter::Run> Scatter::findRuns(std::span<const std::uint32_t> indic
 }
 
 void Scatter::writeWords(gpu::Buffer& target) {
-    const auto count = static_cast<std::uint32_t>(writes_.size());
     writeBuffer_.assign(writes_);
     writeBuffer_.bindStorage(shared::kWritesBinding);
-    target.bindStorage(shared::kWrittenBinding);
-    kernel_.set("writeCount", count);
-    kernel_.dispatch(count, shared::kGroupSize);
+    target.bindStorageParts(
+        shared::kWrittenBinding, sizeof(std::uint32_t), [&](std::size_t first, std::size_t count) {
+            writePart(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
+        });
     gpu::storageBarrier();
+}
+
+void Scatter::writePart(std::uint32_t firstWord, std::uint32_t wordCount) {
+    const auto isBelow = [](const shared::WordWrite& write, std::uint64_t word) {
+        return write.word < word;
+    };
+    const auto begin =
+        std::lower_bound(writes_.begin(), writes_.end(), std::uint64_t{firstWord}, isBelow);
+    const auto end =
+        std::lower_bound(begin, writes_.end(), std::uint64_t{firstWord} + wordCount, isBelow);
+    if (begin == end) {
+        return;
+    }
+    const auto count = static_cast<std::uint32_t>(end - begin);
+    kernel_.set("firstWrite", static_cast<std::uint32_t>(begin - writes_.begin()));
+    kernel_.set("writeCount", count);
+    kernel_.set("firstWord", firstWord);
+    kernel_.dispatch(count, shared::kGroupSize);
 }
 
 }  // namespace kerf

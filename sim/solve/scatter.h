@@ -51,7 +51,10 @@ class Scatter {
     static std::vector<Run> findRuns(std::span<const std::uint32_t> indices, std::size_t widestGap);
     template <class T>
     void addWrites(std::uint32_t index, const T& value);
+    /// Makes the writes, which ascend by word.
     void writeWords(gpu::Buffer& target);
+    /// Makes those of them that lie in the part of the target that is bound.
+    void writePart(std::uint32_t firstWord, std::uint32_t wordCount);
 
     gpu::Program kernel_;
     gpu::Buffer writeBuffer_;

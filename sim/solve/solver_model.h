@@ -23,9 +23,12 @@ struct IncidenceBuffers {
                 Scatter& scatter);
 };
 
-/// The constraints of one type on the GPU, as its kernels read them; edges have no records.
+/// The constraints of one type on the GPU, as its kernels read them: as texels, since there are
+/// several for each triangle. Edges have no records.
 struct ConstraintBuffers {
-    gpu::Buffer records, ranges, entries;
+    gpu::Buffer records{gpu::Buffer::Readers::texels};
+    gpu::Buffer ranges{gpu::Buffer::Readers::texels};
+    gpu::Buffer entries{gpu::Buffer::Readers::texels};
     gpu::TexelFormat rangeTexels = gpu::TexelFormat::uint32x2;
     gpu::TexelFormat entryTexels = gpu::TexelFormat::uint32x2;
 };

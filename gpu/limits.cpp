@@ -1,0 +1,67 @@
+#include "gpu/limits.h"
+
+#include <glad/gl.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <array>
+
+namespace kerf::gpu {
+namespace {
+
+struct Need {
+    GLenum limit;
+    const char* name;
+    const char* phrase;
+    std::int64_t needs;
+};
+
+constexpr std::int64_t kMebi = 1 << 20;
+
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the number and the name of a limit
+#define KERF_LIMIT(limit) limit, #limit
+constexpr std::array kNeeds{
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS), "storage buffers in a compute shader",
+         16},
+    Need{KERF_LIMIT(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS), "storage buffers in a vertex shader", 10},
+    Need{KERF_LIMIT(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS), "storage buffers in a fragment shader",
+         4},
+    Need{KERF_LIMIT(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS), "bindings of storage buffers", 16},
+    Need{KERF_LIMIT(GL_MAX_SHADER_STORAGE_BLOCK_SIZE), "bytes of a storage buffer", 16 * kMebi},
+    Need{KERF_LIMIT(GL_MAX_TEXTURE_BUFFER_SIZE), "elements of a texture buffer", 65536},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS), "textures in a compute shader", 16},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_IMAGE_UNIFORMS), "images in a compute shader", 8},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_UNIFORM_BLOCKS), "uniform buffers in a compute shader", 12},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE), "bytes that a work group shares", 32768},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS), "threads of a work group", 1024},
+    Need{KERF_LIMIT(GL_MAX_TEXTURE_SIZE), "pixels of a texture's side", 8192},
+};
+#undef KERF_LIMIT
+
+}  // namespace
+
+std::vector<DriverLimit> driverLimits() {
+    std::vector<DriverLimit> limits;
+    limits.reserve(kNeeds.size());
+    for (const Need& need : kNeeds) {
+        GLint64 has = 0;
+        glGetInteger64v(need.limit, &has);
+        limits.push_back({need.name, need.phrase, has, need.needs});
+    }
+    return limits;
+}
+
+std::string sentenceOfLack(std::span<const DriverLimit> limits) {
+    std::string lacks;
+    for (const DriverLimit& limit : limits) {
+        if (limit.has < limit.needs) {
+            lacks += fmt::format("{}{} {} of {}", lacks.empty() ? "" : ", ", limit.has,
+                                 limit.phrase, limit.needs);
+        }
+    }
+    return lacks.empty() ? ""
+                         : "This graphics driver has too few of what Kerf needs (" + lacks +
+                               "); update it, or set LIBGL_ALWAYS_SOFTWARE=1 to use the software "
+                               "renderer.";
+}
+
+}  // namespace kerf::gpu

@@ -1,0 +1,185 @@
+#include "sim/run/memory_need.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "shaders/shared/body_records.h"
+#include "shaders/shared/box_records.h"
+#include "shaders/shared/contact_records.h"
+#include "shaders/shared/unfold_records.h"
+#include "sim/base/per_element.h"
+#include "sim/body/constraint_lists.h"
+#include "sim/contact/triangle_grid.h"
+#include "sim/mesh/box_tree.h"
+
+namespace kerf {
+
+namespace {
+
+using shared::uint;
+using shared::vec4;
+
+// A cut through the middle of a ball adds half of its triangles as walls, and divides skin.
+constexpr double kGrowthByCut = 1.6;
+// As measured, on llvmpipe: program, kernels, pictures and the interface with a small model; and
+// what is taken for each byte of records, by lists in the making, copies on their way, and by what
+// the heap keeps of what was freed.
+constexpr std::uint64_t kProgram = 200'000'000;
+constexpr double kOverRecords = 2.5;
+
+constexpr double kWord = sizeof(std::uint32_t);
+
+/// How many entries an Incidence has of `elements` with so many vertices each, with the room that
+/// lists have to spare: two entries, as where six triangles meet.
+PerElement entriesOf(const PerElement& elements, int verticesOfEach) {
+    return verticesOfEach * elements + PerElement{2, 0};
+}
+
+/// The lists of all that touches a vertex, where each vertex has an ISPC.
+struct Entries {
+    PerElement triangles = entriesOf({0, 1}, 3);  // and as many neighbours
+    PerElement edges = entriesOf(kEdges, 2);
+    PerElement bends = entriesOf(kEdges, 4);
+    PerElement ispcs = entriesOf({1, 0}, 4);
+};
+constexpr double kLists = 2 + kConstraintTypes;  // of triangles, of neighbours, of constraints
+
+PerElement bytesOfMesh() {
+    return {3 * sizeof(Vec3) + 2 * sizeof(int) + 1, sizeof(Triangle) + 4 * sizeof(int) + 1};
+}
+
+/// A tree that is divided everywhere: leaves of eight are about half full, and there is an inner
+/// node for each.
+PerElement bytesOfTree() {
+    constexpr double kThing = 4 * sizeof(float) + 2 * sizeof(int);
+    constexpr double kNodes = 2.0 / 4;
+    return {0, kThing + kNodes * sizeof(BoxTree::Node)};
+}
+
+/// What a triangle counts for, and its share of volume and area.
+PerElement bytesOfLabels() {
+    return {2 * sizeof(int), sizeof(Triangle) + 2 * sizeof(int) + 2 * sizeof(double)};
+}
+
+/// Lists by vertex and triangle, and a grid of 32 cells each way, of which each ray passes twice as
+/// many.
+PerElement bytesOfIspcs() {
+    constexpr double kCells = 64;
+    return PerElement{sizeof(shared::IspcConstraint) + (4 + kCells) * sizeof(int), sizeof(int)} +
+           bytesOfTree();
+}
+
+PerElement bytesOfModel() {
+    const Entries entries;
+    const PerElement all = 2 * entries.triangles + entries.edges + entries.bends + entries.ispcs;
+    const PerElement vertices{2 * sizeof(Vec3f) + sizeof(double) + sizeof(int) + sizeof(Vec3) +
+                                  kLists * (sizeof(IncidenceRange) + kWord),
+                              0};
+    // Beside each edge and bend stand their half-edges, and the way back.
+    const double perEdge = sizeof(EdgeConstraint) + sizeof(BendConstraint) + 8 * sizeof(int);
+    return vertices + PerElement{0, 4 * kWord + 2 * sizeof(int)} + perEdge * kEdges + kWord * all;
+}
+
+/// A copy of a body, as a snapshot has one: the mesh, the updater, the cutter.
+PerElement bytesOfCopy() {
+    const PerElement cutter =
+        bytesOfLabels() + bytesOfTree() + PerElement{sizeof(int), sizeof(Triangle) + sizeof(int)};
+    return bytesOfMesh() + bytesOfModel() + bytesOfLabels() + bytesOfIspcs() + cutter;
+}
+
+/// The buffers of the running body that shaders write to; the lists that they only read come as
+/// texels, which drivers allow to be larger.
+std::vector<PerElement> writtenBuffers(const MemorySettings& settings) {
+    std::vector<PerElement> buffers(6, {sizeof(vec4), 0});  // X, v, d, and those that were before
+    buffers.push_back(2 * sizeof(vec4) * kEdges);           // the pulls of bends
+    buffers.push_back({sizeof(shared::UnfoldGoal), 0});
+    buffers.push_back({2 * sizeof(float), 0});  // folds
+    if (settings.contact) {
+        buffers.push_back({4 * sizeof(vec4), 0});  // normals, and what was searched from
+        buffers.push_back({shared::kCandidatesPerPoint * sizeof(shared::ContactCandidate), 0});
+        buffers.push_back({shared::kEdgePairsPerPoint * sizeof(shared::EdgePair), 0});
+        buffers.push_back({2 * sizeof(shared::ContactRecord), 0});
+        buffers.push_back({8 * sizeof(uint), 0});  // points, shares and sums
+        buffers.push_back({0, sizeof(shared::ContactBox)});
+        buffers.push_back({0, 2 * sizeof(uint)});
+    }
+    if (settings.obstacles) {
+        buffers.push_back({0, sizeof(shared::BoxTouch)});
+        buffers.push_back({7 * sizeof(uint) + 2 * sizeof(vec4), 0});
+    }
+    buffers.push_back({2 * sizeof(vec4), 0});                 // normals for pictures
+    buffers.push_back({2 * sizeof(uint), 3 * sizeof(uint)});  // corners of the skin
+    return buffers;
+}
+
+/// The rest shape, its constraints and what they touch.
+PerElement readBuffers() {
+    const Entries entries;
+    const PerElement vertices{
+        3 * sizeof(vec4) + sizeof(float) + (kLists - 1) * sizeof(shared::IncidenceRange) +
+            sizeof(shared::BendRange) + sizeof(shared::IspcConstraint) + 3 * kWord,
+        0};
+    return vertices + PerElement{0, 4 * kWord} + sizeof(shared::BendRecord) * kEdges +
+           2 * kWord * entries.triangles + sizeof(shared::Spoke) * entries.edges +
+           kWord * entries.bends + sizeof(shared::ConstraintShare) * entries.ispcs;
+}
+
+double bytesOfBuckets(const BodySize& size) {
+    const auto buckets = TriangleGrid::bucketsFor(static_cast<uint>(size.triangles));
+    return static_cast<double>(buckets) * (sizeof(uint) + sizeof(shared::ContactBucket));
+}
+
+std::uint64_t bytes(double count) {
+    return static_cast<std::uint64_t>(count);
+}
+
+}  // namespace
+
+MemorySettings memorySettings(const Params& params, bool hasBoxes) {
+    MemorySettings settings;
+    settings.contact = params.contact != 0;
+    settings.obstacles = hasBoxes || params.bladePush != 0;
+    return settings;
+}
+
+/// The uncut body and the one that runs, and the mesh that they were made from.
+std::uint64_t bytesPrepared(const BodySize& size) {
+    const PerElement all = 2 * bytesOfCopy() + bytesOfMesh();
+    return bytes(all.of(size.vertices, size.triangles));
+}
+
+std::uint64_t bytesOfSnapshot(const BodySize& size) {
+    return bytes(bytesOfCopy().of(size.vertices, size.triangles));
+}
+
+std::uint64_t bytesOnGpu(const BodySize& size, const MemorySettings& settings) {
+    double all = readBuffers().of(size.vertices, size.triangles);
+    for (const PerElement& buffer : writtenBuffers(settings)) {
+        all += buffer.of(size.vertices, size.triangles);
+    }
+    return bytes(all + (settings.contact ? bytesOfBuckets(size) : 0));
+}
+
+MemoryNeed memoryNeedOf(const BodySize& size, const MemorySettings& settings) {
+    const double copy = bytesOfCopy().of(size.vertices, size.triangles);
+    // What was before a change and what was after it, where the budget lets a copy be kept at all;
+    // the start of the course, and another moment.
+    const double undoBudget = static_cast<double>(settings.undoBudget);
+    const double undo = copy <= undoBudget ? std::min(undoBudget, (1 + kGrowthByCut) * copy) : 0;
+    const double courseBudget = static_cast<double>(settings.courseBudget);
+    const double course = courseBudget > 0 ? copy + std::min(courseBudget, copy) : 0;
+    const BodySize cut{kGrowthByCut * size.vertices, kGrowthByCut * size.triangles};
+    MemoryNeed need;
+    need.program = kProgram;
+    need.memory = bytes(kOverRecords * (static_cast<double>(bytesPrepared(size)) +
+                                        (kGrowthByCut - 1) * copy + undo + course));
+    need.graphics = bytes(kOverRecords * static_cast<double>(bytesOnGpu(cut, settings)));
+    for (const PerElement& buffer : writtenBuffers(settings)) {
+        need.largestBuffer =
+            std::max(need.largestBuffer, bytes(buffer.of(cut.vertices, cut.triangles)));
+    }
+    return need;
+}
+
+}  // namespace kerf
