@@ -50,6 +50,14 @@ struct PlaceModel {
 struct RemoveModel {
     int model = 0;
 };
+/// Gives a model of the scene a material, both by number; the first stands for all that have none
+/// of their own.
+struct TakeMaterial {
+    int material = 0;
+    int model = 0;
+};
+/// Asks for a file into which the values of the body go as a material.
+struct SaveMaterial {};
 /// Puts a new box beside the body.
 struct PlaceBox {};
 /// Gives up the work that takes long.
@@ -102,10 +110,10 @@ struct ShowPiece {
 };
 
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
-using Action =
-    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
-                 PlaceModel, RemoveModel, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings,
-                 SetPlotView, ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment,
-                 HoverPiece, FramePiece, ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
+using Action = std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools,
+                            SetDisplay, PlaceModel, RemoveModel, TakeMaterial, SaveMaterial,
+                            PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView,
+                            ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment, HoverPiece,
+                            FramePiece, ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

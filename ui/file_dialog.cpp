@@ -60,6 +60,8 @@ const char* adviceFor(FilePurpose purpose) {
             return "Type to find, Enter opens, Backspace goes up.";
         case FilePurpose::saveTest:
             return "What it comes out like goes into NAME.expected beside it.";
+        case FilePurpose::saveMaterial:
+            return "In this folder it stands in the list of materials.";
         default:
             return "";
     }
@@ -77,6 +79,8 @@ std::string_view titleOf(const FileDialogState& dialog) {
             return "Save all since the start as a test";
         case FilePurpose::exportMesh:
             return "Export the body as it is";
+        case FilePurpose::saveMaterial:
+            return "Save the values of the body as a material";
         case FilePurpose::none:
             break;
     }
@@ -89,6 +93,7 @@ std::string_view verbOf(const FileDialogState& dialog) {
             return dialog.adds ? "Add" : "Open";
         case FilePurpose::saveSession:
         case FilePurpose::saveTest:
+        case FilePurpose::saveMaterial:
             return "Save";
         case FilePurpose::exportMesh:
             return "Export";

@@ -10,7 +10,14 @@
 namespace kerf::ui {
 
 /// The purpose of a file dialog.
-enum class FilePurpose : std::uint8_t { none, open, saveSession, saveTest, exportMesh };
+enum class FilePurpose : std::uint8_t {
+    none,
+    open,
+    saveSession,
+    saveTest,
+    exportMesh,
+    saveMaterial
+};
 
 /// A folder or a file that is offered.
 struct FileRow {

@@ -11,6 +11,7 @@
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
 #include "ui/parameters_panel.h"
+#include "ui/unit_text.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -140,6 +141,49 @@ void drawChoices(const ShownModel& model, std::vector<Action>& actions) {
     }
 }
 
+/// The lines of the list, with one between those that come with Kerf and a person's own.
+void offerMaterials(const PanelModel& model, const ShownModel& shown,
+                    std::vector<Action>& actions) {
+    for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
+        const MaterialRow& row = model.materials[m];
+        if (m > 0 && row.own != model.materials[m - 1].own) {
+            ImGui::Separator();
+        }
+        ImGui::PushID(m);
+        if (ImGui::Selectable(row.label.c_str(), m == shown.state.material)) {
+            actions.emplace_back(TakeMaterial{m, shown.number});
+        }
+        ImGui::PopID();
+        noteItem("material." + row.label);
+        itemTooltip(withRaisedDigits(row.tooltip));
+    }
+    ImGui::Separator();
+    if (ImGui::Selectable("Save as...")) {
+        actions.emplace_back(SaveMaterial{});
+    }
+    noteItem("material.save");
+    itemTooltip("Saves the values and the look of the body as a material of your own");
+}
+
+void drawMaterial(const PanelModel& model, const ShownModel& shown, std::vector<Action>& actions) {
+    const bool known = shown.state.material >= 0;
+    const MaterialRow* const row = known ? &model.materials[shown.state.material] : nullptr;
+    ImGui::TextUnformatted("Material");
+    ImGui::SameLine(0.3F * ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##material", known ? row->label.c_str() : "Own values",
+                                        ImGuiComboFlags_HeightLargest);
+    noteItem("model.material");
+    if (open) {
+        offerMaterials(model, shown, actions);
+        ImGui::EndCombo();
+    } else {
+        itemTooltip(known ? withRaisedDigits(row->tooltip)
+                          : "What the body is made of: stiffness, density, friction, damping and "
+                            "look by name");
+    }
+}
+
 /// A row per model of the scene. Returns the chosen one.
 int chooseModel(const PanelModel& model, std::vector<Action>& actions) {
     int& chosen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen model"), 0);
@@ -180,6 +224,7 @@ void drawModel(const PanelModel& model, std::vector<Action>& actions) {
     itemTooltip("Width, height and depth of the uncut model in the scene");
     drawChoices(shown, actions);
     drawTurnAndScale(shown, actions);
+    drawMaterial(model, shown, actions);
     if (number > 0) {
         drawOwnParameters(number, model, actions);
     }

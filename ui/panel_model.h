@@ -29,6 +29,14 @@ struct ModelState {
     Vec3 size = Vec3::Zero();  ///< of the uncut model, along the axes of the scene [m]
     std::string guess;         ///< what was taken for its unit and axis, and why; may be empty
     std::string physics;       ///< what physics makes of that size
+    int material = -1;         ///< of PanelModel::materials; -1 where it is none of them
+};
+
+/// A material that a body can be given.
+struct MaterialRow {
+    std::string label;
+    std::string tooltip;  ///< its values, their spread and sources
+    bool own = false;     ///< of a file of the person's, rather than one that comes with Kerf
 };
 
 /// One row of the history: something that can be taken back or brought back.
@@ -119,10 +127,11 @@ struct Hint {
 struct PanelModel {
     std::string name;                ///< of what is open; empty while nothing is
     std::vector<ModelState> models;  ///< of the scene, by number
-    bool untouched = true;           ///< no cut was made that a placement would undo
-    bool liveModels = true;          ///< small enough to follow a drag
-    Params params;                   ///< as they are
-    Params startParams;  ///< as they were when it was opened: what the reset mark returns to
+    std::vector<MaterialRow> materials;
+    bool untouched = true;   ///< no cut was made that a placement would undo
+    bool liveModels = true;  ///< small enough to follow a drag
+    Params params;           ///< as they are
+    Params startParams;      ///< as they were when it was opened: what the reset mark returns to
     std::vector<StaticBox> boxes;  ///< that the body collides with
     double bodySize = 1;           ///< diagonal of the body at rest [m]
     Bounds bodyBounds;             ///< of the body as it is [m]

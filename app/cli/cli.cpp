@@ -16,9 +16,11 @@
 
 #include "app/cli/bar_experiment.h"
 #include "app/cli/compare_verb.h"
+#include "app/cli/doctor_verb.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/experiment_verb.h"
 #include "app/cli/inspect_verb.h"
+#include "app/cli/materials_verb.h"
 #include "app/cli/replay_verb.h"
 #include "app/cli/sweep_verb.h"
 #include "app/cli/test_verb.h"
@@ -27,6 +29,7 @@
 #include "app/files/file_io.h"
 #include "app/files/import_process.h"
 #include "app/files/model_source.h"
+#include "app/session/material.h"
 #include "app/session/paper_experiments.h"
 #include "app/session/session_schema.h"
 #include "app/study/study.h"
@@ -43,6 +46,10 @@ namespace {
 constexpr int kMostJobs = 256;
 constexpr int kMostRepeats = 100;
 
+// Kinds of files that have a schema.
+constexpr const char* kSessionKind = "session";
+constexpr const char* kMaterialKind = "material";
+
 /// What the command line asks for.
 struct Arguments {
     std::filesystem::path file;  ///< for the editor; empty for none
@@ -52,6 +59,9 @@ struct Arguments {
     CompareArguments compare;
     TestArguments test;
     SweepArguments sweep;
+    DoctorArguments doctor;
+    MaterialsArguments materials;
+    std::string schema = kSessionKind;  ///< the kind of files
     std::filesystem::path workerFile;
 };
 
@@ -63,8 +73,10 @@ struct Parser {
     CLI::App* inspect = nullptr;
     CLI::App* compare = nullptr;
     CLI::App* test = nullptr;
+    CLI::App* materials = nullptr;
     CLI::App* schema = nullptr;
     CLI::App* sweep = nullptr;
+    CLI::App* doctor = nullptr;
     CLI::App* worker = nullptr;
 };
 
@@ -93,6 +105,11 @@ void describeReplayChanges(CLI::App& replay, ReplayArguments& arguments) {
                     "Replace a parameter at the start; VALUE is JSON. May be given several times")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+    replay
+        .add_option("--material", arguments.material,
+                    "Give the body another material at the start: a name, or a file (.json)")
+        ->check(refuseEmpty)
+        ->type_name("NAME|FILE");
     replay.add_flag("--fine", arguments.fine,
                     "Take screenshots as with Fine picture: for looking at, not for comparing");
     replay.add_option("--until", arguments.until, "End after that many steps")
@@ -294,9 +311,22 @@ void describeTest(Parser& parser, Arguments& arguments) {
     parser.test->add_flag("--json", arguments.test.json, "Print one JSON object");
 }
 
-void describeSchema(Parser& parser) {
+void describeMaterials(Parser& parser, Arguments& arguments) {
+    parser.materials = parser.app.add_subcommand(
+        "materials", "List the materials that come with Kerf, or show one with its sources");
+    parser.materials
+        ->add_option("MATERIAL", arguments.materials.material,
+                     "A name of the list, or a material file (.json)")
+        ->check(refuseEmpty);
+    parser.materials->add_flag("--json", arguments.materials.json, "Print one JSON object");
+}
+
+void describeSchema(Parser& parser, Arguments& arguments) {
     parser.schema = parser.app.add_subcommand(
-        "schema", "Print the JSON Schema of sessions, by which text editors complete and check");
+        "schema",
+        "Print the JSON Schema of sessions or materials, by which text editors complete and check");
+    parser.schema->add_option("KIND", arguments.schema, "session (where left out) or material")
+        ->check(CLI::IsMember({kSessionKind, kMaterialKind}));
 }
 
 /// What is done instead of the whole sweep; one of these at most.
@@ -314,6 +344,18 @@ void describePartsOfSweep(CLI::App& sweep, SweepArguments& arguments) {
         ->excludes(run)
         ->excludes(list);
     sweep.add_flag("--json", arguments.json, "Print one JSON object")->excludes(run);
+}
+
+void describeDoctor(Parser& parser, Arguments& arguments) {
+    parser.doctor = parser.app.add_subcommand(
+        "doctor", "Check whether Kerf works as it should on this machine's graphics driver");
+    parser.doctor->add_flag("--quick", arguments.doctor.quick, "Leave the speed of the models out");
+    parser.doctor
+        ->add_option("--out", arguments.doctor.out,
+                     "Folder for a report with a picture, to look at or to attach to a bug")
+        ->check(refuseEmpty)
+        ->type_name("DIR");
+    parser.doctor->add_flag("--json", arguments.doctor.json, "Print one JSON object");
 }
 
 void describeSweep(Parser& parser, Arguments& arguments) {
@@ -349,8 +391,10 @@ void describe(Parser& parser, Arguments& arguments) {
     describeInspect(parser, arguments);
     describeCompare(parser, arguments);
     describeTest(parser, arguments);
-    describeSchema(parser);
+    describeMaterials(parser, arguments);
+    describeSchema(parser, arguments);
     describeSweep(parser, arguments);
+    describeDoctor(parser, arguments);
     describeWorker(parser, arguments);
 }
 
@@ -387,15 +431,16 @@ int runEditorVerb(const std::filesystem::path& file) {
     return runEditor(file);
 }
 
-int schemaVerb(std::ostream& out) {
-    out << sessionSchema();
+int schemaVerb(const std::string& kind, std::ostream& out) {
+    out << (kind == kMaterialKind ? materialSchema() : sessionSchema());
     return kExitDone;
 }
 
 /// A file in the place of the folder for results is told before anything runs.
 void refuseFileAsFolder(const Arguments& arguments) {
-    for (const std::filesystem::path& out : {arguments.replay.out, arguments.experiment.out,
-                                             arguments.test.out, arguments.sweep.out}) {
+    for (const std::filesystem::path& out :
+         {arguments.replay.out, arguments.experiment.out, arguments.test.out, arguments.sweep.out,
+          arguments.doctor.out}) {
         if (std::filesystem::is_regular_file(out)) {
             throw InputError(out.string() + ": --out is a file; name a folder.");
         }
@@ -410,8 +455,10 @@ int runVerb(const Parser& parser, const Arguments& arguments) {
     if (parser.inspect->parsed()) return inspectVerb(arguments.inspect, std::cout);
     if (parser.compare->parsed()) return compareVerb(arguments.compare, std::cout);
     if (parser.test->parsed()) return testVerb(arguments.test, std::cout);
-    if (parser.schema->parsed()) return schemaVerb(std::cout);
+    if (parser.materials->parsed()) return materialsVerb(arguments.materials, std::cout);
+    if (parser.schema->parsed()) return schemaVerb(arguments.schema, std::cout);
     if (parser.sweep->parsed()) return sweepVerb(arguments.sweep, std::cout, std::cerr);
+    if (parser.doctor->parsed()) return doctorVerb(arguments.doctor, std::cout, std::cerr);
     if (parser.worker->parsed()) return runImportWorker(arguments.workerFile);
     return runEditorVerb(arguments.file);
 }
@@ -439,12 +486,14 @@ int runVerbSafely(const Parser& parser, const Arguments& arguments) {
         return complain(error.what(), kExitNoOpenGl);
     } catch (const gpu::OutOfMemory& error) {
         return complain(error.what(), kExitLimit);
+    } catch (const MemoryShortage& error) {
+        return complain(error.what(), kExitLimit);
     } catch (const OutputError& error) {
         return complain(error.what(), kExitLimit);
     } catch (const std::filesystem::filesystem_error& error) {
         return complain(error.path1().string() + ": " + error.code().message() + ".", kExitInput);
     } catch (const std::bad_alloc&) {
-        return complain("Out of memory; try a smaller model.", kExitLimit);
+        return complain(outOfMemory("Kerf"), kExitLimit);
     }
 }
 

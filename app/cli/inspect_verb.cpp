@@ -16,6 +16,8 @@
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/files/model_units.h"
+#include "app/scene/editor_document.h"
+#include "app/scene/keyframes.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
@@ -99,6 +101,24 @@ Json toJson(const UnitGuess& guess) {
             {"sentence", guess.sentence}};
 }
 
+/// In the editor, with the settings of a new session.
+MemoryNeed memoryNeedOf(const MeshReport& report) {
+    MemorySettings settings = memorySettings(Params{}, false);
+    settings.undoBudget = kUndoBudget;
+    settings.courseBudget = Keyframes::kBudget;
+    return memoryNeedOf(
+        BodySize{static_cast<double>(report.vertices), static_cast<double>(report.triangles)},
+        settings);
+}
+
+Json memoryJson(const MeshReport& report) {
+    const MemoryNeed need = memoryNeedOf(report);
+    return {{"needed", need.memory + need.program},
+            {"graphics", need.graphics},
+            {"largest_buffer", need.largestBuffer},
+            {"free", freeMemory()}};
+}
+
 Json toJson(const MeshReport& report, const std::filesystem::path& file) {
     return {{"file", file.string()},
             {"vertices", report.vertices},
@@ -119,6 +139,7 @@ Json toJson(const MeshReport& report, const std::filesystem::path& file) {
             {"out_of_range_indices", report.outOfRangeIndices},
             {"cavities", report.cavities},
             {"crossing_triangles", report.crossingTriangles},
+            {"memory_bytes", memoryJson(report)},
             {"repairs", report.repairs},
             {"cuttable", report.cuttable},
             {"problem", report.problem}};
@@ -158,6 +179,7 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     for (const std::string& repair : report.repairs) {
         line("repaired") << repair << "\n";
     }
+    line("memory") << describeMemory(memoryNeedOf(report), freeMemory()) << "\n";
     line("cuttable") << yesNo(inspection.refusal.empty()) << "\n";
     if (!inspection.mending.empty()) {
         line("--repair") << "would help: " << joined(inspection.mending, "; ") << "\n";

@@ -346,11 +346,21 @@ class Replay {
     bool stopped_ = false;  ///< by a check that failed
 };
 
+/// With what undo events bring back.
+MemoryNeed memoryNeedOf(const Session& session, const SurfaceMesh& mesh) {
+    MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
+    settings.undoBudget = undoesAnything(session) ? kReplayUndoBudget : 0;
+    return memoryNeedOf(BodySize{static_cast<double>(mesh.vertexCount()),
+                                 static_cast<double>(mesh.triangleSlots())},
+                        settings);
+}
+
 }  // namespace
 
 ReplayResult replaySession(const Session& session, ModelMesh model,
                            const std::filesystem::path& folder, const ReplayListener& listener,
                            const ReplayOptions& options) {
+    requireMemory(session.model.name(), memoryNeedOf(session, model.mesh), memoryMeansOfContext());
     OutputFolder output(folder);
     Replay replay(session, std::move(model), output, options);
     replay.run(listener);

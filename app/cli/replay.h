@@ -49,7 +49,7 @@ struct ReplayResult {
 /// is loadSessionModel(session).
 ///
 /// Throws InputError naming the event that cannot happen (nothing to undo, no such box),
-/// OutputError, gpu::ShaderError, gpu::OutOfMemory.
+/// OutputError, gpu::ShaderError, gpu::OutOfMemory; and MemoryShortage before anything is done.
 ReplayResult replaySession(const Session& session, ModelMesh model,
                            const std::filesystem::path& folder, const ReplayListener& listener,
                            const ReplayOptions& options = {});

@@ -14,6 +14,7 @@
 #include "app/files/progress_line.h"
 #include "app/regression/expectation.h"
 #include "app/regression/reference_pictures.h"
+#include "app/session/material.h"
 #include "gpu/context.h"
 #include "sim/base/text.h"
 
@@ -57,7 +58,9 @@ ReplayResult runHeadless(const Session& session, const ReplayArguments& argument
         .keepGoing = arguments.keepGoing,
         .hashChecks = arguments.hashChecks,
         .quality = arguments.fine ? render::Quality::full : render::Quality::light};
-    ModelMesh model = loadSessionModel(session);
+    ReadOptions reading;
+    reading.means = memoryMeans();
+    ModelMesh model = loadSessionModel(session, reading);
     gpu::EglContext context;
     gpu::enableDebugOutput();
     ProgressLine line;
@@ -176,6 +179,9 @@ void setParameters(Session& session, const std::vector<std::string>& settings) {
 int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors) {
     requireNoExpectations(arguments.out);
     Session session = readSession(arguments.session);
+    if (!arguments.material.empty()) {
+        applyMaterial(session, findMaterial(arguments.material, {}));
+    }
     setParameters(session, arguments.set);
     for (const std::string& warning : session.warnings) {
         spdlog::warn(warning);

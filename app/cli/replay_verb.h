@@ -14,7 +14,8 @@ namespace kerf::app {
 struct ReplayArguments {
     std::filesystem::path session;
     std::filesystem::path out;
-    std::vector<std::string> set;  ///< NAME=VALUE each
+    std::string material;          ///< a name or a file; empty for that of the session
+    std::vector<std::string> set;  ///< NAME=VALUE each, behind the material
     bool hashes = false;
     bool pieces = false;
     std::filesystem::path verify;     ///< empty for none

@@ -3,9 +3,11 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "app/editor/editor_state.h"
+#include "gpu/buffer.h"
 #include "render/scene/depth_field.h"
 
 namespace kerf::app {
@@ -49,6 +51,22 @@ void Editor::setScale(float scale) {
 
 void Editor::frame(double elapsedSeconds) {
     State& s = *state_;
+    s.sparingly([&] { s.makePicture(elapsedSeconds); });
+}
+
+/// What the scene was doing has come to no end, and its memory may be what is needed to go on.
+void Editor::State::sparingly(const std::function<void()>& doWork) {
+    try {
+        doWork();
+    } catch (const std::bad_alloc&) {
+        giveUpScene(outOfMemory("The editor"));
+    } catch (const gpu::OutOfMemory& error) {
+        giveUpScene(error.what());
+    }
+}
+
+void Editor::State::makePicture(double elapsedSeconds) {
+    State& s = *this;
     s.toast.elapse(elapsedSeconds);
     s.takeInput(elapsedSeconds);
     s.view.camera.advance(elapsedSeconds);
@@ -78,7 +96,7 @@ bool Editor::workOn() {
     if (!s.scene.underWay() || picturesWait || s.sincePicture.seconds() > kWorkPictures) {
         return false;
     }
-    s.goOn();
+    s.sparingly([&] { s.goOn(); });
     return true;
 }
 
@@ -93,7 +111,8 @@ double Editor::idleSeconds() const {
     if (const DocumentLoading* opening = s.work.opening()) {
         return opening->preparing() ? kWorkPause : 0;
     }
-    if (s.work.saves() || s.chooser.previews() || (scene && scene->thickness().working())) {
+    if (s.work.saves() || s.work.placing() != nullptr || s.chooser.previews() ||
+        (scene && scene->thickness().working())) {
         return kWorkPause;
     }
     const bool soon = s.kernels.left() || s.offers.looking() || !s.keeping.settled();
@@ -103,7 +122,8 @@ double Editor::idleSeconds() const {
 }
 
 bool Editor::working() const {
-    return state_->work.opening() != nullptr || state_->work.saves();
+    const FileWork& work = state_->work;
+    return work.opening() != nullptr || work.placing() != nullptr || work.saves();
 }
 
 void Editor::askToLeave() {
@@ -211,6 +231,12 @@ void Editor::State::showMessages() {
     }
 }
 
+void Editor::State::complain(const std::string& sentence) {
+    spdlog::error("{}", sentence);
+    toast.show(sentence, true);
+    redraw.panels();
+}
+
 void Editor::State::drawScene() {
     sincePicture.restart();
     EditorScene* const now = scene.meanwhile();
@@ -231,16 +257,28 @@ void Editor::State::followGizmo() {
     if (scene == nullptr || scene.underWay()) {
         return;
     }
-    if (const std::optional<Command> command = view.moveTool.takeCommand(*scene)) {
+    const std::optional<Command> command = view.moveTool.takeCommand(*scene);
+    if (!command) {
+        return;
+    }
+    const Place* const place = std::get_if<Place>(&*command);
+    if (place != nullptr && !view.moveTool.holds()) {  // at the end of a drag
+        this->place(*place);
+        view.moveTool.noteOutcome(work.placing() == nullptr, *scene);
+    } else {
         view.moveTool.noteOutcome(execute(*command), *scene);
     }
 }
 
 void Editor::State::followPlacement() {
-    if (scene != nullptr && !scene.underWay() && view.follow(*scene)) {
-        picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
-        redraw.scene();
+    if (scene == nullptr || scene.underWay() || !view.follow(*scene)) {
+        return;
     }
+    const std::shared_ptr<const UncutBody>& uncut = scene->simulation().uncut();
+    const std::optional<PlacedBody> prepared = std::exchange(placed, std::nullopt);
+    const bool known = prepared && prepared->body == uncut;
+    picture.setRestDepth(known ? prepared->depth : render::measureSkinDepth(uncut->mesh));
+    redraw.scene();
 }
 
 void Editor::State::followMeasures() {

@@ -37,6 +37,7 @@ struct EditorOptions {
     std::filesystem::path settingsFile;
     std::filesystem::path recentFiles;  ///< see RecentFiles; empty keeps none
     std::filesystem::path journals;     ///< the folder of journals; empty keeps none
+    std::filesystem::path materials;    ///< the folder of the person's own; empty for none
 };
 
 /// The editor behind a window or without one: events in, pictures out. It needs a current OpenGL
@@ -64,7 +65,8 @@ class Editor {
     /// Time for which nothing will change without input [s]; 0 while something moves.
     double idleSeconds() const;
 
-    /// Whether a file is on its way in or out; what is open goes on meanwhile.
+    /// Whether a file is on its way in or out, or a model to another place; what is open goes on
+    /// meanwhile.
     bool working() const;
     /// The person wants to leave, as by the window's own button: asks about work that is not saved.
     void askToLeave();

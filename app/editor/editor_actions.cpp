@@ -345,7 +345,7 @@ bool needsBody(const ui::Action& action) {
         []<class Kind>(const Kind&) {
             return std::is_constructible_v<Command, Kind> ||
                    kIsOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark,
-                            ui::ExportPieces>;
+                            ui::ExportPieces, ui::TakeMaterial, ui::SaveMaterial>;
         },
         action);
 }
@@ -441,9 +441,11 @@ struct Answer {
     void onBody(const Command& command) const { s.execute(command); }
     void onBody(const ui::PlaceModel& wanted) const {
         s.view.cancelTools(*s.scene);
-        s.say(s.scene->place(wanted.placement, wanted.continues, wanted.model));
+        s.place(s.scene->placeCommand(wanted.placement, wanted.continues, wanted.model));
     }
     void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
+    void onBody(const ui::TakeMaterial& wanted) const { s.takeMaterial(wanted); }
+    void onBody(const ui::SaveMaterial&) const { s.browseToSaveMaterial(); }
     void onBody(const ui::PlaceBox&) const { placeBox(s); }
     void onBody(const ui::GoToChange& wanted) const {
         const UndoHistory& history = s.scene->simulation().history();

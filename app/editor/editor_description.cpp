@@ -53,6 +53,7 @@ void Editor::State::describe(bool withOverlay) {
     model.measures = view.measures.rows();
     model.speed = clock.speed();
     chooser.describe(model);
+    materials.describe(model);
     model.work = work.state();
     if (model.work.title.empty()) {
         model.work = sceneWork();

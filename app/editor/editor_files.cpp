@@ -1,5 +1,7 @@
 #include <spdlog/spdlog.h>
 
+#include <memory>
+#include <new>
 #include <utility>
 
 #include "app/editor/editor_state.h"
@@ -65,6 +67,8 @@ void Editor::State::show(UploadedDocument uploaded) {
     auto next =
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     picture.setRestDepth(uploaded.depth);
+    work.stopPlacing();
+    placed.reset();
     scene.set(std::move(next));
     keeping.begin();
     comingBack = false;
@@ -86,6 +90,48 @@ void Editor::State::show(UploadedDocument uploaded) {
         spdlog::info("{}: {}", scene->document().name, note);
         toast.show(note, false);
     }
+}
+
+void Editor::State::place(const Place& command) {
+    work.stopPlacing();
+    const Simulation& simulation = scene->simulation();
+    const bool known = command.model < simulation.modelCount();
+    if (known && !told.liveModels) {
+        work.place(std::make_unique<BodyPlacing>(simulation, command));
+    } else {
+        say(scene->execute(command));
+    }
+    redraw.panels();
+}
+
+/// The scene goes on as it is until the hand is free and it rests.
+void Editor::State::followPlacing() {
+    if (work.placing() == nullptr) {
+        return;
+    }
+    redraw.panels();
+    if (view.holds() || scene.underWay() || !waiting.empty()) {
+        return;
+    }
+    const std::unique_ptr<BodyPlacing> placing = work.takePlacing();
+    if (placing == nullptr) {
+        return;
+    }
+    try {
+        placed = placing->take();
+    } catch (const std::bad_alloc&) {
+        complain(outOfMemory("Placing the model"));
+        return;
+    } catch (const std::exception& error) {
+        complain(error.what());
+        return;
+    }
+    scene->simulation().expectPlacement(placed->body);
+    scene.begin(SceneWork::change, [this, command = placing->command()](EditorScene& now) {
+        view.cancelTools(now);
+        say(now.execute(command));
+    });
+    goOn();
 }
 
 /// Only what would really help is offered.
@@ -141,15 +187,62 @@ void Editor::State::take(const ChosenFile& chosen) {
         if (chosen.what == BrowseFor::addition) {
             addModel(chosen.file);
         } else {
-            askBefore("Open " + chosen.file.filename().string(),
-                      [this, file = chosen.file] { open(file); });
+            openAsked(chosen.file);
         }
         return;
     }
     save(chosen);
-    if (chosen.purpose != ui::FilePurpose::exportMesh) {
+    if (chosen.purpose == ui::FilePurpose::saveSession ||
+        chosen.purpose == ui::FilePurpose::saveTest) {
         chooser.addRecent(chosen.file);
     }
+}
+
+void Editor::State::openAsked(const std::filesystem::path& file) {
+    if (!isMaterialFile(file)) {
+        askBefore("Open " + file.filename().string(), [this, file] { open(file); });
+        return;
+    }
+    try {
+        const int number = materials.add(file);
+        if (scene == nullptr) {
+            toast.show("Open a model first; " + file.filename().string() + " is a material.", true);
+        } else {
+            apply(ui::TakeMaterial{number, 0});
+        }
+    } catch (const InputError& error) {
+        toast.show(error.what(), true);
+    }
+}
+
+void Editor::State::lookForMaterials() {
+    for (const std::string& problem : materials.look()) {
+        spdlog::warn("{}", problem);
+        toast.show(problem, true);
+    }
+}
+
+void Editor::State::takeMaterial(const ui::TakeMaterial& wanted) {
+    const Material* const material = materials.find(wanted.material);
+    if (material == nullptr) {
+        return;
+    }
+    const Material taken = *material;
+    for (const SetParam& set : settingsOf(taken, wanted.model)) {
+        if (!execute(set)) {
+            return;
+        }
+    }
+    if (wanted.model == 0 && taken.colors.any()) {
+        view.display.settings.colors = taken.colors;
+        redraw.scene();
+    }
+}
+
+void Editor::State::browseToSaveMaterial() {
+    std::error_code ignored;  // The dialog then looks into the next folder that is there.
+    std::filesystem::create_directories(materials.folder(), ignored);
+    browse(ui::FilePurpose::saveMaterial);
 }
 
 /// One file after the other.
@@ -166,6 +259,12 @@ void Editor::State::save(const ChosenFile& chosen) {
         const auto coordinates = chosen.inScene ? Coordinates::scene : Coordinates::model;
         work.save(startExport({chosen.file, chosen.filePerPiece, coordinates}, scene->document(),
                               scene->simulation(), view.display.look(*scene)));
+        return;
+    }
+    if (chosen.purpose == ui::FilePurpose::saveMaterial) {
+        sessionSaving.reset();
+        work.save(startSavingMaterial(
+            chosen.file, materialFrom(scene->simulation().params(), view.display.settings.colors)));
         return;
     }
     if (chosen.what == BrowseFor::testWithPicture) {
@@ -191,12 +290,14 @@ int Editor::State::savePicture(render::Image image, const std::string& name) {
 
 void Editor::State::followFiles() {
     followOpening();
+    followPlacing();
     while (const auto outcome = work.takeOutcome()) {
         spdlog::log(outcome->failed ? spdlog::level::err : spdlog::level::info, "{}",
                     outcome->sentence);
         toast.show(*outcome);
         redraw.panels();
         onSaved(*outcome);
+        materials.look();  // It may have been one.
     }
     if (!chooser.isOpen()) {
         afterSaving = nullptr;  // The dialog was left without a name.
@@ -240,9 +341,10 @@ void Editor::State::followOpening() {
     } catch (const ModelFault& fault) {
         spdlog::error("{}", fault.what());
         askAboutMending(fault, order);
+    } catch (const std::bad_alloc&) {
+        complain(outOfMemory(order.title));
     } catch (const std::exception& error) {
-        spdlog::error("{}", error.what());
-        toast.show(error.what(), true);
+        complain(error.what());
     }
 }
 

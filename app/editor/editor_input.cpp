@@ -69,8 +69,7 @@ void Editor::State::dispatch(const ui::InputEvent& event) {
                 "Of " + counted(drop->files.size(), "file", "files") + " the first is opened.",
                 false);
         }
-        const std::filesystem::path file = drop->files.front();
-        askBefore("Open " + file.filename().string(), [this, file] { open(file); });
+        openAsked(drop->files.front());
     } else if (std::holds_alternative<ui::FocusLost>(event)) {
         view.camera.releaseAll();
         onButton({ui::Button::left, false, {}});

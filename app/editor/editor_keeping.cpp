@@ -65,6 +65,26 @@ void Editor::State::goOnFrom(const LeftWork& left) {
     open(std::move(order));
 }
 
+void Editor::State::giveUpScene(const std::string& sentence) {
+    const bool unsaved = hasUnsavedWork();
+    waiting.clear();
+    asked.reset();
+    sessionSaving.reset();
+    comingBack = false;
+    work.stopPlacing();
+    placed.reset();
+    scene.set(nullptr);
+    clock.stop();
+    toast.withdrawOffer();
+    const bool kept = keeping.leave() && unsaved;
+    if (kept) {
+        offers.lookAgain();
+    }
+    describeScene();
+    redraw.scene();
+    complain(kept ? sentence + " What was done is kept." : sentence);
+}
+
 bool Editor::State::comesBack() {
     comingBack = comingBack && scene != nullptr && scene.meanwhile()->seekSteps() > 0;
     return comingBack;

@@ -20,6 +20,7 @@
 #include "app/editor/input_queue.h"
 #include "app/editor/kernel_preparation.h"
 #include "app/editor/left_work.h"
+#include "app/editor/material_shelf.h"
 #include "app/editor/redraw.h"
 #include "app/editor/scene_at_work.h"
 #include "app/editor/step_clock.h"
@@ -36,11 +37,14 @@ struct Editor::State {
           panels(options),
           picture(options.quality),
           chooser(options.screenshotFolder, options.recentFiles),
+          materials(options.materials),
           work(options.screenshotFolder),
           keeping(options.journals),
           offers(options.journals) {
         view.resize(options.width, options.height);
         view.display.settings.quality = options.quality;
+        chooser.setMaterialFolder(materials.folder());
+        lookForMaterials();
     }
 
     gpu::ProgramShelf programs;  ///< from document to document; outlives what is made of them
@@ -60,6 +64,7 @@ struct Editor::State {
     NewcomerGuide guide;
     ExperimentBoard experiments;
     FileChooser chooser;
+    MaterialShelf materials;
     FileWork work;
     WorkKeeping keeping;
     LeftWorkOffers offers;
@@ -77,11 +82,17 @@ struct Editor::State {
         std::function<void()> then;  ///< once it is there; may be null
     };
     std::optional<SessionSaving> sessionSaving;
+    /// The depth below the skin of a body that was placed behind the scene, for when it is shown.
+    std::optional<PlacedBody> placed;
     bool comingBack = false;  ///< see comesBack()
     bool screenshotWanted = false;
     bool closing = false;
 
     // A picture: editor.cpp.
+    /// One picture, as Editor::frame() makes it.
+    void makePicture(double elapsedSeconds);
+    /// Works, and gives the scene up where memory runs out.
+    void sparingly(const std::function<void()>& doWork);
     void advance(double elapsedSeconds);
     /// Begins the steps that are due, if any.
     void beginSteps();
@@ -90,6 +101,8 @@ struct Editor::State {
     /// Goes on with what the scene is doing.
     void goOn();
     void showMessages();
+    /// Says what went wrong, in the log too.
+    void complain(const std::string& sentence);
     void drawScene();
     /// Has the pieces added up where their list has all columns.
     void followPieceSums();
@@ -132,6 +145,8 @@ struct Editor::State {
 
     // Files: editor_files.cpp.
     void open(const std::filesystem::path& file) { open(orderOf(file)); }
+    /// The same, after a question about work that is not saved. A material is taken at once.
+    void openAsked(const std::filesystem::path& file);
     void open(OpeningOrder order, Mending mending = Mending::none);
     /// Opens the scene with the model of a file added, or with one of its models taken out.
     void addModel(const std::filesystem::path& file);
@@ -139,6 +154,9 @@ struct Editor::State {
     void openScene(OpeningOrder order);
     void show(UploadedDocument uploaded);
     void followFiles();
+    /// Places a model: a large one is prepared behind the scene first.
+    void place(const Place& command);
+    void followPlacing();
     void followOpening();
     void askAboutMending(const ModelFault& fault, const OpeningOrder& order);
     void browse(ui::FilePurpose purpose, BrowseFor what = BrowseFor::itself);
@@ -146,6 +164,12 @@ struct Editor::State {
     void take(const ChosenFile& chosen);
     void save(const ChosenFile& chosen);
     int savePicture(render::Image image, const std::string& name);
+
+    /// Lists the materials anew, and tells of those that can't be read.
+    void lookForMaterials();
+    /// Gives a model a material: one change, and the look with it.
+    void takeMaterial(const ui::TakeMaterial& wanted);
+    void browseToSaveMaterial();
 
     /// Takes note of the end of a saving.
     void onSaved(const SavingQueue::Outcome& outcome);
@@ -157,6 +181,9 @@ struct Editor::State {
     /// Asks what becomes of what a window left behind, if there is any.
     void offerLeftWork();
     void goOnFrom(const LeftWork& left);
+    /// The scene could not go on, for the reason that `sentence` gives: nothing is open then, and
+    /// what was done is offered as work that was left behind.
+    void giveUpScene(const std::string& sentence);
     /// Whether it is still being played: what is done now would leave the rest of it out.
     bool comesBack();
     bool hasUnsavedWork() const;

@@ -10,6 +10,7 @@
 #include "app/files/export.h"
 #include "app/files/model_source.h"
 #include "app/regression/expectation.h"
+#include "app/session/material.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -30,6 +31,8 @@ std::vector<std::string> kindsOf(FilePurpose purpose) {
         case FilePurpose::saveSession:
         case FilePurpose::saveTest:
             return {"Session (.kerf.json)"};
+        case FilePurpose::saveMaterial:
+            return {"Material (.material.json)"};
         case FilePurpose::exportMesh:
         case FilePurpose::none:
             break;
@@ -179,6 +182,7 @@ bool FileBrowser::isOffered(const fs::path& file) const {
             break;
         case FilePurpose::saveSession:
         case FilePurpose::saveTest:
+        case FilePurpose::saveMaterial:
             return session;
         case FilePurpose::exportMesh:
         case FilePurpose::none:
@@ -304,6 +308,9 @@ std::optional<fs::path> FileBrowser::acceptToWrite(fs::path path, bool overwrite
     if ((test || state_.purpose == FilePurpose::saveSession) &&
         !path.string().ends_with(kSessionEnding)) {
         path += kSessionEnding;
+    }
+    if (state_.purpose == FilePurpose::saveMaterial && !path.string().ends_with(kMaterialEnding)) {
+        path += kMaterialEnding;
     }
     if (state_.purpose == FilePurpose::exportMesh && !meshFormatOf(path)) {
         path += meshFormats()[state_.kind].extension;

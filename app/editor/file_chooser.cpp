@@ -6,6 +6,7 @@
 
 #include "app/files/free_file.h"
 #include "app/files/mesh_formats.h"
+#include "app/session/material.h"
 #include "gpu/data_path.h"
 
 namespace kerf::app {
@@ -23,6 +24,8 @@ std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder
             return document + ".kerf.json";  // replaced more often than the others
         case ui::FilePurpose::exportMesh:
             return document + std::string(meshFormats().front().extension);
+        case ui::FilePurpose::saveMaterial:
+            return document + std::string(kMaterialEnding);
         case ui::FilePurpose::open:
         case ui::FilePurpose::none:
             break;
@@ -93,6 +96,9 @@ void FileChooser::setModel(const std::filesystem::path& file) {
 }
 
 std::filesystem::path& FileChooser::lastFolder(ui::FilePurpose purpose) {
+    if (purpose == ui::FilePurpose::saveMaterial) {
+        return materialFolder_;
+    }
     return purpose == ui::FilePurpose::open ? lastSource_ : lastTarget_;
 }
 

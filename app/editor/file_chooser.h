@@ -43,6 +43,8 @@ class FileChooser {
     /// The file of the open model, beside which it is exported until another folder is chosen. An
     /// empty path for none; what comes with Kerf counts as none.
     void setModel(const std::filesystem::path& file);
+    /// The folder that materials are saved in until another one is chosen.
+    void setMaterialFolder(const std::filesystem::path& folder) { materialFolder_ = folder; }
     bool isOpen() const { return browser_.has_value(); }
     /// Does what the person did in the dialog. Returns the file once one is chosen.
     std::optional<ChosenFile> take(const ui::FileAction& action);
@@ -67,7 +69,8 @@ class FileChooser {
     /// what was opened would put results among the models.
     std::filesystem::path lastSource_;
     std::filesystem::path lastTarget_;
-    std::filesystem::path modelFolder_;   ///< see setModel()
+    std::filesystem::path modelFolder_;  ///< see setModel()
+    std::filesystem::path materialFolder_;
     std::optional<FileBrowser> browser_;  ///< while the dialog is open
     FilePreview preview_;
     BrowseFor what_ = BrowseFor::itself;  ///< see ChosenFile

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/files/model_source.h"
+#include "app/session/material.h"
 #include "app/session/session.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle_soup.h"
@@ -20,10 +21,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kReadWhole = 40'000'000;  // models up to this size are read for a preview
+constexpr std::size_t kMostHead = 1 << 16;
+
+/// A head of text may have no end.
+std::string beginningOf(const fs::path& file) {
+    std::string bytes(kMostHead, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    return bytes;
+}
 
 /// The number of triangles as the header of a PLY file has it.
 std::optional<std::uint64_t> facesOfPly(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
+    std::istringstream in(beginningOf(file));
     std::string line;
     for (int n = 0; n < 100 && std::getline(in, line) && !line.starts_with("end_header"); ++n) {
         std::uint64_t count = 0;
@@ -67,6 +78,16 @@ void describeSession(const fs::path& file, std::vector<std::string>& lines) {
                     counted(session.events.size(), "event", "events"));
 }
 
+void describeMaterial(const fs::path& file, std::vector<std::string>& lines) {
+    const Material material = readMaterial(file);
+    lines.push_back("Material: " + printable(material.label));
+    for (const MaterialProperty& property : materialProperties()) {
+        if (std::string line = describeProperty(material, property); !line.empty()) {
+            lines.push_back(std::move(line));
+        }
+    }
+}
+
 void describeModel(const fs::path& file, WorkProgress& progress, std::vector<std::string>& lines) {
     const std::optional<std::uint64_t> faces = facesInHeader(file);
     if (fs::file_size(file) > kReadWhole) {
@@ -102,7 +123,9 @@ std::vector<std::string> describeFile(const fs::path& file, WorkProgress& progre
     }
     try {
         lines.push_back(formatName(file) + ", " + ui::sizeText(fs::file_size(file)));
-        if (lowerCase(file.extension().string()) == ".json") {
+        if (isMaterialFile(file)) {
+            describeMaterial(file, lines);
+        } else if (lowerCase(file.extension().string()) == ".json") {
             describeSession(file, lines);
         } else {
             describeModel(file, progress, lines);

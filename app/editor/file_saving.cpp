@@ -72,4 +72,15 @@ std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Saved
         });
 }
 
+std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& file,
+                                                Material material) {
+    return std::make_unique<FileSaving>(
+        "Saving " + file.filename().string(),
+        [file, material = std::move(material)](WorkProgress& progress) {
+            progress.enter("Writing");
+            writeOutputFile(file, formatMaterial(material));
+            return "Saved the material " + file.string();
+        });
+}
+
 }  // namespace kerf::app

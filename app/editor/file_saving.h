@@ -7,6 +7,7 @@
 #include "app/files/export.h"
 #include "app/scene/editor_document.h"
 #include "app/scene/saved_session.h"
+#include "app/session/material.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {
@@ -26,6 +27,9 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
                                         Simulation& simulation, const render::BodyLook& look);
 /// Begins to write a session.
 std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved);
+/// Begins to write a material.
+std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& file,
+                                                Material material);
 /// Begins to write a session and what a run of it comes out like, which takes as long as that.
 std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved);
 

@@ -32,6 +32,10 @@ std::optional<UploadedDocument> FileWork::advanceOpening(bool mayTake) {
     return std::nullopt;
 }
 
+std::unique_ptr<BodyPlacing> FileWork::takePlacing() {
+    return placing() != nullptr && placing()->done() ? placing_.take() : nullptr;
+}
+
 int FileWork::saveBehind(const std::string& name, const std::string& ending,
                          std::function<void(const std::filesystem::path& file)> write) {
     return behind_.add([folder = folder_, name, ending, write = std::move(write)] {
@@ -43,6 +47,7 @@ int FileWork::saveBehind(const std::string& name, const std::string& ending,
 
 std::optional<SavingQueue::Outcome> FileWork::takeOutcome() {
     opening_.forgetEnded();
+    placing_.forgetEnded();
     saving_.forgetEnded();
     const bool ended = saving() != nullptr && saving()->done();
     return ended ? SavingQueue::endOf(*saving_.take(), 0) : behind_.takeOutcome();
@@ -52,6 +57,8 @@ ui::WorkState FileWork::state() const {
     ui::WorkState work;
     if (const DocumentLoading* const loading = opening()) {
         work = {loading->order().title, loading->stage(), loading->seconds()};
+    } else if (const BodyPlacing* const placed = placing()) {
+        work = {"Placing the model", placed->stage(), placed->seconds()};
     } else if (const FileSaving* const file = saving()) {
         work = {file->title, file->stage(), file->seconds()};
     }

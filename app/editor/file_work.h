@@ -9,6 +9,7 @@
 #include "app/editor/file_saving.h"
 #include "app/files/current_job.h"
 #include "app/files/saving_queue.h"
+#include "app/scene/body_placing.h"
 #include "app/scene/document_loading.h"
 #include "ui/panel_model.h"
 
@@ -33,6 +34,15 @@ class FileWork {
     /// Then, and where it throws as DocumentLoading::advance(), nothing is being opened any more.
     std::optional<UploadedDocument> advanceOpening(bool mayTake);
 
+    /// Begins to place a model, instead of what was being placed before.
+    void place(std::unique_ptr<BodyPlacing> placing) { placing_.start(std::move(placing)); }
+    /// What is being placed; null for nothing.
+    const BodyPlacing* placing() const { return placing_.now(); }
+    /// The placement once it is ready; null before. Nothing is being placed any more then.
+    std::unique_ptr<BodyPlacing> takePlacing();
+    /// Gives up what is being placed.
+    void stopPlacing() { placing_.cancel(); }
+
     /// Follows a saving that has begun; there is only one at a time.
     void save(std::unique_ptr<FileSaving> saving) { saving_.start(std::move(saving)); }
     /// The saving that is not done yet; null for none.
@@ -44,8 +54,9 @@ class FileWork {
     /// The end of a saving, each once; only those of saveBehind() have numbers.
     std::optional<SavingQueue::Outcome> takeOutcome();
 
-    /// Gives up what is being opened, or else saved. Returns false where there is nothing.
-    bool cancel() { return opening_.cancel() || saving_.cancel(); }
+    /// Gives up what is being opened, or else placed, or saved. Returns false where there is
+    /// nothing.
+    bool cancel() { return opening_.cancel() || placing_.cancel() || saving_.cancel(); }
     /// Whether anything is not saved yet.
     bool saves() const { return saving() != nullptr || behind_.busy(); }
     /// What a person may wait for, once it takes long.
@@ -54,6 +65,7 @@ class FileWork {
   private:
     std::filesystem::path folder_;
     CurrentJob<DocumentLoading> opening_;
+    CurrentJob<BodyPlacing> placing_;
     CurrentJob<FileSaving> saving_;
     SavingQueue behind_;
 };

@@ -19,10 +19,15 @@ std::string timeText(std::time_t when) {
 
 }  // namespace
 
-LeftWorkOffers::LeftWorkOffers(const std::filesystem::path& folder) {
-    if (!folder.empty()) {
-        looking_ =
-            std::make_unique<Looking>([folder](WorkProgress&) { return lookForLeftWork(folder); });
+LeftWorkOffers::LeftWorkOffers(const std::filesystem::path& folder) : folder_(folder) {
+    lookAgain();
+}
+
+void LeftWorkOffers::lookAgain() {
+    works_.clear();
+    if (!folder_.empty()) {
+        looking_ = std::make_unique<Looking>(
+            [folder = folder_](WorkProgress&) { return lookForLeftWork(folder); });
     }
 }
 

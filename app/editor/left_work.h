@@ -20,6 +20,8 @@ class LeftWorkOffers {
     /// Begins to look into `folder`; an empty path has nothing.
     explicit LeftWorkOffers(const std::filesystem::path& folder);
 
+    /// Looks once more: something was left behind since.
+    void lookAgain();
     /// Whether the thread is still looking.
     bool looking() const { return looking_ != nullptr; }
     /// Takes what the thread has found, once it has; once a picture.
@@ -32,6 +34,7 @@ class LeftWorkOffers {
   private:
     using Looking = BackgroundJob<std::vector<LeftWork>>;
 
+    std::filesystem::path folder_;
     std::unique_ptr<Looking> looking_;
     std::deque<LeftWork> works_;
 };

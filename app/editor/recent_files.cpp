@@ -2,27 +2,38 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "app/files/file_io.h"
+#include "app/files/model_source.h"
 
 namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t kMostBytes = 1u << 20;
+
 bool isThere(const fs::path& file) {
     std::error_code error;
     return fs::is_regular_file(file, error);
 }
 
+std::string contentOf(const fs::path& store) {
+    try {
+        return store.empty() ? "" : readInputFile(store, kMostBytes);
+    } catch (const InputError&) {  // there is none yet
+        return "";
+    }
+}
+
 }  // namespace
 
 RecentFiles::RecentFiles(fs::path store) : store_(std::move(store)) {
-    std::ifstream in(store_);
+    std::istringstream in(contentOf(store_));
     for (std::string line; files_.size() < kMost && std::getline(in, line);) {
         if (!line.empty()) {
             files_.emplace_back(line);

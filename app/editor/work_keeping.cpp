@@ -47,6 +47,15 @@ void WorkKeeping::discard() {
     }
 }
 
+bool WorkKeeping::leave() {
+    untilPicture_.reset();
+    savedDeeds_ = 0;
+    const bool kept = writer_ != nullptr || left_ != nullptr;
+    writer_.reset();
+    left_.reset();
+    return kept;
+}
+
 void WorkKeeping::giveUpWriter() {
     untilPicture_.reset();
     if (writer_ != nullptr) {

@@ -26,6 +26,9 @@ class WorkKeeping {
     void begin(std::shared_ptr<LeftJournal> left = nullptr);
     /// The scene is given up, and what is kept of it.
     void discard();
+    /// The scene is gone, and what is kept of it stays, as work that was left behind. Waits until
+    /// it is on the disk. Returns whether there is any.
+    bool leave();
 
     /// Once a picture, between two steps: notes what has been done since. Without `on`, nothing is
     /// kept.

@@ -6,6 +6,7 @@
 
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
@@ -73,7 +74,7 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
     const char* end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, value);
     if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) {
-        fail(row, "'" + text + "' is no number");
+        fail(row, "'" + shortened(text) + "' is no number");
     }
     return value;
 }

@@ -3,8 +3,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <climits>
 #include <fstream>
 
 #include "app/files/model_source.h"
@@ -15,10 +17,13 @@ namespace {
 
 constexpr std::size_t kWriteBlock = 1 << 16;
 
-std::filesystem::path hiddenNameBeside(const std::filesystem::path& file) {
+/// A hidden name; what an earlier program of our number left there is removed.
+std::filesystem::path unusedNameBeside(const std::filesystem::path& file) {
     const std::string name =
         "." + file.filename().string() + "." + std::to_string(::getpid()) + ".part";
-    return file.parent_path() / name;
+    std::filesystem::path hidden = file.parent_path() / name;
+    ::unlink(hidden.c_str());
+    return hidden;
 }
 
 void requireReadableSize(const std::filesystem::path& file, std::uintmax_t limit) {
@@ -64,6 +69,29 @@ std::string shortestText(T value) {
 
 }  // namespace
 
+std::string problemWithPath(std::string_view path) {
+    if (path.find('\0') != std::string_view::npos) {
+        return "no file has a zero byte in its name.";
+    }
+    return path.size() < PATH_MAX
+               ? ""
+               : "no file has a name of more than " + std::to_string(PATH_MAX - 1) + " bytes.";
+}
+
+bool isNameInside(std::string_view name) {
+    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    return problemWithPath(name).empty() && !path.empty() && !path.is_absolute() &&
+           path.has_filename() && *path.begin() != ".." && *path.begin() != ".";
+}
+
+bool leadsInside(const std::filesystem::path& folder, const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
+    const auto [end, rest] =
+        std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end());
+    return !error && end == folder.end();
+}
+
 std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limit) {
     requireReadableSize(file, limit);
     std::ifstream stream(file, std::ios::binary);
@@ -74,10 +102,11 @@ std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limi
     return bytes;
 }
 
+// O_EXCL follows no link: whoever knows the hidden name could lay one there.
 AtomicFile::AtomicFile(const std::filesystem::path& file)
     : file_(replaceable(file)),
-      hidden_(hiddenNameBeside(file_)),
-      out_(hidden_, O_WRONLY | O_CREAT | O_TRUNC, 0666, file_) {}
+      hidden_(unusedNameBeside(file_)),
+      out_(hidden_, O_WRONLY | O_CREAT | O_EXCL, 0666, file_) {}
 
 AtomicFile::~AtomicFile() {
     if (!committed_) {

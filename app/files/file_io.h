@@ -10,6 +10,17 @@
 
 namespace kerf::app {
 
+/// Why no file can have this path, which stands in a file of somebody else: a sentence; "" where
+/// one can.
+std::string problemWithPath(std::string_view path);
+/// Whether a name that stands in a file means a file inside of a folder, by its letters alone: not
+/// absolute, without a way out, and not the folder itself. Links are for OutputFolder to see.
+bool isNameInside(std::string_view name);
+
+/// Whether what is there under this path, links followed, lies in a folder or below it. Of what is
+/// not there yet the folders on its way count. `folder` must be canonical.
+bool leadsInside(const std::filesystem::path& folder, const std::filesystem::path& path);
+
 /// The bytes of a regular file. Throws InputError where it is missing, no regular file, not
 /// readable or larger than `limit` bytes.
 std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limit);

@@ -1,8 +1,19 @@
 #include "app/files/free_file.h"
 
+#include <algorithm>
 #include <ctime>
 
+#include "sim/base/text.h"
+
 namespace kerf::app {
+
+std::string plainName(const std::string& name) {
+    constexpr std::size_t kMost = 200;
+    std::string plain = beginningOf(name.substr(name.find_last_of('/') + 1), kMost);
+    std::ranges::replace_if(
+        plain, [](unsigned char c) { return c < ' ' || c == 0x7f; }, '_');
+    return plain.empty() || plain == "." || plain == ".." ? "_" + plain : plain;
+}
 
 std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
                                const std::string& ending) {
@@ -11,7 +22,7 @@ std::filesystem::path freeFile(const std::filesystem::path& folder, const std::s
     localtime_r(&now, &local);
     char moment[32];
     std::strftime(moment, sizeof moment, "-%Y%m%d-%H%M%S", &local);
-    const std::string stem = name + moment;
+    const std::string stem = plainName(name) + moment;
     std::filesystem::path file = folder / (stem + ending);
     std::error_code unknown;  // a folder that can't be looked into: writing will say so
     for (int n = 2; std::filesystem::exists(file, unknown); ++n) {

@@ -216,11 +216,8 @@ bool isGltf(const fs::path& file) {
 
 bool isFileBelow(const fs::path& folder, const fs::path& file) {
     std::error_code error;
-    const fs::path whole = fs::canonical(file, error);
-    const auto [end, rest] =
-        std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end());
-    return !error && end == folder.end() && fs::is_regular_file(whole, error) &&
-           fs::file_size(whole, error) <= kMaxModelBytes && !error;
+    return leadsInside(folder, file) && fs::is_regular_file(file, error) &&
+           fs::file_size(file, error) <= kMaxModelBytes && !error;
 }
 
 void addAppearance(const aiScene& scene, const fs::path& file, const std::vector<int>& triangles,

@@ -99,10 +99,18 @@ bool isCancelled(const WorkProgress* progress) {
     return progress != nullptr && progress->cancelled();
 }
 
+/// Who follows a reading.
+struct Followers {
+    const WorkProgress* progress;
+    const ImportHeadListener& onHead;
+};
+
 /// Collects both streams until they end. False where the deadline passes, the answer grows past
 /// its limit, or nobody wants it any more.
-bool collect(Pipe& answer, Pipe& log, Clock::time_point deadline, const WorkProgress* progress,
+bool collect(Pipe& answer, Pipe& log, Clock::time_point deadline, const Followers& followers,
              ImportOutcome& outcome) {
+    const WorkProgress* const progress = followers.progress;
+    bool headIsTold = followers.onHead == nullptr;
     while (answer.read.get() >= 0 || log.read.get() >= 0) {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
         outcome.tooSlow = left.count() <= 0;
@@ -116,6 +124,10 @@ bool collect(Pipe& answer, Pipe& log, Clock::time_point deadline, const WorkProg
         ::poll(waiting.data(), waiting.size(), static_cast<int>(pause.count()));
         if (waiting[0].revents != 0) {
             drain(answer.read, outcome.answer, kMaxImportAnswer + 1);
+        }
+        if (!headIsTold && outcome.answer.size() >= kImportHeadBytes) {
+            headIsTold = true;
+            followers.onHead(std::string_view(outcome.answer).substr(0, kImportHeadBytes));
         }
         if (waiting[1].revents != 0) {
             drain(log.read, outcome.log, kMaxLog);
@@ -166,7 +178,7 @@ std::filesystem::path importProgram() {
 
 ImportOutcome runImportProcess(const std::filesystem::path& program,
                                const std::filesystem::path& file, const ImportLimits& limits,
-                               const WorkProgress* progress) {
+                               const WorkProgress* progress, const ImportHeadListener& onHead) {
     const auto deadline = Clock::now() + std::chrono::seconds(limits.wallSeconds);
     Pipe answer;
     Pipe log;
@@ -174,8 +186,14 @@ ImportOutcome runImportProcess(const std::filesystem::path& program,
     answer.write.close();
     log.write.close();
     ImportOutcome outcome;
-    if (!collect(answer, log, deadline, progress, outcome)) {
+    try {
+        if (!collect(answer, log, deadline, {progress, onHead}, outcome)) {
+            ::kill(child, SIGKILL);
+        }
+    } catch (...) {
         ::kill(child, SIGKILL);
+        waitFor(child, outcome);
+        throw;
     }
     waitFor(child, outcome);
     if (isCancelled(progress)) {

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "app/files/work_progress.h"
 
@@ -32,12 +34,22 @@ void readModelsWithThisProgram();
 /// where it said so, else kerf in the same folder.
 std::filesystem::path importProgram();
 
+/// Told how an answer begins, kImportHeadBytes of it, before more is taken; may throw to end the
+/// reading.
+using ImportHeadListener = std::function<void(std::string_view head)>;
+
 /// Runs `program import-worker file` and collects what it says. The child inherits no open files,
-/// and is killed when the wall time is over. Throws InputError where it can't be started, and
-/// WorkCancelled soon after `progress` was cancelled; the child is gone then.
+/// and is killed when the wall time is over. Throws InputError where it can't be started,
+/// WorkCancelled soon after `progress` was cancelled, and what `onHead` throws; the child is gone
+/// then.
 ImportOutcome runImportProcess(const std::filesystem::path& program,
                                const std::filesystem::path& file, const ImportLimits& limits,
-                               const WorkProgress* progress = nullptr);
+                               const WorkProgress* progress = nullptr,
+                               const ImportHeadListener& onHead = nullptr);
+
+/// The answer of the child (import_protocol.h), which it makes in this process: a reader that
+/// crashes on the file takes this down.
+std::string answerFor(const std::filesystem::path& file);
 
 /// Takes the limits that the parent passed on to this process: CPU time, address space, no core
 /// file. Called first by the child.

@@ -1,7 +1,9 @@
 #include "app/files/import_protocol.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -103,7 +105,9 @@ class AnswerReader {
     std::vector<T> take(std::uint64_t count) {
         const std::string_view bytes = takeBytes(count * sizeof(T));
         std::vector<T> items(count);
-        std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
+        if (count > 0) {
+            std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
+        }
         return items;
     }
     std::string_view takeBytes(std::uint64_t count) {
@@ -166,22 +170,44 @@ std::string nameIn(const Json& json) {
     return name;
 }
 
+/// A number of a colour or a surface; 0 where no float holds it.
+float factorIn(const Json& json) {
+    const double number = json.get<double>();
+    return std::abs(number) <= std::numeric_limits<float>::max() ? static_cast<float>(number) : 0;
+}
+
+float shareIn(const Json& json) {
+    return std::clamp(factorIn(json), 0.0F, 1.0F);
+}
+
+/// A number in a list of so many; -1 for one that is not there.
+int indexIn(const Json& json, int count) {
+    const bool there =
+        json.is_number_unsigned() && json.get<std::uint64_t>() < std::uint64_t(count);
+    return there ? json.get<int>() : -1;
+}
+
 render::Material materialOf(const Json& json, int images) {
     render::Material material;
     material.name = nameIn(json.at("name"));
     for (int i = 0; i < 4; ++i) {
-        material.baseColor[i] = json.at("color").at(i).get<float>();
+        material.baseColor[i] = factorIn(json.at("color").at(i));
     }
-    material.roughness = json.at("roughness").get<float>();
-    material.metallic = json.at("metallic").get<float>();
-    const int image = json.at("image").get<int>();
-    material.image = image < images ? image : -1;
+    material.roughness = shareIn(json.at("roughness"));
+    material.metallic = shareIn(json.at("metallic"));
+    material.image = indexIn(json.at("image"), images);
     return material;
+}
+
+/// How many bytes an image has; more than there are where that is no count.
+std::uint64_t countIn(const Json& json) {
+    return json.is_number_unsigned() ? json.get<std::uint64_t>()
+                                     : std::numeric_limits<std::uint64_t>::max();
 }
 
 void readLooks(const Json& json, AnswerReader& reader, ImportedModel& model) {
     for (const Json& image : json.at("images")) {
-        const std::string_view bytes = reader.takeBytes(image.at("bytes").get<std::uint64_t>());
+        const std::string_view bytes = reader.takeBytes(countIn(image.at("bytes")));
         model.appearance.images.push_back({nameIn(image.at("name")), std::string(bytes), {}});
     }
     for (const Json& material : json.at("materials")) {
@@ -201,6 +227,15 @@ void clearOddMaterials(ImportedModel& model) {
 }
 
 }  // namespace
+
+std::uint64_t trianglesByHead(std::string_view head) {
+    ImportHeader told{};
+    if (head.size() < sizeof(told)) {
+        return 0;
+    }
+    std::memcpy(&told, head.data(), sizeof(told));
+    return told.failed == 0 ? std::min(told.triangles, kMaxImportTriangles) : 0;
+}
 
 std::string encodeImport(const ImportedModel& model) {
     static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(CornerUvs) == 24 &&

@@ -47,6 +47,12 @@ struct ImportHeader {
 };
 static_assert(sizeof(ImportHeader) == 64);
 
+/// Where an answer tells its counts [bytes].
+inline constexpr std::size_t kImportHeadBytes = sizeof(ImportHeader);
+/// How many triangles the model has by the beginning of an answer, which is not trusted to be one;
+/// 0 where there is none.
+std::uint64_t trianglesByHead(std::string_view head);
+
 /// Most bytes that an answer within the limits can have.
 inline constexpr std::uint64_t kMaxImportAnswer = sizeof(ImportHeader) + kMaxImportVertices * 24 +
                                                   kMaxImportTriangles * (12 + 24 + 48 + 4) +

@@ -158,6 +158,8 @@ bool writeAll(int descriptor, std::string_view bytes) {
     return true;
 }
 
+}  // namespace
+
 std::string answerFor(const std::filesystem::path& file) {
     try {
         return encodeImport(readScene(file));
@@ -165,8 +167,6 @@ std::string answerFor(const std::filesystem::path& file) {
         return encodeImportFailure(plainReason(error.what()));
     }
 }
-
-}  // namespace
 
 int runImportWorker(const std::filesystem::path& file) {
     applyImportLimits();

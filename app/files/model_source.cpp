@@ -102,22 +102,30 @@ void checkOutcome(const ImportOutcome& outcome, const std::string& format,
     }
 }
 
+/// Of a model of which no more is known than how many triangles it has, cut as sparingly as can be.
+void requireMemoryFor(const fs::path& file, std::uint64_t triangles, const MemoryMeans& means) {
+    const BodySize size = BodySize::ofTriangles(static_cast<double>(triangles));
+    requireMemory(file.filename().string(), memoryNeedOf(size, {.contact = false}), means);
+}
+
 ImportedModel readThroughProcess(const fs::path& file, const ImportLimits& limits,
-                                 WorkProgress* progress) {
+                                 const std::optional<MemoryMeans>& means, WorkProgress* progress) {
     enter(progress, "Reading the file");
     checkFile(file);
     const Format& format = formatOf(file);
+    const auto onHead = [&](std::string_view head) {
+        if (means) {
+            requireMemoryFor(file, trianglesByHead(head), *means);
+        }
+    };
     const ImportOutcome outcome =
-        runImportProcess(importProgram(), fs::absolute(file), limits, progress);
+        runImportProcess(importProgram(), fs::absolute(file), limits, progress, onHead);
     if (!outcome.log.empty()) {
         spdlog::debug("{}: {}", file.string(), outcome.log);
     }
     checkOutcome(outcome, format.name, limits);
     enter(progress, "Joining equal vertices");
-    ImportedModel model = decodeImport(outcome.answer);
-    model.soup = weldExactly(model.soup);
-    checkImportedPositions(model.soup);
-    return model;
+    return modelOfAnswer(outcome.answer);
 }
 
 void noteTurning(const MeshReport& found, std::vector<std::string>& repairs) {
@@ -215,13 +223,29 @@ OwnLooks looksOf(ImportedModel& model) {
 
 }  // namespace
 
-ImportedModel importWithLooks(const fs::path& file, const ImportLimits& limits,
-                              WorkProgress* progress) {
+ImportedModel modelOfAnswer(std::string_view answer) {
+    ImportedModel model = decodeImport(answer);
+    model.soup = weldExactly(model.soup);
+    checkImportedPositions(model.soup);
+    return model;
+}
+
+namespace {
+
+ImportedModel importFor(const fs::path& file, const ImportLimits& limits,
+                        const std::optional<MemoryMeans>& means, WorkProgress* progress) {
     try {
-        return readThroughProcess(file, limits, progress);
+        return readThroughProcess(file, limits, means, progress);
     } catch (const InputError& error) {
         throw InputError(file.string() + ": " + error.what());
     }
+}
+
+}  // namespace
+
+ImportedModel importWithLooks(const fs::path& file, const ImportLimits& limits,
+                              WorkProgress* progress) {
+    return importFor(file, limits, std::nullopt, progress);
 }
 
 TriangleSoup importModel(const fs::path& file, const ImportLimits& limits, WorkProgress* progress) {
@@ -280,7 +304,11 @@ void roundToFloats(TriangleSoup& soup) {
 }  // namespace
 
 ModelMesh readModel(const fs::path& file, const ReadOptions& options) {
-    ImportedModel model = importWithLooks(file, ImportLimits{}, options.progress);
+    return surfaceOf(file, importFor(file, ImportLimits{}, options.means, options.progress),
+                     options);
+}
+
+ModelMesh surfaceOf(const fs::path& file, ImportedModel model, const ReadOptions& options) {
     TriangleSoup& soup = model.soup;
     enter(options.progress, "Looking for faults");
     MeshReport found = inspectAndRepair(soup, options);

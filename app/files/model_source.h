@@ -2,11 +2,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "app/files/memory_means.h"
 #include "app/files/work_progress.h"
 #include "render/scene/appearance.h"
 #include "sim/mesh/skin_attributes.h"
@@ -78,6 +81,9 @@ TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& 
 /// The same with materials and the bytes of their pictures.
 ImportedModel importWithLooks(const std::filesystem::path& file, const ImportLimits& limits,
                               WorkProgress* progress = nullptr);
+/// The model in an answer of the child process, welded. Throws InputError with what is wrong,
+/// without the file's name.
+ImportedModel modelOfAnswer(std::string_view answer);
 /// importModel, then refuses with the sentence of the report what cannot be cut.
 /// An inside-out model is turned; that is named in report->repairs. The report is filled for a
 /// refused model as well.
@@ -90,12 +96,18 @@ struct ReadOptions {
     bool tryMending = false;  ///< to tell in a ModelFault which of both would help
     /// In models of so many triangles at most, those that pass through others are counted.
     std::size_t findCrossingsUpTo = 0;
+    /// The model is read to be cut with these means: of one that is beyond them nothing is taken.
+    std::optional<MemoryMeans> means = std::nullopt;
     MeshReport* report = nullptr;  ///< filled for a refused model as well
     WorkProgress* progress = nullptr;
 };
 /// loadModel() with the looks that the model has, pictures decoded. A picture that can't be shown
-/// is left out, with a remark. Throws ModelFault where a model can't be cut.
+/// is left out, with a remark. Throws ModelFault where a model can't be cut, MemoryShortage.
 ModelMesh readModel(const std::filesystem::path& file, const ReadOptions& options);
+
+/// What readModel() makes of what importWithLooks() has read of `file`.
+ModelMesh surfaceOf(const std::filesystem::path& file, ImportedModel model,
+                    const ReadOptions& options);
 
 /// A model file as a repair, and a remeshing where that is asked for, leave it.
 struct MendedModel {

@@ -1,6 +1,7 @@
 #include "app/files/output_folder.h"
 
 #include "app/files/file_io.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
@@ -34,21 +35,27 @@ void OutputFolder::makeFolders(const std::filesystem::path& folder) {
     }
 }
 
-std::filesystem::path OutputFolder::pathOf(const std::string& name) {
+/// Looked at before anything is made or removed there.
+std::filesystem::path OutputFolder::insidePath(const std::string& name) const {
     std::filesystem::path file = folder_ / name;
-    std::error_code error;
+    if (!isNameInside(name) || !leadsInside(folder_, file.parent_path())) {
+        throw OutputError(printable(name) + ": it would not lie inside the output folder.");
+    }
+    return file;
+}
+
+std::filesystem::path OutputFolder::pathOf(const std::string& name) {
+    std::filesystem::path file = insidePath(name);
     makeFolders(file.parent_path());
-    const auto parent = std::filesystem::canonical(file.parent_path(), error);
-    const auto relative = parent.lexically_relative(folder_);
-    if (error || relative.empty() || *relative.begin() == "..") {
-        throw OutputError(name + ": it would not lie inside the output folder.");
+    if (!leadsInside(folder_, file)) {
+        throw OutputError(printable(name) + ": a link leads out of the output folder; remove it.");
     }
     return file;
 }
 
 void OutputFolder::remove(const std::string& name) const {
     std::error_code error;
-    std::filesystem::remove(folder_ / name, error);
+    std::filesystem::remove(insidePath(name), error);
     if (error) {
         throw OutputError(name + ": an older result could not be removed (" + error.message() +
                           ").");

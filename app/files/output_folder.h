@@ -7,7 +7,8 @@
 
 namespace kerf::app {
 
-/// The folder that a run writes its results into, and what it wrote. Nothing is written outside it.
+/// The folder that a run writes its results into, and what it wrote. Nothing is written or removed
+/// outside it, whatever names and links say.
 class OutputFolder {
   public:
     /// Makes the folder where it is missing. Throws OutputError, as all functions here.
@@ -17,9 +18,10 @@ class OutputFolder {
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    /// Path of the file `name`, whose own folder is made. Throws also where a link leads outside.
+    /// Path of the file `name`, whose own folder is made. Throws also where the name or a link
+    /// leads outside.
     std::filesystem::path pathOf(const std::string& name);
-    /// Removes an earlier result, if there is one.
+    /// Removes an earlier result, if there is one; of a link, the link.
     void remove(const std::string& name) const;
     /// Writes a whole file; it appears complete or not at all.
     void write(const std::string& name, std::string_view bytes);
@@ -30,6 +32,7 @@ class OutputFolder {
 
   private:
     void makeFolders(const std::filesystem::path& folder);
+    std::filesystem::path insidePath(const std::string& name) const;
 
     std::filesystem::path folder_;
     std::vector<std::filesystem::path> made_;  ///< folders, outer ones first

@@ -1,13 +1,18 @@
 #include "app/files/saving_queue.h"
 
 #include <exception>
+#include <new>
 #include <utility>
+
+#include "app/files/memory_means.h"
 
 namespace kerf::app {
 
 SavingQueue::Outcome SavingQueue::endOf(BackgroundJob<std::string>& job, int number) {
     try {
         return {number, job.take(), false};
+    } catch (const std::bad_alloc&) {
+        return {number, outOfMemory("Saving"), true};
     } catch (const std::exception& error) {
         return {number, error.what(), true};
     }

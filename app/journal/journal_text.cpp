@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/files/file_io.h"
+#include "app/files/free_file.h"
 #include "app/files/sha256.h"
 #include "app/session/session_json.h"
 
@@ -104,7 +105,7 @@ bool Replay::begin(const Json& line) {
                      !line["name"].is_string())) {
         return false;
     }
-    name_ = begun() ? name_ : line["name"].get<std::string>();
+    name_ = begun() ? name_ : plainName(line["name"].get<std::string>());
     const Json& session = line["session"];
     session_ = session.is_object() ? session.dump() : "";
     return begun();

@@ -28,7 +28,7 @@ void refuseUnknownKeys(const InputJson& object, const std::string& place,
                        std::initializer_list<std::string_view> known) {
     for (const auto& item : object.items()) {
         if (std::ranges::find(known, item.key()) == known.end()) {
-            fail(place + item.key(),
+            fail(place + shortened(item.key()),
                  "there is no such key; known are " +
                      joined(std::vector<std::string>(known.begin(), known.end()), ", ") + ".");
         }
@@ -91,9 +91,8 @@ PixelRect readMask(const InputJson& value, const std::string& place) {
 
 /// The file may be removed when the expectation is renewed, so it must lie in the folder.
 void requireInside(const std::string& file) {
-    const std::filesystem::path path = std::filesystem::path(file).lexically_normal();
-    if (path.empty() || path.is_absolute() || !path.has_filename() || *path.begin() == "..") {
-        fail("pictures", "'" + file + "' is no file inside the folder.");
+    if (!isNameInside(file)) {
+        fail("pictures", "'" + shortened(file) + "' is no file inside the folder.");
     }
 }
 
@@ -101,15 +100,16 @@ ExpectedPicture readExpectedPicture(const std::string& file, const InputJson& va
     ExpectedPicture picture{file, {}, {}};
     requireInside(file);
     if (!value.is_object()) {
-        fail("pictures", "expected an object in braces for " + file + ".");
+        fail("pictures", "expected an object in braces for " + shortened(file) + ".");
     }
-    refuseUnknownKeys(value, "pictures, " + file + ", ", {"masks", "limits"});
+    refuseUnknownKeys(value, "pictures, " + shortened(file) + ", ", {"masks", "limits"});
     for (const InputJson& mask : value.value("masks", InputJson::array())) {
-        picture.options.masks.push_back(readMask(mask, "pictures, " + file + ", masks"));
+        picture.options.masks.push_back(readMask(mask, "pictures, " + shortened(file) + ", masks"));
     }
     if (value.contains("limits")) {
         const InputJson limits = objectAt(value, "limits");
-        refuseUnknownKeys(limits, "pictures, " + file + ", limits, ", {"pixels", "worst"});
+        refuseUnknownKeys(limits, "pictures, " + shortened(file) + ", limits, ",
+                          {"pixels", "worst"});
         picture.limits = {shareAt(limits, "pixels", render::kStrictLimits.pixels),
                           shareAt(limits, "worst", render::kStrictLimits.worst)};
     }

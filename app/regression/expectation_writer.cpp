@@ -41,6 +41,11 @@ void copyFile(const RunResults& results, const std::string& name, OutputFolder& 
 }  // namespace
 
 void writeExpectation(const std::filesystem::path& expectationFolder, const RunResults& results) {
+    if (std::filesystem::is_symlink(expectationFolder)) {
+        throw OutputError(expectationFolder.string() +
+                          ": this is a link, through which nothing is written; put the folder "
+                          "itself there.");
+    }
     const Expectation earlier = earlierExpectation(expectationFolder).value_or(Expectation{});
     const Expectation expectation = expectationOf(results, earlier);
     OutputFolder folder(expectationFolder);

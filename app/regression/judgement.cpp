@@ -93,12 +93,18 @@ double diagonalOf(const PieceCourse& pieces) {
 
 // --- Volume and counts --------------------------------------------------------------------------
 
+/// A difference as a share of what is expected; none is none, even of nothing.
+double shareOf(double difference, double whole) {
+    return difference > 0 ? difference / std::abs(whole) : 0;
+}
+
 /// The largest difference of volume, as a share of that after the first step.
 Deviation compareVolume(const Course& expected, const Course& found) {
     std::vector<Deviation> deviations;
     for (std::size_t step = 0; step < std::min(expected.size(), found.size()); ++step) {
         const double difference = std::abs(found[step].volume - expected[step].volume);
-        deviations.push_back({static_cast<int>(step), difference / expected.front().volume});
+        deviations.push_back(
+            {static_cast<int>(step), shareOf(difference, expected.front().volume)});
     }
     return largest(deviations);
 }
@@ -345,16 +351,21 @@ Finding findingOfCheck(const std::string& failure) {
 }
 
 RunResults readResults(const std::filesystem::path& folder, const Session& session) {
-    const nlohmann::json summary = parseJson(readInputFile(folder / kSummaryFile, kMaxBytes));
-    return {folder,
-            {summary.at("renderer"), summary.at("driver")},
-            summary.at("state_hash"),
-            summary.at("failures"),
-            summary.at("messages"),
-            takenPictures(session),
-            HashCourse::read(folder / kHashesFile),
-            readCourse(folder / kMetricsFile),
-            readPieces(folder / kPiecesFile)};
+    const std::filesystem::path file = folder / kSummaryFile;
+    const nlohmann::json summary = parseJson(readInputFile(file, kMaxBytes));
+    try {
+        return {folder,
+                {summary.at("renderer"), summary.at("driver")},
+                summary.at("state_hash"),
+                summary.at("failures"),
+                summary.at("messages"),
+                takenPictures(session),
+                HashCourse::read(folder / kHashesFile),
+                readCourse(folder / kMetricsFile),
+                readPieces(folder / kPiecesFile)};
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(file.string() + ": this is no summary of a replay; run it again.");
+    }
 }
 
 Judgement judge(const std::filesystem::path& expectationFolder, const RunResults& results,

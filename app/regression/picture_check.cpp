@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "app/files/file_io.h"
+#include "app/files/model_source.h"
 
 namespace kerf::app {
 
@@ -22,10 +23,16 @@ PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem:
                           bool otherDriver) {
     PictureCheck check;
     check.file = picture.file;
-    check.missing = !std::filesystem::exists(run / picture.file);
-    check.unknown = !std::filesystem::exists(expected / picture.file);
+    std::error_code unknown;  // of a name that no file system takes there is no file
+    check.missing = !std::filesystem::exists(run / picture.file, unknown);
+    check.unknown = !std::filesystem::exists(expected / picture.file, unknown);
     if (check.missing || check.unknown) {
         return check;
+    }
+    if (!leadsInside(std::filesystem::canonical(expected), expected / picture.file)) {
+        throw InputError((expected / picture.file).string() +
+                         ": it leads out of the folder of expectations; put the picture itself "
+                         "there.");
     }
     const render::Image before = readPicture(expected / picture.file);
     const render::Image now = readPicture(run / picture.file);

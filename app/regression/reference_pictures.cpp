@@ -36,7 +36,7 @@ std::optional<ReferenceDifference> differenceOf(const std::string& file,
 std::vector<ReferenceDifference> compareWithReference(const std::vector<std::string>& files,
                                                       const std::filesystem::path& reference,
                                                       const std::filesystem::path& run) {
-    OutputFolder differences(run / "diff");
+    OutputFolder differences(OutputFolder(run).pathOf("diff"));
     std::vector<ReferenceDifference> found;
     for (const std::string& file : files) {
         if (auto difference = differenceOf(file, reference, run, differences)) {

@@ -5,6 +5,7 @@
 
 #include "app/files/csv.h"
 #include "app/files/file_io.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
@@ -21,7 +22,7 @@ constexpr std::array kSides = {"low_x", "low_y", "low_z", "high_x", "high_y", "h
 int readCount(const CsvTable& table, std::size_t row, std::size_t column) {
     const double value = table.number(row, column);
     if (!(value >= 0 && value <= kMostCounted)) {
-        table.fail(row, "'" + table.cell(row, column) + "' is no count");
+        table.fail(row, "'" + shortened(table.cell(row, column)) + "' is no count");
     }
     return static_cast<int>(value);
 }

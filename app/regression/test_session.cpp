@@ -6,6 +6,7 @@
 
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
+#include "app/files/output_folder.h"
 #include "app/regression/expectation_writer.h"
 #include "gpu/context.h"
 
@@ -185,7 +186,7 @@ void judgeResults(TestResult& result, bool update) {
     const fs::path expected = expectationFolder(result.session);
     const bool isNew = !hasExpectation(result.session);
     if (!isNew) {
-        result.judgement = judge(expected, run, result.results / "diff");
+        result.judgement = judge(expected, run, OutputFolder(result.results).pathOf("diff"));
     }
     result.status = result.judgement.holds() ? TestStatus::passed : TestStatus::failed;
     if (update) {

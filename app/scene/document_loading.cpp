@@ -10,9 +10,20 @@ constexpr double kUploadBudget = 0.006;  // of a picture [s]; a portion may take
 // Of a model of a million triangles the search would take four seconds.
 constexpr std::size_t kMostSearched = 300'000;
 
+/// While it is prepared, other documents may still be open.
+MemoryMeans meansNow() {
+    MemoryMeans means = memoryMeansOfContext();
+    means.programRuns = true;
+    return means;
+}
+
 }  // namespace
 
-PreparedDocument prepareDocument(Document document, WorkProgress* progress) {
+PreparedDocument prepareDocument(Document document, WorkProgress* progress,
+                                 const std::optional<MemoryMeans>& means) {
+    if (means) {
+        requireMemory(document.name, memoryNeedOf(document), *means);
+    }
     PreparedBody body(
         document.mesh, [&](const char* stage) { enter(progress, stage); }, document.placed);
     enter(progress, "Measuring the depth below the skin");
@@ -32,14 +43,16 @@ OpeningOrder orderOf(const std::filesystem::path& file) {
 }
 
 DocumentLoading::DocumentLoading(OpeningOrder order, Mending mending)
-    : order_(std::move(order)), job_([open = order_.open, mending](WorkProgress& progress) {
+    : order_(std::move(order)),
+      job_([open = order_.open, mending, means = meansNow()](WorkProgress& progress) {
           ReadOptions options;
+          options.means = means;
           options.fillHoles = mending == Mending::fillHoles;
           options.repair = mending == Mending::repair;
           options.tryMending = mending == Mending::none;
           options.findCrossingsUpTo = kMostSearched;
           options.progress = &progress;
-          return prepareDocument(open(options), &progress);
+          return prepareDocument(open(options), &progress, means);
       }) {}
 
 void DocumentLoading::advance() {

@@ -20,8 +20,10 @@ struct PreparedDocument {
     render::DepthField depth;  ///< below the skin of the body at rest
 };
 
-/// On any thread. Throws WorkCancelled where `progress` was cancelled.
-PreparedDocument prepareDocument(Document document, WorkProgress* progress = nullptr);
+/// On any thread. Throws WorkCancelled where `progress` was cancelled, and MemoryShortage, before
+/// anything is prepared, where `means` don't do for the document.
+PreparedDocument prepareDocument(Document document, WorkProgress* progress = nullptr,
+                                 const std::optional<MemoryMeans>& means = std::nullopt);
 
 /// A document whose body is on its way to the GPU, or there.
 struct UploadedDocument {

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "app/scene/keyframes.h"
 #include "gpu/data_path.h"
 #include "sim/base/size_params.h"
 #include "sim/base/text.h"
@@ -106,6 +107,16 @@ Placement beside(const Bounds& others, const Placement& placement, const std::ve
 }
 
 }  // namespace
+
+MemoryNeed memoryNeedOf(const Document& document) {
+    const Session& session = document.session;
+    MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
+    settings.undoBudget = kUndoBudget;
+    settings.courseBudget = Keyframes::kBudget;
+    return memoryNeedOf(BodySize{static_cast<double>(document.mesh.vertexCount()),
+                                 static_cast<double>(document.mesh.triangleSlots())},
+                        settings);
+}
 
 Document openScene(const std::string& name, Session scene, const ReadOptions& options) {
     ModelMesh models = loadSessionModel(scene, options);

@@ -25,6 +25,11 @@ struct Document {
     bool inFile = true;  ///< no work of a person is lost with it; false: no file holds this scene
 };
 
+/// The memory that undo may take in the editor [bytes].
+inline constexpr std::uint64_t kUndoBudget = 512'000'000;
+/// What it needs to be open in the editor and cut.
+MemoryNeed memoryNeedOf(const Document& document);
+
 /// Opens a model or a session (*.kerf.json). Throws InputError, ModelFault among them, and
 /// WorkCancelled where the progress of `options` was cancelled.
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options = {});

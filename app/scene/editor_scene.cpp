@@ -13,14 +13,13 @@
 namespace kerf::app {
 namespace {
 
-constexpr std::size_t kStrokeBacklog = 8;         // poses that may wait per step of a picture
-constexpr int kMaxStrokeSteps = 4;                // per picture
-constexpr std::size_t kUndoBudget = 512'000'000;  // [bytes]
-constexpr int kSettleSteps = 60;                  // for what hooks hold to arrive
-constexpr int kCheckEvery = 50;                   // steps of a recording
-constexpr int kPiecesEvery = 10;                  // steps between two looks at the pieces' volumes
-constexpr int kKeyframes = 48;                    // over a session that was opened
-constexpr int kMostLiveTriangles = 20'000;        // of a body that follows a drag of its placement
+constexpr std::size_t kStrokeBacklog = 8;   // poses that may wait per step of a picture
+constexpr int kMaxStrokeSteps = 4;          // per picture
+constexpr int kSettleSteps = 60;            // for what hooks hold to arrive
+constexpr int kCheckEvery = 50;             // steps of a recording
+constexpr int kPiecesEvery = 10;            // steps between two looks at the pieces' volumes
+constexpr int kKeyframes = 48;              // over a session that was opened
+constexpr int kMostLiveTriangles = 20'000;  // of a body that follows a drag of its placement
 
 bool takesBodyElsewhere(const Command& command) {
     return std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command) ||
@@ -134,6 +133,10 @@ std::string EditorScene::perform(const Command& command) {
 }
 
 std::string EditorScene::place(const Placement& wanted, bool continues, int model) {
+    return execute(placeCommand(wanted, continues, model));
+}
+
+Place EditorScene::placeCommand(const Placement& wanted, bool continues, int model) {
     const PlacementMap map(simulation_.placement(model));
     const std::vector<PlacedModel>& models = uncut_->models;
     const int last = model + 1;
@@ -147,7 +150,7 @@ std::string EditorScene::place(const Placement& wanted, bool continues, int mode
     const Bounds& bounds = rest_.models[model].bounds;
     Vec3 ground = bounds.center();
     ground.y() = simulation_.params().floor.value_or(bounds.low.y());
-    return execute(Place{standing(wanted, own, ground), continues, model});
+    return {standing(wanted, own, ground), continues, model};
 }
 
 Session EditorScene::startOfScene() const {

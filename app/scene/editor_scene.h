@@ -53,6 +53,8 @@ class EditorScene {
     /// where it was, and all models are uncut; the translation of `wanted` does not matter.
     /// `continues`: with the gesture of the placement before. Returns "" or one sentence.
     std::string place(const Placement& wanted, bool continues, int model = 0);
+    /// The command by which place() does that.
+    Place placeCommand(const Placement& wanted, bool continues, int model = 0);
     /// The models as they lie at rest, the parameters and the boxes, as a session without events.
     Session startOfScene() const;
     /// Whether a person has changed anything since the start.

@@ -4,11 +4,6 @@
 #include <utility>
 
 namespace kerf::app {
-namespace {
-
-constexpr std::size_t kBudget = 256'000'000;  // [bytes]
-
-}  // namespace
 
 bool Keyframes::wants(int step, std::size_t bytes) const {
     const bool fits = byStep_.empty() || 2 * bytes <= kBudget;

@@ -19,6 +19,11 @@ struct Word {
     const char* name;
     const char* meaning;
 };
+/// The name and the version of a format of files.
+struct FileFormat {
+    const char* name;
+    int version;
+};
 /// Names of some keys.
 using Keys = std::initializer_list<const char*>;
 
@@ -40,7 +45,11 @@ struct HexDigits {
 struct OutputName {
     std::vector<std::string_view> endings;
 };
-/// One of these words, by the number of the enumerator.
+/// A text of at most so many bytes.
+struct ShortText {
+    std::size_t most;
+};
+/// One of these words, by the number of the enumerator; of a list of texts, each is one of them.
 struct Words {
     std::span<const std::string_view> words;
 };
@@ -58,6 +67,7 @@ inline constexpr Limits kBoxSizes{kLeastBoxSize, kLargestBoxSize};            //
 inline constexpr Limits kTurns = within(kLargestBoxTurn);                     // [degrees]
 inline constexpr Limits kPictureSizes{1, kMaxPictureSize};                    // [pixels]
 inline constexpr HexDigits kStateHashDigits{16};
+inline constexpr ShortText kLabels{60};
 
 inline constexpr Word kRotate{"rotate",
                               "Turns about the world's x, then y, then z axis, in degrees."};
@@ -148,6 +158,10 @@ void describe(auto& fields, SetParam& set) {
     fields.param({"name", "The parameter."}, set.name, {"value", "Its new value."}, set.value);
     fields.optional({"continues", "One change with the set of this parameter before it."},
                     set.continues);
+    fields.optional({"material",
+                     "The label of the material that it belongs to: one change with the sets of it "
+                     "just before."},
+                    set.material, kLabels);
 }
 
 void describe(auto& fields, Grab& grab) {

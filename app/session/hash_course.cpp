@@ -42,7 +42,7 @@ struct Columns {
 std::string readHash(const CsvTable& table, std::size_t row, std::size_t column) {
     std::string text = table.cell(row, column);
     if (!isHash(text)) {
-        table.fail(row, "'" + text + "' is no hash of 16 lower-case hexadecimal digits");
+        table.fail(row, "'" + shortened(text) + "' is no hash of 16 lower-case hexadecimal digits");
     }
     return text;
 }

@@ -5,8 +5,8 @@
 
 #include "app/files/builtin_models.h"
 #include "app/files/file_io.h"
+#include "app/session/material_table.h"
 #include "app/session/session_json.h"
-#include "app/session/session_table.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -23,16 +23,6 @@ struct Node {
 
 [[noreturn]] void fail(const std::string& path, std::string_view problem) {
     throw InputError(path + ": " + std::string(problem));
-}
-
-/// A text of the file as an error quotes it, in one line and cut between two characters of UTF-8.
-std::string shortened(const std::string& text) {
-    std::size_t size = 60;
-    if (text.size() <= size) {
-        return printable(text);
-    }
-    while ((static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
-    return printable(text.substr(0, size)) + "...";
 }
 
 std::string rangeText(const Limits& limits) {
@@ -153,9 +143,7 @@ void read(const Node& node, std::string& text, const HexDigits& digits) {
 
 void requireInsideOutputFolder(const Node& node, const std::string& name) {
     const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
-    const bool inside = !path.empty() && !path.is_absolute() && path.has_filename() &&
-                        *path.begin() != ".." && *path.begin() != ".";
-    if (!inside || name.find('\0') != std::string::npos) {
+    if (!isNameInside(name)) {
         fail(node.path,
              "'" + shortened(name) + "' is not a file inside the output folder; use a plain name.");
     }
@@ -199,21 +187,38 @@ void read(const Node& node, std::string& text, const BuiltinName&) {
 
 void read(const Node& node, std::filesystem::path& path, const ModelPath&) {
     const std::string name = readString(node);
-    if (name.find('\0') != std::string::npos) {
-        fail(node.path, "no file has a zero byte in its name.");
+    if (const std::string problem = problemWithPath(name); !problem.empty()) {
+        fail(node.path, problem);
     }
     path = name;
+}
+
+void read(const Node& node, std::string& text, const ShortText& rule) {
+    text = readString(node);
+    if (text.size() > rule.most) {
+        fail(node.path, "at most " + std::to_string(rule.most) + " bytes.");
+    }
+}
+
+void requireOneOf(const Node& node, const std::string& text, const Words& rule) {
+    if (std::ranges::find(rule.words, text) == rule.words.end()) {
+        fail(node.path, "'" + shortened(text) + "' is none of " + joined(rule.words, ", ") + ".");
+    }
+}
+
+void read(const Node& node, std::vector<std::string>& texts, const Words& rule) {
+    forEachItem(node, [&](const Node& item) {
+        texts.push_back(readString(item));
+        requireOneOf(item, texts.back(), rule);
+    });
 }
 
 template <class Enum>
 requires std::is_enum_v<Enum>
 void read(const Node& node, Enum& value, const Words& rule) {
     const std::string text = readString(node);
-    const auto found = std::ranges::find(rule.words, text);
-    if (found == rule.words.end()) {
-        fail(node.path, "'" + shortened(text) + "' is none of " + joined(rule.words, ", ") + ".");
-    }
-    value = static_cast<Enum>(found - rule.words.begin());
+    requireOneOf(node, text, rule);
+    value = static_cast<Enum>(std::ranges::find(rule.words, text) - rule.words.begin());
 }
 
 template <class Value>
@@ -221,25 +226,35 @@ void read(const Node& node, std::optional<Value>& value, const auto&... limit) {
     read(node, value.emplace(), limit...);
 }
 
-Params readParams(const Node& node) {
+void readParams(const Node& node, Params& params) {
     if (!node.value->is_object()) {
         fail(node.path, "expected an object in braces.");
     }
-    Params params;
     for (const auto& item : node.value->items()) {
         const std::string path = node.path + "." + shortened(item.key());
         requireKnownParam(item.key(), path);
         applyParam(params, item.key(), {&item.value(), path});
     }
-    return params;
 }
 
-void requireKnownVersion(const Node& node) {
+void requireKnownVersion(const Node& node, int known) {
     const double number = node.value->get<double>();
-    if (std::floor(number) != kSessionVersion) {
+    if (std::floor(number) != known) {
         fail(node.path, "version " + formatNumber(number) +
-                            " is not supported; this kerf reads version " +
-                            std::to_string(kSessionVersion) + ".");
+                            " is not supported; this kerf reads version " + std::to_string(known) +
+                            ".");
+    }
+}
+
+Material readMaterialOf(const Node& node, const std::filesystem::path& baseFolder) {
+    const std::string text = readString(node);
+    if (text.find('\0') != std::string::npos) {
+        fail(node.path, "no file has a zero byte in its name.");
+    }
+    try {
+        return findMaterial(text, baseFolder);
+    } catch (const InputError& error) {
+        fail(node.path, error.what());
     }
 }
 
@@ -297,8 +312,10 @@ std::vector<std::string> keysOf(Shape shape) {
 /// at the end.
 class ObjectReader : public NoFields {
   public:
-    ObjectReader(Node node, std::vector<std::string>& warnings)
-        : node_(std::move(node)), warnings_(&warnings) {
+    /// Files that it names are relative to `baseFolder`.
+    ObjectReader(Node node, std::vector<std::string>& warnings,
+                 std::filesystem::path baseFolder = {})
+        : node_(std::move(node)), warnings_(&warnings), baseFolder_(std::move(baseFolder)) {
         if (!node_.value->is_object()) {
             fail(node_.path.empty() ? "top level" : node_.path, "expected an object in braces.");
         }
@@ -345,22 +362,31 @@ class ObjectReader : public NoFields {
 
     void ignored(const Word& word) { find(word.name); }
 
-    void format(const Word& formatWord, const Word& versionWord) {
+    void format(const Word& formatWord, const Word& versionWord, const FileFormat& known) {
         const Node format = require(formatWord.name);
-        if (readString(format) != kSessionFormat) {
+        if (readString(format) != known.name) {
             fail(format.path,
-                 "expected \"" + std::string(kSessionFormat) + "\"; this is some other file.");
+                 "expected \"" + std::string(known.name) + "\"; this is some other file.");
         }
         const Node version = require(versionWord.name);
         if (!version.value->is_number()) {
             fail(version.path, "expected a number.");
         }
-        requireKnownVersion(version);
+        requireKnownVersion(version, known.version);
+    }
+
+    void material(const Word& word, Session& session) {
+        if (const auto node = find(word.name)) {
+            material_ = readMaterialOf(*node, baseFolder_);
+            for (const SetParam& set : settingsOf(*material_)) {
+                setParam(session.params, set.name, set.value);
+            }
+        }
     }
 
     void params(const Word& word, Params& params) {
         if (const auto node = find(word.name)) {
-            params = readParams(*node);
+            readParams(*node, params);
         }
     }
 
@@ -400,6 +426,9 @@ class ObjectReader : public NoFields {
         action = found->blank;
         std::visit([this](auto& event) { describe(*this, event); }, action);
     }
+
+    /// The material that it names, if any.
+    const std::optional<Material>& material() const { return material_; }
 
     void warnAboutTheRest() const {
         for (const auto& item : node_.value->items()) {
@@ -455,6 +484,8 @@ class ObjectReader : public NoFields {
 
     Node node_;
     std::vector<std::string>* warnings_;
+    std::filesystem::path baseFolder_;
+    std::optional<Material> material_;
     std::set<std::string> known_;
 };
 
@@ -520,9 +551,12 @@ void setParamFromText(Params& params, const std::string& name, const std::string
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder) {
     const json document = parseJson(text);
     Session session;
-    ObjectReader top({&document, ""}, session.warnings);
+    ObjectReader top({&document, ""}, session.warnings, baseFolder);
     describe(top, session);
     top.warnAboutTheRest();
+    if (top.material() && !session.colors.any()) {
+        session.colors = top.material()->colors;
+    }
     warnAboutOneName(session);
     makeAbsolute(session.model, baseFolder);
     for (FurtherModel& further : session.moreModels) {
@@ -530,6 +564,15 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
     }
     requireModelsOfParams(session);
     return session;
+}
+
+Material parseMaterial(const std::string& text) {
+    const json document = parseJson(text);
+    Material material;
+    std::vector<std::string> unknownKeys;
+    ObjectReader top({&document, ""}, unknownKeys);
+    describe(top, material);
+    return material;
 }
 
 Session readSession(const std::filesystem::path& file) {

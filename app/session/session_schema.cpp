@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/builtin_models.h"
-#include "app/session/session_table.h"
+#include "app/session/material_table.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -99,6 +99,15 @@ Json schemaOf(const std::string&, const OutputName& rule) {
                              joined(rule.endings, "|", inAnyCase) + ")$",
                          "Expected a file inside the output folder (" + joined(rule.endings, ", ") +
                              ") that no replay writes itself.");
+}
+
+/// Of characters, of which a text has no more than bytes.
+Json schemaOf(const std::string&, const ShortText& rule) {
+    return {{"type", "string"}, {"maxLength", rule.most}};
+}
+
+Json schemaOf(const std::vector<std::string>&, const Words& rule) {
+    return {{"type", "array"}, {"items", {{"enum", rule.words}}}};
 }
 
 template <class Enum>
@@ -271,14 +280,23 @@ class FieldSchemas : public NoFields {
 
     void ignored(const Word& word) { property(word, Json::object()); }
 
-    void format(const Word& formatWord, const Word& versionWord) {
-        property(formatWord, {{"const", kSessionFormat}});
-        Json version = numberSchema(kSessionVersion, kSessionVersion);
+    void format(const Word& formatWord, const Word& versionWord, const FileFormat& format) {
+        property(formatWord, {{"const", format.name}});
+        Json version = numberSchema(format.version, format.version);
         version.erase("maximum");
-        version["exclusiveMaximum"] = kSessionVersion + 1;
-        version["default"] = kSessionVersion;
+        version["exclusiveMaximum"] = format.version + 1;
+        version["default"] = format.version;
         property(versionWord, version);
         keywords_["required"] = {formatWord.name, versionWord.name};
+    }
+
+    void material(const Word& word, const Session&) {
+        std::vector<std::pair<std::string, std::string>> names;
+        for (const std::string& name : materialNames()) {
+            names.emplace_back(name, findMaterial(name, {}).about);
+        }
+        const Json file{{"type", "string"}, {"pattern", "^[^\\u0000]*\\.[jJ][sS][oO][nN]$"}};
+        property(word, {{"anyOf", Json::array({choiceOf(names), file})}});
     }
 
     void params(const Word& word, const Params&) { property(word, paramsSchema()); }
@@ -324,8 +342,10 @@ class FieldSchemas : public NoFields {
     /// Of a value, or of an object that describe() knows.
     template <class Value, class... Rule>
     static Json valueSchema(const Value& value, const Rule&... rule) {
-        if constexpr (requires(FieldSchemas fields, Value item) { describe(fields, item); }) {
-            return objectSchema(value);
+        if constexpr (requires(FieldSchemas fields, Value item) {
+                          describe(fields, item, rule...);
+                      }) {
+            return objectSchema(value, rule...);
         } else {
             return schemaOf(value, rule...);
         }
@@ -346,13 +366,25 @@ Json objectSchema(Item item, const Rule&... rule) {
 
 }  // namespace
 
+namespace {
+
+std::string schemaText(const std::string& kind, const FileFormat& format, const Json& object) {
+    Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                {"title", kind + ", version " + std::to_string(format.version)}};
+    schema.update(object);
+    return schema.dump(2) + "\n";
+}
+
+}  // namespace
+
 std::string sessionSchema() {
     Session blank;
     blank.steps = kMaxSteps;  // for the largest step of an event
-    Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
-                {"title", "Kerf session, version " + std::to_string(kSessionVersion)}};
-    schema.update(objectSchema(blank));
-    return schema.dump(2) + "\n";
+    return schemaText("Kerf session", kSessionFormat, objectSchema(blank));
+}
+
+std::string materialSchema() {
+    return schemaText("Kerf material", kMaterialFormat, objectSchema(Material{}));
 }
 
 }  // namespace kerf::app

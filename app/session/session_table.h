@@ -11,8 +11,7 @@ struct BuiltinName {};
 /// The name of a model file.
 struct ModelPath {};
 
-inline constexpr const char* kSessionFormat = "kerf-session";
-inline constexpr int kSessionVersion = 1;
+inline constexpr FileFormat kSessionFormat{"kerf-session", 1};
 
 inline constexpr HexDigits kSha256Digits{64};
 inline constexpr Limits kFieldsOfView{1, 150};  // [degrees]
@@ -27,7 +26,8 @@ struct SessionView {
 
 // describe(fields, item) as in event_table.h, with some fields that only a session has:
 // - ignored(word): a key that is no mistake, and means nothing.
-// - format(formatWord, versionWord): that this is a session, and of which version.
+// - format(formatWord, versionWord, format): that this is a file of that format and version.
+// - material(word, session): a material by name or file, which gives the session its values.
 // - params(word, params): parameters by name.
 // - list(word, items, most): at most so many items.
 // - events(word, events, steps): what happens, each at one of these steps.
@@ -108,7 +108,7 @@ void describe(auto& fields, Session& session) {
     SessionView view{session.view, session.colors};
     fields.ignored({"$schema", "The schema by which an editor checks this file. Kerf ignores it."});
     fields.format({"format", "Says that this is a session."},
-                  {"version", "The version of the format."});
+                  {"version", "The version of the format."}, kSessionFormat);
     fields.required({"model", "What is cut."}, session.model);
     fields.optional({"placement",
                      "How the model's numbers become metres, and where it lies: scaled, turned, "
@@ -117,8 +117,15 @@ void describe(auto& fields, Session& session) {
     fields.list(
         {"more_models", "Further models of the scene, numbered from 1; model 0 is the one above."},
         session.moreModels, kMostModels - 1);
-    fields.params({"params", "The parameters at the start. One left out has its default."},
-                  session.params);
+    fields.material(
+        {"material",
+         "What the body is made of: the name of a material that comes with Kerf, or a "
+         "file relative to the session (.json). It gives the parameters that are not in "
+         "params, and a look where the view has none."},
+        session);
+    fields.params(
+        {"params", "The parameters at the start. One left out has its default, or the material's."},
+        session.params);
     fields.list({"boxes", "What the body collides with besides the floor."}, session.boxes,
                 kMostBoxes);
     fields.required({"steps", "How many steps to run."}, session.steps, Limits{1, kMaxSteps});

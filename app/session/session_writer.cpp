@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "app/session/material_table.h"
 #include "app/session/session_json.h"
-#include "app/session/session_table.h"
 
 namespace kerf::app {
 
@@ -39,6 +39,10 @@ Json toJson(const std::filesystem::path& path) {
     return path.generic_string();
 }
 
+Json toJson(const std::vector<std::string>& texts) {
+    return texts;
+}
+
 Json toJson(const Params& params) {
     Json json;
     for (const ParamInfo& info : paramTable()) {
@@ -74,6 +78,12 @@ bool isGiven(const std::optional<Value>& value) {
 }
 bool isGiven(const SessionView& view) {
     return view.camera.has_value();
+}
+bool isGiven(const render::ChosenColors& colors) {
+    return colors.any();
+}
+bool isGiven(const MaterialValue& value) {
+    return value.value.has_value();
 }
 
 struct FieldWriter;
@@ -129,16 +139,18 @@ Json toJson(Described item, const Rule&... rule) {
     return json;
 }
 
-/// Writes a session, with a line for each key, each box and each event.
-class DocumentWriter {
+/// Writes a session or a material, with a line for each key, each box, event and source.
+class DocumentWriter : public NoFields {
   public:
     std::string text() const { return text_ + "\n}\n"; }
 
     void ignored(const Word&) {}
-    void format(const Word& formatWord, const Word& versionWord) {
-        line(formatWord, Json(kSessionFormat).dump());
-        text_ += ", " + field(versionWord, std::to_string(kSessionVersion));
+    void format(const Word& formatWord, const Word& versionWord, const FileFormat& format) {
+        line(formatWord, Json(format.name).dump());
+        text_ += ", " + field(versionWord, std::to_string(format.version));
     }
+    /// The session has taken its values over.
+    void material(const Word&, const Session&) {}
     void required(const Word& word, const auto& value, const auto&...) {
         line(word, toJson(value).dump());
     }
@@ -208,6 +220,17 @@ std::string formatSession(const Session& session, const std::filesystem::path& b
         further.model = inFolder(further.model, baseFolder);
     }
     return textOf(written);
+}
+
+std::string formatMaterial(const Material& material) {
+    Material written = material;
+    try {
+        DocumentWriter writer;
+        describe(writer, written);
+        return writer.text();
+    } catch (const Json::type_error&) {
+        throw InputError("A material can't hold a name that is not UTF-8; choose another one.");
+    }
 }
 
 std::string formatEvent(const SessionEvent& event) {

@@ -15,7 +15,7 @@ constexpr const char* kLockFile = ".lock";
 
 /// Children inherit it: the run stays held until the last one that may write has ended.
 int openLockFile(const std::filesystem::path& file) {
-    const int opened = ::open(file.c_str(), O_RDWR | O_CREAT, 0666);
+    const int opened = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW, 0666);
     if (opened < 0) {
         throw OutputError(file.string() + ": this file can't be written (" + std::strerror(errno) +
                           ").");

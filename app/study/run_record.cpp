@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxRecordBytes = 1u << 20;
 constexpr const char* kFormat = "kerf-sweep-run";
+constexpr std::uint64_t kMostExitCode = 255;
 constexpr int kLastOfReplay = 3;  // docs/cli.md: beyond it stand limits of the machine
 
 Json toJson(const std::vector<Setting>& settings) {
@@ -28,6 +29,14 @@ Json toJson(const std::vector<Setting>& settings) {
         json[setting.name] = Json::parse(setting.value);
     }
     return json;
+}
+
+/// An exit code; of other numbers nobody knows what they would mean.
+int exitCodeIn(const Json& json) {
+    if (!json.is_number_unsigned() || json.get<std::uint64_t>() > kMostExitCode) {
+        throw InputError(std::string(kRecordFile) + ": this is no exit code.");
+    }
+    return json.get<int>();
 }
 
 RunRecord toRecord(const Json& json) {
@@ -41,7 +50,7 @@ RunRecord toRecord(const Json& json) {
     for (const auto& item : json.at("params").items()) {
         record.identity.settings.push_back({item.key(), item.value().dump()});
     }
-    json.at("exit").get_to(record.exitCode);
+    record.exitCode = exitCodeIn(json.at("exit"));
     json.at("problem").get_to(record.problem);
     record.results = json.value("results", ResultDigests());
     return record;

@@ -114,12 +114,15 @@ std::string sessionName(const Json& name, const std::string& place) {
     if (!name.is_string()) {
         fail(place, "expected the name of a session file in quotes.");
     }
-    return name.get<std::string>();
+    auto file = name.get<std::string>();
+    if (const std::string problem = problemWithPath(file); !problem.empty()) {
+        fail(place, problem);
+    }
+    return file;
 }
 
 std::vector<StudySession> readSessions(const Json& list, const fs::path& folder,
                                        const Wanted& wanted) {
-    requireList(list, "sessions", "session");
     SessionShelf shelf(folder);
     std::vector<StudySession> sessions;
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -139,7 +142,7 @@ std::vector<StudySession> readSessions(const Json& list, const fs::path& folder,
 void requireKnown(const std::string& name, const std::string& place) {
     Params scratch;
     if (findParam(name) == nullptr) {
-        fail(place, setParam(scratch, name, std::monostate{}) + ".");
+        fail(place, setParam(scratch, shortened(name), std::monostate{}) + ".");
     }
 }
 
@@ -181,7 +184,7 @@ Variants readGrid(const Json& grid) {
     }
     Variants variants{{{}}, {}};
     for (const auto& item : grid.items()) {
-        const std::string place = "grid." + item.key();
+        const std::string place = "grid." + shortened(item.key());
         requireKnown(item.key(), place);
         const Json& list = requireList(item.value(), place, "value");
         requireFewEnough(variants.runs.size() * list.size(), "grid");
@@ -198,7 +201,7 @@ Variants readGrid(const Json& grid) {
 Settings readListedRun(const Json& run, const std::string& place) {
     Settings settings;
     for (const auto& item : requireObject(run, place).items()) {
-        const std::string own = place + "." + item.key();
+        const std::string own = place + "." + shortened(item.key());
         requireKnown(item.key(), own);
         settings.push_back(readSetting(item.key(), item.value(), own));
     }
@@ -229,7 +232,6 @@ Variants readVariants(const Json& top) {
 // --- Runs ------------------------------------------------------------------------------------
 
 std::vector<StudyRun> makeRuns(std::size_t sessions, const std::vector<Settings>& variants) {
-    requireFewEnough(sessions * variants.size(), "sessions");
     std::vector<StudyRun> runs;
     for (std::size_t session = 0; session < sessions; ++session) {
         for (const Settings& settings : variants) {
@@ -244,7 +246,7 @@ std::vector<std::string> unknownKeys(const Json& top) {
     std::vector<std::string> warnings;
     for (const auto& item : top.items()) {
         if (std::ranges::count(kKnown, item.key()) == 0) {
-            warnings.push_back(item.key() + ": unknown key, ignored.");
+            warnings.push_back(shortened(item.key()) + ": unknown key, ignored.");
         }
     }
     return warnings;
@@ -258,8 +260,10 @@ Study parseStudy(const std::string& text, const fs::path& folder,
     const auto wanted = [&](std::size_t session) {
         return !onlyRun || *onlyRun / variants.runs.size() == session;
     };
+    const Json& sessions = requireList(require(top, "sessions"), "sessions", "session");
+    requireFewEnough(sessions.size() * variants.runs.size(), "sessions");
     Study study;
-    study.sessions = readSessions(require(top, "sessions"), folder, wanted);
+    study.sessions = readSessions(sessions, folder, wanted);
     study.runs = makeRuns(study.sessions.size(), variants.runs);
     study.parameters = std::move(variants.parameters);
     study.warnings = unknownKeys(top);

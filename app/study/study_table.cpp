@@ -51,7 +51,7 @@ std::vector<std::string> summaryCells(const json& summary) {
         return std::vector<std::string>(kSummaryColumns);
     }
     const json& volume = summary.at("volume_ratio");
-    std::vector<std::string> cells{summary.at("state_hash").get<std::string>(),
+    std::vector<std::string> cells{cell(summary.at("state_hash").get<std::string>()),
                                    std::to_string(summary.at("pieces").size())};
     for (const json& number :
          {volume.at("mean"), volume.at("min"), volume.at("final"), summary.at("fps").at("mean")}) {

@@ -6,6 +6,7 @@
 #include "app/editor/recent_files.h"
 #include "app/editor/settings_file.h"
 #include "app/journal/journal_folder.h"
+#include "app/session/material.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
 #include "gpu/program_binaries.h"
@@ -32,7 +33,9 @@ bool isThere(const std::filesystem::path& file) {
 /// The document of the command line, or the default one; without that the editor opens empty.
 std::optional<Document> firstDocument(const std::optional<std::filesystem::path>& file) {
     if (file) {
-        return openDocument(*file);
+        ReadOptions options;
+        options.means = memoryMeans();
+        return openDocument(*file, options);
     }
     try {
         return openDefaultDocument();
@@ -52,6 +55,7 @@ EditorOptions optionsFor(const Window& window) {
     options.settingsFile = defaultSettingsFile();
     options.recentFiles = recentFilesStore();
     options.journals = defaultJournalFolder();
+    options.materials = defaultMaterialFolder();
     options.warmsUp = true;
     options.device = device.renderer.substr(0, device.renderer.find(" ("));
     return options;
@@ -106,6 +110,8 @@ int runEditor(const std::optional<std::filesystem::path>& file) {
         if (!file || !isThere(*file)) {
             throw;  // a missing file is told without a window flashing up
         }
+    } catch (const MemoryShortage&) {
+        document.reset();  // the window tells
     }
     // In the window a file that can't be opened is told again, with what can be done about it.
     const bool failed = !document && file;

@@ -1,0 +1,78 @@
+#include "app/cli/materials_verb.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/cli/exit_codes.h"
+#include "app/session/material.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(text.size(), width), ' ');
+    return text;
+}
+
+void printList(std::ostream& out) {
+    constexpr std::size_t kNameWidth = 11;
+    constexpr std::size_t kValueWidth = 13;
+    for (const std::string& name : materialNames()) {
+        const Material material = findMaterial(name, {});
+        std::string line = padded(name, kNameWidth);
+        line.append(padded(valueText(material, materialProperties()[0]), kValueWidth));
+        line.append(padded(valueText(material, materialProperties()[1]), kValueWidth));
+        out << line.append(material.about) << "\n";
+    }
+}
+
+void printOne(const Material& material, std::ostream& out) {
+    out << printable(material.label) << (material.about.empty() ? "" : ": ")
+        << printable(material.about) << "\n";
+    for (const MaterialProperty& property : materialProperties()) {
+        const std::string line = describeProperty(material, property);
+        if (line.empty()) {
+            continue;
+        }
+        out << line << "\n";
+        for (const std::string& source : describeSources(material, property)) {
+            out << "    " << source << "\n";
+        }
+    }
+}
+
+/// As it stands in a file, with its name.
+Json toJson(const Material& material) {
+    Json json{{"name", material.name}};
+    json.update(Json::parse(formatMaterial(material)));
+    return json;
+}
+
+Json listAsJson() {
+    Json list = Json::array();
+    for (const std::string& name : materialNames()) {
+        list.push_back(toJson(findMaterial(name, {})));
+    }
+    return {{"materials", list}};
+}
+
+}  // namespace
+
+int materialsVerb(const MaterialsArguments& arguments, std::ostream& out) {
+    const bool one = !arguments.material.empty();
+    if (arguments.json) {
+        out << (one ? toJson(findMaterial(arguments.material, {})) : listAsJson()).dump() << "\n";
+    } else if (one) {
+        printOne(findMaterial(arguments.material, {}), out);
+    } else {
+        printList(out);
+    }
+    return kExitDone;
+}
+
+}  // namespace kerf::app

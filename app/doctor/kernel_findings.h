@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "app/doctor/finding.h"
+
+namespace kerf::app {
+
+/// Compares each kernel of the solver, and a whole step, with the same in double precision, on
+/// bodies that are shaken and in motion. Throws gpu::ShaderError, gpu::OutOfMemory, InputError
+/// where the builtin models are missing.
+std::vector<DriverFinding> kernelFindings();
+
+}  // namespace kerf::app

@@ -1,0 +1,83 @@
+#include "app/doctor/model_speed.h"
+
+#include <algorithm>
+#include <span>
+
+#include "app/doctor/session_performer.h"
+#include "app/session/paper_experiments.h"
+#include "app/session/scene_view.h"
+#include "app/session/session_runner.h"
+#include "gpu/context.h"
+#include "gpu/data_path.h"
+#include "gpu/program.h"
+#include "render/renderer.h"
+#include "sim/base/stopwatch.h"
+#include "sim/run/simulation.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr int kWidth = 1280;
+constexpr int kHeight = 720;
+constexpr std::size_t kFirstFrames = 5;
+
+/// A frame of a recorded cut.
+struct Frame {
+    double ms = 0;
+    bool cuts = false;  ///< the blade was down
+};
+
+std::vector<Frame> playFrames(const Session& session, double seconds) {
+    Simulation simulation(loadSessionModel(session).mesh, session.params, session.boxes);
+    const Bounds restBounds = meshBounds(simulation.mesh());
+    const render::Camera camera = sessionCamera(session, restBounds);
+    const render::BodyLook look = lookOf(session);
+    render::Renderer renderer(gpu::queryDevice().software ? render::Quality::light
+                                                          : render::Quality::full);
+    renderer.setRestShape(simulation.mesh());
+    const SessionPlayer player(session);
+    SessionRunner runner(simulation);
+    std::vector<Frame> frames;
+    const Stopwatch all;
+    while (simulation.stepCount() < session.steps && all.seconds() < seconds) {
+        const Stopwatch watch;
+        runner.applyActions(player, SessionPerformer{simulation});
+        runner.step();
+        renderer.draw(sceneOf(simulation, look, restBounds, runner.strokePoses()), camera, kWidth,
+                      kHeight);
+        gpu::finish();
+        frames.push_back({watch.milliseconds(), simulation.blade().has_value()});
+    }
+    return frames;
+}
+
+ModelSpeed speedOf(const std::string& model, std::span<const Frame> frames) {
+    ModelSpeed speed{model};
+    std::vector<double> times;
+    for (const Frame& frame : frames) {
+        times.push_back(frame.ms);
+        speed.worstCutMs = std::max(speed.worstCutMs, frame.cuts ? frame.ms : 0);
+    }
+    speed.frames = static_cast<int>(times.size());
+    if (!times.empty()) {
+        const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+        std::nth_element(times.begin(), middle, times.end());
+        speed.medianMs = *middle;
+    }
+    return speed;
+}
+
+}  // namespace
+
+std::vector<ModelSpeed> modelSpeeds(double secondsEach) {
+    std::vector<ModelSpeed> speeds;
+    for (const PaperExperiment& experiment : paperExperiments()) {
+        const std::string file = std::string("assets/sessions/") + experiment.name + ".kerf.json";
+        const std::vector<Frame> frames = playFrames(readSession(gpu::dataPath(file)), secondsEach);
+        const std::size_t skipped = std::min(kFirstFrames, frames.size());
+        speeds.push_back(speedOf(experiment.name, std::span(frames).subspan(skipped)));
+    }
+    return speeds;
+}
+
+}  // namespace kerf::app

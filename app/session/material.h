@@ -1,0 +1,117 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/session/session.h"
+#include "render/scene/body_look.h"
+#include "sim/base/params.h"
+
+namespace kerf::app {
+
+/// Limits of a material file; beyond them it is refused.
+inline constexpr std::uintmax_t kMaxMaterialBytes = 1u << 20;
+inline constexpr std::size_t kMostSources = 100;
+/// The ending of files that people save; those that come with Kerf are NAME.json.
+inline constexpr std::string_view kMaterialEnding = ".material.json";
+
+/// A quantity of a material, and how far what is measured differs.
+struct MaterialValue {
+    std::optional<double> value;  ///< a typical one; none where it is not known
+    std::optional<double> low;    ///< the ends of the spread
+    std::optional<double> high;
+};
+
+/// Where values come from.
+struct MaterialSource {
+    std::vector<std::string> of;  ///< names of properties
+    std::string text;             ///< paper, table; or the reason of an estimate
+    std::string says;             ///< what stands there; may be empty
+    std::string doi;              ///< may be empty
+    bool estimate = false;        ///< nobody has measured that
+};
+
+/// What a body is made of, by name. See docs/materials.md.
+struct Material {
+    std::string name;   ///< of its file, without endings: "liver"
+    std::string label;  ///< for people: "Liver"
+    std::string about;  ///< what exactly it is; may be empty
+    MaterialValue youngsModulus;
+    MaterialValue density;
+    MaterialValue friction;
+    MaterialValue damping;
+    MaterialValue toughness;  ///< energy that new surface takes [J/m^2]
+    render::ChosenColors colors;
+    std::vector<MaterialSource> sources;
+};
+
+/// A row of the table of what materials have values of.
+struct MaterialProperty {
+    const char* name;     ///< in files; that of the parameter, where there is one
+    const char* label;    ///< for people
+    const char* unit;     ///< "" for none
+    const char* meaning;  ///< one sentence
+    double low;           ///< smallest value
+    double high;          ///< largest
+    MaterialValue Material::*member;
+    bool isParam = true;  ///< whether there is a parameter of that name, within these limits
+};
+const std::array<MaterialProperty, 5>& materialProperties();
+
+/// The parameters that a material gives values to, in the order of the properties. For a model
+/// behind the first those that it may have of its own.
+std::vector<SetParam> settingsOf(const Material& material, int model = 0);
+/// Gives a session the values of a material, and its look where the session has chosen none.
+void applyMaterial(Session& session, const Material& material);
+/// Whether the parameters have all values of the material; for a model behind the first, those that
+/// are its own.
+bool isMadeOf(const Params& params, const Material& material, int model = 0);
+/// The values of parameters as a material without sources and spread.
+Material materialFrom(const Params& params, const render::ChosenColors& colors);
+
+/// Reads and checks a material. Throws InputError naming the file and the place in it
+/// ("liver.json: density.value: expected a number (10 to 20000).").
+Material readMaterial(const std::filesystem::path& file);
+/// Reads and checks the text of a material. Throws InputError naming the place in it.
+Material parseMaterial(const std::string& text);
+/// Text of a material file.
+std::string formatMaterial(const Material& material);
+/// The JSON Schema (draft 7) of material files, made from the table of the reader.
+std::string materialSchema();
+
+/// The materials that come with Kerf, by label: the files of assets/materials.
+const std::vector<Material>& builtinMaterials();
+/// The names of these.
+std::vector<std::string> materialNames();
+/// The materials of a folder, by label. What can't be read is left out, with a sentence in
+/// `problems`. A folder that is not there has none.
+std::vector<Material> materialsIn(const std::filesystem::path& folder,
+                                  std::vector<std::string>& problems);
+/// The material of a builtin name, or of a file relative to `baseFolder` where `text` ends in
+/// ".json". Throws InputError, which lists the names where there is none of that name.
+Material findMaterial(const std::string& text, const std::filesystem::path& baseFolder);
+/// Whether a text names a file rather than a builtin material.
+bool namesMaterialFile(std::string_view text);
+/// Whether a file has the ending of those that people save.
+bool isMaterialFile(const std::filesystem::path& file);
+
+/// A value in the unit that suits it: "5.4 kPa"; empty where it is not known.
+std::string valueText(const Material& material, const MaterialProperty& property);
+/// One line about a property of a material: "Density: 1060 kg/m^3 (1050 to 1070)", "Friction: 0.2,
+/// an estimate". Empty where its value is not known.
+std::string describeProperty(const Material& material, const MaterialProperty& property);
+/// Where the value of a property comes from, a line per source: "Estimate: A wet gel".
+std::vector<std::string> describeSources(const Material& material,
+                                         const MaterialProperty& property);
+
+/// All of a material in a few lines, for people: what it is, its values, the names of its sources.
+std::string describeMaterial(const Material& material);
+/// The folder of materials that a person keeps: $XDG_DATA_HOME/kerf/materials, by default in
+/// ~/.local/share; empty where there is no home.
+std::filesystem::path defaultMaterialFolder();
+
+}  // namespace kerf::app
