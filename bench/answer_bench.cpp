@@ -101,9 +101,13 @@ class AnswerBench {
         open();
         hover();
         turn();
+        place();
         strokeAtRest();
         undo();
+        redo();
+        undo();
         fall();
+        goBack();
     }
 
   private:
@@ -175,11 +179,56 @@ class AnswerBench {
     }
     void undo() {
         person_.press(ui::Key::z, {.control = true});
-        const Stopwatch watch;
-        print("undo",
-              person_.moveUntil(
-                  [&] { return editor_.scene()->pieceCount() == 1 && !editor_.scene()->running(); },
-                  [&] { return wander(); }));
+        print("undo", untilPieces(1));
+    }
+    void redo() {
+        person_.press(ui::Key::z, {.shift = true, .control = true});
+        print("redo", untilPieces(2));
+    }
+    double untilPieces(int pieces) {
+        return person_.moveUntil(
+            [&] { return editor_.panels().pieces.size() == std::size_t(pieces) && idle(); },
+            [&] { return wander(); });
+    }
+    /// Without waiting for what the scene does, as asking it would.
+    bool idle() { return !editor_.working() && editor_.idleSeconds() > 0; }
+    /// Another unit, and back.
+    void place() {
+        for (const char* unit : {"model.unit.cm", "model.unit.m"}) {
+            if (!click(unit)) {
+                std::fprintf(stderr, "%s is not in view\n", unit);
+                return;
+            }
+            print("place", person_.moveUntil([&] { return idle(); }, [&] { return wander(); }));
+        }
+    }
+    bool click(const std::string& item) {
+        if (!editor_.itemRects().contains(item)) {
+            return false;
+        }
+        const ui::Rect rect = editor_.itemRects().at(item);
+        person_.pointAt({rect.x + rect.width / 2, rect.y + rect.height / 2});
+        person_.picture();
+        person_.button(ui::Button::left, true);
+        person_.picture();
+        person_.button(ui::Button::left, false);
+        person_.picture();
+        return true;
+    }
+    /// To the start of the course, on the time line.
+    void goBack() {
+        if (!editor_.itemRects().contains("scrubber")) {
+            std::fprintf(stderr, "the time line is not in view\n");
+            return;
+        }
+        const ui::Rect line = editor_.itemRects().at("scrubber");
+        person_.pointAt({line.x + 1, line.y + line.height / 2});
+        person_.picture();
+        person_.button(ui::Button::left, true);
+        person_.picture();
+        person_.button(ui::Button::left, false);
+        print("go back", person_.moveUntil([&] { return idle(); }, [&] { return wander(); }));
+        std::fprintf(stderr, "step %d\n", editor_.scene()->simulation().stepCount());
     }
     /// With gravity, and the space key at the end.
     void fall() {

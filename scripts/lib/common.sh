@@ -54,6 +54,9 @@ clang               compiles what libFuzzer drives
 libclang-rt-dev     is libFuzzer and the sanitizers of clang
 llvm                names the functions in reports of the sanitizers
 '
+coverage_packages='
+gcovr               sums up which lines the tests ran
+'
 tidy_packages='
 clang-tidy          checks the code for likely mistakes and for names
 '

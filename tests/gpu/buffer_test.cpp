@@ -108,6 +108,23 @@ TEST_F(BufferTest, MoveTakesTheStorageAlong) {
     EXPECT_THAT(third.read<int>(0, 2), ElementsAre(1, 2));
 }
 
+TEST_F(BufferTest, PartsOfStorageAreAllThereIs) {
+    Buffer buffer;
+    buffer.assign(counting(1000));
+    std::size_t next = 0;
+    buffer.bindStorageParts(0, sizeof(int), [&](std::size_t first, std::size_t count) {
+        EXPECT_EQ(first, next);
+        GLint64 offset = -1;
+        GLint64 bytes = -1;
+        glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, 0, &offset);
+        glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, 0, &bytes);
+        EXPECT_EQ(offset, GLint64(first * sizeof(int)));
+        EXPECT_EQ(bytes, GLint64(count * sizeof(int)));
+        next = first + count;
+    });
+    EXPECT_EQ(next, 1000u);
+}
+
 TEST_F(BufferTest, TooLargeIsRefusedWithTheNumbersAndChangesNothing) {
     GLint64 limit = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 
 /// The room of plain versions of the kernels, which tests and benchmarks alone may include.
 const fs::path kReference = "sim/reference";
+const fs::path kDoctor = "app/doctor";  // compares the GPU with it on people's machines
 
 /// All rooms, each of which may include itself and what stands before it. A file belongs to the
 /// longest path that it lies below, so the words of a folder may stand before its rooms (sim/cut)
@@ -50,6 +51,7 @@ const std::vector<fs::path> kRooms = {
     "app/journal",
     "app/regression",
     "app/study",
+    "app/doctor",
     "app/scene",
     "app/tools",
     "app/editor",
@@ -72,9 +74,9 @@ std::optional<std::size_t> rankOf(const fs::path& path) {
 bool mayInclude(const fs::path& from, const fs::path& included) {
     const std::optional<std::size_t> own = rankOf(from);
     const std::optional<std::size_t> other = rankOf(included);
-    const bool testOnly =
-        *included.begin() == "tests" || *included.begin() == "bench" ||
-        (included.parent_path() == kReference && from.parent_path() != kReference);
+    const bool testOnly = *included.begin() == "tests" || *included.begin() == "bench" ||
+                          (included.parent_path() == kReference &&
+                           from.parent_path() != kReference && from.parent_path() != kDoctor);
     return !own || (!testOnly && (!other || *other <= *own));
 }
 

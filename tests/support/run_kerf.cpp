@@ -1,6 +1,7 @@
 #include "tests/support/run_kerf.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,7 +24,12 @@ void redirect(int descriptor, const std::string& file, int flags) {
 
 [[noreturn]] void becomeKerf(const std::vector<std::string>& arguments,
                              const std::map<std::string, std::string>& environment,
-                             const std::string& out, const std::string& errors) {
+                             const std::string& out, const std::string& errors,
+                             std::uint64_t addressSpace) {
+    if (addressSpace > 0) {
+        const rlimit limit{addressSpace, addressSpace};
+        ::setrlimit(RLIMIT_AS, &limit);
+    }
     for (const auto& [name, value] : environment) {
         ::setenv(name.c_str(), value.c_str(), 1);
     }
@@ -44,7 +50,8 @@ void redirect(int descriptor, const std::string& file, int flags) {
 }  // namespace
 
 ProgramRun runKerf(const std::vector<std::string>& arguments,
-                   const std::map<std::string, std::string>& environment) {
+                   const std::map<std::string, std::string>& environment,
+                   std::uint64_t addressSpace) {
     const TemporaryFolder folder;
     const std::string out = folder / "out";
     const std::string errors = folder / "errors";
@@ -53,7 +60,7 @@ ProgramRun runKerf(const std::vector<std::string>& arguments,
         throw std::runtime_error("fork failed");
     }
     if (child == 0) {
-        becomeKerf(arguments, environment, out, errors);
+        becomeKerf(arguments, environment, out, errors, addressSpace);
     }
     int status = 0;
     ::waitpid(child, &status, 0);

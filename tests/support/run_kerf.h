@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,7 +15,9 @@ struct ProgramRun {
 };
 
 /// Runs build/kerf with `arguments` and waits for it; `environment` is added to ours.
+/// `addressSpace`: that it may take at most [bytes]; 0 for no limit.
 ProgramRun runKerf(const std::vector<std::string>& arguments,
-                   const std::map<std::string, std::string>& environment = {});
+                   const std::map<std::string, std::string>& environment = {},
+                   std::uint64_t addressSpace = 0);
 
 }  // namespace kerf::test

@@ -31,6 +31,7 @@ std::string sessionWithEveryKey() {
       "format": "kerf-session", "version": 1,
       "model": {"path": "sub/../model.obj"},
       "placement": {"unit": "cm", "up": "z", "scale": 2, "rotate": [10, 20, 30], "translate": [1, 2, 3]},
+      "material": "liver",
       "params": {"time_step": 0.004, "iterations": 7, "gravity": [0, -1, 0], "floor": null},
       "steps": 50,
       "events": [
@@ -55,6 +56,7 @@ std::string sessionWithEveryEvent() {
                        {"step": 3, "type": "set", "name": "gravity", "value": [0, -9.81, 0]},
                        {"step": 3, "type": "set", "name": "floor", "value": null},
                        {"step": 3, "type": "set", "name": "solver", "value": "pbd"},
+                       {"step": 3, "type": "set", "name": "density", "value": 900, "material": "Cork"},
                        {"step": 3, "type": "grab", "hand": 2, "at": [0.3, 0, 0], "radius": 0.1},
                        {"step": 3, "type": "grab", "hand": 3, "at": [0.3, 0, 0.1], "radius": 0.2,
                         "surface": true, "continues": true},

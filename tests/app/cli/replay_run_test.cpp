@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "tests/support/run_kerf.h"
+#include "tests/support/shapes.h"
 #include "tests/support/small_sessions.h"
 #include "tests/support/temporary_folder.h"
 
@@ -139,6 +141,57 @@ TEST(Replay, LinksDoNotLeadOutOfTheFolder) {
     const ProgramRun run = replay(folder, smallSession(), "out");
     EXPECT_EQ(run.exitCode, 5) << run.errors;
     EXPECT_TRUE(std::filesystem::is_empty(folder / "elsewhere"));
+}
+
+TEST(Replay, LinksToFilesDoNotLeadOutOfTheFolder) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "out");
+    for (const char* name : {"metrics.csv", "end.png", "end.mtl", "final.ply", "summary.json"}) {
+        writeText(folder / ("of-somebody-" + std::string(name)), "mine");
+        std::filesystem::create_symlink(folder / ("of-somebody-" + std::string(name)),
+                                        folder / ("out/" + std::string(name)));
+        const ProgramRun run = replay(folder, smallSession(), "out");
+        EXPECT_EQ(readBytes(folder / ("of-somebody-" + std::string(name))), "mine") << run.errors;
+        std::filesystem::remove_all(folder / "out");
+        std::filesystem::create_directories(folder / "out");
+    }
+}
+
+TEST(Replay, ModelsAreReadFromBesideAboveAndAbsolutePaths) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "sessions");
+    std::filesystem::create_directories(folder / "models");
+    const std::filesystem::path model = folder / "models/box.obj";
+    writeText(model, test::objText(test::boxSoup()));
+    for (const std::string& path : {std::string("../models/box.obj"), model.string()}) {
+        writeText(folder / "sessions/a.kerf.json",
+                  R"({"format": "kerf-session", "version": 1, "steps": 1, "model": {"path": ")" +
+                      path + R"("}})");
+        const ProgramRun run =
+            runKerf({"replay", folder / "sessions/a.kerf.json", "--out", folder / "out"});
+        EXPECT_EQ(run.exitCode, 0) << run.errors;
+    }
+}
+
+TEST(Replay, ModelsThatAreNoFilesAreNamed) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe.obj").c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", folder / "zero.obj");
+    std::filesystem::create_directory(folder / "folder.obj");
+    std::filesystem::create_symlink("loop.obj", folder / "loop.obj");
+    for (const std::string& name :
+         {std::string("pipe.obj"), std::string("zero.obj"), std::string("folder.obj"),
+          std::string("loop.obj"), std::string("~/a.obj"), std::string(300, 'a') + ".obj",
+          std::string(5000, 'a') + ".obj"}) {
+        const ProgramRun run =
+            replay(folder,
+                   R"({"format": "kerf-session", "version": 1, "steps": 1, "model": {"path": ")" +
+                       name + R"("}})",
+                   "out");
+        EXPECT_EQ(run.exitCode, 3) << name << run.errors;
+        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+        EXPECT_FALSE(std::filesystem::exists(folder / "out")) << name;
+    }
 }
 
 TEST(Replay, AnUndoBetweenTwoKeysEndsTheStrokeAsALiftDoes) {

@@ -150,6 +150,39 @@ TEST_F(LeftOutImage, IsNamedWhereItLiesOutsideTheFolder) {
     EXPECT_THAT(model.remarks.front(), HasSubstr("in the model's folder or below"));
 }
 
+TEST_F(LeftOutImage, IsNamedWhereALinkOrAWholePathLeadsOutside) {
+    const fs::path below = folder / "models";
+    fs::create_directories(below);
+    render::writePng({1, 1, {0, 0, 0, 255}}, folder / "secret.png");
+    fs::create_symlink(folder / "secret.png", below / "link.png");
+    fs::create_directory_symlink(folder.path(), below / "up");
+    fs::create_symlink("/dev/zero", below / "zero.png");
+    for (const std::string& name :
+         {std::string("link.png"), std::string("up/secret.png"), (folder / "secret.png").string(),
+          std::string("zero.png"), std::string("models/../../secret.png"), std::string("~"),
+          std::string(300, 'a') + ".png"}) {
+        const ModelMesh model = readModel(writeBox(below, name), {});
+        ASSERT_EQ(model.remarks.size(), 1U) << name;
+        EXPECT_EQ(model.looks.appearance->images.size(), 0U) << name;
+    }
+}
+
+TEST_F(LeftOutImage, MaterialsAreNotReadThroughALinkThatLeadsOutside) {
+    const fs::path below = folder / "models";
+    fs::create_directories(below);
+    test::writeText(folder / "out.mtl", "newmtl paint\nKd 1 0 0\n");
+    fs::create_symlink(folder / "out.mtl", below / "link.mtl");
+    for (const char* name : {"link.mtl", "../out.mtl"}) {
+        test::writeText(below / "box.obj", "mtllib " + std::string(name) + "\nusemtl paint\n" +
+                                               test::objText(test::boxSoup()));
+        const ModelMesh model = readModel(below / "box.obj", {});
+        ASSERT_EQ(model.remarks.size(), 1U) << name;
+        EXPECT_THAT(model.remarks.front(), HasSubstr("The materials of")) << name;
+        const auto& looks = model.looks.appearance;
+        EXPECT_TRUE(looks == nullptr || looks->materials[0].baseColor.y() != 0.0F) << name;
+    }
+}
+
 TEST_F(LeftOutImage, IsNamedWhereItIsNoPictureOrDamaged) {
     test::writeText(folder / "text.png", "no picture");
     EXPECT_EQ(

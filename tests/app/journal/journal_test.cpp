@@ -110,6 +110,15 @@ TEST(Journal, WithoutAnEventTimeGoesByAllTheSame) {
     EXPECT_EQ(session.events.size(), 1U);
 }
 
+// The editor calls files by the name of the scene.
+TEST(Journal, ANameLeadsIntoNoFolder) {
+    for (const char* name : {"../../ball", "/etc/ball", "a/../ball"}) {
+        EXPECT_EQ(readText(journalStart(name, sphere())).name, "ball") << name;
+    }
+    EXPECT_EQ(readText(journalStart("..", sphere())).name, "_..");
+    EXPECT_EQ(readText(journalStart("a\nb", sphere())).name, "a_b");
+}
+
 // A power cut may leave any part of what was written last.
 TEST(Journal, TornAtAnyByteItIsReadUpToTheLastWholeLine) {
     const std::string start = journalStart("ball", sphere());

@@ -303,6 +303,30 @@ TEST_F(Sweep, NeverReplacesWhatIsNoRun) {
     EXPECT_TRUE(has("out/3/summary.json")) << "the others were run";
 }
 
+TEST_F(Sweep, LinksInTheFolderOfResultsLeadNowhere) {
+    writeStudy(R"("runs": [{}])");
+    for (const char* name : {"0", ".0.part", ".lock", "table.csv"}) {
+        fs::remove_all(folder_ / "out");
+        fs::create_directories(folder_ / "out");
+        fs::create_directories(folder_ / "elsewhere");
+        writeText(folder_ / "elsewhere/mine.txt", "mine");
+        const bool isFolder = std::string(name).find('0') != std::string::npos;
+        fs::create_symlink(folder_ / (isFolder ? "elsewhere" : "elsewhere/mine.txt"),
+                           folder_ / "out" / name);
+        sweep("out");
+        EXPECT_EQ(bytes("elsewhere/mine.txt"), "mine") << name;
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "elsewhere"), {}), 1) << name;
+    }
+}
+
+TEST_F(Sweep, NoLockIsMadeWhereALinkLeads) {
+    writeStudy(R"("runs": [{}])");
+    fs::create_directories(folder_ / "out");
+    fs::create_symlink(folder_ / "made", folder_ / "out/.lock");
+    sweep("out");
+    EXPECT_FALSE(has("made"));
+}
+
 /// A program in Kerf's place that a signal ends.
 class CrashingProgram {
   public:

@@ -98,6 +98,42 @@ TEST_F(PlacementTest, AGestureIsOneChangeAndItsWayDoesNotMatter) {
     EXPECT_EQ(simulation->stateHash(), before);
 }
 
+TEST_F(PlacementTest, PreparedElsewhereItIsTheSameAndAnotherOneDoesWithout) {
+    const auto preparedAt = [this](const Placement& placement) {
+        const std::vector<PlacedModel> models{{placement, 0}};
+        return makeUncutBody(placedMesh(*simulation->firstUncut(), models), models);
+    };
+    cut(1);
+    const std::string cutBody = simulation->stateHash();
+    EXPECT_EQ(place(inches), "");
+    const std::string placed = simulation->stateHash();
+    simulation->execute(Undo{});
+    EXPECT_EQ(simulation->stateHash(), cutBody);
+
+    const auto prepared = preparedAt(inches);
+    simulation->expectPlacement(prepared);
+    EXPECT_EQ(place(inches), "");
+    EXPECT_EQ(simulation->uncut(), prepared);
+    EXPECT_EQ(simulation->stateHash(), placed);
+    cut(0.0254);
+    EXPECT_EQ(simulation->report().pieces, 2);
+    const std::string cutAgain = simulation->stateHash();
+    simulation->execute(Undo{});
+    EXPECT_EQ(simulation->report().pieces, 1);
+    simulation->execute(Undo{});
+    EXPECT_EQ(simulation->stateHash(), cutBody) << "back in the mesh of the first placement";
+    simulation->execute(Redo{});
+    simulation->execute(Redo{});
+    EXPECT_EQ(simulation->stateHash(), cutAgain);
+
+    simulation->execute(Undo{});
+    simulation->expectPlacement(preparedAt(Placement{}));
+    Placement elsewhere = inches;
+    elsewhere.scale = 2;
+    EXPECT_EQ(place(elsewhere), "");
+    EXPECT_EQ(simulation->placement(), elsewhere);
+}
+
 TEST_F(PlacementTest, OneWithoutRoomInFloatsIsRefusedAndChangesNothing) {
     const std::string before = simulation->stateHash();
     Placement far;

@@ -231,6 +231,29 @@ TEST_F(UndoTest, ParametersAndCutsFormOneRow) {
         << "a new change ends what was undone";
 }
 
+TEST_F(UndoTest, AMaterialIsOneChangeHoweverManyParametersItSets) {
+    const Params before = simulation->params();
+    simulation->execute(SetParam{"density", 1040.0, false, "Brain"});
+    simulation->execute(SetParam{"youngs_modulus", 1640.0, false, "Brain"});
+    simulation->execute(SetParam{"friction", 0.2, false, "Brain"});
+    const Params brain = simulation->params();
+    simulation->execute(SetParam{"density", 950.0, false, "Rubber"});
+    simulation->execute(SetParam{"density", 960.0, false, "Rubber"});
+    simulation->execute(SetParam{"density", 970.0});
+    EXPECT_THAT(names(), ::testing::ElementsAre("Material: Brain", "Material: Rubber",
+                                                "Density: 970 kg/m^3"));
+    undo();
+    EXPECT_EQ(simulation->params().density, 960);
+    undo();
+    EXPECT_EQ(simulation->params(), brain);
+    undo();
+    EXPECT_EQ(simulation->params(), before);
+    redo();
+    EXPECT_EQ(simulation->params(), brain);
+    redo();
+    EXPECT_EQ(simulation->params().density, 960);
+}
+
 // Here what the blade has swept is cut where it is put away.
 TEST_F(UndoTest, AStrokeThatEndsForARedoIsAChangeOfItsOwn) {
     simulation->execute(SetParam{"gravity", Vec3(Vec3::Zero())});

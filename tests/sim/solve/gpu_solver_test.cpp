@@ -9,7 +9,7 @@
 #include "sim/body/rest_geometry.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/reference/reference_energy.h"
-#include "sim/reference/reference_solver.h"
+#include "sim/reference/solver_pair.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 
@@ -18,56 +18,7 @@ namespace {
 
 using shared::uint;
 
-/// A body, some way from rest and in motion, on both solvers, with the same floats to start from.
-struct Pair {
-    /// `shake`: how far from rest, in edge lengths.
-    Pair(const SurfaceMesh& mesh, const Params& params, uint parts, unsigned seed,
-         float shake = 0.05f)
-        : model(buildBodyModel(mesh)), uniforms(solverUniforms(params, model)) {
-        uniforms.active_parts = parts;
-        std::mt19937 random(seed);
-        std::uniform_real_distribution<float> noise(-1, 1);
-        const auto vector = [&] { return Vec3f(noise(random), noise(random), noise(random)); };
-        const float reach = shake * static_cast<float>(meanRestEdgeLength(mesh));
-        for (const Vec3f& p : model.restPositions) {
-            start.positions.push_back(p + reach * vector());
-            start.velocities.push_back(vector());
-        }
-        reference = restState(model);
-        for (std::size_t v = 0; v < start.positions.size(); ++v) {
-            reference.positions[v] = start.positions[v].cast<double>();
-            reference.velocities[v] = start.velocities[v].cast<double>();
-        }
-        gpu.setModel(model, start);
-        gpu.setUniforms(uniforms);
-    }
-
-    /// Largest difference between the displacements of the two solvers [m].
-    double error() const {
-        const std::vector<Vec3f> ours = gpu.readDisplacements();
-        double largest = 0;
-        for (std::size_t v = 0; v < ours.size(); ++v) {
-            largest =
-                std::max(largest, (ours[v].cast<double>() - reference.displacements[v]).norm());
-        }
-        return largest;
-    }
-
-    /// Largest change of a displacement of the reference since `before` [m].
-    double change(const std::vector<Vec3>& before) const {
-        double largest = 0;
-        for (std::size_t v = 0; v < before.size(); ++v) {
-            largest = std::max(largest, (reference.displacements[v] - before[v]).norm());
-        }
-        return largest;
-    }
-
-    BodyModel model;
-    shared::SolverUniforms uniforms;
-    BodyState start;
-    ReferenceState reference;
-    GpuSolver gpu;
-};
+using Pair = SolverPair;
 
 std::vector<SurfaceMesh> bodies() {
     return {test::icosphere(0), test::cubeSphere(8), test::torus(), test::bentTube()};

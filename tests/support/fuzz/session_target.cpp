@@ -1,14 +1,12 @@
-#include "tests/support/session_fuzz.h"
-
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cctype>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/session/session_schema.h"
 #include "app/session/session_table.h"
+#include "tests/support/fuzz/refusal.h"
+#include "tests/support/fuzz/targets.h"
 #include "tests/support/session_samples.h"
 
 namespace kerf::test {
@@ -20,8 +18,6 @@ using nlohmann::json;
 
 // Where the sessions lie whose texts are read here.
 constexpr const char* kFolder = "/models/sessions";
-// No text of the file is quoted whole where it is long.
-constexpr std::size_t kLongestError = 800;
 
 // Texts of values that are equal where all bits are.
 
@@ -88,7 +84,8 @@ class Fields : public app::NoFields {
         note(valueWord.name, value);
     }
     void ignored(const app::Word&) {}
-    void format(const app::Word&, const app::Word&) {}
+    void format(const app::Word&, const app::Word&, const app::FileFormat&) {}
+    void material(const app::Word&, const app::Session&) {}  // taken over into the parameters
     void params(const app::Word&, const Params& params) {
         for (const ParamInfo& info : paramTable()) {
             note(std::string(info.name), getParam(params, info.name));
@@ -165,30 +162,25 @@ void collectWords(const json& schema, std::set<std::string>& words) {
     }
 }
 
-bool isPartOfWord(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '-';
-}
-
 }  // namespace
 
-std::string brokenPromise(const std::string& text) {
+FuzzOutcome readSessionText(const std::string& text) {
     Session session;
     try {
         session = app::parseSession(text, kFolder);
     } catch (const app::InputError& error) {
-        const std::string sentence = error.what();
-        return sentence.ends_with('.') && sentence.size() < kLongestError
-                   ? ""
-                   : "Its error is no sentence: " + sentence;
+        return refusedWith(error.what());
     }
-    return brokenByWriting(session);
+    return {true, brokenByWriting(session)};
 }
 
 std::vector<std::string> sessionTexts() {
-    std::vector<std::string> texts{sessionWith(""), sessionWithEveryKey(), sessionWithEveryEvent()};
-    for (const BrokenSession& broken : brokenSessions()) {
-        texts.push_back(broken.text);
-    }
+    return {sessionWith(""), sessionWithEveryKey(), sessionWithEveryEvent()};
+}
+
+std::vector<std::string> refusedSessionTexts() {
+    std::vector<std::string> texts(brokenSessions().size());
+    std::ranges::transform(brokenSessions(), texts.begin(), &BrokenSession::text);
     return texts;
 }
 
@@ -198,70 +190,6 @@ std::vector<std::string> sessionWords() {
                                 "1e-5", "5e-324", "[0, 1, 2]", "{},",   "\\u00", "../"};
     collectWords(json::parse(app::sessionSchema()), words);
     return {words.begin(), words.end()};
-}
-
-TextMutator::TextMutator(std::vector<std::string> texts, std::uint32_t seed)
-    : random_(seed), texts_(std::move(texts)), words_(sessionWords()) {}
-
-std::string TextMutator::next() {
-    std::string text = oneOf(texts_);
-    for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
-        change(text);
-    }
-    return text;
-}
-
-/// Not std::uniform_int_distribution, which differs between libraries.
-std::size_t TextMutator::below(std::size_t count) {
-    return random_() % count;
-}
-
-const std::string& TextMutator::oneOf(const std::vector<std::string>& list) {
-    return list[below(list.size())];
-}
-
-void TextMutator::change(std::string& text) {
-    constexpr std::array kChanges{&TextMutator::changeByte,  &TextMutator::insertWord,
-                                  &TextMutator::replaceWord, &TextMutator::eraseRange,
-                                  &TextMutator::repeatRange, &TextMutator::crossOver};
-    (this->*kChanges[below(kChanges.size())])(text);
-}
-
-void TextMutator::changeByte(std::string& text) {
-    if (!text.empty()) {
-        text[below(text.size())] = static_cast<char>(below(256));
-    }
-}
-
-void TextMutator::insertWord(std::string& text) {
-    text.insert(below(text.size() + 1), oneOf(words_));
-}
-
-/// A number, or the letters of a key or a name.
-void TextMutator::replaceWord(std::string& text) {
-    const std::size_t place = below(text.size() + 1);
-    const auto first = std::find_if(text.begin() + place, text.end(), isPartOfWord);
-    const auto last = std::find_if_not(first, text.end(), isPartOfWord);
-    std::string word = oneOf(words_);
-    std::erase(word, '"');
-    text.replace(first, last, word);
-}
-
-void TextMutator::eraseRange(std::string& text) {
-    const std::size_t place = below(text.size() + 1);
-    text.erase(place, below(30));
-}
-
-void TextMutator::repeatRange(std::string& text) {
-    const std::size_t place = below(text.size() + 1);
-    text.insert(below(text.size() + 1), text.substr(place, below(60)));
-}
-
-/// Goes on as another text does.
-void TextMutator::crossOver(std::string& text) {
-    const std::string& other = oneOf(texts_);
-    text.resize(below(text.size() + 1));
-    text += other.substr(below(other.size() + 1));
 }
 
 }  // namespace kerf::test

@@ -7,21 +7,16 @@
 
 namespace kerf::test {
 
-/// What the reader of sessions owes whoever hands it a text: it refuses with an InputError, or what
-/// it read can be written and read again as the same session, bit by bit. "" where it kept that,
-/// else a sentence about what it broke. Other exceptions pass through.
-std::string brokenPromise(const std::string& text);
-
-/// Texts to start from: sessions of every kind, broken ones too.
-std::vector<std::string> sessionTexts();
-/// What sessions consist of: keys, types, names and limits of the schema, and punctuation.
-std::vector<std::string> sessionWords();
+/// The words and numbers in texts, each once.
+std::vector<std::string> wordsOf(const std::vector<std::string>& texts);
+/// The same in quotes, as values and as keys of JSON, with its punctuation and odd numbers.
+std::vector<std::string> jsonWordsOf(const std::vector<std::string>& texts);
 
 /// Changes texts at random, as a fuzzer does; the seed decides everything.
 class TextMutator {
   public:
-    /// `texts` must not be empty.
-    TextMutator(std::vector<std::string> texts, std::uint32_t seed);
+    /// Neither `texts` nor `words`, what they consist of, may be empty.
+    TextMutator(std::vector<std::string> texts, std::vector<std::string> words, std::uint32_t seed);
     /// One of the texts, changed at some places.
     std::string next();
 

@@ -1,0 +1,202 @@
+#include <algorithm>
+#include <array>
+
+#include "app/files/export.h"
+#include "app/files/file_io.h"
+#include "app/files/import_process.h"
+#include "app/files/import_protocol.h"
+#include "app/files/model_source.h"
+#include "tests/paths.h"
+#include "tests/support/fuzz/refusal.h"
+#include "tests/support/fuzz/targets.h"
+#include "tests/support/fuzz/text_mutator.h"
+#include "tests/support/shapes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Mending takes its time, which is bounded by the limits of what is asked about: see docs/cli.md.
+constexpr std::size_t kMostMended = 500;  // triangles
+
+bool inThisProcess = false;
+
+const TemporaryFolder& folder() {
+    static const TemporaryFolder folder;
+    return folder;
+}
+
+/// Images have the names of a file of others; nothing may be written beside the export.
+std::string brokenByExport(const app::ModelMesh& model, app::MeshFormat format) {
+    const fs::path target =
+        folder() / ("out" + std::string(format == app::MeshFormat::obj ? ".obj" : ".gltf"));
+    for (const app::ExportedFile& file :
+         app::encodeExport({target}, model.mesh, findPieces(model.mesh), {model.looks, {}}, {})) {
+        const std::string name = file.file.filename().string();
+        if (file.file.parent_path() != target.parent_path() || name.starts_with(".") ||
+            name.size() > 255) {
+            return "It would be written as " + file.file.string();
+        }
+    }
+    return "";
+}
+
+std::string brokenSurface(const app::ModelMesh& model) {
+    std::string broken = checkClosedManifold(model.mesh);
+    for (const app::MeshFormat format : {app::MeshFormat::obj, app::MeshFormat::gltf}) {
+        broken += broken.empty() ? brokenByExport(model, format) : "";
+    }
+    return broken;
+}
+
+/// What becomes of a model that was read.
+FuzzOutcome buildSurface(const app::ImportedModel& model) {
+    app::ReadOptions options;
+    const bool small = model.soup.triangles.size() <= kMostMended;
+    options.findCrossingsUpTo = kMostMended;
+    options.tryMending = small;
+    try {
+        return {true, brokenSurface(app::surfaceOf("a.obj", model, options))};
+    } catch (const app::InputError& error) {
+        if (FuzzOutcome refused = refusedWithClause(error.what()); !refused.broken.empty()) {
+            return refused;
+        }
+    }
+    options.repair = small;
+    options.fillHoles = small;
+    try {
+        return {true, brokenSurface(app::surfaceOf("a.obj", model, options))};
+    } catch (const app::InputError& error) {
+        return refusedWithClause(error.what());
+    }
+}
+
+std::string brokenByEncoding(const app::ImportedModel& model) {
+    const std::string answer = app::encodeImport(model);
+    return app::encodeImport(app::decodeImport(answer)) == answer
+               ? ""
+               : "It is another one in an answer.";
+}
+
+constexpr std::array<const char*, 9> kEndings{".obj", ".ply", ".stl", ".gltf", ".glb",
+                                              ".off", ".3ds", ".dae", ".fbx"};
+
+app::ImportedModel modelIn(const fs::path& file) {
+    return inThisProcess ? app::modelOfAnswer(app::answerFor(file))
+                         : app::importWithLooks(file, app::ImportLimits{});
+}
+
+/// A textured box of two materials.
+app::ImportedModel paintedBox() {
+    app::ImportedModel model{boxSoup(), {}, {"A remark."}};
+    model.soup.skin.uvs.resize(12, {Eigen::Vector2f(0, 0), {1, 0}, {0.5F, 1}});
+    model.soup.skin.colors.resize(12, {Eigen::Vector4f(1, 1, 1, 1), {1, 0, 0, 1}, {0, 0, 1, 1}});
+    for (int t = 0; t < 12; ++t) {
+        model.soup.skin.materials.push_back(t % 3 - 1);
+    }
+    render::Material glossy{"glossy", {0.5F, 0.25F, 1, 1}, 0.2F, 0.5F, 0};
+    model.appearance.materials = {glossy, render::Material{"plain"}};
+    model.appearance.images = {{"sub/leaf.png", imageTexts().front(), {}}};
+    return model;
+}
+
+}  // namespace
+
+FuzzOutcome readAnswerBytes(const std::string& bytes) {
+    app::ImportedModel model;
+    try {
+        const app::ImportedModel decoded = app::decodeImport(bytes);
+        if (std::string broken = brokenByEncoding(decoded); !broken.empty()) {
+            return {true, std::move(broken)};
+        }
+        model = app::modelOfAnswer(bytes);
+    } catch (const app::InputError& error) {
+        return refusedWithClause(error.what());
+    }
+    return buildSurface(model);
+}
+
+std::vector<std::string> answerTexts() {
+    app::ImportedModel open{icosphereSoup(0), {}, {}};
+    open.soup.triangles.pop_back();
+    app::ImportedModel turned{test::turned(boxSoup()), {}, {}};
+    std::swap(turned.soup.triangles[3][0], turned.soup.triangles[3][1]);
+    return {app::encodeImport(paintedBox()), app::encodeImport({boxSoup(), {}, {}}),
+            app::encodeImport(open), app::encodeImport(turned),
+            app::encodeImportFailure("it is broken")};
+}
+
+std::vector<std::string> answerWords() {
+    std::vector<std::string> words{std::string(8, '\0'),
+                                   std::string("\1\0\0\0\0\0\0\0", 8),
+                                   std::string("\xff\xff\xff\x7f"),
+                                   std::string(8, '\xff'),
+                                   std::string("\0\0\xc0\x7f", 4),
+                                   std::string("\0\0\0\0\0\0\xf0\x7f", 8)};
+    for (const std::string& word : jsonWordsOf({R"({"materials": [], "images": [], "remarks": [],
+             "name": "", "color": 1, "roughness": 1, "metallic": 0, "image": -1, "bytes": 0})"})) {
+        words.push_back(word);
+    }
+    return words;
+}
+
+void readModelsInThisProcess() {
+    inThisProcess = true;
+}
+
+FuzzOutcome readModelBytes(const std::string& bytes) {
+    if (bytes.empty()) {
+        return {};
+    }
+    const std::size_t kind = static_cast<unsigned char>(bytes[0]) % kEndings.size();
+    const fs::path file = folder() / ("model" + std::string(kEndings[kind]));
+    writeText(file, std::string_view(bytes).substr(1));
+    app::ImportedModel model;
+    try {
+        model = modelIn(file);
+    } catch (const app::InputError& error) {
+        return refusedWithClause(error.what());
+    }
+    return buildSurface(model);
+}
+
+std::vector<std::string> modelTexts() {
+    const SurfaceMesh mesh = box();
+    const PieceMap pieces = findPieces(mesh);
+    std::vector<std::string> texts;
+    for (std::size_t kind = 0; kind < kEndings.size(); ++kind) {
+        const std::string ending = kEndings[kind];
+        const auto format = app::meshFormatOf("box" + ending);
+        const fs::path kept = KERF_SOURCE_DIR "/tests/fuzz/models/box" + ending;
+        texts.push_back(static_cast<char>(kind) +
+                        (format ? app::encodeMesh(mesh, pieces, *format) : readBytes(kept)));
+    }
+    texts.push_back(std::string("\0", 1) + "mtllib ../a.mtl\nusemtl m\n" + objText(boxSoup()));
+    texts.push_back(std::string("\1", 1) +
+                    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                    "property float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
+                    "property uchar blue\nelement face 4\nproperty list uchar int vertex_indices\n"
+                    "end_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n0 0 1 9 9 9\n"
+                    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+    return texts;
+}
+
+std::vector<std::string> modelWords() {
+    std::vector<std::string> words = answerWords();
+    for (const std::string& word : wordsOf({modelTexts()[0], modelTexts()[1], modelTexts()[3],
+                                            modelTexts()[7], modelTexts()[9]})) {
+        if (word.size() < 40) {
+            words.push_back(word);
+        }
+    }
+    for (const char* word : {"../", "/dev/zero", "nan", "1e38", "-1", "99999999", "map_Kd ",
+                             "\"uri\":\"../a.png\"", "data:application/octet-stream;base64,"}) {
+        words.emplace_back(word);
+    }
+    return words;
+}
+
+}  // namespace kerf::test
