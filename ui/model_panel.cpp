@@ -168,6 +168,7 @@ void offerMaterials(const PanelModel& model, const ShownModel& shown,
 void drawMaterial(const PanelModel& model, const ShownModel& shown, std::vector<Action>& actions) {
     const bool known = shown.state.material >= 0;
     const MaterialRow* const row = known ? &model.materials[shown.state.material] : nullptr;
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Material");
     ImGui::SameLine(0.3F * ImGui::GetContentRegionAvail().x);
     ImGui::SetNextItemWidth(-1);

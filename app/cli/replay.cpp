@@ -350,9 +350,7 @@ class Replay {
 MemoryNeed memoryNeedOf(const Session& session, const SurfaceMesh& mesh) {
     MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
     settings.undoBudget = undoesAnything(session) ? kReplayUndoBudget : 0;
-    return memoryNeedOf(BodySize{static_cast<double>(mesh.vertexCount()),
-                                 static_cast<double>(mesh.triangleSlots())},
-                        settings);
+    return memoryNeedOf(BodySize::ofMesh(mesh), settings);
 }
 
 }  // namespace

@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/doctor/session_performer.h"
+#include "app/doctor/drawn_session.h"
 #include "app/files/builtin_models.h"
 #include "app/files/model_source.h"
-#include "app/session/scene_view.h"
-#include "app/session/session_runner.h"
 #include "gpu/data_path.h"
-#include "render/renderer.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {
@@ -102,29 +99,30 @@ std::vector<DriverFinding> restFindings() {
             volumeFinding("On the floor: volume", report.volumeRatio)};
 }
 
+namespace {
+
+/// What a played session ended in.
+struct CutRun {
+    std::string stateHash;
+    int pieces = 0;
+    double volumeRatio = 0;  ///< against rest
+    bool closed = true;      ///< after every step
+    render::Image picture;   ///< of the end
+};
+
 CutRun playCut(const Session& session) {
-    Simulation simulation(loadSessionModel(session).mesh, session.params, session.boxes);
-    const Bounds restBounds = meshBounds(simulation.mesh());
-    render::Renderer renderer(render::Quality::light);
-    renderer.setRestShape(simulation.mesh());
-    const SessionPlayer player(session);
-    SessionRunner runner(simulation);
+    DrawnSession play(session, render::Quality::light);
     CutRun run;
-    while (simulation.stepCount() < session.steps) {
-        runner.applyActions(player, SessionPerformer{simulation});
-        const StepReport& report = runner.step();
-        run.closed = run.closed && report.closed;
+    while (!play.isOver()) {
+        run.closed = play.step().closed && run.closed;
     }
-    run.stateHash = simulation.stateHash();
-    run.pieces = simulation.report().pieces;
-    run.volumeRatio = simulation.report().volumeRatio;
-    renderer.draw(sceneOf(simulation, lookOf(session), restBounds, runner.strokePoses()),
-                  sessionCamera(session, restBounds), kPictureWidth, kPictureHeight);
-    run.picture = renderer.readPicture();
+    run.stateHash = play.simulation().stateHash();
+    run.pieces = play.simulation().report().pieces;
+    run.volumeRatio = play.simulation().report().volumeRatio;
+    play.draw(kPictureWidth, kPictureHeight);
+    run.picture = play.picture();
     return run;
 }
-
-namespace {
 
 /// The share of a picture in which red is far above blue: citrus before a grey floor.
 double reddishShare(const render::Image& picture) {

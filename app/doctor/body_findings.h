@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/doctor/finding.h"
-#include "app/session/session.h"
 #include "render/scene/image.h"
 
 namespace kerf::app {
@@ -15,18 +14,6 @@ std::vector<DriverFinding> freeFallFindings();
 
 /// A body that is dropped must lie still on the floor a while later, with all of its volume.
 std::vector<DriverFinding> restFindings();
-
-/// What a played session must end in.
-struct CutRun {
-    std::string stateHash;
-    int pieces = 0;
-    double volumeRatio = 0;  ///< against rest
-    bool closed = true;      ///< after every step
-    render::Image picture;   ///< of the end
-};
-
-/// Plays a session and takes a picture of its end. Throws as Simulation does, and InputError.
-CutRun playCut(const Session& session);
 
 /// A body that is cut and falls, played twice: it must part, stay closed, keep its volume, and end
 /// in the same bits. `picture` is that of the end.

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <span>
 
-#include "app/doctor/session_performer.h"
+#include "app/doctor/drawn_session.h"
 #include "app/session/paper_experiments.h"
-#include "app/session/scene_view.h"
-#include "app/session/session_runner.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "gpu/program.h"
-#include "render/renderer.h"
 #include "sim/base/stopwatch.h"
-#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {
@@ -28,25 +24,16 @@ struct Frame {
 };
 
 std::vector<Frame> playFrames(const Session& session, double seconds) {
-    Simulation simulation(loadSessionModel(session).mesh, session.params, session.boxes);
-    const Bounds restBounds = meshBounds(simulation.mesh());
-    const render::Camera camera = sessionCamera(session, restBounds);
-    const render::BodyLook look = lookOf(session);
-    render::Renderer renderer(gpu::queryDevice().software ? render::Quality::light
-                                                          : render::Quality::full);
-    renderer.setRestShape(simulation.mesh());
-    const SessionPlayer player(session);
-    SessionRunner runner(simulation);
+    DrawnSession play(session,
+                      gpu::queryDevice().software ? render::Quality::light : render::Quality::full);
     std::vector<Frame> frames;
     const Stopwatch all;
-    while (simulation.stepCount() < session.steps && all.seconds() < seconds) {
+    while (!play.isOver() && all.seconds() < seconds) {
         const Stopwatch watch;
-        runner.applyActions(player, SessionPerformer{simulation});
-        runner.step();
-        renderer.draw(sceneOf(simulation, look, restBounds, runner.strokePoses()), camera, kWidth,
-                      kHeight);
+        play.step();
+        play.draw(kWidth, kHeight);
         gpu::finish();
-        frames.push_back({watch.milliseconds(), simulation.blade().has_value()});
+        frames.push_back({watch.milliseconds(), play.simulation().blade().has_value()});
     }
     return frames;
 }

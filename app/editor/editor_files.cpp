@@ -72,7 +72,7 @@ void Editor::State::show(UploadedDocument uploaded) {
     scene.set(std::move(next));
     keeping.begin();
     comingBack = false;
-    sessionSaving.reset();
+    onceSaved = nullptr;
     waiting.clear();
     view.begin(*scene);
     guide.begin(*scene);
@@ -255,14 +255,14 @@ void Editor::State::save(const ChosenFile& chosen) {
         return;
     }
     if (chosen.purpose == ui::FilePurpose::exportMesh) {
-        sessionSaving.reset();
+        onceSaved = nullptr;
         const auto coordinates = chosen.inScene ? Coordinates::scene : Coordinates::model;
         work.save(startExport({chosen.file, chosen.filePerPiece, coordinates}, scene->document(),
                               scene->simulation(), view.display.look(*scene)));
         return;
     }
     if (chosen.purpose == ui::FilePurpose::saveMaterial) {
-        sessionSaving.reset();
+        onceSaved = [this] { lookForMaterials(); };
         work.save(startSavingMaterial(
             chosen.file, materialFrom(scene->simulation().params(), view.display.settings.colors)));
         return;
@@ -270,7 +270,12 @@ void Editor::State::save(const ChosenFile& chosen) {
     if (chosen.what == BrowseFor::testWithPicture) {
         scene->addPicture(scene->end());
     }
-    sessionSaving = SessionSaving{scene->deeds(), std::exchange(afterSaving, nullptr)};
+    onceSaved = [this, deeds = scene->deeds(), then = std::exchange(afterSaving, nullptr)] {
+        keeping.noteSaved(deeds);
+        if (then) {
+            then();
+        }
+    };
     const bool isTest = chosen.purpose == ui::FilePurpose::saveTest;
     SavedSession saved =
         scene->savedSession(view.camera.destination(), view.display.settings.colors,
@@ -309,15 +314,12 @@ void Editor::State::followFiles() {
 
 void Editor::State::onSaved(const SavingQueue::Outcome& outcome) {
     constexpr int kNoNumber = 0;  // not of FileWork::saveBehind()
-    if (outcome.number != kNoNumber || !sessionSaving) {
+    if (outcome.number != kNoNumber || !onceSaved) {
         return;
     }
-    const SessionSaving saved = *std::exchange(sessionSaving, std::nullopt);
+    const auto then = std::exchange(onceSaved, nullptr);
     if (!outcome.failed) {
-        keeping.noteSaved(saved.deeds);
-        if (saved.then) {
-            saved.then();
-        }
+        then();
     }
 }
 

@@ -69,7 +69,7 @@ void Editor::State::giveUpScene(const std::string& sentence) {
     const bool unsaved = hasUnsavedWork();
     waiting.clear();
     asked.reset();
-    sessionSaving.reset();
+    onceSaved = nullptr;
     comingBack = false;
     work.stopPlacing();
     placed.reset();

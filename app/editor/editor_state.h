@@ -76,12 +76,8 @@ struct Editor::State {
     std::optional<Asked> asked;
     /// What comes after the session is saved that the dialog asks a name for.
     std::function<void()> afterSaving;
-    /// A session on its way into a file.
-    struct SessionSaving {
-        int deeds = 0;               ///< that it has
-        std::function<void()> then;  ///< once it is there; may be null
-    };
-    std::optional<SessionSaving> sessionSaving;
+    /// What comes once the file is there that is being saved; may be null.
+    std::function<void()> onceSaved;
     /// The depth below the skin of a body that was placed behind the scene, for when it is shown.
     std::optional<PlacedBody> placed;
     bool comingBack = false;  ///< see comesBack()

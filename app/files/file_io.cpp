@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "app/files/model_source.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
@@ -30,17 +31,17 @@ void requireReadableSize(const std::filesystem::path& file, std::uintmax_t limit
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (status.type() == std::filesystem::file_type::none) {
-        throw InputError(file.string() + ": it can't be read (" + error.message() + ").");
+        throw InputError(shownPath(file) + ": it can't be read (" + error.message() + ").");
     }
     if (!std::filesystem::exists(status)) {
-        throw InputError(file.string() + ": there is no such file; check the name.");
+        throw InputError(shownPath(file) + ": there is no such file; check the name.");
     }
     if (!std::filesystem::is_regular_file(status)) {
-        throw InputError(file.string() + ": this is not a regular file; name one to read.");
+        throw InputError(shownPath(file) + ": this is not a regular file; name one to read.");
     }
     const auto size = std::filesystem::file_size(file, error);
     if (!error && size > limit) {
-        throw InputError(file.string() + ": " + std::to_string(size) +
+        throw InputError(shownPath(file) + ": " + std::to_string(size) +
                          " bytes are more than the limit of " + std::to_string(limit) + ".");
     }
 }
@@ -54,7 +55,7 @@ std::filesystem::path replaceable(const std::filesystem::path& file) {
         return file;
     }
     if (!std::filesystem::is_regular_file(status)) {
-        throw OutputError(file.string() +
+        throw OutputError(shownPath(file) +
                           ": there is something else than a file; choose another name.");
     }
     return std::filesystem::is_symlink(file) ? std::filesystem::canonical(file) : file;
@@ -78,6 +79,14 @@ std::string problemWithPath(std::string_view path) {
                : "no file has a name of more than " + std::to_string(PATH_MAX - 1) + " bytes.";
 }
 
+std::string shownPath(const std::filesystem::path& path) {
+    constexpr std::size_t kMostOfEach = 200;
+    const std::string text = path.string();
+    return text.size() <= 2 * kMostOfEach
+               ? text
+               : beginningOf(text, kMostOfEach) + "..." + endOf(text, kMostOfEach);
+}
+
 bool isNameInside(std::string_view name) {
     const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
     return problemWithPath(name).empty() && !path.empty() && !path.is_absolute() &&
@@ -97,7 +106,7 @@ std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limi
     std::ifstream stream(file, std::ios::binary);
     std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
     if (!stream) {
-        throw InputError(file.string() + ": it could not be read; check its permissions.");
+        throw InputError(shownPath(file) + ": it could not be read; check its permissions.");
     }
     return bytes;
 }
@@ -156,7 +165,7 @@ void writePicture(const render::Image& picture, const std::filesystem::path& fil
     } catch (const OutputError&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw OutputError(file.string() + ": " + error.what());
+        throw OutputError(shownPath(file) + ": " + error.what());
     }
 }
 

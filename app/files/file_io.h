@@ -13,6 +13,9 @@ namespace kerf::app {
 /// Why no file can have this path, which stands in a file of somebody else: a sentence; "" where
 /// one can.
 std::string problemWithPath(std::string_view path);
+/// A path as a sentence names it: where it is long, as files of others may make it, its beginning
+/// and its end.
+std::string shownPath(const std::filesystem::path& path);
 /// Whether a name that stands in a file means a file inside of a folder, by its letters alone: not
 /// absolute, without a way out, and not the folder itself. Links are for OutputFolder to see.
 bool isNameInside(std::string_view name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 
+#include "app/files/file_io.h"
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
 #include "sim/base/text.h"
@@ -185,7 +186,7 @@ ModelFault faultOf(const fs::path& file, const TriangleSoup& soup, const MeshRep
                    const ReadOptions& options) {
     const int holes = options.tryMending ? holesThatHelp(soup, found) : 0;
     const bool askMore = options.tryMending && holes == 0;
-    return {file.string() + ": " + found.problem, holes,
+    return {shownPath(file) + ": " + found.problem, holes,
             askMore ? repairsThatHelp(soup) : std::vector<std::string>{}};
 }
 
@@ -237,7 +238,7 @@ ImportedModel importFor(const fs::path& file, const ImportLimits& limits,
     try {
         return readThroughProcess(file, limits, means, progress);
     } catch (const InputError& error) {
-        throw InputError(file.string() + ": " + error.what());
+        throw InputError(shownPath(file) + ": " + error.what());
     }
 }
 
@@ -281,7 +282,7 @@ ModelMesh meshOf(ImportedModel& model) {
 
 void requireMended(const fs::path& file, const MeshReport& found) {
     if (!found.cuttable) {
-        throw ModelFault(file.string() + ": after the repair still " + found.problem, 0);
+        throw ModelFault(shownPath(file) + ": after the repair still " + found.problem, 0);
     }
 }
 

@@ -12,6 +12,7 @@
 #include "app/files/memory_means.h"
 #include "app/files/work_progress.h"
 #include "render/scene/appearance.h"
+#include "sim/base/text.h"
 #include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_soup.h"
@@ -19,11 +20,11 @@
 
 namespace kerf::app {
 
-/// An input (model, session, image) is missing or invalid: what() is one sentence with what, where
-/// and what to do. Exit code 3.
+/// An input (model, session, image) is missing or invalid: what() is one printable sentence with
+/// what, where and what to do. Exit code 3.
 class InputError : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    explicit InputError(const std::string& sentence) : std::runtime_error(printable(sentence)) {}
 };
 
 /// A model whose triangles could be read but not be cut.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/file_io.h"
 #include "app/files/model_source.h"
 
 namespace kerf::app {
@@ -32,7 +33,7 @@ std::string finish(sha256_ctx& context) {
 std::string sha256OfFile(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!std::filesystem::is_regular_file(file) || !stream) {
-        throw InputError(file.string() + ": there is no such file, or it can't be read.");
+        throw InputError(shownPath(file) + ": there is no such file, or it can't be read.");
     }
     sha256_ctx context;
     sha256_init(&context);

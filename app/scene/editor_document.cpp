@@ -113,9 +113,7 @@ MemoryNeed memoryNeedOf(const Document& document) {
     MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
     settings.undoBudget = kUndoBudget;
     settings.courseBudget = Keyframes::kBudget;
-    return memoryNeedOf(BodySize{static_cast<double>(document.mesh.vertexCount()),
-                                 static_cast<double>(document.mesh.triangleSlots())},
-                        settings);
+    return memoryNeedOf(BodySize::ofMesh(document.mesh), settings);
 }
 
 Document openScene(const std::string& name, Session scene, const ReadOptions& options) {

@@ -105,10 +105,14 @@ std::vector<SetParam> settingsOf(const Material& material, int model) {
     return settings;
 }
 
-void applyMaterial(Session& session, const Material& material) {
+void applyMaterial(Params& params, const Material& material) {
     for (const SetParam& set : settingsOf(material)) {
-        setParam(session.params, set.name, set.value);
+        setParam(params, set.name, set.value);
     }
+}
+
+void applyMaterial(Session& session, const Material& material) {
+    applyMaterial(session.params, material);
     if (!session.colors.any()) {
         session.colors = material.colors;
     }

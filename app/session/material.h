@@ -65,6 +65,8 @@ const std::array<MaterialProperty, 5>& materialProperties();
 /// The parameters that a material gives values to, in the order of the properties. For a model
 /// behind the first those that it may have of its own.
 std::vector<SetParam> settingsOf(const Material& material, int model = 0);
+/// Gives parameters the values of a material.
+void applyMaterial(Params& params, const Material& material);
 /// Gives a session the values of a material, and its look where the session has chosen none.
 void applyMaterial(Session& session, const Material& material);
 /// Whether the parameters have all values of the material; for a model behind the first, those that

@@ -248,8 +248,8 @@ void requireKnownVersion(const Node& node, int known) {
 
 Material readMaterialOf(const Node& node, const std::filesystem::path& baseFolder) {
     const std::string text = readString(node);
-    if (text.find('\0') != std::string::npos) {
-        fail(node.path, "no file has a zero byte in its name.");
+    if (const std::string problem = problemWithPath(text); !problem.empty()) {
+        fail(node.path, problem);
     }
     try {
         return findMaterial(text, baseFolder);
@@ -378,9 +378,7 @@ class ObjectReader : public NoFields {
     void material(const Word& word, Session& session) {
         if (const auto node = find(word.name)) {
             material_ = readMaterialOf(*node, baseFolder_);
-            for (const SetParam& set : settingsOf(*material_)) {
-                setParam(session.params, set.name, set.value);
-            }
+            applyMaterial(session.params, *material_);
         }
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -51,6 +52,13 @@ inline std::string beginningOf(const std::string& text, std::size_t size) {
     }
     while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
     return text.substr(0, size);
+}
+
+/// At most so many bytes of a text's end, cut between two characters of UTF-8.
+inline std::string endOf(const std::string& text, std::size_t size) {
+    std::size_t from = text.size() - std::min(size, text.size());
+    while (from < text.size() && (static_cast<unsigned char>(text[from]) & 0xc0) == 0x80) ++from;
+    return text.substr(from);
 }
 
 /// What a file holds as a sentence quotes it: printable, and where it is long its beginning.

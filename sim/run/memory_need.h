@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "sim/base/params.h"
+#include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
 
@@ -19,6 +20,9 @@ struct BodySize {
     double vertices = 0;
     double triangles = 0;
 
+    static BodySize ofMesh(const SurfaceMesh& mesh) {
+        return {static_cast<double>(mesh.vertexCount()), static_cast<double>(mesh.triangleSlots())};
+    }
     /// As far as it is known from its triangles alone.
     static BodySize ofTriangles(double triangles) { return {0.5 * triangles, triangles}; }
 };

@@ -40,24 +40,38 @@ inline Document sphereDocument() {
     return document;
 }
 
+/// Of an editor whose pictures and time don't depend on the machine.
+inline EditorOptions plainOptions() {
+    EditorOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    options.quality = render::Quality::light;
+    options.byTheClock = false;
+    return options;
+}
+
 class EditorTest : public test::GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
-        EditorOptions options;
-        options.width = kWidth;
-        options.height = kHeight;
-        options.quality = render::Quality::light;
-        options.byTheClock = false;
-        options.screenshotFolder = folder.path();
-        editor = std::make_unique<Editor>(options, sphereDocument());
-        frames(2);
+        start(options());
     }
     void TearDown() override {
         editor.reset();
         GlTest::TearDown();
     }
 
+    /// plainOptions(), with pictures into a folder of the test.
+    virtual EditorOptions options() {
+        EditorOptions options = plainOptions();
+        options.screenshotFolder = folder.path();
+        return options;
+    }
+    void start(const EditorOptions& options, Document document = sphereDocument()) {
+        editor.reset();
+        editor = std::make_unique<Editor>(options, std::move(document));
+        frames(2);
+    }
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
             editor->frame(kFrameSeconds);

@@ -23,17 +23,13 @@ class EditorJournalTest : public EditorTest {
         test::writeText(folder / "box.obj", test::objText(test::boxSoup(Vec3::Ones(), 4)));
         test::writeText(folder / "settings.json", "{}");
         editor.reset();
-        editor = start();
+        editor = newEditor();
         frames(2);
     }
-    std::unique_ptr<Editor> start(bool byTheClock = false) {
-        EditorOptions options;
-        options.width = kWidth;
-        options.height = kHeight;
-        options.quality = render::Quality::light;
+    std::unique_ptr<Editor> newEditor(bool byTheClock = false) {
+        EditorOptions options = EditorTest::options();
         options.byTheClock = byTheClock;
         options.portion = 1e-6;
-        options.screenshotFolder = folder.path();
         options.settingsFile = folder / "settings.json";
         options.journals = journals.path();
         return std::make_unique<Editor>(options, openDocument(folder / "ball.obj"));
@@ -86,7 +82,7 @@ class EditorJournalTest : public EditorTest {
         return left.empty() ? Session{} : parseSession(left[0].kept.session, {});
     }
     void goOn() {
-        editor = start();
+        editor = newEditor();
         awaitQuestion();
         click("question.0");
         waitForWork();
@@ -122,7 +118,7 @@ TEST_F(EditorJournalTest, TheQuestionHasNameCountAndPicture) {
     cut();
     frames(90);
     crash();
-    editor = start();
+    editor = newEditor();
     awaitQuestion();
     EXPECT_EQ(panels().question.title, "Go on from ball?");
     EXPECT_THAT(panels().question.text, HasSubstr("1 cut,"));
@@ -148,7 +144,7 @@ TEST_F(EditorJournalTest, ACrashWhileItGoesOnLosesNothing) {
     cut();
     const std::string before = hash();
     crash();
-    editor = start();
+    editor = newEditor();
     awaitQuestion();
     click("question.0");
     crash();
@@ -159,7 +155,7 @@ TEST_F(EditorJournalTest, ACrashWhileItGoesOnLosesNothing) {
 TEST_F(EditorJournalTest, WhatComesBackInPortionsIsToldOfAtOnce) {
     cut();
     crash();
-    editor = start(true);
+    editor = newEditor(true);
     awaitQuestion();
     click("question.0");
     waitForWork();
@@ -216,7 +212,7 @@ TEST_F(EditorJournalTest, WhatAPersonAddsToASessionComesBackWithIt) {
 TEST_F(EditorJournalTest, WhatWasNotChangedIsNotOffered) {
     frames(5);
     crash();
-    editor = start();
+    editor = newEditor();
     EXPECT_FALSE(asksSoon());
     expectFiles(1);
 }
@@ -225,7 +221,7 @@ TEST_F(EditorJournalTest, WhatWasSavedIsNotOffered) {
     cut();
     saveByKeys();
     crash();
-    editor = start();
+    editor = newEditor();
     EXPECT_FALSE(asksSoon());
     expectFiles(1);
 }
@@ -233,31 +229,31 @@ TEST_F(EditorJournalTest, WhatWasSavedIsNotOffered) {
 TEST_F(EditorJournalTest, DiscardedWorkIsGoneAndPutOffWorkIsOfferedAgain) {
     cut();
     crash();
-    editor = start();
+    editor = newEditor();
     awaitQuestion();
     tap(Key::escape);
     frames(3);
     EXPECT_TRUE(panels().question.text.empty());
     crash();
-    editor = start();
+    editor = newEditor();
     awaitQuestion();
     click("question.1");
     frames(2);
     EXPECT_FALSE(asksSoon());
     crash();
-    editor = start();
+    editor = newEditor();
     EXPECT_FALSE(asksSoon());
 }
 
 TEST_F(EditorJournalTest, OtherWindowsAreLeftAlone) {
     cut();
-    auto other = std::exchange(editor, start());
+    auto other = std::exchange(editor, newEditor());
     EXPECT_FALSE(asksSoon());
     cutAcross();
     expectFiles(2);
     crash();
     other.reset();
-    editor = start();
+    editor = newEditor();
     awaitQuestion();
     click("question.1");
     awaitQuestion();
@@ -270,7 +266,7 @@ TEST_F(EditorJournalTest, OneThatIsSwitchedOffKeepsNothing) {
     crash();
     std::filesystem::remove_all(journals.path());
     test::writeText(folder / "settings.json", R"({"keep_journal": false})");
-    editor = start();
+    editor = newEditor();
     cut();
     frames(90);
     EXPECT_FALSE(std::filesystem::exists(journals.path()));
@@ -399,7 +395,7 @@ TEST_F(EditorJournalTest, OpeningAnotherFileAsks) {
     waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
     crash();
-    editor = start();
+    editor = newEditor();
     EXPECT_FALSE(asksSoon()) << "it was not to be saved";
 }
 

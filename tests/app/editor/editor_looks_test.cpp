@@ -36,13 +36,9 @@ class EditorLooksTest : public EditorTest {
     }
     /// High enough for all sections.
     void startWithRoom() {
-        EditorOptions options;
-        options.width = kWidth;
+        EditorOptions options = plainOptions();
         options.height = 1600;
-        options.quality = render::Quality::light;
-        options.byTheClock = false;
-        editor = std::make_unique<Editor>(options, sphereDocument());
-        frames(2);
+        start(options);
     }
     void open(const std::string& name) {
         editor->open(folder / name);

@@ -14,19 +14,17 @@ using ::testing::HasSubstr;
 class EditorMaterialTest : public EditorTest {
   protected:
     void SetUp() override {
-        // The editor here has options of its own.
-        GlTest::SetUp();  // NOLINT(bugprone-parent-virtual-call)
-        options.width = 1280;
-        options.height = 1200;
-        options.quality = render::Quality::light;
-        options.byTheClock = false;
-        options.screenshotFolder = folder.path();
-        options.materials = folder / "own";
-        editor = std::make_unique<Editor>(options, sphereDocument());
-        frames(2);
+        EditorTest::SetUp();
         if (!editor->itemRects().contains("model.material")) {
             click("section.model");
         }
+    }
+    EditorOptions options() override {
+        EditorOptions options = EditorTest::options();
+        options.width = 1280;
+        options.height = 1200;
+        options.materials = folder / "own";
+        return options;
     }
     const Params& params() { return editor->scene()->simulation().params(); }
     /// The label of what the body is made of; empty for own values.
@@ -49,8 +47,6 @@ class EditorMaterialTest : public EditorTest {
         waitForWork();
         frames(2);
     }
-
-    EditorOptions options;
 };
 
 TEST_F(EditorMaterialTest, AChoiceSetsValuesAndLookAndIsOneChange) {

@@ -22,15 +22,7 @@ class EditorMeasureTest : public EditorTest {
         open(std::move(document));
     }
     void open(Document document) {
-        EditorOptions options;
-        options.width = kWidth;
-        options.height = kHeight;
-        options.quality = render::Quality::light;
-        options.byTheClock = false;
-        options.screenshotFolder = folder.path();
-        editor.reset();
-        editor = std::make_unique<Editor>(options, std::move(document));
-        frames(2);
+        start(options(), std::move(document));
         tap(Key::digit5);
         tap(Key::m);
         settle();

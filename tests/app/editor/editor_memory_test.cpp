@@ -60,11 +60,7 @@ class EditorOutOfMemoryTest : public test::GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
-        EditorOptions options;
-        options.width = kWidth;
-        options.height = kHeight;
-        options.quality = render::Quality::light;
-        options.byTheClock = false;
+        EditorOptions options = plainOptions();
         options.journals = folder.path();
         state.emplace(options);
         state->show(UploadedDocument(prepareDocument(sphereDocument())));

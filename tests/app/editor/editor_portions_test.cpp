@@ -13,20 +13,13 @@ using namespace testing;
 /// An editor by the clock that makes a picture at every pause of a step.
 class EditorPortionsTest : public EditorTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        show(sphereDocument());
-    }
-    void show(Document document) {
-        EditorOptions options;
-        options.width = kWidth;
-        options.height = kHeight;
-        options.quality = render::Quality::light;
+    EditorOptions options() override {
+        EditorOptions options = EditorTest::options();
+        options.byTheClock = true;
         options.portion = 0;
-        options.screenshotFolder = folder.path();
-        editor = std::make_unique<Editor>(options, std::move(document));
-        frames(2);
+        return options;
     }
+    void show(Document document) { start(options(), std::move(document)); }
     /// Turns the view on and on, so that each picture draws the scene.
     void turningFrames(int count) {
         moveTo(kWidth / 2.0, kHeight / 2.0);

@@ -562,10 +562,7 @@ TEST_F(EditorTest, TheSameEventsGiveTheSamePicture) {
 }
 
 TEST_F(EditorTest, AnEmptyEditorInvitesAFile) {
-    EditorOptions options;
-    options.width = kWidth;
-    options.height = kHeight;
-    Editor empty(options, std::nullopt);
+    Editor empty(plainOptions(), std::nullopt);
     empty.frame(kFrameSeconds);
     empty.post(ui::KeyChange{Key::space, true, {}});
     empty.post(ui::PointerMove{480, 270, {}});

@@ -22,16 +22,10 @@ bool hasRun(const std::string& kernel) {
 
 class KernelPreparationTest : public EditorTest {
   protected:
-    void start(bool warmsUp) {
-        EditorOptions options;
-        options.width = kWidth;
-        options.height = kHeight;
-        options.quality = render::Quality::light;
-        options.byTheClock = false;
+    void startWarmingUp(bool warmsUp) {
+        EditorOptions options = plainOptions();
         options.warmsUp = warmsUp;
-        editor.reset();
-        editor = std::make_unique<Editor>(options, sphereDocument());
-        frames(2);
+        start(options);
     }
     static constexpr std::array kOfContact{"sim/contact/detect.comp", "sim/contact/respond.comp",
                                            "sim/contact/detect_edges.comp",
@@ -40,7 +34,7 @@ class KernelPreparationTest : public EditorTest {
 
 // The first stroke of a start had stood still for seconds while they were compiled.
 TEST_F(KernelPreparationTest, KernelsOfContactRunBeforeAnybodyTouchesTheBody) {
-    start(true);
+    startWarmingUp(true);
     for (int i = 0; i < 2000 && editor->idleSeconds() < 1; ++i) {
         editor->frame(0.05);
     }
@@ -51,13 +45,13 @@ TEST_F(KernelPreparationTest, KernelsOfContactRunBeforeAnybodyTouchesTheBody) {
 }
 
 TEST_F(KernelPreparationTest, WhereItIsNotWantedNothingRuns) {
-    start(false);
+    startWarmingUp(false);
     EXPECT_GT(editor->idleSeconds(), 1);
     EXPECT_FALSE(hasRun(kOfContact[0]));
 }
 
 TEST_F(KernelPreparationTest, ItWaitsWhileSomebodyDoesSomething) {
-    start(true);
+    startWarmingUp(true);
     for (int i = 0; i < 20; ++i) {
         moveTo(400 + i, 200);
         editor->frame(0.1);
