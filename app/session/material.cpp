@@ -208,7 +208,7 @@ Material findMaterial(const std::string& text, const fs::path& baseFolder) {
     }
     const auto found = std::ranges::find(builtinMaterials(), text, &Material::name);
     if (found == builtinMaterials().end()) {
-        throw InputError("there is no material '" + printable(text) + "'; there are " +
+        throw InputError("there is no material '" + shortened(text) + "'; there are " +
                          joined(materialNames(), ", ") + ", or name a file that ends in .json.");
     }
     return *found;
