@@ -7,6 +7,7 @@
 #include <atomic>
 #include <string_view>
 
+#include "gpu/kernel_way.h"
 #include "gpu/limits.h"
 
 namespace kerf::gpu {
@@ -62,6 +63,9 @@ void loadFunctions(ProcLoader getProcAddress) {
     if (version < GLAD_MAKE_VERSION(kNeededMajor, kNeededMinor)) {
         throw ContextError("Kerf needs OpenGL 4.5, but this driver offers " + text(GL_VERSION) +
                            " on " + text(GL_RENDERER) + ".");
+    }
+    if (const char* problem = problemWithKernelWay(); problem != nullptr) {
+        throw ContextError(problem);
     }
     const std::string lack = sentenceOfLack(driverLimits());
     if (!lack.empty()) {

@@ -3,13 +3,16 @@
 #include <glad/gl.h>
 #include <spdlog/spdlog.h>
 
+#include <array>
 #include <cassert>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "gpu/data_path.h"
 #include "gpu/program_binaries.h"
+#include "gpu/program_record.h"
 #include "gpu/shader_source.h"
 
 namespace kerf::gpu {
@@ -93,6 +96,31 @@ void build(GLuint program, const std::vector<Stage>& stages,
     }
 }
 
+/// Along x; 1 for programs that draw.
+GLuint groupSizeOf(GLuint program, const std::vector<Stage>& stages) {
+    std::array<GLint, 3> size{1, 1, 1};
+    if (stages.front().kind == GL_COMPUTE_SHADER) {
+        glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, size.data());
+    }
+    return static_cast<GLuint>(size[0]);
+}
+
+/// For finding out whether a result hangs on a barrier that is missing.
+bool wantsFullBarriers() {
+    const char* barriers = std::getenv("KERF_BARRIERS");
+    return barriers != nullptr && std::string_view(barriers) == "all";
+}
+
+LinkedProgram recordOf(GLuint program, const std::vector<Stage>& stages, const Defines& defines,
+                       const std::vector<ShaderSource>& sources) {
+    LinkedProgram linked{defines, {}};
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        linked.stages.push_back(
+            {stages[i].path, sources[i].text, needsOf(program, stages[i].kind)});
+    }
+    return linked;
+}
+
 /// From the cache of binaries where it is there, which gets it otherwise.
 std::shared_ptr<Linked> link(const std::vector<Stage>& stages, const Defines& defines,
                              const std::string& name) {
@@ -107,6 +135,11 @@ std::shared_ptr<Linked> link(const std::vector<Stage>& stages, const Defines& de
     if (!binaries.load(linked->id, text)) {
         build(linked->id, stages, sources, name);
         binaries.save(linked->id, text);
+    }
+    linked->groupSize = groupSizeOf(linked->id, stages);
+    linked->fullBarriers = wantsFullBarriers();
+    if (ProgramRecord* const record = ProgramRecord::current(); record != nullptr) {
+        record->note(recordOf(linked->id, stages, defines, sources));
     }
     return linked;
 }
@@ -238,25 +271,49 @@ void Program::set(std::string_view name, const Eigen::Matrix4f& value) const {
     glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, value.data());
 }
 
-void Program::dispatch(std::uint32_t threads, std::uint32_t groupSize) const {
+void Program::setNumbers(const DispatchNumbers& numbers) const {
+    linked_->numbers.choose(numbers);
+}
+
+void Program::dispatch(std::uint32_t threads) const {
     if (threads == 0) {
         return;
     }
-    const std::uint32_t groups = (threads - 1) / groupSize + 1;
+    const std::uint32_t groups = (threads - 1) / linked_->groupSize + 1;
     assert(groups <= maxGroups() && "more work groups than the driver takes in one dispatch");
     if (mayDispatch(*linked_)) {
-        use();
+        begin();
         glDispatchCompute(groups, 1, 1);
+        end();
     }
 }
 
 void Program::dispatchIndirect(const Buffer& groups, std::size_t offset) const {
     assert(offset + 3 * sizeof(GLuint) <= groups.size());
     if (mayDispatch(*linked_)) {
-        use();
+        begin();
         glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
+        glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
         glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+        end();
     }
+}
+
+void Program::begin() const {
+    use();
+    linked_->numbers.bind();
+    if (linked_->fullBarriers) {
+        glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    }
+}
+
+// Of what a kernel leaves others read storage, texels, images and commands; copies and reads of the
+// CPU have a barrier of their own (gpu/buffer.cpp).
+void Program::end() const {
+    constexpr GLbitfield kReadByShaders = GL_SHADER_STORAGE_BARRIER_BIT |
+                                          GL_TEXTURE_FETCH_BARRIER_BIT |
+                                          GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
+    glMemoryBarrier(linked_->fullBarriers ? GL_ALL_BARRIER_BITS : kReadByShaders);
 }
 
 int Program::location(std::string_view name) const {
@@ -269,12 +326,7 @@ int Program::location(std::string_view name) const {
     return location;
 }
 
-void storageBarrier() {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-}
-
-void commandBarrier() {
+void beforeDrawingIndirect() {
     glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
 }
 

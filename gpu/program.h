@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/numbers_table.h"
 
 namespace kerf::gpu {
 
@@ -75,10 +76,15 @@ class Program {
     void set(std::string_view name, const Eigen::Vector4f& value) const;
     void set(std::string_view name, const Eigen::Matrix4f& value) const;
 
-    /// use(), then one dispatch of ceil(threads / groupSize) work groups along x; none for 0.
-    void dispatch(std::uint32_t threads, std::uint32_t groupSize) const;
-    /// use(), then one dispatch of as many work groups as three words (x, y, z) of a buffer say,
-    /// from this byte on.
+    /// What the next dispatches of the program find as their numbers. They lie in a buffer: drivers
+    /// are known that compile a loop over a plain uniform for its first value and keep that.
+    void setNumbers(const DispatchNumbers& numbers) const;
+
+    /// One dispatch of so many work groups along x that there are `threads`, none for 0. Whatever
+    /// draws or computes later sees what it wrote.
+    void dispatch(std::uint32_t threads) const;
+    /// One dispatch of as many work groups as three words (x, y, z) of a buffer say, from this byte
+    /// on, which kernels may have written; else as dispatch().
     void dispatchIndirect(const Buffer& groups, std::size_t offset) const;
 
     std::uint32_t id() const { return linked_ ? linked_->id : 0; }
@@ -92,20 +98,23 @@ class Program {
 
         std::uint32_t id = 0;
         bool dispatched = false;
+        std::uint32_t groupSize = 1;  ///< along x
+        bool fullBarriers = false;    ///< see KERF_BARRIERS in docs/gpus.md
+        NumbersTable numbers;
         std::map<std::string, int, std::less<>> locations;
     };
 
   private:
     explicit Program(std::shared_ptr<Linked> linked) : linked_(std::move(linked)) {}
     int location(std::string_view name) const;
+    void begin() const;
+    void end() const;
 
     std::shared_ptr<Linked> linked_;
 };
 
-/// glMemoryBarrier for what the next dispatch reads, as storage, as texels or as images.
-void storageBarrier();
-/// glMemoryBarrier for what dispatchIndirect() reads.
-void commandBarrier();
+/// Lets what draws next take from buffers how much it draws, which kernels may have written.
+void beforeDrawingIndirect();
 /// Waits until the GPU has done all that it was told; for measurements.
 void finish();
 

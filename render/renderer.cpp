@@ -309,6 +309,14 @@ void Renderer::setQuality(Quality quality) {
     }
 }
 
+void Renderer::linkEveryProgram() {
+    state_->surface.linkEvery();
+    state_->rims.linkEvery();
+    OverlayPass();
+    FieldPass().linkEvery();
+    SectionPass().linkEvery();
+}
+
 void Renderer::setRestShape(const SurfaceMesh& uncut) {
     setRestDepth(measureSkinDepth(uncut));
 }
@@ -329,7 +337,6 @@ void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int
     resetState();
     state_->boxes.update(scene);
     if (frame.hasBody) {
-        gpu::storageBarrier();
         state_->drawShadows(scene, frame);
     }
     state_->drawColors(scene, camera, frame);

@@ -26,6 +26,10 @@ class Renderer {
     /// Another tier from the next picture on. Throws gpu::ShaderError.
     void setQuality(Quality quality);
 
+    /// Links every program that a picture of this tier can come to need, which takes seconds, and
+    /// draws nothing. Throws gpu::ShaderError.
+    void linkEveryProgram();
+
     /// Measures how deep each point of the uncut rest shape lies below its skin, so that the rind
     /// and the rings on the cut faces follow that shape. Call it when a model was loaded; cuts
     /// don't change it. Without it, or with an empty mesh, depth comes from the ellipsoid in

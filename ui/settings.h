@@ -21,10 +21,11 @@ struct Settings {
     bool showReadings = true;
     bool timeRunsWhileCutting = false;  ///< in a pause; it stands otherwise
     bool keepsJournal = true;  ///< of what is done, for the case that the program ends unexpectedly
-    double controlsWidth = 300;                          ///< of the left panel [px]
-    double readingsWidth = 300;                          ///< of the right panel [px]
-    double piecesShare = 0.2;                            ///< of the left panel's height
-    double plotsShare = 0.62;                            ///< of the right panel's height
+    bool softwareRenderer = false;  ///< draws and computes on the processor, from the next start on
+    double controlsWidth = 300;     ///< of the left panel [px]
+    double readingsWidth = 300;     ///< of the right panel [px]
+    double piecesShare = 0.2;       ///< of the left panel's height
+    double plotsShare = 0.62;       ///< of the right panel's height
     std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of kPlots
     /// Ids of the sections of the left panel that are folded.
     std::vector<std::string> folded{"experiments", "model", "display", "window"};

@@ -81,6 +81,11 @@ void drawWindowRows(const PanelModel& model, std::vector<Action>& actions) {
     itemTooltip(
         "What you do is written down at once, so that nothing is lost if Kerf ends "
         "unexpectedly");
+    changed = ImGui::Checkbox("Software renderer", &settings.softwareRenderer) || changed;
+    noteItem("window.software");
+    itemTooltip(
+        "From the next start on the processor draws and computes: slower, but right where a "
+        "graphics driver is not (kerf doctor tells)");
     if (changed) {
         actions.emplace_back(SetSettings{settings});
     }

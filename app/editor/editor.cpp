@@ -77,6 +77,7 @@ void Editor::State::makePicture(double elapsedSeconds) {
     s.advance(elapsedSeconds);
     s.keepWork(elapsedSeconds);
     s.offerLeftWork();
+    s.tellOfDriver();
     s.followGizmo();
     s.followPlacement();
     s.followThickness();
@@ -115,7 +116,8 @@ double Editor::idleSeconds() const {
         (scene && scene->thickness().working())) {
         return kWorkPause;
     }
-    const bool soon = s.kernels.left() || s.offers.looking() || !s.keeping.settled();
+    const bool soon =
+        s.kernels.left() || s.offers.looking() || s.driverCheck.looking() || !s.keeping.settled();
     const double rest =
         std::min(soon ? kWorkPause : kForever, s.keeping.pictureDue().value_or(kForever));
     return s.toast.visible() ? std::min(rest, s.toast.steadySeconds()) : rest;

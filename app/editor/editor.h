@@ -38,6 +38,9 @@ struct EditorOptions {
     std::filesystem::path recentFiles;  ///< see RecentFiles; empty keeps none
     std::filesystem::path journals;     ///< the folder of journals; empty keeps none
     std::filesystem::path materials;    ///< the folder of the person's own; empty for none
+    /// The folder of reports on drivers; empty: none is examined.
+    std::filesystem::path driverReports;
+    std::string driver;  ///< all that the driver says of itself
 };
 
 /// The editor behind a window or without one: events in, pictures out. It needs a current OpenGL

@@ -54,6 +54,28 @@ void Editor::State::offerLeftWork() {
     redraw.panels();
 }
 
+/// As soon as nothing else is asked.
+void Editor::State::tellOfDriver() {
+    if (asked || chooser.isOpen() || closing || view.holds()) {
+        return;
+    }
+    const std::optional<DriverProblem> problem = driverCheck.takeProblem();
+    if (!problem) {
+        return;
+    }
+    spdlog::error("{}", problem->sentence);
+    asked = {questionAbout(*problem), [this](int choice) {
+                 if (choice == kUseSoftware) {
+                     panels.settings.now.softwareRenderer = true;
+                     toast.show(
+                         "Close Kerf and start it again: then the processor draws and "
+                         "computes.",
+                         false);
+                 }
+             }};
+    redraw.panels();
+}
+
 void Editor::State::goOnFrom(const LeftWork& left) {
     OpeningOrder order = orderOf(left);
     order.shown = [this, journal = left.journal] {

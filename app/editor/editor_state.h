@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/driver_check.h"
 #include "app/editor/editor.h"
 #include "app/editor/editor_panels.h"
 #include "app/editor/editor_picture.h"
@@ -40,7 +41,8 @@ struct Editor::State {
           materials(options.materials),
           work(options.screenshotFolder),
           keeping(options.journals),
-          offers(options.journals) {
+          offers(options.journals),
+          driverCheck(options.driverReports, options.driver) {
         view.resize(options.width, options.height);
         view.display.settings.quality = options.quality;
         chooser.setMaterialFolder(materials.folder());
@@ -68,6 +70,7 @@ struct Editor::State {
     FileWork work;
     WorkKeeping keeping;
     LeftWorkOffers offers;
+    DriverCheck driverCheck;
     /// A question that waits for the person, and what is done with the choice.
     struct Asked {
         ui::Question question;
@@ -176,6 +179,7 @@ struct Editor::State {
     void keepPicture();
     /// Asks what becomes of what a window left behind, if there is any.
     void offerLeftWork();
+    void tellOfDriver();
     void goOnFrom(const LeftWork& left);
     /// The scene could not go on, for the reason that `sentence` gives: nothing is open then, and
     /// what was done is offered as work that was left behind.

@@ -1,7 +1,6 @@
 #include "app/editor/recent_files.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -9,6 +8,7 @@
 
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
+#include "app/files/state_folder.h"
 
 namespace kerf::app {
 namespace {
@@ -87,11 +87,8 @@ std::vector<fs::path> RecentFiles::folders() const {
 }
 
 fs::path recentFilesStore() {
-    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && state[0] == '/') {
-        return fs::path(state) / "kerf" / "recent-files";
-    }
-    const char* const home = std::getenv("HOME");
-    return home == nullptr ? fs::path() : fs::path(home) / ".local/state/kerf/recent-files";
+    const fs::path state = stateFolder();
+    return state.empty() ? state : state / "recent-files";
 }
 
 }  // namespace kerf::app

@@ -43,6 +43,7 @@ constexpr std::array kSwitches{
     SwitchRow{"show_readings", &Settings::showReadings},
     SwitchRow{"time_runs_while_cutting", &Settings::timeRunsWhileCutting},
     SwitchRow{"keep_journal", &Settings::keepsJournal},
+    SwitchRow{"software_renderer", &Settings::softwareRenderer},
 };
 
 struct NamesRow {

@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "app/files/file_io.h"
+#include "app/files/state_folder.h"
 #include "app/journal/journal_writer.h"
 
 namespace kerf::app {
@@ -125,12 +125,8 @@ std::vector<LeftWork> lookForLeftWork(const fs::path& folder) {
 }
 
 fs::path defaultJournalFolder() {
-    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && state[0] == '/') {
-        return fs::path(state) / "kerf" / "journal";
-    }
-    const char* const home = std::getenv("HOME");
-    return home == nullptr || *home == '\0' ? fs::path()
-                                            : fs::path(home) / ".local/state/kerf/journal";
+    const fs::path state = stateFolder();
+    return state.empty() ? state : state / "journal";
 }
 
 }  // namespace kerf::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/editor/driver_check.h"
 #include "app/editor/editor.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/settings_file.h"
@@ -56,6 +57,8 @@ EditorOptions optionsFor(const Window& window) {
     options.recentFiles = recentFilesStore();
     options.journals = defaultJournalFolder();
     options.materials = defaultMaterialFolder();
+    options.driverReports = defaultDriverReports();
+    options.driver = device.renderer + " " + device.version;
     options.warmsUp = true;
     options.device = device.renderer.substr(0, device.renderer.find(" ("));
     return options;
@@ -99,6 +102,9 @@ void openWindow(std::optional<Document> document,
 }  // namespace
 
 int runEditor(const std::optional<std::filesystem::path>& file) {
+    if (SettingsFile(defaultSettingsFile()).now.softwareRenderer) {
+        useSoftwareRenderer();
+    }
     if (file && isLarge(*file)) {
         openWindow(std::nullopt, file);
         return 0;

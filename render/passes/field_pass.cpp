@@ -66,8 +66,7 @@ void FieldPass::measure(const SceneView& scene) {
     const gpu::Program& program = area ? area_ : strain_;
     program.use();
     program.set("vertexCount", body.vertexCount);
-    program.dispatch(body.vertexCount, shared::kNormalsGroupSize);
-    gpu::storageBarrier();
+    program.dispatch(body.vertexCount);
 }
 
 /// There may be fewer than the body has vertices.
@@ -92,8 +91,7 @@ void FieldPass::settleRange(const FieldChoice& choice) {
     range_.set("fixedHigh", choice.high.value_or(0));
     range_.set("leastHigh", std::max(info.least, 1e-9F));
     range_.set("hasSign", info.hasSign ? 1.0F : 0.0F);
-    range_.dispatch(1, 1);
-    gpu::storageBarrier();
+    range_.dispatch(1);
 }
 
 FieldRange FieldPass::range() const {
@@ -110,11 +108,15 @@ std::optional<float> FieldPass::valueAt(std::uint32_t vertex, bool onWall) const
     return value > 0.5F * shared::kNoField ? std::optional(value) : std::nullopt;
 }
 
-void FieldPass::draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape) {
-    if (scene.section && !opened_) {
+const FieldPass::Kinds& FieldPass::openedOnes() {
+    if (!opened_) {
         opened_ = kindsFor({{"FIELD", "1"}, {"SECTION", "1"}});
     }
-    const Kinds& kinds = scene.section ? *opened_ : whole_;
+    return *opened_;
+}
+
+void FieldPass::draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape) {
+    const Kinds& kinds = scene.section ? openedOnes() : whole_;
     bindBody(scene.body, shape);
     values_.bindStorage(shared::kBindField);
     ends_.bindStorage(shared::kBindFieldRange);

@@ -26,6 +26,8 @@ class FieldPass {
     /// The value of the last picture at a vertex, over its skin or over its walls; none where there
     /// is none (waits for the GPU).
     std::optional<float> valueAt(std::uint32_t vertex, bool onWall) const;
+    /// Links every program that it can come to need. Throws gpu::ShaderError.
+    void linkEvery() { openedOnes(); }
     /// SceneView::bodyRevision that the values are of.
     std::optional<int> bodyRevision() const { return shown_ ? shown_->revision : std::nullopt; }
 
@@ -48,6 +50,7 @@ class FieldPass {
     gpu::Program range_;
     using Kinds = std::array<gpu::Program, 2>;  // skin, walls
     static Kinds kindsFor(const gpu::Defines& defines);
+    const Kinds& openedOnes();
 
     Kinds whole_;
     std::optional<Kinds> opened_;  // from the first picture of a section

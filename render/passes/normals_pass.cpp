@@ -40,9 +40,7 @@ void NormalsPass::run(const BodyView& body, double hardEdges, bool flat) {
     const double angle = std::clamp(hardEdges, 0.0, 180.0) * std::numbers::pi / 180;
     program_.set("hardCosine", float(std::cos(angle)));
     program_.set("hardHalfCosine", float(std::cos(angle / 2)));
-    program_.dispatch(body.vertexCount, shared::kNormalsGroupSize);
-    gpu::storageBarrier();
-    gpu::commandBarrier();
+    program_.dispatch(body.vertexCount);
 }
 
 }  // namespace kerf::render

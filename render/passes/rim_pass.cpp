@@ -23,10 +23,7 @@ gpu::Program program(const gpu::Defines& defines) {
 
 RimPass::RimPass() : whole_(program({})) {}
 
-const gpu::Program& RimPass::programFor(const SceneView& scene) {
-    if (!scene.section) {
-        return whole_;
-    }
+const gpu::Program& RimPass::openedOne() {
     if (!opened_) {
         opened_.emplace(program({{"SECTION", "1"}}));
     }
@@ -34,7 +31,7 @@ const gpu::Program& RimPass::programFor(const SceneView& scene) {
 }
 
 void RimPass::draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape) {
-    const gpu::Program& lines = programFor(scene);
+    const gpu::Program& lines = scene.section ? openedOne() : whole_;
     scene.body.positions->bindStorage(shared::kBindPositions);
     scene.body.triangles->bindStorage(shared::kBindTriangles);
     shape.normals().bindStorage(shared::kBindNormals);
@@ -56,6 +53,7 @@ void RimPass::draw(const SceneView& scene, const Frame& frame, const NormalsPass
     glEnable(GL_BLEND);
     glBlendEquation(GL_MIN);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, shape.skinCorners().id());
+    gpu::beforeDrawingIndirect();
     glDrawArraysIndirect(GL_TRIANGLES, nullptr);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
     glBlendEquation(GL_FUNC_ADD);

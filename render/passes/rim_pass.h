@@ -15,9 +15,11 @@ class RimPass {
     RimPass();
     /// Draws over the surface in the bound target.
     void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
+    /// Links every program that it can come to need. Throws gpu::ShaderError.
+    void linkEvery() { openedOne(); }
 
   private:
-    const gpu::Program& programFor(const SceneView& scene);
+    const gpu::Program& openedOne();
 
     gpu::Program whole_;
     std::optional<gpu::Program> opened_;  // from the first picture of a section

@@ -104,6 +104,12 @@ const gpu::Program& SectionPass::fillingOf(FleshPattern pattern) {
     return found->second;
 }
 
+void SectionPass::linkEvery() {
+    for (std::size_t pattern = 0; pattern < kFleshPatterns; ++pattern) {
+        fillingOf(static_cast<FleshPattern>(pattern));
+    }
+}
+
 void SectionPass::fill(const SceneView& scene, const Frame& frame, const SurfacePass& surface) {
     const bool plain = scene.field.choice.field != SurfaceField::look;
     const gpu::Program& program = plain ? plain_ : fillingOf(scene.look.pattern);

@@ -19,6 +19,8 @@ class SectionPass {
     /// Draws into the bound target, behind what is drawn of the body; `surface` has its look.
     void draw(const SceneView& scene, const Frame& frame, const Camera& camera,
               const SurfacePass& surface);
+    /// Links every program that it can come to need. Throws gpu::ShaderError.
+    void linkEvery();
 
   private:
     void count(const SceneView& scene, const Frame& frame) const;

@@ -107,6 +107,30 @@ const gpu::Program& SurfacePass::programOf(const Kind& kind) {
     return found->second;
 }
 
+void SurfacePass::linkEvery() {
+    constexpr std::array kShadings{Shading::lit, Shading::matcapClay, Shading::matcapSteel,
+                                   Shading::normals};
+    for (int choice = 0; choice < 8; ++choice) {
+        const bool wall = (choice & 1) != 0;
+        const std::size_t patterns = wall ? kFleshPatterns : kSkinPatterns;
+        for (const Shading shading : kShadings) {
+            Kind kind{.wall = wall,
+                      .shading = shading,
+                      .rounded = (choice & 2) != 0,
+                      .opened = (choice & 4) != 0};
+            for (std::size_t pattern = 0; pattern < patterns; ++pattern) {
+                kind.pattern = static_cast<int>(pattern);
+                programOf(kind);
+            }
+            if (!wall) {
+                kind.pattern = 0;
+                kind.painted = true;
+                programOf(kind);
+            }
+        }
+    }
+}
+
 void SurfacePass::draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape) {
     depth_.bind(shared::kUnitDepthField);
     bindBody(scene.body, shape);

@@ -29,6 +29,8 @@ class SurfacePass {
     /// Draws into the bound target, with the shadow map and the environment bound. Compiles the
     /// programs of a look when it is first drawn, those of its walls too.
     void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
+    /// Links every program that it can come to need. Throws gpu::ShaderError.
+    void linkEvery();
     /// Colours and inner structure, of a program that is in use.
     void setLook(const gpu::Program& program, const SceneView& scene) const;
 

@@ -41,6 +41,10 @@ xauth               lets programs onto that display
 xdotool             moves the mouse in the window tests
 python3-numpy       remakes the builtin models, to compare them
 python3-jsonschema  checks sessions by their JSON Schema
+glslang-tools       is the reference compiler of shaders
+'
+zink_packages='
+mesa-vulkan-drivers  is the Vulkan driver below zink
 '
 bench_packages='
 libcgal-dev         is the peer of the planar cut
@@ -157,4 +161,20 @@ folder_of() {
         release) printf '%s/build\n' "$root" ;;
         *) printf '%s/build-%s\n' "$root" "$1" ;;
     esac
+}
+
+# use_driver NAME: what runs from here on draws and computes with that one of Mesa's drivers.
+use_driver() {
+    export LIBGL_ALWAYS_SOFTWARE=1
+    case $1 in
+        llvmpipe) return ;;
+        zink) export ZINK_DEBUG=noreorder ZINK_INLINE_UNIFORMS=0 ;;
+        zink-as-it-is) ;;
+        *) fail "there is no driver '$1' here; there are llvmpipe, zink and zink-as-it-is." ;;
+    esac
+    ensure_packages "$zink_packages"
+    export MESA_LOADER_DRIVER_OVERRIDE=zink
+    VK_ICD_FILENAMES=$(find /usr/share/vulkan/icd.d -name 'lvp_icd.*.json' | head -n 1)
+    [[ -n $VK_ICD_FILENAMES ]] || fail "Mesa's Vulkan driver for processors is not there (lvp_icd)."
+    export VK_ICD_FILENAMES
 }

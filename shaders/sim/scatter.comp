@@ -8,11 +8,12 @@ layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kWritesBinding) readonly buffer Writes { WordWrite writes[]; };
 layout(std430, binding = kWrittenBinding) writeonly buffer Written { uint written[]; };
 
-uniform uint firstWrite;
-uniform uint writeCount;
-uniform uint firstWord;
+#include "sim/numbers.glsl"
 
 void main() {
+    uint firstWrite = numbers.x;
+    uint writeCount = numbers.y;
+    uint firstWord = numbers.z;
     uint i = gl_GlobalInvocationID.x;
     if (i >= writeCount) return;
     WordWrite write = writes[firstWrite + i];

@@ -17,18 +17,16 @@ layout(local_size_x = SMALL_GROUP) in;
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 
+#include "sim/numbers.glsl"
+
 #ifdef PLAIN_PBD
-uniform uint firstSweep;
-uniform uint endSweep;
+uint firstSweep = numbers.x;
+uint endSweep = numbers.y;
 #else
-uniform uint substepsToBegin;
-uniform uint firstIsOpen;   // 1: a substep is open; it ends first
-uniform uint leavesOpen;    // 1: the last one stays open
-uniform uint blockCount;
-uint begins = substepsToBegin;
-bool endsFirst = firstIsOpen != 0u;
-bool endsLast = leavesOpen == 0u;
-uint blocksInAll = blockCount;
+uint begins = numbers.x;            // substeps
+bool endsFirst = numbers.y != 0u;  // a substep is open; it ends first
+bool endsLast = numbers.z == 0u;   // else the last one stays open
+uint blocksInAll = numbers.w;
 #endif
 
 RECORD_QUADS(kSmallLinksUnit) links;

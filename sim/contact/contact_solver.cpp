@@ -224,7 +224,7 @@ void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& 
     body_.incidence->bindStorage(shared::kContactIncidenceBinding);
     normals.bindStorage(shared::kContactNormalsBinding);
     state_.bindStorage(shared::kContactStateBinding);
-    run(kernels_.normals, body_.vertexCount);
+    kernels_.normals.dispatch(body_.vertexCount);
 }
 
 // Before the grid, whose cells are as wide as they ask for.
@@ -236,9 +236,9 @@ void ContactSolver::findReaches() {
     body_.pieces->bindStorage(shared::kContactPiecesBinding);
     motions_.bindStorage(shared::kContactMotionBinding);
     reaches_.bindStorage(shared::kContactReachBinding);
-    run(kernels_.pieceMotion, body_.vertexCount);
-    kernels_.pieceReach.set("pieceCount", body_.pieceCount);
-    run(kernels_.pieceReach, 1);
+    kernels_.pieceMotion.dispatch(body_.vertexCount);
+    kernels_.pieceReach.setNumbers({body_.pieceCount});
+    kernels_.pieceReach.dispatch(1);
 }
 
 void ContactSolver::findCandidates() {
@@ -250,8 +250,7 @@ void ContactSolver::findCandidates() {
     restNormals_.bindStorage(shared::kContactRestNormalsBinding);
     candidates_.bindStorage(shared::kContactCandidatesBinding);
     points_.bindStorage(shared::kContactPointsBinding);
-    run(kernels_.candidates, body_.vertexCount);
-    gpu::commandBarrier();
+    kernels_.candidates.dispatch(body_.vertexCount);
     body_.incidenceRanges->bindStorage(shared::kContactRangesBinding);
     body_.incidence->bindStorage(shared::kContactRingsBinding);
     edgePairs_.bindStorage(shared::kContactEdgePairsBinding);
@@ -288,14 +287,8 @@ void ContactSolver::respond() {
     runIndirect(kernels_.applyLast, offsetof(shared::ContactState, vertex_groups));
 }
 
-void ContactSolver::run(const gpu::Program& kernel, uint threads) {
-    kernel.dispatch(threads, shared::kGroupSize);
-    gpu::storageBarrier();
-}
-
 void ContactSolver::runIndirect(const gpu::Program& kernel, std::size_t offset) {
     kernel.dispatchIndirect(state_, offset);
-    gpu::storageBarrier();
 }
 
 std::vector<std::vector<shared::ContactCandidate>> ContactSolver::readCandidates() const {

@@ -149,7 +149,6 @@ class ContactSolver {
     void runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
     void findReaches();
     void findCandidates();
-    void run(const gpu::Program& kernel, std::uint32_t threads);
     void runIndirect(const gpu::Program& kernel, std::size_t offset);
 
     Kernels kernels_;

@@ -46,12 +46,6 @@ shared::BoxUniforms uniformsOf(const ContactSettings& settings, const ContactBod
     return u;
 }
 
-/// One thread each, then a storage barrier.
-void runOver(const gpu::Program& kernel, uint threads) {
-    kernel.dispatch(threads, shared::kGroupSize);
-    gpu::storageBarrier();
-}
-
 }  // namespace
 
 void ObstacleContact::setObstacles(std::unique_ptr<const Obstacles> obstacles) {
@@ -100,7 +94,7 @@ void ObstacleContact::boundPieces() {
         pieceBounds_.assign(
             std::vector<shared::PieceBounds>(count, {kMost, kMost, kMost, 0, 0, 0}));
         bind();
-        runOver(*kernels_->pieces, body_.vertexCount);
+        kernels_->pieces->dispatch(body_.vertexCount);
     }
 }
 
@@ -123,19 +117,19 @@ void ObstacleContact::respond(int substep) {
     }
     bind();
     // For those that move; the kernels of others do without.
-    kernels_->triangles.set("substep", static_cast<uint>(substep));
-    kernels_->vertices.set("substep", static_cast<uint>(substep));
-    runOver(kernels_->triangles, body_.triangleCount);
-    runOver(kernels_->respond, body_.triangleCount);
-    runOver(kernels_->apply, body_.vertexCount);
+    kernels_->triangles.setNumbers({static_cast<uint>(substep)});
+    kernels_->vertices.setNumbers({static_cast<uint>(substep)});
+    kernels_->triangles.dispatch(body_.triangleCount);
+    kernels_->respond.dispatch(body_.triangleCount);
+    kernels_->apply.dispatch(body_.vertexCount);
     if (kind_.seesAround) {
         around_.copyFrom(*body_.positions);
         around_.bindStorage(shared::kBladeAroundBinding);
     }
-    runOver(kernels_->vertices, body_.vertexCount);
+    kernels_->vertices.dispatch(body_.vertexCount);
     if (keepsSides_) {
-        runOver(*kernels_->planes, body_.triangleCount);
-        runOver(*kernels_->sides, body_.vertexCount);
+        kernels_->planes->dispatch(body_.triangleCount);
+        kernels_->sides->dispatch(body_.vertexCount);
     }
 }
 

@@ -21,12 +21,6 @@ constexpr double kFarthestWay = 0.5;   // h: that one pair may move a vertex in 
 constexpr double kFarthestPush = 0.1;  // h: of it, by being pushed apart
 constexpr double kStepsOfAWay = 0x1p20;
 
-/// One thread each, then a storage barrier.
-void runOver(const gpu::Program& kernel, uint threads) {
-    kernel.dispatch(threads, shared::kGroupSize);
-    gpu::storageBarrier();
-}
-
 }  // namespace
 
 shared::ContactUniforms paperContactUniforms(const ContactSettings& settings, double edgeLength) {
@@ -64,11 +58,11 @@ void PaperContact::respond(uint pieces) {
     }
     makeRoom(pieces);
     bind();
-    runOver(kernels_->pieces, body_.triangleCount);
+    kernels_->pieces.dispatch(body_.triangleCount);
     kernels_->grid.fill(*body_.positions);
-    kernels_->meet.set("pieceCount", pieces);
-    runOver(kernels_->meet, body_.triangleCount);
-    runOver(kernels_->answer, body_.vertexCount);
+    kernels_->meet.setNumbers({pieces});
+    kernels_->meet.dispatch(body_.triangleCount);
+    kernels_->answer.dispatch(body_.vertexCount);
 }
 
 /// Pieces begin with empty boxes.

@@ -14,12 +14,6 @@ namespace {
 
 using shared::uint;
 
-/// One thread each, then a storage barrier.
-void runOver(const gpu::Program& kernel, uint threads) {
-    kernel.dispatch(threads, shared::kGroupSize);
-    gpu::storageBarrier();
-}
-
 }  // namespace
 
 TriangleGrid::TriangleGrid()
@@ -53,10 +47,10 @@ void TriangleGrid::fill(const gpu::Buffer& positions) {
     starts_.bindStorage(shared::kContactStartsBinding);
     blocks_.bindStorage(shared::kContactBlocksBinding);
     entries_.bindStorage(shared::kContactEntriesBinding);
-    runOver(boxesKernel_, triangles_);
-    runOver(scan_, bucketsFor(triangles_));
-    runOver(scanBlocks_, 1);
-    runOver(fill_, triangles_);
+    boxesKernel_.dispatch(triangles_);
+    scan_.dispatch(bucketsFor(triangles_));
+    scanBlocks_.dispatch(1);
+    fill_.dispatch(triangles_);
 }
 
 }  // namespace kerf

@@ -21,7 +21,7 @@ class TriangleGrid {
     void resize(std::uint32_t triangles);
     /// Enters the triangles where `positions` has their corners. ContactUniforms, triangles and
     /// ContactState, of which `levels` and `largest` are 0, are bound. What a search reads is bound
-    /// then; a storage barrier follows.
+    /// then.
     void fill(const gpu::Buffer& positions);
 
   private:

@@ -1,61 +1,21 @@
 #include "sim/run/kernel_warm_up.h"
 
-#include <array>
 #include <utility>
 
 #include "gpu/program.h"
 #include "shaders/shared/small_body_bindings.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
-#include "sim/mesh/box_surface.h"
+#include "sim/run/touching_boxes.h"
 #include "sim/solve/float_vectors.h"
 
 namespace kerf {
 
-namespace {
-
-constexpr float kSpeed = 1;  // of two boxes towards each other [m/s]
-
-/// Two boxes, one above the other, that overlap a little.
-SurfaceMesh twoBoxes() {
-    TriangleSoup all;
-    for (const double height : {0.5, 1.45}) {
-        const TriangleSoup box = boxSurface(Vec3::Ones(), {2, 2, 2});
-        const int first = static_cast<int>(all.positions.size());
-        for (const Vec3& p : box.positions) {
-            all.positions.push_back(p + Vec3(0, height, 0));
-        }
-        for (const Triangle& t : box.triangles) {
-            all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-        }
-    }
-    return SurfaceMesh::fromTriangles(all.positions, all.triangles);
-}
-
-/// They approach.
-BodyState movingStateOf(const SurfaceMesh& mesh) {
-    BodyState state = stateOf(mesh);
-    for (std::size_t v = 0; v < state.positions.size(); ++v) {
-        const bool upper = v >= state.positions.size() / 2;
-        state.velocities[v] = Vec3f(0, upper ? -kSpeed : kSpeed, 0);
-    }
-    return state;
-}
-
-Bounds boundsOfVelocities() {
-    Bounds velocities;
-    velocities.add(Vec3(0, -kSpeed, 0));
-    velocities.add(Vec3(0, kSpeed, 0));
-    return velocities;
-}
-
-}  // namespace
-
 KernelWarmUp::KernelWarmUp(Params params, std::size_t vertices) {
     params.gravity = Vec3(0, -9.81, 0);
     params.floor = 0;
-    const SurfaceMesh mesh = twoBoxes();
-    start_ = movingStateOf(mesh);
+    const SurfaceMesh mesh = touchingBoxes();
+    start_ = approachingStateOf(mesh);
     solver_.setModel(buildBodyModel(mesh), start_);
     solver_.setUniforms(solverUniforms(params));
     solver_.collisions().setSettings(contactSettings(params));
@@ -83,7 +43,7 @@ void KernelWarmUp::expect() {
     RelativeMotion motion;
     motion.touching = true;
     motion.folded = act_ == Act::fold;
-    solver_.collisions().expect(boundsOf(start_.positions), boundsOfVelocities(), motion);
+    solver_.collisions().expect(boundsOf(start_.positions), approachingVelocities(), motion);
 }
 
 }  // namespace kerf

@@ -70,7 +70,7 @@ class GpuSolver {
 
     /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps.
     void step();
-    /// The phases of a substep, the first with fresh masses; each ends with a storage barrier.
+    /// The phases of a substep, the first with fresh masses.
     void predictAndStretch();
     SubstepPhases& phases() { return stepper_.phases(); }
     /// Measures the body between steps; waits for the GPU. The next step counts on its box and

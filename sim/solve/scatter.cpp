@@ -30,7 +30,6 @@ void Scatter::writeWords(gpu::Buffer& target) {
         shared::kWrittenBinding, sizeof(std::uint32_t), [&](std::size_t first, std::size_t count) {
             writePart(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
         });
-    gpu::storageBarrier();
 }
 
 void Scatter::writePart(std::uint32_t firstWord, std::uint32_t wordCount) {
@@ -45,10 +44,8 @@ void Scatter::writePart(std::uint32_t firstWord, std::uint32_t wordCount) {
         return;
     }
     const auto count = static_cast<std::uint32_t>(end - begin);
-    kernel_.set("firstWrite", static_cast<std::uint32_t>(begin - writes_.begin()));
-    kernel_.set("writeCount", count);
-    kernel_.set("firstWord", firstWord);
-    kernel_.dispatch(count, shared::kGroupSize);
+    kernel_.setNumbers({static_cast<std::uint32_t>(begin - writes_.begin()), count, firstWord});
+    kernel_.dispatch(count);
 }
 
 }  // namespace kerf

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "gpu/context.h"
 #include "shaders/shared/small_body_bindings.h"
 
 namespace kerf {
@@ -19,10 +18,6 @@ constexpr uint kLargeGroup = 128;
 constexpr std::size_t kLargeBodyVertices = 16384;
 
 }  // namespace
-
-SmallBodySolver::Memory SmallBodySolver::suitableMemory() {
-    return gpu::queryDevice().software ? Memory::texels : Memory::shared;
-}
 
 void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks,
                               bool asksForSweeps) {
@@ -43,11 +38,12 @@ void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::Bl
 }
 
 void SmallBodySolver::setSweeps(const BodyModel& model) {
-    const std::size_t most =
-        memory_ == Memory::texels ? kLargeBodyVertices : std::size_t{shared::kSmallBodyVertices};
+    const std::size_t most = way_ == gpu::KernelWay::images
+                                 ? kLargeBodyVertices
+                                 : std::size_t{shared::kSmallBodyVertices};
     if (model.restPositions.size() <= most) {
         const uint threads = groupSizeOfSweeps();
-        const uint sideBySide = memory_ == Memory::texels ? kSideBySide : threads;
+        const uint sideBySide = way_ == gpu::KernelWay::images ? kSideBySide : threads;
         sweepTurns_ = kerf::turnsOfSweep(model, {threads, sideBySide});
     }
 }
@@ -58,7 +54,7 @@ uint SmallBodySolver::groupSizeOfSweeps() const {
 
 gpu::Program SmallBodySolver::compile(uint threads, gpu::Defines defines) const {
     defines.emplace_back("SMALL_GROUP", std::to_string(threads) + "u");
-    if (memory_ == Memory::texels) {
+    if (way_ == gpu::KernelWay::images) {
         defines.emplace_back("LOAD_IMAGES", "1");
     }
     return gpu::Program::compute("sim/small_body.comp", defines);
@@ -74,12 +70,8 @@ void SmallBodySolver::run(const SolverBody& body, const SubstepRun& run) {
     if (folds_ != nullptr) {
         folds_->bindTexels(shared::kFoldsUnit, TexelFormat::uint32);
     }
-    kernel->set("substepsToBegin", run.begins);
-    kernel->set("firstIsOpen", run.firstIsOpen ? 1U : 0U);
-    kernel->set("leavesOpen", run.leavesOpen ? 1U : 0U);
-    kernel->set("blockCount", blocks_);
-    kernel->dispatch(1, groupSize());
-    gpu::storageBarrier();
+    kernel->setNumbers({run.begins, run.firstIsOpen ? 1U : 0U, run.leavesOpen ? 1U : 0U, blocks_});
+    kernel->dispatch(1);
 }
 
 void SmallBodySolver::run(const SolverBody& body, const SweepRun& run) {
@@ -88,10 +80,8 @@ void SmallBodySolver::run(const SolverBody& body, const SweepRun& run) {
         kernel = compile(groupSizeOfSweeps(), {{"PLAIN_PBD", "1"}});
     }
     bind(body);
-    kernel->set("firstSweep", run.first);
-    kernel->set("endSweep", run.end);
-    kernel->dispatch(1, groupSizeOfSweeps());
-    gpu::storageBarrier();
+    kernel->setNumbers({run.first, run.end});
+    kernel->dispatch(1);
 }
 
 void SmallBodySolver::bind(const SolverBody& body) const {
@@ -102,7 +92,7 @@ void SmallBodySolver::bind(const SolverBody& body) const {
     body.pieces.pageBuffer.bindStorage(shared::kSmallPagesBinding);
     body.pulls.bindStorage(shared::kSmallPullsBinding);
     const auto bindImage = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
-        if (memory_ == Memory::texels) {
+        if (way_ == gpu::KernelWay::images) {
             buffer.bindImage(unit, format);
         }
     };

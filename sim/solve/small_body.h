@@ -5,6 +5,7 @@
 #include <span>
 
 #include "gpu/buffer.h"
+#include "gpu/kernel_way.h"
 #include "gpu/program.h"
 #include "sim/body/body_model.h"
 #include "sim/solve/loop_budget.h"
@@ -30,13 +31,7 @@ struct SweepRun {
 /// kernels with the same arithmetic and sums in the same order.
 class SmallBodySolver {
   public:
-    /// The memory to load by: shared memory on a GPU; texels where lanes share a core and other
-    /// memory is read lane by lane (see small_body_state.glsl).
-    enum class Memory { shared, texels };
-    /// The memory that suits the current context.
-    static Memory suitableMemory();
-
-    explicit SmallBodySolver(Memory memory = suitableMemory()) : memory_(memory) {}
+    explicit SmallBodySolver(gpu::KernelWay way = gpu::kernelWay()) : way_(way) {}
 
     /// A new body, or one that changed. Whether sweeps fit is found out by looking at every vertex,
     /// for large bodies only where that is asked for.
@@ -60,7 +55,7 @@ class SmallBodySolver {
     /// where it is not folded, as at the start.
     void setFolds(const gpu::Buffer* folds) { folds_ = folds; }
 
-    /// One dispatch; a storage barrier follows. Compiles the kernel with the first: throws
+    /// One dispatch. Compiles the kernel with the first: throws
     /// gpu::ShaderError.
     void run(const SolverBody& body, const SubstepRun& run);
     void run(const SolverBody& body, const SweepRun& run);
@@ -69,13 +64,13 @@ class SmallBodySolver {
     static std::uint32_t atOnce(std::size_t turns) {
         return turns == 0 ? 0 : static_cast<std::uint32_t>(kMostTurns / turns);
     }
-    std::uint32_t groupSize() const { return memory_ == Memory::shared ? 512 : 8; }
+    std::uint32_t groupSize() const { return way_ == gpu::KernelWay::shared ? 512 : 8; }
     std::uint32_t groupSizeOfSweeps() const;
     gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
     void setSweeps(const BodyModel& model);
     void bind(const SolverBody& body) const;
 
-    Memory memory_;
+    gpu::KernelWay way_;
     std::optional<gpu::Program> kernel_;
     std::optional<gpu::Program> foldedKernel_;  ///< shaders/sim/folds.glsl
     std::optional<gpu::Program> sweepKernel_;

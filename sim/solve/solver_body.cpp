@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "gpu/context.h"
+#include "gpu/kernel_way.h"
 #include "shaders/shared/bindings.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/solve/float_vectors.h"
@@ -19,7 +19,7 @@ double runawaySpeed(double diagonal, double gravity) {
     return kDiagonalsPerSecond * diagonal + kFall * gravity;
 }
 
-SolverBody::SolverBody() : loadsImages(gpu::queryDevice().software) {
+SolverBody::SolverBody() : loadsImages(gpu::kernelWay() == gpu::KernelWay::images) {
     setPulls({});
 }
 
@@ -91,8 +91,7 @@ void SolverBody::bindFetched(const gpu::Buffer& buffer, uint binding, TexelForma
 }
 
 void SolverBody::run(const gpu::Program& kernel, uint threads) {
-    kernel.dispatch(threads, shared::kGroupSize);
-    gpu::storageBarrier();
+    kernel.dispatch(threads);
     ++dispatches;
 }
 

@@ -37,7 +37,7 @@ struct SolverBody {
     /// Binds a buffer that kernels fetch: as texels and, where loadsImages, as an image.
     void bindFetched(const gpu::Buffer& buffer, std::uint32_t binding,
                      gpu::TexelFormat format) const;
-    /// Runs one thread each, then a storage barrier.
+    /// Runs a kernel with so many threads, and counts it.
     void run(const gpu::Program& kernel, std::uint32_t threads);
     /// Runs one group for each block, of the vertices on its pages.
     void runOverBlocks(const gpu::Program& kernel);

@@ -34,10 +34,8 @@ class TimeStepper {
     /// Whether the phases at the end of a substep may share a dispatch where nothing but the floor
     /// can be met, as at the start.
     void allowSettling(bool allowed) { settlingAllowed_ = allowed; }
-    /// Sets where the group that solves a small body keeps what it changes; before setBody().
-    void setSmallBodyMemory(SmallBodySolver::Memory memory) {
-        smallBody_ = SmallBodySolver(memory);
-    }
+    /// Sets the way that the group takes which solves a small body; before setBody().
+    void setSmallBodyWay(gpu::KernelWay way) { smallBody_ = SmallBodySolver(way); }
     const SmallBodySolver& smallBody() const { return smallBody_; }
     /// Whether step() does so: in one dispatch, or in one for each substep where something may be
     /// touched; plain PBD only where nothing but the floor may be. Large bodies take one for each

@@ -16,15 +16,11 @@ void bindBoth(const gpu::Buffer& buffer, uint binding, TexelFormat format) {
     buffer.bindTexels(binding, format);
 }
 
-void runOver(const gpu::Program& kernel, uint threads) {
-    kernel.dispatch(threads, shared::kGroupSize);
-    gpu::storageBarrier();
-}
-
 }  // namespace
 
 Unfolding::Unfolding()
-    : findFolds_(gpu::Program::compute("sim/unfold/folds.comp")),
+    : forgetFolds_(gpu::Program::compute("sim/unfold/not_folded.comp")),
+      findFolds_(gpu::Program::compute("sim/unfold/folds.comp")),
       sumFolds_(gpu::Program::compute("sim/unfold/fold_sums.comp")),
       findGoals_(gpu::Program::compute("sim/unfold/goals.comp")),
       unfold_(gpu::Program::compute("sim/unfold/unfold.comp")) {}
@@ -36,12 +32,12 @@ void Unfolding::resize(std::size_t vertices) {
 }
 
 void Unfolding::run(const SolverBody& body) {
-    folds_.clear();
     bind(body);
-    runOver(findFolds_, body.uniforms.count[shared::kBend]);
-    runOver(sumFolds_, body.uniforms.vertex_count);
-    runOver(findGoals_, body.uniforms.vertex_count);
-    runOver(unfold_, body.uniforms.vertex_count);
+    forgetFolds_.dispatch(body.uniforms.vertex_count);
+    findFolds_.dispatch(body.uniforms.count[shared::kBend]);
+    sumFolds_.dispatch(body.uniforms.vertex_count);
+    findGoals_.dispatch(body.uniforms.vertex_count);
+    unfold_.dispatch(body.uniforms.vertex_count);
 }
 
 void Unfolding::bind(const SolverBody& body) const {

@@ -15,13 +15,13 @@ namespace kerf {
 /// while no blade cuts. Where nothing is folded no bit changes.
 class Unfolding {
   public:
-    static constexpr int kDispatches = 4;
+    static constexpr int kDispatches = 5;
 
     /// Compiles the kernels. Throws gpu::ShaderError.
     Unfolding();
     /// A body of so many vertices. Throws gpu::OutOfMemory.
     void resize(std::size_t vertices);
-    /// Changes velocities; a storage barrier follows.
+    /// Changes velocities.
     void run(const SolverBody& body);
     /// How far the skin at each vertex is folded, 0 to 1, as of the last run: a float each.
     const gpu::Buffer& folds() const { return folds_; }
@@ -29,7 +29,7 @@ class Unfolding {
   private:
     void bind(const SolverBody& body) const;
 
-    gpu::Program findFolds_, sumFolds_, findGoals_, unfold_;
+    gpu::Program forgetFolds_, findFolds_, sumFolds_, findGoals_, unfold_;
     gpu::Buffer folds_, foldSums_, goals_;
 };
 

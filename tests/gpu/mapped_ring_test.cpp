@@ -34,7 +34,7 @@ class MappedRingTest : public test::GlTest {
         const int slot = ring_.bindNext(0);
         kernel_->set("count", count);
         kernel_->set("factor", factor);
-        kernel_->dispatch(count, 64);
+        kernel_->dispatch(count);
         ring_.fence();
         return slot;
     }

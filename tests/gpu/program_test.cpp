@@ -52,7 +52,7 @@ TEST_F(ProgramTest, DispatchCoversEveryThreadWithUniformsAndDefines) {
     const Program program = Program::compute(testShader("scale.comp"), {{"OFFSET", "5u"}});
     program.set("count", 129u);
     program.set("factor", 3u);
-    program.dispatch(129, 64);
+    program.dispatch(129);
     storageBarrier();
     EXPECT_THAT(values.read<std::uint32_t>(127, 4), ElementsAre(386u, 389u, 0u, 0u));
 }
@@ -63,7 +63,7 @@ TEST_F(ProgramTest, NoThreadsMeansNoDispatch) {
     values.bindStorage(0);
     const Program program = Program::compute(testShader("scale.comp"), {{"OFFSET", "5u"}});
     program.set("count", 1u);
-    program.dispatch(0, 64);
+    program.dispatch(0);
     EXPECT_EQ(values.read<std::uint32_t>(0, 1).front(), 0u);
 }
 
@@ -169,15 +169,15 @@ TEST_F(ProgramTest, FirstDispatchesAreMadeAFewAtATime) {
     const Program b = Program::compute(path);
     {
         const FirstDispatches limit(1);
-        a.dispatch(1, 64);
+        a.dispatch(1);
         EXPECT_TRUE(limit.foundAny());
-        b.dispatch(1, 64);
+        b.dispatch(1);
     }
     {
         const FirstDispatches limit(1);
-        a.dispatch(1, 64);
+        a.dispatch(1);
         EXPECT_FALSE(limit.foundAny()) << "it has run";
-        b.dispatch(1, 64);
+        b.dispatch(1);
         EXPECT_TRUE(limit.foundAny()) << "it was left out before";
     }
 }

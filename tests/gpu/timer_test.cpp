@@ -20,7 +20,7 @@ class TimerTest : public test::GlTest {
         values.resize(kCount * sizeof(std::uint32_t));
         values.bindStorage(0);
         program.set("count", kCount);
-        program.dispatch(kCount, 64);
+        program.dispatch(kCount);
         storageBarrier();
     }
 

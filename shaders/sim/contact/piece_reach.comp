@@ -13,7 +13,7 @@ layout(std430, binding = kContactPiecesBinding) readonly buffer Pieces { PieceRe
 layout(std430, binding = kContactMotionBinding) readonly buffer Motions { PieceMotion motions[]; };
 layout(std430, binding = kContactReachBinding) writeonly buffer Reaches { PieceReach reaches[]; };
 
-uniform uint pieceCount;
+#include "sim/numbers.glsl"
 
 #include "sim/ordered_floats.glsl"
 
@@ -42,7 +42,7 @@ float apart(Box a, Box b) {
 
 float reachToOthers(uint p, Box place, Box velocity) {
     float reach = 0.0;
-    for (uint q = 0u; q < pieceCount; ++q) {
+    for (uint q = 0u; q < numbers.x; ++q) {
         if (q == p || pieces[q].constrained == 0u) continue;
         Box other = boxOf(motions[q].velocity);
         float both = reachAt(max(velocity.high - other.low, other.high - velocity.low));
@@ -56,7 +56,7 @@ shared float widest[kGroupSize];
 void main() {
     uint self = gl_LocalInvocationID.x;
     widest[self] = uniforms.reach;
-    for (uint p = self; p < pieceCount; p += kGroupSize) {
+    for (uint p = self; p < numbers.x; p += kGroupSize) {
         PieceReach reach = PieceReach(-1.0, -1.0);
         if (pieces[p].constrained != 0u) {
             Box velocity = boxOf(motions[p].velocity);

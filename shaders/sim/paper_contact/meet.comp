@@ -25,7 +25,7 @@ layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint bl
 layout(std430, binding = kContactEntriesBinding) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
-uniform uint pieceCount;
+#include "sim/numbers.glsl"
 
 #include "response.glsl"
 #include "sim/contact/grid.glsl"
@@ -55,7 +55,7 @@ bool overlap(vec3 lowA, vec3 highA, vec3 lowB, vec3 highB) {
 
 bool meetsOtherPiece(uint piece, vec3 low, vec3 high) {
     bool meets = false;
-    for (uint p = 0u; p < pieceCount; ++p) {
+    for (uint p = 0u; p < numbers.x; ++p) {
         meets = meets || (p != piece && overlap(low, high, lowOf(bounds[p]), highOf(bounds[p])));
     }
     return meets;

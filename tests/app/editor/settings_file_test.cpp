@@ -15,6 +15,7 @@ ui::Settings unusual() {
     settings.uiScale = 1.25;
     settings.showReadings = false;
     settings.keepsJournal = false;
+    settings.softwareRenderer = true;
     settings.controlsWidth = 333.5;
     settings.piecesShare = 0.1;
     settings.plots = {"energy"};

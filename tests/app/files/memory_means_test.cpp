@@ -7,19 +7,14 @@
 #include <cstdlib>
 #include <functional>
 
+#include "tests/support/variable.h"
+
 namespace kerf::app {
 namespace {
 
 using ::testing::HasSubstr;
 
-/// A variable of the environment, until the end of the test.
-class Variable {
-  public:
-    explicit Variable(const char* value) { ::setenv("KERF_MEMORY_BYTES", value, 1); }
-    ~Variable() { ::unsetenv("KERF_MEMORY_BYTES"); }
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-};
+constexpr const char* kBytes = "KERF_MEMORY_BYTES";
 
 std::string sentenceOf(const std::function<void()>& call) {
     try {
@@ -33,7 +28,7 @@ std::string sentenceOf(const std::function<void()>& call) {
 TEST(MemoryMeans, AVariableStandsForTheMachine) {
     const std::uint64_t free = freeMemory();
     EXPECT_GT(free, 10'000'000U);
-    const Variable variable("1000000");
+    const test::Variable variable(kBytes, "1000000");
     EXPECT_EQ(freeMemory(), 1'000'000U);
 }
 

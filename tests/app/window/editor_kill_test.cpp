@@ -12,6 +12,7 @@
 #include "tests/paths.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/program_output.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
@@ -22,16 +23,6 @@ using ::testing::HasSubstr;
 int rounds() {
     const char* text = std::getenv("KERF_KILLS");
     return text == nullptr ? 2 : std::max(1, std::atoi(text));
-}
-
-std::string outputOf(const std::string& command) {
-    std::string text;
-    FILE* pipe = ::popen(command.c_str(), "r");
-    char chunk[256];
-    while (pipe != nullptr && std::fgets(chunk, sizeof chunk, pipe) != nullptr) {
-        text += chunk;
-    }
-    return pipe == nullptr || ::pclose(pipe) != 0 ? text + "failed\n" : text;
 }
 
 /// The check of the state that the window had before the session was saved.
@@ -54,10 +45,10 @@ TEST_F(EditorKill, AtMostTheRunningStrokeIsMissing) {
     const test::TemporaryFolder folder;
     const std::uint32_t seed = test::fuzzSeed(std::random_device()() % 30000);
     const std::string seen =
-        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                 "/tests/app/window/editor_window_kill.sh " KERF_BINARY_DIR "/kerf " +
-                 folder.path().string() + " " + std::to_string(rounds()) + " " +
-                 std::to_string(seed % 32768) + " 2>&1");
+        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                       "/tests/app/window/editor_window_kill.sh " KERF_BINARY_DIR "/kerf " +
+                       folder.path().string() + " " + std::to_string(rounds()) + " " +
+                       std::to_string(seed % 32768) + " 2>&1");
     std::printf("%s", seen.c_str());
     SCOPED_TRACE(test::readBytes(folder / "errors.txt"));
     EXPECT_THAT(seen, HasSubstr("end: reached"));

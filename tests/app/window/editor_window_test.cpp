@@ -15,6 +15,7 @@
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/paths.h"
+#include "tests/support/program_output.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -24,20 +25,6 @@ namespace {
 
 bool hasCommand(const std::string& name) {
     return std::system(("command -v " + name + " > /dev/null 2>&1").c_str()) == 0;
-}
-
-std::string outputOf(const std::string& command) {
-    std::string text;
-    FILE* pipe = ::popen(command.c_str(), "r");
-    if (pipe == nullptr) {
-        return text;
-    }
-    char chunk[256];
-    while (std::fgets(chunk, sizeof chunk, pipe) != nullptr) {
-        text += chunk;
-    }
-    ::pclose(pipe);
-    return text;
 }
 
 /// "name: value" lines.
@@ -240,9 +227,10 @@ class EditorWindowTest : public test::GlTest {
     /// What the window and its driver say.
     std::map<std::string, std::string> drive(const Acts& acts) {
         test::writeText(window / "acts.sh", acts.shell());
-        seen = outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                        "/tests/app/window/editor_window.sh " KERF_BINARY_DIR "/kerf " +
-                        window.path().string() + " " + (window / "acts.sh").string() + " 2>&1");
+        seen =
+            test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                           "/tests/app/window/editor_window.sh " KERF_BINARY_DIR "/kerf " +
+                           window.path().string() + " " + (window / "acts.sh").string() + " 2>&1");
         return valuesIn(seen);
     }
 
@@ -298,9 +286,9 @@ TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {
     test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(2)));
     test::writeText(folder / "slow.obj", test::objText(test::icosphereSoup(1)));
     const std::string seen =
-        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                 "/tests/app/window/editor_window_files.sh " KERF_BINARY_DIR "/kerf " +
-                 folder.path().string() + " 2>&1");
+        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                       "/tests/app/window/editor_window_files.sh " KERF_BINARY_DIR "/kerf " +
+                       folder.path().string() + " 2>&1");
     SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
     std::map<std::string, std::string> values = valuesIn(seen);
     EXPECT_EQ(values["opened"], "Kerf - ball - 1 piece");
@@ -323,9 +311,9 @@ TEST(EditorWindow, ABadModelOfTheCommandLineIsToldInTheWindow) {
     soup.triangles.pop_back();
     test::writeText(folder / "bad.obj", test::objText(soup));
     const std::string seen =
-        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                 "/tests/app/window/editor_window_bad_model.sh " KERF_BINARY_DIR "/kerf " +
-                 folder.path().string() + " 2>&1");
+        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                       "/tests/app/window/editor_window_bad_model.sh " KERF_BINARY_DIR "/kerf " +
+                       folder.path().string() + " 2>&1");
     const std::string errors = test::readBytes(folder / "errors.txt");
     SCOPED_TRACE(seen + errors);
     std::map<std::string, std::string> values = valuesIn(seen);
@@ -378,10 +366,10 @@ TEST(EditorWindow, OfAnotherSizeTheDisplayShowsWhatWasDrawn) {
     const test::TemporaryFolder folder;
     const std::string path = folder.path().string();
     const std::string seen =
-        outputOf("xvfb-run -a -s '-screen 0 1280x720x24 -fbdir " + path +
-                 "' bash " KERF_SOURCE_DIR
-                 "/tests/app/window/editor_window_sizes.sh " KERF_BINARY_DIR "/kerf " +
-                 path + " 2>&1");
+        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24 -fbdir " + path +
+                       "' bash " KERF_SOURCE_DIR
+                       "/tests/app/window/editor_window_sizes.sh " KERF_BINARY_DIR "/kerf " +
+                       path + " 2>&1");
     SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
     EXPECT_EQ(valuesIn(seen)["exit"], "0");
     for (const char* name : {"smaller", "larger"}) {

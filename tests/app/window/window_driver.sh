@@ -4,6 +4,8 @@ cd "$folder" || exit 1
 # The settings of whoever runs the tests stay out of it.
 export XDG_CONFIG_HOME="$folder/config"
 export XDG_STATE_HOME="$folder/state"
+# The driver is examined by tests of its own.
+export KERF_EXAMINES_DRIVER=no
 # Programs that Kerf keeps too, but not those of the driver: to compile them takes long.
 export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}}"
 export XDG_CACHE_HOME="$folder/cache"

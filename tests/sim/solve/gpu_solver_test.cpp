@@ -379,7 +379,7 @@ TEST_F(GpuSolverTest, RunsTwiceToTheSameBits) {
 
 /// How the bits of one group are compared with those of a dispatch for each phase.
 struct OneGroupCase {
-    SmallBodySolver::Memory memory = SmallBodySolver::suitableMemory();
+    gpu::KernelWay way = gpu::kernelWay();
     bool contact = false;
     int iterations = 20;
     std::vector<StaticBox> boxes;
@@ -395,7 +395,7 @@ BodyState played(const SurfaceMesh& mesh, const OneGroupCase& how, bool oneGroup
     params.contact = how.contact ? 1 : 0;
     params.solver = how.solver;
     Pair pair(mesh, params, solverUniforms(params).active_parts, 21, how.shake);
-    pair.gpu.stepper().setSmallBodyMemory(how.memory);
+    pair.gpu.stepper().setSmallBodyWay(how.way);
     pair.gpu.setModel(pair.model, pair.start);
     pair.gpu.collisions().setSettings(contactSettings(params));
     pair.gpu.collisions().setBoxes(how.boxes);
@@ -436,7 +436,7 @@ TEST_F(GpuSolverTest, OneGroupSolvesToTheBitsOfManyDispatches) {
         expectOneGroupLikeMany(mesh, {});
     }
     OneGroupCase shared;
-    shared.memory = SmallBodySolver::Memory::shared;
+    shared.way = gpu::KernelWay::shared;
     expectOneGroupLikeMany(test::cubeSphere(8), shared);
     expectOneGroupLikeMany(twoSpheres(), shared);
 }
@@ -447,7 +447,7 @@ TEST_F(GpuSolverTest, OneGroupSweepsToTheBitsOfManyDispatches) {
     for (const SurfaceMesh& mesh : bodies()) {
         expectOneGroupLikeMany(mesh, how);
     }
-    how.memory = SmallBodySolver::Memory::shared;
+    how.way = gpu::KernelWay::shared;
     expectOneGroupLikeMany(test::cubeSphere(8), how);
 }
 
@@ -486,7 +486,7 @@ TEST_F(GpuSolverTest, OneGroupSweepsWithoutSomePartsToTheSameBits) {
 }
 
 TEST_F(GpuSolverTest, LargerBodiesSweepInOneGroupWhereThatIsFaster) {
-    if (SmallBodySolver::suitableMemory() != SmallBodySolver::Memory::texels) {
+    if (gpu::kernelWay() != gpu::KernelWay::images) {
         GTEST_SKIP() << "only llvmpipe's groups take larger bodies";
     }
     const uint parts = shared::kStretchPart | shared::kBendPart | shared::kIspcPart;

@@ -19,7 +19,7 @@ namespace kerf {
 namespace {
 
 namespace fs = std::filesystem;
-using Memory = SmallBodySolver::Memory;
+using gpu::KernelWay;
 
 constexpr std::uint32_t kTurnsBinding = 16;  // what no kernel uses
 constexpr std::size_t kThreads = 512;
@@ -45,7 +45,7 @@ class SolverLoops : public test::GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
-        if (SmallBodySolver::suitableMemory() != Memory::texels) {
+        if (gpu::kernelWay() != KernelWay::images) {
             GTEST_SKIP() << "only llvmpipe counts turns";
         }
         const std::string kernel = countingKernel();
@@ -60,10 +60,10 @@ class SolverLoops : public test::GlTest {
     }
 
     /// Turns of the thread that turns most in a time step, which must be one dispatch.
-    std::size_t turnsOfStep(const SurfaceMesh& mesh, Memory memory, const Params& params) {
+    std::size_t turnsOfStep(const SurfaceMesh& mesh, KernelWay way, const Params& params) {
         const BodyModel model = buildBodyModel(mesh);
         GpuSolver gpu;
-        gpu.stepper().setSmallBodyMemory(memory);
+        gpu.stepper().setSmallBodyWay(way);
         gpu.setModel(model, stateOf(mesh));
         shared::SolverUniforms uniforms = solverUniforms(params);
         uniforms.active_parts |= (1u << kConstraintTypes) - 1;
@@ -85,15 +85,15 @@ class SolverLoops : public test::GlTest {
     }
 
     /// Expects no more turns than reckoned in each substep or sweep, and not many less.
-    void expectReckoned(const SurfaceMesh& mesh, Memory memory, SolverMode solver) {
+    void expectReckoned(const SurfaceMesh& mesh, KernelWay way, SolverMode solver) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
         Params params;
         params.solver = solver;
         params.contact = 0;
         params.iterations = 2;
-        const std::size_t two = turnsOfStep(mesh, memory, params);
+        const std::size_t two = turnsOfStep(mesh, way, params);
         params.iterations = 6;
-        const std::size_t six = turnsOfStep(mesh, memory, params);
+        const std::size_t six = turnsOfStep(mesh, way, params);
         const std::size_t each = (six - two) / 4;
         EXPECT_LE(each, reckoned_);
         EXPECT_GE(each, reckoned_ / 2);
@@ -113,17 +113,17 @@ std::vector<SurfaceMesh> bodies() {
 
 TEST_F(SolverLoops, OfASubstepTurnAsOftenAsReckoned) {
     for (const SurfaceMesh& mesh : bodies()) {
-        expectReckoned(mesh, Memory::texels, SolverMode::smallSteps);
+        expectReckoned(mesh, KernelWay::images, SolverMode::smallSteps);
     }
-    expectReckoned(test::cubeSphere(8), Memory::shared, SolverMode::smallSteps);
+    expectReckoned(test::cubeSphere(8), KernelWay::shared, SolverMode::smallSteps);
 }
 
 TEST_F(SolverLoops, OfASweepTurnAsOftenAsReckoned) {
     for (const SurfaceMesh& mesh : bodies()) {
-        expectReckoned(mesh, Memory::texels, SolverMode::pbd);
+        expectReckoned(mesh, KernelWay::images, SolverMode::pbd);
     }
-    expectReckoned(test::icosphere(4), Memory::texels, SolverMode::pbd);
-    expectReckoned(test::cubeSphere(8), Memory::shared, SolverMode::pbd);
+    expectReckoned(test::icosphere(4), KernelWay::images, SolverMode::pbd);
+    expectReckoned(test::cubeSphere(8), KernelWay::shared, SolverMode::pbd);
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace kerf::gpu {
+
+/// How kernels read what others write, and how many threads share sums. Both give the same bits.
+enum class KernelWay : std::uint8_t {
+    images,  ///< as images, in groups of eight: fast where the driver computes on the processor
+    shared,  ///< as texels, through shared memory, in groups of hundreds: fast on GPUs
+};
+
+/// By its name, "images" or "shared"; none for any other.
+std::optional<KernelWay> kernelWayNamed(std::string_view name);
+/// The way that the variable KERF_KERNELS names, or else the one that suits the driver of the
+/// current context.
+KernelWay kernelWay();
+/// What is wrong with KERF_KERNELS, in a sentence; null where nothing is.
+const char* problemWithKernelWay();
+
+}  // namespace kerf::gpu

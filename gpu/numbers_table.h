@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+
+namespace kerf::gpu {
+
+/// Words that a kernel gets with a dispatch: the block of shaders/sim/numbers.glsl.
+using DispatchNumbers = std::array<std::uint32_t, 4>;
+
+/// The numbers that one program was dispatched with, each combination once, in a buffer of which a
+/// dispatch sees a part. A part is written once, before anything reads it, so that no driver can
+/// give a dispatch the numbers of another one.
+class NumbersTable {
+  public:
+    NumbersTable() = default;
+    ~NumbersTable();
+    NumbersTable(const NumbersTable&) = delete;
+    NumbersTable& operator=(const NumbersTable&) = delete;
+
+    /// What bind() binds from now on. Throws OutOfMemory.
+    void choose(const DispatchNumbers& numbers);
+    /// Binds the chosen numbers as that block; nothing before any were chosen.
+    void bind() const;
+
+  private:
+    void begin();
+
+    std::map<DispatchNumbers, std::size_t> places_;  ///< in the buffer [bytes]
+    std::size_t stride_ = 0;                         ///< between two places [bytes]
+    std::size_t chosen_ = 0;
+    std::uint32_t buffer_ = 0;
+};
+
+}  // namespace kerf::gpu

@@ -1,0 +1,94 @@
+#include "sim/run/every_kernel.h"
+
+#include "gpu/program.h"
+#include "sim/body/solver_uniforms.h"
+#include "sim/contact/contact_solver.h"
+#include "sim/mesh/box_surface.h"
+#include "sim/run/touching_boxes.h"
+#include "sim/solve/float_vectors.h"
+#include "sim/solve/gpu_solver.h"
+
+namespace kerf {
+namespace {
+
+/// A body, and how it is solved.
+struct Case {
+    SurfaceMesh mesh;
+    Params params;
+    bool inOneGroup = true;
+    bool folded = false;
+};
+
+Params paramsOf(SolverMode mode, bool paperContact) {
+    Params params;
+    params.solver = mode;
+    params.floor = 0;
+    params.paperContact = paperContact ? 1 : 0;
+    return params;
+}
+
+/// Thin, so that it may pierce the skin.
+StaticBox plate() {
+    StaticBox box;
+    box.center = Vec3(0, 0.5, 0);
+    box.size = Vec3(2, 1e-3, 2);
+    return box;
+}
+
+BladeMotion standingBlade() {
+    BladeFrame frame;
+    frame.halfLength = 1;
+    BladeMotion motion;
+    motion.frames = {frame, frame};
+    motion.back = 1;
+    motion.bevel = 0.1;
+    motion.halfThickness = 0.01;
+    return motion;
+}
+
+/// A step of a body that meets all that bodies meet, of which only the compiling is done.
+void beginStepOf(const Case& wanted) {
+    const BodyState state = approachingStateOf(wanted.mesh);
+    GpuSolver solver;
+    solver.setModel(buildBodyModel(wanted.mesh), state);
+    solver.setUniforms(solverUniforms(wanted.params));
+    solver.collisions().setSettings(contactSettings(wanted.params));
+    solver.stepper().allowOneGroup(wanted.inOneGroup);
+    solver.collisions().setBoxes({plate()});
+    solver.collisions().setBlade(standingBlade());
+    solver.setPulls(std::vector<shared::PullRecord>(1));
+    RelativeMotion motion;
+    motion.touching = true;
+    motion.folded = wanted.folded;
+    solver.collisions().expect(boundsOf(state.positions), approachingVelocities(), motion);
+    solver.step();
+    solver.collisions().setBoxes({});
+    solver.collisions().setBlade(std::nullopt);
+    solver.step();
+    if (wanted.params.paperContact != 0) {
+        solver.collisions().respondAsThePaper();
+    }
+}
+
+/// Too large for the group of small bodies.
+SurfaceMesh largeBoxes() {
+    const TriangleSoup box = boxSurface(Vec3::Ones(), {20, 20, 20});
+    return SurfaceMesh::fromTriangles(box.positions, box.triangles);
+}
+
+}  // namespace
+
+void linkEveryKernel() {
+    const gpu::FirstDispatches none(0);
+    for (const SolverMode mode : {SolverMode::smallSteps, SolverMode::pbd}) {
+        for (const bool inOneGroup : {true, false}) {
+            for (const bool folded : {true, false}) {
+                beginStepOf({touchingBoxes(), paramsOf(mode, false), inOneGroup, folded});
+            }
+        }
+        beginStepOf({largeBoxes(), paramsOf(mode, false)});
+    }
+    beginStepOf({touchingBoxes(), paramsOf(SolverMode::pbd, true)});
+}
+
+}  // namespace kerf
