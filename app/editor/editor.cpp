@@ -72,7 +72,7 @@ void Editor::State::makePicture(double elapsedSeconds) {
     s.view.camera.advance(elapsedSeconds);
     s.followFiles();
     if (s.scene != nullptr) {
-        s.steps.follow(*s.scene.meanwhile());
+        s.sceneSteps.follow(*s.scene.meanwhile());
     }
     if (s.scene != nullptr && !s.scene.underWay() && s.guide.follow(*s.scene, s.view)) {
         s.redraw.panels();

@@ -25,7 +25,7 @@ void Editor::State::describeScene() {
     told = blank;
     if (scene != nullptr) {
         scene->describe(told);
-        steps.describe(*scene, told.changes);
+        sceneSteps.describe(*scene, told.changes);
     }
     told.hint = guide.hint(scene.get(), view);
     experiments.describe(scene.get(), told);

@@ -176,7 +176,7 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     picture.setRestDepth(uploaded.depth);
     std::unique_ptr<EditorScene> old = scene.exchange(std::move(next));
     const int saved = keeping.savedDeeds();
-    steps.add(change, std::move(old), saved);
+    sceneSteps.add(change, std::move(old), saved);
     keeping.begin();
     view.beginAgain(*scene);
     beginScene();
@@ -186,7 +186,7 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
 }
 
 bool Editor::State::undoesScene() {
-    if (!steps.undoes(*scene) && !(mended && !scene->simulation().history().canUndo())) {
+    if (!sceneSteps.undoes(*scene) && !(mended && !scene->simulation().history().canUndo())) {
         return false;
     }
     exchangeWanted = Exchange::back;
@@ -194,7 +194,7 @@ bool Editor::State::undoesScene() {
 }
 
 bool Editor::State::redoesScene() {
-    if (!steps.redoes(*scene)) {
+    if (!sceneSteps.redoes(*scene)) {
         return false;
     }
     exchangeWanted = Exchange::forth;
@@ -207,7 +207,7 @@ void Editor::State::followExchange() {
         return;
     }
     const bool back = wanted == Exchange::back;
-    if (back && !steps.undoes(*scene)) {
+    if (back && !sceneSteps.undoes(*scene)) {
         waiting.clear();
         askAboutRepair();
         return;
@@ -218,7 +218,7 @@ void Editor::State::followExchange() {
     const int saved = keeping.savedDeeds();
     std::unique_ptr<EditorScene> now = scene.exchange(nullptr);
     SceneSteps::Kept kept =
-        back ? steps.undo(std::move(now), saved) : steps.redo(std::move(now), saved);
+        back ? sceneSteps.undo(std::move(now), saved) : sceneSteps.redo(std::move(now), saved);
     scene.exchange(std::move(kept.scene));
     picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
     keeping.begin();
@@ -237,7 +237,7 @@ void Editor::State::goToChange(std::size_t done) {
     while (history.done() > own && history.canUndo()) {
         execute(Undo{});
     }
-    while (history.done() < own && history.canRedo() && !steps.redoes(*scene)) {
+    while (history.done() < own && history.canRedo() && !sceneSteps.redoes(*scene)) {
         execute(Redo{});
     }
     const bool further = done < first ? undoesScene() : history.done() < own && redoesScene();

@@ -70,7 +70,7 @@ void Editor::State::show(UploadedDocument uploaded) {
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     picture.setRestDepth(uploaded.depth);
     scene.set(std::move(next));
-    steps.clear();
+    sceneSteps.clear();
     mended = std::exchange(beingMended, std::nullopt);
     waiting.clear();
     keeping.begin();

@@ -69,7 +69,7 @@ void Editor::State::leaveScene() {
     waiting.clear();
     asked.reset();
     hideFaulty();
-    steps.clear();
+    sceneSteps.clear();
     mended.reset();
     exchangeWanted = Exchange::none;
     sessionSaving.reset();

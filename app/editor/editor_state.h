@@ -56,8 +56,8 @@ struct Editor::State {
     StepClock clock;
     EditorPanels panels;
     EditorPicture picture;
-    SceneAtWork scene;  ///< null while nothing is open
-    SceneSteps steps;   ///< the scenes before and after it
+    SceneAtWork scene;      ///< null while nothing is open
+    SceneSteps sceneSteps;  ///< the scenes before and after it
     /// An exchange that undo or redo asked for, to be done between two steps.
     enum class Exchange { none, back, forth };
     Exchange exchangeWanted = Exchange::none;
@@ -205,7 +205,7 @@ struct Editor::State {
     /// Goes to a row of the history, which may be of another scene.
     void goToChange(std::size_t done);
     /// The rows of the history that stand before those of the scene.
-    std::size_t rowsBefore() const { return steps.rowsBefore() + (mended ? 1 : 0); }
+    std::size_t rowsBefore() const { return sceneSteps.rowsBefore() + (mended ? 1 : 0); }
     /// Adds what the panels show of faults and of other scenes.
     void describeFaults();
     void browse(ui::FilePurpose purpose, BrowseFor what = BrowseFor::itself);
