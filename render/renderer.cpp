@@ -214,8 +214,8 @@ void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
 }
 
 void Renderer::State::drawOverlays(const SceneView& scene, const Frame& frame) {
-    const bool wanted =
-        scene.overlays.any() || !scene.pinned.empty() || scene.constraints.pullCount > 0;
+    const bool wanted = scene.overlays.any() || !scene.pinned.empty() ||
+                        scene.constraints.pullCount > 0 || scene.marks;
     if (!frame.hasBody || !wanted) {
         return;
     }
@@ -324,6 +324,9 @@ void Renderer::setRestShape(const SurfaceMesh& uncut) {
 void Renderer::setRestDepth(const DepthField& depth) {
     state_->surface.setDepth(depth);
     state_->shadowsOf.reset();  // of another body
+    if (state_->field) {
+        state_->field->forget();
+    }
 }
 
 void Renderer::draw(const SceneView& scene, const Camera& camera, int width, int height) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ui/action_table.h"
+#include "ui/fault_legend.h"
 #include "ui/item_rects.h"
 #include "ui/menu_bar.h"
 #include "ui/widgets.h"
@@ -250,22 +251,15 @@ void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
 
 namespace {
 
-/// A name and its colour.
-struct LegendRow {
-    const char* label;
-    render::DisplayColor color;
-};
-
 ImU32 packed(const render::DisplayColor& c) {
     return IM_COL32(c[0], c[1], c[2], 255);
 }
 
-/// The rows that are shown, and how many.
-std::array<LegendRow, 5> legendRows(const render::Overlays& overlays, std::size_t& count) {
-    std::array<LegendRow, 5> rows{};
+/// The colours of what overlays show.
+void drawOverlayRows(const render::Overlays& overlays) {
     const auto add = [&](bool shown, const char* label, const render::DisplayColor& color) {
         if (shown) {
-            rows[count++] = {label, color};
+            colorRow(label, color);
         }
     };
     add(!overlays.errors && overlays.edges, "edges", render::kEdgeColor);
@@ -273,7 +267,6 @@ std::array<LegendRow, 5> legendRows(const render::Overlays& overlays, std::size_
     add(!overlays.errors && overlays.ispcs, "ISPCs", render::kIspcColor);
     add(overlays.contacts, "contacts", render::kContactColor);
     add(overlays.boxes, "boxes of pieces", render::kBoxColor);
-    return rows;
 }
 
 void drawErrorScale(float scale) {
@@ -297,7 +290,8 @@ void drawErrorScale(float scale) {
 void drawLegend(const PanelModel& model, const Rect& view, float scale) {
     const DisplaySettings& display = model.display;
     const bool field = display.field.field != render::SurfaceField::look;
-    if (!display.overlays.any() && !field) {
+    const bool body = !model.showsFaulty && (display.overlays.any() || field);
+    if (!body && model.faults.empty()) {
         return;
     }
     // Below the axes; what the editor says comes in the middle.
@@ -309,21 +303,14 @@ void drawLegend(const PanelModel& model, const Rect& view, float scale) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    if (field) {
+    if (body && field) {
         drawFieldScale(model.fieldLegend, scale);
     }
-    std::size_t count = 0;
-    const std::array<LegendRow, 5> rows = legendRows(display.overlays, count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float line = ImGui::GetTextLineHeight();
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            {at.x, at.y + 0.2F * line}, {at.x + line, at.y + 0.8F * line}, packed(rows[i].color));
-        ImGui::Dummy({line, line});
-        ImGui::SameLine();
-        ImGui::TextUnformatted(rows[i].label);
+    if (body) {
+        drawOverlayRows(display.overlays);
     }
-    if (display.overlays.errors) {
+    drawFaultRows(model.faults);
+    if (body && display.overlays.errors) {
         drawErrorScale(scale);
     }
     ImGui::End();

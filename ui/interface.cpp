@@ -281,7 +281,7 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     }
     drawEdges(model, layout, scale, actions);
     drawPanelsHint(model, layout.view, actions);
-    if (!model.name.empty()) {
+    if (!model.name.empty() || model.showsFaulty) {
         drawLegend(model, layout.view, scale);
         drawAxes(model.axes, layout.view, scale, actions);
     }
@@ -293,7 +293,7 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     drawWork(model.work, layout.view, actions);
     drawHelp(model, actions);
     fileDialog_.draw(model.files, actions);
-    questionBox_.draw(model.question, actions);
+    questionBox_.draw(model.question, layout.view, actions);
     drawToast(model, layout.view, actions);
     ImGui::Render();
     return actions;
@@ -333,6 +333,14 @@ void Interface::draw(const gpu::Framebuffer& picture) {
 bool Interface::ownsPointer() const {
     context_.makeCurrent();
     return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Interface::pointsBesideQuestion() const {
+    context_.makeCurrent();
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const bool inView = at.x >= freeView_.x && at.x < freeView_.x + freeView_.width &&
+                        at.y >= freeView_.y && at.y < freeView_.y + freeView_.height;
+    return inView && questionBox_.leavesOpen(at.x, at.y);
 }
 
 Cursor Interface::cursor() const {

@@ -35,6 +35,8 @@ class Interface {
 
     /// Whether the pointer belonged to a panel in the last update.
     bool ownsPointer() const;
+    /// Whether it was over the view, beside a question that lets it be turned (Question::aside).
+    bool pointsBesideQuestion() const;
     /// Whether the keyboard belonged to a panel in the last update.
     bool ownsKeyboard() const;
     /// Whether a panel's item is held with the pointer.

@@ -185,6 +185,34 @@ void drawMaterial(const PanelModel& model, const ShownModel& shown, std::vector<
     }
 }
 
+/// How poor the triangles are, and what can be done about it.
+void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector<Action>& actions) {
+    const ModelState& state = shown.state;
+    drawWrapped(state.triangles, false);
+    noteItem("model.triangles");
+    itemTooltip(
+        "A soft body wants even triangles of one size. A needle is lower than a tenth of its "
+        "longest edge");
+    ImGui::BeginDisabled(state.evening.empty());
+    if (ImGui::Button("Even triangles")) {
+        actions.emplace_back(EvenTriangles{shown.number});
+    }
+    ImGui::EndDisabled();
+    noteItem("model.even");
+    itemTooltip(state.evening.empty() ? "This model has even triangles; undo takes them back"
+                                      : state.evening);
+    if (model.faultCount > 0) {
+        ImGui::SameLine();
+        DisplaySettings display = model.display;
+        if (ImGui::Checkbox("Show faults", &display.overlays.faults)) {
+            actions.emplace_back(SetDisplay{display});
+        }
+        noteItem("model.faults");
+        itemTooltip(
+            "Marks needles, and triangles that pass through others, as long as they are whole");
+    }
+}
+
 /// A row per model of the scene. Returns the chosen one.
 int chooseModel(const PanelModel& model, std::vector<Action>& actions) {
     int& chosen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen model"), 0);
@@ -233,6 +261,7 @@ void drawModel(const PanelModel& model, std::vector<Action>& actions) {
     if (!state.guess.empty()) {
         drawWrapped(state.guess, true);
     }
+    drawTriangles(model, shown, actions);
     if (!model.untouched) {
         drawWrapped("Another placement starts anew with the uncut model; undo takes it back.",
                     true);

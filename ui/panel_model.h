@@ -12,6 +12,7 @@
 #include "ui/action.h"
 #include "ui/axes_widget.h"
 #include "ui/display_settings.h"
+#include "ui/fault_legend.h"
 #include "ui/field_legend.h"
 #include "ui/file_dialog_state.h"
 #include "ui/history.h"
@@ -29,6 +30,8 @@ struct ModelState {
     Vec3 size = Vec3::Zero();  ///< of the uncut model, along the axes of the scene [m]
     std::string guess;         ///< what was taken for its unit and axis, and why; may be empty
     std::string physics;       ///< what physics makes of that size
+    std::string triangles;     ///< how many there are, and how poor they are
+    std::string evening;       ///< what even triangles would be; empty where it has them already
     int material = -1;         ///< of PanelModel::materials; -1 where it is none of them
 };
 
@@ -110,6 +113,9 @@ struct Question {
     std::string text;
     std::vector<std::string> choices;  ///< Enter takes the first, Esc the last
     std::shared_ptr<const render::Image> picture = nullptr;  ///< what it is about; may be null
+    /// It stands at the lower edge of the view, which can be turned meanwhile: what it is about is
+    /// seen there.
+    bool aside = false;
 };
 
 /// An action that a hint offers, with its label there.
@@ -155,6 +161,10 @@ struct PanelModel {
     bool helpOpen = false;
     DisplaySettings display;
     FieldLegend fieldLegend;
+    std::vector<FaultRow> faults;  ///< that are marked in the view
+    /// A model that can't be cut stands in the view, with its faults, instead of the body.
+    bool showsFaulty = false;
+    int faultCount = 0;           ///< of the open model, marked or not
     Vec3 ownSkin = Vec3::Zero();  ///< colours of the look itself (see DisplaySettings::colors)
     Vec3 ownFlesh = Vec3::Zero();
     bool hasOwnColors = false;  ///< the model's file has colours or images

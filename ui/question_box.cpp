@@ -38,6 +38,11 @@ void drawChoices(const Question& question, std::vector<Action>& actions) {
     }
 }
 
+bool beginInMiddle(const std::string& title, bool wanted) {
+    const float display = ImGui::GetIO().DisplaySize.x;
+    return beginModal(title, std::min(34 * ImGui::GetFontSize(), 0.9F * display), 0, wanted);
+}
+
 gpu::Texture textureOf(const render::Image& image) {
     gpu::Texture texture(GL_RGBA8, image.width, image.height);
     glTextureSubImage2D(texture.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -58,7 +63,13 @@ void QuestionBox::drawPicture() {
     ImGui::Spacing();
 }
 
-void QuestionBox::draw(const Question& question, std::vector<Action>& actions) {
+bool QuestionBox::leavesOpen(float x, float y) const {
+    const bool inside = x >= place_.x && x < place_.x + place_.width && y >= place_.y &&
+                        y < place_.y + place_.height;
+    return open_ && aside_ && !inside;
+}
+
+void QuestionBox::draw(const Question& question, const Rect& view, std::vector<Action>& actions) {
     const bool wanted = !question.text.empty();
     const bool justOpened = wanted && !open_;
     const bool wasOpen = std::exchange(open_, wanted);
@@ -69,11 +80,14 @@ void QuestionBox::draw(const Question& question, std::vector<Action>& actions) {
         picture_ = question.picture ? textureOf(*question.picture) : gpu::Texture();
         ImGui::OpenPopup(kWindow);
     }
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float width = std::min(34 * ImGui::GetFontSize(), 0.9F * display.x);
-    if (!beginModal(question.title + kWindow, width, 0, wanted)) {
+    aside_ = question.aside;
+    const std::string title = question.title + kWindow;
+    if (!(aside_ ? beginModalAside(title, view, wanted) : beginInMiddle(title, wanted))) {
         return;
     }
+    const ImVec2 at = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    place_ = {at.x, at.y, size.x, size.y};
     if (picture_.id() != 0) {
         drawPicture();
     }

@@ -4,22 +4,28 @@
 
 #include "gpu/framebuffer.h"
 #include "ui/action.h"
+#include "ui/layout.h"
 #include "ui/panel_model.h"
 
 namespace kerf::ui {
 
-/// A box in the middle of the window that asks a question.
+/// A box that asks a question: in the middle of the window, or at the lower edge of the view.
 class QuestionBox {
   public:
-    void draw(const Question& question, std::vector<Action>& actions);
+    /// `view` is what the panels leave free [px].
+    void draw(const Question& question, const Rect& view, std::vector<Action>& actions);
     /// Whether the box was there in the last update: then no key means anything else.
     bool isOpen() const { return open_; }
+    /// Whether a point [px] lay beside a box that stands aside.
+    bool leavesOpen(float x, float y) const;
 
   private:
     void drawPicture();
 
     gpu::Texture picture_;
     bool open_ = false;
+    bool aside_ = false;
+    Rect place_;  ///< of the last box [px]
 };
 
 }  // namespace kerf::ui

@@ -1,6 +1,7 @@
 #include "ui/widgets.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,10 +51,9 @@ void beginPanel(const char* name, const Rect& rect, bool withMenu) {
                      (withMenu ? ImGuiWindowFlags_MenuBar : ImGuiWindowFlags_None));
 }
 
-bool beginModal(const std::string& title, float width, float height, bool wanted) {
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({width, height});
+namespace {
+
+bool beginPopupModal(const std::string& title, bool wanted) {
     if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
                                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoCollapse |
@@ -65,6 +65,25 @@ bool beginModal(const std::string& title, float width, float height, bool wanted
         ImGui::EndPopup();
     }
     return wanted;
+}
+
+}  // namespace
+
+bool beginModal(const std::string& title, float width, float height, bool wanted) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({width, height});
+    return beginPopupModal(title, wanted);
+}
+
+bool beginModalAside(const std::string& title, const Rect& view, bool wanted) {
+    const float margin = ImGui::GetFontSize();
+    const float width = std::min(44 * ImGui::GetFontSize(), view.width - 2 * margin);
+    ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + view.height - margin},
+                            ImGuiCond_Always, {0.5F, 1});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::GetCurrentContext()->DimBgRatio = 0;
+    return beginPopupModal(title, wanted);
 }
 
 void beginBanner(const char* name, const Rect& content, const BannerStyle& style) {
@@ -149,6 +168,17 @@ void rowLabel(std::string_view text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(shown.c_str());
     ImGui::SameLine(start + width + ImGui::GetStyle().ItemInnerSpacing.x);
+}
+
+void colorRow(std::string_view label, const render::DisplayColor& color) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.2F * line},
+                                              {at.x + line, at.y + 0.8F * line},
+                                              IM_COL32(color[0], color[1], color[2], 255));
+    ImGui::Dummy({line, line});
+    ImGui::SameLine();
+    ImGui::TextUnformatted(label.data(), label.data() + label.size());
 }
 
 bool continuesGesture(bool changed) {

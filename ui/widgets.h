@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "render/scene/overlays.h"
 #include "ui/layout.h"
 
 namespace kerf::ui {
@@ -14,6 +15,9 @@ void beginPanel(const char* name, const Rect& rect, bool withMenu = false);
 /// picture, once it was opened by its title's popup id; end with ImGui::EndPopup(). With `wanted`
 /// false it closes. False where nothing is to be drawn.
 bool beginModal(const std::string& title, float width, float height, bool wanted);
+
+/// The same at the lower edge of `view` [px], which is not dimmed.
+bool beginModalAside(const std::string& title, const Rect& view, bool wanted);
 
 /// The look of a banner.
 struct BannerStyle {
@@ -47,6 +51,9 @@ void textRight(std::string_view text);
 /// Draws the left part of a row, with dots where it is too long. The right part comes next on the
 /// line.
 void rowLabel(std::string_view text);
+
+/// Draws a row of a legend: a patch of a colour, and what it means.
+void colorRow(std::string_view label, const render::DisplayColor& color);
 
 /// Whether the drag that changes the last item already changed it in an earlier update: one undo
 /// for all of a drag. Call it in each update, with whether this one changed the item; one item for

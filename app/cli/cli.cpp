@@ -200,6 +200,31 @@ void describeExperiment(Parser& parser, Arguments& arguments) {
     parser.experiment->add_flag("--json", arguments.experiment.json, "Print one JSON object");
 }
 
+std::string refuseNoPng(const std::string& text) {
+    const bool isPng = lowerCase(std::filesystem::path(text).extension().string()) == ".png";
+    return isPng ? "" : "'" + text + "' must end in .png";
+}
+
+/// "1280x720"; none where it is no size of a picture.
+std::optional<PictureSize> readPictureSize(const std::string& text) {
+    PictureSize size;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') {
+        return std::nullopt;
+    }
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    const auto fits = [](int side) { return side >= 1 && side <= kMaxPictureSize; };
+    const bool valid = height.ec == std::errc() && height.ptr == end;
+    return valid && fits(size.width) && fits(size.height) ? std::optional(size) : std::nullopt;
+}
+
+std::string refuseNoSize(const std::string& text) {
+    return readPictureSize(text) ? ""
+                                 : "'" + text + "' is no size as 1280x720, each side 1 to " +
+                                       std::to_string(kMaxPictureSize);
+}
+
 void describeInspect(Parser& parser, Arguments& arguments) {
     parser.inspect =
         parser.app.add_subcommand("inspect", "Say what a model is and whether it can be cut");
@@ -229,6 +254,23 @@ void describeInspect(Parser& parser, Arguments& arguments) {
             ->check(refuseEmpty)
             ->excludes(pieces)
             ->excludes(repair);
+    CLI::Option* const picture =
+        parser.inspect
+            ->add_option("--picture", arguments.inspect.picture,
+                         "Write a picture (.png) of it here, with its faults as coloured lines")
+            ->type_name("FILE.png")
+            ->check(refuseNoPng)
+            ->excludes(pieces);
+    parser.inspect
+        ->add_option_function<std::string>(
+            "--size",
+            [&arguments](const std::string& text) {
+                arguments.inspect.pictureSize = *readPictureSize(text);
+            },
+            "Size of that picture in pixels (1280x720)")
+        ->type_name("WxH")
+        ->check(refuseNoSize)
+        ->needs(picture);
     parser.inspect
         ->add_option("--edge", arguments.inspect.edge,
                      "Length of their edges in the model's unit; the mean of what there is")

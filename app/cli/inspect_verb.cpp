@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <iomanip>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "app/cli/exit_codes.h"
@@ -18,6 +20,7 @@
 #include "app/files/model_units.h"
 #include "app/scene/editor_document.h"
 #include "app/scene/keyframes.h"
+#include "gpu/context.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
@@ -34,7 +37,23 @@ struct Inspection {
     MeshReport report;
     std::string refusal;
     std::vector<std::string> mending;  ///< what `--repair` would do about it; empty: no help
+    std::shared_ptr<const FoundFaults> found;  ///< what is wrong where, as far as that was asked
 };
+
+TriangleSoup soupOf(const SurfaceMesh& mesh) {
+    TriangleSoup soup;
+    soup.positions.assign(mesh.restPositions().begin(), mesh.restPositions().end());
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        soup.triangles.push_back(mesh.triangle(t));
+    }
+    return soup;
+}
+
+std::shared_ptr<const FoundFaults> faultsOf(const SurfaceMesh& mesh) {
+    TriangleSoup soup = soupOf(mesh);
+    repair::Faults faults = repair::findFaults(soup);
+    return std::make_shared<const FoundFaults>(FoundFaults{std::move(soup), std::move(faults)});
+}
 
 std::filesystem::path modelFile(const std::filesystem::path& model) {
     const auto& names = builtinModels();
@@ -60,23 +79,27 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
     ExportLooks looks;
     looks.own = mended.model.looks;
     writeOutputFile(out, encodeMesh(mesh, findPieces(mesh), *format, looks));
-    return {mended.report, "", {}};
+    return {mended.report, "", {}, arguments.picture.empty() ? nullptr : faultsOf(mesh)};
 }
 
 /// A file that can't be read at all has no report and throws.
-Inspection inspect(const std::filesystem::path& file) {
+Inspection inspect(const std::filesystem::path& file, const InspectArguments& arguments) {
     Inspection inspection;
     try {
         ReadOptions options;
         options.report = &inspection.report;
         options.findCrossingsUpTo = std::numeric_limits<std::size_t>::max();
         options.tryMending = true;
-        for (const std::string& remark : readModel(file, options).remarks) {
+        options.findFaults = !arguments.picture.empty();
+        const ModelMesh model = readModel(file, options);
+        for (const std::string& remark : model.remarks) {
             spdlog::warn("{}: {}", file.string(), remark);
         }
+        inspection.found = options.findFaults ? faultsOf(model.mesh) : nullptr;
     } catch (const ModelFault& fault) {
         inspection.refusal = fault.what();
         inspection.mending = fault.repairs();
+        inspection.found = fault.found();
         if (fault.fillableHoles() > 0) {
             inspection.mending.push_back("filled " +
                                          counted(fault.fillableHoles(), "hole", "holes"));
@@ -186,6 +209,21 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     }
 }
 
+void writeFaultPicture(const Inspection& inspection, const std::filesystem::path& file,
+                       const InspectArguments& arguments) {
+    if (inspection.found == nullptr) {
+        throw InputError(inspection.refusal);
+    }
+    const bool cuttable = inspection.refusal.empty();
+    const bool sound = cuttable && !inspection.found->faults.any();
+    std::string title = file.filename().string();
+    title += sound ? ": no faults" : cuttable ? ": can be cut" : ": can't be cut as it is";
+    gpu::EglContext context;
+    gpu::enableDebugOutput();
+    writePicture(faultPicture(*inspection.found, file, title, arguments.pictureSize),
+                 arguments.picture);
+}
+
 /// The lowest triangle of each piece, in the order of findPieces().
 std::vector<int> firstTriangles(const SurfaceMesh& mesh, const PieceMap& pieces) {
     std::vector<int> first(pieces.pieces.size(), -1);
@@ -224,7 +262,10 @@ int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
         return kExitDone;
     }
     const bool mends = !arguments.repaired.empty() || !arguments.remeshed.empty();
-    const Inspection inspection = mends ? mend(file, arguments) : inspect(file);
+    const Inspection inspection = mends ? mend(file, arguments) : inspect(file, arguments);
+    if (!arguments.picture.empty()) {
+        writeFaultPicture(inspection, file, arguments);
+    }
     if (arguments.json) {
         Json json = toJson(inspection.report, file);
         json["repairable"] = !inspection.mending.empty();

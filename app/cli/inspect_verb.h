@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <iosfwd>
 
+#include "app/cli/fault_picture.h"
+
 namespace kerf::app {
 
 /// The arguments of `kerf inspect`, parsed.
@@ -12,7 +14,9 @@ struct InspectArguments {
     bool pieces = false;             ///< a table of the pieces as CSV instead
     std::filesystem::path repaired;  ///< where a repaired model is written; empty for nowhere
     std::filesystem::path remeshed;  ///< the same, with even triangles
-    double edge = 0;                 ///< of these, in the file's unit; 0: the mean of what there is
+    std::filesystem::path picture;   ///< where a picture with its faults goes; empty for nowhere
+    PictureSize pictureSize;
+    double edge = 0;  ///< of these, in the file's unit; 0: the mean of what there is
 };
 
 /// Prints on `out` what the model is and whether it can be cut; of one that is repaired or

@@ -113,6 +113,9 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
         view.focus = shownBounds(bounds, view.pieces);
     } else {
         addOverlays(settings.overlays, scene.simulation(), view);
+        if (settings.overlays.faults && scene.faults().any()) {
+            view.marks = scene.faultMarks();
+        }
     }
     return view;
 }

@@ -71,6 +71,9 @@ void Editor::State::makePicture(double elapsedSeconds) {
     s.takeInput(elapsedSeconds);
     s.view.camera.advance(elapsedSeconds);
     s.followFiles();
+    if (s.scene != nullptr) {
+        s.sceneSteps.follow(*s.scene.meanwhile());
+    }
     if (s.scene != nullptr && !s.scene.underWay() && s.guide.follow(*s.scene, s.view)) {
         s.redraw.panels();
     }
@@ -201,7 +204,11 @@ void Editor::State::beginSteps() {
 }
 
 void Editor::State::workOff() {
-    while (!waiting.empty() && !scene.underWay()) {
+    while (!scene.underWay() && (exchangeWanted != Exchange::none || !waiting.empty())) {
+        if (exchangeWanted != Exchange::none) {
+            followExchange();
+            continue;
+        }
         const ui::Action action = std::move(waiting.front());
         waiting.pop_front();
         scene.begin(SceneWork::change, [this, action](EditorScene&) { answer(action); });
@@ -241,6 +248,13 @@ void Editor::State::complain(const std::string& sentence) {
 
 void Editor::State::drawScene() {
     sincePicture.restart();
+    if (faulty) {
+        render::SceneView model = faulty->scene.view();
+        model.bright = view.bright;
+        model.covered = panels.covered(view.width, view.height);
+        picture.drawModel(model, view, redraw.takeScene());
+        return;
+    }
     EditorScene* const now = scene.meanwhile();
     const render::FieldRange range = picture.fieldRange();
     if (now == nullptr || now->simulation().isWhole()) {

@@ -33,6 +33,8 @@ void stopTools(State& s) {
 void cancel(State& s) {
     if (s.panels.helpOpen) {
         s.panels.helpOpen = false;
+    } else if (s.faulty) {
+        s.hideFaulty();
     } else if (s.view.endsMeasuring()) {
         s.redraw.panels();
     } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
@@ -60,6 +62,9 @@ bool movesBody(const UndoEntry& entry) {
 
 /// Says what that changed: many a change shows in the model only later.
 void stepThroughHistory(State& s, const Command& undoOrRedo) {
+    if (std::holds_alternative<Undo>(undoOrRedo) ? s.undoesScene() : s.redoesScene()) {
+        return;
+    }
     if (!s.execute(undoOrRedo)) {
         return;
     }
@@ -444,22 +449,11 @@ struct Answer {
         s.place(s.scene->placeCommand(wanted.placement, wanted.continues, wanted.model));
     }
     void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
+    void onBody(const ui::EvenTriangles& wanted) const { s.makeEven(wanted.model); }
     void onBody(const ui::TakeMaterial& wanted) const { s.takeMaterial(wanted); }
     void onBody(const ui::SaveMaterial&) const { s.browseToSaveMaterial(); }
     void onBody(const ui::PlaceBox&) const { placeBox(s); }
-    void onBody(const ui::GoToChange& wanted) const {
-        const UndoHistory& history = s.scene->simulation().history();
-        while (history.done() > wanted.done && history.canUndo()) {
-            s.execute(Undo{});
-        }
-        while (history.done() < wanted.done && history.canRedo()) {
-            s.execute(Redo{});
-        }
-        s.toast.show(history.canUndo()
-                         ? "Gone to: " + ui::withRaisedDigits(history.lastDone().name) + "."
-                         : "Gone to the start of the history.",
-                     false);
-    }
+    void onBody(const ui::GoToChange& wanted) const { s.goToChange(wanted.done); }
     void onBody(const ui::SeekTo& wanted) const {
         s.scene->seek(wanted.step);
         s.redraw.scene();
@@ -478,6 +472,9 @@ struct Answer {
 }  // namespace
 
 void Editor::State::apply(const ui::Action& action) {
+    if (faulty && !asked && needsBody(action)) {
+        hideFaulty();
+    }
     if (scene != nullptr && needsBody(action) && comesBack()) {
         toast.show("Wait a moment: your work is still coming back.", false);
     } else if (scene != nullptr && needsBody(action)) {

@@ -25,6 +25,7 @@ void Editor::State::describeScene() {
     told = blank;
     if (scene != nullptr) {
         scene->describe(told);
+        sceneSteps.describe(*scene, told.changes);
     }
     told.hint = guide.hint(scene.get(), view);
     experiments.describe(scene.get(), told);
@@ -62,11 +63,13 @@ void Editor::State::describe(bool withOverlay) {
         model.question = asked->question;
     }
     toast.describe(model);
+    describeFaults();
 }
 
 ui::FieldLegend Editor::State::fieldLegend(bool inView) {
     ui::FieldLegend legend{view.display.settings.field.field, picture.fieldRange(), {}, ""};
-    if (legend.field == render::SurfaceField::look || scene == nullptr || scene.underWay()) {
+    if (legend.field == render::SurfaceField::look || faulty || scene == nullptr ||
+        scene.underWay()) {
         return legend;
     }
     if (legend.field == render::SurfaceField::thickness) {

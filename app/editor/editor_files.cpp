@@ -20,6 +20,8 @@ enum PictureChoice { kAddPicture, kNoPicture, kCancel };
 
 void Editor::State::open(OpeningOrder order, Mending mending) {
     asked.reset();
+    beingMended.reset();
+    hideFaulty();
     work.open(std::move(order), mending);
 }
 
@@ -67,14 +69,28 @@ void Editor::State::show(UploadedDocument uploaded) {
     auto next =
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     picture.setRestDepth(uploaded.depth);
+    scene.set(std::move(next));
+    sceneSteps.clear();
+    mended = std::exchange(beingMended, std::nullopt);
+    waiting.clear();
+    keeping.begin();
+    view.begin(*scene);
+    beginScene();
+    if (scene->document().guess && !scene->document().guess->certain) {
+        panels.unfold("model");  // The guess is a question, too.
+    }
+    if (!note.empty()) {
+        spdlog::info("{}: {}", scene->document().name, note);
+        toast.show(note, false);
+    }
+}
+
+void Editor::State::beginScene() {
     work.stopPlacing();
     placed.reset();
-    scene.set(std::move(next));
-    keeping.begin();
+    exchangeWanted = Exchange::none;
     comingBack = false;
     onceSaved = nullptr;
-    waiting.clear();
-    view.begin(*scene);
     guide.begin(*scene);
     kernels.begin();
     chooser.setModel(scene->document().session.model.path);
@@ -83,13 +99,6 @@ void Editor::State::show(UploadedDocument uploaded) {
     toast.withdrawOffer();
     describeScene();  // It may begin to work at once, and what was told is of the one before.
     redraw.scene();
-    if (scene->document().guess && !scene->document().guess->certain) {
-        panels.unfold("model");  // The guess is a question, too.
-    }
-    if (!note.empty()) {
-        spdlog::info("{}: {}", scene->document().name, note);
-        toast.show(note, false);
-    }
 }
 
 void Editor::State::place(const Place& command) {
@@ -132,31 +141,6 @@ void Editor::State::followPlacing() {
         say(now.execute(command));
     });
     goOn();
-}
-
-/// Only what would really help is offered.
-void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder& order) {
-    if (fault.fillableHoles() == 0 && fault.repairs().empty()) {
-        toast.show(fault.what(), true);
-        return;
-    }
-    std::string sentence = fault.what();
-    if (const std::string whole = order.file.string(); sentence.starts_with(whole)) {
-        sentence.replace(0, whole.size(), order.file.filename().string());
-    }
-    const bool holesAlone = fault.fillableHoles() > 0;
-    const std::string holes = counted(fault.fillableHoles(), "hole", "holes");
-    const std::string help =
-        holesAlone ? "Filling " + holes + " would close it"
-                   : "A repair would help (" + kerf::joined(fault.repairs(), ", ") + ")";
-    asked = {{"This model can't be cut as it is",
-              sentence.substr(0, sentence.find(';')) + ". " + help + "; the file stays as it is.",
-              {holesAlone ? "Fill " + holes : "Repair", "Cancel"}},
-             [this, order, holesAlone](int choice) {
-                 if (choice == 0) {
-                     open(order, holesAlone ? Mending::fillHoles : Mending::repair);
-                 }
-             }};
 }
 
 // --- Choosing and saving -----------------------------------------------------------------------
@@ -331,9 +315,14 @@ void Editor::State::followOpening() {
     const OpeningOrder order = work.opening()->order();
     redraw.panels();
     try {
-        if (auto uploaded = work.advanceOpening(!view.holds())) {
-            show(std::move(*uploaded));
-            if (!order.file.empty()) {
+        const bool rests = order.change.empty() || (!scene.underWay() && waiting.empty());
+        if (auto uploaded = work.advanceOpening(rests && !view.holds())) {
+            if (order.change.empty()) {
+                show(std::move(*uploaded));
+            } else {
+                exchange(std::move(*uploaded), order.change);
+            }
+            if (!order.file.empty() && order.change.empty()) {
                 chooser.addRecent(order.file);
             }
             if (order.shown) {

@@ -56,8 +56,8 @@ void Editor::State::dispatch(const ui::InputEvent& event) {
     } else if (const auto* change = std::get_if<ui::ButtonChange>(&event)) {
         onButton(*change);
     } else if (const auto* wheel = std::get_if<ui::Wheel>(&event);
-               wheel != nullptr && !panels.interface.ownsPointer()) {
-        view.zoom(wheel->y, scene.meanwhile());
+               wheel != nullptr && pointsAtView()) {
+        view.zoom(wheel->y, faulty ? nullptr : scene.meanwhile());
     } else if (const auto* key = std::get_if<ui::KeyChange>(&event); key != nullptr && key->down) {
         onKey(key->key, key->modifiers);
     } else if (const auto* typed = std::get_if<ui::Character>(&event);
@@ -80,7 +80,7 @@ void Editor::State::onButton(const ui::ButtonChange& change) {
     if (!change.down) {
         const bool clicks = change.button == ui::Button::right && view.rightClicks();
         say(view.release(change.button, sceneInHand(clicks)));
-    } else if (!panels.interface.ownsPointer()) {
+    } else if (pointsAtView()) {
         say(view.press(change, sceneInHand(true)));
     }
 }
@@ -94,8 +94,13 @@ void Editor::State::onKey(ui::Key key, const ui::Modifiers& modifiers) {
     }
 }
 
+/// Beside a question about it, the view can still be turned.
+bool Editor::State::pointsAtView() const {
+    return !panels.interface.ownsPointer() || panels.interface.pointsBesideQuestion();
+}
+
 EditorScene* Editor::State::sceneInHand(bool presses) {
-    if (presses && comesBack()) {
+    if (faulty || (presses && comesBack())) {
         return nullptr;
     }
     const ui::Tool tool = view.bladeTool.settings().tool;

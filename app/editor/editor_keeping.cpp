@@ -26,7 +26,7 @@ void Editor::State::keepWork(double elapsedSeconds) {
 }
 
 void Editor::State::keepPicture() {
-    if (keeping.pictureDue() == 0.0 && !closing) {
+    if (keeping.pictureDue() == 0.0 && !closing && !faulty) {
         keeping.keepPicture(picture.readFree(view));
     }
 }
@@ -87,10 +87,13 @@ void Editor::State::goOnFrom(const LeftWork& left) {
     open(std::move(order));
 }
 
-void Editor::State::giveUpScene(const std::string& sentence) {
-    const bool unsaved = hasUnsavedWork();
+void Editor::State::leaveScene() {
     waiting.clear();
     asked.reset();
+    hideFaulty();
+    sceneSteps.clear();
+    mended.reset();
+    exchangeWanted = Exchange::none;
     onceSaved = nullptr;
     comingBack = false;
     work.stopPlacing();
@@ -98,6 +101,11 @@ void Editor::State::giveUpScene(const std::string& sentence) {
     scene.set(nullptr);
     clock.stop();
     toast.withdrawOffer();
+}
+
+void Editor::State::giveUpScene(const std::string& sentence) {
+    const bool unsaved = hasUnsavedWork();
+    leaveScene();
     const bool kept = keeping.leave() && unsaved;
     if (kept) {
         offers.lookAgain();

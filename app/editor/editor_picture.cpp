@@ -73,6 +73,18 @@ void EditorPicture::draw(EditorScene* scene, const EditorView& view,
     renderer_.target().blitColorTo(target_);  // The panels move while the scene stands still.
 }
 
+void EditorPicture::drawModel(const render::SceneView& model, const EditorView& view,
+                              bool changed) {
+    fit(view);
+    Shot shot{view.frame(), view.display, model.covered, model.bright, false};
+    if (changed || drawn_ != shot) {
+        renderer_.setQuality(view.display.settings.quality);
+        renderer_.draw(model, shot.frame.camera, shot.frame.width, shot.frame.height);
+        drawn_ = std::move(shot);
+    }
+    renderer_.target().blitColorTo(target_);
+}
+
 std::optional<double> EditorPicture::fieldAt(EditorScene& scene, const SurfacePoint& point) const {
     const SurfaceMesh& mesh = scene.simulation().meshAsRead();
     const Triangle& corners = mesh.triangle(point.triangle);

@@ -25,6 +25,9 @@ class EditorPicture {
     /// gpu::ShaderError.
     void draw(EditorScene* scene, const EditorView& view, std::vector<render::PixelRect> covered,
               bool changed);
+    /// Draws something else than the scene, as the others where it has `changed` or is seen
+    /// otherwise.
+    void drawModel(const render::SceneView& model, const EditorView& view, bool changed);
     /// Draws the scene as it was in the last picture.
     void keep(const EditorView& view);
     /// Whether steps had better go on for a while before they are shown: where a picture of the
@@ -55,6 +58,7 @@ class EditorPicture {
         BodyDisplay display;
         std::vector<render::PixelRect> covered;
         bool bright = false;
+        bool ofScene = true;
         bool operator==(const Shot&) const = default;
     };
     void fit(const EditorView& view);

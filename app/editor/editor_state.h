@@ -24,8 +24,10 @@
 #include "app/editor/material_shelf.h"
 #include "app/editor/redraw.h"
 #include "app/editor/scene_at_work.h"
+#include "app/editor/scene_steps.h"
 #include "app/editor/step_clock.h"
 #include "app/editor/work_keeping.h"
+#include "app/scene/faulty_scene.h"
 
 namespace kerf::app {
 
@@ -56,7 +58,11 @@ struct Editor::State {
     StepClock clock;
     EditorPanels panels;
     EditorPicture picture;
-    SceneAtWork scene;               ///< null while nothing is open
+    SceneAtWork scene;      ///< null while nothing is open
+    SceneSteps sceneSteps;  ///< the scenes before and after it
+    /// An exchange that undo or redo asked for, to be done between two steps.
+    enum class Exchange { none, back, forth };
+    Exchange exchangeWanted = Exchange::none;
     std::deque<ui::Action> waiting;  ///< for the scene to be done with what it does
     ui::PanelModel told;             ///< what the scene told of itself when it last rested
     double renderMs = 0;             ///< that the scene of the last picture took to draw
@@ -77,6 +83,21 @@ struct Editor::State {
         std::function<void(int choice)> answer;
     };
     std::optional<Asked> asked;
+    /// A model that can't be cut as it is, in the view instead of the scene.
+    struct Faulty {
+        ModelFault fault;
+        OpeningOrder order;
+        FaultyScene scene;
+        EditorCamera before;  ///< the camera of what is open
+    };
+    std::optional<Faulty> faulty;
+    /// The model that is open was mended as it was opened: why, and how it is opened.
+    struct Mended {
+        ModelFault fault;
+        OpeningOrder order;
+    };
+    std::optional<Mended> mended;
+    std::optional<Mended> beingMended;  ///< the same of what is being opened
     /// What comes after the session is saved that the dialog asks a name for.
     std::function<void()> afterSaving;
     /// What comes once the file is there that is being saved; may be null.
@@ -129,6 +150,7 @@ struct Editor::State {
     void dispatch(const ui::InputEvent& event);
     void onButton(const ui::ButtonChange& change);
     void onKey(ui::Key key, const ui::Modifiers& modifiers);
+    bool pointsAtView() const;
     /// The scene for the tool in hand: one that leads the blade doesn't wait for it.
     EditorScene* sceneInHand(bool presses = false);
 
@@ -152,12 +174,39 @@ struct Editor::State {
     void removeModel(int model);
     void openScene(OpeningOrder order);
     void show(UploadedDocument uploaded);
+    /// What follows where another scene is open than before.
+    void beginScene();
     void followFiles();
     /// Places a model: a large one is prepared behind the scene first.
     void place(const Place& command);
     void followPlacing();
     void followOpening();
     void askAboutMending(const ModelFault& fault, const OpeningOrder& order);
+
+    // Faults, and what is done about them: editor_faults.cpp.
+    /// Shows a model with its faults instead of the scene, as far as they are known.
+    void showFaulty(const ModelFault& fault, const OpeningOrder& order);
+    /// Shows the scene again.
+    void hideFaulty();
+    /// Begins to exchange a model for one with even triangles, after a question where it was cut.
+    void makeEven(int model);
+    /// The scene with even triangles is there: it takes the place of the one before, which is kept.
+    void exchange(UploadedDocument uploaded, const std::string& change);
+    /// Does an exchange that undo or redo asked for.
+    void followExchange();
+    /// Whether an undo takes the whole scene back, which it asks for then.
+    bool undoesScene();
+    bool redoesScene();
+    /// Undoes the repair of the model as it was opened: it stands there with its faults again.
+    void askAboutRepair();
+    /// Nothing is open then, and nothing is kept.
+    void closeScene();
+    /// Goes to a row of the history, which may be of another scene.
+    void goToChange(std::size_t done);
+    /// The rows of the history that stand before those of the scene.
+    std::size_t rowsBefore() const { return sceneSteps.rowsBefore() + (mended ? 1 : 0); }
+    /// Adds what the panels show of faults and of other scenes.
+    void describeFaults();
     void browse(ui::FilePurpose purpose, BrowseFor what = BrowseFor::itself);
     void askAboutTest();
     void take(const ChosenFile& chosen);
@@ -181,6 +230,8 @@ struct Editor::State {
     void offerLeftWork();
     void tellOfDriver();
     void goOnFrom(const LeftWork& left);
+    /// Lets go of the scene and of all that concerns it: nothing is open then.
+    void leaveScene();
     /// The scene could not go on, for the reason that `sentence` gives: nothing is open then, and
     /// what was done is offered as work that was left behind.
     void giveUpScene(const std::string& sentence);

@@ -35,6 +35,15 @@ void EditorView::begin(const EditorScene& scene) {
     restBounds_ = scene.rest().bounds;
 }
 
+void EditorView::beginAgain(const EditorScene& scene) {
+    const EditorCamera seen = camera;
+    ui::DisplaySettings shown = display.settings;
+    shown.apart = 0;
+    begin(scene);
+    camera = seen;
+    display.settings = shown;
+}
+
 bool EditorView::follow(const EditorScene& scene) {
     if (placement_ == scene.placementRevision()) {
         return false;

@@ -41,6 +41,8 @@ struct EditorView {
     bool resize(int newWidth, int newHeight);
     /// Shows a document that was just opened.
     void begin(const EditorScene& scene);
+    /// Shows another scene of the same document, seen as the one before.
+    void beginAgain(const EditorScene& scene);
     /// Comes along where the model was placed otherwise: what had filled the view does so again.
     /// Whether it was.
     bool follow(const EditorScene& scene);

@@ -9,6 +9,10 @@ void SceneAtWork::set(std::unique_ptr<EditorScene> scene) {
     scene_ = std::move(scene);
 }
 
+std::unique_ptr<EditorScene> SceneAtWork::exchange(std::unique_ptr<EditorScene> scene) {
+    return std::exchange(scene_, std::move(scene));
+}
+
 EditorScene* SceneAtWork::get() {
     if (!work_.isWorking()) {
         work_.finish();

@@ -20,6 +20,9 @@ class SceneAtWork {
     /// Instead of the one before, of which what is under way is given up; null for none.
     void set(std::unique_ptr<EditorScene> scene);
 
+    /// The same with another one, which is handed back; nothing must be under way.
+    std::unique_ptr<EditorScene> exchange(std::unique_ptr<EditorScene> scene);
+
     /// The scene, with nothing under way; null while none is open. Throws what the work throws.
     EditorScene* get();
     EditorScene* operator->() { return get(); }

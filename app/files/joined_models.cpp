@@ -84,6 +84,21 @@ std::vector<PlacedModel> joinedPlaces(const std::vector<ModelMesh>& models) {
     return placed;
 }
 
+/// What can be wrong with models that can be cut concerns triangles alone.
+repair::Faults joinedFaults(const std::vector<ModelMesh>& models) {
+    repair::Faults faults;
+    int first = 0;
+    for (const ModelMesh& model : models) {
+        for (std::size_t k = 0; k < faults.places.size(); ++k) {
+            for (const int t : model.faults.places[k].triangles) {
+                faults.places[k].triangles.push_back(first + t);
+            }
+        }
+        first += model.mesh.triangleSlots();
+    }
+    return faults;
+}
+
 }  // namespace
 
 ModelMesh joined(std::vector<ModelMesh> models) {
@@ -95,6 +110,7 @@ ModelMesh joined(std::vector<ModelMesh> models) {
         std::ranges::move(model.remarks, std::back_inserter(all.remarks));
     }
     all.placed = joinedPlaces(models);
+    all.faults = joinedFaults(models);
     return all;
 }
 

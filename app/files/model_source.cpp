@@ -10,6 +10,7 @@
 #include "app/files/import_protocol.h"
 #include "sim/base/text.h"
 #include "sim/mesh/hole_filling.h"
+#include "sim/mesh/triangle_quality.h"
 #include "sim/repair/crossings.h"
 #include "sim/repair/remesher.h"
 #include "sim/repair/soup_repair.h"
@@ -286,12 +287,41 @@ void requireMended(const fs::path& file, const MeshReport& found) {
     }
 }
 
-/// `edge`: 0 for the mean of what there is. Returns what was done.
-std::string remeshed(TriangleSoup& soup, double edge) {
+/// `edge`: 0 for evenEdge(). Returns what was done.
+std::string remeshed(TriangleSoup& soup, double edge, WorkProgress* progress) {
     const std::size_t before = soup.triangles.size();
-    repair::remesh(soup, edge > 0 ? edge : repair::meanEdge(soup));
+    repair::remesh(soup, edge > 0 ? edge : evenEdge(figuresOf(soup)), [&](int round) {
+        enter(progress, "Evening out the triangles, round " + std::to_string(round + 1));
+    });
     return "remeshed " + std::to_string(before) + " triangles to " +
            std::to_string(soup.triangles.size());
+}
+
+MeshReport evened(const fs::path& file, TriangleSoup& soup, const MeshReport& before,
+                  WorkProgress* progress) {
+    std::vector<std::string> repairs = before.repairs;
+    repairs.push_back(remeshed(soup, 0, progress));
+    MeshReport found = inspectTriangles(soup);
+    found.repairs = std::move(repairs);
+    if (!found.cuttable) {
+        throw ModelFault(file.string() + ": with even triangles it has " + found.problem, 0);
+    }
+    return found;
+}
+
+/// Those that are asked for; crossing triangles are counted in the report.
+repair::Faults findFaults(const TriangleSoup& soup, MeshReport& found, const ReadOptions& options) {
+    const bool crossings =
+        soup.triangles.size() <= options.findCrossingsUpTo && found.outOfRangeIndices == 0;
+    if (!options.findFaults) {
+        if (crossings) {
+            repair::countCrossings(soup, found);
+        }
+        return {};
+    }
+    repair::Faults faults = repair::findFaults(soup, crossings);
+    found.crossingTriangles = faults.of(repair::FaultKind::crossingTriangle).count();
+    return faults;
 }
 
 /// As a file of floats holds it.
@@ -313,17 +343,24 @@ ModelMesh surfaceOf(const fs::path& file, ImportedModel model, const ReadOptions
     TriangleSoup& soup = model.soup;
     enter(options.progress, "Looking for faults");
     MeshReport found = inspectAndRepair(soup, options);
-    if (soup.triangles.size() <= options.findCrossingsUpTo && found.outOfRangeIndices == 0) {
-        repair::countCrossings(soup, found);
+    if (found.cuttable && options.remesh) {
+        found = evened(file, soup, found, options.progress);
     }
+    repair::Faults faults = findFaults(soup, found, options);
     if (options.report != nullptr) {
         *options.report = found;
     }
     if (!found.cuttable) {
-        throw faultOf(file, soup, found, options);
+        ModelFault fault = faultOf(file, soup, found, options);
+        if (options.findFaults) {
+            fault.setFound(std::make_shared<const FoundFaults>(
+                FoundFaults{std::move(soup), std::move(faults)}));
+        }
+        throw fault;
     }
     enter(options.progress, "Building the surface");
     ModelMesh built = meshOf(model);
+    built.faults = std::move(faults);
     noteCrossings(found, built.remarks);
     return built;
 }
@@ -336,7 +373,7 @@ MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
     requireMended(file, found);
     std::vector<std::string> repairs = std::move(found.repairs);
     if (order.remesh) {
-        repairs.push_back(remeshed(model.soup, order.edge));
+        repairs.push_back(remeshed(model.soup, order.edge, nullptr));
     }
     roundToFloats(model.soup);
     found = inspectTriangles(model.soup);

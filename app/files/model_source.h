@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/files/memory_means.h"
+#include "app/files/model_faults.h"
 #include "app/files/work_progress.h"
 #include "render/scene/appearance.h"
 #include "sim/base/text.h"
@@ -37,10 +38,14 @@ class ModelFault : public InputError {
     /// What a repair would do, one phrase each, to leave nothing that is wrong; empty where it is
     /// no help.
     const std::vector<std::string>& repairs() const { return repairs_; }
+    /// The model and what is wrong with it where; null unless ReadOptions::findFaults.
+    const std::shared_ptr<const FoundFaults>& found() const { return found_; }
+    void setFound(std::shared_ptr<const FoundFaults> found) { found_ = std::move(found); }
 
   private:
     int holes_;
     std::vector<std::string> repairs_;
+    std::shared_ptr<const FoundFaults> found_;
 };
 
 /// The looks that a model brings along.
@@ -62,6 +67,9 @@ struct ModelMesh {
     OwnLooks looks;
     std::vector<std::string> remarks;        ///< sentences about what was left out of them
     std::vector<PlacedModel> placed = {{}};  ///< what the mesh consists of
+    /// What is poor about its triangles though it can be cut, by slot; empty unless
+    /// ReadOptions::findFaults.
+    repair::Faults faults;
 };
 
 /// Largest model file that is read [bytes].
@@ -94,6 +102,8 @@ SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nu
 struct ReadOptions {
     bool fillHoles = false;   ///< see fillHoles(); named among the repairs
     bool repair = false;      ///< see repair::repairSoup(); named among the repairs
+    bool remesh = false;      ///< see repair::remesh(), to evenEdge(); named among the repairs
+    bool findFaults = false;  ///< to tell what is wrong where: ModelMesh::faults, ModelFault::found
     bool tryMending = false;  ///< to tell in a ModelFault which of both would help
     /// In models of so many triangles at most, those that pass through others are counted.
     std::size_t findCrossingsUpTo = 0;
@@ -118,7 +128,7 @@ struct MendedModel {
 /// How to mend a model.
 struct MendingOrder {
     bool remesh = false;
-    double edge = 0;  ///< the length of edges wanted, in the file's unit; 0: their mean now
+    double edge = 0;  ///< the length of edges wanted, in the file's unit; 0: see evenEdge()
 };
 /// Reads a model, repairs it and rounds it to floats, as files hold it. Throws ModelFault where it
 /// can't be cut even then.

@@ -50,6 +50,7 @@ DocumentLoading::DocumentLoading(OpeningOrder order, Mending mending)
           options.fillHoles = mending == Mending::fillHoles;
           options.repair = mending == Mending::repair;
           options.tryMending = mending == Mending::none;
+          options.findFaults = true;
           options.findCrossingsUpTo = kMostSearched;
           options.progress = &progress;
           return prepareDocument(open(options), &progress, means);

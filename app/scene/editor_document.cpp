@@ -53,7 +53,8 @@ Document finish(std::string name, Session session, ModelMesh model, std::string 
             std::move(model.looks),
             std::move(note),
             std::nullopt,
-            std::move(model.placed)};
+            std::move(model.placed),
+            std::move(model.faults)};
 }
 
 Document openModel(const std::filesystem::path& file, const ReadOptions& options) {
@@ -148,7 +149,10 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     const Bounds before = meshBounds(loadSessionModel(scene, {}).mesh);
     added.placement = beside(before, stands, own.restPositions());
     scene.moreModels.push_back(std::move(added));
-    Document document = openScene(name, std::move(scene), {});
+    ReadOptions all;
+    all.findFaults = options.findFaults;
+    all.findCrossingsUpTo = options.findCrossingsUpTo;
+    Document document = openScene(name, std::move(scene), all);
     document.note =
         "Model " + std::to_string(others) + " of the scene. " + modelNote(report, guess);
     return document;

@@ -22,6 +22,7 @@ struct Document {
     std::string note;       ///< what was done to it on the way in, one sentence; may be empty
     std::optional<UnitGuess> guess = std::nullopt;  ///< of a model file
     std::vector<PlacedModel> placed = {{}};         ///< what `mesh` consists of
+    repair::Faults faults = {};                     ///< see ModelMesh
     bool inFile = true;  ///< no work of a person is lost with it; false: no file holds this scene
 };
 

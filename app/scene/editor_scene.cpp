@@ -5,6 +5,7 @@
 
 #include "app/scene/session_marks.h"
 #include "app/scene/size_effect.h"
+#include "app/scene/triangle_text.h"
 #include "app/session/scene_view.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/piece_figures.h"
@@ -49,6 +50,7 @@ std::vector<EditorScene::ModelFigures> figuresOf(const UncutBody& uncut) {
         const Vec3& origin = model.bounds.low;
         const Vec3 normal = (mesh.restPosition(b) - origin).cross(mesh.restPosition(c) - origin);
         model.volume += (mesh.restPosition(a) - origin).dot(normal) / 6;
+        model.triangles.add(restCornersOf(mesh, t));
     }
     return figures;
 }
@@ -751,6 +753,21 @@ render::SceneView EditorScene::view() {
     return view;
 }
 
+const std::shared_ptr<const std::vector<render::Marks>>& EditorScene::faultMarks() {
+    const int triangles = simulation_.report().triangles;
+    if (std::exchange(marksTriangles_, triangles) != triangles) {
+        const SurfaceMesh& now = simulation_.meshAsRead();
+        const SurfaceMesh& opened = uncut_->mesh;
+        const auto cornersOf = [&](int t) {
+            const bool whole = now.alive(t) && now.triangle(t) == opened.triangle(t);
+            return whole ? std::optional(opened.triangle(t)) : std::nullopt;
+        };
+        faultMarks_ = std::make_shared<const std::vector<render::Marks>>(
+            marksOf(document_.faults, cornersOf));
+    }
+    return faultMarks_;
+}
+
 bool EditorScene::followPieceSums(bool wanted) {
     const bool due = wanted && !running() && sumsRevision_ != simulation_.bodyRevision();
     if (due) {
@@ -850,9 +867,16 @@ void EditorScene::describeModels(ui::PanelModel& model) const {
         state.size = figures.bounds.high - figures.bounds.low;
         state.physics =
             sizeEffect(state.size.y(), figures.volume, paramsOf(simulation_.params(), m));
+        state.triangles = trianglesText(figures.triangles);
+        const ModelReference& reference = m == 0 ? session.model : session.moreModels[m - 1].model;
+        state.evening = reference.remesh ? "" : eveningText(figures.triangles);
         model.models.push_back(std::move(state));
     }
     model.models.front().guess = document_.guess ? document_.guess->sentence : "";
+    model.faultCount = 0;
+    for (const repair::FaultPlaces& places : document_.faults.places) {
+        model.faultCount += places.count();
+    }
     model.untouched = simulation_.report().triangles == uncut_->mesh.aliveTriangles();
     model.liveModels = simulation_.report().triangles <= kMostLiveTriangles;
 }

@@ -23,6 +23,7 @@
 #include "app/session/skin_follower.h"
 #include "app/session/volume_watch.h"
 #include "render/renderer.h"
+#include "sim/mesh/triangle_quality.h"
 #include "sim/run/simulation.h"
 #include "ui/panel_model.h"
 
@@ -63,6 +64,7 @@ class EditorScene {
     struct ModelFigures {
         Bounds bounds;      ///< [m]
         double volume = 0;  ///< [m^3]
+        TriangleFigures triangles;
     };
     /// Figures of the uncut body at rest.
     struct RestFigures {
@@ -194,6 +196,11 @@ class EditorScene {
     /// Sentences for the person: those of the simulation, and what came out differently.
     std::vector<std::string> takeMessages();
 
+    /// What is poor about the triangles of the model as it was opened; see Document::faults.
+    const repair::Faults& faults() const { return document_.faults; }
+    /// The same as marks on the body as it is, as far as those triangles are still whole.
+    const std::shared_ptr<const std::vector<render::Marks>>& faultMarks();
+
     /// The scene for the renderer.
     render::SceneView view();
     /// Fills in what the panels show of the scene.
@@ -268,6 +275,8 @@ class EditorScene {
     ThicknessMap thickness_;
     EditorReadings readings_;
     VolumeWatch volumes_;
+    std::shared_ptr<const std::vector<render::Marks>> faultMarks_;
+    int marksTriangles_ = -1;  ///< of the body that those are of
     std::vector<std::string> messages_;
     std::vector<ui::PieceRow> pieces_;
     int sumsRevision_ = -1;  ///< of the body that the sums in pieces_ are of

@@ -58,6 +58,7 @@ ModelMesh loadPlaced(const ModelReference& reference, const Placement& placement
     ReadOptions ours = options;
     ours.fillHoles |= reference.fillHoles;
     ours.repair |= reference.repair;
+    ours.remesh = reference.remesh;
     ModelMesh model = readModel(file, ours);
     place(model.mesh, placement);
     if (const std::string problem = checkRoom(meshBounds(model.mesh)); !problem.empty()) {

@@ -44,6 +44,7 @@ struct ModelReference {
     std::string sha256;          ///< optional
     bool fillHoles = false;      ///< see ReadOptions
     bool repair = false;         ///< see ReadOptions
+    bool remesh = false;         ///< see ReadOptions
 
     /// The file that holds the model. Throws InputError for an unknown builtin name.
     std::filesystem::path file() const;

@@ -45,6 +45,7 @@ void describe(auto& fields, ModelReference& model) {
                     model.sha256, kSha256Digits);
     fields.optional({"fill_holes", "Fills holes before the model is cut."}, model.fillHoles);
     fields.optional({"repair", "Repairs the model before it is cut."}, model.repair);
+    fields.optional({"remesh", "Makes its triangles even before it is cut."}, model.remesh);
 }
 
 void describe(auto& fields, FurtherModel& further) {

@@ -18,6 +18,8 @@ class FieldPass {
 
     /// Works out the quantity of the picture, unless it is that of the last one.
     void update(const SceneView& scene);
+    /// Another body comes, whose revisions mean others.
+    void forget() { shown_.reset(); }
     /// Draws into the bound target.
     void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
 

@@ -17,6 +17,9 @@ constexpr float kPullWidth = 1.6F;
 constexpr float kBoxWidth = 1.6F;
 constexpr float kContactRadius = 3.5F;
 constexpr float kPinRadius = 4;
+constexpr float kMarkWidth = 2.2F;
+constexpr float kMarkRadius = 4.5F;
+constexpr float kHiddenMark = 0.35F;   // of marks behind the body
 constexpr float kHiddenInside = 0.5F;  // of what lies inside by nature
 constexpr float kHidden = 0.14F;       // of what lies behind
 
@@ -79,7 +82,7 @@ std::vector<shared::vec4> edgesOf(const Bounds& box) {
 
 OverlayPass::OverlayPass()
     : constraints_{constraintProgram("0"), constraintProgram("1"), constraintProgram("2"),
-                   constraintProgram("3")},
+                   constraintProgram("3"), constraintProgram("4")},
       chosen_(dotProgram("0")),
       contacts_(dotProgram("1")),
       lines_(gpu::Program::graphics("render/line.vert", "render/line.frag")) {}
@@ -102,6 +105,7 @@ void OverlayPass::draw(const SceneView& scene, const Frame& frame) {
     drawBoxes(scene, frame);
     drawContacts(scene, frame);
     drawPins(scene, frame);
+    drawMarks(scene, frame);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 }
@@ -165,12 +169,58 @@ void OverlayPass::drawPins(const SceneView& scene, const Frame& frame) {
     }
     pinned_.assign(scene.pinned);
     pinned_.bindStorage(shared::kBindConstraints);
+    drawDots(scene.pinned.size(), kPinRadius, kHidden, kPinColor, frame);
+}
+
+void OverlayPass::drawDots(std::size_t count, float radius, float hidden, const DisplayColor& color,
+                           const Frame& frame) {
     chosen_.use();
     setView(chosen_, frame);
-    chosen_.set("radius", kPinRadius);
-    chosen_.set("tone", tone(kPinColor));
-    drawBothSides(GLsizei(6 * scene.pinned.size()), kHidden,
+    chosen_.set("radius", radius);
+    chosen_.set("tone", tone(color));
+    drawBothSides(GLsizei(6 * count), hidden,
                   [&](float strength) { chosen_.set("strength", strength); });
+}
+
+void OverlayPass::upload(const std::shared_ptr<const std::vector<Marks>>& marks) {
+    if (marks == marks_) {
+        return;
+    }
+    marks_ = marks;
+    markBuffers_.clear();
+    markBuffers_.reserve(marks->size());
+    for (const Marks& each : *marks) {
+        MarkBuffers& buffers = markBuffers_.emplace_back();
+        buffers.lines.assign(each.lines);
+        buffers.dots.assign(each.dots);
+    }
+}
+
+void OverlayPass::drawMarks(const SceneView& scene, const Frame& frame) {
+    if (!scene.marks) {
+        return;
+    }
+    upload(scene.marks);
+    for (std::size_t m = 0; m < markBuffers_.size(); ++m) {
+        const Marks& marks = (*scene.marks)[m];
+        const std::size_t lines = marks.lines.size() / 2;
+        const gpu::Program& program = constraints_[pairs];
+        program.use();
+        setView(program, frame);
+        program.set("width", kMarkWidth);
+        setTones(program, marks.color, false);
+        markBuffers_[m].lines.bindStorageParts(
+            shared::kBindConstraints, 2 * sizeof(std::uint32_t),
+            [&](std::size_t first, std::size_t count) {
+                const std::size_t end = std::min(first + count, lines);
+                drawBothSides(GLsizei(6 * (end - std::min(first, end))), kHiddenMark,
+                              [&](float strength) { program.set("strength", strength); });
+            });
+        if (!marks.dots.empty()) {
+            markBuffers_[m].dots.bindStorage(shared::kBindConstraints);
+            drawDots(marks.dots.size(), kMarkRadius, kHiddenMark, marks.color, frame);
+        }
+    }
 }
 
 void OverlayPass::drawBoxes(const SceneView& scene, const Frame& frame) {

@@ -15,8 +15,10 @@ struct Overlays {
     /// Colours edges, bends and ISPCs by how far they are from rest instead of by type; edges are
     /// shown where none of the three is chosen.
     bool errors = false;
+    bool faults = false;  ///< what is poor about the triangles of the model
 
     bool showsEdges() const { return edges || (errors && !bends && !ispcs); }
+    /// Whether any part of the solver is shown.
     bool any() const { return edges || bends || ispcs || contacts || boxes || errors; }
     bool operator==(const Overlays&) const = default;
 };

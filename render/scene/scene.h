@@ -7,6 +7,7 @@
 
 #include "render/scene/body_look.h"
 #include "render/scene/image.h"
+#include "render/scene/marks.h"
 #include "render/scene/overlays.h"
 #include "render/scene/section_plane.h"
 #include "render/scene/skin_paint.h"
@@ -63,6 +64,8 @@ struct SceneView {
     ConstraintView constraints;         ///< what the overlays show
     std::vector<Bounds> pieceBoxes;     ///< around the pieces [m]
     std::vector<std::uint32_t> pinned;  ///< vertices that are marked as pinned
+    /// Further marks, as of faults; null for none. Others come with another pointer.
+    std::shared_ptr<const std::vector<Marks>> marks;
 };
 
 }  // namespace kerf::render

@@ -1,6 +1,6 @@
 // Constraints as lines, from the solver's own records. KIND: 0 edges (a line per corner of a
 // triangle, of which one of two is drawn), 1 bends (from the middle of one triangle over the edge
-// to that of the other), 2 ISPCs, 3 pulls of hands.
+// to that of the other), 2 ISPCs, 3 pulls of hands, 4 pairs of vertices.
 #include "body_records.h"
 #include "constraints.h"
 #include "render_bindings.h"
@@ -15,6 +15,9 @@ layout(std430, binding = kBindConstraints) readonly buffer Bends { BendRecord be
 const int kLines = 2;
 #elif KIND == 2
 layout(std430, binding = kBindConstraints) readonly buffer Ispcs { IspcConstraint ispcs[]; };
+const int kLines = 1;
+#elif KIND == 4
+layout(std430, binding = kBindConstraints) readonly buffer Pairs { uvec2 pairs[]; };
 const int kLines = 1;
 #else
 layout(std430, binding = kBindConstraints) readonly buffer Pulls { PullRecord pulls[]; };
@@ -70,6 +73,10 @@ Line lineOf(int index, int part) {
     vec3 b =
         (1.0 - ispc.b1 - ispc.b2) * at(ispc.t0) + ispc.b1 * at(ispc.t1) + ispc.b2 * at(ispc.t2);
     return Line(true, a, b, distance(a, b) / max(ispc.rest_length, 1e-12) - 1.0);
+}
+#elif KIND == 4
+Line lineOf(int index, int part) {
+    return Line(true, at(pairs[index].x), at(pairs[index].y), 0.0);
 }
 #else
 Line lineOf(int index, int part) {

@@ -54,11 +54,14 @@ bool hasRepeatedCorner(const Triangle& t) {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
+bool isInRange(const TriangleSoup& soup, const Triangle& t) {
+    const int count = static_cast<int>(soup.positions.size());
+    return std::ranges::all_of(t, [&](int v) { return v >= 0 && v < count; });
+}
+
 /// A triangle whose indices are valid and that is more than a line.
 bool isProper(const TriangleSoup& soup, const Triangle& t) {
-    const int count = static_cast<int>(soup.positions.size());
-    return std::ranges::all_of(t, [&](int v) { return v >= 0 && v < count; }) &&
-           !hasRepeatedCorner(t);
+    return isInRange(soup, t) && !hasRepeatedCorner(t);
 }
 
 std::vector<Triangle> properTriangles(const TriangleSoup& soup) {
@@ -94,12 +97,17 @@ void forEachEdge(const std::vector<Side>& sides, F&& f) {
     }
 }
 
-void countEdges(const std::vector<Side>& sides, MeshReport& report) {
+void findEdges(const std::vector<Side>& sides, SurfaceFaults& faults) {
     forEachEdge(sides, [&](auto begin, auto end) {
         const auto count = end - begin;
-        report.openEdges += count == 1;
-        report.nonManifoldEdges += count > 2;
-        report.misorientedEdges += count == 2 && begin->upward == (begin + 1)->upward;
+        const SurfaceFaults::Edge edge{begin->low, begin->high};
+        if (count == 1) {
+            faults.openEdges.push_back(edge);
+        } else if (count > 2) {
+            faults.nonManifoldEdges.push_back(edge);
+        } else if (begin->upward == (begin + 1)->upward) {
+            faults.misorientedEdges.push_back(edge);
+        }
     });
 }
 
@@ -109,8 +117,8 @@ int cornerOf(const Triangle& t, int v) {
 
 /// Joins the corners of triangles that share an edge at a vertex; a vertex with more than one
 /// class of corners touches itself in a point.
-int countNonManifoldVertices(const std::vector<Triangle>& triangles, const std::vector<Side>& sides,
-                             std::size_t vertexCount) {
+std::vector<int> findNonManifoldVertices(const std::vector<Triangle>& triangles,
+                                         const std::vector<Side>& sides, std::size_t vertexCount) {
     UnionFind corners(3 * triangles.size());
     forEachEdge(sides, [&](auto begin, auto end) {
         for (auto side = begin + 1; side < end; ++side) {
@@ -124,7 +132,13 @@ int countNonManifoldVertices(const std::vector<Triangle>& triangles, const std::
     for (int c = 0; c < static_cast<int>(3 * triangles.size()); ++c) {
         umbrellas[triangles[c / 3][c % 3]] += corners.root(c) == c;
     }
-    return static_cast<int>(std::ranges::count_if(umbrellas, [](int n) { return n > 1; }));
+    std::vector<int> found;
+    for (std::size_t v = 0; v < vertexCount; ++v) {
+        if (umbrellas[v] > 1) {
+            found.push_back(static_cast<int>(v));
+        }
+    }
+    return found;
 }
 
 /// Connected pieces of a list of triangles.
@@ -329,19 +343,42 @@ Bounds boundsOf(const TriangleSoup& soup) {
 }
 
 void countElements(const TriangleSoup& soup, MeshReport& report) {
-    const int vertexCount = static_cast<int>(soup.positions.size());
-    report.vertices = vertexCount;
+    report.vertices = static_cast<int>(soup.positions.size());
     report.triangles = static_cast<int>(soup.triangles.size());
     report.bounds = boundsOf(soup);
     report.nonFiniteVertices = static_cast<int>(
         std::ranges::count_if(soup.positions, [](const Vec3& p) { return !p.allFinite(); }));
-    for (const Triangle& t : soup.triangles) {
-        const bool inRange =
-            std::ranges::all_of(t, [&](int v) { return v >= 0 && v < vertexCount; });
-        report.outOfRangeIndices += !inRange;
-        report.degenerateTriangles +=
-            inRange && (hasRepeatedCorner(t) || areaNormal(cornersOf(soup, t)).isZero(0));
+    report.outOfRangeIndices = static_cast<int>(std::ranges::count_if(
+        soup.triangles, [&](const Triangle& t) { return !isInRange(soup, t); }));
+}
+
+std::vector<int> findDegenerateTriangles(const TriangleSoup& soup) {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+        const Triangle& t = soup.triangles[i];
+        if (isInRange(soup, t) &&
+            (hasRepeatedCorner(t) || areaNormal(cornersOf(soup, t)).isZero(0))) {
+            found.push_back(static_cast<int>(i));
+        }
     }
+    return found;
+}
+
+SurfaceFaults findFaultsOf(const TriangleSoup& soup, const std::vector<Triangle>& proper) {
+    SurfaceFaults faults;
+    const std::vector<Side> sides = sortedSides(proper);
+    findEdges(sides, faults);
+    faults.nonManifoldVertices = findNonManifoldVertices(proper, sides, soup.positions.size());
+    faults.degenerateTriangles = findDegenerateTriangles(soup);
+    return faults;
+}
+
+void countFaults(const SurfaceFaults& faults, MeshReport& report) {
+    report.openEdges = static_cast<int>(faults.openEdges.size());
+    report.nonManifoldEdges = static_cast<int>(faults.nonManifoldEdges.size());
+    report.misorientedEdges = static_cast<int>(faults.misorientedEdges.size());
+    report.nonManifoldVertices = static_cast<int>(faults.nonManifoldVertices.size());
+    report.degenerateTriangles = static_cast<int>(faults.degenerateTriangles.size());
 }
 
 /// One kind of fault: how much of it, what it means and what to do.
@@ -427,13 +464,15 @@ TriangleSoup weldExactly(const TriangleSoup& soup) {
     return welded;
 }
 
+SurfaceFaults findSurfaceFaults(const TriangleSoup& welded) {
+    return findFaultsOf(welded, properTriangles(welded));
+}
+
 MeshReport inspectTriangles(const TriangleSoup& welded) {
     MeshReport report;
     countElements(welded, report);
     const std::vector<Triangle> proper = properTriangles(welded);
-    const std::vector<Side> sides = sortedSides(proper);
-    countEdges(sides, report);
-    report.nonManifoldVertices = countNonManifoldVertices(proper, sides, welded.positions.size());
+    countFaults(findFaultsOf(welded, proper), report);
     const TrianglePieces pieces = findTrianglePieces(welded, proper, report.bounds.center());
     report.pieces = static_cast<int>(pieces.volumes.size());
     report.volume = totalVolume(pieces);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,20 @@ struct MeshReport {
     /// Empty where cuttable; else what is wrong, how much of it, and what to do.
     std::string problem;
 };
+
+/// Where a surface is broken.
+struct SurfaceFaults {
+    using Edge = std::array<int, 2>;     ///< its two vertices, the lower first
+    std::vector<Edge> openEdges;         ///< see MeshReport, as of the others
+    std::vector<Edge> nonManifoldEdges;  ///< each once
+    std::vector<Edge> misorientedEdges;
+    std::vector<int> nonManifoldVertices;
+    std::vector<int> degenerateTriangles;
+};
+
+/// Looks for the places that inspectTriangles() counts, each list ascending. Triangles with bad
+/// indices are left out.
+SurfaceFaults findSurfaceFaults(const TriangleSoup& welded);
 
 /// Looks at a welded soup. Never throws. Triangles with bad indices or repeated corners are counted
 /// and otherwise left out.

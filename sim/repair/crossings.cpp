@@ -74,14 +74,18 @@ std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::
     return pairs;
 }
 
-void countCrossings(const TriangleSoup& welded, MeshReport& report) {
+std::vector<int> crossingTriangles(const TriangleSoup& welded) {
     std::vector<int> crossing;
     for (const auto& [a, b] : findCrossings(welded, kMostCounted)) {
         crossing.push_back(a);
         crossing.push_back(b);
     }
     sortUnique(crossing);
-    report.crossingTriangles = static_cast<int>(crossing.size());
+    return crossing;
+}
+
+void countCrossings(const TriangleSoup& welded, MeshReport& report) {
+    report.crossingTriangles = static_cast<int>(crossingTriangles(welded).size());
 }
 
 }  // namespace kerf::repair

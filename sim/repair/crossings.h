@@ -12,7 +12,11 @@ namespace kerf::repair {
 /// found.
 std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::size_t most);
 
-/// Notes in a report how many triangles cross others, and between how many shells.
+/// The triangles that pass through others, ascending; of models that cross through and through not
+/// all.
+std::vector<int> crossingTriangles(const TriangleSoup& welded);
+
+/// Notes in a report how many those are.
 void countCrossings(const TriangleSoup& welded, MeshReport& report);
 
 }  // namespace kerf::repair

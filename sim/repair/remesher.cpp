@@ -70,6 +70,9 @@ Remesher::Remesher(TriangleSoup& soup, const Order& order)
 
 void Remesher::run() {
     for (int round = 0; round < order_.rounds; ++round) {
+        if (order_.onRound) {
+            order_.onRound(round);
+        }
         divideLong();
         collapseShort();
         flipEdges();
@@ -385,16 +388,6 @@ void Remesher::pack() {
     dropUnusedVertices(soup_);
 }
 
-double meanEdge(const TriangleSoup& soup) {
-    double sum = 0;
-    for (const Triangle& t : soup.triangles) {
-        for (int i = 0; i < 3; ++i) {
-            sum += (soup.positions[t[(i + 1) % 3]] - soup.positions[t[i]]).norm();
-        }
-    }
-    return soup.triangles.empty() ? 0 : sum / (3 * static_cast<double>(soup.triangles.size()));
-}
-
 namespace {
 
 /// By the lowest corner of each part, which stays the order of parts.
@@ -443,7 +436,7 @@ void restoreVolumes(TriangleSoup& soup, const std::vector<double>& wanted) {
 
 }  // namespace
 
-void remesh(TriangleSoup& soup, double edge) {
+void remesh(TriangleSoup& soup, double edge, const std::function<void(int round)>& onRound) {
     const TriangleSoup original{soup.positions, soup.triangles, {}};
     std::vector<int> all(original.triangles.size());
     std::iota(all.begin(), all.end(), 0);
@@ -454,6 +447,7 @@ void remesh(TriangleSoup& soup, double edge) {
     NearestTriangle nearest(all, cornersOf);
     Remesher::Order order;
     order.edge.assign(soup.triangles.size(), edge);
+    order.onRound = onRound;
     order.project = [&](const Vec3& p) {
         const Corners at = cornersOf(nearest.find(p));
         const Vec3 weights = closestWeights(p, at[0], at[1], at[2]);

@@ -24,6 +24,8 @@ class Remesher {
         std::function<Vec3(const Vec3&)> project;
         double hardAngle = 40;  ///< edges bent more keep their line [degrees]; above 180 none does
         int rounds = 10;
+        /// Called before each round, counted from 0; may throw to end the work. May be null.
+        std::function<void(int round)> onRound = nullptr;
     };
 
     /// The soup must be manifold and oriented where it is free.
@@ -71,11 +73,9 @@ class Remesher {
     std::vector<std::vector<int>> at_;  ///< the living triangles of each vertex
 };
 
-/// The mean length of the edges of a soup [m], 0 where it has none.
-double meanEdge(const TriangleSoup& soup);
-
 /// Remeshes a closed, manifold, oriented soup to edges of about `edge` [m], on its own surface.
-/// Lines along which it is bent by more than 40 degrees stay.
-void remesh(TriangleSoup& soup, double edge);
+/// Lines along which it is bent by more than 40 degrees stay. `onRound`: see Remesher::Order.
+void remesh(TriangleSoup& soup, double edge,
+            const std::function<void(int round)>& onRound = nullptr);
 
 }  // namespace kerf::repair

@@ -86,6 +86,7 @@ std::size_t UndoHistory::bytesFrom(std::size_t oldest) const {
 }
 
 void UndoHistory::add(UndoEntry entry) {
+    ++additions_;
     if (!keeps()) {
         return;
     }
@@ -112,12 +113,14 @@ void UndoHistory::followCut(const SurfaceMesh& mesh, const CutDelta& delta) {
 }
 
 void UndoHistory::forgetAll() {
+    ++additions_;
     forgotten_ += static_cast<int>(done_) + 1;
     entries_.clear();
     done_ = 0;
 }
 
 void UndoHistory::clear() {
+    ++additions_;
     entries_.clear();
     done_ = 0;
     forgotten_ = 0;

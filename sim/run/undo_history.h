@@ -66,6 +66,9 @@ class UndoHistory {
 
     const std::vector<UndoEntry>& entries() const { return entries_; }
     std::size_t done() const { return done_; }
+    /// Grows with each change that was made anew, or forgotten: while it stays, what was undone can
+    /// be brought back.
+    int additions() const { return additions_; }
     bool canUndo() const { return done_ > 0; }
     bool canRedo() const { return done_ < entries_.size(); }
 
@@ -101,6 +104,7 @@ class UndoHistory {
     std::size_t done_ = 0;
     std::size_t budget_ = 0;
     int forgotten_ = 0;
+    int additions_ = 0;
 };
 
 /// The name of a change of a parameter: "Time step: 0.002 s", "Floor: none", "Density of model 2:

@@ -314,6 +314,38 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
     EXPECT_TRUE(std::holds_alternative<ShowPiece>(others.back()));
 }
 
+TEST_F(InterfaceTest, AQuestionAsideLeavesTheViewOpenAndTheLegendFree) {
+    model.showsFaulty = true;
+    model.faults = {{"12 open edges", {213, 94, 0}}, {"3 needles", {230, 159, 0}}};
+    model.question = {.title = "This model can't be cut as it is",
+                      .text = "broken.obj: 12 open edges. Filling 1 hole would close it.",
+                      .choices = {"Fill 1 hole", "Cancel"},
+                      .aside = true};
+    update({});
+    update({});
+    const Rect view = interface->freeView();
+    const ItemRects& items = interface->itemRects();
+    const Rect choice = items.at("question.0");
+    const Rect legend = items.at("fault.1");
+    EXPECT_GT(choice.y, view.y + 0.7 * view.height);
+    EXPECT_LT(legend.y + legend.height, choice.y);
+    EXPECT_LE(legend.x + legend.width, view.x + view.width);
+    moveTo(view.x + view.width / 2, view.y + view.height / 3);
+    EXPECT_TRUE(interface->pointsBesideQuestion());
+    moveTo(choice.x + 3, choice.y + 3);
+    EXPECT_FALSE(interface->pointsBesideQuestion());
+    moveTo(20, 200);
+    EXPECT_FALSE(interface->pointsBesideQuestion()) << "a panel";
+    clickOn("question.0");
+    ASSERT_EQ(others.size(), 1U);
+    EXPECT_EQ(std::get<AnswerQuestion>(others[0]).choice, 0);
+    model.question.aside = false;
+    update({});
+    update({});
+    moveTo(view.x + view.width / 2, view.y + view.height / 8);
+    EXPECT_FALSE(interface->pointsBesideQuestion()) << "in the middle it is modal";
+}
+
 TEST_F(InterfaceTest, ThemeAndSizeAreChosen) {
     clickOn("section.simulation");  // folded, so that all of the last section is seen
     update({});

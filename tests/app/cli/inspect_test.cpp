@@ -1,9 +1,12 @@
 // `kerf inspect` of models that are hollow or broken.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "render/scene/image.h"
 #include "tests/support/model_defects.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/shapes.h"
@@ -72,6 +75,79 @@ TEST_F(Inspect, MakesEvenTriangles) {
     EXPECT_GT(fine["triangles"], 500);
     EXPECT_NEAR(fine["volume"].get<double>(), 0.4573, 0.0046);
     EXPECT_EQ(runKerf({"inspect", "sphere80", "--edge", "0.1"}).exitCode, 2);
+}
+
+/// How many pixels have about this colour.
+int pixelsOf(const render::Image& image, const std::array<int, 3>& color) {
+    int found = 0;
+    for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
+        bool alike = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+            alike = alike && std::abs(image.pixels[i + c] - color[c]) < 12;
+        }
+        found += alike ? 1 : 0;
+    }
+    return found;
+}
+
+constexpr std::array<int, 3> kOpen{213, 94, 0};
+constexpr std::array<int, 3> kOpposed{204, 121, 167};
+constexpr std::array<int, 3> kDouble{0, 158, 115};
+constexpr std::array<int, 3> kNeedle{230, 159, 0};
+
+TEST_F(Inspect, APictureHasLinesOfEachFaultAndItsLegend) {
+    TriangleSoup soup = test::soundBall();
+    test::modelDefects().at("large hole")(soup);
+    test::modelDefects().at("turned triangles")(soup);
+    test::modelDefects().at("doubles")(soup);
+    write("broken.obj", soup);
+    const ProgramRun run = runKerf(
+        {"inspect", file("broken.obj"), "--picture", file("broken.png"), "--size", "640x480"});
+    EXPECT_EQ(run.exitCode, 3) << run.errors;
+    EXPECT_NE(run.out.find("vertices"), std::string::npos) << "the report comes all the same";
+    const render::Image picture = render::readPng(folder / "broken.png");
+    EXPECT_EQ(picture.width, 640);
+    EXPECT_EQ(picture.height, 480);
+    for (const auto& color : {kOpen, kOpposed, kDouble}) {
+        EXPECT_GT(pixelsOf(picture, color), 150);
+    }
+    EXPECT_EQ(pixelsOf(picture, kNeedle), 0);
+}
+
+TEST_F(Inspect, APictureOfASoundModelHasNoLines) {
+    const ProgramRun run = runKerf({"inspect", "sphere80", "--picture", file("ball.png")});
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    const render::Image picture = render::readPng(folder / "ball.png");
+    EXPECT_EQ(picture.width, 1280);
+    for (const auto& color : {kOpen, kOpposed, kDouble, kNeedle}) {
+        EXPECT_EQ(pixelsOf(picture, color), 0);
+    }
+}
+
+TEST_F(Inspect, APictureShowsWhatARepairLeaves) {
+    TriangleSoup soup = test::boxSoup(Vec3(1, 20, 1));
+    soup.triangles.erase(soup.triangles.begin());
+    write("open.obj", soup);
+    const ProgramRun run = runKerf({"inspect", file("open.obj"), "--repair", file("closed.ply"),
+                                    "--picture", file("closed.png")});
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    const render::Image picture = render::readPng(folder / "closed.png");
+    EXPECT_EQ(pixelsOf(picture, kOpen), 0);
+    EXPECT_GT(pixelsOf(picture, kNeedle), 150);
+}
+
+TEST_F(Inspect, RefusesPicturesThatCannotBe) {
+    EXPECT_EQ(runKerf({"inspect", "sphere80", "--picture", file("ball.jpg")}).exitCode, 2);
+    EXPECT_EQ(runKerf({"inspect", "sphere80", "--picture", file("none/ball.png")}).exitCode, 5);
+    for (const char* size : {"640", "640x", "0x480", "640x480x3", "-1x5", "9000x10", ""}) {
+        EXPECT_EQ(
+            runKerf({"inspect", "sphere80", "--picture", file("b.png"), "--size", size}).exitCode,
+            2)
+            << size;
+    }
+    EXPECT_EQ(runKerf({"inspect", "sphere80", "--size", "640x480"}).exitCode, 2);
+    EXPECT_EQ(runKerf({"inspect", file("none.obj"), "--picture", file("b.png")}).exitCode, 3);
+    EXPECT_FALSE(std::filesystem::exists(folder / "b.png"));
 }
 
 }  // namespace

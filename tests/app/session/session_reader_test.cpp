@@ -2,6 +2,7 @@
 
 #include "app/files/sha256.h"
 #include "app/session/session.h"
+#include "sim/mesh/invariants.h"
 #include "tests/support/session_samples.h"
 #include "tests/support/small_sessions.h"
 #include "tests/support/temporary_folder.h"
@@ -232,6 +233,37 @@ TEST(SessionWriter, ModelPathsAreRelativeToTheFolder) {
     const std::string text = formatSession(session, "/data/sessions");
     EXPECT_NE(text.find(R"("path":"../models/a.obj")"), std::string::npos);
     EXPECT_EQ(parseSession(text, "/data/sessions").model.path, "/data/models/a.obj");
+}
+
+TEST(SessionWriter, KeepsWhatMendsItsModels) {
+    const std::string text = R"({"format": "kerf-session", "version": 1, "steps": 1,
+        "model": {"builtin": "sphere20", "remesh": true},
+        "more_models": [{"builtin": "banana", "repair": true, "remesh": true},
+                        {"builtin": "banana", "fill_holes": true}]})";
+    const Session read = parseSession(text, "/");
+    const Session again = parseSession(formatSession(read), "/");
+    for (const Session& session : {read, again}) {
+        EXPECT_TRUE(session.warnings.empty());
+        EXPECT_TRUE(session.model.remesh);
+        EXPECT_FALSE(session.model.repair);
+        EXPECT_TRUE(session.moreModels.at(0).model.remesh);
+        EXPECT_TRUE(session.moreModels.at(0).model.repair);
+        EXPECT_FALSE(session.moreModels.at(1).model.remesh);
+    }
+    EXPECT_EQ(formatSession(parseSession(sessionWith(""), "/")).find("remesh"), std::string::npos);
+}
+
+TEST(SessionLoading, EvenTrianglesAreTheSameEachTimeAndOfOneSize) {
+    Session session = parseSession(sessionWith(R"("more_models": [{"builtin": "sphere80"}])"), "/");
+    session.model.builtin = "banana";
+    session.model.remesh = true;
+    const SurfaceMesh first = loadSessionModel(session).mesh;
+    const SurfaceMesh second = loadSessionModel(session).mesh;
+    EXPECT_EQ(first.restPositions(), second.restPositions());
+    session.model.remesh = false;
+    const SurfaceMesh asItIs = loadSessionModel(session).mesh;
+    EXPECT_NE(first.aliveTriangles(), asItIs.aliveTriangles());
+    EXPECT_NEAR(meshVolume(first), meshVolume(asItIs), 0.01 * meshVolume(asItIs));
 }
 
 TEST(SessionWriter, RefusesWhatIsNotFinite) {

@@ -8,6 +8,7 @@
 
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
+#include "sim/mesh/triangle_quality.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -40,13 +41,13 @@ TEST(Remesher, MakesEvenTrianglesAndKeepsTheVolume) {
     for (TriangleSoup soup :
          {test::gradedSphereSoup(), test::bentTubeSoup(60, 16), test::torusSoup(90, 12)}) {
         const double volume = inspectTriangles(soup).volume;
-        const double edge = repair::meanEdge(soup);
+        const double edge = figuresOf(soup).meanEdge();
         repair::remesh(soup, edge);
         const MeshReport report = inspectTriangles(soup);
         EXPECT_EQ(report.problem, "");
         EXPECT_NEAR(report.volume, volume, 0.01 * volume);
         EXPECT_GT(leastAngle(soup), 15);
-        EXPECT_NEAR(repair::meanEdge(soup), edge, 0.25 * edge);
+        EXPECT_NEAR(figuresOf(soup).meanEdge(), edge, 0.25 * edge);
         EXPECT_EQ(checkClosedManifold(test::meshOf(soup)), "");
     }
 }

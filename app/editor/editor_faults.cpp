@@ -1,0 +1,277 @@
+// Models with faults in the view, and exchanging the scene for a better one as a step that is
+// undone.
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/editor/editor_state.h"
+#include "sim/base/text.h"
+#include "ui/action_table.h"
+#include "ui/unit_text.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr const char* kEven = "Even triangles";
+constexpr const char* kRepair = "Repair";
+
+/// Of all models together.
+TriangleFigures figuresOf(const EditorScene& scene) {
+    TriangleFigures all;
+    for (const EditorScene::ModelFigures& model : scene.rest().models) {
+        all.triangles += model.triangles.triangles;
+        all.needles += model.triangles.needles;
+    }
+    return all;
+}
+
+std::string changeText(const TriangleFigures& before, const TriangleFigures& now) {
+    return fmt::format("{} became {}, needles {} became {}",
+                       counted(before.triangles, "triangle", "triangles"), now.triangles,
+                       before.needles, now.needles);
+}
+
+/// The sentence of a fault with the name of the file alone, and without what a modelling tool could
+/// do.
+std::string shortSentence(const ModelFault& fault, const OpeningOrder& order) {
+    std::string sentence = fault.what();
+    if (const std::string whole = order.file.string(); sentence.starts_with(whole)) {
+        sentence.replace(0, whole.size(), order.file.filename().string());
+    }
+    return sentence.substr(0, sentence.find(';'));
+}
+
+/// What would mend a model.
+struct Help {
+    Mending mending = Mending::none;
+    std::string sentence;
+    std::string button;
+};
+
+Help helpFor(const ModelFault& fault) {
+    if (fault.fillableHoles() > 0) {
+        const std::string holes = counted(fault.fillableHoles(), "hole", "holes");
+        return {Mending::fillHoles, "Filling " + holes + " would close it", "Fill " + holes};
+    }
+    if (!fault.repairs().empty()) {
+        return {Mending::repair,
+                "A repair would help (" + kerf::joined(fault.repairs(), ", ") + ")", "Repair"};
+    }
+    return {};
+}
+
+}  // namespace
+
+// --- A model that can't be cut -----------------------------------------------------------------
+
+void Editor::State::showFaulty(const ModelFault& fault, const OpeningOrder& order) {
+    hideFaulty();
+    if (fault.found() == nullptr || fault.found()->soup.triangles.empty()) {
+        return;
+    }
+    faulty.emplace(
+        Faulty{fault, order, FaultyScene(*fault.found(), order.file), EditorCamera(view.camera)});
+    constexpr double kShare = 0.62;  // of the view's height; the question stands below
+    view.camera = EditorCamera(faulty->scene.camera());
+    view.camera.flyToFrame(faulty->scene.bounds(), kShare);
+    view.camera.advance(EditorCamera::kFlightSeconds);
+    redraw.scene();
+}
+
+void Editor::State::hideFaulty() {
+    if (faulty) {
+        view.camera = faulty->before;
+        faulty.reset();
+        redraw.scene();
+    }
+}
+
+/// Only what would really help is offered.
+void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder& order) {
+    showFaulty(fault, order);
+    const Help help = helpFor(fault);
+    if (help.mending == Mending::none) {
+        toast.show(fault.what(), true);
+        return;
+    }
+    asked = {
+        {.title = "This model can't be cut as it is",
+         .text = shortSentence(fault, order) + ". " + help.sentence + "; the file stays as it is.",
+         .choices = {help.button, "Cancel"},
+         .aside = faulty.has_value()},
+        [this, fault, order, help](int choice) {
+            hideFaulty();
+            if (choice == 0) {
+                open(order, help.mending);
+                beingMended = Mended{fault, order};
+            }
+        }};
+}
+
+void Editor::State::askAboutRepair() {
+    showFaulty(mended->fault, mended->order);
+    asked = {{.title = "The repair is taken back",
+              .text = shortSentence(mended->fault, mended->order) +
+                      ". Without the repair it can't be cut.",
+              .choices = {"Repair again", "Close the model"},
+              .aside = faulty.has_value()},
+             [this](int choice) {
+                 hideFaulty();
+                 if (choice == 0) {
+                     toast.show("Done again: " + std::string(kRepair) + ".", false);
+                 } else {
+                     askBefore("Close the model", [this] { closeScene(); });
+                 }
+             }};
+    redraw.panels();
+}
+
+void Editor::State::closeScene() {
+    leaveScene();
+    keeping.discard();
+    describeScene();
+    redraw.scene();
+}
+
+// --- Even triangles ----------------------------------------------------------------------------
+
+void Editor::State::makeEven(int model) {
+    Session start = scene->startOfScene();
+    ModelReference& reference = model == 0 ? start.model : start.moreModels.at(model - 1).model;
+    reference.remesh = true;
+    const OpeningOrder order{fmt::format("Making the triangles of {} even", reference.name()),
+                             reference.file(),
+                             [name = scene->document().name, start](const ReadOptions& options) {
+                                 return kerf::app::openScene(name, start, options);
+                             },
+                             nullptr, kEven};
+    if (told.untouched && scene->document().session.events.empty()) {
+        open(order);
+        return;
+    }
+    asked = {
+        {.title = "The scene begins anew with even triangles",
+         .text =
+             "What was cut, and what a session does, goes with the old triangles. Undo brings all "
+             "of it back.",
+         .choices = {"Go on", "Cancel"}},
+        [this, order](int choice) {
+            if (choice == 0) {
+                open(order);
+            }
+        }};
+}
+
+void Editor::State::exchange(UploadedDocument uploaded, const std::string& change) {
+    // It may fail for want of memory; what is open stays then.
+    auto next =
+        std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
+    const TriangleFigures before = figuresOf(*scene);
+    const TriangleFigures now = figuresOf(*next);
+    view.cancelTools(*scene);
+    scene->playing = false;
+    scene->stopSeeking();
+    picture.setRestDepth(uploaded.depth);
+    std::unique_ptr<EditorScene> old = scene.exchange(std::move(next));
+    const int saved = keeping.savedDeeds();
+    sceneSteps.add(change, std::move(old), saved);
+    keeping.begin();
+    view.beginAgain(*scene);
+    beginScene();
+    const std::string outcome = fmt::format("{}: {}.", change, changeText(before, now));
+    spdlog::info("{}: {}", scene->document().name, outcome);
+    toast.offer(outcome, {ui::ActionId::undo, "Undo"});
+}
+
+bool Editor::State::undoesScene() {
+    if (!sceneSteps.undoes(*scene) && !(mended && !scene->simulation().history().canUndo())) {
+        return false;
+    }
+    exchangeWanted = Exchange::back;
+    return true;
+}
+
+bool Editor::State::redoesScene() {
+    if (!sceneSteps.redoes(*scene)) {
+        return false;
+    }
+    exchangeWanted = Exchange::forth;
+    return true;
+}
+
+void Editor::State::followExchange() {
+    const Exchange wanted = std::exchange(exchangeWanted, Exchange::none);
+    if (wanted == Exchange::none || scene == nullptr) {
+        return;
+    }
+    const bool back = wanted == Exchange::back;
+    if (back && !sceneSteps.undoes(*scene)) {
+        waiting.clear();
+        askAboutRepair();
+        return;
+    }
+    view.cancelTools(*scene);
+    scene->playing = false;
+    scene->stopSeeking();
+    const int saved = keeping.savedDeeds();
+    std::unique_ptr<EditorScene> now = scene.exchange(nullptr);
+    SceneSteps::Kept kept =
+        back ? sceneSteps.undo(std::move(now), saved) : sceneSteps.redo(std::move(now), saved);
+    scene.exchange(std::move(kept.scene));
+    picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
+    keeping.begin();
+    keeping.noteSaved(kept.savedDeeds);
+    view.beginAgain(*scene);
+    beginScene();
+    toast.show((back ? "Taken back: " : "Done again: ") + kept.name + ".", false);
+}
+
+// --- The history -------------------------------------------------------------------------------
+
+void Editor::State::goToChange(std::size_t done) {
+    const UndoHistory& history = scene->simulation().history();
+    const std::size_t first = rowsBefore();
+    const std::size_t own = std::max(done, first) - first;
+    while (history.done() > own && history.canUndo()) {
+        execute(Undo{});
+    }
+    while (history.done() < own && history.canRedo() && !sceneSteps.redoes(*scene)) {
+        execute(Redo{});
+    }
+    const bool further = done < first ? undoesScene() : history.done() < own && redoesScene();
+    if (further) {
+        waiting.emplace_front(ui::GoToChange{done});
+        return;
+    }
+    toast.show(history.canUndo() ? "Gone to: " + ui::withRaisedDigits(history.lastDone().name) + "."
+                                 : "Gone to the start of the history.",
+               false);
+}
+
+void Editor::State::describeFaults() {
+    ui::PanelModel& model = panels.model;
+    if (scene != nullptr) {
+        if (mended) {
+            model.changes.rows.insert(model.changes.rows.begin(), ui::ChangeRow{kRepair, 0});
+            ++model.changes.done;
+        }
+        if (model.display.overlays.faults && !faulty) {
+            model.faults = ui::faultRows(*scene.meanwhile()->faultMarks());
+        }
+    }
+    if (faulty) {
+        model.showsFaulty = true;
+        model.faults = ui::faultRows(faulty->scene.marks());
+        model.overlay = {};
+        model.hint = {};
+        if (!asked) {
+            model.hint = {
+                faulty->order.file.filename().string() + " can't be cut: these are its faults.",
+                {{ui::ActionId::cancel, "Back"}}};
+        }
+    }
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/scene/editor_scene.h"
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+/// The changes that exchanged the whole scene for another one, as for even triangles. The scene
+/// before each is kept as it was, with its cuts and its own history, so that undo brings all of it
+/// back; one that was undone is kept until the scene before it is changed otherwise.
+class SceneSteps {
+  public:
+    /// The most scenes that are kept: each holds its body, on the GPU too.
+    static constexpr std::size_t kMost = 2;
+
+    /// A scene that is not the open one.
+    struct Kept {
+        std::string name;  ///< of the change between it and the next one towards the open scene
+        std::unique_ptr<EditorScene> scene;
+        int savedDeeds = 0;      ///< see WorkKeeping::noteSaved()
+        int additions = 0;       ///< UndoHistory::additions() of the scene before the change, then
+        std::size_t undone = 0;  ///< so many of its changes were undone then
+    };
+
+    /// Forgets all.
+    void clear();
+    /// `before` was exchanged for a new scene. What was undone is lost.
+    void add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds);
+    /// Forgets what can't be brought back any more since `now`, the open scene, was changed.
+    void follow(const EditorScene& now);
+
+    /// Whether an undo takes an exchange back: nothing else of `now` is left to undo.
+    bool undoes(const EditorScene& now) const;
+    /// Whether a redo brings an exchange back.
+    bool redoes(const EditorScene& now) const;
+    /// The scene to be open next, instead of `now`, of which that many deeds are saved. One must be
+    /// there: see undoes() and redoes().
+    Kept undo(std::unique_ptr<EditorScene> now, int savedDeeds);
+    Kept redo(std::unique_ptr<EditorScene> now, int savedDeeds);
+
+    /// So many rows of the history stand before those of `now`.
+    std::size_t rowsBefore() const;
+    /// Puts the rows of the other scenes around those of `now`.
+    void describe(const EditorScene& now, ui::ChangeList& list) const;
+
+  private:
+    std::vector<Kept> before_;  ///< oldest first
+    std::vector<Kept> after_;   ///< the next one last
+};
+
+}  // namespace kerf::app

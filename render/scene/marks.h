@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "render/scene/overlays.h"
+
+namespace kerf::render {
+
+/// Lines and dots of one colour over a body, as of one kind of fault of its model. What is hidden
+/// by the body shines through it, fainter.
+struct Marks {
+    std::string label;  ///< what they are, for the legend: "12 open edges"
+    DisplayColor color{};
+    std::vector<std::uint32_t> lines;  ///< pairs of vertices of the body
+    std::vector<std::uint32_t> dots;   ///< vertices of the body
+};
+
+}  // namespace kerf::render

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "sim/mesh/triangle.h"
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf {
+
+/// Whether a triangle with an area is a needle or a flap: lower than a tenth of its longest edge.
+bool isNeedle(const Corners& corners);
+
+/// The triangles of a surface, as a soft body would have them: even ones of one size are best.
+struct TriangleFigures {
+    int triangles = 0;
+    int needles = 0;          ///< see isNeedle()
+    double area = 0;          ///< [m^2]
+    double shortestEdge = 0;  ///< [m]
+    double longestEdge = 0;   ///< [m]
+    double edgeSum = 0;       ///< over all corners, so that each edge between two counts twice [m]
+
+    void add(const Corners& corners);
+    /// The mean edge [m], 0 where there is none.
+    double meanEdge() const { return triangles > 0 ? edgeSum / (3.0 * triangles) : 0; }
+};
+
+/// Of a soup, whose indices must be in range.
+TriangleFigures figuresOf(const TriangleSoup& soup);
+
+/// The edge length for even triangles [m]: the mean of what there is, or a longer one where that
+/// made more than four times as many triangles, as tiny ones beside giant ones would.
+double evenEdge(const TriangleFigures& figures);
+/// About how many triangles a surface has whose edges are so long [m].
+double trianglesOf(const TriangleFigures& figures, double edge);
+
+}  // namespace kerf

@@ -1,0 +1,297 @@
+// Models with faults in the editor's view, and even triangles as a step that is undone.
+#include <gmock/gmock.h>
+
+#include "app/files/file_io.h"
+#include "app/scene/editor_scene.h"
+#include "tests/app/editor/editor_fixture.h"
+#include "tests/app/session/replayed_session.h"
+#include "tests/support/model_defects.h"
+
+namespace kerf::app {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr std::array<int, 3> kOpen{213, 94, 0};
+
+/// How many pixels of the view have about this colour.
+int pixelsOf(const render::Image& image, const std::array<int, 3>& color) {
+    const std::vector<std::uint8_t> pixels = viewPixels(image);
+    int found = 0;
+    for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
+        bool alike = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+            alike = alike && std::abs(pixels[i + c] - color[c]) < 12;
+        }
+        found += alike ? 1 : 0;
+    }
+    return found;
+}
+
+class EditorFaultsTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        editor->resize(1280, 1100);
+        frames(2);
+    }
+    void openBroken(const std::vector<std::string>& defects) {
+        TriangleSoup soup = test::soundBall();
+        for (const std::string& defect : defects) {
+            test::modelDefects().at(defect)(soup);
+        }
+        test::writeText(folder / "broken.obj", test::objText(soup));
+        editor->open(folder / "broken.obj");
+        waitForWork();
+        frames(2);
+    }
+    /// Unfolds the section of the model, where it is folded.
+    void unfoldModel() {
+        if (!editor->itemRects().contains("model.even")) {
+            click("section.model");
+        }
+    }
+    void even() {
+        unfoldModel();
+        click("model.even");
+        waitForWork();
+        frames(2);
+    }
+    std::string hash() { return editor->scene()->simulation().stateHash(); }
+    void cut() {
+        drag(kTop + Vec2(160, 0), kBottom + Vec2(160, 500), 12);
+        settle();
+    }
+    void undo() {
+        tap(Key::z, {.control = true});
+        frames(2);
+    }
+    void redo() {
+        tap(Key::y, {.control = true});
+        frames(2);
+    }
+    std::vector<std::string> faultLabels() {
+        std::vector<std::string> labels;
+        for (const ui::FaultRow& row : panels().faults) {
+            labels.push_back(row.label);
+        }
+        return labels;
+    }
+    std::vector<std::string> changes() {
+        std::vector<std::string> names;
+        for (const ui::ChangeRow& row : panels().changes.rows) {
+            names.push_back(row.name);
+        }
+        return names;
+    }
+};
+
+TEST_F(EditorFaultsTest, AModelWithFaultsStandsBehindTheQuestion) {
+    const render::Camera before = editor->scene()->homeView();
+    openBroken({"large hole"});
+    ASSERT_NE(panels().question.text, "");
+    EXPECT_TRUE(panels().showsFaulty);
+    ASSERT_EQ(panels().faults.size(), 1U);
+    EXPECT_THAT(panels().faults[0].label, HasSubstr("open edges"));
+    EXPECT_GT(pixelsOf(editor->readPicture(), kOpen), 200);
+    tap(Key::escape);
+    frames(2);
+    EXPECT_FALSE(panels().showsFaulty);
+    EXPECT_THAT(panels().faults, IsEmpty());
+    EXPECT_EQ(pixelsOf(editor->readPicture(), kOpen), 0);
+    EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
+    EXPECT_EQ(editor->scene()->homeView().eye, before.eye);
+}
+
+TEST_F(EditorFaultsTest, TheViewCanBeTurnedBesideTheQuestion) {
+    openBroken({"large hole"});
+    const render::Image before = editor->readPicture();
+    const Vec2 middle(640, 300);
+    drag(middle, middle + Vec2(150, 20), 5, Button::right);
+    frames(3);
+    EXPECT_NE(viewPixels(editor->readPicture()), viewPixels(before));
+    EXPECT_NE(panels().question.text, "") << "it is still asked";
+    tap(Key::escape);
+    frames(2);
+    const render::Image back = editor->readPicture();
+    editor->open(folder / "broken.obj");
+    waitForWork();
+    tap(Key::escape);
+    frames(2);
+    EXPECT_EQ(viewPixels(editor->readPicture()), viewPixels(back)) << "the camera is as it was";
+}
+
+TEST_F(EditorFaultsTest, WhatNothingMendsIsShownUntilOneGoesBack) {
+    test::writeText(folder / "sheet.obj",
+                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\n"
+                    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+    editor->open(folder / "sheet.obj");
+    waitForWork();
+    frames(2);
+    EXPECT_EQ(panels().question.text, "");
+    EXPECT_TRUE(panels().toastIsError);
+    EXPECT_TRUE(panels().showsFaulty);
+    EXPECT_THAT(panels().hint.text, HasSubstr("sheet.obj can't be cut"));
+    const std::string state = hash();
+    tap(Key::escape);
+    frames(2);
+    EXPECT_FALSE(panels().showsFaulty);
+    EXPECT_EQ(hash(), state);
+}
+
+TEST_F(EditorFaultsTest, ARepairIsTakenBackAndDoneAgain) {
+    openBroken({"large hole", "doubles"});
+    tap(Key::enter);
+    waitForWork();
+    frames(2);
+    EXPECT_EQ(editor->title(), "Kerf - broken - 1 piece");
+    EXPECT_THAT(changes(), ElementsAre("Repair"));
+    const std::string mended = hash();
+    undo();
+    EXPECT_EQ(panels().question.title, "The repair is taken back");
+    EXPECT_TRUE(panels().showsFaulty);
+    EXPECT_EQ(panels().faults.size(), 2U);
+    tap(Key::enter);
+    frames(2);
+    EXPECT_EQ(hash(), mended);
+    EXPECT_FALSE(panels().showsFaulty);
+    undo();
+    tap(Key::escape);
+    frames(2);
+    EXPECT_EQ(editor->scene(), nullptr);
+    EXPECT_EQ(editor->title(), "Kerf");
+}
+
+TEST_F(EditorFaultsTest, EvenTrianglesAreUndoneAndRedoneToTheBit) {
+    const std::string before = hash();
+    const int triangles = panels().triangles;
+    even();
+    const std::string evened = hash();
+    EXPECT_NE(evened, before);
+    EXPECT_THAT(panels().toast, HasSubstr("768 triangles became"));
+    EXPECT_THAT(changes(), ElementsAre("Even triangles"));
+    EXPECT_EQ(panels().changes.done, 1U);
+    EXPECT_TRUE(panels().models[0].evening.empty()) << "they are even";
+    undo();
+    EXPECT_EQ(hash(), before);
+    EXPECT_EQ(panels().triangles, triangles);
+    EXPECT_THAT(changes(), ElementsAre("Even triangles"));
+    EXPECT_EQ(panels().changes.done, 0U);
+    redo();
+    EXPECT_EQ(hash(), evened);
+    EXPECT_EQ(panels().changes.done, 1U);
+}
+
+TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
+    cut();
+    const int pieces = editor->scene()->pieceCount();
+    ASSERT_FALSE(panels().untouched);
+    const std::string before = hash();
+    const std::size_t own = changes().size();
+    even();
+    EXPECT_THAT(panels().question.title, HasSubstr("begins anew"));
+    tap(Key::enter);
+    waitForWork();
+    frames(2);
+    EXPECT_TRUE(panels().untouched);
+    EXPECT_EQ(changes().size(), own + 1);
+    undo();
+    EXPECT_EQ(hash(), before);
+    EXPECT_EQ(editor->scene()->pieceCount(), pieces);
+    undo();
+    EXPECT_TRUE(panels().untouched) << "the cut before is undone in its turn";
+    redo();
+    EXPECT_EQ(hash(), before);
+    redo();
+    EXPECT_THAT(panels().toast, HasSubstr("Done again: Even triangles"));
+    EXPECT_TRUE(panels().untouched);
+}
+
+TEST_F(EditorFaultsTest, AnotherChangeForgetsWhatWasUndone) {
+    even();
+    undo();
+    cut();
+    ASSERT_FALSE(panels().untouched);
+    const std::string changed = hash();
+    redo();
+    EXPECT_EQ(hash(), changed);
+    EXPECT_THAT(changes(), Not(Contains("Even triangles")));
+}
+
+TEST_F(EditorFaultsTest, TheHistoryGoesFromSceneToScene) {
+    cut();
+    const std::string cutHash = hash();
+    even();
+    tap(Key::enter);
+    waitForWork();
+    frames(2);
+    const std::string evened = hash();
+    cut();
+    const std::string both = hash();
+    const std::size_t rows = changes().size();
+    editor->resize(1280, 1100);
+    click("tab.History");
+    while (panels().changes.done > 0) {
+        undo();
+    }
+    EXPECT_NE(hash(), cutHash);
+    EXPECT_TRUE(panels().untouched);
+    EXPECT_EQ(changes().size(), rows);
+    redo();
+    EXPECT_EQ(hash(), cutHash);
+    redo();
+    EXPECT_EQ(hash(), evened);
+    redo();
+    EXPECT_EQ(hash(), both);
+}
+
+TEST_F(EditorFaultsTest, CancelLeavesEverythingAsItWas) {
+    const std::string before = hash();
+    unfoldModel();
+    click("model.even");
+    tap(Key::escape);
+    waitForWork();
+    EXPECT_EQ(hash(), before);
+    EXPECT_THAT(changes(), IsEmpty());
+}
+
+TEST_F(EditorFaultsTest, ASessionSavedAfterwardsReplaysToTheBit) {
+    even();
+    cut();
+    ASSERT_FALSE(panels().untouched);
+    tap(Key::s, {.control = true});
+    frames(2);
+    type("even");
+    tap(Key::enter);
+    waitForWork();
+    const Session session = readSession(folder / "even.kerf.json");
+    EXPECT_TRUE(session.model.remesh);
+    EXPECT_EQ(lastCheck(session).hash, hash());
+    expectReplayed(session, loadSessionModel(session));
+    EXPECT_NE(loadSessionModel(session).mesh.aliveTriangles(), 768);
+}
+
+TEST_F(EditorFaultsTest, FaultsOfTheOpenModelAreShownOnDemand) {
+    test::writeText(folder / "bar.obj", test::objText(test::boxSoup(Vec3(1, 20, 1))));
+    editor->open(folder / "bar.obj");
+    waitForWork();
+    frames(2);
+    EXPECT_EQ(panels().faultCount, 8);
+    EXPECT_THAT(panels().faults, IsEmpty());
+    EXPECT_THAT(panels().models[0].triangles, HasSubstr("12 triangles, 8 of them needles"));
+    unfoldModel();
+    constexpr std::array<int, 3> kNeedle{230, 159, 0};
+    EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
+    click("model.faults");
+    frames(2);
+    EXPECT_THAT(faultLabels(), ElementsAre("8 needles"));
+    EXPECT_GT(pixelsOf(editor->readPicture(), kNeedle), 100);
+    even();
+    EXPECT_EQ(panels().faultCount, 0);
+    EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
+}
+
+}  // namespace
+}  // namespace kerf::app

@@ -1,0 +1,40 @@
+#include "sim/mesh/triangle_quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+TEST(TriangleQuality, ANeedleIsLowerThanATenthOfItsLongestEdge) {
+    EXPECT_FALSE(isNeedle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0.11, 0)}));
+    EXPECT_TRUE(isNeedle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0.09, 0)}));
+    EXPECT_TRUE(isNeedle({Vec3(0, 0, 0), Vec3(1000, 0, 0), Vec3(1, 90, 0)}));
+    EXPECT_FALSE(isNeedle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0, 0)})) << "has no area";
+}
+
+TEST(TriangleQuality, FiguresAreThoseOfTheBox) {
+    const TriangleFigures box = figuresOf(test::boxSoup(Vec3(1, 20, 1)));
+    EXPECT_EQ(box.triangles, 12);
+    EXPECT_EQ(box.needles, 8);
+    EXPECT_NEAR(box.area, 82, 1e-9);
+    EXPECT_NEAR(box.shortestEdge, 1, 1e-12);
+    EXPECT_NEAR(box.longestEdge, std::sqrt(401), 1e-12);
+    EXPECT_EQ(figuresOf({}).meanEdge(), 0);
+}
+
+TEST(TriangleQuality, EvenEdgesAreTheMeanOrAtMostFourTimesTheTriangles) {
+    const TriangleFigures ball = figuresOf(test::icosphereSoup(3));
+    EXPECT_EQ(evenEdge(ball), ball.meanEdge());
+    EXPECT_NEAR(trianglesOf(ball, ball.meanEdge()), ball.triangles, 0.05 * ball.triangles);
+    const TriangleFigures mixed = figuresOf(test::joined(
+        test::icosphereSoup(4, 0.01), test::boxSoup(Vec3::Constant(10)), Vec3::Zero()));
+    EXPECT_GT(evenEdge(mixed), 2 * mixed.meanEdge());
+    EXPECT_NEAR(trianglesOf(mixed, evenEdge(mixed)), 4.0 * mixed.triangles, 1);
+}
+
+}  // namespace
+}  // namespace kerf
