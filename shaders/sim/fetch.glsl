@@ -10,21 +10,13 @@
 #define RECORD_QUADS(unit) layout(binding = unit, rgba32ui) readonly uniform uimageBuffer
 #define RECORD_PAIRS(unit) layout(binding = unit, rg32ui) readonly uniform uimageBuffer
 #define RECORD_WORDS(unit) layout(binding = unit, r32ui) readonly uniform uimageBuffer
-#define RECORDS readonly uimageBuffer
-
-vec4 fetch(readonly imageBuffer texels, uint index) {
-    return imageLoad(texels, int(index));
-}
-
-uvec4 fetch(readonly uimageBuffer texels, uint index) {
-    return imageLoad(texels, int(index));
-}
+#define fetch(texels, index) imageLoad(texels, int(index))
 #else
 #define STATE_TEXELS(unit) layout(binding = unit) uniform samplerBuffer
 #define RECORD_QUADS(unit) layout(binding = unit) uniform usamplerBuffer
 #define RECORD_PAIRS(unit) layout(binding = unit) uniform usamplerBuffer
 #define RECORD_WORDS(unit) layout(binding = unit) uniform usamplerBuffer
-#define RECORDS usamplerBuffer
+#define fetch(texels, index) texelFetch(texels, int(index))
 #endif
 
 // The lists by which the vertices gather (constraints.h).
@@ -33,28 +25,21 @@ uvec4 fetch(readonly uimageBuffer texels, uint index) {
 #define RANGES_OF_Shares(unit) RECORD_PAIRS(unit)
 #define ENTRIES_OF_Shares(unit) RECORD_QUADS(unit)
 
-vec4 fetch(samplerBuffer texels, uint index) {
-    return texelFetch(texels, int(index));
-}
-
-uvec4 fetch(usamplerBuffer texels, uint index) {
-    return texelFetch(texels, int(index));
-}
-
+// No function takes a list: images have formats, which GLSL has no word for in parameters.
 #ifdef KERF_BODY_RECORDS_H
-Spoke fetchSpoke(RECORDS records, uint index) {
-    uvec4 words = fetch(records, index);
+Spoke spokeOf(uvec4 words) {
     return Spoke(words.x, uintBitsToFloat(words.y), uintBitsToFloat(words.z), words.w);
 }
+#define fetchSpoke(records, index) spokeOf(fetch(records, index))
 
-BendRecord fetchBend(RECORDS records, uint index) {
-    uvec4 v = fetch(records, 2u * index);
-    vec4 rest = uintBitsToFloat(fetch(records, 2u * index + 1u));
+BendRecord bendOf(uvec4 v, uvec4 words) {
+    vec4 rest = uintBitsToFloat(words);
     return BendRecord(v.x, v.y, v.z, v.w, rest.x, rest.y, rest.z, 0u);
 }
+#define fetchBend(records, index) \
+    bendOf(fetch(records, 2u * (index)), fetch(records, 2u * (index) + 1u))
 
-BendRange fetchBendRange(RECORDS records, uint index) {
-    uvec4 words = fetch(records, index);
+BendRange bendRangeOf(uvec4 words) {
     return BendRange(words.x, words.y, words.z, 0u);
 }
 #endif

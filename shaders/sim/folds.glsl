@@ -8,7 +8,7 @@
 // that unfold; to others nothing is folded.
 #ifdef UNFOLDS
 layout(binding = kFoldsUnit) uniform usamplerBuffer folds;
-float foldAt(uint v) { return uintBitsToFloat(fetch(folds, v).x); }
+float foldAt(uint v) { return uintBitsToFloat(texelFetch(folds, int(v)).x); }
 #else
 float foldAt(uint v) { return 0.0; }
 #endif

@@ -23,6 +23,8 @@ ENTRIES(kEntriesBinding) entries;
 STATE_TEXELS(kCorrectionsBinding) corrections;
 
 vec4 correctionAt(uint index) { return fetch(corrections, index); }
+uvec4 rangeOfList(uint type, uint v) { return fetch(ranges, v); }
+uvec4 entryOfList(uint type, uint index) { return fetch(entries, index); }
 
 #include "sim/gather.glsl"
 #include "sim/mass_split.glsl"
@@ -33,7 +35,7 @@ vec4 correctionAt(uint index) { return fetch(corrections, index); }
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
-    vec3 sum = SUM(ranges, entries, v);
+    vec3 sum = SUM(TYPE, v);
     vec4 x = fetch(positions, v);
     vec3 d = withSum(fetch(before, v).xyz, x.w, sum);
 #ifdef ONTO_FLOOR

@@ -51,6 +51,21 @@ layout(std430, binding = kSmallImpulsesBinding) coherent buffer Impulses {
 
 #include "sim/small_body_state.glsl"
 
+#define RANGE_OF(number, Name, list, Constraint, Gather) \
+    if (type == number) return fetch(list##Ranges, v);
+#define ENTRY_OF(number, Name, list, Constraint, Gather) \
+    if (type == number) return fetch(list##Entries, index);
+uvec4 rangeOfList(uint type, uint v) {
+    KERF_PULLING(RANGE_OF)
+    return uvec4(0u);
+}
+uvec4 entryOfList(uint type, uint index) {
+    KERF_PULLING(ENTRY_OF)
+    return uvec4(0u);
+}
+#undef RANGE_OF
+#undef ENTRY_OF
+
 Spoke spokeAt(uint place) { return fetchSpoke(spokes, place); }
 // Open pieces have no volume constraint, so gaps do not matter here.
 uvec2 neighboursAt(uint pair) { return fetch(neighbours, pair).xy & ~kAfterGap; }
@@ -111,11 +126,13 @@ void stretchAll() {
 
 #define PHASES(number, Name, list, Constraint, Gather)                                        \
     void pullBy##Name() {                                                                     \
-        FOR_EACH_OWN(i, uniforms.count[number]) solve##Name(list##Records, i);                \
+        FOR_EACH_OWN(i, uniforms.count[number]) {                                             \
+            solve##Name(fetch##Name(list##Records, i), i);                                    \
+        }                                                                                     \
         endPhase();                                                                           \
     }                                                                                         \
     vec3 after##Name(uint v, float inverseUnitMass) {                                         \
-        vec3 sum = sumOf##Gather(list##Ranges, list##Entries, v);                             \
+        vec3 sum = sumOf##Gather(number, v);                                                  \
         return withSum(displacementOf(v).xyz, inverseUnitMass, sum);                          \
     }                                                                                         \
     void solveAll##Name() {                                                                   \

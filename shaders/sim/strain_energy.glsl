@@ -25,8 +25,7 @@ float edgeEnergy(uint v) {
 #include "sim/unfold/folded.glsl"
 float largestFold = 0.0;  // of the bends that this thread has summed up
 
-float energyOfBend(RECORDS records, uint index) {
-    BendRecord bend = fetchBend(records, index);
+float energyOfBend(BendRecord bend) {
     vec3 from = fetch(positions, bend.v0).xyz;
     Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from,
                           fetch(positions, bend.v2).xyz - from,
@@ -51,7 +50,7 @@ float strainEnergy(uint first, uint stride) {
 #define SUM_UP(number, Name, list, Constraint, Gather)                        \
     uint list##Count = countIf(k##Name##Part, uniforms.count[number]);        \
     for (uint i = first; i < list##Count; i += stride) {                      \
-        sum += energyOf##Name(list##Records, i);                              \
+        sum += energyOf##Name(fetch##Name(list##Records, i));                 \
     }
     KERF_PULLING(SUM_UP)
 #undef SUM_UP

@@ -29,6 +29,7 @@ constexpr uint kLastType = kConstraintTypes - 1;
 const std::array<Defines, kConstraintTypes> kNames{{
 #define KERF_NAMES(number, Name, list, Constraint, Gather) \
     {{"TYPE", #number},                                    \
+     {"FETCH", "fetch" #Name},                             \
      {"SOLVE", "solve" #Name},                             \
      {"SUM", "sumOf" #Gather},                             \
      {"RANGES", "RANGES_OF_" #Gather},                     \

@@ -71,8 +71,8 @@ BendPull bendPull(BendRecord bend) {
                     slivers ? vec4(0.0) : vec4(b * impulse, sB));
 }
 
-void solveBend(RECORDS records, uint index) {
-    BendPull pull = bendPull(fetchBend(records, index));
+void solveBend(BendRecord bend, uint index) {
+    BendPull pull = bendPull(bend);
     setCorrection(2u * index, pull.left);
     setCorrection(2u * index + 1u, pull.right);
 }

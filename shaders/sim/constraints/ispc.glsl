@@ -1,10 +1,11 @@
 // An ISPC: r = p_v - (b0 p_0 + b1 p_1 + b2 p_2), C = |r| - L0.
-IspcConstraint fetchIspc(RECORDS records, uint index) {
-    uvec4 corners = fetch(records, 2u * index);
-    vec4 rest = uintBitsToFloat(fetch(records, 2u * index + 1u));
+IspcConstraint ispcOf(uvec4 corners, uvec4 words) {
+    vec4 rest = uintBitsToFloat(words);
     return IspcConstraint(corners.x, corners.y, corners.z, corners.w,
                           rest.x, rest.y, rest.z, rest.w);
 }
+#define fetchIspc(records, index) \
+    ispcOf(fetch(records, 2u * (index)), fetch(records, 2u * (index) + 1u))
 
 // On its vertex; the corners of the triangle that its ray ends on answer by their weights.
 vec3 ispcPull(IspcConstraint ispc) {
@@ -31,12 +32,11 @@ vec3 ispcPull(IspcConstraint ispc) {
     return direction * impulse;
 }
 
-void solveIspc(RECORDS records, uint index) {
-    setCorrection(index, vec4(ispcPull(fetchIspc(records, index)), 0.0));
+void solveIspc(IspcConstraint ispc, uint index) {
+    setCorrection(index, vec4(ispcPull(ispc), 0.0));
 }
 
-float energyOfIspc(RECORDS records, uint index) {
-    IspcConstraint ispc = fetchIspc(records, index);
+float energyOfIspc(IspcConstraint ispc) {
     vec3 x = positionOf(ispc.vertex).xyz;
     vec3 span = (1.0 - ispc.b1 - ispc.b2) * (x - positionOf(ispc.t0).xyz) +
         ispc.b1 * (x - positionOf(ispc.t1).xyz) + ispc.b2 * (x - positionOf(ispc.t2).xyz);
