@@ -1,6 +1,7 @@
 // Before folds are found: no vertex is folded. Writes folds. One thread per vertex. A storage
 // barrier follows. It is no clear by the driver, since zink is known to move those.
 #include "bindings.h"
+#include "body_records.h"
 #include "solver_uniforms.h"
 #include "unfold_records.h"
 layout(local_size_x = kGroupSize) in;
