@@ -10,9 +10,11 @@
 namespace kerf::app {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 constexpr std::array<int, 3> kOpen{213, 94, 0};
 

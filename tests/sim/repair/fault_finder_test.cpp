@@ -73,7 +73,8 @@ TEST(FaultFinder, FindsTheBorderOfAHole) {
     soup.triangles.erase(soup.triangles.begin());
     EXPECT_EQ(countsOf(soup), (std::map<FaultKind, int>{{FaultKind::openEdge, 3}}));
     std::set<int> ends;
-    for (const auto& [a, b] : repair::findFaults(soup).of(FaultKind::openEdge).edges) {
+    const auto faults = repair::findFaults(soup);
+    for (const auto& [a, b] : faults.of(FaultKind::openEdge).edges) {
         ends.insert({a, b});
     }
     EXPECT_THAT(ends, UnorderedElementsAre(gone[0], gone[1], gone[2]));
@@ -139,7 +140,8 @@ TEST(FaultFinder, LeavesOutWhatHasNoPlace) {
     TriangleSoup soup = test::boxSoup();
     soup.positions[soup.triangles[0][0]].x() = std::numeric_limits<double>::quiet_NaN();
     soup.triangles.push_back({0, 1, 99});
-    for (const int t : repair::findFaults(soup).of(FaultKind::needle).triangles) {
+    const auto faults = repair::findFaults(soup);
+    for (const int t : faults.of(FaultKind::needle).triangles) {
         for (const int v : soup.triangles[t]) {
             EXPECT_TRUE(soup.positions.at(v).allFinite());
         }
