@@ -301,9 +301,12 @@ class Remesher:
 
     def is_not_delaunay(self, a, b, c, d):
         def cotangent(apex):
-            p, q, r = (np.array(self.points[v]) for v in (apex, a, b))
-            u, w = q - p, r - p
-            return float(dot(u, w)) / max(float(length(cross(u, w))), 1e-12)
+            p, q, r = (self.points[v] for v in (apex, a, b))
+            u = (q[0] - p[0], q[1] - p[1], q[2] - p[2])
+            w = (r[0] - p[0], r[1] - p[1], r[2] - p[2])
+            x, y, z = self.normal(apex, a, b)
+            return (u[0] * w[0] + u[1] * w[1] + u[2] * w[2]) / max(
+                math.sqrt(x * x + y * y + z * z), 1e-12)
         return cotangent(c) + cotangent(d) < -1e-6 and min(
             len(self.around[a]), len(self.around[b])) > 4
 

@@ -48,6 +48,24 @@ TEST(Placement, LeadsBackToTheModel) {
     }
 }
 
+/// A body from low to high along each axis.
+Bounds cubeBetween(double low, double high) {
+    Bounds bounds;
+    bounds.add(Vec3::Constant(low));
+    bounds.add(Vec3::Constant(high));
+    return bounds;
+}
+
+TEST(Placement, ABodyMayReachTheLimitsOfTheRoomAndNotBeyond) {
+    EXPECT_EQ(checkRoom(cubeBetween(0, 1e-6)), "");
+    EXPECT_NE(checkRoom(cubeBetween(0, 0.99e-6)), "") << "too small";
+    EXPECT_EQ(checkRoom(cubeBetween(-1e6, 1e6)), "");
+    EXPECT_NE(checkRoom(cubeBetween(-1e6, 1.01e6)), "") << "too far above";
+    EXPECT_NE(checkRoom(cubeBetween(-1.01e6, 1e6)), "") << "too far below";
+    EXPECT_EQ(checkRoom(cubeBetween(19999, 20000)), "");
+    EXPECT_NE(checkRoom(cubeBetween(20000, 20001)), "") << "too far for its length";
+}
+
 TEST(SizeParams, AreTheDefaultsForWhatIsAsLargeAsAPerson) {
     for (const double diagonal : {0.5, 1.5, 9.0}) {
         EXPECT_EQ(suitedTo(diagonal, Params{}), Params{}) << diagonal;

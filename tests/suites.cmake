@@ -1,0 +1,33 @@
+# What ctest reads: each suite of the test program ${program} is one test, in a process of its own
+# and labelled by the room of its file below ${sources}, such as sim/cut. The tests of a suite share
+# a context of OpenGL and what the driver has compiled for it.
+if(NOT EXISTS ${program})
+  get_filename_component(name ${program} NAME)
+  add_test(${name}_NOT_BUILT ${name}_NOT_BUILT)
+  return()
+endif()
+
+get_filename_component(tests ${sources} DIRECTORY)
+file(GLOB_RECURSE files ${sources}/*_test.cpp)
+foreach(file ${files})
+  get_filename_component(room ${file} DIRECTORY)
+  file(RELATIVE_PATH room ${tests} ${room})
+  file(STRINGS ${file} heads REGEX "^ *TEST(_F|_P)?\\(")
+  foreach(head ${heads})
+    string(REGEX REPLACE "^[^(]*\\(([A-Za-z0-9_]+).*" "\\1" suite "${head}")
+    set(room_of_${suite} ${room})
+  endforeach()
+endforeach()
+
+execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_VARIABLE lines RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${program} could not list its tests: ${status}")
+endif()
+string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+\\." lines "${lines}")
+foreach(line ${lines})
+  string(REGEX REPLACE "[\n.]" "" suite "${line}")
+  string(REGEX REPLACE "^.*/" "" name "${suite}")  # of tests with parameters: All/PaperSessions
+  add_test(${suite} ${program} --gtest_filter=${suite}.*)
+  set_tests_properties(${suite} PROPERTIES TIMEOUT 600 LABELS "${room_of_${name}}"
+                       ENVIRONMENT "LIBGL_ALWAYS_SOFTWARE=1;LC_ALL=C")
+endforeach()
