@@ -53,7 +53,6 @@ TEST_F(ProgramTest, DispatchCoversEveryThreadWithUniformsAndDefines) {
     program.set("count", 129u);
     program.set("factor", 3u);
     program.dispatch(129);
-    storageBarrier();
     EXPECT_THAT(values.read<std::uint32_t>(127, 4), ElementsAre(386u, 389u, 0u, 0u));
 }
 

@@ -21,7 +21,6 @@ class TimerTest : public test::GlTest {
         values.bindStorage(0);
         program.set("count", kCount);
         program.dispatch(kCount);
-        storageBarrier();
     }
 
     static constexpr std::uint32_t kCount = 1 << 18;
