@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "gpu/kernel_way.h"
+
 namespace kerf::gpu {
 namespace {
 
@@ -22,17 +24,16 @@ constexpr std::int64_t kMebi = 1 << 20;
 constexpr std::array kNeeds{
     Need{KERF_LIMIT(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS), "storage buffers in a compute shader",
          16},
-    Need{KERF_LIMIT(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS), "storage buffers in a vertex shader", 10},
-    Need{KERF_LIMIT(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS), "storage buffers in a fragment shader",
-         4},
+    Need{KERF_LIMIT(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS), "storage buffers in a vertex shader", 8},
     Need{KERF_LIMIT(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS), "bindings of storage buffers", 16},
     Need{KERF_LIMIT(GL_MAX_SHADER_STORAGE_BLOCK_SIZE), "bytes of a storage buffer", 16 * kMebi},
     Need{KERF_LIMIT(GL_MAX_TEXTURE_BUFFER_SIZE), "elements of a texture buffer", 65536},
-    Need{KERF_LIMIT(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS), "textures in a compute shader", 16},
-    Need{KERF_LIMIT(GL_MAX_COMPUTE_IMAGE_UNIFORMS), "images in a compute shader", 8},
-    Need{KERF_LIMIT(GL_MAX_COMPUTE_UNIFORM_BLOCKS), "uniform buffers in a compute shader", 12},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS), "textures in a compute shader", 13},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_IMAGE_UNIFORMS), "images in a compute shader", 18},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_UNIFORM_BLOCKS), "uniform buffers in a compute shader", 1},
+    Need{KERF_LIMIT(GL_MAX_TEXTURE_IMAGE_UNITS), "textures in a fragment shader", 3},
     Need{KERF_LIMIT(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE), "bytes that a work group shares", 32768},
-    Need{KERF_LIMIT(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS), "threads of a work group", 1024},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS), "threads of a work group", 512},
     Need{KERF_LIMIT(GL_MAX_TEXTURE_SIZE), "pixels of a texture's side", 8192},
 };
 #undef KERF_LIMIT
@@ -45,7 +46,9 @@ std::vector<DriverLimit> driverLimits() {
     for (const Need& need : kNeeds) {
         GLint64 has = 0;
         glGetInteger64v(need.limit, &has);
-        limits.push_back({need.name, need.phrase, has, need.needs});
+        const bool ofOtherWay =
+            need.limit == GL_MAX_COMPUTE_IMAGE_UNIFORMS && kernelWay() != KernelWay::images;
+        limits.push_back({need.name, need.phrase, has, ofOtherWay ? 0 : need.needs});
     }
     return limits;
 }

@@ -111,12 +111,11 @@ bool wantsFullBarriers() {
     return barriers != nullptr && std::string_view(barriers) == "all";
 }
 
-LinkedProgram recordOf(GLuint program, const std::vector<Stage>& stages, const Defines& defines,
+LinkedProgram recordOf(const std::vector<Stage>& stages, const Defines& defines,
                        const std::vector<ShaderSource>& sources) {
     LinkedProgram linked{defines, {}};
     for (std::size_t i = 0; i < stages.size(); ++i) {
-        linked.stages.push_back(
-            {stages[i].path, sources[i].text, needsOf(program, stages[i].kind)});
+        linked.stages.push_back({stages[i].path, sources[i].text});
     }
     return linked;
 }
@@ -139,7 +138,7 @@ std::shared_ptr<Linked> link(const std::vector<Stage>& stages, const Defines& de
     linked->groupSize = groupSizeOf(linked->id, stages);
     linked->fullBarriers = wantsFullBarriers();
     if (ProgramRecord* const record = ProgramRecord::current(); record != nullptr) {
-        record->note(recordOf(linked->id, stages, defines, sources));
+        record->note(recordOf(stages, defines, sources));
     }
     return linked;
 }

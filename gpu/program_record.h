@@ -1,25 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace kerf::gpu {
 
-/// What a stage of a linked program takes of the limits of a driver.
-struct StageNeeds {
-    int storageBuffers = 0;
-    int textures = 0;
-    int images = 0;
-    int threads = 0;  ///< of a work group; 0 for stages that draw
-};
-
 /// A shader as a driver compiled it, on its way into a program.
 struct LinkedStage {
     std::string file;  ///< below shaderRoot(): "sim/floor.comp"
     std::string text;  ///< with all that it includes, definitions in front
-    StageNeeds needs;
 };
 
 /// A program that was linked.
@@ -47,8 +37,5 @@ class ProgramRecord {
     ProgramRecord* before_;
     std::vector<LinkedProgram> programs_;
 };
-
-/// What a stage (GL_COMPUTE_SHADER, ...) of a linked program needs.
-StageNeeds needsOf(std::uint32_t program, std::uint32_t stage);
 
 }  // namespace kerf::gpu

@@ -85,7 +85,8 @@ TEST_F(DriverCheckTest, WhoGoesOnWithTheDriverKeepsIt) {
 TEST_F(DriverCheckTest, AnExaminationThatCrashesIsTold) {
     examinationEnds("kill -SEGV $$", "");
     meet("Maker's renderer");
-    EXPECT_THAT(panels().question.text, HasSubstr("did not come to its end (ended by signal 11)"));
+    EXPECT_THAT(panels().question.text,
+                HasSubstr("did not come to its end (it was ended by signal 11)"));
     tap(Key::escape);
     meet("Maker's renderer");
     EXPECT_EQ(examinations(), 2u) << "it may have been the machine";
