@@ -275,12 +275,12 @@ void Program::setNumbers(const DispatchNumbers& numbers) const {
 }
 
 void Program::dispatch(std::uint32_t threads) const {
-    if (threads == 0) {
-        return;
-    }
-    const std::uint32_t groups = (threads - 1) / linked_->groupSize + 1;
+    dispatchGroups(threads / linked_->groupSize + (threads % linked_->groupSize != 0 ? 1 : 0));
+}
+
+void Program::dispatchGroups(std::uint32_t groups) const {
     assert(groups <= maxGroups() && "more work groups than the driver takes in one dispatch");
-    if (mayDispatch(*linked_)) {
+    if (groups != 0 && mayDispatch(*linked_)) {
         begin();
         glDispatchCompute(groups, 1, 1);
         end();

@@ -83,6 +83,8 @@ class Program {
     /// One dispatch of so many work groups along x that there are `threads`, none for 0. Whatever
     /// draws or computes later sees what it wrote.
     void dispatch(std::uint32_t threads) const;
+    /// One dispatch of so many work groups along x, whatever their size; else as dispatch().
+    void dispatchGroups(std::uint32_t groups) const;
     /// One dispatch of as many work groups as three words (x, y, z) of a buffer say, from this byte
     /// on, which kernels may have written; else as dispatch().
     void dispatchIndirect(const Buffer& groups, std::size_t offset) const;

@@ -100,7 +100,8 @@ void SolverBody::runOverBlocks(const gpu::Program& kernel) {
     bindFetched(model.neighbours.entries, shared::kEntriesBinding, TexelFormat::uint32x2);
     bindFetched(pieces.placeBuffer, shared::kPlacesBinding, TexelFormat::uint32);
     pieces.pageBuffer.bindStorage(shared::kPagesBinding);
-    run(kernel, size32(pieces.blocks().size()) * shared::kGroupSize);
+    kernel.dispatchGroups(size32(pieces.blocks().size()));
+    ++dispatches;
 }
 
 }  // namespace kerf
