@@ -187,7 +187,7 @@ std::map<std::string, std::int64_t> mostNeeded(const Texts& texts) {
     for (const auto& [text, file] : texts) {
         const std::string ending = fs::path(file).extension();
         const fs::path copy = folder / (std::to_string(files.size()) + ending);
-        test::writeText(copy, text + "\n" + kEnd + "\n");
+        test::writeText(copy, std::string(text).append("\n").append(kEnd).append("\n"));
         command.append(" ").append(copy.string());
         files.push_back(file);
     }

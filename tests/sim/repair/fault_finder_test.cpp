@@ -152,7 +152,7 @@ TEST(FaultFinder, LeavesOutWhatHasNoPlace) {
 TEST(FaultFinder, CountsAsTheReportDoesForEachPairOfDefects) {
     for (const auto& [first, spoil] : test::modelDefects()) {
         for (const auto& [second, spoilMore] : test::modelDefects()) {
-            SCOPED_TRACE(first + " and " + second);
+            SCOPED_TRACE(std::string(first).append(" and ").append(second));
             TriangleSoup soup = test::soundBall();
             spoil(soup);
             spoilMore(soup);
