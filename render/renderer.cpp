@@ -312,7 +312,7 @@ void Renderer::setQuality(Quality quality) {
 void Renderer::linkEveryProgram() {
     state_->surface.linkEvery();
     state_->rims.linkEvery();
-    OverlayPass();
+    const OverlayPass overlays;
     FieldPass().linkEvery();
     SectionPass().linkEvery();
 }
