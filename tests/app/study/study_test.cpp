@@ -136,7 +136,8 @@ TEST_F(StudyFile, ErrorsAboutNamesArePrintableAndShort) {
     for (const auto& [name, words] :
          {std::pair(std::string("a\\u001bb"), std::string("/a?b: there is no such file")),
           std::pair(std::string(2000, 'a') + "/b", "..." + std::string(198, 'a') + "/b: ")}) {
-        test::writeText(folder_ / "test.sweep.json", head + R"("sessions": [")" + name + "\"]}");
+        test::writeText(folder_ / "test.sweep.json",
+                        std::string(head).append(R"("sessions": [")").append(name).append("\"]}"));
         try {
             readStudy(folder_ / "test.sweep.json");
             FAIL() << "it was read";
