@@ -21,6 +21,8 @@ constexpr std::int64_t kMebi = 1 << 20;
 
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the number and the name of a limit
 #define KERF_LIMIT(limit) limit, #limit
+// Numbers of buffers, textures, images, bytes shared and threads are what the shaders declare, as a
+// test counts. The other four are sizes that OpenGL 4.5 promises anyway.
 constexpr std::array kNeeds{
     Need{KERF_LIMIT(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS), "storage buffers in a compute shader",
          16},

@@ -55,11 +55,12 @@ std::optional<DriverProblem> examine(const fs::path& folder, const WorkProgress&
         return std::nullopt;
     }
     const std::string verdict = verdictIn(folder);
-    return DriverProblem{verdict.empty()
-                             ? "The examination of this graphics driver did not come to its end (" +
-                                   sentenceAbout(end) + ")."
-                             : verdict,
-                         folder};
+    if (!verdict.empty()) {
+        return DriverProblem{verdict, folder};
+    }
+    return DriverProblem{"The examination of this graphics driver did not come to its end (" +
+                             sentenceAbout(end) + ").",
+                         {}};
 }
 
 }  // namespace
@@ -90,8 +91,10 @@ std::optional<DriverProblem> DriverCheck::takeProblem() {
 }
 
 ui::Question questionAbout(const DriverProblem& problem) {
+    const std::string where =
+        problem.report.empty() ? "" : " The report lies in " + problem.report.string() + ".";
     return {"This graphics driver may give wrong results",
-            problem.sentence + " The report lies in " + problem.report.string() + ".",
+            problem.sentence + where,
             {"Use the software renderer", "Go on with this driver"},
             {}};
 }

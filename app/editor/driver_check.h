@@ -13,7 +13,7 @@ namespace kerf::app {
 /// A driver that gives wrong results.
 struct DriverProblem {
     std::string sentence;          ///< what the examination said
-    std::filesystem::path report;  ///< the folder with its report; may lack one
+    std::filesystem::path report;  ///< the folder with its report; empty where it left none
 };
 
 /// Examines the driver once, when Kerf meets it for the first time: kerf doctor --quick, in a

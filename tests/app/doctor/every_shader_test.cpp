@@ -106,7 +106,7 @@ std::set<std::string> switchesIn(const fs::path& folder) {
     return switches;
 }
 
-TEST_F(EveryShader, IsThereWithEachSwitchOnAndOff) {
+TEST_F(EveryShader, IsThereWithEachSwitchOn) {
     std::set<std::string> inside{"BUMPS"};  // that shaders define themselves
     for (const std::string& each : switchesIn(gpu::shaderRoot())) {
         const auto has = [&](const gpu::LinkedProgram& program) {
