@@ -9,6 +9,7 @@
 #include <cassert>
 #include <utility>
 
+#include "gpu/context_loss.h"
 #include "gpu/gl_check.h"
 
 namespace kerf::gpu {
@@ -209,6 +210,7 @@ void Buffer::readBytes(std::size_t offset, std::span<std::byte> out) const {
     updateBarrier();
     glGetNamedBufferSubData(id_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(out.size()),
                             out.data());
+    requireContext();
 }
 
 }  // namespace kerf::gpu

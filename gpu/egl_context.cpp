@@ -125,17 +125,26 @@ EGLConfig chooseConfig(EGLDisplay display) {
 
 EGLContext createContext(EGLDisplay display, bool debug) {
     eglBindAPI(EGL_OPENGL_API);
-    const std::array<EGLint, 9> wanted = {EGL_CONTEXT_MAJOR_VERSION,
-                                          kNeededMajor,
-                                          EGL_CONTEXT_MINOR_VERSION,
-                                          kNeededMinor,
-                                          EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                          EGL_CONTEXT_OPENGL_DEBUG,
-                                          debug ? EGL_TRUE : EGL_FALSE,
-                                          EGL_NONE};
-    EGLContext context =
-        eglCreateContext(display, chooseConfig(display), EGL_NO_CONTEXT, wanted.data());
+    // What stands behind is left out where the driver does not offer it.
+    std::array<EGLint, 11> wanted = {EGL_CONTEXT_MAJOR_VERSION,
+                                     kNeededMajor,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     kNeededMinor,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_CONTEXT_OPENGL_DEBUG,
+                                     debug ? EGL_TRUE : EGL_FALSE,
+                                     EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                     EGL_LOSE_CONTEXT_ON_RESET,
+                                     EGL_NONE};
+    const EGLConfig config = chooseConfig(display);
+    EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
+    if (context == EGL_NO_CONTEXT) {
+        spdlog::debug("{}: without notice of resets",
+                      eglFailure("eglCreateContext with notice of resets"));
+        wanted[wanted.size() - 3] = EGL_NONE;
+        context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
+    }
     if (context == EGL_NO_CONTEXT) {
         throw RouteFailure{eglFailure("eglCreateContext for OpenGL 4.5 core")};
     }

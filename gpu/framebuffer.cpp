@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gpu/buffer.h"
+#include "gpu/context_loss.h"
 #include "gpu/gl_check.h"
 
 namespace kerf::gpu {
@@ -146,6 +147,7 @@ std::vector<std::uint8_t> Framebuffer::readColor() const {
                                      static_cast<std::size_t>(height_) * 4);
     glGetTextureImage(color_.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
                       static_cast<GLsizei>(pixels.size()), pixels.data());
+    requireContext();
     return flippedRows(pixels, height_);
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "gpu/buffer.h"
+#include "gpu/context_loss.h"
 #include "gpu/gl_check.h"
 
 namespace kerf::gpu {
@@ -55,8 +56,9 @@ void waitFor(GLsync fence) {
     while (state == GL_TIMEOUT_EXPIRED) {
         state = glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, kTurn);
     }
+    requireContext();
     if (state == GL_WAIT_FAILED) {
-        throw std::runtime_error("Waiting for the graphics driver failed; it may have been reset.");
+        throw std::runtime_error("Waiting for the graphics driver failed.");
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/editor/editor_state.h"
 #include "gpu/buffer.h"
+#include "gpu/context_loss.h"
 #include "render/scene/depth_field.h"
 
 namespace kerf::app {
@@ -24,6 +25,9 @@ Editor::Editor(const EditorOptions& options, std::optional<Document> document)
     : state_(std::make_unique<State>(options)) {
     if (document) {
         state_->show(UploadedDocument(prepareDocument(std::move(*document))));
+    }
+    if (!options.notice.empty()) {
+        state_->toast.show(options.notice, true);
     }
     if (const std::string& problem = state_->panels.settings.problem(); !problem.empty()) {
         state_->toast.show(problem, true);
@@ -67,6 +71,7 @@ void Editor::State::sparingly(const std::function<void()>& doWork) {
 
 void Editor::State::makePicture(double elapsedSeconds) {
     State& s = *this;
+    gpu::requireContext();
     s.toast.elapse(elapsedSeconds);
     s.takeInput(elapsedSeconds);
     s.view.camera.advance(elapsedSeconds);

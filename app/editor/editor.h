@@ -41,6 +41,7 @@ struct EditorOptions {
     /// The folder of reports on drivers; empty: none is examined.
     std::filesystem::path driverReports;
     std::string driver;  ///< all that the driver says of itself
+    std::string notice;  ///< a sentence that is shown at first; empty for none
 };
 
 /// The editor behind a window or without one: events in, pictures out. It needs a current OpenGL

@@ -1,6 +1,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "app/editor/driver_check.h"
 #include "app/editor/editor.h"
@@ -10,6 +12,7 @@
 #include "app/session/material.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
+#include "gpu/context_loss.h"
 #include "gpu/program_binaries.h"
 #include "sim/base/stopwatch.h"
 
@@ -87,16 +90,44 @@ void runLoop(Window& window, Editor& editor) {
 }
 
 void openWindow(std::optional<Document> document,
-                const std::optional<std::filesystem::path>& stillToOpen) {
+                const std::optional<std::filesystem::path>& stillToOpen,
+                const std::string& notice = "") {
     Window window("Kerf");
     gpu::ProgramBinaries::ours() = {gpu::programBinariesFolder(), KERF_VERSION};
-    Editor editor(optionsFor(window), std::move(document));
+    EditorOptions options = optionsFor(window);
+    options.notice = notice;
+    Editor editor(options, std::move(document));
     if (stillToOpen) {
         editor.open(*stillToOpen);
     }
     window.onInput([&editor](ui::InputEvent event) { editor.post(std::move(event)); });
     runLoop(window, editor);
     window.onInput(nullptr);
+}
+
+/// The same, and again where the driver is reset meanwhile: the new window opens `file`, or the
+/// default, and offers what the journal has kept of the work. Throws gpu::ContextLost where resets
+/// follow each other fast.
+void openThroughResets(std::optional<Document> document,
+                       std::optional<std::filesystem::path> stillToOpen,
+                       const std::optional<std::filesystem::path>& file) {
+    constexpr double kFast = 10;  // [s]
+    std::string notice;
+    for (;;) {
+        const Stopwatch since;
+        try {
+            openWindow(std::move(document), stillToOpen, notice);
+            return;
+        } catch (const gpu::ContextLost& lost) {
+            spdlog::error("{}", lost.what());
+            if (!notice.empty() && since.seconds() < kFast) {
+                throw;
+            }
+            notice = "The graphics driver was reset. Kerf has begun anew, and offers what it kept.";
+            document = file ? std::nullopt : firstDocument(std::nullopt);
+            stillToOpen = file;
+        }
+    }
 }
 
 }  // namespace
@@ -106,7 +137,7 @@ int runEditor(const std::optional<std::filesystem::path>& file) {
         useSoftwareRenderer();
     }
     if (file && isLarge(*file)) {
-        openWindow(std::nullopt, file);
+        openThroughResets(std::nullopt, file, file);
         return 0;
     }
     std::optional<Document> document;
@@ -121,7 +152,7 @@ int runEditor(const std::optional<std::filesystem::path>& file) {
     }
     // In the window a file that can't be opened is told again, with what can be done about it.
     const bool failed = !document && file;
-    openWindow(std::move(document), failed ? file : std::nullopt);
+    openThroughResets(std::move(document), failed ? file : std::nullopt, file);
     return 0;
 }
 

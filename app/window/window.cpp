@@ -200,6 +200,7 @@ void Window::State::open(const std::string& name) {
     // The picture is drawn off-screen: the window needs neither depth nor samples of its own.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // where it is offered
     int width = kPreferredWidth;
     int height = kPreferredHeight;
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {

@@ -1,5 +1,6 @@
-// The editor is killed at random moments, and what a next start offers to go on from lacks at most
-// the running stroke. KERF_KILLS rounds, 2 by default; KERF_FUZZ_SEED repeats a run.
+// The editor is killed at random moments, or its graphics driver is reset, and what a next start
+// offers to go on from lacks at most the running stroke. KERF_KILLS rounds, 2 by default;
+// KERF_FUZZ_SEED repeats a run.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -35,9 +36,9 @@ std::string hashOfWindow(const Session& session) {
     return "";
 }
 
-class EditorKill : public test::GlTest {};
+class EditorKill : public test::GlTest, public testing::WithParamInterface<const char*> {};
 
-TEST_F(EditorKill, AtMostTheRunningStrokeIsMissing) {
+TEST_P(EditorKill, AtMostTheRunningStrokeIsMissing) {
     if (std::system(
             "command -v xvfb-run > /dev/null 2>&1 && command -v xdotool > /dev/null 2>&1") != 0) {
         GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
@@ -48,7 +49,7 @@ TEST_F(EditorKill, AtMostTheRunningStrokeIsMissing) {
         test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
                        "/tests/app/window/editor_window_kill.sh " KERF_BINARY_DIR "/kerf " +
                        folder.path().string() + " " + std::to_string(rounds()) + " " +
-                       std::to_string(seed % 32768) + " 2>&1");
+                       std::to_string(seed % 32768) + " " + GetParam() + " 2>&1");
     std::printf("%s", seen.c_str());
     SCOPED_TRACE(test::readBytes(folder / "errors.txt"));
     EXPECT_THAT(seen, HasSubstr("end: reached"));
@@ -60,6 +61,9 @@ TEST_F(EditorKill, AtMostTheRunningStrokeIsMissing) {
         EXPECT_EQ(replayedHash(session, loadSessionModel(session)), hashOfWindow(session));
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(By, EditorKill, testing::Values("kill", "reset"),
+                         [](const auto& end) { return std::string(end.param); });
 
 }  // namespace
 }  // namespace kerf::app

@@ -1,16 +1,19 @@
 #!/bin/bash
-# Drives the real window under a virtual display: cuts, kills the editor at a random moment
-# (SIGKILL), starts it again, goes on from what it offers, has the state checked and saves it as
+# Drives the real window under a virtual display: cuts, ends the editor at a random moment, goes on
+# from what it offers then, has the state checked and saves it as
 # N.kerf.json. Prints "N: STROKES DONE MISSING" a round: how many strokes had come to their end, and
 # whether the saved session lacks any of these. Arguments: the kerf executable, an empty folder, how
-# many rounds, a seed.
+# many rounds, a seed, and how it ends: "kill" by SIGKILL, "reset" by one of the graphics driver,
+# after which the same process opens a new window.
 set -u
 kerf=$1
 folder=$2
 rounds=$3
 RANDOM=$4
+end=$5
 source "$(dirname "${BASH_SOURCE[0]}")/window_driver.sh"
 
+export KERF_LOSE_CONTEXT="$folder/lose"
 middle=640
 moveTo() { xdotool mousemove "$1" "$2"; }
 # A stroke from top to bottom, or a part of it: so many tenths. The last one lets go.
@@ -31,6 +34,20 @@ other() {
         1) xdotool key ctrl+z ;;
         2) xdotool key space && sleep 0.4 && xdotool key space ;;
     esac
+}
+isGone() { ! [ -e "$1" ]; }
+isAnother() {
+    local other
+    other=$(xdotool search --onlyvisible --name "^Kerf" | head -n 1)
+    [ -n "$other" ] && [ "$other" != "$window" ] && window=$other
+}
+resetDriver() {
+    touch "$KERF_LOSE_CONTEXT"
+    moveTo 700 300
+    waitFor isGone "$KERF_LOSE_CONTEXT"
+    xdotool mouseup 1
+    waitFor isAnother
+    xdotool windowfocus "$window"
 }
 killEditor() {
     kill -9 "$editor"
@@ -57,12 +74,16 @@ round() {
         2) other ;;
     esac
     sleep "0.$((RANDOM % 10))"
-    killEditor
+    if [ "$end" = kill ]; then
+        killEditor
+        openEditor
+    else
+        resetDriver
+    fi
 }
 
 # Takes the offer, which is the first choice; without it nothing would be there to be saved.
 goOn() {
-    openEditor
     rest
     xdotool key Return
     rest
