@@ -24,7 +24,7 @@ function(kerf_library folder)
   string(REPLACE / _ name kerf_${folder})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp
        ${PROJECT_SOURCE_DIR}/${folder}/*.h)
-  list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/app/main.cpp)
+  list(FILTER sources EXCLUDE REGEX main.cpp$)  # of programs
   add_library(${name} STATIC ${sources})
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   kerf_own_code(${name})

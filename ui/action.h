@@ -54,6 +54,10 @@ struct RemoveModel {
 struct EvenTriangles {
     int model = 0;
 };
+/// Exchanges a model of the scene, by number, for one whose crossing pieces are one surface.
+struct UnitePieces {
+    int model = 0;
+};
 /// Gives a model of the scene a material, both by number; the first stands for all that have none
 /// of their own.
 struct TakeMaterial {
@@ -116,8 +120,8 @@ struct ShowPiece {
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
 using Action =
     std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
-                 PlaceModel, RemoveModel, EvenTriangles, TakeMaterial, SaveMaterial, PlaceBox,
-                 ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
+                 PlaceModel, RemoveModel, EvenTriangles, UnitePieces, TakeMaterial, SaveMaterial,
+                 PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
                  RemoveMeasure, ExportMeasures, OpenExperiment, HoverPiece, FramePiece, ShowPiece,
                  ExportPieces, AnswerQuestion, FileAction>;
 

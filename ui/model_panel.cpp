@@ -201,8 +201,17 @@ void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector
     noteItem("model.even");
     itemTooltip(state.evening.empty() ? "This model has even triangles; undo takes them back"
                                       : state.evening);
-    if (model.faultCount > 0) {
+    if (state.crosses) {
         ImGui::SameLine();
+        if (ImGui::Button("Unite pieces")) {
+            actions.emplace_back(UnitePieces{shown.number});
+        }
+        noteItem("model.unite");
+        itemTooltip(
+            "Triangles pass through others. Makes one surface of pieces that cross, so that their "
+            "material counts once");
+    }
+    if (model.faultCount > 0) {
         DisplaySettings display = model.display;
         if (ImGui::Checkbox("Show faults", &display.overlays.faults)) {
             actions.emplace_back(SetDisplay{display});

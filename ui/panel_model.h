@@ -32,6 +32,7 @@ struct ModelState {
     std::string physics;       ///< what physics makes of that size
     std::string triangles;     ///< how many there are, and how poor they are
     std::string evening;       ///< what even triangles would be; empty where it has them already
+    bool crosses = false;      ///< pieces of it may pass through each other, and can be united
     int material = -1;         ///< of PanelModel::materials; -1 where it is none of them
 };
 

@@ -164,6 +164,7 @@ Json toJson(const MeshReport& report, const std::filesystem::path& file) {
             {"crossing_triangles", report.crossingTriangles},
             {"memory_bytes", memoryJson(report)},
             {"repairs", report.repairs},
+            {"left", report.left},
             {"cuttable", report.cuttable},
             {"problem", report.problem}};
 }
@@ -201,6 +202,9 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     line("oriented") << yesNo(report.oriented) << "\n";
     for (const std::string& repair : report.repairs) {
         line("repaired") << repair << "\n";
+    }
+    for (const std::string& left : report.left) {
+        line("left") << left << "\n";
     }
     line("memory") << describeMemory(memoryNeedOf(report), freeMemory()) << "\n";
     line("cuttable") << yesNo(inspection.refusal.empty()) << "\n";

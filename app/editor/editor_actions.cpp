@@ -450,6 +450,7 @@ struct Answer {
     }
     void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
     void onBody(const ui::EvenTriangles& wanted) const { s.makeEven(wanted.model); }
+    void onBody(const ui::UnitePieces& wanted) const { s.unitePieces(wanted.model); }
     void onBody(const ui::TakeMaterial& wanted) const { s.takeMaterial(wanted); }
     void onBody(const ui::SaveMaterial&) const { s.browseToSaveMaterial(); }
     void onBody(const ui::PlaceBox&) const { placeBox(s); }

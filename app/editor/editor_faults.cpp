@@ -15,7 +15,12 @@ namespace kerf::app {
 namespace {
 
 constexpr const char* kEven = "Even triangles";
+constexpr const char* kUnite = "Unite pieces";
 constexpr const char* kRepair = "Repair";
+
+ModelReference& referenceOf(Session& session, int model) {
+    return model == 0 ? session.model : session.moreModels.at(model - 1).model;
+}
 
 /// Of all models together.
 TriangleFigures figuresOf(const EditorScene& scene) {
@@ -135,24 +140,37 @@ void Editor::State::closeScene() {
     redraw.scene();
 }
 
-// --- Even triangles ----------------------------------------------------------------------------
+// --- Even triangles, pieces that cross ---------------------------------------------------------
 
 void Editor::State::makeEven(int model) {
     Session start = scene->startOfScene();
-    ModelReference& reference = model == 0 ? start.model : start.moreModels.at(model - 1).model;
+    ModelReference& reference = referenceOf(start, model);
     reference.remesh = true;
-    const OpeningOrder order{fmt::format("Making the triangles of {} even", reference.name()),
-                             reference.file(),
+    exchangeModel(start, reference,
+                  fmt::format("Making the triangles of {} even", reference.name()), kEven);
+}
+
+void Editor::State::unitePieces(int model) {
+    Session start = scene->startOfScene();
+    ModelReference& reference = referenceOf(start, model);
+    reference.repair = true;
+    exchangeModel(start, reference, fmt::format("Uniting the pieces of {}", reference.name()),
+                  kUnite);
+}
+
+void Editor::State::exchangeModel(const Session& start, const ModelReference& model,
+                                  const std::string& doing, const std::string& change) {
+    const OpeningOrder order{doing, model.file(),
                              [name = scene->document().name, start](const ReadOptions& options) {
                                  return kerf::app::openScene(name, start, options);
                              },
-                             nullptr, kEven};
+                             nullptr, change};
     if (told.untouched && scene->document().session.events.empty()) {
         open(order);
         return;
     }
     asked = {
-        {.title = "The scene begins anew with even triangles",
+        {.title = "The scene begins anew: " + change,
          .text =
              "What was cut, and what a session does, goes with the old triangles. Undo brings all "
              "of it back.",

@@ -190,6 +190,10 @@ struct Editor::State {
     void hideFaulty();
     /// Begins to exchange a model for one with even triangles, after a question where it was cut.
     void makeEven(int model);
+    void unitePieces(int model);
+    /// Opens the scene anew with `model` of `start`, as a change that undo takes back.
+    void exchangeModel(const Session& start, const ModelReference& model, const std::string& doing,
+                       const std::string& change);
     /// The scene with even triangles is there: it takes the place of the one before, which is kept.
     void exchange(UploadedDocument uploaded, const std::string& change);
     /// Does an exchange that undo or redo asked for.

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +18,7 @@
 #include "app/files/descriptor.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
+#include "app/files/process_limits.h"
 
 namespace kerf::app {
 
@@ -26,18 +26,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr char kCpuVariable[] = "KERF_IMPORT_CPU_SECONDS";
-constexpr char kMemoryVariable[] = "KERF_IMPORT_ADDRESS_SPACE";
 constexpr std::size_t kMaxLog = 64 * 1024;
 constexpr std::chrono::milliseconds kCancelPoll{50};
 
 bool thisProgramReads = false;  // see readModelsWithThisProgram
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kLimitAddressSpace = false;  // AddressSanitizer reserves terabytes.
-#else
-constexpr bool kLimitAddressSpace = true;
-#endif
 
 /// This process's environment with the limits added.
 class ChildEnvironment {
@@ -60,8 +52,8 @@ class ChildEnvironment {
     std::vector<char*> pointers_;
 };
 
-pid_t spawnReader(const std::filesystem::path& program, const std::filesystem::path& file,
-                  const ImportLimits& limits, const Pipe& answer, const Pipe& log) {
+pid_t spawnReader(std::vector<std::string> command, const ImportLimits& limits, const Pipe& answer,
+                  const Pipe& log) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -69,16 +61,19 @@ pid_t spawnReader(const std::filesystem::path& program, const std::filesystem::p
     posix_spawn_file_actions_adddup2(&actions, log.write.get(), STDERR_FILENO);
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
 
-    std::array<std::string, 4> words{program.string(), "import-worker", "--", file.string()};
-    std::array<char*, 5> arguments{words[0].data(), words[1].data(), words[2].data(),
-                                   words[3].data(), nullptr};
+    std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
+    for (std::string& word : command) {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
     ChildEnvironment environment(limits);
     pid_t child = 0;
-    const int error = posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(),
+    const int error = posix_spawn(&child, arguments.front(), &actions, nullptr, arguments.data(),
                                   environment.get());
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
-        throw InputError("the model reader " + program.string() + " can't be started (" +
+        throw InputError("the program " + command.front() + " can't be started (" +
                          std::strerror(error) + "); rebuild Kerf");
     }
     return child;
@@ -148,20 +143,6 @@ void waitFor(pid_t child, ImportOutcome& outcome) {
     }
 }
 
-void setLimit(__rlimit_resource resource, rlim_t value) {
-    rlimit limit{};
-    ::getrlimit(resource, &limit);
-    limit.rlim_cur = std::min(value, limit.rlim_max);
-    ::setrlimit(resource, &limit);
-}
-
-void setLimitFrom(const char* variable, __rlimit_resource resource) {
-    const char* text = std::getenv(variable);
-    if (text != nullptr) {
-        setLimit(resource, std::strtoull(text, nullptr, 10));
-    }
-}
-
 }  // namespace
 
 void readModelsWithThisProgram() {
@@ -172,17 +153,26 @@ std::filesystem::path importProgram() {
     if (const char* chosen = std::getenv("KERF_EXECUTABLE"); chosen != nullptr) {
         return chosen;
     }
-    const std::filesystem::path self = "/proc/self/exe";
-    return thisProgramReads ? self : std::filesystem::read_symlink(self).parent_path() / "kerf";
+    return thisProgramReads ? "/proc/self/exe" : programBeside("kerf");
+}
+
+std::filesystem::path programBeside(const std::string& name) {
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
 }
 
 ImportOutcome runImportProcess(const std::filesystem::path& program,
                                const std::filesystem::path& file, const ImportLimits& limits,
                                const WorkProgress* progress, const ImportHeadListener& onHead) {
+    return runLimitedProcess({program.string(), "import-worker", "--", file.string()}, limits,
+                             progress, onHead);
+}
+
+ImportOutcome runLimitedProcess(const std::vector<std::string>& command, const ImportLimits& limits,
+                                const WorkProgress* progress, const ImportHeadListener& onHead) {
     const auto deadline = Clock::now() + std::chrono::seconds(limits.wallSeconds);
     Pipe answer;
     Pipe log;
-    const pid_t child = spawnReader(program, file, limits, answer, log);
+    const pid_t child = spawnReader(command, limits, answer, log);
     answer.write.close();
     log.write.close();
     ImportOutcome outcome;
@@ -200,14 +190,6 @@ ImportOutcome runImportProcess(const std::filesystem::path& program,
         throw WorkCancelled();
     }
     return outcome;
-}
-
-void applyImportLimits() {
-    setLimit(RLIMIT_CORE, 0);
-    setLimitFrom(kCpuVariable, RLIMIT_CPU);
-    if (kLimitAddressSpace) {
-        setLimitFrom(kMemoryVariable, RLIMIT_AS);
-    }
 }
 
 }  // namespace kerf::app

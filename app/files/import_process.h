@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/files/work_progress.h"
 
@@ -47,12 +48,16 @@ ImportOutcome runImportProcess(const std::filesystem::path& program,
                                const WorkProgress* progress = nullptr,
                                const ImportHeadListener& onHead = nullptr);
 
+/// The same with any program that keeps to such limits (applyImportLimits) and answers on standard
+/// output; `command` is its path and its arguments.
+ImportOutcome runLimitedProcess(const std::vector<std::string>& command, const ImportLimits& limits,
+                                const WorkProgress* progress = nullptr,
+                                const ImportHeadListener& onHead = nullptr);
+/// The program of that name in the folder of this one.
+std::filesystem::path programBeside(const std::string& name);
+
 /// The answer of the child (import_protocol.h), which it makes in this process: a reader that
 /// crashes on the file takes this down.
 std::string answerFor(const std::filesystem::path& file);
-
-/// Takes the limits that the parent passed on to this process: CPU time, address space, no core
-/// file. Called first by the child.
-void applyImportLimits();
 
 }  // namespace kerf::app

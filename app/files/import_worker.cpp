@@ -14,6 +14,7 @@
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
+#include "app/files/process_limits.h"
 #include "render/scene/body_look.h"
 
 namespace kerf::app {

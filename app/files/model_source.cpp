@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <csignal>
+#include <iterator>
 
 #include "app/files/file_io.h"
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
+#include "app/files/shell_union.h"
 #include "sim/base/text.h"
 #include "sim/mesh/hole_filling.h"
 #include "sim/mesh/triangle_quality.h"
@@ -153,6 +155,20 @@ MeshReport inspectAndTurn(TriangleSoup& soup, std::vector<std::string> repairs) 
     return found;
 }
 
+/// Makes one surface of pieces that cross.
+MeshReport united(TriangleSoup& soup, MeshReport before, WorkProgress* progress) {
+    ShellUnion became = uniteCrossingPieces(soup, progress);
+    if (became.done.empty()) {
+        before.left = std::move(became.left);
+        return before;
+    }
+    MeshReport found = inspectTriangles(soup);
+    found.repairs = std::move(before.repairs);
+    std::ranges::move(became.done, std::back_inserter(found.repairs));
+    found.left = std::move(became.left);
+    return found;
+}
+
 /// Fills holes where that is wanted, repairs all there is where that is, and turns what is inside
 /// out.
 MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
@@ -165,7 +181,10 @@ MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
         repairs.push_back("filled " + counted(filled.holes, "hole", "holes") + " with " +
                           counted(filled.triangles, "triangle", "triangles"));
     }
-    return inspectAndTurn(soup, std::move(repairs));
+    MeshReport found = inspectAndTurn(soup, std::move(repairs));
+    return options.repair && found.cuttable && found.pieces > 1
+               ? united(soup, std::move(found), options.progress)
+               : found;
 }
 
 /// See ModelFault::fillableHoles.
@@ -266,11 +285,16 @@ bool isModelFile(const fs::path& file) {
 
 namespace {
 
-void noteCrossings(const MeshReport& found, std::vector<std::string>& remarks) {
-    if (found.crossingTriangles > 0) {
+/// What is left of crossing pieces, and what can be done about it.
+void noteCrossings(const MeshReport& found, bool repaired, std::vector<std::string>& remarks) {
+    for (const std::string& left : found.left) {
+        remarks.push_back("Left as it is: " + left + ".");
+    }
+    if (found.crossingTriangles > 0 && !repaired) {
         remarks.push_back(counted(found.crossingTriangles, "triangle passes", "triangles pass") +
                           " through others: where they do, the material counts twice and faces of "
-                          "cuts cross; unite the parts in a modelling tool.");
+                          "cuts cross; a repair unites pieces that cross (Unite pieces, under "
+                          "Model).");
     }
 }
 
@@ -361,7 +385,7 @@ ModelMesh surfaceOf(const fs::path& file, ImportedModel model, const ReadOptions
     enter(options.progress, "Building the surface");
     ModelMesh built = meshOf(model);
     built.faults = std::move(faults);
-    noteCrossings(found, built.remarks);
+    noteCrossings(found, options.repair, built.remarks);
     return built;
 }
 
@@ -372,6 +396,7 @@ MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
     MeshReport found = inspectAndRepair(model.soup, options);
     requireMended(file, found);
     std::vector<std::string> repairs = std::move(found.repairs);
+    std::vector<std::string> left = std::move(found.left);
     if (order.remesh) {
         repairs.push_back(remeshed(model.soup, order.edge, nullptr));
     }
@@ -380,6 +405,7 @@ MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
     requireMended(file, found);
     repair::countCrossings(model.soup, found);
     found.repairs = std::move(repairs);
+    found.left = std::move(left);
     return {meshOf(model), std::move(found)};
 }
 

@@ -870,6 +870,8 @@ void EditorScene::describeModels(ui::PanelModel& model) const {
         state.triangles = trianglesText(figures.triangles);
         const ModelReference& reference = m == 0 ? session.model : session.moreModels[m - 1].model;
         state.evening = reference.remesh ? "" : eveningText(figures.triangles);
+        state.crosses = !reference.repair &&
+                        document_.faults.of(repair::FaultKind::crossingTriangle).count() > 0;
         model.models.push_back(std::move(state));
     }
     model.models.front().guess = document_.guess ? document_.guess->sentence : "";

@@ -32,6 +32,7 @@ libboost-context-dev  lets steps rest while pictures are drawn
 libstb-dev          reads and writes pictures
 fonts-dejavu-core   is the font of the panels
 nettle-dev          hashes states and files
+libcgal-dev         unites pieces that cross, in a program of its own
 '
 test_packages='
 libgtest-dev        runs the tests
@@ -47,7 +48,6 @@ zink_packages='
 mesa-vulkan-drivers  is the Vulkan driver below zink
 '
 bench_packages='
-libcgal-dev         is the peer of the planar cut
 libbullet-dev       is the peer of projecting constraints
 '
 format_packages='

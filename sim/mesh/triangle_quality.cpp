@@ -28,6 +28,7 @@ void TriangleFigures::add(const Corners& corners) {
     ++triangles;
     needles += isNeedle(corners) ? 1 : 0;
     area += triangleArea(corners);
+    evenEdgeSum += std::sqrt(triangleArea(corners) / kEvenArea);
 }
 
 TriangleFigures figuresOf(const TriangleSoup& soup) {
@@ -39,7 +40,7 @@ TriangleFigures figuresOf(const TriangleSoup& soup) {
 }
 
 double evenEdge(const TriangleFigures& figures) {
-    const double mean = figures.meanEdge();
+    const double mean = figures.triangles > 0 ? figures.evenEdgeSum / figures.triangles : 0;
     const double most = kMostTimes * figures.triangles;
     return trianglesOf(figures, mean) > most ? std::sqrt(figures.area / (kEvenArea * most)) : mean;
 }

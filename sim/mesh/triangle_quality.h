@@ -16,6 +16,7 @@ struct TriangleFigures {
     double shortestEdge = 0;  ///< [m]
     double longestEdge = 0;   ///< [m]
     double edgeSum = 0;       ///< over all corners, so that each edge between two counts twice [m]
+    double evenEdgeSum = 0;   ///< of the edges of even triangles with the same areas, one each [m]
 
     void add(const Corners& corners);
     /// The mean edge [m], 0 where there is none.
@@ -25,8 +26,9 @@ struct TriangleFigures {
 /// Of a soup, whose indices must be in range.
 TriangleFigures figuresOf(const TriangleSoup& soup);
 
-/// The edge length for even triangles [m]: the mean of what there is, or a longer one where that
-/// made more than four times as many triangles, as tiny ones beside giant ones would.
+/// The edge length for even triangles [m]: the mean of those that even triangles of the same areas
+/// have, since the edges of needles are long for what they cover; or a longer one where that made
+/// more than four times as many triangles, as tiny ones beside giant ones would.
 double evenEdge(const TriangleFigures& figures);
 /// About how many triangles a surface has whose edges are so long [m].
 double trianglesOf(const TriangleFigures& figures, double edge);

@@ -44,6 +44,7 @@ struct MeshReport {
     /// Consistently, and, where it is closed and manifold, outward (positive volume).
     bool oriented = false;
     std::vector<std::string> repairs;  ///< what was changed on the way, one phrase each
+    std::vector<std::string> left;     ///< what a repair left as it is and why, a clause each
     bool cuttable = false;
     /// Empty where cuttable; else what is wrong, how much of it, and what to do.
     std::string problem;

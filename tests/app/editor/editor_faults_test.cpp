@@ -295,6 +295,31 @@ TEST_F(EditorFaultsTest, FaultsOfTheOpenModelAreShownOnDemand) {
     click("model.faults");
     frames(2);
     EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
+    even();
+    EXPECT_EQ(panels().faultCount, 0) << panels().toast;
+}
+
+TEST_F(EditorFaultsTest, PiecesThatCrossAreUnitedAsAStepThatIsUndone) {
+    test::writeText(folder / "boxes.obj",
+                    test::objText(test::joined(test::boxSoup(Vec3::Ones(), 4),
+                                               test::boxSoup(Vec3::Ones(), 4),
+                                               Vec3(0.53, 0.27, 0.11))));
+    editor->open(folder / "boxes.obj");
+    waitForWork();
+    frames(2);
+    EXPECT_EQ(editor->scene()->pieceCount(), 2);
+    EXPECT_TRUE(panels().models[0].crosses);
+    const std::string before = hash();
+    unfoldModel();
+    click("model.unite");
+    waitForWork();
+    frames(2);
+    EXPECT_EQ(editor->scene()->pieceCount(), 1);
+    EXPECT_FALSE(panels().models[0].crosses);
+    EXPECT_THAT(changes(), ElementsAre("Unite pieces"));
+    undo();
+    EXPECT_EQ(hash(), before);
+    EXPECT_EQ(editor->scene()->pieceCount(), 2);
 }
 
 }  // namespace

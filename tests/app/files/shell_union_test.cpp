@@ -1,0 +1,195 @@
+#include "app/files/shell_union.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "app/files/import_process.h"
+#include "app/files/shell_protocol.h"
+#include "sim/mesh/surface_mesh.h"
+#include "sim/repair/crossings.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+using app::ShellMessage;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+MeshReport reportOf(const TriangleSoup& soup) {
+    MeshReport report = inspectTriangles(soup);
+    repair::countCrossings(soup, report);
+    return report;
+}
+
+/// The triangles whose first corner lies beyond `x`.
+std::vector<Corners> trianglesBeyond(const TriangleSoup& soup, double x) {
+    std::vector<Corners> found;
+    for (const Triangle& t : soup.triangles) {
+        const Corners corners{soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
+        if (corners[0].x() > x) {
+            found.push_back(corners);
+        }
+    }
+    return found;
+}
+
+TEST(ShellUnion, OfTwoBoxesIsTheBoundaryOfBoth) {
+    TriangleSoup soup = test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.25, 0.125));
+    const app::ShellUnion became = app::uniteCrossingPieces(soup);
+    EXPECT_THAT(became.done, testing::ElementsAre("united 2 pieces that crossed"));
+    EXPECT_THAT(became.left, IsEmpty());
+    const MeshReport report = reportOf(soup);
+    EXPECT_TRUE(report.cuttable) << report.problem;
+    EXPECT_EQ(report.pieces, 1);
+    EXPECT_EQ(report.crossingTriangles, 0);
+    EXPECT_NEAR(report.volume, 2 - 0.5 * 0.75 * 0.875, 1e-12);
+}
+
+TEST(ShellUnion, OfRandomSpheresInAChainHasTheVolumeThatSamplesShow) {
+    constexpr unsigned kSeed = 20261124;
+    std::mt19937 random(kSeed);
+    std::uniform_real_distribution<double> anywhere(-0.4, 0.4);
+    TriangleSoup soup = test::icosphereSoup(2, 0.5);
+    std::vector<Vec3> middles{Vec3::Zero()};
+    for (int i = 0; i < 4; ++i) {
+        middles.emplace_back(anywhere(random), anywhere(random), anywhere(random));
+        soup = test::joined(soup, test::icosphereSoup(2, 0.5), middles.back());
+    }
+    const app::ShellUnion became = app::uniteCrossingPieces(soup);
+    EXPECT_THAT(became.left, IsEmpty()) << "seed " << kSeed;
+    const MeshReport report = reportOf(soup);
+    EXPECT_TRUE(report.cuttable) << report.problem << ", seed " << kSeed;
+    EXPECT_EQ(report.pieces, 1);
+    EXPECT_EQ(report.crossingTriangles, 0) << "seed " << kSeed;
+
+    constexpr int kSamples = 200'000;
+    std::uniform_real_distribution<double> inBox(-1, 1);
+    int inside = 0;
+    for (int i = 0; i < kSamples; ++i) {
+        const Vec3 p(inBox(random), inBox(random), inBox(random));
+        inside += std::ranges::any_of(middles, [&](const Vec3& m) { return (p - m).norm() < 0.5; });
+    }
+    // Polyhedra of 320 triangles lie within their spheres, by 4 % of the volume.
+    EXPECT_NEAR(report.volume, 8.0 * inside / kSamples, 0.06);
+}
+
+TEST(ShellUnion, LeavesWhatCrossesNothingBitForBit) {
+    TriangleSoup soup = test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.25, 0.125));
+    soup = test::joined(soup, test::icosphereSoup(2), Vec3(5.1, 0.3, 0));
+    const std::vector<Corners> ball = trianglesBeyond(soup, 3);
+    ASSERT_EQ(ball.size(), 320u);
+    app::uniteCrossingPieces(soup);
+    EXPECT_EQ(trianglesBeyond(soup, 3), ball);
+    EXPECT_EQ(reportOf(soup).pieces, 2);
+
+    const TriangleSoup before = soup;
+    EXPECT_THAT(app::uniteCrossingPieces(soup).done, IsEmpty());
+    EXPECT_EQ(soup.positions, before.positions);
+    EXPECT_EQ(soup.triangles, before.triangles);
+}
+
+TEST(ShellUnion, KeepsACavity) {
+    TriangleSoup soup = test::joined(
+        test::boxSoup(), test::turned(test::boxSoup(Vec3::Constant(0.2))), Vec3(-0.3, 0, 0));
+    soup = test::joined(soup, test::boxSoup(), Vec3(0.5, 0.25, 0.125));
+    ASSERT_EQ(reportOf(soup).cavities, 1);
+    EXPECT_THAT(app::uniteCrossingPieces(soup).left, IsEmpty());
+    const MeshReport report = reportOf(soup);
+    EXPECT_EQ(report.cavities, 1);
+    EXPECT_EQ(report.pieces, 1);
+    EXPECT_NEAR(report.volume, 2 - 0.5 * 0.75 * 0.875 - 0.008, 1e-12);
+}
+
+TEST(ShellUnion, MaterialsAndTextureCoordinatesStayWhereTheyAre) {
+    TriangleSoup soup = test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.25, 0.125));
+    const std::size_t half = soup.triangles.size() / 2;
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+        CornerUvs uvs;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3& p = soup.positions[soup.triangles[t][i]];
+            uvs[i] = Eigen::Vector2d(p.x() + 3 * p.z(), p.y() - p.z()).cast<float>();
+        }
+        soup.skin.uvs.push_back(uvs);
+        soup.skin.materials.push_back(t < half ? 0 : 1);
+    }
+    ASSERT_THAT(app::uniteCrossingPieces(soup).left, IsEmpty());
+    ASSERT_EQ(soup.skin.uvs.size(), soup.triangles.size());
+    ASSERT_EQ(soup.skin.materials.size(), soup.triangles.size());
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+        Vec3 middle = Vec3::Zero();
+        for (int i = 0; i < 3; ++i) {
+            const Vec3& p = soup.positions[soup.triangles[t][i]];
+            middle += p / 3;
+            const Eigen::Vector2d uv(p.x() + 3 * p.z(), p.y() - p.z());
+            EXPECT_LT((soup.skin.uvs[t][i].cast<double>() - uv).norm(), 1e-5);
+        }
+        const bool onFirst = middle.cwiseAbs().maxCoeff() < 0.5 + 1e-9;
+        EXPECT_EQ(soup.skin.materials[t], onFirst ? 0 : 1);
+    }
+}
+
+TEST(ShellUnion, PiecesThatWouldTouchInALineAreLeftWithTheReason) {
+    // Two bars through a box: they leave it side by side and share an edge there.
+    TriangleSoup soup =
+        test::joined(test::boxSoup(), test::boxSoup(Vec3(0.5, 0.5, 2)), Vec3(0.25, 0.25, 0));
+    soup = test::joined(soup, test::boxSoup(Vec3(0.5, 0.5, 2)), Vec3(-0.25, -0.25, 0));
+    const TriangleSoup before = soup;
+    const app::ShellUnion became = app::uniteCrossingPieces(soup);
+    EXPECT_THAT(became.done, IsEmpty());
+    ASSERT_EQ(became.left.size(), 1u);
+    EXPECT_THAT(became.left[0], HasSubstr("touch in a line or a point"));
+    EXPECT_EQ(soup.positions, before.positions);
+}
+
+TEST(ShellUnion, APieceThatPassesThroughItselfIsLeft) {
+    TriangleSoup soup = test::icosphereSoup(2);
+    soup.positions[0] = -1.5 * soup.positions[0];
+    soup = test::joined(soup, test::boxSoup(), Vec3(0.4, 0, 0));
+    ASSERT_GT(reportOf(soup).crossingTriangles, 0);
+    const TriangleSoup before = soup;
+    const app::ShellUnion became = app::uniteCrossingPieces(soup);
+    EXPECT_THAT(became.done, IsEmpty());
+    ASSERT_EQ(became.left.size(), 1u);
+    EXPECT_THAT(became.left[0], HasSubstr("1 piece passes through itself"));
+    EXPECT_EQ(soup.triangles, before.triangles);
+}
+
+// --- What both programs send each other --------------------------------------------------------
+
+ShellMessage sample() {
+    return {"", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, {0, 1}};
+}
+
+TEST(ShellProtocol, ComesBackAsItWas) {
+    const auto back = app::decodeShells(app::encodeShells(sample()));
+    ASSERT_TRUE(back.has_value());
+    EXPECT_EQ(back->positions, sample().positions);
+    EXPECT_EQ(back->triangles, sample().triangles);
+    EXPECT_EQ(back->pieces, sample().pieces);
+    EXPECT_EQ(app::decodeShells(app::encodeShells({.failure = "why"}))->failure, "why");
+}
+
+TEST(ShellProtocol, AnythingElseIsRefused) {
+    const std::string sound = app::encodeShells(sample());
+    for (std::size_t length = 0; length < sound.size(); ++length) {
+        EXPECT_FALSE(app::decodeShells(sound.substr(0, length)).has_value()) << length;
+    }
+    EXPECT_FALSE(app::decodeShells(sound + " ").has_value());
+    ShellMessage wrong = sample();
+    wrong.triangles[1][2] = 3;
+    EXPECT_FALSE(app::decodeShells(app::encodeShells(wrong)).has_value());
+    wrong = sample();
+    wrong.pieces[0] = -1;
+    EXPECT_FALSE(app::decodeShells(app::encodeShells(wrong)).has_value());
+    wrong = sample();
+    wrong.positions[0][0] = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(app::decodeShells(app::encodeShells(wrong)).has_value());
+}
+
+}  // namespace
+}  // namespace kerf
