@@ -1,6 +1,15 @@
 # What ctest reads: each suite of the test program ${program} is one test, in a process of its own
 # and labelled by the room of its file below ${sources}, such as sim/cut. The tests of a suite share
 # a context of OpenGL and what the driver has compiled for it.
+
+# The longest start first, so that none of them runs alone at the end: seconds on two quiet cores.
+set(cost_of_EditorKill 120)  # it waits most of the time
+set(cost_of_ShippedModels 75)
+set(cost_of_MovingScenes 60)
+set(cost_of_EditorRetractTest 60)
+set(cost_of_EditorJournalTest 50)
+set(cost_of_KeptSessions 50)
+set(cost_of_EditorWindowTest 40)
 if(NOT EXISTS ${program})
   get_filename_component(name ${program} NAME)
   add_test(${name}_NOT_BUILT ${name}_NOT_BUILT)
@@ -30,4 +39,7 @@ foreach(line ${lines})
   add_test(${suite} ${program} --gtest_filter=${suite}.*)
   set_tests_properties(${suite} PROPERTIES TIMEOUT 600 LABELS "${room_of_${name}}"
                        ENVIRONMENT "LIBGL_ALWAYS_SOFTWARE=1;LC_ALL=C")
+  if(cost_of_${name})
+    set_tests_properties(${suite} PROPERTIES COST ${cost_of_${name}})
+  endif()
 endforeach()

@@ -35,19 +35,14 @@ other() {
         2) xdotool key space && sleep 0.4 && xdotool key space ;;
     esac
 }
-isGone() { ! [ -e "$1" ]; }
-isAnother() {
-    local other
-    other=$(xdotool search --onlyvisible --name "^Kerf" | head -n 1)
-    [ -n "$other" ] && [ "$other" != "$window" ] && window=$other
-}
+# The editor says so when its first window is gone; the next one may have the same number.
+wasReset() { grep -q 'was reset' errors.txt; }
 resetDriver() {
     touch "$KERF_LOSE_CONTEXT"
     moveTo 700 300
-    waitFor isGone "$KERF_LOSE_CONTEXT"
+    waitFor wasReset
     xdotool mouseup 1
-    waitFor isAnother
-    xdotool windowfocus "$window"
+    findWindow "Kerf - "
 }
 killEditor() {
     kill -9 "$editor"

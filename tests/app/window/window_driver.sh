@@ -18,7 +18,11 @@ openEditor() {
     "$kerf" "${@:2}" 2>errors.txt &
     editor=$!
     trap 'kill "$editor" 2>/dev/null' EXIT
-    window=$(timeout 60 xdotool search --sync --onlyvisible --name "^${1:-Kerf - }" | head -n 1)
+    findWindow "${1:-Kerf - }"
+}
+# Gives the window whose title begins so the keyboard, once it is there.
+findWindow() {
+    window=$(timeout 60 xdotool search --sync --onlyvisible --name "^$1" | head -n 1)
     xdotool windowfocus "$window"
 }
 title() { xdotool getwindowname "$window"; }
