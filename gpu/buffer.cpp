@@ -11,6 +11,7 @@
 
 #include "gpu/context_loss.h"
 #include "gpu/gl_check.h"
+#include "gpu/traffic.h"
 
 namespace kerf::gpu {
 namespace {
@@ -72,7 +73,7 @@ void requireTexels(std::size_t count) {
 
 /// Makes what shaders wrote visible to the buffer calls that follow.
 void updateBarrier() {
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 }  // namespace
@@ -198,6 +199,7 @@ void Buffer::writeBytes(std::size_t offset, std::span<const std::byte> data) {
         return;
     }
     updateBarrier();
+    traffic().bytesUp += data.size();
     glNamedBufferSubData(id_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
                          data.data());
 }
@@ -208,6 +210,8 @@ void Buffer::readBytes(std::size_t offset, std::span<std::byte> out) const {
         return;
     }
     updateBarrier();
+    ++traffic().reads;
+    traffic().bytesDown += out.size();
     glGetNamedBufferSubData(id_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(out.size()),
                             out.data());
     requireContext();

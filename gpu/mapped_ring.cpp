@@ -8,6 +8,7 @@
 #include "gpu/buffer.h"
 #include "gpu/context_loss.h"
 #include "gpu/gl_check.h"
+#include "gpu/traffic.h"
 
 namespace kerf::gpu {
 namespace {
@@ -93,7 +94,7 @@ int MappedRing::bindNext(std::uint32_t binding) {
 
 void MappedRing::fence() {
     dropFence(slot_);
-    glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+    barrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     fences_[slot_] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     if (fences_[slot_] == nullptr) {
         throw std::runtime_error("The graphics driver gives no fence to wait for.");
@@ -101,9 +102,11 @@ void MappedRing::fence() {
     glFlush();  // so that the GPU works while the CPU does something else
 }
 
-const std::byte* MappedRing::awaited(int slot, [[maybe_unused]] std::size_t bytes) const {
+const std::byte* MappedRing::awaited(int slot, std::size_t bytes) const {
     assert(bytes <= capacity_ && "read beyond the slot");
     assert(fences_[slot] != nullptr && "only what was fenced can be waited for");
+    ++traffic().waits;
+    traffic().bytesDown += bytes;
     waitFor(static_cast<GLsync>(fences_[slot]));
     return memory_ + slot * stride_;
 }

@@ -14,6 +14,7 @@
 #include "gpu/program_binaries.h"
 #include "gpu/program_record.h"
 #include "gpu/shader_source.h"
+#include "gpu/traffic.h"
 
 namespace kerf::gpu {
 namespace {
@@ -282,6 +283,7 @@ void Program::dispatchGroups(std::uint32_t groups) const {
     assert(groups <= maxGroups() && "more work groups than the driver takes in one dispatch");
     if (groups != 0 && mayDispatch(*linked_)) {
         begin();
+        ++traffic().dispatches;
         glDispatchCompute(groups, 1, 1);
         end();
     }
@@ -291,8 +293,10 @@ void Program::dispatchIndirect(const Buffer& groups, std::size_t offset) const {
     assert(offset + 3 * sizeof(GLuint) <= groups.size());
     if (mayDispatch(*linked_)) {
         begin();
+        ++traffic().dispatches;
+        ++traffic().indirect;
         glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
-        glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+        barrier(GL_COMMAND_BARRIER_BIT);
         glDispatchComputeIndirect(static_cast<GLintptr>(offset));
         end();
     }
@@ -302,7 +306,7 @@ void Program::begin() const {
     use();
     linked_->numbers.bind();
     if (linked_->fullBarriers) {
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
+        barrier(GL_ALL_BARRIER_BITS);
     }
 }
 
@@ -312,7 +316,7 @@ void Program::end() const {
     constexpr GLbitfield kReadByShaders = GL_SHADER_STORAGE_BARRIER_BIT |
                                           GL_TEXTURE_FETCH_BARRIER_BIT |
                                           GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
-    glMemoryBarrier(linked_->fullBarriers ? GL_ALL_BARRIER_BITS : kReadByShaders);
+    barrier(linked_->fullBarriers ? GL_ALL_BARRIER_BITS : kReadByShaders);
 }
 
 int Program::location(std::string_view name) const {
@@ -326,7 +330,7 @@ int Program::location(std::string_view name) const {
 }
 
 void beforeDrawingIndirect() {
-    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+    barrier(GL_COMMAND_BARRIER_BIT);
 }
 
 void finish() {

@@ -32,6 +32,7 @@ struct SweepRun {
 class SmallBodySolver {
   public:
     explicit SmallBodySolver(gpu::KernelWay way = gpu::kernelWay()) : way_(way) {}
+    gpu::KernelWay way() const { return way_; }
 
     /// A new body, or one that changed. Whether sweeps fit is found out by looking at every vertex,
     /// for large bodies only where that is asked for.

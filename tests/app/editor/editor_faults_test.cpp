@@ -300,10 +300,9 @@ TEST_F(EditorFaultsTest, FaultsOfTheOpenModelAreShownOnDemand) {
 }
 
 TEST_F(EditorFaultsTest, PiecesThatCrossAreUnitedAsAStepThatIsUndone) {
-    test::writeText(folder / "boxes.obj",
-                    test::objText(test::joined(test::boxSoup(Vec3::Ones(), 4),
-                                               test::boxSoup(Vec3::Ones(), 4),
-                                               Vec3(0.53, 0.27, 0.11))));
+    test::writeText(folder / "boxes.obj", test::objText(test::joined(test::boxSoup(Vec3::Ones(), 4),
+                                                                     test::boxSoup(Vec3::Ones(), 4),
+                                                                     Vec3(0.53, 0.27, 0.11))));
     editor->open(folder / "boxes.obj");
     waitForWork();
     frames(2);

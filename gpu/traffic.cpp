@@ -1,0 +1,24 @@
+#include "gpu/traffic.h"
+
+#include <glad/gl.h>
+
+namespace kerf::gpu {
+
+Traffic operator-(const Traffic& now, const Traffic& before) {
+    return {now.dispatches - before.dispatches, now.indirect - before.indirect,
+            now.barriers - before.barriers,     now.waits - before.waits,
+            now.reads - before.reads,           now.bytesUp - before.bytesUp,
+            now.bytesDown - before.bytesDown};
+}
+
+Traffic& traffic() {
+    static Traffic count;
+    return count;
+}
+
+void barrier(std::uint32_t bits) {
+    ++traffic().barriers;
+    glMemoryBarrier(bits);
+}
+
+}  // namespace kerf::gpu
