@@ -319,6 +319,7 @@ class Replay {
         summary_.after = countBody();
         summary_.pieces = simulation_.pieces().pieces;
         summary_.stateHash = simulation_.stateHash();
+        summary_.cuts = reportOnCuts(simulation_);
         folder_.write(kSummaryFile, formatSummary(summary_));
     }
 

@@ -96,6 +96,7 @@ void printForPeople(const ReplayResult& result, const std::filesystem::path& fol
     out << "volume: mean " << percent(run.volumeRatio.mean()) << ", min "
         << percent(run.volumeRatio.min()) << ", final " << percent(run.finalVolumeRatio)
         << " of rest\n";
+    out << "cuts: " << (summary.cuts ? describeCuts(*summary.cuts) : "none") << "\n";
     out << "state: " << summary.stateHash << "\n";
     printFiles(folder, result.files, out);
 }

@@ -73,6 +73,10 @@ std::string removed(const MetricsRow& row) {
     return textOf(row.report.debris.*member);
 }
 template <auto member>
+std::string swept(const MetricsRow& row) {
+    return textOf(row.report.swept.*member);
+}
+template <auto member>
 std::string searched(const MetricsRow& row) {
     return textOf(row.report.search.*member);
 }
@@ -118,6 +122,8 @@ constexpr Column kColumns[] = {
     {"search_walk_ms", searched<&SearchWork::walkMilliseconds>},
     {"search_seeds", searched<&SearchWork::seeds>},
     {"search_tests", searched<&SearchWork::tests>},
+    {"swept_area", swept<&SweptArea::asItLay>},
+    {"swept_area_at_rest", swept<&SweptArea::atRest>},
 };
 
 }  // namespace
@@ -211,6 +217,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     json["closed_every_step"] = run.closedEveryStep;
     json["lost_pieces"] = run.lostPieces;
     json["debris"] = {{"pieces", run.debris.pieces}, {"volume", run.debris.volume}};
+    json["cut_report"] = summary.cuts ? toJson(*summary.cuts) : Json();
     json["failures"] = summary.failures;
     json["messages"] = summary.messages;
     json["remarks"] = summary.remarks;

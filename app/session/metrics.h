@@ -1,9 +1,11 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/session/cut_report.h"
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 
@@ -81,6 +83,7 @@ struct RunSummary {
     Counts after;
     std::vector<Piece> pieces;
     RunStatistics statistics;
+    std::optional<CutReport> cuts;  ///< none where no stroke met the body
     std::vector<std::string>
         failures;  ///< checks and invariants that did not hold, one sentence each
     std::vector<std::string> messages;  ///< what went wrong in steps, as the log says it

@@ -299,6 +299,9 @@ const std::vector<RungNode>& Simulation::rung() const {
 const SubdivisionCounts& Simulation::subdivisions() const {
     return state_->body.memory.subdivisions;
 }
+const std::vector<StrokeRecord>& Simulation::strokes() const {
+    return state_->body.memory.strokes;
+}
 const CutResult& Simulation::lastCut() const {
     return state_->output.lastCut;
 }

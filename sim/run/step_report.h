@@ -24,6 +24,7 @@ struct StepReport {
     SubdivisionCounts subdivisions{};  ///< of the touched triangles, in this step
     int seeds = 0;                     ///< groups of neighbours among the touched triangles
     Debris debris;                     ///< removed in this step
+    SweptArea swept;                   ///< by the blade inside of the material, in this step
     int contacts = 0;                  ///< of the body with itself in the last substep
     bool closed = true;
     bool open = false;                   ///< walls of a stroke of the open course are absent
