@@ -52,6 +52,7 @@ ReplayResult runHeadless(const Session& session, const ReplayArguments& argument
     const ReplayOptions options{
         .hashes = arguments.hashes,
         .pieces = arguments.pieces,
+        .forces = arguments.forces,
         .verify = expected ? &*expected : nullptr,
         .verifyName = arguments.verify.string(),
         .until = arguments.until,

@@ -88,6 +88,12 @@ std::string dividedOtherwise(const MetricsRow& row) {
     return textOf(otherPatterns(row.report.subdivisions));
 }
 
+template <Vec3 BladeLoad::*part, int axis>
+std::string felt(const MetricsRow& row) {
+    const std::optional<BladeLoad>& load = row.report.bladeLoad;
+    return load ? textOf(((*load).*part)[axis]) : "";
+}
+
 /// The columns in their order (docs/session-format.md).
 constexpr Column kColumns[] = {
     {"step", reported<&StepReport::step>},
@@ -124,6 +130,13 @@ constexpr Column kColumns[] = {
     {"search_tests", searched<&SearchWork::tests>},
     {"swept_area", swept<&SweptArea::asItLay>},
     {"swept_area_at_rest", swept<&SweptArea::atRest>},
+    {"fracture_energy", measured<&MetricsRow::fractureEnergy>},
+    {"blade_force_x", felt<&BladeLoad::force, 0>},
+    {"blade_force_y", felt<&BladeLoad::force, 1>},
+    {"blade_force_z", felt<&BladeLoad::force, 2>},
+    {"blade_moment_x", felt<&BladeLoad::moment, 0>},
+    {"blade_moment_y", felt<&BladeLoad::moment, 1>},
+    {"blade_moment_z", felt<&BladeLoad::moment, 2>},
 };
 
 }  // namespace

@@ -101,6 +101,9 @@ void Simulation::State::solve() {
     body.prepareStep(input.params);
     prefetchCut();
     moveBody();
+    if (body.feelsBlade) {
+        output.report.bladeLoad = body.solver.collisions().bladeLoad();
+    }
     body.measureStep();
     takeBackLostPieces();
     const double prefetchMs = body.endStep();
@@ -245,6 +248,11 @@ std::string Simulation::execute(const Command& command) {
 
 void Simulation::readAllBack(bool all) {
     state_->body.readAllBack(all);
+}
+
+void Simulation::feelBlade(bool wanted) {
+    state_->body.feelsBlade = wanted;
+    state_->body.solver.collisions().feelBlade(wanted);
 }
 
 int Simulation::wholeReads() const {

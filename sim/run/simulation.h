@@ -41,6 +41,10 @@ class Simulation {
     /// Number of times that all of the body came back.
     int wholeReads() const;
 
+    /// Measures from now on what the body does to the blade's where that pushes
+    /// (StepReport::bladeLoad); changes no result.
+    void feelBlade(bool wanted);
+
     /// Applies a command before the coming step. Returns "" or one sentence; nothing changed then.
     std::string execute(const Command& command);
     /// One time step: solve -> cut -> publish; without the solve while time stands.

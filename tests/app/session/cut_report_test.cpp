@@ -182,14 +182,16 @@ TEST(ShapeFigures, TellAnglesAndSlivers) {
 
 class CutReportOfARun : public test::GlTest {
   protected:
+    /// `keys`: further ones, each with its comma.
+    static std::string sessionText(const std::string& events, const std::string& keys = "") {
+        return R"({"format": "kerf-session", "version": 1, "steps": 40, )" + keys +
+               R"("model": {"builtin": "sphere80"},
+                  "params": {"iterations": 2, "gravity": [0, 0, 0], "floor": null}, "events": [)" +
+               events + "]}";
+    }
     nlohmann::json replayed(const std::string& events) {
         const test::TemporaryFolder folder;
-        test::writeText(folder / "a.kerf.json",
-                        R"({"format": "kerf-session", "version": 1, "steps": 40,
-                            "model": {"builtin": "sphere80"},
-                            "params": {"iterations": 2, "gravity": [0, 0, 0], "floor": null},
-                            "events": [)" +
-                            events + "]}");
+        test::writeText(folder / "a.kerf.json", sessionText(events));
         const Session session = readSession(folder / "a.kerf.json");
         const ReplayResult result =
             replaySession(session, loadSessionModel(session), folder / "out", {});
@@ -216,6 +218,28 @@ TEST_F(CutReportOfARun, StandsInTheSummary) {
     EXPECT_EQ(report.at("self_intersections").at("pairs"), 0);
     EXPECT_EQ(report.at("slit_ends").at("edges"), 0);
     EXPECT_EQ(report.at("strokes").at(0).at("area"), report.at("area"));
+}
+
+TEST_F(CutReportOfARun, FractureEnergyIsToughnessTimesTheAreaThatIsSwept) {
+    const auto sumsWith = [&](const std::string& material) {
+        const test::TemporaryFolder folder;
+        test::writeText(folder / "a.kerf.json", sessionText(stroke_, material));
+        const Session session = readSession(folder / "a.kerf.json");
+        double area = 0;
+        std::optional<double> energy;
+        const auto addRow = [&](const MetricsRow& row) {
+            area += row.report.swept.atRest;
+            if (row.fractureEnergy) {
+                energy = energy.value_or(0) + *row.fractureEnergy;
+            }
+        };
+        replaySession(session, loadSessionModel(session), folder / "out", {{}, addRow});
+        return std::pair(area, energy);
+    };
+    const auto [area, energy] = sumsWith(R"("material": "liver", )");
+    EXPECT_GT(area, 0.5);
+    EXPECT_NEAR(energy.value(), 164 * area, 1e-9);
+    EXPECT_FALSE(sumsWith("").second) << "without a material its toughness is not known";
 }
 
 TEST_F(CutReportOfARun, IsNullWithoutACut) {

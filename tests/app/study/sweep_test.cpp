@@ -214,7 +214,7 @@ TEST_F(Sweep, GoesOnBehindARunThatFails) {
     EXPECT_THAT(run.out, HasSubstr("3 runs, 2 failed (runs 0 and 1)"));
     const auto lines = linesOf(bytes("out/table.csv"));
     ASSERT_EQ(lines.size(), 4u);
-    EXPECT_EQ(lines[1], "0,bad.kerf.json,3,,,,,,");
+    EXPECT_EQ(lines[1], "0,bad.kerf.json,3,,,,,,,,,,,,,");
     EXPECT_THAT(lines[2], StartsWith("1,check.kerf.json,1,")) << "with the results so far";
     EXPECT_THAT(lines[3], StartsWith("2,a.kerf.json,0,"));
     EXPECT_THAT(sweep("out").out, StartsWith("3 runs, 2 failed")) << "they would fail again";
@@ -244,7 +244,7 @@ TEST_F(Sweep, GatheringRunsNothingAndNamesWhatIsMissing) {
     EXPECT_THAT(gathered.out, HasSubstr("3 missing (runs 0, 1 and 3)"));
     EXPECT_FALSE(has("out/0"));
     const auto lines = linesOf(bytes("out/table.csv"));
-    EXPECT_EQ(lines[1], "0,a.kerf.json,2,0.5,,,,,,,");
+    EXPECT_EQ(lines[1], "0,a.kerf.json,2,0.5,,,,,,,,,,,,,,");
     EXPECT_THAT(lines[3], StartsWith("2,a.kerf.json,3,0.5,0,"));
 }
 
