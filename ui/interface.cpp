@@ -10,6 +10,7 @@
 #include "ui/axes_widget.h"
 #include "ui/boxes_panel.h"
 #include "ui/changes_panel.h"
+#include "ui/cuts_panel.h"
 #include "ui/display_panel.h"
 #include "ui/experiments_panel.h"
 #include "ui/help_overlay.h"
@@ -130,6 +131,9 @@ void drawSections(const PanelModel& model, float height, std::vector<Action>& ac
     }
     if (beginSection("display", "Display", model, actions)) {
         drawDisplay(model, actions);
+    }
+    if (beginSection("cuts", "Quality of the cuts", model, actions)) {
+        drawCuts(model);
     }
     if (beginSection("window", "Window", model, actions)) {
         drawWindowRows(model, actions);

@@ -11,6 +11,7 @@
 #include "sim/cut/subdivision_pattern.h"
 #include "ui/action.h"
 #include "ui/axes_widget.h"
+#include "ui/cut_rows.h"
 #include "ui/display_settings.h"
 #include "ui/fault_legend.h"
 #include "ui/field_legend.h"
@@ -185,6 +186,8 @@ struct PanelModel {
     std::optional<HintChoice> toastChoice;  ///< what can be done about it
     std::vector<LogLine> log;               ///< oldest first
     SubdivisionCounts subdivisions{};       ///< of the surface, since the body was whole
+    std::vector<CutRow> cuts;               ///< how well the cuts came out
+    std::string cutsNote;                   ///< what is to be said of them; may be empty
     std::vector<PieceRow> pieces;
     int hoveredPiece = -1;             ///< in that list; -1 for none
     const History* history = nullptr;  ///< never null while panels are drawn

@@ -28,7 +28,7 @@ struct Settings {
     double plotsShare = 0.62;       ///< of the right panel's height
     std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of kPlots
     /// Ids of the sections of the left panel that are folded.
-    std::vector<std::string> folded{"experiments", "model", "display", "window"};
+    std::vector<std::string> folded{"experiments", "model", "display", "cuts", "window"};
 
     bool operator==(const Settings&) const = default;
     /// Whether any side panel is shown.

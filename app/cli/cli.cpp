@@ -123,6 +123,8 @@ void describeReplayChecks(CLI::App& replay, ReplayArguments& arguments) {
                     "Also write hashes.csv: what state each step ended in");
     replay.add_flag("--pieces", arguments.pieces,
                     "Also write pieces.csv: volume and box of each piece after each step");
+    replay.add_flag("--forces", arguments.forces,
+                    "Measure force and moment on a blade that pushes, in metrics.csv");
     replay
         .add_option("--verify", arguments.verify,
                     "Compare each step with a hashes.csv; end at the first one that differs")

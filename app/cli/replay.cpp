@@ -106,6 +106,7 @@ class Replay {
             renderer_.emplace(options_.quality);
             renderer_->setRestShape(simulation_.mesh());
         }
+        simulation_.feelBlade(options_.forces);
         if (undoesAnything(session)) {
             simulation_.setUndoBudget(kReplayUndoBudget);
         }
@@ -192,9 +193,15 @@ class Replay {
         iterations_.add(step_, simulation_.params());
         const StepReport& report = runner_.step();
         const double outsideMs = outside_.take();
-        const MetricsRow row{report, std::exchange(pictureMs_, 0),
+        const MetricsRow row{report, fractureEnergyOf(report), std::exchange(pictureMs_, 0),
                              watch.milliseconds() - outsideMs};
         publish(row, listener);
+    }
+
+    /// None where the material does not tell its toughness.
+    std::optional<double> fractureEnergyOf(const StepReport& report) const {
+        return session_.toughness ? std::optional(*session_.toughness * report.swept.atRest)
+                                  : std::nullopt;
     }
 
     /// After a step: what is written and told of it.
@@ -319,6 +326,7 @@ class Replay {
         summary_.after = countBody();
         summary_.pieces = simulation_.pieces().pieces;
         summary_.stateHash = simulation_.stateHash();
+        summary_.cuts = reportOnCuts(simulation_);
         folder_.write(kSummaryFile, formatSummary(summary_));
     }
 

@@ -25,6 +25,7 @@ struct ReplayListener {
 struct ReplayOptions {
     bool hashes = false;                 ///< writes hashes.csv
     bool pieces = false;                 ///< writes pieces.csv
+    bool forces = false;                 ///< measures what the body does to the blade's
     const HashCourse* verify = nullptr;  ///< hashes that the steps must have; not owned
     std::string verifyName;              ///< of the file with these hashes, for messages
     int until = kMaxSteps;               ///< ends after that many steps, where the session has more

@@ -52,6 +52,7 @@ ReplayResult runHeadless(const Session& session, const ReplayArguments& argument
     const ReplayOptions options{
         .hashes = arguments.hashes,
         .pieces = arguments.pieces,
+        .forces = arguments.forces,
         .verify = expected ? &*expected : nullptr,
         .verifyName = arguments.verify.string(),
         .until = arguments.until,
@@ -96,6 +97,7 @@ void printForPeople(const ReplayResult& result, const std::filesystem::path& fol
     out << "volume: mean " << percent(run.volumeRatio.mean()) << ", min "
         << percent(run.volumeRatio.min()) << ", final " << percent(run.finalVolumeRatio)
         << " of rest\n";
+    out << "cuts: " << (summary.cuts ? describeCuts(*summary.cuts) : "none") << "\n";
     out << "state: " << summary.stateHash << "\n";
     printFiles(folder, result.files, out);
 }

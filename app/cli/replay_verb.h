@@ -18,6 +18,7 @@ struct ReplayArguments {
     std::vector<std::string> set;  ///< NAME=VALUE each, behind the material
     bool hashes = false;
     bool pieces = false;
+    bool forces = false;
     std::filesystem::path verify;     ///< empty for none
     std::filesystem::path reference;  ///< empty for none
     bool update = false;

@@ -91,6 +91,7 @@ void Editor::State::makePicture(double elapsedSeconds) {
     s.followThickness();
     s.followMeasures();
     s.followPieceSums();
+    s.followCuts();
     s.drawScene();
     s.keepPicture();
     s.panels.interface.draw(s.picture.target());
@@ -121,7 +122,7 @@ double Editor::idleSeconds() const {
         return opening->preparing() ? kWorkPause : 0;
     }
     if (s.work.saves() || s.work.placing() != nullptr || s.chooser.previews() ||
-        (scene && scene->thickness().working())) {
+        (scene && (scene->thickness().working() || scene->cuts().working()))) {
         return kWorkPause;
     }
     const bool soon =
@@ -314,6 +315,12 @@ void Editor::State::followMeasures() {
 void Editor::State::followPieceSums() {
     const bool wanted = view.display.settings.pieceDetails;
     if (scene != nullptr && !scene.underWay() && scene->followPieceSums(wanted)) {
+        redraw.panels();
+    }
+}
+
+void Editor::State::followCuts() {
+    if (scene != nullptr && !scene.underWay() && scene->followCuts(panels.shows("cuts"))) {
         redraw.panels();
     }
 }

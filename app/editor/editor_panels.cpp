@@ -60,6 +60,11 @@ std::vector<render::PixelRect> EditorPanels::covered(int width, int height) cons
     return rects;
 }
 
+bool EditorPanels::shows(const std::string& section) const {
+    return !hidden && settings.now.showControls &&
+           std::ranges::find(settings.now.folded, section) == settings.now.folded.end();
+}
+
 void EditorPanels::unfold(const std::string& section) {
     std::erase(settings.now.folded, section);
 }

@@ -39,6 +39,8 @@ struct EditorPanels {
     /// The parts of such a picture that the panels hid in the last update.
     std::vector<render::PixelRect> covered(int width, int height) const;
 
+    /// Whether a section of the left panel is open and not hidden.
+    bool shows(const std::string& section) const;
     /// Opens a section of the left panel.
     void unfold(const std::string& section);
     /// Hides the side panels for as long as the program runs, or shows those again that were

@@ -126,6 +126,8 @@ struct Editor::State {
     void drawScene();
     /// Has the pieces added up where their list has all columns.
     void followPieceSums();
+    /// Has the quality of the cuts measured where its section is open.
+    void followCuts();
     /// Lets the measures go on with the body.
     void followMeasures();
     /// Has the thickness of the body worked out where the colours show it.

@@ -850,6 +850,8 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.vertices = report.vertices;
     model.triangles = report.triangles;
     model.subdivisions = simulation_.subdivisions();
+    model.cuts = cuts_.rows();
+    model.cutsNote = cuts_.note();
     model.pieces = pieces_;
     model.history = &readings_.history();
     model.recording = recording_;

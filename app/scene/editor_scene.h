@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/scene/cut_quality.h"
 #include "app/scene/editor_document.h"
 #include "app/scene/editor_readings.h"
 #include "app/scene/editor_stroke.h"
@@ -182,6 +183,10 @@ class EditorScene {
     /// where it is another than in the last view().
     bool followThickness(bool wanted) { return thickness_.follow(simulation_, wanted, !running()); }
     const ThicknessMap& thickness() const { return thickness_; }
+    /// Lets the quality of the cuts be measured where it is `wanted`, between strokes. True where
+    /// the panels have something else to show.
+    bool followCuts(bool wanted) { return cuts_.follow(simulation_, wanted); }
+    const CutQuality& cuts() const { return cuts_; }
     /// Adds up areas and middles of the pieces where they are `wanted`, while time stands and
     /// nothing is cut. True where they are other ones than before.
     bool followPieceSums(bool wanted);
@@ -273,6 +278,7 @@ class EditorScene {
     SurfaceLook look_;
     SkinFollower skin_{document_.looks};
     ThicknessMap thickness_;
+    CutQuality cuts_;
     EditorReadings readings_;
     VolumeWatch volumes_;
     std::shared_ptr<const std::vector<render::Marks>> faultMarks_;

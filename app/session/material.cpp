@@ -113,6 +113,7 @@ void applyMaterial(Params& params, const Material& material) {
 
 void applyMaterial(Session& session, const Material& material) {
     applyMaterial(session.params, material);
+    session.toughness = material.toughness.value;
     if (!session.colors.any()) {
         session.colors = material.colors;
     }

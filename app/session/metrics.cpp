@@ -73,6 +73,10 @@ std::string removed(const MetricsRow& row) {
     return textOf(row.report.debris.*member);
 }
 template <auto member>
+std::string swept(const MetricsRow& row) {
+    return textOf(row.report.swept.*member);
+}
+template <auto member>
 std::string searched(const MetricsRow& row) {
     return textOf(row.report.search.*member);
 }
@@ -82,6 +86,12 @@ std::string divided(const MetricsRow& row) {
 }
 std::string dividedOtherwise(const MetricsRow& row) {
     return textOf(otherPatterns(row.report.subdivisions));
+}
+
+template <Vec3 BladeLoad::*part, int axis>
+std::string felt(const MetricsRow& row) {
+    const std::optional<BladeLoad>& load = row.report.bladeLoad;
+    return load ? textOf(((*load).*part)[axis]) : "";
 }
 
 /// The columns in their order (docs/session-format.md).
@@ -118,6 +128,15 @@ constexpr Column kColumns[] = {
     {"search_walk_ms", searched<&SearchWork::walkMilliseconds>},
     {"search_seeds", searched<&SearchWork::seeds>},
     {"search_tests", searched<&SearchWork::tests>},
+    {"swept_area", swept<&SweptArea::asItLay>},
+    {"swept_area_at_rest", swept<&SweptArea::atRest>},
+    {"fracture_energy", measured<&MetricsRow::fractureEnergy>},
+    {"blade_force_x", felt<&BladeLoad::force, 0>},
+    {"blade_force_y", felt<&BladeLoad::force, 1>},
+    {"blade_force_z", felt<&BladeLoad::force, 2>},
+    {"blade_moment_x", felt<&BladeLoad::moment, 0>},
+    {"blade_moment_y", felt<&BladeLoad::moment, 1>},
+    {"blade_moment_z", felt<&BladeLoad::moment, 2>},
 };
 
 }  // namespace
@@ -211,6 +230,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     json["closed_every_step"] = run.closedEveryStep;
     json["lost_pieces"] = run.lostPieces;
     json["debris"] = {{"pieces", run.debris.pieces}, {"volume", run.debris.volume}};
+    json["cut_report"] = summary.cuts ? toJson(*summary.cuts) : Json();
     json["failures"] = summary.failures;
     json["messages"] = summary.messages;
     json["remarks"] = summary.remarks;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/session/cut_report.h"
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 
@@ -27,8 +29,9 @@ class Range {
 /// One row of metrics.csv: what the simulation says and what the replay measured around it.
 struct MetricsRow {
     StepReport report;
-    double renderMs = 0;  ///< pictures taken before this step, wall clock
-    double frameMs = 0;   ///< the step and its commands, without pictures and files, wall clock
+    std::optional<double> fractureEnergy;  ///< that new surface took; see Material::toughness [J]
+    double renderMs = 0;                   ///< pictures taken before this step, wall clock
+    double frameMs = 0;  ///< the step and its commands, without pictures and files, wall clock
 };
 
 /// First line of metrics.csv and its rows, each with its line break.
@@ -81,6 +84,7 @@ struct RunSummary {
     Counts after;
     std::vector<Piece> pieces;
     RunStatistics statistics;
+    std::optional<CutReport> cuts;  ///< none where no stroke met the body
     std::vector<std::string>
         failures;  ///< checks and invariants that did not hold, one sentence each
     std::vector<std::string> messages;  ///< what went wrong in steps, as the log says it

@@ -108,7 +108,8 @@ struct Session {
     Placement placement;
     std::vector<FurtherModel> moreModels;  ///< models 1, 2, ... of the scene
     Params params;
-    std::vector<StaticBox> boxes;  ///< at the start
+    std::optional<double> toughness;  ///< of its material, where that is known [J/m^2]
+    std::vector<StaticBox> boxes;     ///< at the start
     int steps = 0;
     std::vector<SessionEvent> events;  ///< by step, the file's order within one
     std::optional<render::Camera> view;

@@ -379,6 +379,7 @@ class ObjectReader : public NoFields {
         if (const auto node = find(word.name)) {
             material_ = readMaterialOf(*node, baseFolder_);
             applyMaterial(session.params, *material_);
+            session.toughness = material_->toughness.value;
         }
     }
 

@@ -1,6 +1,7 @@
 #include "app/study/study_table.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -19,8 +20,15 @@ using nlohmann::json;
 
 constexpr std::uintmax_t kMaxSummaryBytes = 256u << 20;
 constexpr const char* kResultColumns =
-    "exit,state_hash,pieces,volume_mean,volume_min,volume_final,fps_mean";
-constexpr std::size_t kSummaryColumns = 6;  // of these, all but exit
+    "exit,state_hash,pieces,volume_mean,volume_min,volume_final,cut_worst_angle,cut_mean_angle,"
+    "cut_slivers,cut_wound_to_swept,cut_volume_error,cut_self_intersections,cut_steps_refused,"
+    "fps_mean";
+/// What the columns that begin with cut_ have of `cut_report`, in their order.
+constexpr std::array kCutFigures{"/smallest_angle/worst", "/smallest_angle/mean",
+                                 "/slivers/below_0_02",   "/area/wound_to_swept",
+                                 "/volume_error",         "/self_intersections/pairs",
+                                 "/steps/refused"};
+constexpr std::size_t kSummaryColumns = 6 + kCutFigures.size();  // all but exit
 
 /// As RFC 4180 has it: quotes only around what needs them.
 std::string cell(const std::string& text) {
@@ -45,6 +53,11 @@ json readSummary(const fs::path& folder) {
     return fs::exists(file) ? parseJson(readInputFile(file, kMaxSummaryBytes)) : json();
 }
 
+/// Null where there is no report, or no such figure in it.
+json figureIn(const json& report, const char* path) {
+    return report.is_null() ? json() : report.value(json::json_pointer(path), json());
+}
+
 /// The columns from state_hash on.
 std::vector<std::string> summaryCells(const json& summary) {
     if (summary.is_null()) {
@@ -53,8 +66,13 @@ std::vector<std::string> summaryCells(const json& summary) {
     const json& volume = summary.at("volume_ratio");
     std::vector<std::string> cells{cell(summary.at("state_hash").get<std::string>()),
                                    std::to_string(summary.at("pieces").size())};
-    for (const json& number :
-         {volume.at("mean"), volume.at("min"), volume.at("final"), summary.at("fps").at("mean")}) {
+    const json cuts = summary.value("cut_report", json());
+    std::vector<json> numbers{volume.at("mean"), volume.at("min"), volume.at("final")};
+    for (const char* figure : kCutFigures) {
+        numbers.push_back(figureIn(cuts, figure));
+    }
+    numbers.push_back(summary.at("fps").at("mean"));
+    for (const json& number : numbers) {
         cells.push_back(number.is_null() ? "" : formatNumber(number.get<double>()));
     }
     return cells;

@@ -43,7 +43,8 @@ shared::BladeRecord recordOf(const BladeMotion& motion, std::size_t substep) {
 }  // namespace
 
 ObstacleKind BladeObstacle::kind() {
-    return {{{"BLADE", "1"}}, "sim/boxes/blade.comp", false, false, true};
+    return {
+        {{"BLADE", "1"}}, "sim/boxes/blade.comp", "sim/boxes/blade_load.comp", false, false, true};
 }
 
 std::unique_ptr<const Obstacles> BladeObstacle::of(std::optional<BladeMotion> motion) {

@@ -13,7 +13,7 @@ constexpr double kThin = 2;     // h
 }  // namespace
 
 ObstacleKind BoxObstacles::kind() {
-    return {{}, "sim/boxes/vertices.comp", true, true};
+    return {{}, "sim/boxes/vertices.comp", "", true, true};
 }
 
 std::unique_ptr<const Obstacles> BoxObstacles::of(std::vector<StaticBox> boxes) {

@@ -55,7 +55,7 @@ void ObstacleContact::setObstacles(std::unique_ptr<const Obstacles> obstacles) {
                                  gpu::Program::compute("sim/boxes/respond.comp"),
                                  gpu::Program::compute("sim/boxes/apply.comp"),
                                  gpu::Program::compute(kind_.vertices), std::nullopt, std::nullopt,
-                                 std::nullopt});
+                                 std::nullopt, std::nullopt});
         if (kind_.movesPiecesOut) {
             kernels_->pieces = gpu::Program::compute("sim/boxes/pieces.comp");
         }
@@ -80,10 +80,45 @@ void ObstacleContact::beginStep(const BodyReach& reach) {
         kernels_->sides = gpu::Program::compute("sim/boxes/sides.comp");
     }
     makeRoom();
+    if (measuresLoad_) {
+        beginLoad();
+    }
     const shared::BoxUniforms uniforms = uniformsOf(
         settings_, body_, obstacles_->distances(settings_, edgeLength_), reach.floor, count);
     uniforms_.assign(std::span<const shared::BoxUniforms>(&uniforms, 1));
     boundPieces();
+}
+
+void ObstacleContact::beginLoad() {
+    if (!kernels_->load) {
+        kernels_->load = gpu::Program::compute(kind_.load);
+    }
+    loads_.resize(body_.vertexCount * sizeof(shared::VertexLoad));
+    loads_.clear();
+}
+
+/// After obstacles have changed d.
+void ObstacleContact::addLoad(int substep) {
+    before_.bindStorage(shared::kBladeBeforeBinding);
+    loads_.bindStorage(shared::kBladeLoadsBinding);
+    kernels_->load->setNumbers({static_cast<uint>(substep)});
+    kernels_->load->dispatch(body_.vertexCount);
+}
+
+/// Summed up by vertex, so that the order of threads does not matter. A change of d is one of
+/// velocity by d / h, at each substep of length h.
+BladeLoad ObstacleContact::load() const {
+    BladeLoad load;
+    if (!reached_ || !measuresLoad_) {
+        return load;
+    }
+    for (const shared::VertexLoad& of : loads_.read<shared::VertexLoad>(0, body_.vertexCount)) {
+        load.force -= Vec3(of.given.x, of.given.y, of.given.z);
+        load.moment -= Vec3(of.moment.x, of.moment.y, of.moment.z);
+    }
+    const double h = settings_.substep;
+    const double scale = 1 / (h * h * settings_.substeps);
+    return {scale * load.force, scale * load.moment};
 }
 
 /// Pieces begin with empty boxes.
@@ -117,6 +152,9 @@ void ObstacleContact::respond(int substep) {
     }
     bind();
     // For those that move; the kernels of others do without.
+    if (measuresLoad_) {
+        before_.copyFrom(*body_.displacement);
+    }
     kernels_->triangles.setNumbers({static_cast<uint>(substep)});
     kernels_->vertices.setNumbers({static_cast<uint>(substep)});
     kernels_->triangles.dispatch(body_.triangleCount);
@@ -127,6 +165,9 @@ void ObstacleContact::respond(int substep) {
         around_.bindStorage(shared::kBladeAroundBinding);
     }
     kernels_->vertices.dispatch(body_.vertexCount);
+    if (measuresLoad_) {
+        addLoad(substep);
+    }
     if (keepsSides_) {
         kernels_->planes->dispatch(body_.triangleCount);
         kernels_->sides->dispatch(body_.vertexCount);

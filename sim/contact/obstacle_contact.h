@@ -7,6 +7,7 @@
 #include "gpu/program.h"
 #include "shaders/shared/box_records.h"
 #include "sim/base/math.h"
+#include "sim/contact/blade_load.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/contact/obstacles.h"
 
@@ -36,6 +37,12 @@ class ObstacleContact {
     void setBody(const ContactBody& body, double edgeLength);
     void setSettings(const ContactSettings& settings) { settings_ = settings; }
 
+    /// Measures from now on what the body does to obstacles of a kind with a kernel for that;
+    /// changes nothing else.
+    void measureLoad(bool wanted) { measuresLoad_ = wanted; }
+    /// What it did to them in the last time step, as far as it was measured. Waits for the GPU.
+    BladeLoad load() const;
+
     /// Begins a time step, before its first substep. Compiles what the first thin obstacle in reach
     /// needs. Throws gpu::ShaderError, gpu::OutOfMemory.
     void beginStep(const BodyReach& reach);
@@ -50,10 +57,12 @@ class ObstacleContact {
   private:
     struct Kernels {
         gpu::Program triangles, respond, apply, vertices;
-        std::optional<gpu::Program> pieces, planes, sides;
+        std::optional<gpu::Program> pieces, planes, sides, load;
     };
     void makeRoom();
     void boundPieces();
+    void beginLoad();
+    void addLoad(int substep);
     void bind() const;
 
     ObstacleKind kind_;
@@ -64,11 +73,14 @@ class ObstacleContact {
     double edgeLength_ = 0;  ///< [m]
     bool reached_ = false;   ///< in this step
     bool keepsSides_ = false;
+    bool measuresLoad_ = false;
     gpu::Buffer uniforms_, records_;
     gpu::Buffer touches_, shares_, sums_;
     gpu::Buffer pieceBounds_;  ///< at the beginning of the step
     gpu::Buffer start_;        ///< X at the beginning of the substep
     gpu::Buffer around_;       ///< X before an obstacle moves any vertex
+    gpu::Buffer before_;       ///< d before obstacles change it, where the load is measured
+    gpu::Buffer loads_;        ///< VertexLoad
 };
 
 }  // namespace kerf

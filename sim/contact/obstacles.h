@@ -13,8 +13,9 @@ namespace kerf {
 
 /// The differences between the kernels of two kinds of obstacles.
 struct ObstacleKind {
-    gpu::Defines triangles;       ///< for where they meet triangles
-    std::string vertices;         ///< path of the kernel that keeps vertices out of them
+    gpu::Defines triangles;  ///< for where they meet triangles
+    std::string vertices;    ///< path of the kernel that keeps vertices out of them
+    std::string load;        ///< path of the kernel that measures the load on them; may be empty
     bool movesPiecesOut = false;  ///< as a whole: it wants the boxes of pieces
     bool keepsSides = false;      ///< no triangle crosses them: it wants X as the substep began
     bool seesAround = false;      ///< vertices see others: it wants X before any has been moved

@@ -56,6 +56,18 @@ struct Debris {
     double volume = 0;  ///< their volume at rest [m^3]
 };
 
+/// The area that the blade swept inside of the material, of one side [m^2].
+struct SweptArea {
+    double asItLay = 0;  ///< where the body was when it was cut
+    double atRest = 0;   ///< the same material at rest
+
+    /// Adds another part.
+    void add(const SweptArea& other) {
+        asItLay += other.asItLay;
+        atRest += other.atRest;
+    }
+};
+
 /// How the wounds of a stroke of the open course were closed when it ended.
 struct WoundClosing {
     int patches = 0;         ///< wounds with a patch on either side
@@ -77,6 +89,7 @@ struct CutStatistics {
     int tries = 0;                 ///< levels of the retry ladder used
     SubdivisionCounts patterns{};  ///< surface triangles by how they were divided
     int seeds = 0;                 ///< groups of neighbours among the touched triangles
+    SweptArea swept;               ///< inside of the material, before clean-up
     double volumeChange = 0;       ///< signed, by the step before clean-up and rounding [m^3]
     CleanupStatistics cleanup;     ///< the clean-up after the step, or after the stroke
     Debris debris;                 ///< pieces removed when the stroke ended

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace kerf {
 
@@ -10,12 +11,45 @@ namespace {
 constexpr double kNeedleHeight = 0.1;       // of the longest edge
 constexpr double kMostTimes = 4;            // as many triangles, where they are made even
 const double kEvenArea = std::sqrt(3) / 4;  // of an even triangle with edges of 1
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// Whether the height over the longest edge is less than such a share of it.
+bool isLowerThan(double share, const Corners& corners) {
+    return areaNormal(corners).norm() < share * longestEdgeSquare(corners);
+}
 
 }  // namespace
 
 bool isNeedle(const Corners& corners) {
+    return areaNormal(corners).norm() > 0 && isLowerThan(kNeedleHeight, corners);
+}
+
+double smallestAngle(const Corners& corners) {
     const double twiceArea = areaNormal(corners).norm();
-    return twiceArea > 0 && twiceArea < kNeedleHeight * longestEdgeSquare(corners);
+    double smallest = std::numbers::pi;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 u = corners[(i + 1) % 3] - corners[i];
+        const Vec3 v = corners[(i + 2) % 3] - corners[i];
+        smallest = std::min(smallest, std::atan2(twiceArea, u.dot(v)));
+    }
+    return kDegrees * smallest;
+}
+
+void ShapeFigures::add(const Corners& corners) {
+    const double angle = smallestAngle(corners);
+    ++triangles;
+    worstAngle = std::min(worstAngle, angle);
+    angleSum += angle;
+    slivers += isLowerThan(kSliver, corners) ? 1 : 0;
+    bareSlivers += isLowerThan(kBareSliver, corners) ? 1 : 0;
+}
+
+void ShapeFigures::add(const ShapeFigures& others) {
+    triangles += others.triangles;
+    worstAngle = std::min(worstAngle, others.worstAngle);
+    angleSum += others.angleSum;
+    slivers += others.slivers;
+    bareSlivers += others.bareSlivers;
 }
 
 void TriangleFigures::add(const Corners& corners) {

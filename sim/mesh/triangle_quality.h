@@ -8,6 +8,28 @@ namespace kerf {
 /// Whether a triangle with an area is a needle or a flap: lower than a tenth of its longest edge.
 bool isNeedle(const Corners& corners);
 
+/// The smallest angle of a triangle [degrees]: 60 at best, 0 without an area.
+double smallestAngle(const Corners& corners);
+
+/// Heights of a triangle over its longest edge. What is lower than the first is a sliver, lower
+/// than the second one that has lost its shape.
+inline constexpr double kSliver = 0.02;
+inline constexpr double kBareSliver = 0.001;
+
+/// How well triangles are shaped.
+struct ShapeFigures {
+    int triangles = 0;
+    double worstAngle = 60;  ///< the smallest of all [degrees]
+    double angleSum = 0;     ///< of the smallest angle of each [degrees]
+    int slivers = 0;         ///< see kSliver
+    int bareSlivers = 0;     ///< of these: see kBareSliver
+
+    void add(const Corners& corners);
+    void add(const ShapeFigures& others);
+    /// The mean of the smallest angle of each [degrees], 0 where there is none.
+    double meanAngle() const { return triangles > 0 ? angleSum / triangles : 0; }
+};
+
 /// The triangles of a surface, as a soft body would have them: even ones of one size are best.
 struct TriangleFigures {
     int triangles = 0;

@@ -56,6 +56,7 @@ void beginStepOf(const Case& wanted) {
     solver.stepper().allowOneGroup(wanted.inOneGroup);
     solver.collisions().setBoxes({plate()});
     solver.collisions().setBlade(standingBlade());
+    solver.collisions().feelBlade(true);
     solver.setPulls(std::vector<shared::PullRecord>(1));
     RelativeMotion motion;
     motion.touching = true;

@@ -88,6 +88,7 @@ struct RunningBody {
     GpuSolver& solver = *solverOwner;
     MeshSync sync{solver};
     bool readsAllBack = false;
+    bool feelsBlade = false;  ///< see Simulation::feelBlade()
     std::optional<Cutter> cutter;
     BodyMemory memory;
     bool whole = true;        ///< see Simulation::isWhole()

@@ -101,6 +101,9 @@ void Simulation::State::solve() {
     body.prepareStep(input.params);
     prefetchCut();
     moveBody();
+    if (body.feelsBlade) {
+        output.report.bladeLoad = body.solver.collisions().bladeLoad();
+    }
     body.measureStep();
     takeBackLostPieces();
     const double prefetchMs = body.endStep();
@@ -247,6 +250,11 @@ void Simulation::readAllBack(bool all) {
     state_->body.readAllBack(all);
 }
 
+void Simulation::feelBlade(bool wanted) {
+    state_->body.feelsBlade = wanted;
+    state_->body.solver.collisions().feelBlade(wanted);
+}
+
 int Simulation::wholeReads() const {
     return state_->body.sync.wholeReads();
 }
@@ -298,6 +306,9 @@ const std::vector<RungNode>& Simulation::rung() const {
 }
 const SubdivisionCounts& Simulation::subdivisions() const {
     return state_->body.memory.subdivisions;
+}
+const std::vector<StrokeRecord>& Simulation::strokes() const {
+    return state_->body.memory.strokes;
 }
 const CutResult& Simulation::lastCut() const {
     return state_->output.lastCut;

@@ -15,6 +15,7 @@
 #include "sim/run/moment.h"
 #include "sim/run/state_hash.h"
 #include "sim/run/step_report.h"
+#include "sim/run/stroke_record.h"
 #include "sim/run/undo_history.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/constraint_view.h"
@@ -39,6 +40,10 @@ class Simulation {
     void readAllBack(bool all);
     /// Number of times that all of the body came back.
     int wholeReads() const;
+
+    /// Measures from now on what the body does to the blade's where that pushes
+    /// (StepReport::bladeLoad); changes no result.
+    void feelBlade(bool wanted);
 
     /// Applies a command before the coming step. Returns "" or one sentence; nothing changed then.
     std::string execute(const Command& command);
@@ -75,6 +80,9 @@ class Simulation {
     const std::vector<RungNode>& rung() const;
     /// Divided triangles since the body was whole, by pattern.
     const SubdivisionCounts& subdivisions() const;
+    /// The strokes since the body was whole, in their order, as far as they are not undone. The
+    /// last one may go on, and may not have met the body yet.
+    const std::vector<StrokeRecord>& strokes() const;
     /// Outcome of the last step that the blade moved in.
     const CutResult& lastCut() const;
     /// What the messages said last of a step of the last stroke, or of the one that goes on, which

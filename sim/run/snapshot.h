@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "sim/body/body_updater.h"
 #include "sim/contact/contact_solver.h"
@@ -11,6 +12,7 @@
 #include "sim/run/pins.h"
 #include "sim/run/prepared_body.h"
 #include "sim/run/shape_recovery.h"
+#include "sim/run/stroke_record.h"
 #include "sim/solve/body_measure.h"
 #include "sim/solve/volume_targets.h"
 
@@ -24,6 +26,7 @@ struct BodyMemory {
     ShapeRecovery recovery;
     BodyMeasure measure;  ///< as of the last step
     SubdivisionCounts subdivisions{};
+    std::vector<StrokeRecord> strokes;  ///< since the body was whole; see Simulation::strokes()
     /// Parameters keep no shape, or were changed while it was folded: what they have turned inside
     /// out stays so.
     bool mayHaveCollapsed = false;
@@ -31,6 +34,14 @@ struct BodyMemory {
     bool crumpled = false;
     int foldedSteps = 0;  ///< without a stroke, since its shape was last looked at
     bool closed = true;   ///< no cut has left a defect; see checkClosedManifold
+
+    /// Remembers a stroke, in the place of one before it that did not meet the body.
+    void beginStroke(const StrokeRecord& stroke) {
+        if (strokes.empty() || strokes.back().metBody()) {
+            strokes.emplace_back();
+        }
+        strokes.back() = stroke;
+    }
 };
 
 /// The body of a simulation between two steps, and all that cutting and solving remember of it. One

@@ -12,6 +12,7 @@ void StepReport::add(const CutStatistics& cut) {
     seeds += cut.seeds;
     debris.pieces += cut.debris.pieces;
     debris.volume += cut.debris.volume;
+    swept.add(cut.swept);
 }
 
 void StepReport::describe(const BodyModel& model, const BodyMeasure& measure) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/body/body_model.h"
+#include "sim/contact/blade_load.h"
 #include "sim/cut/cut_types.h"
 #include "sim/solve/body_measure.h"
 
@@ -21,10 +22,12 @@ struct StepReport {
     int triangles = 0;
     int ispcs = 0;
     int touchedTriangles = 0;
-    SubdivisionCounts subdivisions{};  ///< of the touched triangles, in this step
-    int seeds = 0;                     ///< groups of neighbours among the touched triangles
-    Debris debris;                     ///< removed in this step
-    int contacts = 0;                  ///< of the body with itself in the last substep
+    SubdivisionCounts subdivisions{};    ///< of the touched triangles, in this step
+    int seeds = 0;                       ///< groups of neighbours among the touched triangles
+    Debris debris;                       ///< removed in this step
+    SweptArea swept;                     ///< by the blade inside of the material, in this step
+    std::optional<BladeLoad> bladeLoad;  ///< none unless it is measured, or while time stands
+    int contacts = 0;                    ///< of the body with itself in the last substep
     bool closed = true;
     bool open = false;                   ///< walls of a stroke of the open course are absent
     double kineticEnergy = 0;            ///< see BodyMeasure [J]

@@ -56,6 +56,10 @@ void StrokeCourse::begin() {
     log_.beginStroke(body_);
     output_.refusal.clear();
     body_.cutter->begin(*input_.blade.pose());
+    StrokeRecord stroke;
+    stroke.number = body_.cutter->strokeNumber();
+    stroke.firstTriangle = body_.mesh().triangleSlots();
+    body_.memory.beginStroke(stroke);
 }
 
 void StrokeCourse::end() {
@@ -67,6 +71,9 @@ void StrokeCourse::accept(const CutResult& result) {
     output_.report.add(result.statistics);
     output_.report.search.add(body_.cutter->takeSearchWork());
     addTo(body_.memory.subdivisions, result.statistics.patterns);
+    if (!body_.memory.strokes.empty()) {
+        body_.memory.strokes.back().add(result);
+    }
     const int step = output_.clock.stepsDone;
     if (result.outcome == CutOutcome::refused) {
         output_.messages.push_back(output_.refusal = refusalSentence(result, step));

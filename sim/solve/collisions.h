@@ -43,6 +43,11 @@ class Collisions {
         blade_.setObstacles(BladeObstacle::of(std::move(motion)));
     }
 
+    /// Measures from now on what the body does to the blade's; changes nothing else.
+    void feelBlade(bool wanted) { blade_.measureLoad(wanted); }
+    /// What it did in the last time step. Waits for the GPU.
+    BladeLoad bladeLoad() const { return blade_.load(); }
+
     /// The body has been put elsewhere.
     void forgetCandidates() { contacts_.forgetCandidates(); }
     /// Where the body is and how fast [m, m/s] when the coming step begins, which decides what it

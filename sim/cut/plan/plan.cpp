@@ -79,6 +79,32 @@ void measureVolumeChange(const StepInput& in, StepPlan& plan) {
         [](const CutNode& node) -> const Vec3& { return node.position; });
 }
 
+/// That of the walls of one side.
+SweptArea sweptArea(const StepInput& in, const StepPlan& plan) {
+    const SurfaceMesh& mesh = in.mesh;
+    SweptArea swept;
+    for (const NewTriangle& t : plan.triangles) {
+        if (t.side != CutSide::plus) {
+            continue;
+        }
+        Corners now;
+        Corners rest;
+        for (int i = 0; i < 3; ++i) {
+            const int corner = t.corners[i];
+            if (corner < mesh.vertexCount()) {
+                rest[i] = mesh.restPosition(corner);
+                now[i] = in.atRest ? rest[i] : mesh.position(corner);
+            } else {
+                const CutNode& node = plan.curves.nodes[corner - mesh.vertexCount()];
+                rest[i] = node.rest;
+                now[i] = node.position;
+            }
+        }
+        swept.add({triangleArea(now), triangleArea(rest)});
+    }
+    return swept;
+}
+
 void requireFinite(const CutCurves& curves) {
     for (const CutNode& node : curves.nodes) {
         if (!node.position.allFinite() || !node.rest.allFinite() || !node.velocity.allFinite()) {
@@ -152,6 +178,7 @@ PlannedStep planStep(const StepInput& in) {
     pausePoint();
     measureVolumeChange(in, plan);
     requireFinite(plan.curves);
+    step.swept = sweptArea(in, plan);
     step.seeds = countSeeds(in.mesh, plan.subdivision.replaced);
     step.wallTriangles = sizeOf(plan.triangles) - sizeOf(plan.subdivision.triangles);
     return step;

@@ -18,6 +18,7 @@ struct PlannedStep {
     std::optional<AirStep> air;  ///< set where nothing is to be cut
     StepPlan plan;               ///< the cut; means nothing where `air` is set
     int wallTriangles = 0;       ///< new wall triangles, both sides
+    SweptArea swept;             ///< inside of the material
     int seeds = 0;               ///< groups of touched triangles (countSeeds)
 };
 

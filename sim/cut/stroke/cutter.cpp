@@ -105,6 +105,9 @@ SearchWork Cutter::takeSearchWork() {
 bool Cutter::inStroke() const {
     return state_->stroke.goesOn;
 }
+int Cutter::strokeNumber() const {
+    return state_->stroke.number;
+}
 OrientedBox Cutter::reach(std::span<const Blade> path, double time) const {
     std::vector<Vec3> points;
     const SurfaceMesh& mesh = state_->body.mesh;

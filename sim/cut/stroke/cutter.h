@@ -65,6 +65,9 @@ class Cutter {
 
     /// Whether a stroke has begun and not finished.
     bool inStroke() const;
+    /// The number of the stroke, or of the last one, as in SurfaceMesh::wallLabel. A stroke that
+    /// has not cut leaves its number to the next.
+    int strokeNumber() const;
     /// The old rungs of all pieces, each from A to B, one after the other: empty outside a stroke.
     /// Positions are those after the last step that moved them; vertices follow the mesh.
     const std::vector<RungNode>& rung() const;

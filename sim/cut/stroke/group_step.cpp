@@ -56,6 +56,7 @@ CutResult resultOf(const PlannedStep& step, CommitResult committed) {
     result.statistics.splitVertices = committed.splitVertices;
     result.statistics.patterns = step.plan.subdivision.patterns;
     result.statistics.seeds = step.seeds;
+    result.statistics.swept = step.swept;
     result.statistics.volumeChange = step.plan.volumeChange;
     return result;
 }

@@ -45,6 +45,7 @@ void addTo(CutStatistics& sum, const CutStatistics& part) {
     sum.tries = std::max(sum.tries, part.tries);
     kerf::addTo(sum.patterns, part.patterns);
     sum.seeds += part.seeds;
+    sum.swept.add(part.swept);
     sum.volumeChange += part.volumeChange;
 }
 

@@ -87,17 +87,20 @@ TEST_F(Sweep, GathersARowForEachRunAndPlots) {
     ASSERT_EQ(lines.size(), 5u);
     EXPECT_EQ(lines[0],
               "run,session,iterations,ispc_stiffness,exit,state_hash,pieces,volume_mean,"
-              "volume_min,volume_final,fps_mean");
+              "volume_min,volume_final,cut_worst_angle,cut_mean_angle,cut_slivers,"
+              "cut_wound_to_swept,cut_volume_error,cut_self_intersections,cut_steps_refused,"
+              "fps_mean");
     EXPECT_THAT(lines[2], StartsWith("1,a.kerf.json,2,1,0,"));
     for (int number = 0; number < 4; ++number) {
         const auto summary =
             nlohmann::json::parse(bytes("out/" + std::to_string(number) + "/summary.json"));
         const auto cells = cellsOf(lines[std::size_t(number) + 1]);
-        ASSERT_EQ(cells.size(), 11u);
+        ASSERT_EQ(cells.size(), 18u);
         EXPECT_EQ(cells[5], summary["state_hash"]);
         EXPECT_EQ(cells[6], "1");
         EXPECT_EQ(std::stod(cells[8]), summary["volume_ratio"]["min"].get<double>());
-        EXPECT_EQ(std::stod(cells[10]), summary["fps"]["mean"].get<double>());
+        EXPECT_EQ(cells[10], "") << "it was not cut";
+        EXPECT_EQ(std::stod(cells[17]), summary["fps"]["mean"].get<double>());
     }
     for (const char* picture : {"volume.png", "kinetic_energy.png", "frame_time.png"}) {
         const render::Image image = render::readPng(folder_ / "out" / picture);
@@ -105,6 +108,31 @@ TEST_F(Sweep, GathersARowForEachRunAndPlots) {
         EXPECT_EQ(image.height, 458) << "and two rows, whole";
         EXPECT_THAT(run.out, HasSubstr(picture));
     }
+}
+
+TEST_F(Sweep, TheTableHasTheQualityOfTheCuts) {
+    writeText(folder_ / "a.kerf.json", sessionThatDoes(R"(
+        {"step": 0, "type": "blade", "a": [-0.8, 0.7, 0.02], "b": [0.8, 0.7, 0.02]},
+        {"step": 2, "type": "blade", "a": [-0.8, -0.7, 0.02], "b": [0.8, -0.7, 0.02]})"));
+    writeStudy(R"("runs": [{}])");
+    const ProgramRun run = sweep("out");
+    ASSERT_EQ(run.exitCode, 0) << run.out << run.errors;
+    const auto lines = linesOf(bytes("out/table.csv"));
+    const auto names = cellsOf(lines[0]);
+    const auto cells = cellsOf(lines[1]);
+    const auto report = nlohmann::json::parse(bytes("out/0/summary.json")).at("cut_report");
+    const auto expectCell = [&](const std::string& name, const nlohmann::json& value) {
+        const auto place = std::ranges::find(names, name) - names.begin();
+        ASSERT_LT(place, std::ssize(cells)) << name;
+        EXPECT_EQ(std::stod(cells[place]), value.get<double>()) << name;
+    };
+    expectCell("cut_worst_angle", report["smallest_angle"]["worst"]);
+    expectCell("cut_mean_angle", report["smallest_angle"]["mean"]);
+    expectCell("cut_slivers", report["slivers"]["below_0_02"]);
+    expectCell("cut_wound_to_swept", report["area"]["wound_to_swept"]);
+    expectCell("cut_volume_error", report["volume_error"]);
+    expectCell("cut_self_intersections", report["self_intersections"]["pairs"]);
+    expectCell("cut_steps_refused", report["steps"]["refused"]);
 }
 
 TEST_F(Sweep, ARunIsTheReplayWithItsParameters) {
@@ -186,7 +214,7 @@ TEST_F(Sweep, GoesOnBehindARunThatFails) {
     EXPECT_THAT(run.out, HasSubstr("3 runs, 2 failed (runs 0 and 1)"));
     const auto lines = linesOf(bytes("out/table.csv"));
     ASSERT_EQ(lines.size(), 4u);
-    EXPECT_EQ(lines[1], "0,bad.kerf.json,3,,,,,,");
+    EXPECT_EQ(lines[1], "0,bad.kerf.json,3,,,,,,,,,,,,,");
     EXPECT_THAT(lines[2], StartsWith("1,check.kerf.json,1,")) << "with the results so far";
     EXPECT_THAT(lines[3], StartsWith("2,a.kerf.json,0,"));
     EXPECT_THAT(sweep("out").out, StartsWith("3 runs, 2 failed")) << "they would fail again";
@@ -216,7 +244,7 @@ TEST_F(Sweep, GatheringRunsNothingAndNamesWhatIsMissing) {
     EXPECT_THAT(gathered.out, HasSubstr("3 missing (runs 0, 1 and 3)"));
     EXPECT_FALSE(has("out/0"));
     const auto lines = linesOf(bytes("out/table.csv"));
-    EXPECT_EQ(lines[1], "0,a.kerf.json,2,0.5,,,,,,,");
+    EXPECT_EQ(lines[1], "0,a.kerf.json,2,0.5,,,,,,,,,,,,,,");
     EXPECT_THAT(lines[3], StartsWith("2,a.kerf.json,3,0.5,0,"));
 }
 

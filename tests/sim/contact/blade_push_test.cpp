@@ -225,6 +225,79 @@ TEST_F(BladePushTest, SwitchedOnInASlitItOpensItGently) {
     EXPECT_LT(fastest, 1.5 * params.depenetrationSpeed);
 }
 
+/// Momentum, and angular momentum about the origin.
+struct Motion {
+    Vec3 momentum = Vec3::Zero();
+    Vec3 angular = Vec3::Zero();
+};
+
+Motion motionOf(Simulation& simulation) {
+    const BodyModel& model = simulation.bodyModel();
+    const SurfaceMesh& mesh = simulation.mesh();
+    const PieceModel& piece = model.pieces.front();
+    Motion motion;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const double area = std::max(model.vertexAreas[v], piece.leastArea);
+        const Vec3 part = simulation.params().density * piece.massPerArea * area * mesh.velocity(v);
+        motion.momentum += part;
+        motion.angular += mesh.position(v).cross(part);
+    }
+    return motion;
+}
+
+/// The middle of the plate behind the bevel.
+Vec3 middleOfPlate(const BladeMotion& blade) {
+    const double y = 0.5 * (blade.front + blade.bevel + blade.back);
+    return 0.5 * (blade.frames.front().origin + blade.frames.back().origin) +
+           y * blade.frames.back().axes.col(1);
+}
+
+TEST_F(BladePushTest, WhatTheBladeFeelsIsWhatTheBodyGains) {
+    Params params = weightless();
+    params.airDrag = 0;
+    Simulation simulation(test::cubeSphere(5), params);
+    simulation.feelBlade(true);
+    lead(simulation, acrossZ(-0.6, 0.2), acrossZ(-0.95, 0.2), 10);
+    Motion given;
+    for (int i = 1; i <= 60; ++i) {
+        ASSERT_EQ(simulation.execute(MoveBlade{acrossZ(-0.95 + 0.006 * i, 0.2)}), "");
+        const BladeLoad load = simulation.step().bladeLoad.value();
+        const Vec3 impulse = -params.timeStep * load.force;
+        given.momentum += impulse;
+        given.angular +=
+            middleOfPlate(*simulation.bladeBody()).cross(impulse) - params.timeStep * load.moment;
+    }
+    EXPECT_EQ(simulation.subdivisions(), SubdivisionCounts{}) << "its back pushes";
+    const Motion gained = motionOf(simulation);
+    EXPECT_GT(gained.momentum.x(), 10) << "[kg m/s], of half a ton at more than 2 cm/s";
+    EXPECT_LT((given.momentum - gained.momentum).norm(), 1e-3 * gained.momentum.norm())
+        << given.momentum << "\n\n"
+        << gained.momentum;
+    EXPECT_LT(gained.angular.z(), -1) << "above its middle";
+    EXPECT_LT((given.angular - gained.angular).norm(), 0.02 * gained.angular.norm())
+        << given.angular << "\n\n"
+        << gained.angular;
+}
+
+TEST_F(BladePushTest, FeelingChangesNoBitAndIsToldOnlyWhereItIsWanted) {
+    const auto hashOf = [](bool feels) {
+        Simulation simulation(test::cubeSphere(3), weightless());
+        simulation.feelBlade(feels);
+        lead(simulation, acrossZ(0.02, 0.8), acrossZ(0.2, 0.1), 15);
+        EXPECT_EQ(simulation.report().bladeLoad.has_value(), feels);
+        return simulation.stateHash();
+    };
+    EXPECT_EQ(hashOf(true), hashOf(false));
+}
+
+TEST_F(BladePushTest, ABladeInTheAirFeelsNothing) {
+    Simulation simulation(test::cubeSphere(3), weightless());
+    simulation.feelBlade(true);
+    lead(simulation, acrossZ(0.02, 3), acrossZ(0.2, 2.5), 10);
+    EXPECT_TRUE(simulation.report().bladeLoad->force.isZero(0));
+    EXPECT_TRUE(simulation.report().bladeLoad->moment.isZero(0));
+}
+
 std::string hashAfterAStroke(const Params& params, bool throughAMoment) {
     Simulation simulation(lifted(test::cubeSphere(3), 0.45), params);
     lead(simulation, acrossZ(0.02, 1.1), acrossZ(0.03, 0.5), 15);
