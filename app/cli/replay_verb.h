@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/film.h"
+#include "app/cli/film_strip.h"
 #include "app/session/session.h"
 
 namespace kerf::app {
@@ -25,6 +27,9 @@ struct ReplayArguments {
     bool keepGoing = false;
     bool hashChecks = true;
     bool fine = false;
+    FilmOptions film;
+    StripOptions strip;
+    std::optional<PictureSize> pictureSize;  ///< of the film, and of each picture of the strip
     bool json = false;
     bool jsonl = false;
 };
@@ -36,6 +41,6 @@ void setParameters(Params& params, const std::vector<std::string>& settings);
 /// Replays a session headless and prints what came of it on `out`; the first failed check goes to
 /// `errors`. Returns the exit code, 0 or 1. Throws what replaySession throws, UsageError and
 /// gpu::ContextError.
-int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors);
+int replayVerb(ReplayArguments arguments, std::ostream& out, std::ostream& errors);
 
 }  // namespace kerf::app

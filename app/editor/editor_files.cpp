@@ -251,6 +251,13 @@ void Editor::State::save(const ChosenFile& chosen) {
             chosen.file, materialFrom(scene->simulation().params(), view.display.settings.colors)));
         return;
     }
+    if (chosen.purpose == ui::FilePurpose::makeFilm) {
+        onceSaved = nullptr;
+        work.save(startFilm(
+            chosen.file, chosen.film,
+            scene->savedSession(view.camera.destination(), view.display.settings.colors)));
+        return;
+    }
     if (chosen.what == BrowseFor::testWithPicture) {
         scene->addPicture(scene->end());
     }

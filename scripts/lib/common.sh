@@ -42,6 +42,7 @@ xdotool             moves the mouse in the window tests
 python3-numpy       remakes the builtin models, to compare them
 python3-jsonschema  checks sessions by their JSON Schema
 glslang-tools       is the reference compiler of shaders
+ffmpeg              makes films, and reads them again
 '
 zink_packages='
 mesa-vulkan-drivers  is the Vulkan driver below zink
