@@ -240,6 +240,38 @@ void describeFilms(CLI::App& replay, ReplayArguments& arguments) {
         ->check(refuseNoSize);
 }
 
+/// "obj, ply, ...": the formats as the command line names them.
+std::string meshFormatNames() {
+    return joined(meshFormats(), ", ",
+                  [](const MeshFormatInfo& info) { return info.extension.substr(1); });
+}
+
+std::string refuseNoMeshFormat(const std::string& name) {
+    return meshFormatOf("mesh." + name)
+               ? ""
+               : "'" + name + "' is no format; there are " + meshFormatNames();
+}
+
+/// Meshes on the way.
+void describeSequence(CLI::App& replay, ReplayArguments& arguments) {
+    CLI::Option* const sequence =
+        replay
+            .add_option("--sequence", arguments.sequence.every,
+                        "Also write the mesh every so many steps, into the folder sequence")
+            ->check(CLI::Range(1, kMaxSteps))
+            ->type_name("EVERY");
+    replay
+        .add_option_function<std::string>(
+            "--meshes",
+            [&arguments](const std::string& name) {
+                arguments.sequence.format = *meshFormatOf("mesh." + name);
+            },
+            "The format of these meshes (ply): " + meshFormatNames())
+        ->check(refuseNoMeshFormat)
+        ->type_name("FORMAT")
+        ->needs(sequence);
+}
+
 void describeReplay(Parser& parser, Arguments& arguments) {
     parser.replay = parser.app.add_subcommand(
         "replay", "Run a session headless, as fast as it can, and write its results");
@@ -253,6 +285,7 @@ void describeReplay(Parser& parser, Arguments& arguments) {
     describeReplayChanges(*parser.replay, arguments.replay);
     describeReplayChecks(*parser.replay, arguments.replay);
     describeFilms(*parser.replay, arguments.replay);
+    describeSequence(*parser.replay, arguments.replay);
     CLI::Option* json =
         parser.replay->add_flag("--json", arguments.replay.json, "Print one JSON object");
     parser.replay

@@ -114,6 +114,9 @@ class Replay {
 
     void run(const ReplayListener& listener) {
         removeEarlierResults(folder_, session_, expected_ != nullptr);
+        if (options_.sequence.every > 0) {
+            sequence_.emplace(folder_, options_.sequence);
+        }
         for (; step_ < steps_ && !stopped_; ++step_) {
             if (listener.progress) {
                 listener.progress(step_, steps_);
@@ -123,6 +126,7 @@ class Replay {
         if (!stopped_) {
             applyActions();
             filmState();
+            writeSequence();
             checkLength();
         }
         remark(iterations_.sentence());
@@ -206,7 +210,21 @@ class Replay {
         });
     }
 
+    /// The same state as a mesh.
+    void writeSequence() {
+        const bool ends = stopped_ || step_ == steps_;
+        if (sequence_ && sequence_->wants(step_, ends ? step_ : steps_)) {
+            outside_.measure([&] {
+                sequence_->write(step_, simulation_.report().time, simulation_.mesh(),
+                                 simulation_.pieces(), {{}, lookOf(session_)});
+            });
+        }
+    }
+
     void finishFilms() {
+        if (sequence_) {
+            sequence_->finish();
+        }
         if (film_) {
             filmReport_ = film_->finish();
         }
@@ -238,6 +256,7 @@ class Replay {
         const Stopwatch watch;
         applyActions();
         filmState();
+        writeSequence();
         if (stopped_) {
             return;
         }
@@ -391,6 +410,7 @@ class Replay {
     std::optional<Film> film_;
     std::optional<FilmReport> filmReport_;
     std::optional<FilmStrip> strip_;
+    std::optional<MeshSequence> sequence_;
     Simulation simulation_;
     std::shared_ptr<const UncutBody> uncut_;  ///< that the pictures tell of
     Bounds restBounds_;                       ///< of it

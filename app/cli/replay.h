@@ -8,6 +8,7 @@
 
 #include "app/cli/film.h"
 #include "app/cli/film_strip.h"
+#include "app/cli/mesh_sequence.h"
 #include "app/session/hash_course.h"
 #include "app/session/metrics.h"
 #include "app/session/session.h"
@@ -34,6 +35,7 @@ struct ReplayOptions {
     bool hashChecks = true;              ///< false: passes over state hashes in check events
     FilmOptions film;                    ///< where its file says so
     StripOptions strip;                  ///< where its file says so
+    SequenceOptions sequence;            ///< where it names steps
     /// Of pictures. The light tier, whose edges no driver smooths by itself, is the same on all.
     render::Quality quality = render::Quality::light;
 };

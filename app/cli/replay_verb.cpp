@@ -107,6 +107,7 @@ ReplayResult runHeadless(const Session& session, const ReplayArguments& argument
         .hashChecks = arguments.hashChecks,
         .film = arguments.film,
         .strip = arguments.strip,
+        .sequence = arguments.sequence,
         .quality = arguments.fine ? render::Quality::full : render::Quality::light};
     ReadOptions reading;
     reading.means = memoryMeans();

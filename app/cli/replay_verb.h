@@ -8,6 +8,7 @@
 
 #include "app/cli/film.h"
 #include "app/cli/film_strip.h"
+#include "app/cli/mesh_sequence.h"
 #include "app/session/session.h"
 
 namespace kerf::app {
@@ -29,6 +30,7 @@ struct ReplayArguments {
     bool fine = false;
     FilmOptions film;
     StripOptions strip;
+    SequenceOptions sequence;
     std::optional<PictureSize> pictureSize;  ///< of the film, and of each picture of the strip
     bool json = false;
     bool jsonl = false;
