@@ -51,6 +51,12 @@ bench_packages='
 libcgal-dev         is the peer of the planar cut
 libbullet-dev       is the peer of projecting constraints
 '
+package_packages='
+dpkg-dev            finds the packages that a package needs
+lintian             checks it
+desktop-file-utils  checks its desktop entry
+libxml2-utils       checks what it tells desktops
+'
 format_packages='
 clang-format        checks the layout of the code
 '
