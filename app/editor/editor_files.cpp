@@ -253,9 +253,10 @@ void Editor::State::save(const ChosenFile& chosen) {
     }
     if (chosen.purpose == ui::FilePurpose::makeFilm) {
         onceSaved = nullptr;
-        work.save(startFilm(
-            chosen.file, chosen.film,
-            scene->savedSession(view.camera.destination(), view.display.settings.colors)));
+        SavedSession filmed =
+            scene->savedSession(view.camera.destination(), view.display.settings.colors);
+        filmed.session.view = view.camera.destination();  // also where the file has another
+        work.save(startFilm(chosen.file, chosen.film, std::move(filmed)));
         return;
     }
     if (chosen.what == BrowseFor::testWithPicture) {

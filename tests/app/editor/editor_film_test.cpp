@@ -59,6 +59,21 @@ TEST_F(EditorFilmTest, TheDialogMakesAFilmOfAllSinceTheStart) {
         << "0.1 s, ten times slower";
 }
 
+TEST_F(EditorFilmTest, IsSeenFromWhereThePersonLooksNow) {
+    openSession(20);
+    const auto film = [&](const std::string& name) {
+        askForFilm(name);
+        tap(Key::enter);
+        waitForWork();
+        return test::readBytes(folder / name);
+    };
+    const std::string before = film("before.mp4");
+    EXPECT_EQ(film("again.mp4"), before);
+    tap(Key::digit7);
+    frames(60);
+    EXPECT_NE(film("top.mp4"), before);
+}
+
 TEST_F(EditorFilmTest, AFilmThatIsGivenUpLeavesNothing) {
     openSession(20000);
     const auto before = std::distance(fs::directory_iterator(folder.path()), {});
