@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -24,7 +25,8 @@ constexpr std::size_t kKeptLog = 4096;
 
 using Words = std::vector<std::string>;
 
-/// How ffmpeg encodes; colours are those of displays, as television has them (BT.709).
+/// How ffmpeg encodes what comes in; colours are those of displays, as television has them
+/// (BT.709).
 Words encodingOf(FilmFormat format) {
     const Words video{"-vf",
                       "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
@@ -46,29 +48,35 @@ Words encodingOf(FilmFormat format) {
                      "-row-mt", "1",          "-cpu-used", "4",  "-f",   "webm"};
             break;
         case FilmFormat::gif:
-            // A palette for each picture, so that no more than one has to be kept.
-            return {
-                "-vf",   "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1",
-                "-loop", "0",
-                "-f",    "gif"};
+            // Without loss, to look for the colours of all pictures once all have come.
+            return {"-c:v", "libx264rgb", "-preset", "ultrafast", "-qp", "0", "-f", "matroska"};
     }
     words.insert(words.begin(), video.begin(), video.end());
     return words;
 }
 
-/// The command line of a film of raw pictures from standard input.
-Words commandLine(const std::filesystem::path& file, const FilmFormatInfo& format, int width,
-                  int height, int rate) {
-    const std::string size = std::to_string(width).append("x").append(std::to_string(height));
-    Words words{kProgram,  "-nostdin",   "-hide_banner",       "-loglevel", "error",
-                "-f",      "rawvideo",   "-pix_fmt",           "rgba",      "-video_size",
-                size,      "-framerate", std::to_string(rate), "-i",        "pipe:0",
-                "-fflags", "+bitexact",  "-flags:v",           "+bitexact"};
-    const Words encoding = encodingOf(format.format);
+/// With "file:" in front no name is taken for an option or an address.
+std::string address(const std::filesystem::path& file) {
+    return "file:" + file.string();
+}
+
+Words commandLine(std::initializer_list<std::string> input, const Words& encoding,
+                  const std::filesystem::path& file) {
+    Words words{kProgram, "-nostdin", "-hide_banner", "-loglevel", "error"};
+    words.insert(words.end(), input);
+    words.insert(words.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact"});
     words.insert(words.end(), encoding.begin(), encoding.end());
-    // With "file:" in front no name is taken for an option or an address.
-    words.insert(words.end(), {"-y", std::string("file:").append(file.string())});
+    words.insert(words.end(), {"-y", address(file)});
     return words;
+}
+
+/// A film of raw pictures from standard input.
+Words filming(const std::filesystem::path& file, FilmFormat format, int width, int height,
+              int rate) {
+    const std::string size = std::to_string(width).append("x").append(std::to_string(height));
+    return commandLine({"-f", "rawvideo", "-pix_fmt", "rgba", "-video_size", size, "-framerate",
+                        std::to_string(rate), "-i", "pipe:0"},
+                       encodingOf(format), file);
 }
 
 /// A stream to a child's standard input. A pipe would end this program where the child has gone.
@@ -97,11 +105,12 @@ std::string logIn(int descriptor) {
 FilmEncoder::FilmEncoder(const std::filesystem::path& file, std::filesystem::path unfinished,
                          int width, int height, int rate)
     : name_(file),
+      format_(filmFormatOf(file)->format),
       file_(file),
       unfinished_(std::move(unfinished)),
       log_(::memfd_create("film", MFD_CLOEXEC)),
       pictures_(socketPair()) {
-    start(commandLine(unfinished_, *filmFormatOf(file), width, height, rate));
+    start(filming(unfinished_, format_, width, height, rate));
 }
 
 FilmEncoder::~FilmEncoder() {
@@ -109,14 +118,25 @@ FilmEncoder::~FilmEncoder() {
         ::kill(child_, SIGKILL);
         ::waitpid(child_, nullptr, 0);
     }
-    std::error_code ignored;
-    std::filesystem::remove(unfinished_, ignored);
+    for (const std::filesystem::path& file : {unfinished_, colors(), inColors()}) {
+        std::error_code ignored;
+        std::filesystem::remove(file, ignored);
+    }
+}
+
+std::filesystem::path FilmEncoder::colors() const {
+    return std::filesystem::path(unfinished_).concat(".png");
+}
+std::filesystem::path FilmEncoder::inColors() const {
+    return std::filesystem::path(unfinished_).concat(".gif");
 }
 
 void FilmEncoder::start(Words words) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, pictures_.read.get(), STDIN_FILENO);
+    if (pictures_.read.get() >= 0) {
+        posix_spawn_file_actions_adddup2(&actions, pictures_.read.get(), STDIN_FILENO);
+    }
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, log_.get(), STDERR_FILENO);
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
@@ -153,6 +173,27 @@ void FilmEncoder::add(const render::Image& picture) {
 
 void FilmEncoder::finish() {
     pictures_.write.close();
+    requireDone();
+    if (format_ == FilmFormat::gif) {
+        reduceColors();
+    }
+    file_.writeAllOf(format_ == FilmFormat::gif ? inColors() : unfinished_);
+    file_.commit();
+}
+
+/// In two goes, none of which keeps more than a few pictures.
+void FilmEncoder::reduceColors() {
+    start(commandLine({"-i", address(unfinished_)},
+                      {"-vf", "palettegen", "-update", "1", "-f", "image2", "-c:v", "png"},
+                      colors()));
+    requireDone();
+    start(commandLine({"-i", address(unfinished_), "-i", address(colors())},
+                      {"-lavfi", "paletteuse", "-loop", "0", "-f", "gif"}, inColors()));
+    requireDone();
+}
+
+/// Waits for the child.
+void FilmEncoder::requireDone() {
     int status = 0;
     while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
     }
@@ -160,8 +201,6 @@ void FilmEncoder::finish() {
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         complain();
     }
-    file_.writeAllOf(unfinished_);
-    file_.commit();
 }
 
 void FilmEncoder::complain() {

@@ -19,8 +19,8 @@ class FilmEncoder {
   public:
     /// Begins the film `file` with `rate` pictures a second of width x height pixels; its
     /// extension must be one of filmFormats(). What ffmpeg writes goes into `unfinished` first,
-    /// which is gone with this object. Throws OutputError with a sentence where ffmpeg is missing
-    /// or the film can't be written.
+    /// and into files whose names begin like it, which are gone with this object. Throws
+    /// OutputError with a sentence where ffmpeg is missing or the film can't be written.
     FilmEncoder(const std::filesystem::path& file, std::filesystem::path unfinished, int width,
                 int height, int rate);
     ~FilmEncoder();
@@ -34,9 +34,14 @@ class FilmEncoder {
 
   private:
     void start(std::vector<std::string> words);
+    void requireDone();
+    void reduceColors();
+    std::filesystem::path colors() const;
+    std::filesystem::path inColors() const;
     [[noreturn]] void complain();
 
     std::filesystem::path name_;
+    FilmFormat format_;
     AtomicFile file_;
     std::filesystem::path unfinished_;
     Descriptor log_;

@@ -159,6 +159,9 @@ TEST_F(FilmTest, EachFormatHasTheFramesTheSizeAndTheRate) {
     const ProgramRun gif = replay({"--movie", path("c.GIF"), "--size", "75x51"});
     ASSERT_EQ(gif.exitCode, 0) << gif.errors;
     EXPECT_EQ(probed("c.GIF"), "gif,75,51,25/1,6\n");
+    for (const auto& entry : fs::directory_iterator(path("out"))) {
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".film")) << entry.path();
+    }
     EXPECT_THAT(names(), UnorderedElementsAre("test.kerf.json", "out", "a.mp4", "b.webm", "c.GIF"))
         << "and nothing that is not finished";
 }
