@@ -24,7 +24,8 @@ fs::path dataPath(std::string_view relative) {
         return fs::path(folder) / relative;
     }
     const fs::path beside = executableFolder();
-    for (const fs::path& folder : {beside, beside.parent_path()}) {
+    const fs::path above = beside.parent_path();
+    for (const fs::path& folder : {beside, above, above / "share/kerf"}) {
         if (fs::exists(folder / relative)) {
             return folder / relative;
         }

@@ -6,8 +6,8 @@
 namespace kerf::gpu {
 
 /// Where data of the project lies, such as "assets/models": below $KERF_DATA_DIR where that is
-/// set, else beside or one above the folder of the executable, else in the source tree that it was
-/// built from.
+/// set, else beside or one above the folder of the executable, else where it is installed, in
+/// ../share/kerf of that folder, else in the source tree that it was built from.
 std::filesystem::path dataPath(std::string_view relative);
 
 /// dataPath("shaders").

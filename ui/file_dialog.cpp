@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -67,6 +68,42 @@ const char* adviceFor(FilePurpose purpose) {
     }
 }
 
+/// A pace that a film may have, as simulated seconds in a second of it.
+struct FilmSpeed {
+    double speed;
+    const char* label;
+};
+constexpr std::array kFilmSpeeds{FilmSpeed{1, "Real time"}, FilmSpeed{0.5, "2 times slower"},
+                                 FilmSpeed{0.25, "4 times slower"},
+                                 FilmSpeed{0.1, "10 times slower"}};
+
+void drawFilmLook(FilmLook look, std::vector<Action>& actions) {
+    bool changed = ImGui::Checkbox("Captions", &look.captions);
+    noteItem("file.captions");
+    itemTooltip("The time, and what happens");
+    ImGui::SameLine();
+    changed = ImGui::Checkbox("Turntable", &look.turntable) || changed;
+    noteItem("file.turntable");
+    itemTooltip("The camera turns about the scene once, from the start to the end");
+    ImGui::SameLine();
+    const auto* const now = std::ranges::find(kFilmSpeeds, look.speed, &FilmSpeed::speed);
+    ImGui::SetNextItemWidth(10 * ImGui::GetFontSize());
+    if (ImGui::BeginCombo("##speed", now == kFilmSpeeds.end() ? "" : now->label)) {
+        for (const FilmSpeed& choice : kFilmSpeeds) {
+            if (ImGui::Selectable(choice.label, choice.speed == look.speed)) {
+                look.speed = choice.speed;
+                changed = true;
+            }
+            noteItem(std::string("file.speed.") + choice.label);
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("file.speed");
+    if (changed) {
+        actions.emplace_back(FileAction(SetFilmLook{look}));
+    }
+}
+
 }  // namespace
 
 std::string_view titleOf(const FileDialogState& dialog) {
@@ -79,6 +116,8 @@ std::string_view titleOf(const FileDialogState& dialog) {
             return "Save all since the start as a test";
         case FilePurpose::exportMesh:
             return "Export the body as it is";
+        case FilePurpose::makeFilm:
+            return "Make a film of all since the start";
         case FilePurpose::saveMaterial:
             return "Save the values of the body as a material";
         case FilePurpose::none:
@@ -97,6 +136,8 @@ std::string_view verbOf(const FileDialogState& dialog) {
             return "Save";
         case FilePurpose::exportMesh:
             return "Export";
+        case FilePurpose::makeFilm:
+            return "Film";
         case FilePurpose::none:
             break;
     }
@@ -360,6 +401,10 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
         itemTooltip(
             "As the body lies in the scene, +y up. Without it the file has the coordinates "
             "of the model's own file: its unit, axes and place");
+        return;
+    }
+    if (state.purpose == FilePurpose::makeFilm) {
+        drawFilmLook(state.film, actions);
         return;
     }
     ImGui::AlignTextToFramePadding();

@@ -16,6 +16,7 @@ enum class FilePurpose : std::uint8_t {
     saveSession,
     saveTest,
     exportMesh,
+    makeFilm,
     saveMaterial
 };
 
@@ -31,6 +32,13 @@ struct FileRow {
 struct FolderLink {
     std::string label;
     std::filesystem::path folder;
+};
+
+/// How a film is to look.
+struct FilmLook {
+    double speed = 1;        ///< simulated seconds in a second of the film
+    bool captions = true;    ///< with the time, and what happens
+    bool turntable = false;  ///< the camera turns about the scene once
 };
 
 /// All that a file dialog shows; nothing where the purpose is none.
@@ -49,6 +57,7 @@ struct FileDialogState {
     bool asksToOverwrite = false;      ///< the name is taken
     bool filePerPiece = false;         ///< of an export
     bool inScene = false;              ///< of an export: in metres of the scene
+    FilmLook film;                     ///< of a film
     bool adds = false;  ///< what is opened is added to the scene instead of opened in its place
 };
 
@@ -84,6 +93,10 @@ struct SetFilePerPiece {
 struct SetExportInScene {
     bool on = false;
 };
+/// Gives a film another look.
+struct SetFilmLook {
+    FilmLook look;
+};
 /// Takes the name: goes into a folder, or ends the dialog with the file. Before it overwrites a
 /// file it asks.
 struct AcceptFile {
@@ -100,7 +113,7 @@ struct OpenFile {
 
 using FileAction = std::variant<GoToFolder, GoToParentFolder, SelectFile, MoveFileSelection,
                                 NameFile, ChooseFileKind, SetFilePerPiece, SetExportInScene,
-                                AcceptFile, KeepFile, CloseFileDialog, OpenFile>;
+                                SetFilmLook, AcceptFile, KeepFile, CloseFileDialog, OpenFile>;
 
 /// The title of the dialog: "Open a model or a session".
 std::string_view titleOf(const FileDialogState& dialog);

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "render/scene/paste.h"
+
 namespace kerf::ui {
 namespace {
 
@@ -68,17 +70,6 @@ void drawTexts(const StripLayout& layout, const std::string& title,
     }
 }
 
-/// Copies a picture to a place inside `target`.
-void paste(render::Image& target, const render::Image& picture, int left, int top) {
-    const auto rowOf = [](const render::Image& image, int x, int y) {
-        return 4 * (std::ptrdiff_t{y} * image.width + x);
-    };
-    for (int y = 0; y < picture.height; ++y) {
-        std::copy_n(picture.pixels.begin() + rowOf(picture, 0, y), picture.width * 4,
-                    target.pixels.begin() + rowOf(target, left, top + y));
-    }
-}
-
 }  // namespace
 
 render::Image drawStrip(PicturePainter& painter, const std::string& title,
@@ -89,7 +80,7 @@ render::Image drawStrip(PicturePainter& painter, const std::string& title,
     render::Image strip = painter.draw(layout.width(pictures.size()), layout.height(),
                                        [&] { drawTexts(layout, title, pictures); });
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        paste(strip, pictures[i].image, layout.left(i), layout.top());
+        render::paste(strip, pictures[i].image, layout.left(i), layout.top());
     }
     return strip;
 }

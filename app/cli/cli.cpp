@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -27,6 +28,7 @@
 #include "app/cli/usage_error.h"
 #include "app/editor/editor.h"
 #include "app/files/file_io.h"
+#include "app/files/film_formats.h"
 #include "app/files/import_process.h"
 #include "app/files/model_source.h"
 #include "app/session/material.h"
@@ -45,6 +47,10 @@ namespace {
 
 constexpr int kMostJobs = 256;
 constexpr int kMostRepeats = 100;
+constexpr int kMostFilmRate = 240;
+constexpr int kMostStripPictures = 1000;
+constexpr double kLeastFilmSpeed = 0.001;
+constexpr double kMostFilmSpeed = 1000;
 
 // Kinds of files that have a schema.
 constexpr const char* kSessionKind = "session";
@@ -85,18 +91,50 @@ std::string refuseEmpty(const std::string& text) {
     return text.empty() ? "the name is empty" : "";
 }
 
-/// CLI::Range lets NaN pass.
-std::string refuseOutsideOfOne(const std::string& text) {
+/// A number and nothing else.
+std::optional<double> readNumber(const std::string& text) {
     double value = 0;
     const char* end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, value);
-    const bool valid = read.ec == std::errc() && read.ptr == end && value >= 0 && value <= 1;
+    return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
+}
+
+/// CLI::Range lets NaN pass.
+std::string refuseOutsideOfOne(const std::string& text) {
+    const std::optional<double> value = readNumber(text);
+    const bool valid = value && *value >= 0 && *value <= 1;
     return valid ? "" : "'" + text + "' is no number from 0 to 1";
+}
+
+std::string refuseNoSpeed(const std::string& text) {
+    const std::optional<double> value = readNumber(text);
+    const bool valid = value && *value >= kLeastFilmSpeed && *value <= kMostFilmSpeed;
+    return valid ? "" : "'" + text + "' is no number from 0.001 to 1000";
 }
 
 constexpr const char* kExitCodes =
     "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 input missing or invalid,\n"
     "4 no usable OpenGL 4.5, 5 out of memory or another limit.";
+
+/// "1280x720"; none where it is no size of a picture.
+std::optional<PictureSize> readPictureSize(const std::string& text) {
+    PictureSize size;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') {
+        return std::nullopt;
+    }
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    const auto fits = [](int side) { return side >= 1 && side <= kMaxPictureSize; };
+    const bool valid = height.ec == std::errc() && height.ptr == end;
+    return valid && fits(size.width) && fits(size.height) ? std::optional(size) : std::nullopt;
+}
+
+std::string refuseNoSize(const std::string& text) {
+    return readPictureSize(text) ? ""
+                                 : "'" + text + "' is no size as 1280x720, each side 1 to " +
+                                       std::to_string(kMaxPictureSize);
+}
 
 /// Options that change what is run.
 void describeReplayChanges(CLI::App& replay, ReplayArguments& arguments) {
@@ -146,6 +184,96 @@ void describeReplayChecks(CLI::App& replay, ReplayArguments& arguments) {
                     "Pass over the state hashes in the session's own checks");
 }
 
+/// The film, and how it looks.
+void describeFilm(CLI::App& replay, ReplayArguments& arguments) {
+    FilmOptions& film = arguments.film;
+    CLI::Option* const movie =
+        replay
+            .add_option("--movie", film.file,
+                        "Also make a film of the run, by ffmpeg; FILE ends in " + filmEndings())
+            ->check(refuseEmpty)
+            ->type_name("FILE");
+    replay.add_option("--fps", film.rate, "Pictures in a second of the film (30, of a .gif 25)")
+        ->check(CLI::Range(1, kMostFilmRate))
+        ->type_name("N")
+        ->needs(movie);
+    replay
+        .add_option("--speed", film.speed,
+                    "Simulated seconds in a second of the film (1): 0.25 slows it down")
+        ->check(refuseNoSpeed)
+        ->type_name("S")
+        ->needs(movie);
+    replay.add_flag("--turntable", film.turntable, "The camera turns once about the scene")
+        ->needs(movie);
+    replay.add_flag("--captions", film.captions, "The film tells the time, and what happens")
+        ->needs(movie);
+}
+
+int readCount(const std::string& text) {
+    const std::optional<double> value = readNumber(text);
+    if (!value || *value < 0 || *value > kMostStripPictures || *value != std::floor(*value)) {
+        throw CLI::ValidationError("--strip", "'" + text + "' is no number of pictures");
+    }
+    return static_cast<int>(*value);
+}
+
+/// Pictures of the run in files that are named here.
+void describeFilms(CLI::App& replay, ReplayArguments& arguments) {
+    describeFilm(replay, arguments);
+    replay
+        .add_option_function<std::vector<std::string>>(
+            "--strip",
+            [&arguments](const std::vector<std::string>& words) {
+                arguments.strip.file = words[0];
+                arguments.strip.pictures = readCount(words[1]);
+            },
+            "Also make a picture (.png) of so many pictures of the run side by side")
+        ->type_size(2)
+        ->expected(1)
+        ->type_name("FILE N");
+    replay
+        .add_option_function<std::string>(
+            "--size",
+            [&arguments](const std::string& text) {
+                arguments.pictureSize = readPictureSize(text);
+            },
+            "Size of the film in pixels, or of each picture of the strip")
+        ->type_name("WxH")
+        ->check(refuseNoSize);
+}
+
+/// "obj, ply, ...": the formats as the command line names them.
+std::string meshFormatNames() {
+    return joined(meshFormats(), ", ",
+                  [](const MeshFormatInfo& info) { return info.extension.substr(1); });
+}
+
+std::string refuseNoMeshFormat(const std::string& name) {
+    return meshFormatOf("mesh." + name)
+               ? ""
+               : "'" + name + "' is no format; there are " + meshFormatNames();
+}
+
+/// Meshes on the way.
+void describeSequence(CLI::App& replay, ReplayArguments& arguments) {
+    CLI::Option* const sequence =
+        replay
+            .add_option("--sequence", arguments.sequence.every,
+                        "Also write the mesh every so many steps, into the folder sequence")
+            ->check(CLI::Range(1, kMaxSteps))
+            ->type_name("EVERY");
+    replay
+        .add_option_function<std::string>(
+            "--meshes",
+            [&arguments](const std::string& name) {
+                arguments.sequence.format = *meshFormatOf("mesh." + name);
+            },
+            "The format of these meshes (ply): " + meshFormatNames())
+        ->check(refuseNoMeshFormat)
+        ->type_name("FORMAT")
+        ->needs(sequence);
+}
+
 void describeReplay(Parser& parser, Arguments& arguments) {
     parser.replay = parser.app.add_subcommand(
         "replay", "Run a session headless, as fast as it can, and write its results");
@@ -158,6 +286,8 @@ void describeReplay(Parser& parser, Arguments& arguments) {
         ->type_name("DIR");
     describeReplayChanges(*parser.replay, arguments.replay);
     describeReplayChecks(*parser.replay, arguments.replay);
+    describeFilms(*parser.replay, arguments.replay);
+    describeSequence(*parser.replay, arguments.replay);
     CLI::Option* json =
         parser.replay->add_flag("--json", arguments.replay.json, "Print one JSON object");
     parser.replay
@@ -205,26 +335,6 @@ void describeExperiment(Parser& parser, Arguments& arguments) {
 std::string refuseNoPng(const std::string& text) {
     const bool isPng = lowerCase(std::filesystem::path(text).extension().string()) == ".png";
     return isPng ? "" : "'" + text + "' must end in .png";
-}
-
-/// "1280x720"; none where it is no size of a picture.
-std::optional<PictureSize> readPictureSize(const std::string& text) {
-    PictureSize size;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') {
-        return std::nullopt;
-    }
-    const auto height = std::from_chars(width.ptr + 1, end, size.height);
-    const auto fits = [](int side) { return side >= 1 && side <= kMaxPictureSize; };
-    const bool valid = height.ec == std::errc() && height.ptr == end;
-    return valid && fits(size.width) && fits(size.height) ? std::optional(size) : std::nullopt;
-}
-
-std::string refuseNoSize(const std::string& text) {
-    return readPictureSize(text) ? ""
-                                 : "'" + text + "' is no size as 1280x720, each side 1 to " +
-                                       std::to_string(kMaxPictureSize);
 }
 
 void describeInspect(Parser& parser, Arguments& arguments) {

@@ -3,16 +3,11 @@
 #include <filesystem>
 #include <string>
 
+#include "app/cli/picture_size.h"
 #include "app/files/model_faults.h"
 #include "render/scene/image.h"
 
 namespace kerf::app {
-
-/// Size of a picture [px].
-struct PictureSize {
-    int width = 1280;
-    int height = 720;
-};
 
 /// A picture of a model with what is wrong with it, and a legend headed by `title`. `file` tells
 /// what its numbers mean. Needs a current OpenGL 4.5 context. Throws gpu::OutOfMemory.

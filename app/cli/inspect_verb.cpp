@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/cli/exit_codes.h"
+#include "app/cli/fault_picture.h"
 #include "app/cli/usage_error.h"
 #include "app/files/builtin_models.h"
 #include "app/files/export.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <iosfwd>
 
-#include "app/cli/fault_picture.h"
+#include "app/cli/picture_size.h"
 
 namespace kerf::app {
 

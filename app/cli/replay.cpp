@@ -1,5 +1,6 @@
 #include "app/cli/replay.h"
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -26,6 +27,9 @@
 namespace kerf::app {
 
 namespace {
+
+/// What ffmpeg has written so far, until the film is complete.
+constexpr const char* kUnfinishedFilm = ".film.part";
 
 /// How many pieces an earlier run had is not known: their files have no gaps.
 void removeExport(OutputFolder& folder, const ExportEvent& event) {
@@ -102,10 +106,7 @@ class Replay {
         summary_.renderer = device.renderer;
         summary_.driver = device.version;
         summary_.before = countBody();
-        if (!pictureFiles(session).empty()) {
-            renderer_.emplace(options_.quality);
-            renderer_->setRestShape(simulation_.mesh());
-        }
+        beginPictures();
         simulation_.feelBlade(options_.forces);
         if (undoesAnything(session)) {
             simulation_.setUndoBudget(kReplayUndoBudget);
@@ -114,6 +115,9 @@ class Replay {
 
     void run(const ReplayListener& listener) {
         removeEarlierResults(folder_, session_, expected_ != nullptr);
+        if (options_.sequence.every > 0) {
+            sequence_.emplace(folder_, options_.sequence);
+        }
         for (; step_ < steps_ && !stopped_; ++step_) {
             if (listener.progress) {
                 listener.progress(step_, steps_);
@@ -122,6 +126,8 @@ class Replay {
         }
         if (!stopped_) {
             applyActions();
+            filmState();
+            writeSequence();
             checkLength();
         }
         remark(iterations_.sentence());
@@ -130,9 +136,13 @@ class Replay {
     }
 
     RunSummary takeSummary() { return std::move(summary_); }
+    const std::optional<FilmReport>& filmReport() const { return filmReport_; }
 
     // What happens before a step: see SessionRunner::applyActions.
     void perform(const Command& command, int event) {
+        if (film_) {
+            film_->note(command);
+        }
         const std::string problem = simulation_.execute(command);
         if (!problem.empty()) {
             throw InputError(placeInFile(event) + ": " + problem);
@@ -143,8 +153,7 @@ class Replay {
     }
     void take(const ScreenshotEvent& event) {
         pictureMs_ += outside_.measure([&] {
-            renderer_->draw(view(), camera_, event.width, event.height);
-            writePicture(renderer_->readPicture(), folder_.pathOf(event.file));
+            writePicture(draw(camera_, {event.width, event.height}), folder_.pathOf(event.file));
             folder_.noteWritten(event.file);
         });
     }
@@ -167,6 +176,66 @@ class Replay {
     }
 
   private:
+    /// Films are begun before anything is simulated: what they need may be missing.
+    void beginPictures() {
+        if (!options_.film.file.empty()) {
+            film_.emplace(options_.film, folder_.pathOf(kUnfinishedFilm), steps_);
+        }
+        if (!options_.strip.file.empty()) {
+            strip_.emplace(options_.strip, steps_);
+        }
+        if (film_ || strip_ || !pictureFiles(session_).empty()) {
+            renderer_.emplace(options_.quality);
+            renderer_->setRestShape(simulation_.mesh());
+        }
+    }
+
+    render::Image draw(const render::Camera& camera, const PictureSize& size) {
+        renderer_->draw(view(), camera, size.width, size.height);
+        return renderer_->readPicture();
+    }
+
+    /// The state before the coming step, once that step's actions were applied.
+    void filmState() {
+        const Film::Draw draws = [this](const render::Camera& camera, const PictureSize& size) {
+            return draw(camera, size);
+        };
+        outside_.measure([&] {
+            const double time = simulation_.report().time;
+            if (film_) {
+                film_->show(step_, time, camera_, draws);
+            }
+            if (strip_) {
+                strip_->show(step_, time, camera_, draws);
+            }
+        });
+    }
+
+    /// The same state as a mesh.
+    void writeSequence() {
+        const bool ends = stopped_ || step_ == steps_;
+        if (sequence_ && sequence_->wants(step_, ends ? step_ : steps_)) {
+            outside_.measure([&] {
+                sequence_->write(step_, simulation_.report().time, simulation_.mesh(),
+                                 simulation_.pieces(), {{}, lookOf(session_)});
+            });
+        }
+    }
+
+    void finishFilms() {
+        if (sequence_) {
+            sequence_->finish();
+        }
+        if (film_) {
+            filmReport_ = film_->finish();
+        }
+        if (strip_) {
+            const Params& params = session_.params;
+            strip_->finish(fmt::format("{}: time step {} s, {} iterations", summary_.model,
+                                       params.timeStep, params.iterations));
+        }
+    }
+
     render::SceneView view() {
         render::SceneView view =
             sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses());
@@ -187,11 +256,16 @@ class Replay {
     void runStep(const ReplayListener& listener) {
         const Stopwatch watch;
         applyActions();
+        filmState();
+        writeSequence();
         if (stopped_) {
             return;
         }
         iterations_.add(step_, simulation_.params());
         const StepReport& report = runner_.step();
+        if (film_) {
+            film_->pass(simulation_.params().timeStep);
+        }
         const double outsideMs = outside_.take();
         const MetricsRow row{report, fractureEnergyOf(report), std::exchange(pictureMs_, 0),
                              watch.milliseconds() - outsideMs};
@@ -323,6 +397,7 @@ class Replay {
         folder_.write(kMeshFile,
                       encodeMesh(simulation_.mesh(), simulation_.pieces(), MeshFormat::ply));
         files_.commit();
+        finishFilms();
         summary_.after = countBody();
         summary_.pieces = simulation_.pieces().pieces;
         summary_.stateHash = simulation_.stateHash();
@@ -339,7 +414,11 @@ class Replay {
     RunFiles files_;
     const OwnLooks looks_;  ///< of the uncut body
     SkinFollower skin_{looks_};
-    std::optional<render::Renderer> renderer_;  ///< of a session with pictures
+    std::optional<render::Renderer> renderer_;  ///< where pictures are taken
+    std::optional<Film> film_;
+    std::optional<FilmReport> filmReport_;
+    std::optional<FilmStrip> strip_;
+    std::optional<MeshSequence> sequence_;
     Simulation simulation_;
     std::shared_ptr<const UncutBody> uncut_;  ///< that the pictures tell of
     Bounds restBounds_;                       ///< of it
@@ -370,7 +449,7 @@ ReplayResult replaySession(const Session& session, ModelMesh model,
     OutputFolder output(folder);
     Replay replay(session, std::move(model), output, options);
     replay.run(listener);
-    return {replay.takeSummary(), output.written()};
+    return {replay.takeSummary(), output.written(), replay.filmReport()};
 }
 
 }  // namespace kerf::app

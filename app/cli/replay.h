@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/film.h"
+#include "app/cli/film_strip.h"
+#include "app/cli/mesh_sequence.h"
 #include "app/session/hash_course.h"
 #include "app/session/metrics.h"
 #include "app/session/session.h"
@@ -31,7 +34,10 @@ struct ReplayOptions {
     int until = kMaxSteps;               ///< ends after that many steps, where the session has more
     bool keepGoing = false;              ///< runs on after a check failed
     bool hashChecks = true;              ///< false: passes over state hashes in check events
-    /// Of screenshots. The light tier, whose edges no driver smooths by itself, is the same on all.
+    FilmOptions film;                    ///< where its file says so
+    StripOptions strip;                  ///< where its file says so
+    SequenceOptions sequence;            ///< where it names steps
+    /// Of pictures. The light tier, whose edges no driver smooths by itself, is the same on all.
     render::Quality quality = render::Quality::light;
 };
 
@@ -40,11 +46,13 @@ struct ReplayResult {
     RunSummary summary;
     /// The files that were written, relative to the output folder, in the order of writing.
     std::vector<std::string> files;
+    std::optional<FilmReport> film;  ///< where one was made
 };
 
 /// Runs a session as fast as it can on the OpenGL context that is current and writes metrics.csv,
 /// summary.json, final.ply, the session's screenshots and its exports into `folder` (made where it
-/// is missing) and nowhere else. Every file appears complete or not at all; results of an earlier
+/// is missing) and nowhere else, but for the film and the strip of `options`, whose files a person
+/// named. Every file appears complete or not at all; results of an earlier
 /// run under these names are removed first, and summary.json comes last. A check that fails stands
 /// in summary.failures and, unless options.keepGoing, ends the run before the coming step. `model`
 /// is loadSessionModel(session).

@@ -1,5 +1,6 @@
 #include "app/cli/replay_verb.h"
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -21,6 +22,8 @@
 namespace kerf::app {
 
 namespace {
+
+constexpr PictureSize kGifSize{640, 360};
 
 /// The hashes that a replay shall have, where it is to be compared with any.
 std::optional<HashCourse> readExpectedHashes(const ReplayArguments& arguments) {
@@ -46,6 +49,51 @@ ReplayListener listenerFor(const ReplayArguments& arguments, ProgressLine& line,
     return listener;
 }
 
+/// A size that nobody named suits the format.
+void sizeFilm(ReplayArguments& arguments) {
+    FilmOptions& film = arguments.film;
+    if (film.file.empty()) {
+        return;
+    }
+    const FilmFormatInfo* const format = filmFormatOf(film.file);
+    if (format == nullptr) {
+        throw UsageError("--movie " + film.file.string() + ": a film ends in " + filmEndings());
+    }
+    const PictureSize usual = format->format == FilmFormat::gif ? kGifSize : PictureSize{};
+    film.size = arguments.pictureSize.value_or(usual);
+    if (format->evenSides && (film.size.width % 2 != 0 || film.size.height % 2 != 0)) {
+        throw UsageError("--size: the sides of a film in the format " + std::string(format->name) +
+                         " are even");
+    }
+}
+
+void sizeStrip(ReplayArguments& arguments) {
+    StripOptions& strip = arguments.strip;
+    if (strip.file.empty()) {
+        return;
+    }
+    if (lowerCase(strip.file.extension().string()) != ".png") {
+        throw UsageError("--strip " + strip.file.string() + ": a strip ends in .png");
+    }
+    strip.size = arguments.pictureSize.value_or(strip.size);
+    const int most = mostStripPictures(strip.size);
+    if (strip.pictures < kFewestStripPictures || strip.pictures > most) {
+        throw UsageError("--strip: of pictures " + std::to_string(strip.size.width) +
+                         " pixels wide a strip has at least " +
+                         std::to_string(kFewestStripPictures) + " and at most " +
+                         std::to_string(most) + "; --size makes them smaller");
+    }
+}
+
+/// Files beside the results that a person named.
+void takeFilms(ReplayArguments& arguments) {
+    sizeFilm(arguments);
+    sizeStrip(arguments);
+    if (arguments.pictureSize && arguments.film.file.empty() && arguments.strip.file.empty()) {
+        throw UsageError("--size is that of a film or a strip: name one by --movie or --strip");
+    }
+}
+
 ReplayResult runHeadless(const Session& session, const ReplayArguments& arguments,
                          std::ostream& out) {
     const std::optional<HashCourse> expected = readExpectedHashes(arguments);
@@ -58,6 +106,9 @@ ReplayResult runHeadless(const Session& session, const ReplayArguments& argument
         .until = arguments.until,
         .keepGoing = arguments.keepGoing,
         .hashChecks = arguments.hashChecks,
+        .film = arguments.film,
+        .strip = arguments.strip,
+        .sequence = arguments.sequence,
         .quality = arguments.fine ? render::Quality::full : render::Quality::light};
     ReadOptions reading;
     reading.means = memoryMeans();
@@ -87,7 +138,7 @@ void printFiles(const std::filesystem::path& folder, const std::vector<std::stri
     out << "written to " << folder.string() << ": " << joined(files, " ") << "\n";
 }
 
-void printForPeople(const ReplayResult& result, const std::filesystem::path& folder,
+void printForPeople(const ReplayResult& result, const ReplayArguments& arguments,
                     std::ostream& out) {
     const RunSummary& summary = result.summary;
     const RunStatistics& run = summary.statistics;
@@ -99,12 +150,29 @@ void printForPeople(const ReplayResult& result, const std::filesystem::path& fol
         << " of rest\n";
     out << "cuts: " << (summary.cuts ? describeCuts(*summary.cuts) : "none") << "\n";
     out << "state: " << summary.stateHash << "\n";
-    printFiles(folder, result.files, out);
+    printFiles(arguments.out, result.files, out);
+    if (result.film) {
+        out << "film: " << arguments.film.file.string() << ", "
+            << counted(result.film->frames, "picture", "pictures") << ", "
+            << fmt::format("{:.4g} s\n", result.film->seconds);
+    }
+    if (!arguments.strip.file.empty()) {
+        out << "strip: " << arguments.strip.file.string() << "\n";
+    }
 }
 
-void printJson(const ReplayResult& result, const ReferenceOutcome& reference, std::ostream& out) {
+void printJson(const ReplayResult& result, const ReplayArguments& arguments,
+               const ReferenceOutcome& reference, std::ostream& out) {
     nlohmann::ordered_json json = toJson(result.summary);
     json["files"] = result.files;
+    if (result.film) {
+        json["movie"] = {{"file", arguments.film.file.string()},
+                         {"frames", result.film->frames},
+                         {"seconds", result.film->seconds}};
+    }
+    if (!arguments.strip.file.empty()) {
+        json["strip"] = arguments.strip.file.string();
+    }
     if (!reference.renewed.empty()) {
         json["renewed"] = reference.renewed;
     }
@@ -178,7 +246,8 @@ void setParameters(Session& session, const std::vector<std::string>& settings) {
     }
 }
 
-int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors) {
+int replayVerb(ReplayArguments arguments, std::ostream& out, std::ostream& errors) {
+    takeFilms(arguments);
     requireNoExpectations(arguments.out);
     Session session = readSession(arguments.session);
     if (!arguments.material.empty()) {
@@ -191,9 +260,9 @@ int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream
     const ReplayResult result = runHeadless(session, arguments, out);
     const ReferenceOutcome reference = judgeScreenshots(session, arguments);
     if (arguments.json) {
-        printJson(result, reference, out);
+        printJson(result, arguments, reference, out);
     } else if (!arguments.jsonl) {
-        printForPeople(result, arguments.out, out);
+        printForPeople(result, arguments, out);
         if (!reference.renewed.empty()) {
             printFiles(arguments.reference, reference.renewed, out);
         }

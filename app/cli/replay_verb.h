@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/film.h"
+#include "app/cli/film_strip.h"
+#include "app/cli/mesh_sequence.h"
 #include "app/session/session.h"
 
 namespace kerf::app {
@@ -26,6 +29,10 @@ struct ReplayArguments {
     bool keepGoing = false;
     bool hashChecks = true;
     bool fine = false;
+    FilmOptions film;
+    StripOptions strip;
+    SequenceOptions sequence;
+    std::optional<PictureSize> pictureSize;  ///< of the film, and of each picture of the strip
     bool json = false;
     bool jsonl = false;
 };
@@ -37,6 +44,6 @@ void setParameters(Params& params, const std::vector<std::string>& settings);
 /// Replays a session headless and prints what came of it on `out`; the first failed check goes to
 /// `errors`. Returns the exit code, 0 or 1. Throws what replaySession throws, UsageError and
 /// gpu::ContextError.
-int replayVerb(const ReplayArguments& arguments, std::ostream& out, std::ostream& errors);
+int replayVerb(ReplayArguments arguments, std::ostream& out, std::ostream& errors);
 
 }  // namespace kerf::app

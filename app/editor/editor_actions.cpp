@@ -263,6 +263,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::saveTest, Needs::scene, [](State& s) { s.askAboutTest(); }},
     Handler{ActionId::exportBody, Needs::scene,
             [](State& s) { s.browse(FilePurpose::exportMesh); }},
+    Handler{ActionId::makeFilm, Needs::scene, [](State& s) { s.browse(FilePurpose::makeFilm); }},
     Handler{ActionId::screenshot, Needs::nothing, [](State& s) { s.screenshotWanted = true; }},
     Handler{ActionId::sceneScreenshot, Needs::body,
             [](State& s) { s.savePicture(s.picture.readScene(*s.scene, s.view), "kerf-scene"); }},

@@ -251,6 +251,14 @@ void Editor::State::save(const ChosenFile& chosen) {
             chosen.file, materialFrom(scene->simulation().params(), view.display.settings.colors)));
         return;
     }
+    if (chosen.purpose == ui::FilePurpose::makeFilm) {
+        onceSaved = nullptr;
+        SavedSession filmed =
+            scene->savedSession(view.camera.destination(), view.display.settings.colors);
+        filmed.session.view = view.camera.destination();  // also where the file has another
+        work.save(startFilm(chosen.file, chosen.film, std::move(filmed)));
+        return;
+    }
     if (chosen.what == BrowseFor::testWithPicture) {
         scene->addPicture(scene->end());
     }

@@ -5,9 +5,11 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
+#include <span>
 #include <system_error>
 
 #include "app/files/export.h"
+#include "app/files/film_formats.h"
 #include "app/files/model_source.h"
 #include "app/regression/expectation.h"
 #include "app/session/material.h"
@@ -24,6 +26,15 @@ constexpr char kSessionEnding[] = ".kerf.json";
 /// The kinds that opening offers, by index.
 enum OpenKind { kEverything, kModels, kSessions, kAllFiles };
 
+template <class Info>
+std::vector<std::string> kindsOf(std::span<const Info> formats) {
+    std::vector<std::string> kinds;
+    for (const Info& info : formats) {
+        kinds.push_back(std::string(info.name) + " (" + std::string(info.extension) + ")");
+    }
+    return kinds;
+}
+
 std::vector<std::string> kindsOf(FilePurpose purpose) {
     switch (purpose) {
         case FilePurpose::open:
@@ -33,15 +44,13 @@ std::vector<std::string> kindsOf(FilePurpose purpose) {
             return {"Session (.kerf.json)"};
         case FilePurpose::saveMaterial:
             return {"Material (.material.json)"};
+        case FilePurpose::makeFilm:
+            return kindsOf(filmFormats());
         case FilePurpose::exportMesh:
         case FilePurpose::none:
             break;
     }
-    std::vector<std::string> kinds;
-    for (const MeshFormatInfo& info : meshFormats()) {
-        kinds.push_back(std::string(info.name) + " (" + std::string(info.extension) + ")");
-    }
-    return kinds;
+    return kindsOf(meshFormats());
 }
 
 /// Numbers by their value: "a2" before "a10". Case does not matter.
@@ -156,6 +165,8 @@ std::optional<fs::path> FileBrowser::take(const ui::FileAction& action) {
         state_.filePerPiece = perPiece->on;
     } else if (const auto* inScene = std::get_if<ui::SetExportInScene>(&action)) {
         state_.inScene = inScene->on;
+    } else if (const auto* film = std::get_if<ui::SetFilmLook>(&action)) {
+        state_.film = film->look;
     }
     return std::nullopt;
 }
@@ -187,6 +198,8 @@ bool FileBrowser::isOffered(const fs::path& file) const {
         case FilePurpose::exportMesh:
         case FilePurpose::none:
             return meshFormatOf(file).has_value();
+        case FilePurpose::makeFilm:
+            return filmFormatOf(file) != nullptr;
     }
     switch (state_.kind) {
         case kEverything:
@@ -259,14 +272,18 @@ void FileBrowser::chooseKind(int kind) {
         return;
     }
     state_.kind = kind;
-    if (state_.purpose == FilePurpose::exportMesh) {
-        state_.name =
-            fs::path(state_.name).replace_extension(meshFormats()[kind].extension).string();
+    if (state_.purpose == FilePurpose::exportMesh || state_.purpose == FilePurpose::makeFilm) {
+        state_.name = fs::path(state_.name).replace_extension(endingOfKind()).string();
     }
     const std::string kept = state_.selected < 0 ? "" : state_.rows[state_.selected].name;
     state_.selected = -1;
     listRows();
     rename(state_.purpose == FilePurpose::open ? kept : state_.name);
+}
+
+std::string_view FileBrowser::endingOfKind() const {
+    return state_.purpose == FilePurpose::makeFilm ? filmFormats()[state_.kind].extension
+                                                   : meshFormats()[state_.kind].extension;
 }
 
 fs::path FileBrowser::named() const {
@@ -312,8 +329,11 @@ std::optional<fs::path> FileBrowser::acceptToWrite(fs::path path, bool overwrite
     if (state_.purpose == FilePurpose::saveMaterial && !path.string().ends_with(kMaterialEnding)) {
         path += kMaterialEnding;
     }
-    if (state_.purpose == FilePurpose::exportMesh && !meshFormatOf(path)) {
-        path += meshFormats()[state_.kind].extension;
+    const bool needsEnding =
+        (state_.purpose == FilePurpose::exportMesh && !meshFormatOf(path)) ||
+        (state_.purpose == FilePurpose::makeFilm && filmFormatOf(path) == nullptr);
+    if (needsEnding) {
+        path += endingOfKind();
     }
     if (!isFolder(path.parent_path())) {
         state_.problem = "There is no folder " + path.parent_path().string() + ".";

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui/file_dialog_state.h"
@@ -34,6 +35,8 @@ class FileBrowser {
     std::optional<std::filesystem::path> acceptToOpen(const std::filesystem::path& path);
     std::optional<std::filesystem::path> acceptToWrite(std::filesystem::path path, bool overwrite);
     std::filesystem::path named() const;
+    /// Of an export or a film: what a file of the kind that is chosen ends in.
+    std::string_view endingOfKind() const;
     bool isOffered(const std::filesystem::path& file) const;
 
     ui::FileDialogState state_;

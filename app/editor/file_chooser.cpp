@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/files/film_formats.h"
 #include "app/files/free_file.h"
 #include "app/files/mesh_formats.h"
 #include "app/session/material.h"
@@ -24,6 +25,8 @@ std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder
             return document + ".kerf.json";  // replaced more often than the others
         case ui::FilePurpose::exportMesh:
             return document + std::string(meshFormats().front().extension);
+        case ui::FilePurpose::makeFilm:
+            return document + std::string(filmFormats().front().extension);
         case ui::FilePurpose::saveMaterial:
             return document + std::string(kMaterialEnding);
         case ui::FilePurpose::open:
@@ -146,7 +149,8 @@ std::optional<ChosenFile> FileChooser::take(const ui::FileAction& action) {
     if (!file) {
         return std::nullopt;
     }
-    const ChosenFile chosen{dialog.purpose, *file, dialog.filePerPiece, dialog.inScene, what_};
+    const ChosenFile chosen{dialog.purpose, *file, dialog.filePerPiece,
+                            dialog.inScene, what_, dialog.film};
     close();
     return chosen;
 }

@@ -26,6 +26,7 @@ struct ChosenFile {
     bool filePerPiece = false;  ///< of an export
     bool inScene = false;       ///< of an export: in metres of the scene
     BrowseFor what = BrowseFor::itself;
+    ui::FilmLook film{};  ///< of a film
 };
 
 /// Lets a person choose files: in the dialog, which remembers where it was, or among the recent

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/editor/film_making.h"
 #include "app/files/file_io.h"
 #include "app/regression/test_maker.h"
 #include "sim/base/text.h"
@@ -48,6 +49,16 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
                     document.looks, look, simulation.mesh(), simulation.placement()});
     return std::make_unique<FileSaving>(
         title, [input](WorkProgress& progress) { return exportBody(*input, progress); });
+}
+
+std::unique_ptr<FileSaving> startFilm(const std::filesystem::path& file, const ui::FilmLook& look,
+                                      SavedSession saved) {
+    return std::make_unique<FileSaving>(
+        "Filming " + file.filename().string(),
+        [file, look, saved = std::move(saved)](WorkProgress& progress) {
+            filmSession(saved.session, file, look, progress);
+            return "Filmed " + file.string() + (saved.remark.empty() ? "" : ". " + saved.remark);
+        });
 }
 
 std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved) {

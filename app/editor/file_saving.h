@@ -9,6 +9,7 @@
 #include "app/scene/saved_session.h"
 #include "app/session/material.h"
 #include "sim/run/simulation.h"
+#include "ui/file_dialog_state.h"
 
 namespace kerf::app {
 
@@ -30,6 +31,9 @@ std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Saved
 /// Begins to write a material.
 std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& file,
                                                 Material material);
+/// Begins to film a session, by a replay in a process of its own.
+std::unique_ptr<FileSaving> startFilm(const std::filesystem::path& file, const ui::FilmLook& look,
+                                      SavedSession saved);
 /// Begins to write a session and what a run of it comes out like, which takes as long as that.
 std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved);
 

@@ -265,4 +265,13 @@ std::string sentenceAbout(const ChildOutcome& outcome) {
     return said.empty() ? end : end + ": " + said;
 }
 
+std::string sentenceAbout(const ChildOutcome& outcome, const std::filesystem::path& folder) {
+    const std::string inFolder = folder.string() + "/";
+    std::string sentence = sentenceAbout(outcome);
+    for (std::size_t at = 0; (at = sentence.find(inFolder, at)) != std::string::npos;) {
+        sentence.erase(at, inFolder.size());
+    }
+    return sentence;
+}
+
 }  // namespace kerf::app

@@ -11,6 +11,7 @@
 
 #include "app/files/companion_names.h"
 #include "app/files/export_gltf.h"
+#include "app/files/export_vtp.h"
 #include "app/files/file_io.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
@@ -69,11 +70,14 @@ std::string plyHeader(const ExportMesh& mesh, const PlyLooks& looks) {
            "element vertex " + std::to_string(mesh.positions.size()) +
            "\nproperty float x\nproperty float y\nproperty float z\n"
            "property float nx\nproperty float ny\nproperty float nz\n" +
+           (mesh.tellsQuantities ? "property float vx\nproperty float vy\nproperty float vz\n"
+                                 : "") +
            (looks.colors.empty() ? ""
                                  : "property uchar red\nproperty uchar green\n"
                                    "property uchar blue\nproperty uchar alpha\n") +
            "element face " + std::to_string(mesh.faces.size()) +
            "\nproperty list uchar int vertex_indices\nproperty int piece\nproperty uchar cut\n" +
+           (mesh.tellsQuantities ? "property float strain\nproperty double piece_volume\n" : "") +
            (hasSkinUvs(mesh) ? "property list uchar float texcoord\n" : "") + "end_header\n";
 }
 
@@ -82,6 +86,9 @@ std::string encodePly(const ExportMesh& mesh, const PlyLooks& looks = {}) {
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         append(bytes, mesh.positions[v]);
         append(bytes, mesh.normals[v]);
+        if (mesh.tellsQuantities) {
+            append(bytes, mesh.velocities[v]);
+        }
         if (!looks.colors.empty()) {
             appendColor(bytes, looks.colors[v]);
         }
@@ -94,6 +101,10 @@ std::string encodePly(const ExportMesh& mesh, const PlyLooks& looks = {}) {
         }
         append(bytes, std::int32_t{face.piece});
         append(bytes, std::uint8_t{face.cut});
+        if (mesh.tellsQuantities) {
+            append(bytes, face.strain);
+            append(bytes, mesh.pieceVolumes[face.piece]);
+        }
         if (textured) {
             appendTexcoord(bytes, mesh, face);
         }
@@ -209,6 +220,8 @@ std::string encode(const ExportMesh& mesh, MeshFormat format) {
             return encodeStl(mesh);
         case MeshFormat::glb:
             return encodeGlb(mesh);
+        case MeshFormat::vtp:
+            return encodeVtp(mesh);
         case MeshFormat::gltf:
             break;
     }
@@ -222,7 +235,8 @@ SurfaceMesh inModel(SurfaceMesh mesh, const Placement& placement) {
         const Vec3& now = mesh.position(v);
         const Vec3& rest = mesh.restPosition(v);
         const bool rests = now.cast<float>() == rest.cast<float>();
-        mesh.setPosition(v, map.toModel(rests ? rest : now));
+        const Vec3 velocity = map.toModel(mesh.velocity(v)) - map.toModel(Vec3::Zero());
+        mesh.setState(v, map.toModel(rests ? rest : now), velocity);
     }
     return mesh;
 }
@@ -274,7 +288,9 @@ class ExportWriter {
           whole_(whole),
           format_(*meshFormatOf(target.file)),
           names_(target.folder.empty() ? folderOf(target.file) : target.folder) {
-        if (format_ != MeshFormat::stl && format_ != MeshFormat::glb) {
+        const bool hasImagesBeside =
+            format_ != MeshFormat::stl && format_ != MeshFormat::glb && format_ != MeshFormat::vtp;
+        if (hasImagesBeside) {
             addImages();
         }
         if (format_ == MeshFormat::obj) {
@@ -371,6 +387,13 @@ class ExportWriter {
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
                        const ExportLooks& looks) {
     return encode(gatherMesh(mesh, pieces, looks), format);
+}
+
+std::string encodeMeasured(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
+                           const ExportLooks& looks) {
+    ExportMesh gathered = gatherMesh(mesh, pieces, looks);
+    gathered.tellsQuantities = true;
+    return encode(gathered, format);
 }
 
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,

@@ -23,8 +23,16 @@ namespace kerf::app {
 /// - stl: binary; the attribute word of a triangle is its piece; no looks at all.
 /// - glb, gltf: glTF 2.0, a node and a mesh per piece with a primitive per material, and all images
 ///   in the file.
+/// - vtp: VTK XML PolyData with the arrays `piece`, `cut`, `strain` and `piece_volume` of the
+/// cells,
+///   `Normals` and `velocity` of the points; no looks at all.
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
                        const ExportLooks& looks = {});
+/// The same, with strain, velocity and volume in further formats: ply as `vx vy vz` of a vertex and
+/// `strain` and `piece_volume` of a face, glb and gltf as attributes `_VELOCITY` and `_STRAIN`, and
+/// the volume as an extra of a node.
+std::string encodeMeasured(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
+                           const ExportLooks& looks = {});
 
 /// The coordinates that a mesh is written in.
 enum class Coordinates {

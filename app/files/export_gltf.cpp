@@ -1,7 +1,5 @@
 #include "app/files/export_gltf.h"
 
-#include <nettle/base64.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,6 +10,7 @@
 #include <set>
 #include <string_view>
 
+#include "app/files/base64.h"
 #include "app/files/companion_names.h"
 #include "sim/mesh/triangle.h"
 
@@ -37,6 +36,8 @@ struct Primitive {
     std::vector<Vec3f> normals;
     std::vector<Eigen::Vector2f> uvs;     ///< empty where there are none
     std::vector<Eigen::Vector4f> colors;  ///< empty where there are none
+    std::vector<Vec3f> velocities;        ///< empty where they are not told
+    std::vector<float> strains;           ///< means of the faces at a vertex; empty as velocities
     std::vector<std::uint32_t> indices;
 };
 
@@ -56,8 +57,25 @@ std::vector<Vec3f> normalsWithin(const ExportMesh& part) {
     return sums;
 }
 
+/// By position: the mean of the faces of this part there.
+std::vector<float> strainsWithin(const ExportMesh& part) {
+    std::vector<float> sums(part.positions.size(), 0);
+    std::vector<float> counts(part.positions.size(), 0);
+    for (const ExportFace& face : part.faces) {
+        for (const int v : face.corners) {
+            sums[v] += face.strain;
+            counts[v] += 1;
+        }
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        sums[v] /= std::max(counts[v], 1.0F);
+    }
+    return sums;
+}
+
 Primitive primitiveOf(const ExportMesh& part) {
     Primitive out;
+    const std::vector<float> strains = strainsWithin(part);
     std::map<std::array<int, 3>, std::uint32_t> numbers;  // by position, coordinate and colour
     for (const ExportFace& face : part.faces) {
         for (int i = 0; i < 3; ++i) {
@@ -67,6 +85,10 @@ Primitive primitiveOf(const ExportMesh& part) {
             if (isNew) {
                 out.positions.push_back(part.positions[v]);
                 out.normals.push_back(part.normals[v]);
+                if (part.tellsQuantities) {
+                    out.velocities.push_back(part.velocities[v]);
+                    out.strains.push_back(strains[v]);
+                }
                 if (!part.uvs.empty()) {
                     // v runs downwards in glTF.
                     const Eigen::Vector2f& uv = part.uvs[face.uvs[i]];
@@ -128,6 +150,9 @@ class GltfFile {
         const std::size_t index = json_["meshes"].size();
         json_["meshes"].push_back({{"name", name}, {"primitives", primitives}});
         json_["nodes"].push_back({{"name", name}, {"mesh", index}});
+        if (mesh.tellsQuantities) {
+            json_["nodes"].back()["extras"] = {{"volume", mesh.pieceVolumes[piece]}};
+        }
         json_["scenes"][0]["nodes"].push_back(index);
     }
 
@@ -201,6 +226,10 @@ class GltfFile {
         if (!primitive.colors.empty()) {
             attributes["COLOR_0"] = addVectors(primitive.colors, "VEC4", false);
         }
+        if (!primitive.velocities.empty()) {
+            attributes["_VELOCITY"] = addVectors(primitive.velocities, "VEC3", false);
+            attributes["_STRAIN"] = addScalars(primitive.strains);
+        }
         const int view = addView(primitive.indices, kElementArrayBuffer);
         const int indices = addAccessor({{"bufferView", view},
                                          {"componentType", kUnsignedInt},
@@ -227,6 +256,13 @@ class GltfFile {
             accessor["max"] = std::vector<float>(high.begin(), high.end());
         }
         return addAccessor(std::move(accessor));
+    }
+
+    int addScalars(const std::vector<float>& values) {
+        return addAccessor({{"bufferView", addView(values, kArrayBuffer)},
+                            {"componentType", kFloat},
+                            {"count", values.size()},
+                            {"type", "SCALAR"}});
     }
 
     int addAccessor(Json accessor) {
@@ -275,13 +311,6 @@ void appendChunk(std::string& bytes, std::uint32_t type, std::string content, ch
     append(bytes, static_cast<std::uint32_t>(content.size()));
     append(bytes, type);
     bytes += content;
-}
-
-std::string base64(const std::string& bytes) {
-    std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
-    base64_encode_raw(text.data(), bytes.size(),
-                      reinterpret_cast<const std::uint8_t*>(bytes.data()));
-    return text;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "app/files/cut_planes.h"
 #include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/triangle.h"
+#include "sim/mesh/triangle_strain.h"
 
 namespace kerf::app {
 namespace {
@@ -89,11 +90,15 @@ class Gathering {
     }
 
     ExportMesh gather() {
+        for (const Piece& piece : pieces_.pieces) {
+            out_.pieceVolumes.push_back(piece.volume * scale_ * scale_ * scale_);
+        }
         const std::vector<int> numbers = numberUsedVertices(mesh_);
         for (int v = 0; v < mesh_.vertexCount(); ++v) {
             if (numbers[v] >= 0) {
                 out_.positions.push_back(mesh_.position(v).cast<float>());
                 out_.normals.push_back(vertexNormal(mesh_, v));
+                out_.velocities.push_back(mesh_.velocity(v).cast<float>());
             }
         }
         for (int t = 0; t < mesh_.triangleSlots(); ++t) {
@@ -128,12 +133,22 @@ class Gathering {
         const auto [a, b, c] = mesh_.triangle(t);
         ExportFace face{{numbers[a], numbers[b], numbers[c]}, pieces_.ofVertex[a]};
         face.cut = mesh_.kind(t) == SurfaceKind::wall;
+        face.strain = static_cast<float>(strainOf(t));
         if (face.cut) {
             lay(t, face);
         } else {
             paint(t, face);
         }
         return face;
+    }
+
+    /// Places at rest are in metres of the scene, whatever those of now are in.
+    double strainOf(int t) const {
+        Corners now = cornersOf(mesh_, t);
+        for (Vec3& corner : now) {
+            corner /= scale_;
+        }
+        return largestStrain(restCornersOf(mesh_, t), now);
     }
 
     /// A face of a cut, into its plane.

@@ -26,18 +26,24 @@ struct ExportFace {
     int material = 0;                       ///< index into ExportMesh::materials
     std::array<int, 3> uvs{-1, -1, -1};     ///< indices into ExportMesh::uvs; -1 for none
     std::array<int, 3> colors{-1, -1, -1};  ///< indices into ExportMesh::colors; -1 for none
+    float strain = 0;                       ///< see largestStrain()
 };
 
 /// A mesh without dead slots and unused vertices, in float as it is written.
 struct ExportMesh {
     std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;           ///< unit, area-weighted, one per position
+    std::vector<Vec3f> velocities;        ///< one per position [1/s, in the unit of positions]
     std::vector<Eigen::Vector2f> uvs;     ///< each once, in the order of their first use
     std::vector<Eigen::Vector4f> colors;  ///< linear; each once, in the order of their first use
     std::vector<ExportFace> faces;
     /// Those of the model, each with a name of its own; "skin" for what has none; "cut".
     std::vector<render::Material> materials;
     std::shared_ptr<const render::Appearance> appearance;  ///< with the images; may be null
+    std::vector<double> pieceVolumes;  ///< signed, by piece, in the unit of the positions
+    /// Strains, velocities and volumes are told where a format can, and not only where it is for
+    /// these.
+    bool tellsQuantities = false;
     std::string coordinates = "metres, +y up";  ///< what they are, for a comment in the file
 };
 
@@ -55,6 +61,8 @@ template <class Belongs>
 ExportMesh partOf(const ExportMesh& mesh, Belongs&& belongs) {
     ExportMesh part;
     part.coordinates = mesh.coordinates;
+    part.pieceVolumes = mesh.pieceVolumes;
+    part.tellsQuantities = mesh.tellsQuantities;
     part.materials = mesh.materials;
     part.appearance = mesh.appearance;
     std::vector<int> vertex(mesh.positions.size(), -1);
@@ -75,6 +83,7 @@ ExportMesh partOf(const ExportMesh& mesh, Belongs&& belongs) {
         for (int& v : copy.corners) {
             if (vertex[v] < 0) {
                 part.normals.push_back(mesh.normals[v]);
+                part.velocities.push_back(mesh.velocities[v]);
             }
             take(vertex, mesh.positions, part.positions, v);
         }

@@ -130,6 +130,18 @@ void AtomicFile::write(std::string_view bytes) {
     }
 }
 
+void AtomicFile::writeAllOf(const std::filesystem::path& file) {
+    std::ifstream from(file, std::ios::binary);
+    std::array<char, kWriteBlock> block{};
+    while (from.read(block.data(), block.size()) || from.gcount() > 0) {
+        write({block.data(), static_cast<std::size_t>(from.gcount())});
+    }
+    if (!from.eof() || from.bad()) {
+        throw OutputError(shownPath(file_) + ": it could not be written, since " + shownPath(file) +
+                          " can't be read; try it again.");
+    }
+}
+
 void AtomicFile::commit() {
     flush();
     out_.sync();

@@ -40,6 +40,8 @@ class AtomicFile {
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     void write(std::string_view bytes);
+    /// The bytes of a file of ours, of any size.
+    void writeAllOf(const std::filesystem::path& file);
     void commit();
 
   private:

@@ -1,5 +1,6 @@
 #include "app/files/mesh_formats.h"
 
+#include <algorithm>
 #include <array>
 
 #include "sim/base/text.h"
@@ -13,6 +14,7 @@ std::span<const MeshFormatInfo> meshFormats() {
         MeshFormatInfo{MeshFormat::stl, ".stl", "STL"},
         MeshFormatInfo{MeshFormat::glb, ".glb", "glTF, binary"},
         MeshFormatInfo{MeshFormat::gltf, ".gltf", "glTF"},
+        MeshFormatInfo{MeshFormat::vtp, ".vtp", "VTK"},
     };
     return kFormats;
 }
@@ -25,6 +27,10 @@ std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file) {
         }
     }
     return std::nullopt;
+}
+
+const MeshFormatInfo& infoOf(MeshFormat format) {
+    return *std::ranges::find(meshFormats(), format, &MeshFormatInfo::format);
 }
 
 }  // namespace kerf::app

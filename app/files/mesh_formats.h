@@ -8,7 +8,7 @@
 namespace kerf::app {
 
 /// Formats that a mesh can be written in.
-enum class MeshFormat { ply, obj, stl, glb, gltf };
+enum class MeshFormat { ply, obj, stl, glb, gltf, vtp };
 
 struct MeshFormatInfo {
     MeshFormat format = MeshFormat::obj;
@@ -19,5 +19,7 @@ struct MeshFormatInfo {
 std::span<const MeshFormatInfo> meshFormats();
 /// The format of a file's extension; none for any other extension.
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file);
+/// The row of a format.
+const MeshFormatInfo& infoOf(MeshFormat format);
 
 }  // namespace kerf::app

@@ -23,14 +23,6 @@ constexpr int kCheckFailed = 1;
     throw OutputError("No test was saved: " + why);
 }
 
-/// A sentence of a run without the name of the folder in which it was.
-std::string without(const std::string& folder, std::string sentence) {
-    for (std::size_t at = 0; (at = sentence.find(folder, at)) != std::string::npos;) {
-        sentence.erase(at, folder.size());
-    }
-    return sentence;
-}
-
 /// Runs a session file into `results`.
 void run(const fs::path& file, int steps, const fs::path& results, WorkProgress& progress) {
     std::vector<std::string> arguments = runArguments(file, results, true);
@@ -42,8 +34,7 @@ void run(const fs::path& file, int steps, const fs::path& results, WorkProgress&
     tell(0);
     const ChildOutcome outcome = runChild(arguments, progress, tell);
     if (outcome.exitCode != kDone && outcome.exitCode != kCheckFailed) {
-        refuse("the replay did not finish, " +
-               without(file.parent_path().string() + "/", sentenceAbout(outcome)));
+        refuse("the replay did not finish, " + sentenceAbout(outcome, file.parent_path()));
     }
 }
 

@@ -43,12 +43,19 @@ xdotool             moves the mouse in the window tests
 python3-numpy       remakes the builtin models, to compare them
 python3-jsonschema  checks sessions by their JSON Schema
 glslang-tools       is the reference compiler of shaders
+ffmpeg              makes films, and reads them again
 '
 zink_packages='
 mesa-vulkan-drivers  is the Vulkan driver below zink
 '
 bench_packages='
 libbullet-dev       is the peer of projecting constraints
+'
+package_packages='
+dpkg-dev            finds the packages that a package needs
+lintian             checks it
+desktop-file-utils  checks its desktop entry
+libxml2-utils       checks what it tells desktops
 '
 format_packages='
 clang-format        checks the layout of the code

@@ -35,6 +35,23 @@ TEST_F(FileChooserTest, ATestIsChosenUnderTheNameOfTheDocument) {
     EXPECT_EQ(dialog().purpose, FilePurpose::none) << "it closes";
 }
 
+TEST_F(FileChooserTest, AFilmEndsAsItsKindDoes) {
+    chooser.browse(FilePurpose::makeFilm, "ball");
+    EXPECT_EQ(dialog().name, "ball.mp4");
+    ASSERT_EQ(dialog().kinds.size(), 3U);
+    chooser.take(ui::ChooseFileKind{2});
+    EXPECT_EQ(dialog().name, "ball.gif");
+    chooser.take(ui::SetFilmLook{{.speed = 0.5, .captions = false, .turntable = true}});
+    chooser.take(ui::NameFile{"ball.avi"});
+    const std::optional<ChosenFile> chosen = chooser.take(ui::AcceptFile{});
+    ASSERT_TRUE(chosen);
+    EXPECT_EQ(chosen->purpose, FilePurpose::makeFilm);
+    EXPECT_EQ(chosen->file, folder / "ball.avi.gif");
+    EXPECT_EQ(chosen->film.speed, 0.5);
+    EXPECT_FALSE(chosen->film.captions);
+    EXPECT_TRUE(chosen->film.turntable);
+}
+
 TEST_F(FileChooserTest, RemembersWhereItSavedAndWhereItOpenedApart) {
     std::filesystem::create_directory(folder / "results");
     test::writeText(folder / "ball.obj", "");

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli/film.h"
+#include "app/cli/picture_size.h"
+#include "app/files/file_io.h"
+#include "ui/picture_strip.h"
+
+namespace kerf::app {
+
+/// A row of pictures of a run, as papers show it.
+struct StripOptions {
+    std::filesystem::path file;  ///< a .png; empty for none
+    int pictures = 0;            ///< from the start to the end, at least kFewestStripPictures
+    PictureSize size{480, 360};  ///< of each of them
+};
+inline constexpr int kFewestStripPictures = 2;
+/// How many pictures of a size a strip may have, so that every driver can draw it.
+int mostStripPictures(const PictureSize& size);
+
+/// Gathers the pictures of a strip while a session runs. The strip appears under its name only once
+/// it is complete.
+class FilmStrip {
+  public:
+    /// Throws OutputError where the file can't be written, as all functions here.
+    FilmStrip(const StripOptions& options, int steps);
+
+    /// Takes a picture of the state before a step, `time` into the simulation [s], where it is one
+    /// of those of the strip.
+    void show(int step, double time, const render::Camera& camera, const Film::Draw& draw);
+    /// Lets the strip appear, with what came until now; `title` stands above it. Needs a current
+    /// OpenGL context.
+    void finish(const std::string& title);
+
+  private:
+    /// The step of the picture that is to come next.
+    int nextStep() const;
+
+    StripOptions options_;
+    int steps_;
+    AtomicFile file_;
+    std::vector<ui::StripPicture> pictures_;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/files/export_mesh.h"
+#include "app/files/mesh_formats.h"
+#include "app/files/output_folder.h"
+#include "sim/mesh/invariants.h"
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf::app {
+
+/// What meshes of a run are written.
+struct SequenceOptions {
+    int every = 0;  ///< steps from one to the next; 0 for no sequence
+    MeshFormat format = MeshFormat::ply;
+};
+
+/// The folder of a sequence, in that of the results.
+inline constexpr const char* kSequenceFolder = "sequence";
+
+/// Writes a mesh of a body every few steps, and lists of them that other programs read.
+class MeshSequence {
+  public:
+    /// Removes the meshes of an earlier run. Throws OutputError, as all functions here.
+    MeshSequence(OutputFolder& folder, const SequenceOptions& options);
+
+    /// Whether the state before a step is one of the sequence; `last` is the step behind the run.
+    bool wants(int step, int last) const;
+    /// Writes the state before a step, `time` into the simulation [s].
+    void write(int step, double time, const SurfaceMesh& mesh, const PieceMap& pieces,
+               const ExportLooks& looks);
+    /// Writes the lists: sequence.EXTENSION.series, and sequence.pvd of .vtp files.
+    void finish();
+
+  private:
+    void removeEarlier();
+
+    struct Entry {
+        std::string file;  ///< without its folder
+        double time = 0;   ///< simulated [s]
+    };
+
+    OutputFolder& folder_;
+    SequenceOptions options_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "app/files/work_progress.h"
+#include "app/session/session.h"
+#include "ui/file_dialog_state.h"
+
+namespace kerf::app {
+
+/// Makes a film of a session by a replay in a process of its own; the extension of `file` is one of
+/// filmFormats(). The film appears complete or not at all. Throws OutputError with a sentence where
+/// there is none, and WorkCancelled.
+void filmSession(const Session& session, const std::filesystem::path& file,
+                 const ui::FilmLook& look, WorkProgress& progress);
+
+}  // namespace kerf::app

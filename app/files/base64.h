@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace kerf::app {
+
+/// Bytes as letters, four for three, padded by '=' (RFC 4648).
+std::string base64(std::string_view bytes);
+
+}  // namespace kerf::app

@@ -1,0 +1,140 @@
+// Meshes of a run on the way, and what other programs read in them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/files/csv.h"
+#include "app/files/model_source.h"
+#include "tests/paths.h"
+#include "tests/support/program_output.h"
+#include "tests/support/run_kerf.h"
+#include "tests/support/small_sessions.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::app {
+namespace {
+
+using test::ProgramRun;
+using test::readBytes;
+using test::runKerf;
+using test::writeText;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+namespace fs = std::filesystem;
+
+class SequenceTest : public testing::Test {
+  protected:
+    SequenceTest() { writeText(folder_ / "test.kerf.json", test::smallSession()); }
+
+    ProgramRun replay(const std::vector<std::string>& options) {
+        std::vector<std::string> words{"replay", path("test.kerf.json"), "--out", path("out")};
+        words.insert(words.end(), options.begin(), options.end());
+        return runKerf(words);
+    }
+    std::string path(const std::string& name) const { return folder_ / name; }
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const auto& entry : fs::directory_iterator(folder_ / "out/sequence")) {
+            all.push_back(entry.path().filename());
+        }
+        return all;
+    }
+
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(SequenceTest, HasAMeshEverySoManyStepsAndOfTheEnd) {
+    ASSERT_EQ(replay({"--sequence", "15", "--pieces"}).exitCode, 0);
+    EXPECT_THAT(names(),
+                UnorderedElementsAre("step-000000.ply", "step-000015.ply", "step-000030.ply",
+                                     "step-000040.ply", "sequence.ply.series"));
+    const auto series = nlohmann::json::parse(readBytes(path("out/sequence/sequence.ply.series")));
+    EXPECT_EQ(series["file-series-version"], "1.0");
+    ASSERT_EQ(series["files"].size(), 4u);
+    EXPECT_EQ(series["files"][1]["name"], "step-000015.ply");
+    EXPECT_NEAR(series["files"][1]["time"].get<double>(), 0.075, 1e-12);
+    const CsvTable pieces(path("out/pieces.csv"), 1 << 20);
+    MeshReport report;
+    loadModel(path("out/sequence/step-000015.ply"), &report);
+    EXPECT_EQ(report.pieces, 2);
+    double volume = 0;
+    for (std::size_t row = 0; row < pieces.rows(); ++row) {
+        const bool before = pieces.number(row, pieces.require("step")) == 14;
+        volume += before ? pieces.number(row, pieces.require("volume")) : 0;
+    }
+    EXPECT_NEAR(report.volume, volume, 1e-5) << "as step 14 left it";
+}
+
+TEST_F(SequenceTest, AnEarlierOneGoesAndWhatIsOfOthersStays) {
+    ASSERT_EQ(replay({"--sequence", "10", "--meshes", "vtp"}).exitCode, 0);
+    EXPECT_TRUE(fs::exists(path("out/sequence/sequence.pvd")));
+    writeText(path("out/sequence/notes.txt"), "mine");
+    writeText(path("out/sequence/step-one.ply"), "mine");
+    ASSERT_EQ(replay({"--sequence", "40", "--meshes", "OBJ"}).exitCode, 0);
+    EXPECT_THAT(names(), UnorderedElementsAre("step-000000.obj", "step-000040.obj",
+                                              "sequence.obj.series", "notes.txt", "step-one.ply"));
+}
+
+TEST_F(SequenceTest, ChangesNoState) {
+    ASSERT_EQ(replay({"--hashes"}).exitCode, 0);
+    const std::string hashes = readBytes(path("out/hashes.csv"));
+    ASSERT_EQ(replay({"--hashes", "--sequence", "1", "--meshes", "stl"}).exitCode, 0);
+    EXPECT_EQ(readBytes(path("out/hashes.csv")), hashes);
+    EXPECT_EQ(names().size(), 42u);
+}
+
+/// What tests/app/files/read_mesh.py finds in a mesh, as a JSON object.
+nlohmann::json figuresOf(const std::string& file) {
+    const std::string said =
+        test::outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR "/tests/app/files/read_mesh.py' '" +
+                       file + "' 2>&1");
+    return nlohmann::json::parse(said, nullptr, false);
+}
+
+TEST_F(SequenceTest, EachFormatHasTheQuantitiesThatItCanHold) {
+    for (const std::string format : {"vtp", "ply", "glb", "gltf"}) {
+        SCOPED_TRACE(format);
+        ASSERT_EQ(replay({"--sequence", "25", "--meshes", format, "--pieces"}).exitCode, 0);
+        const CsvTable pieces(path("out/pieces.csv"), 1 << 20);
+        const nlohmann::json found = figuresOf(path("out/sequence/step-000040." + format));
+        ASSERT_TRUE(found.is_object());
+        ASSERT_EQ(found["volumes"].size(), 2u);
+        for (std::size_t piece = 0; piece < 2; ++piece) {
+            const std::size_t row = pieces.rows() - 2 + piece;
+            const double volume = pieces.number(row, pieces.require("volume"));
+            EXPECT_NEAR(found["volumes"][piece].get<double>(), volume, 1e-6);
+            // Summed up over the triangles that the file has of the piece.
+            EXPECT_NEAR(found["measured_volumes"][piece].get<double>(), volume, 1e-6);
+        }
+        EXPECT_GT(found["cut_faces"].get<int>(), 20);
+        // It has fallen for 24 steps, from step 16 on.
+        EXPECT_LT(found["mean_velocity"][1].get<double>(), -0.3);
+        EXPECT_GT(found["mean_velocity"][1].get<double>(), -9.81 * 24 * 0.005);
+        EXPECT_GT(found["most_strain"].get<double>(), 1e-4);
+        EXPECT_LT(found["most_strain"].get<double>(), 1);
+    }
+}
+
+TEST_F(SequenceTest, TheIndexOfParaViewNamesAllFiles) {
+    ASSERT_EQ(replay({"--sequence", "20", "--meshes", "vtp"}).exitCode, 0);
+    const std::string index = readBytes(path("out/sequence/sequence.pvd"));
+    EXPECT_THAT(index, HasSubstr("<VTKFile type=\"Collection\""));
+    EXPECT_THAT(index, HasSubstr("timestep=\"0\" part=\"0\" file=\"step-000000.vtp\""));
+    EXPECT_THAT(index, HasSubstr("file=\"step-000020.vtp\""));
+    EXPECT_THAT(index, HasSubstr("file=\"step-000040.vtp\""));
+}
+
+TEST_F(SequenceTest, MistakesAreRefused) {
+    EXPECT_EQ(replay({"--sequence", "0"}).exitCode, 2);
+    const ProgramRun unknown = replay({"--sequence", "5", "--meshes", "abc"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_THAT(unknown.errors,
+                HasSubstr("'abc' is no format; there are obj, ply, stl, glb, gltf, vtp"));
+    EXPECT_EQ(replay({"--meshes", "ply"}).exitCode, 2);
+    EXPECT_FALSE(fs::exists(path("out")));
+}
+
+}  // namespace
+}  // namespace kerf::app
