@@ -7,7 +7,7 @@ set(KERF_CONTACT "Kerf maintainers <maintainers@kerf.invalid>" CACHE STRING
     "Name and address of who answers for the packages")
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
-set(sources ${PROJECT_SOURCE_DIR}/packaging)
+set(sources ${PROJECT_SOURCE_DIR}/scripts/packaging)
 set(made ${PROJECT_BINARY_DIR}/packaging)
 file(MAKE_DIRECTORY ${made})
 
@@ -30,7 +30,7 @@ add_custom_command(
 add_custom_target(kerf_package_files ALL
   DEPENDS ${made}/kerf.1.gz ${made}/kerf.bash ${made}/kerf.svg ${made}/changelog.gz)
 
-install(TARGETS kerf RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS kerf kerf-unite RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/assets
         DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf
         PATTERN "*.py" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "README.md" EXCLUDE)
