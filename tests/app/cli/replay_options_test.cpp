@@ -119,7 +119,7 @@ TEST_F(ReplayOptions, JsonLinesHaveTheColumnsOfTheMetrics) {
         const auto json = nlohmann::json::parse(line);
         for (const auto& item : json.items()) {
             const std::size_t column = metrics.require(item.key());
-            const std::string cell = metrics.cell(row, column);
+            const std::string& cell = metrics.cell(row, column);
             const auto expected = cell.empty() ? nlohmann::json() : nlohmann::json::parse(cell);
             EXPECT_EQ(item.value().dump(), expected.dump()) << item.key();
         }
