@@ -63,6 +63,7 @@ std::vector<Record> sharedRecords() {
                AT(third.blue_own)),
         RECORD(BladeRecord, AT(box.center), AT(box.x), AT(box.y), AT(box.z), AT(shift), AT(turn),
                AT(bevel)),
+        RECORD(VertexLoad, AT(given), AT(moment)),
         RECORD(VertexLinks, AT(counts[0]), AT(piece)),
         RECORD(PieceRecord, AT(origin), AT(first_block), AT(block_count), AT(constrained),
                AT(target_volume), AT(mass_per_area), AT(least_area)),
