@@ -182,9 +182,8 @@ MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
                           counted(filled.triangles, "triangle", "triangles"));
     }
     MeshReport found = inspectAndTurn(soup, std::move(repairs));
-    return options.repair && found.cuttable && found.pieces > 1
-               ? united(soup, std::move(found), options.progress)
-               : found;
+    return options.repair && found.cuttable ? united(soup, std::move(found), options.progress)
+                                            : found;
 }
 
 /// See ModelFault::fillableHoles.

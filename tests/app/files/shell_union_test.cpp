@@ -8,10 +8,12 @@
 #include <string>
 
 #include "app/files/import_process.h"
+#include "app/files/model_source.h"
 #include "app/files/shell_protocol.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/repair/crossings.h"
 #include "tests/support/shapes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -157,6 +159,17 @@ TEST(ShellUnion, APieceThatPassesThroughItselfIsLeft) {
     ASSERT_EQ(became.left.size(), 1u);
     EXPECT_THAT(became.left[0], HasSubstr("1 piece passes through itself"));
     EXPECT_EQ(soup.triangles, before.triangles);
+}
+
+TEST(ShellUnion, ARepairSaysWhatItLeavesOfAPieceThatPassesThroughItself) {
+    TriangleSoup soup = test::icosphereSoup(2);
+    soup.positions[0] = -1.5 * soup.positions[0];
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "crossed.obj", test::objText(soup));
+    app::ReadOptions options;
+    options.repair = true;
+    const app::ModelMesh model = app::readModel(folder / "crossed.obj", options);
+    EXPECT_THAT(model.remarks, testing::ElementsAre(HasSubstr("1 piece passes through itself")));
 }
 
 // --- What both programs send each other --------------------------------------------------------
