@@ -40,8 +40,10 @@
 namespace kerf::ui {
 namespace {
 
+/// Without Y and Z: a text field of Dear ImGui 1.86 keeps what it could undo when its text changes
+/// elsewhere, and to undo it then writes past the text, or aborts.
 void mapKeys(ImGuiIO& io) {
-    static constexpr std::array<std::pair<int, Key>, 21> kKeys{{
+    static constexpr std::array<std::pair<int, Key>, 19> kKeys{{
         {ImGuiKey_Tab, Key::tab},
         {ImGuiKey_LeftArrow, Key::left},
         {ImGuiKey_RightArrow, Key::right},
@@ -61,8 +63,6 @@ void mapKeys(ImGuiIO& io) {
         {ImGuiKey_C, Key::c},
         {ImGuiKey_V, Key::v},
         {ImGuiKey_X, Key::x},
-        {ImGuiKey_Y, Key::y},
-        {ImGuiKey_Z, Key::z},
     }};
     for (const auto& [imguiKey, key] : kKeys) {
         io.KeyMap[imguiKey] = static_cast<int>(key);

@@ -162,6 +162,24 @@ TEST_F(EditorFilesTest, KeysMeanNothingElseWhileADialogIsOpen) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces") << "and afterwards all is as before";
 }
 
+// Dear ImGui kept what it could undo when the name was changed elsewhere, and aborted.
+TEST_F(EditorFilesTest, WhatWasTypedIsNotUndoneInAnotherName) {
+    tap(Key::s, {.control = true});
+    frames(2);
+    type("a-name-that-is-longer-than-the-next-one");
+    tap(Key::backspace);
+    tap(Key::escape);
+    frames(2);
+    tap(Key::o, {.control = true});
+    frames(2);
+    for (int i = 0; i < 5; ++i) {
+        tap(Key::z, {.control = true});
+        tap(Key::y, {.control = true});
+    }
+    EXPECT_EQ(panels().files.purpose, ui::FilePurpose::open);
+    EXPECT_EQ(panels().files.name, "");
+}
+
 TEST_F(EditorFilesTest, ArrowsChooseAndBackspaceGoesUp) {
     std::filesystem::create_directory(folder / "a");
     test::writeText(folder / "b2.obj", "");
