@@ -57,6 +57,13 @@ lintian             checks it
 desktop-file-utils  checks its desktop entry
 libxml2-utils       checks what it tells desktops
 '
+docs_packages='
+python3-sphinx      makes a site of the pages
+python3-myst-parser  reads them as Markdown
+furo                is its theme: dark and light, wide and narrow
+libjs-katex         draws formulas without a network
+ffmpeg              makes films
+'
 format_packages='
 clang-format        checks the layout of the code
 '
