@@ -72,15 +72,17 @@ class EditorTest : public test::GlTest {
         editor = std::make_unique<Editor>(options, std::move(document));
         frames(2);
     }
+    /// Has one picture made.
+    virtual void frame() { editor->frame(kFrameSeconds); }
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
-            editor->frame(kFrameSeconds);
+            frame();
         }
     }
     /// Frames until nothing moves any more.
     void settle() {
         for (int i = 0; i < 400 && editor->idleSeconds() == 0; ++i) {
-            editor->frame(kFrameSeconds);
+            frame();
         }
     }
     void moveTo(double x, double y) { editor->post(ui::PointerMove{x, y, {}}); }
@@ -89,10 +91,10 @@ class EditorTest : public test::GlTest {
     }
     /// Frames until no file is on its way in or out any more, a minute at most.
     void waitForWork() {
-        editor->frame(kFrameSeconds);
+        frame();
         for (int i = 0; i < 12000 && editor->working(); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            editor->frame(kFrameSeconds);
+            frame();
         }
         ASSERT_FALSE(editor->working());
         frames(1);
