@@ -57,7 +57,8 @@ void cutAcross(Simulation& simulation, const Bounds& bounds) {
     simulation.execute(LiftBlade{});
 }
 
-/// The upper half lies on the lower one, on the floor.
+}  // namespace
+
 DriverFinding halvesFinding() {
     const std::string check = "A half on the other";
     const Stage stage(0);
@@ -95,6 +96,8 @@ DriverFinding handFinding() {
     return placeFinding(
         "In a hand", (simulation.bounds().high.y() - stage.bounds.high.y()) / stage.diagonal, 0.02);
 }
+
+namespace {
 
 DriverFinding pinsFinding() {
     const Stage stage(kFarBelow);

@@ -85,6 +85,26 @@ TEST_F(FaultyDriver, AShaderThatDoesNotCompileIsAFinding) {
 /// What one part of the doctor finds.
 using Part = std::vector<DriverFinding> (*)();
 
+std::vector<DriverFinding> findingsOfSphere() {
+    return kernelFindings({"sphere768"});
+}
+
+std::vector<DriverFinding> findingsOfBanana() {
+    return kernelFindings({"banana"});
+}
+
+std::vector<DriverFinding> findingsOfHalves() {
+    return {halvesFinding()};
+}
+
+std::vector<DriverFinding> findingsOfBox() {
+    return {boxFinding()};
+}
+
+std::vector<DriverFinding> findingsOfHand() {
+    return {handFinding()};
+}
+
 std::vector<DriverFinding> findingsOfCut() {
     return cutFindings().findings;
 }
@@ -106,27 +126,27 @@ std::ostream& operator<<(std::ostream& out, const Fault& fault) {
 
 constexpr Fault kFaults[] = {
     {"ABarrierIsMissingInTheKernelOfSmallBodies", "sim/small_body_state.glsl",
-     "    memoryBarrier();\n    barrier();\n", "", kernelFindings, "A whole step, ", "shared"},
+     "    memoryBarrier();\n    barrier();\n", "", findingsOfSphere, "A whole step, ", "shared"},
     {"ABarrierIsMissingInASum", "sim/measure.comp", "        barrier();\n        if (self < reach)",
-     "        if (self < reach)", kernelFindings, "Strain energy, "},
+     "        if (self < reach)", findingsOfSphere, "Strain energy, "},
     {"ANumberOfADispatchKeepsItsFirstValue", "sim/small_body.comp", "begins = numbers.x;",
      "begins = min(1u, numbers.x);", freeFallFindings, "Free fall, 20 substeps"},
     {"AnIndexIsWrong", "sim/gather.glsl", "* correctionAt(pair.z).xyz;",
-     "* correctionAt(pair.z + 1u).xyz;", kernelFindings, "Inner constraints, "},
+     "* correctionAt(pair.z + 1u).xyz;", findingsOfSphere, "Inner constraints, "},
     {"ASignIsWrong", "sim/floor.glsl", "d.y + lift", "d.y - lift", restFindings, "On the floor: "},
     {"AFactorIsWrong", "sim/constraints/bend.glsl", "vec3 g1 = sA * a", "vec3 g1 = 0.9 * sA * a",
-     kernelFindings, "Bends, "},
+     findingsOfSphere, "Bends, "},
     {"TheLastGroupIsMissing", "sim/settle.comp", "if (v >= uniforms.vertex_count) return;",
-     "if (v >= uniforms.vertex_count - uniforms.vertex_count % 32u) return;", kernelFindings,
+     "if (v >= uniforms.vertex_count - uniforms.vertex_count % 32u) return;", findingsOfBanana,
      "A whole step, "},
     {"APrefixSumIsWrong", "sim/contact/scan_blocks.comp", "uint place = partial[self] - sum;",
-     "uint place = partial[self];", meetingFindings, "A half on the other"},
-    {"AnAnswerToContactIsTurned", "sim/contact_answer.glsl", "vec3 impulse = approach * normal",
-     "vec3 impulse = -approach * normal", meetingFindings, "A half on the other"},
+     "uint place = 0u;", findingsOfHalves, "A half on the other"},
+    {"AnAnswerToContactIsTurned", "sim/contact_answer.glsl", "return pressed * normal",
+     "return -pressed * normal", findingsOfHalves, "A half on the other"},
     {"AFaceOfABoxIsMistaken", "sim/boxes/vertices.comp", "across + face.side * lift",
-     "across - face.side * lift", meetingFindings, "On a box"},
-    {"ADivisionIsSkipped", "sim/pull.glsl", " / (1.0 + 2.0 * r + r * r)", "", meetingFindings,
-     "In a hand"},
+     "across - face.side * lift", findingsOfBox, "On a box"},
+    {"AHandPushesWhereItPulls", "sim/pull.glsl", "? d - (pull.leads", "? d + (pull.leads",
+     findingsOfHand, "In a hand"},
     {"NormalsPointInwards", "render/normals.comp", "vec3 n = cross(u, v);", "vec3 n = cross(v, u);",
      findingsOfCut, "Picture"},
 };
