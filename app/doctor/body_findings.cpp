@@ -7,8 +7,10 @@
 
 #include "app/doctor/drawn_session.h"
 #include "app/files/builtin_models.h"
+#include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "gpu/data_path.h"
+#include "render/scene/picture_comparison.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {
@@ -18,6 +20,7 @@ constexpr const char* kModel = "sphere768";
 constexpr const char* kCutSession = "assets/sessions/sphere768.kerf.json";
 constexpr int kCutSteps = 260;             // through the cut and the fall, onto the floor
 constexpr double kMostVolumeError = 0.01;  // of rest, in motion
+constexpr const char* kPictureFile = "assets/doctor/cut.png";
 constexpr int kPictureWidth = 640;
 constexpr int kPictureHeight = 360;
 
@@ -124,23 +127,16 @@ CutRun playCut(const Session& session) {
     return run;
 }
 
-/// The share of a picture in which red is far above blue: citrus before a grey floor.
-double reddishShare(const render::Image& picture) {
-    constexpr int kAbove = 40;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
-        count += picture.pixels[i] > picture.pixels[i + 2] + kAbove ? 1 : 0;
-    }
-    return double(count) / (double(picture.width) * picture.height);
-}
-
+/// The picture must be what the software renderer drew, as people see it.
 DriverFinding pictureFinding(const render::Image& picture) {
-    constexpr double kLeast = 0.05;
-    constexpr double kMost = 0.4;
-    const double share = reddishShare(picture);
-    return {"Picture: the body in it", fmt::format("{:.1f} % of the picture", 100 * share),
-            fmt::format("{:.0f} to {:.0f} %", 100 * kLeast, 100 * kMost),
-            share >= kLeast && share <= kMost};
+    const render::PictureLimits& limits = render::kTolerantLimits;
+    const render::PictureComparison comparison =
+        render::comparePictures(picture, readPicture(gpu::dataPath(kPictureFile)));
+    return {"Picture",
+            fmt::format("{:.2f} % of its pixels differ, by {:.2f} at worst",
+                        100 * comparison.shareDiffering(), comparison.worst),
+            fmt::format("at most {:.0f} %, by {:.2f}", 100 * limits.pixels, limits.worst),
+            render::withinLimits(comparison, limits)};
 }
 
 }  // namespace

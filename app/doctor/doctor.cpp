@@ -7,6 +7,7 @@
 
 #include "app/doctor/body_findings.h"
 #include "app/doctor/kernel_findings.h"
+#include "app/doctor/meeting_findings.h"
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "sim/base/stopwatch.h"
@@ -74,6 +75,8 @@ Diagnosis diagnose(const Examination& examination) {
     examine(examination, diagnosis, "Free fall",
             [&] { append(diagnosis.findings, freeFallFindings()); });
     examine(examination, diagnosis, "Rest", [&] { append(diagnosis.findings, restFindings()); });
+    examine(examination, diagnosis, "Meeting",
+            [&] { append(diagnosis.findings, meetingFindings()); });
     examine(examination, diagnosis, "A cut", [&] {
         CutFindings cut = cutFindings();
         append(diagnosis.findings, std::move(cut.findings));

@@ -37,9 +37,9 @@ struct Examination {
 };
 
 /// Examines the driver of the context that is current: its limits, each kernel against the same in
-/// double precision, free fall, rest, a cut and the same cut again, a picture, and how fast the
-/// paper's models run. What throws there, such as a shader that does not compile, is a finding.
-/// Throws InputError where the builtin models are missing.
+/// double precision, free fall, rest, what a body meets, a cut and the same again, a picture, and
+/// how fast the paper's models run. What throws there, such as a shader that does not compile, is a
+/// finding. Throws InputError where the builtin models are missing.
 Diagnosis diagnose(const Examination& examination = {});
 
 }  // namespace kerf::app

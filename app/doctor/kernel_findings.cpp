@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <array>
 #include <functional>
 
 #include "app/files/builtin_models.h"
@@ -17,7 +16,6 @@ namespace {
 using shared::uint;
 
 constexpr unsigned kSeed = 7;
-constexpr std::array kModels{"sphere20", "sphere768", "banana"};
 // Shares of the diagonal of the body. Floats at displacements of 4e-4 of it are 2e-11 apart, at
 // positions 6e-8. Compilers that join products and sums differ by a few of those.
 constexpr double kDisplacementError = 1e-9;
@@ -101,9 +99,9 @@ DriverFinding energyFinding(const std::string& model, const SurfaceMesh& mesh) {
 
 }  // namespace
 
-std::vector<DriverFinding> kernelFindings() {
+std::vector<DriverFinding> kernelFindings(const std::vector<std::string>& models) {
     std::vector<DriverFinding> findings;
-    for (const std::string model : kModels) {
+    for (const std::string& model : models) {
         const SurfaceMesh mesh = loadModel(builtinModelFile(model));
         for (const Phase& phase : phases()) {
             findings.push_back(phaseFinding(phase, model, mesh));

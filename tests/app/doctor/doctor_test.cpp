@@ -2,14 +2,18 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <ostream>
 
+#include "app/doctor/body_findings.h"
 #include "app/doctor/kernel_findings.h"
+#include "app/doctor/meeting_findings.h"
 #include "app/files/file_io.h"
 #include "gpu/data_path.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/variable.h"
 
 namespace kerf::app {
 namespace {
@@ -44,7 +48,7 @@ TEST_F(DoctorTest, FindsNothingWrongHere) {
     EXPECT_TRUE(diagnosis.right());
     EXPECT_THAT(diagnosis.verdict(), HasSubstr("works as it should"));
     EXPECT_GT(diagnosis.picture.width, 0);
-    EXPECT_EQ(parts.size(), 4u);
+    EXPECT_EQ(parts.size(), 5u);
     EXPECT_FALSE(diagnosis.limits.empty());
 }
 
@@ -55,11 +59,7 @@ class FaultyDriver : public test::GlTest {
         GlTest::SetUp();
         fs::copy(gpu::shaderRoot(), folder_ / "shaders", fs::copy_options::recursive);
         fs::create_directory_symlink(gpu::dataPath("assets"), folder_ / "assets");
-        setenv("KERF_DATA_DIR", folder_.path().c_str(), 1);
-    }
-    void TearDown() override {
-        unsetenv("KERF_DATA_DIR");
-        GlTest::TearDown();
+        data_.emplace("KERF_DATA_DIR", folder_.path().string());
     }
     void replaceIn(const std::string& shader, const std::string& right, const std::string& wrong) {
         const fs::path file = folder_ / "shaders" / shader;
@@ -70,12 +70,8 @@ class FaultyDriver : public test::GlTest {
     }
 
     test::TemporaryFolder folder_;
+    std::optional<test::Variable> data_;
 };
-
-TEST_F(FaultyDriver, AKernelThatIsWrongIsFoundByItsName) {
-    replaceIn("sim/constraints/bend.glsl", "vec3 g1 = sA * a", "vec3 g1 = 0.9 * sA * a");
-    EXPECT_THAT(wrongOnes(kernelFindings()), Contains(HasSubstr("Bends, ")));
-}
 
 TEST_F(FaultyDriver, AShaderThatDoesNotCompileIsAFinding) {
     replaceIn("sim/constraints/bend.glsl", "vec3 g1 = ", "vec4 g1 = ");
@@ -85,6 +81,87 @@ TEST_F(FaultyDriver, AShaderThatDoesNotCompileIsAFinding) {
     EXPECT_THAT(wrongOnes(diagnosis.findings), Contains(HasSubstr("shaders that compile")));
     EXPECT_FALSE(diagnosis.right());
 }
+
+/// What one part of the doctor finds.
+using Part = std::vector<DriverFinding> (*)();
+
+std::vector<DriverFinding> findingsOfSphere() {
+    return kernelFindings({"sphere768"});
+}
+
+std::vector<DriverFinding> findingsOfBanana() {
+    return kernelFindings({"banana"});
+}
+
+std::vector<DriverFinding> findingsOfHalves() {
+    return {halvesFinding()};
+}
+
+std::vector<DriverFinding> findingsOfBox() {
+    return {boxFinding()};
+}
+
+std::vector<DriverFinding> findingsOfHand() {
+    return {handFinding()};
+}
+
+std::vector<DriverFinding> findingsOfCut() {
+    return cutFindings().findings;
+}
+
+/// A shader that a driver got wrong, and the check that must tell.
+struct Fault {
+    const char* name;
+    const char* shader;
+    const char* right;
+    const char* wrong;
+    Part part;
+    const char* check;
+    const char* kernels = "images";  ///< the way that has the fault
+};
+
+std::ostream& operator<<(std::ostream& out, const Fault& fault) {
+    return out << fault.name;
+}
+
+constexpr Fault kFaults[] = {
+    {"ABarrierIsMissingInTheKernelOfSmallBodies", "sim/small_body_state.glsl",
+     "    memoryBarrier();\n    barrier();\n", "", findingsOfSphere, "A whole step, ", "shared"},
+    {"ABarrierIsMissingInASum", "sim/measure.comp", "        barrier();\n        if (self < reach)",
+     "        if (self < reach)", findingsOfSphere, "Strain energy, "},
+    {"ANumberOfADispatchKeepsItsFirstValue", "sim/small_body.comp", "begins = numbers.x;",
+     "begins = min(1u, numbers.x);", freeFallFindings, "Free fall, 20 substeps"},
+    {"AnIndexIsWrong", "sim/gather.glsl", "* correctionAt(pair.z).xyz;",
+     "* correctionAt(pair.z + 1u).xyz;", findingsOfSphere, "Inner constraints, "},
+    {"ASignIsWrong", "sim/floor.glsl", "d.y + lift", "d.y - lift", restFindings, "On the floor: "},
+    {"AFactorIsWrong", "sim/constraints/bend.glsl", "vec3 g1 = sA * a", "vec3 g1 = 0.9 * sA * a",
+     findingsOfSphere, "Bends, "},
+    {"TheLastGroupIsMissing", "sim/settle.comp", "if (v >= uniforms.vertex_count) return;",
+     "if (v >= uniforms.vertex_count - uniforms.vertex_count % 32u) return;", findingsOfBanana,
+     "A whole step, "},
+    {"APrefixSumIsWrong", "sim/contact/scan_blocks.comp", "uint place = partial[self] - sum;",
+     "uint place = 0u;", findingsOfHalves, "A half on the other"},
+    {"AnAnswerToContactIsTurned", "sim/contact_answer.glsl", "return pressed * normal",
+     "return -pressed * normal", findingsOfHalves, "A half on the other"},
+    {"AFaceOfABoxIsMistaken", "sim/boxes/vertices.comp", "across + face.side * lift",
+     "across - face.side * lift", findingsOfBox, "On a box"},
+    {"AHandPushesWhereItPulls", "sim/pull.glsl", "? d - (pull.leads", "? d + (pull.leads",
+     findingsOfHand, "In a hand"},
+    {"NormalsPointInwards", "render/normals.comp", "vec3 n = cross(u, v);", "vec3 n = cross(v, u);",
+     findingsOfCut, "Picture"},
+};
+
+class FaultyKernel : public FaultyDriver, public ::testing::WithParamInterface<Fault> {};
+
+TEST_P(FaultyKernel, IsFound) {
+    const Fault& fault = GetParam();
+    replaceIn(fault.shader, fault.right, fault.wrong);
+    const test::Variable kernels("KERF_KERNELS", fault.kernels);
+    EXPECT_THAT(wrongOnes(fault.part()), Contains(HasSubstr(fault.check)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, FaultyKernel, ::testing::ValuesIn(kFaults),
+                         [](const auto& fault) { return std::string(fault.param.name); });
 
 TEST(DriverLimits, WhatIsLackingIsNamedWithWhatIsNeeded) {
     std::vector<gpu::DriverLimit> limits{{"GL_A", "storage buffers", 16, 16},
