@@ -273,10 +273,7 @@ FemCase ballCase(bool half) {
     ball.events = course.take();
     const Bounds cap = capOfBall();
     ball.pinned = Vec3(cap.center().x(), kRadius, 0);
-    Bounds pole;
-    pole.add(Vec3(0, -kRadius, 0));
-    pole.widen(kHair);
-    ball.probe = pole;
+    ball.hangs = true;
     ball.solid = ballSolid(half, 3);
     ball.coarseSolid = ballSolid(half, 2);
     return ball;

@@ -25,8 +25,9 @@ struct FemCase {
     std::vector<SessionEvent> events;  ///< pins, stroke, load
     int loaded = 0;                    ///< step from which on it may come to rest
     Vec3 pinned = Vec3::Zero();        ///< a point at rest, the vertex nearest to which is pinned
-    /// What comes down, at rest; none where the opening counts alone.
+    /// What comes down, at rest; none where the opening counts alone, or the lowest point.
     std::optional<Bounds> probe;
+    bool hangs = false;              ///< its lowest point is what comes down
     std::optional<double> cutPlane;  ///< x of the cut
     bool opens = false;              ///< whether the cut has lips that can be measured
     SolidProblem solid;              ///< the same as finite elements

@@ -153,6 +153,8 @@ FemFigures figuresOf(const FemCase& each, const LoadedSurface& surface) {
     FemFigures figures;
     if (each.probe) {
         figures.sag = sagOf(surface, *each.probe);
+    } else if (each.hangs) {
+        figures.sag = sagOfLowest(surface);
     }
     if (each.opens) {
         figures.opening = openingOf(surface);
@@ -185,7 +187,8 @@ std::string formatFemReport(const std::vector<FemResult>& results) {
                "solid, with the same Young's modulus of 100 kPa, density, pins and load. Poisson's "
                "ratio of the elements is {}; Kerf's bodies have none, and keep their volume. Cuts "
                "are made by a blade before the load, those of the elements are there from the "
-               "start. Kerf's body is compared once it rests. *Sag* is how far the free end comes "
+               "start. Kerf's body is compared once it rests. *Sag* is how far the free end, or "
+               "the lowest point, comes "
                "down, *opening* how far the lips stand apart in the middle. *Shape* is the "
                "distance of the vertices of either surface from the other one. An exclamation "
                "mark stands beyond a bar: 15 % of what the elements say, or 5 % of the "

@@ -115,6 +115,15 @@ double sagOf(const LoadedSurface& surface, const Bounds& probe) {
     return sum / count;
 }
 
+double sagOfLowest(const LoadedSurface& surface) {
+    const auto lowest = [](const std::vector<Vec3>& points) {
+        double y = 1e300;
+        std::ranges::for_each(points, [&](const Vec3& p) { y = std::min(y, p.y()); });
+        return y;
+    };
+    return lowest(surface.rest) - lowest(surface.positions);
+}
+
 double openingOf(const LoadedSurface& surface) {
     double top = -1e300;
     for (const Vec3& p : surface.rest) {

@@ -29,6 +29,8 @@ LoadedSurface surfaceOf(const SolidMesh& solid, const std::vector<Vec3>& positio
 
 /// How far the points that lie in a box at rest have come down, in the mean [m].
 double sagOf(const LoadedSurface& surface, const Bounds& probe);
+/// How far the lowest point has come down [m].
+double sagOfLowest(const LoadedSurface& surface);
 /// How far the lips of a cut stand apart on the upper side of the body, at z = 0 [m]; 0 without a
 /// cut.
 double openingOf(const LoadedSurface& surface);
