@@ -20,6 +20,7 @@
 #include "app/cli/doctor_verb.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/experiment_verb.h"
+#include "app/cli/fem/fem_experiment.h"
 #include "app/cli/inspect_verb.h"
 #include "app/cli/materials_verb.h"
 #include "app/cli/replay_verb.h"
@@ -296,25 +297,31 @@ void describeReplay(Parser& parser, Arguments& arguments) {
         ->excludes(json);
 }
 
-/// "sphere20, ..., banana, bar, all".
+/// Those that are none of the paper's.
+bool isOwnExperiment(const std::string& name) {
+    return name == kBarExperiment || name == kFemExperiment;
+}
+
+/// "sphere20, ..., banana, bar, fem, all".
 std::string experimentNames() {
     std::string names;
     for (const PaperExperiment& experiment : paperExperiments()) {
         names += std::string(experiment.name) + ", ";
     }
-    return names + kBarExperiment + ", all";
+    return names + kBarExperiment + ", " + kFemExperiment + ", all";
 }
 
 std::string refuseUnknownExperiment(const std::string& name) {
     const bool known =
-        name == "all" || name == kBarExperiment || findPaperExperiment(name) != nullptr;
+        name == "all" || isOwnExperiment(name) || findPaperExperiment(name) != nullptr;
     return known ? "" : "there is no experiment '" + name + "'; there are " + experimentNames();
 }
 
 void describeExperiment(Parser& parser, Arguments& arguments) {
-    parser.experiment = parser.app.add_subcommand(
-        "experiment",
-        "Run the paper's experiments, or the virtual test bench, headless and write a report");
+    parser.experiment = parser.app.add_subcommand("experiment",
+                                                  "Run the paper's experiments, the virtual test "
+                                                  "bench, or a comparison with finite elements, "
+                                                  "headless and write a report");
     parser.experiment->add_option("NAME", arguments.experiment.name, experimentNames())
         ->required()
         ->check(refuseUnknownExperiment);
@@ -677,10 +684,11 @@ int runCommandLine(int argc, char** argv) {
         return complain("A verb comes first and takes its own files; see kerf --help.", kExitUsage);
     }
     const bool likePaper = arguments.experiment.published || parser.experiment->count("--runs") > 0;
-    if (likePaper && arguments.experiment.name == kBarExperiment) {
-        return complain(
-            "'bar' is none of the paper's experiments and takes neither --published nor --runs.",
-            kExitUsage);
+    if (likePaper && isOwnExperiment(arguments.experiment.name)) {
+        return complain("'" + arguments.experiment.name +
+                            "' is none of the paper's experiments and takes neither --published "
+                            "nor --runs.",
+                        kExitUsage);
     }
     return runVerbSafely(parser, arguments);
 }

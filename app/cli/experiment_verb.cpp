@@ -11,6 +11,7 @@
 #include "app/cli/experiment/experiment_report.h"
 #include "app/cli/experiment/experiment_runs.h"
 #include "app/cli/experiment/report_figures.h"
+#include "app/cli/fem/fem_experiment.h"
 #include "app/files/file_io.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
@@ -111,6 +112,9 @@ int complainAboutFailures(const std::vector<ExperimentResult>& results, std::ost
 int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std::ostream& errors) {
     if (arguments.name == kBarExperiment) {
         return runBarExperiment(arguments.out, arguments.json, out, errors);
+    }
+    if (arguments.name == kFemExperiment) {
+        return runFemExperiment(arguments.out, arguments.json, out);
     }
     const std::vector<const PaperExperiment*> experiments = chosenExperiments(arguments.name);
     gpu::EglContext context;

@@ -8,9 +8,11 @@ namespace kerf::app {
 
 /// The arguments of `kerf experiment NAME|all --out DIR [--published] [--runs N] [--json]`, parsed.
 struct ExperimentArguments {
-    std::string name;        ///< of an experiment, "bar" or "all"
-    bool published = false;  ///< with the paper's solver, contact and course of the cut; not "bar"
-    int runs = 5;            ///< of each stroke, for the spread of frame rates; not "bar"
+    std::string name;  ///< of an experiment, "bar", "fem" or "all"
+    /// With the paper's solver, contact and course of the cut; neither "bar" nor "fem".
+    bool published = false;
+    /// Of each stroke, for the spread of frame rates; neither of "bar" nor of "fem".
+    int runs = 5;
     std::filesystem::path out;
     bool json = false;
 };
@@ -20,7 +22,8 @@ struct ExperimentArguments {
 /// stroke for the spread of frame rates. The figures go into DIR/figures, and DIR/report.md comes
 /// last. Prints the volumes beside the paper's on `out`; the first failed check
 /// goes to `errors`. Returns the exit code, 0 or 1. Throws what replaySession throws, and
-/// gpu::ContextError. "bar" is the test bench instead, which "all" leaves out: runBarExperiment.
+/// gpu::ContextError. "bar" is the test bench instead and "fem" the comparison with finite
+/// elements, which "all" leaves out: runBarExperiment, runFemExperiment.
 int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std::ostream& errors);
 
 }  // namespace kerf::app

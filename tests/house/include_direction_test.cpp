@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 /// The room of plain versions of the kernels, which tests and benchmarks alone may include.
 const fs::path kReference = "sim/reference";
-const fs::path kDoctor = "app/doctor";  // compares the GPU with it on people's machines
+/// Who compares with it on people's machines: the GPU, and Kerf's bodies.
+const std::vector<fs::path> kComparing = {"app/doctor", "app/cli/fem"};
 
 /// All rooms, each of which may include itself and what stands before it. A file belongs to the
 /// longest path that it lies below, so the words of a folder may stand before its rooms (sim/cut)
@@ -74,9 +75,10 @@ std::optional<std::size_t> rankOf(const fs::path& path) {
 bool mayInclude(const fs::path& from, const fs::path& included) {
     const std::optional<std::size_t> own = rankOf(from);
     const std::optional<std::size_t> other = rankOf(included);
-    const bool testOnly = *included.begin() == "tests" || *included.begin() == "bench" ||
-                          (included.parent_path() == kReference &&
-                           from.parent_path() != kReference && from.parent_path() != kDoctor);
+    const bool testOnly =
+        *included.begin() == "tests" || *included.begin() == "bench" ||
+        (included.parent_path() == kReference && from.parent_path() != kReference &&
+         std::ranges::count(kComparing, from.parent_path()) == 0);
     return !own || (!testOnly && (!other || *other <= *own));
 }
 
