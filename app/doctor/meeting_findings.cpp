@@ -72,7 +72,7 @@ DriverFinding halvesFinding() {
     const bool firstIsLower = boxes[0].center().y() < boxes[1].center().y();
     const Bounds& lower = boxes[firstIsLower ? 0 : 1];
     const Bounds& upper = boxes[firstIsLower ? 1 : 0];
-    return placeFinding(check, (upper.low.y() - lower.high.y()) / stage.diagonal, 0.05);
+    return placeFinding(check, (upper.low.y() - lower.high.y()) / stage.diagonal, 0.03);
 }
 
 DriverFinding boxFinding() {

@@ -119,7 +119,9 @@ class Display:
         self.lock = threading.Lock()  # a window at a time, so that each is known for sure
         out, into = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(into), "-screen", "0", "1280x720x24", "-nolisten", "tcp"],
+            # Without -noreset it starts anew when a window goes, and the next one can't open.
+            ["Xvfb", "-displayfd", str(into), "-screen", "0", "1280x720x24", "-nolisten", "tcp",
+             "-noreset"],
             pass_fds=[into], stderr=subprocess.DEVNULL)
         os.close(into)
         with os.fdopen(out) as said:

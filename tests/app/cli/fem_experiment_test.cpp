@@ -78,7 +78,7 @@ FemResult resultOf(double sag, double opening, double largest) {
     result.kerf = {sag, opening, 1.02};
     result.elements = {0.010, 0.002, 1};
     result.coarse = {0.0098, 0.0019, 1};
-    result.shape = {largest, largest / 2};
+    result.shape = {largest, largest / 4};
     result.diagonal = 0.4;
     return result;
 }
@@ -95,11 +95,11 @@ TEST(FemReport, MarksWhatIsBeyondABar) {
     const std::string report =
         app::formatFemReport({resultOf(0.0114, 0.0018, 0.019), resultOf(0.0116, 0.0018, 0.021)});
     EXPECT_NE(report.find("| 11.40 | 10.00 | +14.0 | 1.80 | 2.00 | -10.0 | 102.00 | 100.00 | +2.0 "
-                          "| 4.75 | 2.38 | yes |"),
+                          "| 4.75 | 1.19 | yes |"),
               std::string::npos)
         << report;
     EXPECT_NE(report.find("| 11.60 | 10.00 | +16.0 ! |"), std::string::npos) << report;
-    EXPECT_NE(report.find("| 5.25 ! | 2.63 | no |"), std::string::npos) << report;
+    EXPECT_NE(report.find("| 5.25 ! | 1.31 | no |"), std::string::npos) << report;
     EXPECT_NE(report.find("| 20 iterations | 1 of 2 | 2 of 2 | 2 of 2 | 1 of 2 | 1 of 2 |"),
               std::string::npos)
         << report;
@@ -147,7 +147,9 @@ TEST_F(FemExperiment, CutsABarAndComparesItAtRest) {
     // Finite elements of a bar that is whole sag by 15 mm.
     EXPECT_GT(*result.elements.sag, 0.015);
     EXPECT_GT(*result.elements.opening, 0.001);
-    EXPECT_NEAR(*result.kerf.sag / *result.elements.sag, 1, 0.5);
+    const double share = *result.kerf.sag / *result.elements.sag;  // Kerf is softer at a notch
+    EXPECT_GT(share, 0.5);
+    EXPECT_LT(share, 2);
     EXPECT_GT(*result.kerf.opening, 0.001);
     EXPECT_NEAR(result.kerf.volumeRatio, 1, 1e-3);
     EXPECT_GT(result.shape.largest, result.shape.mean);
