@@ -267,15 +267,9 @@ class Replay {
             film_->pass(simulation_.params().timeStep);
         }
         const double outsideMs = outside_.take();
-        const MetricsRow row{report, fractureEnergyOf(report), std::exchange(pictureMs_, 0),
+        const MetricsRow row{report, std::exchange(pictureMs_, 0),
                              watch.milliseconds() - outsideMs};
         publish(row, listener);
-    }
-
-    /// None where the material does not tell its toughness.
-    std::optional<double> fractureEnergyOf(const StepReport& report) const {
-        return session_.toughness ? std::optional(*session_.toughness * report.swept.atRest)
-                                  : std::nullopt;
     }
 
     /// After a step: what is written and told of it.

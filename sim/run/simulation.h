@@ -71,8 +71,11 @@ class Simulation {
     bool timeRuns() const;
     const Params& params() const;
     const StepReport& report() const;
-    /// The pose of the blade; none while lifted.
+    /// The pose of the blade, as it is led; none while lifted.
     std::optional<Blade> blade() const;
+    /// Where its edge is: the pose, but where the material holds the edge back
+    /// (StepReport::heldEdge).
+    std::optional<Blade> bladeEdge() const;
     /// The blade's body where it pushes; none while it only cuts, or has not moved since it was
     /// placed.
     std::optional<BladeMotion> bladeBody() const;
