@@ -107,9 +107,10 @@ struct Session {
     ModelReference model;
     Placement placement;
     std::vector<FurtherModel> moreModels;  ///< models 1, 2, ... of the scene
+    /// The material that comes with Kerf whose values and look it has at the start; empty: none.
+    std::string material;
     Params params;
-    std::optional<double> toughness;  ///< of its material, where that is known [J/m^2]
-    std::vector<StaticBox> boxes;     ///< at the start
+    std::vector<StaticBox> boxes;  ///< at the start
     int steps = 0;
     std::vector<SessionEvent> events;  ///< by step, the file's order within one
     std::optional<render::Camera> view;

@@ -379,7 +379,8 @@ class ObjectReader : public NoFields {
         if (const auto node = find(word.name)) {
             material_ = readMaterialOf(*node, baseFolder_);
             applyMaterial(session.params, *material_);
-            session.toughness = material_->toughness.value;
+            const std::string text = readString(*node);
+            session.material = namesMaterialFile(text) ? "" : text;
         }
     }
 

@@ -141,7 +141,7 @@ void BodyUpdater::buildEdgesAndBends() {
     forEachEdge(mesh_, [&](int h) {
         const int g = mesh_.twin(h);
         slotsOfEdge_[h].edge = slotsOfEdge_[g].edge = static_cast<int>(model_.edges.size());
-        model_.edges.push_back(edgeConstraint(mesh_, h, thicknessAt(h)));
+        model_.edges.push_back(edgeConstraint(mesh_, h, thicknessAt(h), skinAt(h)));
         halfEdgesOfEdge_.emplace_back(h, g);
         if (const auto bend = bendConstraint(mesh_, h, thicknessAt(h))) {
             slotsOfEdge_[h].bend = slotsOfEdge_[g].bend = static_cast<int>(model_.bends.size());
@@ -151,8 +151,24 @@ void BodyUpdater::buildEdgesAndBends() {
     });
 }
 
+const BodyMember& BodyUpdater::memberAt(int halfEdge) const {
+    return model_.members[memberOfPiece_[labels_.ofVertex()[mesh_.target(halfEdge)]]];
+}
+
 double BodyUpdater::thicknessAt(int halfEdge) const {
-    return model_.members[memberOfPiece_[labels_.ofVertex()[mesh_.target(halfEdge)]]].thickness;
+    return memberAt(halfEdge).thickness;
+}
+
+double BodyUpdater::skinAt(int halfEdge) const {
+    return memberAt(halfEdge).skin;
+}
+
+/// The skin has become another one.
+void BodyUpdater::renewEdges() {
+    for (std::size_t i = 0; i < model_.edges.size(); ++i) {
+        const int h = halfEdgesOfEdge_[i].first;
+        model_.edges[i].geometry = edgeConstraint(mesh_, h, thicknessAt(h), skinAt(h)).geometry;
+    }
 }
 
 /// -1 where no triangle around the vertex is present.
@@ -231,17 +247,23 @@ int BodyUpdater::nearestOldPiece(int piece) const {
 bool BodyUpdater::setMaterials(std::span<const MemberMaterial> materials) {
     assert(materials.size() == model_.members.size());
     bool differ = false;
+    bool skinDiffers = false;
     for (std::size_t m = 0; m < materials.size(); ++m) {
         BodyMember& member = model_.members[m];
-        const auto& [modulus, density] = materials[m];
+        const auto& [modulus, density, skin] = materials[m];
         differ |= member.modulus != modulus || member.density != density;
+        skinDiffers |= member.skin != skin;
         member.modulus = modulus;
         member.density = density;
+        member.skin = skin;
     }
     if (differ) {
         updateMasses();
     }
-    return differ;
+    if (skinDiffers) {
+        renewEdges();
+    }
+    return differ || skinDiffers;
 }
 
 void BodyUpdater::growVertices() {
@@ -470,7 +492,7 @@ void BodyUpdater::addEdge(int h, RecordEditor<EdgeConstraint>& edges,
                           RecordEditor<BendConstraint>& bends) {
     const int g = mesh_.twin(h);
     const double thickness = thicknessAt(h);
-    const int edge = edges.add(edgeConstraint(mesh_, h, thickness));
+    const int edge = edges.add(edgeConstraint(mesh_, h, thickness, skinAt(h)));
     halfEdgesOfEdge_.resize(model_.edges.size());
     halfEdgesOfEdge_[edge] = {h, g};
     slotsOfEdge_[h].edge = slotsOfEdge_[g].edge = edge;

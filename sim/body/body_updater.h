@@ -34,6 +34,7 @@ struct BodyChange {
 struct MemberMaterial {
     double modulus = 1;
     double density = 1;
+    double skin = 0;  ///< see BodyMember::skin [m]
 };
 
 /// Carries the model of a body through cuts, at the cost of what each of them touches. As a set,
@@ -99,7 +100,10 @@ class BodyUpdater {
     std::array<std::uint32_t, 4> taggedTriangle(int triangle) const;
     int presentPieceOf(int vertex) const;
     double vertexArea(int vertex) const;
+    const BodyMember& memberAt(int halfEdge) const;
     double thicknessAt(int halfEdge) const;
+    double skinAt(int halfEdge) const;
+    void renewEdges();
 
     const SurfaceMesh& mesh_;
     BodyModel model_;

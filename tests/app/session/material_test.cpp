@@ -168,7 +168,7 @@ TEST(SessionMaterial, GivesTheParametersThatTheSessionDoesNotSet) {
     EXPECT_EQ(session.params.damping, *liver.damping.value);
     EXPECT_EQ(session.params.density, 900);
     Params rest = session.params;
-    for (const char* name : {"youngs_modulus", "density", "friction", "damping"}) {
+    for (const char* name : {"youngs_modulus", "density", "friction", "damping", "toughness"}) {
         setParam(rest, name, getParam(Params{}, name));
     }
     EXPECT_EQ(rest, Params{});
@@ -185,14 +185,35 @@ TEST(SessionMaterial, GivesItsLookWhereTheViewChoosesNone) {
     EXPECT_FALSE(own.colors.skin);
 }
 
-TEST(SessionMaterial, IsWrittenAsItsValues) {
+TEST(SessionMaterial, IsWrittenByNameWithItsValues) {
     const Session session =
         sessionOf(R"("material": "brain", "view": {"eye": [0, 0, 3], "target": [0, 0, 0]})");
     const std::string text = formatSession(session);
-    EXPECT_EQ(text.find("material"), std::string::npos);
+    EXPECT_THAT(text, HasSubstr("\"material\": \"brain\""));
     const Session again = parseSession(text, "/folder");
     EXPECT_EQ(again.params, session.params);
     EXPECT_EQ(again.colors, session.colors);
+}
+
+TEST(SessionMaterial, LosesItsNameWhereItIsAnotherOne) {
+    Session session = sessionOf(R"("material": "brain")");
+    session.params.youngsModulus *= 2;
+    const std::string text = formatSession(session);
+    EXPECT_EQ(text.find("material"), std::string::npos);
+    EXPECT_EQ(parseSession(text, "/folder").params, session.params);
+    Session plain = sessionOf(R"("material": "brain")");
+    plain.colors = {};
+    EXPECT_EQ(parseSession(formatSession(plain), "/folder").colors, plain.colors)
+        << "nor does its look come back";
+}
+
+TEST(SessionMaterial, TakesTheSkinOfTheOneBeforeAway) {
+    Params params;
+    applyMaterial(params, findMaterial("skin-over-fat", {}));
+    EXPECT_GT(params.skinThickness, 0);
+    EXPECT_GT(params.skinModulus, params.youngsModulus);
+    applyMaterial(params, findMaterial("liver", {}));
+    EXPECT_EQ(params.skinThickness, 0);
 }
 
 TEST(SessionMaterial, MayBeAFileBesideTheSession) {
@@ -231,7 +252,7 @@ TEST(MaterialSettings, MakeAMaterialFromTheValuesAsTheyAre) {
     EXPECT_TRUE(isMadeOf(params, material));
     EXPECT_EQ(material.colors.look, render::LookName::jelly);
     EXPECT_EQ(material.colors.skin, Vec3(0.1, 0.2, 0.3));
-    EXPECT_FALSE(material.toughness.value);
+    EXPECT_EQ(material.toughness.value, params.toughness);
     params.friction = 0.75;
     EXPECT_FALSE(isMadeOf(params, material));
 }
