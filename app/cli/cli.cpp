@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/bar_experiment.h"
 #include "app/cli/compare_verb.h"
 #include "app/cli/doctor_verb.h"
 #include "app/cli/exit_codes.h"
@@ -296,18 +295,21 @@ void describeReplay(Parser& parser, Arguments& arguments) {
         ->excludes(json);
 }
 
-/// "sphere20, ..., banana, bar, all".
+/// "sphere20, ..., banana, bar, ..., all".
 std::string experimentNames() {
     std::string names;
     for (const PaperExperiment& experiment : paperExperiments()) {
         names += std::string(experiment.name) + ", ";
     }
-    return names + kBarExperiment + ", all";
+    for (const OwnExperiment& experiment : ownExperiments()) {
+        names += std::string(experiment.name) + ", ";
+    }
+    return names + "all";
 }
 
 std::string refuseUnknownExperiment(const std::string& name) {
     const bool known =
-        name == "all" || name == kBarExperiment || findPaperExperiment(name) != nullptr;
+        name == "all" || findOwnExperiment(name) != nullptr || findPaperExperiment(name) != nullptr;
     return known ? "" : "there is no experiment '" + name + "'; there are " + experimentNames();
 }
 
@@ -677,10 +679,11 @@ int runCommandLine(int argc, char** argv) {
         return complain("A verb comes first and takes its own files; see kerf --help.", kExitUsage);
     }
     const bool likePaper = arguments.experiment.published || parser.experiment->count("--runs") > 0;
-    if (likePaper && arguments.experiment.name == kBarExperiment) {
-        return complain(
-            "'bar' is none of the paper's experiments and takes neither --published nor --runs.",
-            kExitUsage);
+    if (likePaper && findOwnExperiment(arguments.experiment.name) != nullptr) {
+        return complain("'" + arguments.experiment.name +
+                            "' is none of the paper's experiments and takes neither --published "
+                            "nor --runs.",
+                        kExitUsage);
     }
     return runVerbSafely(parser, arguments);
 }

@@ -3,14 +3,17 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "app/cli/bar_experiment.h"
+#include "app/cli/blade_experiment.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/experiment/experiment_report.h"
 #include "app/cli/experiment/experiment_runs.h"
 #include "app/cli/experiment/report_figures.h"
+#include "app/cli/materials_experiment.h"
 #include "app/files/file_io.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
@@ -108,9 +111,23 @@ int complainAboutFailures(const std::vector<ExperimentResult>& results, std::ost
 
 }  // namespace
 
+std::span<const OwnExperiment> ownExperiments() {
+    static constexpr std::array kOwn{OwnExperiment{kBarExperiment, runBarExperiment},
+                                     OwnExperiment{kBladeExperiment, runBladeExperiment},
+                                     OwnExperiment{kMaterialsExperiment, runMaterialsExperiment}};
+    return kOwn;
+}
+
+const OwnExperiment* findOwnExperiment(std::string_view name) {
+    const std::span<const OwnExperiment> all = ownExperiments();
+    const auto found =
+        std::ranges::find_if(all, [&](const OwnExperiment& own) { return own.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
 int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std::ostream& errors) {
-    if (arguments.name == kBarExperiment) {
-        return runBarExperiment(arguments.out, arguments.json, out, errors);
+    if (const OwnExperiment* own = findOwnExperiment(arguments.name)) {
+        return own->run(arguments.out, arguments.json, out, errors);
     }
     const std::vector<const PaperExperiment*> experiments = chosenExperiments(arguments.name);
     gpu::EglContext context;

@@ -2,15 +2,28 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace kerf::app {
 
+/// An experiment of Kerf's own, which "all" leaves out: it has a folder of its name.
+struct OwnExperiment {
+    const char* name;
+    int (*run)(const std::filesystem::path& folder, bool json, std::ostream& out,
+               std::ostream& errors);
+};
+std::span<const OwnExperiment> ownExperiments();
+/// Null where there is none of that name.
+const OwnExperiment* findOwnExperiment(std::string_view name);
+
 /// The arguments of `kerf experiment NAME|all --out DIR [--published] [--runs N] [--json]`, parsed.
 struct ExperimentArguments {
-    std::string name;        ///< of an experiment, "bar" or "all"
-    bool published = false;  ///< with the paper's solver, contact and course of the cut; not "bar"
-    int runs = 5;            ///< of each stroke, for the spread of frame rates; not "bar"
+    std::string name;        ///< of an experiment, or "all"
+    bool published = false;  ///< with the paper's solver, contact and course of the cut; of the
+                             ///< paper's experiments alone
+    int runs = 5;            ///< of each stroke, for the spread of frame rates; likewise
     std::filesystem::path out;
     bool json = false;
 };
@@ -20,7 +33,7 @@ struct ExperimentArguments {
 /// stroke for the spread of frame rates. The figures go into DIR/figures, and DIR/report.md comes
 /// last. Prints the volumes beside the paper's on `out`; the first failed check
 /// goes to `errors`. Returns the exit code, 0 or 1. Throws what replaySession throws, and
-/// gpu::ContextError. "bar" is the test bench instead, which "all" leaves out: runBarExperiment.
+/// gpu::ContextError. One of ownExperiments() is run instead where it has that name.
 int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std::ostream& errors);
 
 }  // namespace kerf::app
