@@ -329,6 +329,8 @@ void describeExperiment(Parser& parser, Arguments& arguments) {
                      "Runs of each stroke, for the spread of frame rates (5)")
         ->check(CLI::Range(1, kMostRepeats))
         ->type_name("N");
+    parser.experiment->add_flag("--whole", arguments.experiment.whole,
+                                "With bar: all combinations of settings, which takes hours");
     parser.experiment->add_flag("--json", arguments.experiment.json, "Print one JSON object");
 }
 
@@ -681,6 +683,9 @@ int runCommandLine(int argc, char** argv) {
         return complain(
             "'bar' is none of the paper's experiments and takes neither --published nor --runs.",
             kExitUsage);
+    }
+    if (arguments.experiment.whole && arguments.experiment.name != kBarExperiment) {
+        return complain("--whole is for 'bar' alone; leave it out.", kExitUsage);
     }
     return runVerbSafely(parser, arguments);
 }

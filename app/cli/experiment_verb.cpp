@@ -110,7 +110,7 @@ int complainAboutFailures(const std::vector<ExperimentResult>& results, std::ost
 
 int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std::ostream& errors) {
     if (arguments.name == kBarExperiment) {
-        return runBarExperiment(arguments.out, arguments.json, out, errors);
+        return runBarExperiment(arguments.out, arguments.whole, arguments.json, out, errors);
     }
     const std::vector<const PaperExperiment*> experiments = chosenExperiments(arguments.name);
     gpu::EglContext context;

@@ -11,6 +11,7 @@ struct ExperimentArguments {
     std::string name;        ///< of an experiment, "bar" or "all"
     bool published = false;  ///< with the paper's solver, contact and course of the cut; not "bar"
     int runs = 5;            ///< of each stroke, for the spread of frame rates; not "bar"
+    bool whole = false;      ///< all combinations of settings; "bar" alone
     std::filesystem::path out;
     bool json = false;
 };

@@ -41,6 +41,11 @@ const std::array kRows = {
          "itself, 1 as firm as the solver gets.",
          ParamType::real, 0, 1, false},
         &Params::ispcStiffness},
+    Row{{"true_modulus", "True modulus", "",
+         "1: the body is as stiff as Young's modulus says, by three turned ISPCs a vertex that "
+         "share the load with the skin; 0: the paper's ISPC along the normal. Not used by pbd.",
+         ParamType::integer, 0, 1, false},
+        &Params::trueModulus},
     Row{{"gravity", "Gravity", "m/s^2", "Acceleration of free fall along x, y (up) and z.",
          ParamType::vector, -100, 100, false},
         &Params::gravity},

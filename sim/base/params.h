@@ -33,6 +33,7 @@ struct Params {
     double timeStep = 0.005;            ///< [s]
     int iterations = 20;                ///< substeps of one sweep each, or sweeps of pbd
     double ispcStiffness = 0.5;         ///< 0 (none) to 1 (firm)
+    int trueModulus = 0;                ///< 1: as stiff as youngsModulus says; 0: plain ISPCs
     Vec3 gravity = {0, -9.81, 0};       ///< [m/s^2]
     std::optional<double> floor = 0.0;  ///< height [m]; none without a value
     double youngsModulus = 1e5;         ///< [Pa]

@@ -466,6 +466,17 @@ void BodyUpdater::updateIspcs(std::span<const int> changed, BodyChange& change) 
     change.constraints[shared::kIspc] = ispcs.takeChange();
 }
 
+BodyChange BodyUpdater::castIspcs(IspcRays rays) {
+    BodyChange change;
+    change.pieces.source.resize(model_.pieces.size());
+    std::iota(change.pieces.source.begin(), change.pieces.source.end(), 0);
+    RecordEditor ispcs = edit(model_.ispcs, shared::kIspc);
+    ispcs_->castAnew(model_, rays, ispcs);
+    change.constraints[shared::kIspc] = ispcs.takeChange();
+    addListed(change);
+    return change;
+}
+
 void BodyUpdater::addEdge(int h, RecordEditor<EdgeConstraint>& edges,
                           RecordEditor<BendConstraint>& bends) {
     const int g = mesh_.twin(h);

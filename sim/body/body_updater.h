@@ -61,6 +61,10 @@ class BodyUpdater {
     /// Sets what the members are made of, one each. Returns whether that differs from before: then
     /// all masses and compliances do.
     bool setMaterials(std::span<const MemberMaterial> materials);
+    /// How ISPCs are cast; along the normal at first.
+    IspcRays ispcRays() const { return ispcs_->rays(); }
+    /// Casts all ISPCs anew.
+    BodyChange castIspcs(IspcRays rays);
 
   private:
     /// The records that a half-edge shares with its twin; -1 for none.

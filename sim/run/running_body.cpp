@@ -106,6 +106,9 @@ void RunningBody::measureAtRest() {
 
 void RunningBody::apply(const Params& params) {
     solver.setUniforms(solverUniforms(params));
+    if (updater->ispcRays() != ispcRays(params)) {
+        castIspcs(ispcRays(params));
+    }
     if (updater->setMaterials(materialsOf(params, uncut->models.size()))) {
         solver.takeMaterials(model());
     }
@@ -117,6 +120,13 @@ void RunningBody::apply(const Params& params) {
     settings.openCut = params.openCut != 0;
     settings.search = params.cutSearch;
     solver.collisions().setSettings(contactSettings(params));
+}
+
+void RunningBody::castIspcs(IspcRays rays) {
+    whole = false;
+    const BodyChange change = updater->castIspcs(rays);
+    solver.update(model(), change, {}, {});
+    becomeWhole();
 }
 
 SnapshotPointer RunningBody::capture() {

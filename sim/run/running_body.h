@@ -97,6 +97,7 @@ struct RunningBody {
 
   private:
     std::vector<shared::PullRecord> leadsBack(const Params& params);
+    void castIspcs(IspcRays rays);
     std::vector<Vec3> placesAfter(const MovePins& move) const;
     void take(std::shared_ptr<const UncutBody> body);
     void lookUpTriangles();
