@@ -6,6 +6,7 @@
 #include "app/files/builtin_models.h"
 #include "app/files/file_io.h"
 #include "app/session/material_table.h"
+#include "app/session/session_action.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"
 
@@ -563,6 +564,27 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
     }
     requireModelsOfParams(session);
     return session;
+}
+
+SessionAction parseAction(const std::string& text, std::vector<std::string>& warnings) {
+    const json document = parseJson(text);
+    const bool named =
+        document.is_object() && document.contains(kTypeKey) && document.at(kTypeKey).is_string();
+    const std::string path = named ? shortened(document.at(kTypeKey).get<std::string>()) : "";
+    SessionAction action;
+    ObjectReader event({&document, path}, warnings);
+    event.action({kTypeKey, ""}, action);
+    event.warnAboutTheRest();
+    return action;
+}
+
+render::Camera parseCamera(const std::string& text, std::vector<std::string>& warnings) {
+    const json document = parseJson(text);
+    render::Camera camera;
+    ObjectReader view({&document, "view"}, warnings);
+    describe(view, camera);
+    view.warnAboutTheRest();
+    return camera;
 }
 
 Material parseMaterial(const std::string& text) {
