@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "render/scene/paste.h"
 #include "ui/caption.h"
@@ -39,10 +40,12 @@ std::optional<double> FilmClock::takeFrame() {
     return lastStep_ > 0 ? std::clamp(before / lastStep_, 0.0, 1.0) : 0;
 }
 
-Film::Film(const FilmOptions& options, const std::filesystem::path& unfinished, int steps)
+Film::Film(const FilmOptions& options, const std::filesystem::path& unfinished, int steps,
+           render::CameraPath path)
     : options_(options),
       rate_(rateOf(options)),
       steps_(steps),
+      path_(std::move(path)),
       clock_(options.speed / rate_),
       encoder_(options.file, unfinished, options.size.width, options.size.height, rate_),
       captions_(options.speed) {
@@ -58,16 +61,20 @@ void Film::note(const Command& command) {
 void Film::show(int step, double time, const render::Camera& camera, const Draw& draw) {
     std::optional<render::Image> picture;
     while (const std::optional<double> before = clock_.takeFrame()) {
-        if (!picture || options_.turntable) {
-            render::Camera seen = camera;
-            if (options_.turntable) {
-                seen.orbit(2 * std::numbers::pi * (step - *before) / steps_, 0);
-            }
-            picture = draw(seen, options_.size);
+        if (!picture || options_.turntable || !path_.empty()) {
+            picture = draw(cameraAt(step - *before, camera), options_.size);
             caption(*picture, time);
         }
         encoder_.add(*picture);
     }
+}
+
+render::Camera Film::cameraAt(double moment, const render::Camera& camera) const {
+    render::Camera seen = path_.empty() ? camera : path_.at(moment);
+    if (options_.turntable) {
+        seen.orbit(2 * std::numbers::pi * moment / steps_, 0);
+    }
+    return seen;
 }
 
 void Film::caption(render::Image& picture, double time) {

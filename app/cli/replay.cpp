@@ -98,7 +98,8 @@ class Replay {
           restBounds_(meshBounds(simulation_.mesh())),
           runner_(simulation_),
           iterations_(meanRestEdgeLength(uncut_->mesh)),
-          camera_(sessionCamera(session, restBounds_)) {
+          camera_(sessionCamera(session, restBounds_)),
+          path_(cameraPathOf(session)) {
         summary_.model = session.model.name();
         std::ranges::for_each(model.remarks,
                               [&](const std::string& sentence) { remark(sentence); });
@@ -171,6 +172,7 @@ class Replay {
             }
         });
     }
+    void take(const CameraEvent& /*event*/) const {}  // films know all of them from the start
     void take(const CheckEvent& event) {
         outside_.measure([&] { check(event); });
     }
@@ -179,7 +181,7 @@ class Replay {
     /// Films are begun before anything is simulated: what they need may be missing.
     void beginPictures() {
         if (!options_.film.file.empty()) {
-            film_.emplace(options_.film, folder_.pathOf(kUnfinishedFilm), steps_);
+            film_.emplace(options_.film, folder_.pathOf(kUnfinishedFilm), steps_, path_);
         }
         if (!options_.strip.file.empty()) {
             strip_.emplace(options_.strip, steps_);
@@ -206,7 +208,7 @@ class Replay {
                 film_->show(step_, time, camera_, draws);
             }
             if (strip_) {
-                strip_->show(step_, time, camera_, draws);
+                strip_->show(step_, time, path_.empty() ? camera_ : path_.at(step_), draws);
             }
         });
     }
@@ -426,6 +428,7 @@ class Replay {
     IterationWatch iterations_;
     VolumeWatch volumes_;
     render::Camera camera_;
+    const render::CameraPath path_;  ///< of films and strips
     RunSummary summary_;
     TimeOutside outside_;
     double pictureMs_ = 0;  ///< of the coming step
