@@ -4,6 +4,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "sim/base/pausing.h"
 #include "sim/body/constraint_builder.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/body/surface_tag.h"
@@ -182,16 +183,23 @@ BodyChange BodyUpdater::update(const CutDelta& delta) {
     BodyChange change;
     change.pieces = labels_.update(mesh_, changed);
     followMembers(change.pieces.source);
+    pausePoint();
     growVertices();
     followAbsent(changed);
+    pausePoint();
     updateAreas(delta, changed, change);
+    pausePoint();
     change.neighbourLists = change.vertices;
     updateMasses();
     updateSkinNormals(delta, changed, change.vertices);
     updateTriangles(changed, change);
+    pausePoint();
     updateNeighbours(change.neighbourLists);
+    pausePoint();
     updateShell(changed, change);
+    pausePoint();
     updateIspcs(changed, change);
+    pausePoint();
     addListed(change);
     return change;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/pausing.h"
 #include "sim/body/body_model.h"
 #include "sim/body/ispc_set.h"
 #include "sim/body/piece_masses.h"
@@ -103,10 +104,12 @@ class BodyUpdater {
 
     const SurfaceMesh& mesh_;
     BodyModel model_;
+    [[maybe_unused, no_unique_address]] PauseOfCopies afterModel_;
     PieceLabels labels_;
     SkinNormals skinNormals_;
     std::vector<VertexAreas> areas_;  ///< by piece
     std::vector<int> memberOfPiece_;
+    [[maybe_unused, no_unique_address]] PauseOfCopies afterPieces_;
     std::vector<int> slotOfTriangle_;     ///< in model_.triangles, by mesh slot; -1 for dead ones
     std::vector<EdgeSlots> slotsOfEdge_;  ///< by half-edge
     std::vector<std::pair<int, int>> halfEdgesOfEdge_;  ///< by edge record
@@ -114,6 +117,7 @@ class BodyUpdater {
     std::vector<int> absent_;                           ///< mesh slots, ascending
     IncidenceRooms triangleRooms_, neighbourRooms_;
     std::array<IncidenceRooms, kConstraintTypes> constraintRooms_;
+    [[maybe_unused, no_unique_address]] PauseOfCopies afterRooms_;
     std::optional<IspcSet> ispcs_;
 };
 

@@ -75,6 +75,7 @@ void RunningBody::startAnew() {
     mesh() = uncut->mesh;
     pausePoint();
     updater = std::make_unique<BodyUpdater>(uncut->body);
+    pausePoint();
     solver.setModel(model(), stateOf(mesh()));
     pausePoint();
     cutter.emplace(uncut->cutter);
@@ -139,6 +140,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
     pausePoint();
     cutter.emplace(snapshot.cutter);
     lookUpTriangles();
+    pausePoint();
     memory = snapshot.memory;
     sync.setBounds(memory.measure.bounds);
     solver.restoreModel(model(), stateOf(mesh()), snapshot.pages);
