@@ -242,9 +242,9 @@ TEST(BodyUpdater, CopiesInPortions) {
     const BodyUpdater body(mesh);
     int rests = 0;
     const Pauses pauses([&] { ++rests; });
-    const BodyUpdater copy(body);
+    const auto copy = std::make_unique<BodyUpdater>(body);
     EXPECT_EQ(rests, 3);
-    EXPECT_EQ(copy.model().triangles, body.model().triangles);
+    EXPECT_EQ(copy->model().triangles, body.model().triangles);
 }
 
 TEST(BodyUpdater, RunsTwiceToTheSameBits) {
