@@ -19,10 +19,11 @@ SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per listed
 SHARED_CONST uint kContactEdgePairsBinding = 2u;     // EdgePair, kEdgePairsPerPoint a point
 SHARED_CONST uint kContactStartsBinding = 9u;        // ContactBucket
 SHARED_CONST uint kContactSharesBinding = 9u;        // uint per vertex: contacts that it is part of
-SHARED_CONST uint kContactBlocksBinding = 10u;       // uint per block of buckets: its first entry
+SHARED_CONST uint kContactBlocksBinding = 10u;       // uint per block of buckets: its first entry; behind
+                                                     // them how many there are
 SHARED_CONST uint kContactSumsBinding = 10u;         // 6 int per vertex: fixed-point d, then X
 SHARED_CONST uint kContactReachBinding = 11u;        // PieceReach per piece
-SHARED_CONST uint kContactCountsBinding = 11u;       // uint per bucket: triangles left to enter
+SHARED_CONST uint kContactCountsBinding = 13u;       // uint per bucket: triangles left to enter
 SHARED_CONST uint kContactEntriesBinding = 12u;      // uint: triangles, bucket by bucket
 SHARED_CONST uint kContactRangesBinding = 12u;       // IncidenceRange per vertex: of
 SHARED_CONST uint kContactIncidenceBinding = 13u;    // 4 * triangle + corner
@@ -33,6 +34,7 @@ SHARED_CONST uint kContactStateBinding = 15u;       // ContactState
 SHARED_CONST uint kContactRingsBinding = 10u;       // as kContactIncidenceBinding
 SHARED_CONST uint kContactPiecesBinding = 8u;       // PieceRecord
 SHARED_CONST uint kContactMotionBinding = 9u;       // PieceMotion per piece
+SHARED_CONST uint kContactSearchedBinding = 7u;     // vec4: X when its piece last looked [m]
 
 // Of the kernels of the paper's contact, besides those of the grid.
 SHARED_CONST uint kPaperRequestsBinding = 3u;   // PaperRequest per triangle

@@ -59,6 +59,7 @@ struct ContactUniforms {
     uint vertex_count;
     uint triangle_count;
     uint bucket_count;  // a power of two, at least kGroupSize
+    float kept;         // how far pieces move before they look for candidates anew [m]
 };
 
 // The box around a triangle.
@@ -70,6 +71,9 @@ struct ContactBox {
 // Added to a bin: a word with these bits is an ordinary number as a float.
 SHARED_CONST uint kFirstBin = 0x3f800000u;
 SHARED_CONST uint kNoBin = 24u;  // of a triangle without an area
+
+// Of a triangle that the grid does not hold.
+SHARED_CONST uint kNoBucket = 0xffffffffu;
 
 // A bucket of the grid.
 struct ContactBucket {
@@ -91,12 +95,15 @@ struct PieceBounds {
 struct PieceMotion {
     PieceBounds place;     // of X [m]
     PieceBounds velocity;  // [m/s]
+    PieceBounds way;       // of X since the piece last looked for candidates [m]
 };
 
-// Up to where vertices of a piece look for triangles [m].
+// Up to where vertices of a piece look for triangles [m], and whether they do.
 struct PieceReach {
     float own;     // of their piece; below 0: they look for none
     float others;  // of other pieces; 0: none comes near
+    uint looks;    // 1: in this search; 0: what it found before still holds
+    uint looked;   // the search in which it did last
 };
 
 // A triangle that a point may touch.
@@ -135,6 +142,7 @@ struct ContactState {
     uint levels;                // bits of the grid's sizes in use
     uint contacts;              // so far in this substep
     uint last_contacts;         // in the last substep
+    uint searches;              // since all pieces had to look; 0: all have to
     uint largest[kGridLevels];  // as bits of a float: longest side of the boxes of a size [m]
 };
 

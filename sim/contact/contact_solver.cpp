@@ -18,15 +18,15 @@ namespace {
 
 using shared::uint;
 
-static_assert(sizeof(shared::ContactUniforms) == 56);
+static_assert(sizeof(shared::ContactUniforms) == 60);
 static_assert(sizeof(shared::ContactBox) == 32);
 static_assert(sizeof(shared::ContactBucket) == 16);
-static_assert(sizeof(shared::PieceMotion) == 48);
-static_assert(sizeof(shared::PieceReach) == 8);
+static_assert(sizeof(shared::PieceMotion) == 72);
+static_assert(sizeof(shared::PieceReach) == 16);
 static_assert(sizeof(shared::ContactCandidate) == 8);
 static_assert(sizeof(shared::ContactRecord) == 64);
 static_assert(sizeof(shared::EdgePair) == 12);
-static_assert(sizeof(shared::ContactState) == 104);
+static_assert(sizeof(shared::ContactState) == 108);
 
 constexpr double kReach = 0.5;           // h
 constexpr double kKept = 0.25;           // h: candidates are kept up to this motion
@@ -35,6 +35,34 @@ constexpr double kFarthest = 2;          // h: no candidate beyond
 constexpr int kSweeps = 2;               // over the contacts of a substep, as in ReferenceContact
 constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
+constexpr uint kEdgePairsPerPoint = shared::kEdgePairsPerPoint;
+
+/// The rows of some vertices in a buffer with as many elements for each of `count`.
+template <class T>
+std::vector<T> rowsOf(const gpu::Buffer& buffer, std::size_t count, std::span<const uint> points) {
+    const std::size_t width = buffer.size() / (sizeof(T) * count);
+    const std::vector<T> all = buffer.read<T>(0, width * count);
+    std::vector<T> rows;
+    rows.reserve(width * points.size());
+    for (const uint v : points) {
+        const auto row = all.begin() + static_cast<std::ptrdiff_t>(width * v);
+        rows.insert(rows.end(), row, row + static_cast<std::ptrdiff_t>(width));
+    }
+    return rows;
+}
+
+/// Fills such a buffer again, with `none` where no rows are.
+template <class T>
+void spreadRows(const std::vector<T>& rows, std::span<const uint> points, const T& none,
+                gpu::Buffer& buffer) {
+    std::vector<T> all(buffer.size() / sizeof(T), none);
+    const std::size_t width = points.empty() ? 0 : rows.size() / points.size();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(width * i), width,
+                    all.begin() + static_cast<std::ptrdiff_t>(width * points[i]));
+    }
+    buffer.assign(all);
+}
 
 }  // namespace
 
@@ -91,7 +119,8 @@ shared::ContactUniforms contactUniforms(const ContactSettings& settings, double 
 }
 
 ContactSolver::ContactSolver() {
-    kernels_.normals = gpu::Program::compute("sim/contact/normals.comp");
+    kernels_.restNormals = gpu::Program::compute("sim/contact/normals.comp");
+    kernels_.normals = gpu::Program::compute("sim/contact/normals.comp", {{"A_SEARCH", "1"}});
     kernels_.pieceMotion = gpu::Program::compute("sim/contact/piece_motion.comp");
     kernels_.pieceReach = gpu::Program::compute("sim/contact/piece_reach.comp");
     kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
@@ -133,6 +162,7 @@ void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
 // Not before contact is on: the buffers are larger than the body's own.
 void ContactSolver::takeBody() {
     const std::size_t n = body_.vertexCount;
+    searchedPositions_.resize(n * sizeof(shared::vec4));
     normals_.resize(n * sizeof(shared::vec4));
     restNormals_.resize(n * sizeof(shared::vec4));
     motions_.resize(std::max(body_.pieceCount, 1u) * sizeof(shared::PieceMotion));
@@ -140,11 +170,11 @@ void ContactSolver::takeBody() {
     grid_.resize(body_.triangleCount);
     candidates_.resize(n * kCandidatesPerPoint * sizeof(shared::ContactCandidate));
     points_.resize(n * sizeof(uint));
-    edgePairs_.resize(n * shared::kEdgePairsPerPoint * sizeof(shared::EdgePair));
+    edgePairs_.resize(n * kEdgePairsPerPoint * sizeof(shared::EdgePair));
     records_.resize(2 * n * sizeof(shared::ContactRecord));
     shares_.resize(n * sizeof(uint));
     sums_.resize(n * 6 * sizeof(int));
-    runNormals(*body_.restPositions, restNormals_);
+    findRestNormals();
 }
 
 void ContactSolver::uploadUniforms() {
@@ -167,6 +197,7 @@ void ContactSolver::beginStep(const RelativeMotion& motion) {
         return;
     }
     uniforms_ = contactUniforms(settings_, edgeLength_, motion.speed);
+    uniforms_.kept = static_cast<float>(kept * edgeLength_);
     uploadUniforms();
     if (std::exchange(bodyIsNew_, false)) {
         takeBody();
@@ -176,30 +207,33 @@ void ContactSolver::beginStep(const RelativeMotion& motion) {
 }
 
 void ContactSolver::search() {
-    searchedPositions_.copyFrom(*body_.positions);
-    searchedVelocities_.copyFrom(*body_.velocities);
+    if (!std::exchange(hasCandidates_, true) || candidateSettings_ != settings_) {
+        state_.clear();  // all look
+    }
     candidateSettings_ = settings_;
-    findFromSearched();
-}
-
-void ContactSolver::findFromSearched() {
-    runNormals(searchedPositions_, normals_);
     findReaches();
-    grid_.fill(searchedPositions_);
+    findNormals();
+    grid_.fill(*body_.positions);
     findCandidates();
     ++searches_;
-    hasCandidates_ = true;
 }
 
 ContactMemory ContactSolver::memory() const {
     if (!hasCandidates_) {
         return {};
     }
-    return {searchedPositions_.read<shared::vec4>(0, body_.vertexCount),
-            searchedVelocities_.read<shared::vec4>(0, body_.vertexCount),
-            candidateSettings_,
-            uniforms_,
-            {}};
+    ContactMemory out;
+    out.positions = searchedPositions_.read<shared::vec4>(0, body_.vertexCount);
+    out.pieces = reaches_.read<shared::PieceReach>(0, body_.pieceCount);
+    out.state = readState();
+    out.points = points_.read<uint>(0, out.state.points);
+    out.candidates =
+        rowsOf<shared::ContactCandidate>(candidates_, body_.vertexCount, out.points);
+    out.edgePairs = rowsOf<shared::EdgePair>(edgePairs_, body_.vertexCount, out.points);
+    out.normals = rowsOf<shared::vec4>(normals_, body_.vertexCount, out.points);
+    out.settings = candidateSettings_;
+    out.uniforms = uniforms_;
+    return out;
 }
 
 void ContactSolver::remember(const ContactMemory& memory) {
@@ -212,11 +246,30 @@ void ContactSolver::remember(const ContactMemory& memory) {
     takeBody();
     bodyIsNew_ = false;
     searchedPositions_.assign(memory.positions);
-    searchedVelocities_.assign(memory.velocities);
-    findFromSearched();
+    reaches_.assign(memory.pieces);
+    state_.write(0, std::span(&memory.state, 1));
+    points_.write(0, std::span(memory.points));
+    spreadRows(memory.candidates, memory.points, {shared::kNoVertex, 0}, candidates_);
+    spreadRows(memory.edgePairs, memory.points, {shared::kNoVertex, 0, 0}, edgePairs_);
+    spreadRows(memory.normals, memory.points, {}, normals_);
+    hasCandidates_ = true;
 }
 
-void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals) {
+void ContactSolver::findRestNormals() {
+    bindNormals(*body_.restPositions, restNormals_);
+    kernels_.restNormals.dispatch(body_.vertexCount);
+}
+
+/// After the reaches: of pieces that look alone.
+void ContactSolver::findNormals() {
+    bindNormals(*body_.positions, normals_);
+    body_.links->bindStorage(shared::kContactLinksBinding);
+    reaches_.bindStorage(shared::kContactReachBinding);
+    searchedPositions_.bindStorage(shared::kContactSearchedBinding);
+    kernels_.normals.dispatch(body_.vertexCount);
+}
+
+void ContactSolver::bindNormals(const gpu::Buffer& positions, const gpu::Buffer& normals) {
     uniformBuffer_.bindStorage(shared::kContactUniformsBinding);
     positions.bindStorage(shared::kContactPositionsBinding);
     body_.triangles->bindStorage(shared::kContactTrianglesBinding);
@@ -224,14 +277,16 @@ void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& 
     body_.incidence->bindStorage(shared::kContactIncidenceBinding);
     normals.bindStorage(shared::kContactNormalsBinding);
     state_.bindStorage(shared::kContactStateBinding);
-    kernels_.normals.dispatch(body_.vertexCount);
 }
 
 // Before the grid, whose cells are as wide as they ask for.
 void ContactSolver::findReaches() {
     motions_.clear();
-    searchedPositions_.bindStorage(shared::kContactPositionsBinding);
-    searchedVelocities_.bindStorage(shared::kContactVelocitiesBinding);
+    uniformBuffer_.bindStorage(shared::kContactUniformsBinding);
+    state_.bindStorage(shared::kContactStateBinding);
+    body_.positions->bindStorage(shared::kContactPositionsBinding);
+    body_.velocities->bindStorage(shared::kContactVelocitiesBinding);
+    searchedPositions_.bindStorage(shared::kContactSearchedBinding);
     body_.links->bindStorage(shared::kContactLinksBinding);
     body_.pieces->bindStorage(shared::kContactPiecesBinding);
     motions_.bindStorage(shared::kContactMotionBinding);
@@ -242,7 +297,7 @@ void ContactSolver::findReaches() {
 }
 
 void ContactSolver::findCandidates() {
-    searchedVelocities_.bindStorage(shared::kContactVelocitiesBinding);
+    body_.velocities->bindStorage(shared::kContactVelocitiesBinding);
     body_.restPositions->bindStorage(shared::kContactRestBinding);
     body_.links->bindStorage(shared::kContactLinksBinding);
     reaches_.bindStorage(shared::kContactReachBinding);
@@ -307,6 +362,10 @@ std::vector<std::vector<shared::ContactCandidate>> ContactSolver::readCandidates
         }
     }
     return out;
+}
+
+std::vector<shared::PieceReach> ContactSolver::readReaches() const {
+    return reaches_.read<shared::PieceReach>(0, reaches_.size() / sizeof(shared::PieceReach));
 }
 
 shared::ContactState ContactSolver::readState() const {

@@ -70,10 +70,16 @@ struct RelativeMotion {
     bool folded = false;        ///< some edge is folded, so the coming step unfolds (Unfolding)
 };
 
-/// The state from which the candidates in force were found; a snapshot keeps it.
+/// The candidates in force, and from where they were found; a snapshot keeps them.
 struct ContactMemory {
-    std::vector<shared::vec4> positions;  ///< X; empty: none were found
-    std::vector<shared::vec4> velocities;
+    std::vector<shared::vec4> positions;  ///< X when vertices last looked; empty: none did
+    std::vector<shared::PieceReach> pieces;
+    std::vector<std::uint32_t> points;  ///< vertices with candidates
+    /// Of each of the points, shape [points][kCandidatesPerPoint].
+    std::vector<shared::ContactCandidate> candidates;
+    std::vector<shared::EdgePair> edgePairs;  ///< shape [points][kEdgePairsPerPoint]
+    std::vector<shared::vec4> normals;        ///< of the points
+    shared::ContactState state{};
     ContactSettings settings;
     shared::ContactUniforms uniforms{};
     RelativeMotion motion;
@@ -86,8 +92,8 @@ int contactSearches(const ContactSettings& settings, double edgeLength, double r
 /// Contact of a body with itself, on the GPU: pieces, both walls of a slit, arms. Vertices against
 /// triangles and edges against edges, with the same bits for any number of threads. Candidates are
 /// found in a hash grid and kept while little moves, else looked for once or a few times a time
-/// step; in each substep a vertex answers to the nearest of its own. Where there are none, a
-/// substep dispatches no work.
+/// step, by the pieces that bend or that others come near. In each substep a vertex answers to the
+/// nearest of its own. Where there are none, a substep dispatches no work.
 class ContactSolver {
   public:
     /// Compiles the kernels. Throws gpu::ShaderError.
@@ -120,7 +126,7 @@ class ContactSolver {
 
     /// Looks for candidates now, between substeps.
     void search();
-    /// X when candidates were looked for last; of some size where they never were.
+    /// X of each vertex when its piece last looked for candidates; of some size where none did.
     const gpu::Buffer& searchedPositions() const { return searchedPositions_; }
     /// The memory of contact for a snapshot, and back: what follows is equal bit for bit.
     /// remember() comes after setBody().
@@ -128,6 +134,9 @@ class ContactSolver {
     void remember(const ContactMemory& memory);
     /// The candidates found last, nearest first, shape [vertexCount][]; waits for the GPU.
     std::vector<std::vector<shared::ContactCandidate>> readCandidates() const;
+    /// How far each piece looked in the last search, and whether it did; none before the first.
+    /// Waits for the GPU.
+    std::vector<shared::PieceReach> readReaches() const;
     /// Counts of the last search and the last substep.
     const gpu::Buffer& state() const { return state_; }
     /// The records of what each point touched in the last substep, shape [state().points]; empty
@@ -139,20 +148,21 @@ class ContactSolver {
 
   private:
     struct Kernels {
-        gpu::Program normals, pieceMotion, pieceReach, candidates, edgePairs, detect, detectEdges,
+        gpu::Program restNormals, normals, pieceMotion, pieceReach, candidates, edgePairs, detect, detectEdges,
             respond, apply, respondAgain, applyLast;
     };
     const gpu::Program& detect() const;
     void takeBody();
     void uploadUniforms();
-    void findFromSearched();
-    void runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
+    void findRestNormals();
+    void findNormals();
+    void bindNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
     void findReaches();
     void findCandidates();
     void runIndirect(const gpu::Program& kernel, std::size_t offset);
 
     Kernels kernels_;
-    TriangleGrid grid_;
+    TriangleGrid grid_{TriangleGrid::Pieces::some};
     std::optional<gpu::Program> detectBesideFolds_;  ///< compiled when first needed
     const gpu::Buffer* folds_ = nullptr;
     ContactBody body_;
@@ -168,7 +178,7 @@ class ContactSolver {
     long searches_ = 0;
 
     gpu::Buffer uniformBuffer_, state_;
-    gpu::Buffer searchedPositions_, searchedVelocities_;
+    gpu::Buffer searchedPositions_;
     gpu::Buffer motions_, reaches_;
     gpu::Buffer normals_, restNormals_;
     gpu::Buffer candidates_, points_, edgePairs_, records_, shares_, sums_;

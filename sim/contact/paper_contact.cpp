@@ -54,7 +54,7 @@ void PaperContact::respond(uint pieces) {
         kernels_.emplace(Kernels{gpu::Program::compute("sim/paper_contact/pieces.comp"),
                                  gpu::Program::compute("sim/paper_contact/meet.comp"),
                                  gpu::Program::compute("sim/paper_contact/answer.comp"),
-                                 TriangleGrid()});
+                                 TriangleGrid(TriangleGrid::Pieces::all)});
     }
     makeRoom(pieces);
     bind();

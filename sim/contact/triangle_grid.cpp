@@ -14,10 +14,15 @@ namespace {
 
 using shared::uint;
 
+gpu::Defines definesFor(TriangleGrid::Pieces pieces) {
+    return pieces == TriangleGrid::Pieces::some ? gpu::Defines{{"SOME_PIECES", "1"}}
+                                                : gpu::Defines{};
+}
+
 }  // namespace
 
-TriangleGrid::TriangleGrid()
-    : boxesKernel_(gpu::Program::compute("sim/contact/boxes.comp")),
+TriangleGrid::TriangleGrid(Pieces pieces)
+    : boxesKernel_(gpu::Program::compute("sim/contact/boxes.comp", definesFor(pieces))),
       scan_(gpu::Program::compute("sim/contact/scan.comp")),
       scanBlocks_(gpu::Program::compute("sim/contact/scan_blocks.comp")),
       fill_(gpu::Program::compute("sim/contact/fill.comp")) {}
@@ -35,7 +40,7 @@ void TriangleGrid::resize(uint triangles) {
     entries_.resize(room * sizeof(uint));
     counts_.resize(buckets * sizeof(uint));
     starts_.resize(buckets * sizeof(shared::ContactBucket));
-    blocks_.resize(buckets / shared::kGroupSize * sizeof(uint));
+    blocks_.resize((buckets / shared::kGroupSize + 1) * sizeof(uint));
 }
 
 void TriangleGrid::fill(const gpu::Buffer& positions) {

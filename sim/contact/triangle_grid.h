@@ -11,8 +11,12 @@ namespace kerf {
 /// grid.glsl), filled anew whenever something is looked for in it.
 class TriangleGrid {
   public:
+    /// Whose triangles it holds: those of all pieces, or of those that look for others and may be
+    /// met.
+    enum class Pieces { all, some };
+
     /// Compiles the kernels. Throws gpu::ShaderError.
-    TriangleGrid();
+    explicit TriangleGrid(Pieces pieces);
 
     /// The number of buckets for so many triangles, a power of two.
     static std::uint32_t bucketsFor(std::uint32_t triangles);
@@ -20,8 +24,8 @@ class TriangleGrid {
     /// Makes room for so many triangles. Throws gpu::OutOfMemory.
     void resize(std::uint32_t triangles);
     /// Enters the triangles where `positions` has their corners. ContactUniforms, triangles and
-    /// ContactState, of which `levels` and `largest` are 0, are bound. What a search reads is bound
-    /// then.
+    /// ContactState, of which `levels` and `largest` are 0, are bound, and for some pieces
+    /// PieceReach. What a search reads is bound then.
     void fill(const gpu::Buffer& positions);
 
   private:

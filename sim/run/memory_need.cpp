@@ -96,7 +96,7 @@ std::vector<PerElement> writtenBuffers(const MemorySettings& settings) {
     buffers.push_back({sizeof(shared::UnfoldGoal), 0});
     buffers.push_back({2 * sizeof(float), 0});  // folds
     if (settings.contact) {
-        buffers.push_back({4 * sizeof(vec4), 0});  // normals, and what was searched from
+        buffers.push_back({3 * sizeof(vec4), 0});  // normals, and X when a search was made
         buffers.push_back({shared::kCandidatesPerPoint * sizeof(shared::ContactCandidate), 0});
         buffers.push_back({shared::kEdgePairsPerPoint * sizeof(shared::EdgePair), 0});
         buffers.push_back({2 * sizeof(shared::ContactRecord), 0});

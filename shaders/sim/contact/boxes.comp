@@ -1,6 +1,8 @@
 // The box of each triangle and its bucket in the grid, and how many triangles a bucket gets.
 // Reads X, triangles. Writes boxes, buckets, counts, directions and pieces, the levels in use and
 // how large their boxes are. One thread per triangle. A storage barrier follows, then scan.
+// With SOME_PIECES, of those alone that look for candidates or that another may come near: reads
+// reaches too.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -14,6 +16,9 @@ layout(std430, binding = kContactBucketsBinding) writeonly buffer Buckets { uint
 layout(std430, binding = kContactCountsBinding) buffer Counts { uint counts[]; };
 layout(std430, binding = kContactStartsBinding) buffer Starts { ContactBucket starts[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
+#ifdef SOME_PIECES
+layout(std430, binding = kContactReachBinding) readonly buffer Reaches { PieceReach reaches[]; };
+#endif
 
 #include "directions.glsl"
 #include "grid.glsl"
@@ -21,6 +26,13 @@ layout(std430, binding = kContactStateBinding) buffer State { ContactState state
 void main() {
     uint t = gl_GlobalInvocationID.x;
     if (t >= uniforms.triangle_count) return;
+    uint piece = triangles[t].w >> 8;
+#ifdef SOME_PIECES
+    if (reaches[piece].looks == 0u && !(reaches[piece].others > 0.0)) {
+        buckets[t] = kNoBucket;
+        return;
+    }
+#endif
     vec3 a = positions[triangles[t].x].xyz;
     vec3 b = positions[triangles[t].y].xyz;
     vec3 c = positions[triangles[t].z].xyz;
@@ -32,7 +44,6 @@ void main() {
     uint bucket = bucketOf(ivec3(floor(0.5 * (low + high) / cellSize(level))), level);
     vec3 normal = cross(b - a, c - a);
     uint bin = dot(normal, normal) > 0.0 ? binOf(normal) : kNoBin;
-    uint piece = triangles[t].w >> 8;
     boxes[t] = ContactBox(vec4(low, uintBitsToFloat(kFirstBin + bin)),
                           vec4(high, uintBitsToFloat(kFirstBin + piece)));
     atomicOr(starts[bucket].directions, 1u << bin);

@@ -5,6 +5,8 @@
 // Within a piece a vertex touches the opposite wall of a slit, or what is far away in the rest
 // shape, as another arm; never the material around it or behind it.
 //
+// Vertices of pieces that do not look keep theirs.
+//
 // Reads X, velocities, rest shape, normals, reaches, the grid. Writes candidates, the list of
 // points with any and its length. One thread per vertex. A storage and a command barrier follow.
 #include "body_records.h"
@@ -29,7 +31,7 @@ layout(std430, binding = kContactStartsBinding) readonly buffer Starts { Contact
 layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };
 layout(std430, binding = kContactReachBinding) readonly buffer Reaches { PieceReach reaches[]; };
 layout(std430, binding = kContactEntriesBinding) readonly buffer Entries { uint entries[]; };
-layout(std430, binding = kContactCandidatesBinding) writeonly buffer Candidates {
+layout(std430, binding = kContactCandidatesBinding) buffer Candidates {
     ContactCandidate candidates[];
 };
 layout(std430, binding = kContactPointsBinding) writeonly buffer Points { uint points[]; };
@@ -172,8 +174,7 @@ bool isWorthALook(uint bucket, float away) {
 bool searchCell(vec3 p, uint bucket, inout uint entry) {
     uint next = bucket + 1u;
     uint first = blocks[bucket / kGroupSize] + starts[bucket].start;
-    uint end = next == uniforms.bucket_count ? uniforms.triangle_count
-                                             : blocks[next / kGroupSize] + starts[next].start;
+    uint end = blocks[next / kGroupSize] + (next % kGroupSize == 0u ? 0u : starts[next].start);
     uint k = first + entry;
     for (; k < end && waiting < kMostPending; ++k) {
         look(p, entries[k]);
@@ -228,14 +229,10 @@ void search(uint v, vec3 p) {
     }
 }
 
-void main() {
-    uint v = gl_GlobalInvocationID.x;
-    if (v >= uniforms.vertex_count) return;
-    uint piece = links[v].piece;
-    if (piece != kNoPiece && reaches[piece].own >= 0.0) {
-        opposed = opposedBins(normals[v].xyz);
-        search(v, positions[v].xyz);
-    }
+// Returns whether it has any.
+bool findCandidates(uint v) {
+    opposed = opposedBins(normals[v].xyz);
+    search(v, positions[v].xyz);
     uint first = kCandidatesPerPoint * v;
     for (uint i = 0u; i < found; ++i) {
         candidates[first + i] = ContactCandidate(bestTriangle[i], bestThickness[i]);
@@ -243,7 +240,17 @@ void main() {
     if (found < kCandidatesPerPoint) {
         candidates[first + found] = ContactCandidate(kNoVertex, 0.0);
     }
-    if (found > 0u) {
+    return found > 0u;
+}
+
+void main() {
+    uint v = gl_GlobalInvocationID.x;
+    if (v >= uniforms.vertex_count) return;
+    uint piece = links[v].piece;
+    if (piece == kNoPiece || reaches[piece].own < 0.0) return;
+    bool any = candidates[kCandidatesPerPoint * v].triangle != kNoVertex;
+    if (reaches[piece].looks != 0u) any = findCandidates(v);
+    if (any) {
         uint place = atomicAdd(state.points, 1u);
         points[place] = v;
         atomicMax(state.point_groups, place / kGroupSize + 1u);

@@ -3,8 +3,9 @@
 // their numbers. Only where a thickness is kept: walls of a slit have the same edges on both sides.
 // Most pairs are found from several of their ends; respond shares the work among them.
 //
-// Reads X, the rest shape, triangles, what touches each vertex, candidates. Writes pairs. One
-// thread per listed point. A storage barrier follows.
+// Reads X, the rest shape, triangles, what touches each vertex, candidates, and whether the point's
+// piece looks for any: else it keeps its pairs. Writes pairs. One thread per listed point. A storage
+// barrier follows.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -19,6 +20,8 @@ layout(std430, binding = kContactRingsBinding) readonly buffer Rings { uint ring
 layout(std430, binding = kContactCandidatesBinding) readonly buffer Candidates {
     ContactCandidate candidates[];
 };
+layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLinks links[]; };
+layout(std430, binding = kContactReachBinding) readonly buffer Reaches { PieceReach reaches[]; };
 layout(std430, binding = kContactPointsBinding) readonly buffer Points { uint points[]; };
 layout(std430, binding = kContactEdgePairsBinding) writeonly buffer Pairs { EdgePair pairs[]; };
 layout(std430, binding = kContactStateBinding) readonly buffer State { ContactState state; };
@@ -95,6 +98,7 @@ void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= state.points) return;
     uint v = points[index];
+    if (reaches[links[v].piece].looks == 0u) return;
     for (uint k = 0u; k < kCandidatesPerPoint; ++k) {
         ContactCandidate candidate = candidates[kCandidatesPerPoint * v + k];
         if (candidate.triangle == kNoVertex) break;

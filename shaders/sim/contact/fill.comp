@@ -17,6 +17,7 @@ void main() {
     uint t = gl_GlobalInvocationID.x;
     if (t >= uniforms.triangle_count) return;
     uint bucket = buckets[t];
+    if (bucket == kNoBucket) return;
     uint place = atomicAdd(counts[bucket], 0xffffffffu) - 1u;
     entries[blocks[bucket / kGroupSize] + starts[bucket].start + place] = t;
 }

@@ -1,8 +1,10 @@
 // The outward normal of each vertex: the sum of its triangles' area vectors over the sum of their
 // lengths, so 1 long where the surface is flat and short at tips and at the front of a slit. In w,
 // as bits, what its triangles are.
-// Reads positions (current or rest), triangles and their incidence. Writes normals, and starts the
-// counts of a search anew. One thread per vertex. A storage barrier follows.
+// Reads positions (current or rest), triangles and their incidence. Writes normals. One thread per
+// vertex. A storage barrier follows.
+// With A_SEARCH, of vertices of pieces that look for candidates alone: reads pieces and reaches too,
+// writes X as it was then, and starts the counts of a search anew.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -14,7 +16,12 @@ layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { u
 layout(std430, binding = kContactRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
 layout(std430, binding = kContactIncidenceBinding) readonly buffer Incidence { uint incidence[]; };
 layout(std430, binding = kContactNormalsBinding) writeonly buffer Normals { vec4 normals[]; };
-layout(std430, binding = kContactStateBinding) writeonly buffer State { ContactState state; };
+
+#ifdef A_SEARCH
+layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLinks links[]; };
+layout(std430, binding = kContactReachBinding) readonly buffer Reaches { PieceReach reaches[]; };
+layout(std430, binding = kContactSearchedBinding) writeonly buffer Searched { vec4 searched[]; };
+layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
 void startAnew() {
     state.point_groups = 0u;
@@ -32,12 +39,23 @@ void startAnew() {
     }
 }
 
+bool looks(uint v) {
+    uint piece = links[v].piece;
+    return piece != kNoPiece && reaches[piece].looks != 0u;
+}
+#endif
+
 void main() {
     uint v = gl_GlobalInvocationID.x;
+#ifdef A_SEARCH
     if (v == 0u) {
         startAnew();
     }
+    if (v >= uniforms.vertex_count || !looks(v)) return;
+    searched[v] = positions[v];
+#else
     if (v >= uniforms.vertex_count) return;
+#endif
     vec3 sum = vec3(0.0);
     float area = 0.0;
     uint kinds = 0u;

@@ -1,5 +1,6 @@
 // How the vertices of each piece lie and move.
-// Reads X, velocities, the pieces of vertices. Writes motions, which begin with 0; a maximum does
+// Reads X, also as it was when the piece last looked for candidates, velocities, the pieces of
+// vertices. Writes motions, which begin with 0; a maximum does
 // not mind the order in which threads come. One thread per vertex. A storage barrier follows, then
 // piece_reach.
 #include "body_records.h"
@@ -13,6 +14,7 @@ layout(std430, binding = kContactVelocitiesBinding) readonly buffer Velocities {
     vec4 velocities[];
 };
 layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLinks links[]; };
+layout(std430, binding = kContactSearchedBinding) readonly buffer Searched { vec4 searched[]; };
 layout(std430, binding = kContactMotionBinding) buffer Motions { PieceMotion motions[]; };
 
 #include "sim/ordered_floats.glsl"
@@ -38,6 +40,8 @@ void main() {
     if (p == kNoPiece) return;
     uvec3 place = wordsOf(positions[v].xyz);
     uvec3 velocity = wordsOf(velocities[v].xyz);
+    uvec3 way = wordsOf(positions[v].xyz - searched[v].xyz);
     INCLUDE(motions[p].place, place);
     INCLUDE(motions[p].velocity, velocity);
+    INCLUDE(motions[p].way, way);
 }

@@ -1,6 +1,6 @@
 // The sums of the blocks of buckets become the place of each block's first entry. One group: each
-// thread takes a run of blocks, the runs are summed over the group, and added. Reads and writes
-// blocks. A storage barrier follows.
+// thread takes a run of blocks, the runs are summed over the group, and added. Behind them stands
+// the number of all entries. Reads and writes blocks. A storage barrier follows.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -27,6 +27,9 @@ void main() {
         uint below = self >= reach ? partial[self - reach] : 0u;
         barrier();
         partial[self] += below;
+    }
+    if (self == kGroupSize - 1u) {
+        blocks[count] = partial[self];
     }
     uint place = partial[self] - sum;
     for (uint i = first; i < end; ++i) {

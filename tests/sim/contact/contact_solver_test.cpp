@@ -193,6 +193,112 @@ TEST_F(ContactSolverTest, KeptCandidatesMissNothing) {
     EXPECT_LT(pair.gpu.collisions().contacts().searches(), 10) << "in 12 steps";
 }
 
+/// Spheres side by side, of which each flies another way and spins; every third one lies still.
+SurfaceMesh thrownCrowd(double speed, unsigned seed) {
+    constexpr double kRadius = 0.1;
+    constexpr int kSpheres = 12;
+    const TriangleSoup one = test::icosphereSoup(1, kRadius);
+    TriangleSoup all;
+    for (int i = 0; i < kSpheres; ++i) {
+        all = test::joined(all, one, 2.2 * kRadius * Vec3(i % 3, i / 6, i / 3 % 2));
+    }
+    SurfaceMesh mesh = test::meshOf(all);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> draw;
+    const int each = mesh.vertexCount() / kSpheres;
+    for (int i = 0; i < kSpheres; ++i) {
+        const auto drawn = [&] { return Vec3(draw(random), draw(random), draw(random)); };
+        const Vec3 way = i % 3 == 0 ? Vec3(Vec3::Zero()) : Vec3(speed * drawn().normalized());
+        const Vec3 spin = i % 3 == 0 ? Vec3(Vec3::Zero()) : Vec3(0.2 * speed / kRadius * drawn());
+        for (int v = i * each; v < (i + 1) * each; ++v) {
+            const Vec3 arm = mesh.position(v) - mesh.position(i * each);
+            mesh.setVelocity(v, way + spin.cross(arm));
+        }
+    }
+    return mesh;
+}
+
+/// The middle of each piece.
+std::vector<Vec3> middlesOf(const BodyModel& model, const ReferenceState& state) {
+    std::vector<Vec3> sums(model.pieces.size(), Vec3::Zero());
+    std::vector<double> counts(model.pieces.size(), 0);
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+        sums[model.pieceOfVertex[v]] += state.positions[v];
+        counts[model.pieceOfVertex[v]] += 1;
+    }
+    for (std::size_t p = 0; p < sums.size(); ++p) {
+        sums[p] /= counts[p];
+    }
+    return sums;
+}
+
+struct Comparison {
+    int compared = 0;
+    int missed = 0;
+};
+
+/// What a search from scratch finds in the state of the pair, where surfaces of convex pieces face
+/// each other clearly, and how much of that is not among the candidates that are kept.
+Comparison compareWithFresh(const Pair& pair, const ReferenceContact& fresh) {
+    const std::vector<Vec3> middles = middlesOf(pair.model, pair.reference);
+    const auto outward = [&](std::size_t v) {
+        const Vec3& middle = middles[pair.model.pieceOfVertex[v]];
+        return Vec3((pair.reference.positions[v] - middle).normalized());
+    };
+    const auto kept = pair.gpu.collisions().contacts().readCandidates();
+    const auto wanted = fresh.findCandidates(pair.reference);
+    Comparison out;
+    for (std::size_t v = 0; v < kept.size(); ++v) {
+        if (kept[v].size() == shared::kCandidatesPerPoint) {
+            continue;  // the nearest of them are known
+        }
+        for (const ReferenceCandidate& candidate : wanted[v]) {
+            const auto same = [&](const auto& c) { return c.triangle == candidate.triangle; };
+            const std::uint32_t corner = pair.model.triangles[candidate.triangle][0];
+            if (outward(v).dot(outward(corner)) < -0.4) {
+                ++out.compared;
+                out.missed += std::ranges::none_of(kept[v], same);
+            }
+        }
+    }
+    return out;
+}
+
+// Pieces that look for nothing in a search, as those do that fly where nothing is, must have all
+// that they may touch until the next one.
+TEST_F(ContactSolverTest, WhatACrowdKeepsMissesNothing) {
+    for (const double speed : {0.3, 1.0, 5.0, 20.0}) {
+        SCOPED_TRACE(std::to_string(speed) + " m/s, seed " + std::to_string(kSeed));
+        const SurfaceMesh mesh = thrownCrowd(speed, kSeed);
+        Pair pair(mesh);
+        pair.gpu.setState(stateOf(mesh));
+        pair.gpu.measure();
+        shared::ContactUniforms close = pair.uniforms;
+        close.reach = close.margin = 0.25F * close.h + close.thickness;
+        close.interval = 0;
+        const std::vector<double> masses(pair.reference.positions.size(), 1);
+        const ReferenceContact fresh(pair.model, close, masses);
+        Comparison sum;
+        int rested = 0;
+        for (int step = 0; step < 12; ++step) {
+            pair.gpu.step();
+            pair.gpu.measure();
+            const BodyState state = pair.gpu.readState();
+            for (std::size_t v = 0; v < state.positions.size(); ++v) {
+                pair.reference.positions[v] = state.positions[v].cast<double>();
+            }
+            const Comparison now = compareWithFresh(pair, fresh);
+            sum.compared += now.compared;
+            sum.missed += now.missed;
+            const auto reaches = pair.gpu.collisions().contacts().readReaches();
+            rested += std::ranges::count(reaches, 0U, &shared::PieceReach::looks) > 0;
+        }
+        EXPECT_EQ(sum.missed, 0);
+        EXPECT_GT(sum.compared, 20);
+        EXPECT_GT(rested, 3) << "steps at the end of which some kept what they had";
+    }
+}
+
 // Displacements are 1e-4 m: a step of the fixed point is 5e-11 m.
 TEST_F(ContactSolverTest, RespondsLikeTheReference) {
     for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), test::slitSphere()}) {
