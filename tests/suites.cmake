@@ -10,6 +10,11 @@ set(cost_of_EditorRetractTest 60)
 set(cost_of_EditorJournalTest 50)
 set(cost_of_KeptSessions 50)
 set(cost_of_EditorWindowTest 40)
+# What says most about a driver: .ci/run has these on zink, too (label "driver"). Solver, contact and
+# cutting run once more by the way of kernels that GPUs take.
+set(suites_for_drivers ProgramTest NumbersTableTest GpuSolverTest UnfoldingTest ContactSolverTest
+    BoxContactTest KernelWays CutAtRestTest SimulationTest DoctorTest)
+set(suites_both_ways GpuSolverTest UnfoldingTest ContactSolverTest BoxContactTest CutAtRestTest)
 if(NOT EXISTS ${program})
   get_filename_component(name ${program} NAME)
   add_test(${name}_NOT_BUILT ${name}_NOT_BUILT)
@@ -33,13 +38,25 @@ if(NOT status EQUAL 0)
   message(FATAL_ERROR "${program} could not list its tests: ${status}")
 endif()
 string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+\\." lines "${lines}")
+# add_suite(NAME SUITE LABELS VARIABLES): one test of ctest.
+function(add_suite name suite labels variables)
+  add_test(${name} ${program} --gtest_filter=${suite}.*)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS "${labels}"
+                       ENVIRONMENT "LIBGL_ALWAYS_SOFTWARE=1;LC_ALL=C${variables}")
+endfunction()
+
 foreach(line ${lines})
   string(REGEX REPLACE "[\n.]" "" suite "${line}")
   string(REGEX REPLACE "^.*/" "" name "${suite}")  # of tests with parameters: All/PaperSessions
-  add_test(${suite} ${program} --gtest_filter=${suite}.*)
-  set_tests_properties(${suite} PROPERTIES TIMEOUT 600 LABELS "${room_of_${name}}"
-                       ENVIRONMENT "LIBGL_ALWAYS_SOFTWARE=1;LC_ALL=C")
+  set(labels "${room_of_${name}}")
+  if(name IN_LIST suites_for_drivers)
+    list(APPEND labels driver)
+  endif()
+  add_suite(${suite} ${suite} "${labels}" "")
   if(cost_of_${name})
     set_tests_properties(${suite} PROPERTIES COST ${cost_of_${name}})
+  endif()
+  if(name IN_LIST suites_both_ways)
+    add_suite(${suite}ByTheWayOfGpus ${suite} "${labels}" ";KERF_KERNELS=shared")
   endif()
 endforeach()
