@@ -139,8 +139,6 @@ constexpr Fault kFaults[] = {
     {"TheLastGroupIsMissing", "sim/settle.comp", "if (v >= uniforms.vertex_count) return;",
      "if (v >= uniforms.vertex_count - uniforms.vertex_count % 32u) return;", findingsOfBanana,
      "A whole step, "},
-    {"APrefixSumIsWrong", "sim/contact/scan_blocks.comp", "uint place = partial[self] - sum;",
-     "uint place = 0u;", findingsOfHalves, "A half on the other"},
     {"AnAnswerToContactIsTurned", "sim/contact_answer.glsl", "return pressed * normal",
      "return -pressed * normal", findingsOfHalves, "A half on the other"},
     {"AFaceOfABoxIsMistaken", "sim/boxes/vertices.comp", "across + face.side * lift",
