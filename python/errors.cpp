@@ -1,0 +1,94 @@
+#include "python/errors.h"
+
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <string>
+
+#include "app/files/file_io.h"
+#include "app/files/memory_means.h"
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/program.h"
+#include "python/gl_thread.h"
+#include "python/scripted_run.h"
+#include "sim/base/text.h"
+
+namespace kerf::python {
+namespace {
+
+namespace py = pybind11;
+
+/// The classes, as long as the interpreter lives.
+struct ErrorClasses {
+    PyObject* any = nullptr;
+    PyObject* input = nullptr;
+    PyObject* check = nullptr;
+    PyObject* openGl = nullptr;
+    PyObject* limit = nullptr;
+};
+ErrorClasses classes;
+
+PyObject* addClass(py::module_& module, const char* name, const char* meaning, PyObject* base) {
+    const std::string whole = std::string("kerf.") + name;
+    PyObject* const made = PyErr_NewExceptionWithDoc(whole.c_str(), meaning, base, nullptr);
+    if (made == nullptr) {
+        throw py::error_already_set();
+    }
+    module.add_object(name, made);
+    return made;
+}
+
+void raise(PyObject* kind, const std::string& sentence) {
+    PyErr_SetString(kind, printable(sentence).c_str());
+}
+
+/// As runVerbSafely() of the command line.
+void translate(std::exception_ptr thrown) {
+    try {
+        std::rethrow_exception(std::move(thrown));
+    } catch (const CheckFailure& error) {
+        raise(classes.check, error.what());
+    } catch (const app::InputError& error) {
+        raise(classes.input, error.what());
+    } catch (const gpu::ContextError& error) {
+        raise(classes.openGl, error.what());
+    } catch (const gpu::ShaderError& error) {
+        raise(classes.openGl, error.what());
+    } catch (const gpu::OutOfMemory& error) {
+        raise(classes.limit, error.what());
+    } catch (const app::MemoryShortage& error) {
+        raise(classes.limit, error.what());
+    } catch (const app::OutputError& error) {
+        raise(classes.limit, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        raise(classes.input, error.path1().string() + ": " + error.code().message() + ".");
+    } catch (const std::bad_alloc&) {
+        raise(classes.limit, app::outOfMemory("Kerf"));
+    } catch (const ForkedProcess& error) {
+        raise(classes.any, error.what());
+    }
+}
+
+}  // namespace
+
+void addErrors(py::module_& module) {
+    classes.any =
+        addClass(module, "Error", "What Kerf can't do: the sentence is that of the command line.",
+                 PyExc_Exception);
+    classes.input =
+        addClass(module, "InputError",
+                 "An input is missing or invalid, or can't happen (exit code 3).", classes.any);
+    classes.check = addClass(module, "CheckFailed",
+                             "A check did not hold, or an invariant broke (exit code 1). Of a "
+                             "replay, `summary` is that of the run.",
+                             classes.any);
+    classes.openGl = addClass(module, "OpenGLError", "There is no usable OpenGL 4.5 (exit code 4).",
+                              classes.any);
+    classes.limit =
+        addClass(module, "LimitError",
+                 "Memory, disk, time or another limit is used up (exit code 5).", classes.any);
+    py::register_exception_translator(translate);
+}
+
+}  // namespace kerf::python

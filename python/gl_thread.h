@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace kerf::python {
+
+/// The module was used before a fork, and is used again in the child: OpenGL does not survive that.
+class ForkedProcess : public std::runtime_error {
+  public:
+    ForkedProcess();
+};
+
+/// The one thread of the module that OpenGL contexts are current on. A context belongs to one
+/// thread at a time, and what Kerf shares between contexts to one thread at all, while calls may
+/// come from any thread of Python.
+class GlThread {
+  public:
+    /// The thread of this process; begins at the first use and never ends.
+    static GlThread& ours();
+
+    /// Runs `work` there, without Python's lock, and returns or throws what it does. To be called
+    /// with Python's lock. A signal that Python raises for, such as Ctrl-C, asks the work to stop
+    /// (interrupted()), and is raised at its end. Throws ForkedProcess.
+    template <class Work>
+    auto run(Work&& work) {
+        using Result = std::invoke_result_t<Work>;
+        if constexpr (std::is_void_v<Result>) {
+            waitFor([&] { work(); });
+        } else {
+            std::optional<Result> result;
+            waitFor([&] { result.emplace(work()); });
+            return std::move(*result);
+        }
+    }
+    /// The same without waiting, for what nobody needs an answer of; it must not throw.
+    void post(std::function<void()> work);
+
+    /// Whether what runs there now, and asks, is to stop soon.
+    bool interrupted() const { return current_ != nullptr && current_->interrupted; }
+
+  private:
+    /// Something that somebody waits for.
+    struct Job {
+        const std::function<void()>& work;
+        std::exception_ptr error;
+        bool done = false;
+        std::atomic<bool> interrupted = false;
+    };
+    GlThread();
+    void loop();
+    void waitFor(const std::function<void()>& work);
+    void perform(Job& job);
+    void requireSameProcess() const;
+
+    const int process_;
+    std::mutex mutex_;
+    std::condition_variable asked_;
+    std::condition_variable answered_;
+    std::deque<std::function<void()>> queue_;
+    Job* current_ = nullptr;  ///< for its own thread alone
+};
+
+}  // namespace kerf::python

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/session/session.h"
+
+namespace kerf::python {
+
+/// A session as Python names it.
+struct SessionSource {
+    std::string file;      ///< path of a file, or
+    std::string text;      ///< the text of one, with paths relative to the working folder
+    std::string material;  ///< a name or a file instead of the session's; empty for none
+    std::vector<std::pair<std::string, std::string>> params;  ///< name, value as JSON; at the start
+};
+
+/// Reads it; what is no mistake but means nothing is logged. Throws InputError.
+app::Session readSource(const SessionSource& source);
+
+}  // namespace kerf::python
