@@ -30,10 +30,17 @@ add_custom_command(
 add_custom_target(kerf_package_files ALL
   DEPENDS ${made}/kerf.1.gz ${made}/kerf.bash ${made}/kerf.svg ${made}/changelog.gz)
 
-install(TARGETS kerf kerf-unite RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS kerf RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS kerf-unite RUNTIME DESTINATION libexec/kerf)  # Kerf alone starts it
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/assets
         DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf
         PATTERN "*.py" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "README.md" EXCLUDE)
+if(KERF_PYTHON)
+  set(KERF_PYTHON_DIR lib/python3/dist-packages CACHE STRING
+      "Where the Python module is installed, below the prefix")
+  install(TARGETS kerf_python LIBRARY DESTINATION ${KERF_PYTHON_DIR}/kerf)
+  install(FILES ${kerf_python_sources} DESTINATION ${KERF_PYTHON_DIR}/kerf)
+endif()
 install(FILES ${made}/kerf.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${made}/kerf.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
         RENAME kerf)
@@ -58,6 +65,10 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg")
+if(KERF_PYTHON)
+  set(CPACK_DEBIAN_PACKAGE_PROVIDES "python3-kerf")
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-numpy")
+endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "cut soft 3D models in real time")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Kerf is a desktop editor in which a blade is dragged through an ordinary

@@ -1,6 +1,30 @@
+# Sources of one room are compiled together, ten at a time, since most of the time of one alone goes
+# into the headers that all of them read. A name that two of them give to something of their own is
+# an error then: name it by what it is. -DKERF_TOGETHER=OFF compiles each alone.
+function(kerf_compile_together target)
+  if(NOT KERF_TOGETHER)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    cmake_path(GET source PARENT_PATH room)
+    if(NOT source MATCHES "^/.*[.]cpp$")  # programs have one source, named by hand
+      continue()
+    endif()
+    string(MAKE_C_IDENTIFIER "${target}_${room}" key)
+    list(APPEND of_${key} ${source})
+    list(LENGTH of_${key} count)
+    math(EXPR part "(${count} - 1) / 10")
+    file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${room})
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${name}/${part}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # Flags for code that is ours: warnings are errors, and floating-point contraction is off because
 # fused multiply-adds would change signs in the predicates that decide topology.
 function(kerf_own_code target)
+  kerf_compile_together(${target})
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                          -Wno-sign-conversion -Wno-float-conversion -ffp-contract=off)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
