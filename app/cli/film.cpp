@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "render/scene/paste.h"
 #include "ui/caption.h"
@@ -12,7 +13,7 @@ namespace {
 constexpr double kRounding = 1e-9;    // of sums of time steps
 constexpr double kUsualHeight = 540;  // at which text is as high as in the window [px]
 constexpr double kLeastTextScale = 0.6;
-constexpr double kMargin = 12;  // of a caption at that height [px]
+constexpr double kCaptionMargin = 12;  // of a caption at that height [px]
 
 double textScale(const PictureSize& size) {
     return std::max(kLeastTextScale, size.height / kUsualHeight);
@@ -39,10 +40,12 @@ std::optional<double> FilmClock::takeFrame() {
     return lastStep_ > 0 ? std::clamp(before / lastStep_, 0.0, 1.0) : 0;
 }
 
-Film::Film(const FilmOptions& options, const std::filesystem::path& unfinished, int steps)
+Film::Film(const FilmOptions& options, const std::filesystem::path& unfinished, int steps,
+           render::CameraPath path)
     : options_(options),
       rate_(rateOf(options)),
       steps_(steps),
+      path_(std::move(path)),
       clock_(options.speed / rate_),
       encoder_(options.file, unfinished, options.size.width, options.size.height, rate_),
       captions_(options.speed) {
@@ -58,21 +61,25 @@ void Film::note(const Command& command) {
 void Film::show(int step, double time, const render::Camera& camera, const Draw& draw) {
     std::optional<render::Image> picture;
     while (const std::optional<double> before = clock_.takeFrame()) {
-        if (!picture || options_.turntable) {
-            render::Camera seen = camera;
-            if (options_.turntable) {
-                seen.orbit(2 * std::numbers::pi * (step - *before) / steps_, 0);
-            }
-            picture = draw(seen, options_.size);
+        if (!picture || options_.turntable || !path_.empty()) {
+            picture = draw(cameraAt(step - *before, camera), options_.size);
             caption(*picture, time);
         }
         encoder_.add(*picture);
     }
 }
 
+render::Camera Film::cameraAt(double moment, const render::Camera& camera) const {
+    render::Camera seen = path_.empty() ? camera : path_.at(moment);
+    if (options_.turntable) {
+        seen.orbit(2 * std::numbers::pi * moment / steps_, 0);
+    }
+    return seen;
+}
+
 void Film::caption(render::Image& picture, double time) {
     if (painter_) {
-        const int margin = static_cast<int>(kMargin * textScale(options_.size));
+        const int margin = static_cast<int>(kCaptionMargin * textScale(options_.size));
         const render::Image text = ui::drawCaption(*painter_, captions_.at(filmTime(), time));
         render::paste(picture, text, margin, picture.height - margin - text.height);
     }

@@ -7,7 +7,7 @@
 #include "app/cli/film_captions.h"
 #include "app/cli/picture_size.h"
 #include "app/files/film_encoder.h"
-#include "render/scene/camera.h"
+#include "render/scene/camera_path.h"
 #include "sim/run/command.h"
 #include "ui/picture_painter.h"
 
@@ -58,13 +58,16 @@ class Film {
     /// Draws the scene as it is now.
     using Draw = std::function<render::Image(const render::Camera& camera, const PictureSize&)>;
 
-    /// Begins a film of a run of so many steps. What is not finished yet lies in the file
-    /// `unfinished`. Needs a current OpenGL context. Throws OutputError, as all functions here.
-    Film(const FilmOptions& options, const std::filesystem::path& unfinished, int steps);
+    /// Begins a film of a run of so many steps, seen along `path` where that has keys. What is not
+    /// finished yet lies in the file `unfinished`. Needs a current OpenGL context. Throws
+    /// OutputError, as all functions here.
+    Film(const FilmOptions& options, const std::filesystem::path& unfinished, int steps,
+         render::CameraPath path);
 
     /// Something happens before the coming step.
     void note(const Command& command);
-    /// Films the state before a step, `time` into the simulation [s], as often as it is seen.
+    /// Films the state before a step, `time` into the simulation [s], as often as it is seen. By
+    /// `camera`, where there is no path.
     void show(int step, double time, const render::Camera& camera, const Draw& draw);
     /// A step is done that lasts so long [s].
     void pass(double seconds) { clock_.pass(seconds); }
@@ -72,12 +75,15 @@ class Film {
     FilmReport finish();
 
   private:
+    /// The camera at a moment [steps].
+    render::Camera cameraAt(double moment, const render::Camera& camera) const;
     void caption(render::Image& picture, double time);
     double filmTime() const { return clock_.elapsed() / options_.speed; }
 
     FilmOptions options_;
     int rate_;
     int steps_;
+    render::CameraPath path_;
     FilmClock clock_;
     FilmEncoder encoder_;
     FilmCaptions captions_;

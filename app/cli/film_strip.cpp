@@ -12,18 +12,18 @@ namespace {
 
 constexpr int kWidestStrip = 16384;  // [px]
 // Strips are shown smaller than they are, so text and margins grow with their pictures.
-constexpr double kUsualHeight = 200;  // at which text is as high as in the window [px]
-constexpr double kLeastTextScale = 0.8;
-constexpr double kMargin = 10;  // at most, at that height [px]
+constexpr double kUsualPictureHeight = 200;  // at which text is as high as in the window [px]
+constexpr double kLeastStripTextScale = 0.8;
+constexpr double kStripMargin = 10;  // at most, at that height [px]
 
-double textScale(const PictureSize& size) {
-    return std::max(kLeastTextScale, size.height / kUsualHeight);
+double stripTextScale(const PictureSize& size) {
+    return std::max(kLeastStripTextScale, size.height / kUsualPictureHeight);
 }
 
 }  // namespace
 
 int mostStripPictures(const PictureSize& size) {
-    const double margin = std::ceil(kMargin * textScale(size));
+    const double margin = std::ceil(kStripMargin * stripTextScale(size));
     return static_cast<int>((kWidestStrip - margin) / (size.width + margin));
 }
 
@@ -47,7 +47,7 @@ void FilmStrip::finish(const std::string& title) {
     if (pictures_.empty()) {
         return;  // a check failed before the first step
     }
-    ui::PicturePainter painter(ui::Theme::light, static_cast<float>(textScale(options_.size)));
+    ui::PicturePainter painter(ui::Theme::light, static_cast<float>(stripTextScale(options_.size)));
     const std::vector<std::uint8_t> bytes =
         render::encodePng(ui::drawStrip(painter, title, pictures_));
     file_.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});

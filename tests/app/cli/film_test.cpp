@@ -206,6 +206,41 @@ TEST_F(FilmTest, ATurntableComesRoundOnce) {
     EXPECT_LT(difference(frame("turning.mp4", 12), start, all), 1);
 }
 
+TEST_F(FilmTest, TheCameraGoesFromKeyToKey) {
+    const std::string scene = R"("format": "kerf-session", "version": 1,
+        "model": {"builtin": "banana"}, "params": {"gravity": [0, 0, 0], "floor": null},
+        "steps": 24)";
+    const std::string side = R"("eye": [1.8, 0, 0], "target": [0, 0, 0])";
+    const std::string front = R"("eye": [0, 0, 1.8], "target": [0, 0, 0])";
+    const auto film = [&](const std::string& name, const std::string& more) {
+        writeText(path("test.kerf.json"), "{" + scene + ", " + more + "}");
+        ASSERT_EQ(replay({"--movie", path(name + ".mp4"), "--size", "160x120", "--fps", "100",
+                          "--strip", path(name + ".png"), "2"})
+                      .exitCode,
+                  0);
+        ASSERT_EQ(probed(name + ".mp4"), "h264,160,120,100/1,13\n");
+    };
+    film("front", R"("view": {)" + front + "}");
+    film("side", R"("view": {)" + side + "}");
+    film("keys", R"("view": {)" + side + R"(}, "events": [{"step": 4, "type": "camera", )" + front +
+                     R"(}, {"step": 20, "type": "camera", )" + side +
+                     R"(}, {"step": 24, "type": "screenshot", "file": "end.png", "width": 160,
+                            "height": 120}])");
+    const render::PixelRect all{0, 0, 160, 120};
+    const render::Image fromFront = frame("front.mp4", 0);
+    const render::Image fromSide = frame("side.mp4", 0);
+    ASSERT_GT(difference(fromFront, fromSide, all), 4);
+    EXPECT_LT(difference(frame("keys.mp4", 0), fromFront, all), 1) << "still before the first key";
+    EXPECT_LT(difference(frame("keys.mp4", 2), fromFront, all), 1);
+    EXPECT_GT(difference(frame("keys.mp4", 6), fromFront, all), 2) << "on the way";
+    EXPECT_GT(difference(frame("keys.mp4", 6), fromSide, all), 2);
+    EXPECT_LT(difference(frame("keys.mp4", 10), fromSide, all), 1);
+    EXPECT_LT(difference(frame("keys.mp4", 12), fromSide, all), 1);
+    EXPECT_LT(difference(render::readPng(path("out/end.png")), fromSide, all), 2)
+        << "screenshots keep the view";
+    EXPECT_NE(readBytes(path("keys.png")), readBytes(path("side.png"))) << "strips have the keys";
+}
+
 TEST_F(FilmTest, CaptionsStandInTheLowerLeftCorner) {
     const std::vector<std::string> film{"--size", "640x360", "--speed", "0.1", "--until", "12"};
     const auto make = [&](const std::string& name, const std::string& more) {
