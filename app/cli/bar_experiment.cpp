@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli/exit_codes.h"
+#include "app/files/exit_codes.h"
 #include "app/files/progress_line.h"
 #include "gpu/context.h"
 #include "sim/base/text.h"
@@ -17,14 +17,17 @@ namespace kerf::app {
 
 namespace {
 
-constexpr std::array kKinds{SpecimenKind::hangingBar, SpecimenKind::bentBar, SpecimenKind::bentSlab,
-                            SpecimenKind::compressedBlock};
+constexpr std::array kKinds{SpecimenKind::hangingBar,   SpecimenKind::bentBar,
+                            SpecimenKind::bentSlab,     SpecimenKind::compressedBlock,
+                            SpecimenKind::shearedBlock, SpecimenKind::hangingCube,
+                            SpecimenKind::pressedSphere};
 constexpr std::array kModuli{1e4, 1e5, 1e6};
 constexpr std::array kCells{2, 3, 4, 6};
 constexpr std::array kIterations{5, 10, 20, 40, 60};
+constexpr std::array kTimeSteps{0.0025, 0.005, 0.01};
 constexpr double kMostVolumeChange = 0.01;
-constexpr const char* kReportFile = "report.md";
-constexpr const char* kSummaryFile = "summary.json";
+constexpr const char* kBarReportFile = "report.md";
+constexpr const char* kBarSummaryFile = "summary.json";
 
 const char* nameOf(SpecimenKind kind) {
     switch (kind) {
@@ -36,44 +39,29 @@ const char* nameOf(SpecimenKind kind) {
             return "bent slab";
         case SpecimenKind::compressedBlock:
             return "compressed block";
+        case SpecimenKind::shearedBlock:
+            return "sheared block";
+        case SpecimenKind::hangingCube:
+            return "hanging cube";
+        case SpecimenKind::pressedSphere:
+            return "pressed sphere";
     }
     return "";
 }
 
-bool sameSetting(const BenchSetting& a, const BenchSetting& b) {
-    return a.kind == b.kind && a.cells == b.cells && a.modulus == b.modulus &&
-           a.iterations == b.iterations;
+const char* nameOf(bool trueModulus) {
+    return trueModulus ? "true modulus" : "plain ISPCs";
 }
 
-/// Each once, in the order in which they run.
-std::vector<BenchSetting> allSettings() {
-    std::vector<BenchSetting> settings;
-    const auto add = [&](const BenchSetting& setting) {
-        const auto isSame = [&](const BenchSetting& s) { return sameSetting(s, setting); };
-        if (std::ranges::none_of(settings, isSame)) {
-            settings.push_back(setting);
-        }
-    };
-    for (const SpecimenKind kind : kKinds) {
-        for (const double modulus : kModuli) {
-            for (const int cells : kCells) {
-                add({.kind = kind, .cells = cells, .modulus = modulus});
-            }
-            for (const int iterations : kIterations) {
-                add({.kind = kind, .modulus = modulus, .iterations = iterations});
-            }
-        }
-    }
-    return settings;
-}
-
-/// "1.62": effective modulus over the parameter; a dash where that test was not run.
+/// "1.62": effective modulus over the parameter, with a star where the program says that iterations
+/// are too few; a dash where that test was not run.
 std::string ratioOf(const std::vector<BenchRun>& runs, const BenchSetting& setting) {
-    const auto run = std::ranges::find_if(
-        runs, [&](const BenchRun& r) { return sameSetting(r.setting, setting); });
+    const auto run =
+        std::ranges::find_if(runs, [&](const BenchRun& r) { return r.setting == setting; });
     return run == runs.end()
                ? "-"
-               : fmt::format("{:.2f}{}", run->result.effectiveModulus / setting.modulus,
+               : fmt::format("{:.2f}{}{}", run->result.effectiveModulus / setting.modulus,
+                             run->result.tooFewIterations ? "*" : "",
                              run->result.settled ? "" : " (still moving)");
 }
 
@@ -82,7 +70,7 @@ std::string table(const std::vector<BenchRun>& runs, const char* unit, const Col
                   Setting&& settingOf) {
     std::string text = "| specimen | E, Pa |";
     std::string rule = "|---|---|";
-    for (const int column : columns) {
+    for (const auto column : columns) {
         text += fmt::format(" {} {} |", column, unit);
         rule += "---|";
     }
@@ -90,7 +78,7 @@ std::string table(const std::vector<BenchRun>& runs, const char* unit, const Col
     for (const SpecimenKind kind : kKinds) {
         for (const double modulus : kModuli) {
             text += fmt::format("| {} | {:.0e} |", nameOf(kind), modulus);
-            for (const int column : columns) {
+            for (const auto column : columns) {
                 text += " " + ratioOf(runs, settingOf(kind, modulus, column)) + " |";
             }
             text += "\n";
@@ -105,17 +93,20 @@ nlohmann::ordered_json toJson(const BenchRun& run) {
             {"triangles", run.result.triangles},
             {"youngs_modulus", run.setting.modulus},
             {"iterations", run.setting.iterations},
-            {"ispc_stiffness", run.setting.ispcStiffness},
+            {"time_step", run.setting.timeStep},
+            {"true_modulus", run.setting.trueModulus ? 1 : 0},
             {"strain", run.result.strain},
             {"effective_modulus", run.result.effectiveModulus},
             {"ratio", run.result.effectiveModulus / run.setting.modulus},
+            {"too_few_iterations", run.result.tooFewIterations},
             {"volume_ratio", run.result.volumeRatio},
             {"settled", run.result.settled}};
 }
 
 std::string describe(const BenchSetting& setting) {
-    return fmt::format("{}, E = {:.0e} Pa, {} cells, {} iterations", nameOf(setting.kind),
-                       setting.modulus, setting.cells, setting.iterations);
+    return fmt::format("{}, E = {:.0e} Pa, {} cells, {} iterations of {} s, {}",
+                       nameOf(setting.kind), setting.modulus, setting.cells, setting.iterations,
+                       setting.timeStep, nameOf(setting.trueModulus));
 }
 
 /// Empty where every specimen kept its volume.
@@ -139,9 +130,9 @@ std::vector<std::string> stillMoving(const std::vector<BenchRun>& runs) {
     return names;
 }
 
-std::vector<BenchRun> runAll() {
+std::vector<BenchRun> runAll(bool whole) {
     std::vector<BenchRun> runs;
-    const std::vector<BenchSetting> settings = allSettings();
+    const std::vector<BenchSetting> settings = barSettings(whole);
     ProgressLine line("bar: ");
     for (const BenchSetting& setting : settings) {
         line.show(static_cast<int>(runs.size()), static_cast<int>(settings.size()));
@@ -150,27 +141,103 @@ std::vector<BenchRun> runAll() {
     return runs;
 }
 
+/// Of one material.
+std::string tables(const std::vector<BenchRun>& runs, bool trueModulus) {
+    const auto setting = [&](SpecimenKind kind, double modulus) {
+        return BenchSetting{.kind = kind, .modulus = modulus, .trueModulus = trueModulus};
+    };
+    std::string text = fmt::format("\n## With {}\n", nameOf(trueModulus));
+    text += "\n### By resolution (squares across the specimen), 20 iterations of 5 ms\n\n";
+    text += table(runs, "across", kCells, [&](SpecimenKind kind, double modulus, int cells) {
+        BenchSetting s = setting(kind, modulus);
+        s.cells = cells;
+        return s;
+    });
+    text += "\n### By iterations of 5 ms, 4 squares across\n\n";
+    text += table(runs, "iterations", kIterations, [&](SpecimenKind kind, double modulus, int n) {
+        BenchSetting s = setting(kind, modulus);
+        s.iterations = n;
+        return s;
+    });
+    text += "\n### By time step, 20 iterations, 4 squares across\n\n";
+    text += table(runs, "s", kTimeSteps, [&](SpecimenKind kind, double modulus, double step) {
+        BenchSetting s = setting(kind, modulus);
+        s.timeStep = step;
+        return s;
+    });
+    return text;
+}
+
+std::string formatCounts(const std::vector<BenchRun>& runs) {
+    std::string text =
+        "\n## How many hold\n\n"
+        "| material | iterations | runs | within 10 % | within 25 % |\n|---|---|---|---|---|\n";
+    for (const bool trueModulus : {true, false}) {
+        for (const bool tooFew : {false, true}) {
+            const BarCount count = countBarRuns(runs, trueModulus, tooFew);
+            text += fmt::format("| {} | {} | {} | {} | {} |\n", nameOf(trueModulus),
+                                tooFew ? "too few, as the program says" : "enough", count.all,
+                                count.within10, count.within25);
+        }
+    }
+    return text;
+}
+
 }  // namespace
+
+BarCount countBarRuns(const std::vector<BenchRun>& runs, bool trueModulus, bool tooFewIterations) {
+    BarCount count;
+    for (const BenchRun& run : runs) {
+        if (run.setting.trueModulus == trueModulus &&
+            run.result.tooFewIterations == tooFewIterations) {
+            const double error = std::abs(run.result.effectiveModulus / run.setting.modulus - 1);
+            ++count.all;
+            count.within10 += error <= 0.10 ? 1 : 0;
+            count.within25 += error <= 0.25 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+std::vector<BenchSetting> barSettings(bool whole) {
+    std::vector<BenchSetting> settings;
+    const auto add = [&](const BenchSetting& setting) {
+        const BenchSetting usual;
+        const int changes = (setting.cells != usual.cells ? 1 : 0) +
+                            (setting.iterations != usual.iterations ? 1 : 0) +
+                            (setting.timeStep != usual.timeStep ? 1 : 0);
+        if (whole || changes <= 1) {
+            settings.push_back(setting);
+        }
+    };
+    for (const bool trueModulus : {true, false}) {
+        for (const SpecimenKind kind : kKinds) {
+            for (const double modulus : kModuli) {
+                for (const int cells : kCells) {
+                    for (const int iterations : kIterations) {
+                        for (const double step : kTimeSteps) {
+                            add({kind, cells, modulus, iterations, step, trueModulus});
+                        }
+                    }
+                }
+            }
+        }
+    }
+    return settings;
+}
 
 std::string formatBarReport(const std::vector<BenchRun>& runs) {
     return "# Effective Young's modulus\n\n"
            "A bar that hangs from its pinned top, the same bar and one five times as wide bent by "
-           "a weight that acts sideways, and a block that stands on a floor without friction, "
-           "loaded by their own weight so that a solid of modulus E changes its length, or moves "
-           "its end aside, by 1 %. The figures are E_eff / E: the modulus of the solid that would "
-           "change as much as ours, over the parameter `youngs_modulus`. 1 is true to the "
-           "parameter, more is too stiff.\n\n"
-           "## By resolution (squares across the specimen), 20 iterations\n\n" +
-           table(runs, "across", kCells,
-                 [](SpecimenKind kind, double modulus, int cells) {
-                     return BenchSetting{.kind = kind, .cells = cells, .modulus = modulus};
-                 }) +
-           "\n## By iterations, 4 squares across\n\n" +
-           table(runs, "iterations", kIterations,
-                 [](SpecimenKind kind, double modulus, int iterations) {
-                     return BenchSetting{
-                         .kind = kind, .modulus = modulus, .iterations = iterations};
-                 });
+           "a weight that acts sideways, a block that stands on a floor without friction, a flat "
+           "one that a weight sideways shears, and a cube that hangs from its pinned top. Each is "
+           "loaded by its own weight so that a solid of modulus E changes its length, or moves its "
+           "end aside, by 1 %. A sphere is pressed on a floor so that Hertz's formula lets its "
+           "middle down by 2 % of its diameter. The figures are E_eff / E: the modulus of the "
+           "incompressible solid that would move as much as ours, over the parameter "
+           "`youngs_modulus`. 1 is true to the parameter, more is too stiff. Beside a star the "
+           "program says that iterations are too few.\n" +
+           formatCounts(runs) + tables(runs, true) + tables(runs, false);
 }
 
 std::string stillMovingWarning(const std::vector<BenchRun>& runs) {
@@ -191,8 +258,8 @@ int reportBarRuns(const std::vector<BenchRun>& runs, OutputFolder& folder, bool 
     }
     summary["still_moving"] = stillMoving(runs);
     const std::string report = formatBarReport(runs);
-    folder.write(kReportFile, report);
-    folder.write(kSummaryFile, summary.dump(2) + "\n");
+    folder.write(kBarReportFile, report);
+    folder.write(kBarSummaryFile, summary.dump(2) + "\n");
     out << (json ? summary.dump() + "\n" : report);
     for (const std::string& sentence : {stillMovingWarning(runs), firstFailure(runs)}) {
         if (!sentence.empty()) {
@@ -202,13 +269,13 @@ int reportBarRuns(const std::vector<BenchRun>& runs, OutputFolder& folder, bool 
     return firstFailure(runs).empty() ? kExitDone : kExitCheckFailed;
 }
 
-int runBarExperiment(const std::filesystem::path& folder, bool json, std::ostream& out,
+int runBarExperiment(const std::filesystem::path& folder, bool whole, bool json, std::ostream& out,
                      std::ostream& errors) {
     const gpu::EglContext context;
     OutputFolder own(folder / kBarExperiment);
-    own.remove(kSummaryFile);
-    own.remove(kReportFile);
-    return reportBarRuns(runAll(), own, json, out, errors);
+    own.remove(kBarSummaryFile);
+    own.remove(kBarReportFile);
+    return reportBarRuns(runAll(whole), own, json, out, errors);
 }
 
 }  // namespace kerf::app

@@ -31,10 +31,25 @@ std::string stillMovingWarning(const std::vector<BenchRun>& runs);
 int reportBarRuns(const std::vector<BenchRun>& runs, OutputFolder& folder, bool json,
                   std::ostream& out, std::ostream& errors);
 
-/// Runs `kerf experiment bar`: a hanging bar, the same bar and a slab bent, and a compressed block
-/// (see measureModulus) at four resolutions, three moduli and five numbers of iterations, reported
-/// by reportBarRuns in DIR/bar. Throws OutputError, gpu::ContextError.
-int runBarExperiment(const std::filesystem::path& folder, bool json, std::ostream& out,
+/// How many of these runs are that near to the modulus.
+struct BarCount {
+    int all = 0;
+    int within10 = 0;  ///< per cent
+    int within25 = 0;
+};
+
+/// Counts the runs with `true_modulus` or without, of which the program does not say that
+/// iterations are too few, or of which it does.
+BarCount countBarRuns(const std::vector<BenchRun>& runs, bool trueModulus, bool tooFewIterations);
+
+/// The settings of `kerf experiment bar`, each once: each specimen with and without `true_modulus`
+/// at three moduli by resolution, by number of iterations and by time step. `whole`: all
+/// combinations of the three.
+std::vector<BenchSetting> barSettings(bool whole);
+
+/// Runs `kerf experiment bar`: all of barSettings() (see measureModulus), reported by reportBarRuns
+/// in DIR/bar. Throws OutputError, gpu::ContextError.
+int runBarExperiment(const std::filesystem::path& folder, bool whole, bool json, std::ostream& out,
                      std::ostream& errors);
 
 }  // namespace kerf::app

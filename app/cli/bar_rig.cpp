@@ -1,11 +1,16 @@
 #include "app/cli/bar_rig.h"
 
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <vector>
 
+#include "sim/body/rest_geometry.h"
 #include "sim/mesh/box_surface.h"
+#include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
+#include "sim/solve/sweep_strength.h"
 
 namespace kerf::app {
 
@@ -14,16 +19,53 @@ namespace {
 constexpr double kStrain = 0.01;
 constexpr double kDrag = 20;             // [1/s]: about critical for the slowest stretching mode
 constexpr double kFirstBending = 3.516;  // of a bar that is held at one end: (1.875)^2
-constexpr int kWindow = 40;              // steps between two looks
+constexpr double kPressed = 0.02;        // of a sphere's diameter
+constexpr double kWindow = 0.2;          // between two looks [s]
 constexpr double kSettled = 1e-4;        // relative change of the end's motion in a window
 constexpr double kMostSeconds = 16;      // enough for what drag slows most; then it has not settled
 
+/// What a solid does by formula.
+enum class Theory { stretched, bent, sheared, pressed };
+
+/// What holds a specimen.
+enum class Support { top, bottom, floor };
+
+/// How a specimen is loaded and what a solid does then.
+struct Loading {
+    Vec3 size;  ///< [m]
+    Support support;
+    Theory theory;
+    /// How stiff an incompressible solid is against the formula: clamps, the width of a slab and
+    /// free rims are not in it (docs/notes/effective-modulus.md).
+    double solid;
+};
+
+Loading loadingOf(SpecimenKind kind) {
+    switch (kind) {
+        case SpecimenKind::hangingBar:
+            return {{0.1, 0.4, 0.1}, Support::top, Theory::stretched, 1.04};
+        case SpecimenKind::bentBar:
+            return {{0.1, 0.4, 0.1}, Support::top, Theory::bent, 1.00};
+        case SpecimenKind::bentSlab:
+            return {{0.1, 0.4, 0.5}, Support::top, Theory::bent, 1.16};
+        case SpecimenKind::compressedBlock:
+            return {{0.2, 0.2, 0.2}, Support::floor, Theory::stretched, 0.96};
+        case SpecimenKind::shearedBlock:
+            return {{0.4, 0.1, 0.4}, Support::bottom, Theory::sheared, 0.83};
+        case SpecimenKind::hangingCube:
+            return {{0.2, 0.2, 0.2}, Support::top, Theory::stretched, 1.09};
+        case SpecimenKind::pressedSphere:
+            return {{0.2, 0.2, 0.2}, Support::floor, Theory::pressed, 1.00};
+    }
+    return {};
+}
+
 /// The unloaded body, its axis along y.
 struct Specimen {
-    Vec3 size;
+    Loading loading;
     SurfaceMesh mesh;
-    std::vector<int> bottom;  ///< vertices of the lower end
-    std::vector<int> top;
+    std::vector<int> held;  ///< vertices of the end that is held
+    std::vector<int> free;  ///< vertices whose mean way is measured
 };
 
 std::vector<int> verticesAt(const SurfaceMesh& mesh, double height) {
@@ -36,51 +78,72 @@ std::vector<int> verticesAt(const SurfaceMesh& mesh, double height) {
     return found;
 }
 
-bool isBent(SpecimenKind kind) {
-    return kind == SpecimenKind::bentBar || kind == SpecimenKind::bentSlab;
+std::vector<int> allVertices(const SurfaceMesh& mesh) {
+    std::vector<int> all(mesh.vertexCount());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
 }
 
-Vec3 sizeOf(SpecimenKind kind) {
-    switch (kind) {
-        case SpecimenKind::hangingBar:
-        case SpecimenKind::bentBar:
-            return {0.1, 0.4, 0.1};
-        case SpecimenKind::bentSlab:
-            return {0.1, 0.4, 0.5};
-        case SpecimenKind::compressedBlock:
-            return {0.2, 0.2, 0.2};
-    }
-    return Vec3::Zero();
+bool actsAside(Theory theory) {
+    return theory == Theory::bent || theory == Theory::sheared;
 }
 
-/// Squares across its x, as large along the other axes.
-Specimen makeSpecimen(const BenchSetting& setting) {
-    const Vec3 size = sizeOf(setting.kind);
+SurfaceMesh boxOfSquares(const Vec3& size, double square) {
     const auto cells = [&](double length) {
-        return static_cast<int>(std::lround(setting.cells * length / size.x()));
+        return static_cast<int>(std::lround(length / square));
     };
-    const TriangleSoup soup = boxSurface(size, {setting.cells, cells(size.y()), cells(size.z())});
-    Specimen specimen{size, SurfaceMesh::fromTriangles(soup.positions, soup.triangles), {}, {}};
-    specimen.bottom = verticesAt(specimen.mesh, -size.y() / 2);
-    specimen.top = verticesAt(specimen.mesh, size.y() / 2);
+    const TriangleSoup soup = boxSurface(size, {cells(size.x()), cells(size.y()), cells(size.z())});
+    return SurfaceMesh::fromTriangles(soup.positions, soup.triangles);
+}
+
+/// Contact is small: four times as many squares as on a block, on each side of a cube that is blown
+/// up to a sphere.
+SurfaceMesh sphereOfSquares(double diameter, int cells) {
+    constexpr int kFiner = 4;
+    TriangleSoup soup = boxSurface(Vec3::Ones(), {kFiner * cells, kFiner * cells, kFiner * cells});
+    for (Vec3& p : soup.positions) {
+        // As the tangent of even angles, squares are of about one size.
+        for (double& x : p) {
+            x = std::tan(x * std::numbers::pi / 2);
+        }
+        p *= 0.5 * diameter / p.norm();
+    }
+    return SurfaceMesh::fromTriangles(soup.positions, soup.triangles);
+}
+
+/// Squares across its shortest side.
+Specimen makeSpecimen(const BenchSetting& setting) {
+    const Loading loading = loadingOf(setting.kind);
+    const Vec3& size = loading.size;
+    Specimen specimen{loading,
+                      loading.theory == Theory::pressed
+                          ? sphereOfSquares(size.y(), setting.cells)
+                          : boxOfSquares(size, size.minCoeff() / setting.cells),
+                      {},
+                      {}};
+    const double end = (loading.support == Support::top ? 0.5 : -0.5) * size.y();
+    specimen.held = verticesAt(specimen.mesh, end);
+    specimen.free = loading.theory == Theory::pressed ? allVertices(specimen.mesh)
+                                                      : verticesAt(specimen.mesh, -end);
     return specimen;
 }
 
 /// How far a force at a distance from the support moves the end, times E, per newton [1/m].
-double compliance(const Vec3& size, SpecimenKind kind, double distance) {
-    const double length = size.y();
-    if (isBent(kind)) {
+double compliance(const Loading& loading, double distance) {
+    const Vec3& size = loading.size;
+    const double section = size.x() * size.z();
+    if (loading.theory == Theory::bent) {
         const double secondMoment = size.z() * std::pow(size.x(), 3) / 12;
-        return distance * distance * (3 * length - distance) / (6 * secondMoment);
+        return distance * distance * (3 * size.y() - distance) / (6 * secondMoment);
     }
-    return distance / (size.x() * size.z());
+    return (loading.theory == Theory::sheared ? 3 : 1) * distance / section;
 }
 
 /// How far the end of a specimen moves, times E, per unit of gravity [Pa s^2]. Weight lies on the
 /// skin, spread by area.
-double loadPerGravity(const Specimen& specimen, SpecimenKind kind, double density) {
-    const Vec3& size = specimen.size;
-    const double support = (kind == SpecimenKind::compressedBlock ? -0.5 : 0.5) * size.y();
+double loadPerGravity(const Specimen& specimen, double density) {
+    const Loading& loading = specimen.loading;
+    const double support = (loading.support == Support::top ? 0.5 : -0.5) * loading.size.y();
     const SurfaceMesh& mesh = specimen.mesh;
     double area = 0;
     double motion = 0;
@@ -89,70 +152,94 @@ double loadPerGravity(const Specimen& specimen, SpecimenKind kind, double densit
         const Vec3 middle = (at[0] + at[1] + at[2]) / 3;
         const double share = triangleArea(at);
         area += share;
-        motion += share * compliance(size, kind, std::abs(middle.y() - support));
+        motion += share * compliance(loading, std::abs(middle.y() - support));
     }
-    return density * size.prod() * motion / area;
+    return density * loading.size.prod() * motion / area / loading.solid;
+}
+
+/// The force per modulus that lets the middle of a sphere down by `way`: 4/3 E / (1 - nu^2)
+/// sqrt(R) way^(3/2) with Poisson's ratio 1/2 [m^2].
+double hertzForce(double radius, double way) {
+    return 16.0 / 9 * std::sqrt(radius) * std::pow(way, 1.5);
+}
+
+/// The gravity that strains a specimen of this modulus [m/s^2].
+double gravityFor(const Specimen& specimen, double modulus, double density) {
+    const double length = specimen.loading.size.y();
+    if (specimen.loading.theory == Theory::pressed) {
+        const double mass = density * meshRestVolume(specimen.mesh);
+        return modulus * hertzForce(0.5 * length, kPressed * length) / mass;
+    }
+    return kStrain * modulus * length / loadPerGravity(specimen, density);
+}
+
+/// The modulus of the solid whose end would go so far.
+double modulusFor(const Specimen& specimen, double way, double gravity, double density) {
+    if (specimen.loading.theory == Theory::pressed) {
+        const double mass = density * meshRestVolume(specimen.mesh);
+        return mass * gravity / hertzForce(0.5 * specimen.loading.size.y(), way);
+    }
+    return loadPerGravity(specimen, density) * gravity / way;
 }
 
 /// About critical for the slowest mode, so that it settles soon [1/s].
 double dragFor(const BenchSetting& setting, const Specimen& specimen, double density) {
-    if (!isBent(setting.kind)) {
+    if (specimen.loading.theory != Theory::bent) {
         return kDrag;
     }
-    const double gyration = specimen.size.x() / std::sqrt(12.0);
-    const double length = specimen.size.y();
+    const double gyration = specimen.loading.size.x() / std::sqrt(12.0);
+    const double length = specimen.loading.size.y();
     return 2 * kFirstBending * gyration / (length * length) * std::sqrt(setting.modulus / density);
 }
 
 Params benchParams(const BenchSetting& setting, const Specimen& specimen) {
     Params params;
+    params.timeStep = setting.timeStep;
     params.iterations = setting.iterations;
     params.youngsModulus = setting.modulus;
-    params.ispcStiffness = setting.ispcStiffness;
+    params.trueModulus = setting.trueModulus ? 1 : 0;
     params.airDrag = dragFor(setting, specimen, params.density);
     params.friction = 0;
     params.floor.reset();
-    if (setting.kind == SpecimenKind::compressedBlock) {
-        params.floor = -specimen.size.y() / 2;
+    if (specimen.loading.support == Support::floor) {
+        params.floor = -specimen.loading.size.y() / 2;
     }
-    const double load = loadPerGravity(specimen, setting.kind, params.density);
-    const double gravity = kStrain * setting.modulus * specimen.size.y() / load;
-    params.gravity = gravity * (isBent(setting.kind) ? Vec3(Vec3::UnitX()) : Vec3(-Vec3::UnitY()));
+    const double gravity = gravityFor(specimen, setting.modulus, params.density);
+    params.gravity =
+        gravity * (actsAside(specimen.loading.theory) ? Vec3(Vec3::UnitX()) : Vec3(-Vec3::UnitY()));
     return params;
 }
 
-void pinTop(Simulation& simulation, const Specimen& specimen) {
+void pinEnd(Simulation& simulation, const Specimen& specimen) {
     Bounds region;
-    for (const int v : specimen.top) {
+    for (const int v : specimen.held) {
         region.add(specimen.mesh.position(v));
     }
-    region.widen(1e-3 * specimen.size.y());
+    region.widen(1e-3 * specimen.loading.size.y());
     simulation.execute(Pin{region});
 }
 
-Vec3 meanPosition(const SurfaceMesh& mesh, const std::vector<int>& vertices) {
-    Vec3 sum = Vec3::Zero();
-    for (const int v : vertices) {
-        sum += mesh.position(v);
-    }
-    return sum / static_cast<double>(vertices.size());
-}
-
-/// How far the ends have moved against each other since rest: along the bar, or aside [m].
-double motionOfEnd(Simulation& simulation, const Specimen& specimen, SpecimenKind kind) {
+/// How far the free end has gone since rest: along the weight [m].
+double motionOfEnd(Simulation& simulation, const Specimen& specimen) {
     const SurfaceMesh& mesh = simulation.mesh();
-    const Vec3 axis = meanPosition(mesh, specimen.bottom) - meanPosition(mesh, specimen.top);
-    return std::abs(isBent(kind) ? axis.x() : axis.y() + specimen.size.y());
+    Vec3 sum = Vec3::Zero();
+    for (const int v : specimen.free) {
+        sum += mesh.position(v) - mesh.restPosition(v);
+    }
+    const Vec3 way = sum / static_cast<double>(specimen.free.size());
+    return std::abs(actsAside(specimen.loading.theory) ? way.x() : way.y());
 }
 
 /// Steps until the end stands still. False where it does not in kMostSeconds.
-bool settle(Simulation& simulation, const Specimen& specimen, SpecimenKind kind) {
-    double before = motionOfEnd(simulation, specimen, kind);
+bool settle(Simulation& simulation, const Specimen& specimen) {
+    double before = motionOfEnd(simulation, specimen);
+    double look = kWindow;
     while (simulation.report().time < kMostSeconds) {
-        for (int i = 0; i < kWindow; ++i) {
+        while (simulation.report().time < look) {
             simulation.step();
         }
-        const double now = motionOfEnd(simulation, specimen, kind);
+        look += kWindow;
+        const double now = motionOfEnd(simulation, specimen);
         if (std::abs(now - before) <= kSettled * now) {
             return true;
         }
@@ -167,17 +254,17 @@ BenchResult measureModulus(const BenchSetting& setting) {
     const Specimen specimen = makeSpecimen(setting);
     const Params params = benchParams(setting, specimen);
     Simulation simulation(specimen.mesh, params);
-    if (setting.kind != SpecimenKind::compressedBlock) {
-        pinTop(simulation, specimen);
+    if (specimen.loading.support != Support::floor) {
+        pinEnd(simulation, specimen);
     }
     BenchResult result;
-    result.settled = settle(simulation, specimen, setting.kind);
-    const double change = motionOfEnd(simulation, specimen, setting.kind);
-    const double load = loadPerGravity(specimen, setting.kind, params.density);
+    result.settled = settle(simulation, specimen);
+    const double way = motionOfEnd(simulation, specimen);
     result.triangles = specimen.mesh.aliveTriangles();
-    result.strain = change / specimen.size.y();
-    result.effectiveModulus = load * params.gravity.norm() / change;
+    result.strain = way / specimen.loading.size.y();
+    result.effectiveModulus = modulusFor(specimen, way, params.gravity.norm(), params.density);
     result.volumeRatio = simulation.report().volumeRatio;
+    result.tooFewIterations = hasTooFewSweeps(params, meanRestEdgeLength(specimen.mesh));
     return result;
 }
 

@@ -36,6 +36,7 @@ struct BodyMember {
     double restVolume = 0;  ///< uncut [m^3]
     double modulus = 1;     ///< its Young's modulus, as a multiple of that of the parameters
     double density = 1;     ///< the same of its density
+    double skin = 0;        ///< thickness of flesh that is as stiff as the skin over it [m]
 };
 
 /// The constant set-up of a soft body: rest shape, constraints, masses. Built from a mesh in rest

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "sim/base/pausing.h"
 #include "sim/body/constraint_builder.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/body/surface_tag.h"
@@ -141,7 +142,7 @@ void BodyUpdater::buildEdgesAndBends() {
     forEachEdge(mesh_, [&](int h) {
         const int g = mesh_.twin(h);
         slotsOfEdge_[h].edge = slotsOfEdge_[g].edge = static_cast<int>(model_.edges.size());
-        model_.edges.push_back(edgeConstraint(mesh_, h, thicknessAt(h)));
+        model_.edges.push_back(edgeConstraint(mesh_, h, thicknessAt(h), skinAt(h)));
         halfEdgesOfEdge_.emplace_back(h, g);
         if (const auto bend = bendConstraint(mesh_, h, thicknessAt(h))) {
             slotsOfEdge_[h].bend = slotsOfEdge_[g].bend = static_cast<int>(model_.bends.size());
@@ -151,8 +152,24 @@ void BodyUpdater::buildEdgesAndBends() {
     });
 }
 
+const BodyMember& BodyUpdater::memberAt(int halfEdge) const {
+    return model_.members[memberOfPiece_[labels_.ofVertex()[mesh_.target(halfEdge)]]];
+}
+
 double BodyUpdater::thicknessAt(int halfEdge) const {
-    return model_.members[memberOfPiece_[labels_.ofVertex()[mesh_.target(halfEdge)]]].thickness;
+    return memberAt(halfEdge).thickness;
+}
+
+double BodyUpdater::skinAt(int halfEdge) const {
+    return memberAt(halfEdge).skin;
+}
+
+/// The skin has become another one.
+void BodyUpdater::renewEdges() {
+    for (std::size_t i = 0; i < model_.edges.size(); ++i) {
+        const int h = halfEdgesOfEdge_[i].first;
+        model_.edges[i].geometry = edgeConstraint(mesh_, h, thicknessAt(h), skinAt(h)).geometry;
+    }
 }
 
 /// -1 where no triangle around the vertex is present.
@@ -182,16 +199,23 @@ BodyChange BodyUpdater::update(const CutDelta& delta) {
     BodyChange change;
     change.pieces = labels_.update(mesh_, changed);
     followMembers(change.pieces.source);
+    pausePoint();
     growVertices();
     followAbsent(changed);
+    pausePoint();
     updateAreas(delta, changed, change);
+    pausePoint();
     change.neighbourLists = change.vertices;
     updateMasses();
     updateSkinNormals(delta, changed, change.vertices);
     updateTriangles(changed, change);
+    pausePoint();
     updateNeighbours(change.neighbourLists);
+    pausePoint();
     updateShell(changed, change);
+    pausePoint();
     updateIspcs(changed, change);
+    pausePoint();
     addListed(change);
     return change;
 }
@@ -231,17 +255,23 @@ int BodyUpdater::nearestOldPiece(int piece) const {
 bool BodyUpdater::setMaterials(std::span<const MemberMaterial> materials) {
     assert(materials.size() == model_.members.size());
     bool differ = false;
+    bool skinDiffers = false;
     for (std::size_t m = 0; m < materials.size(); ++m) {
         BodyMember& member = model_.members[m];
-        const auto& [modulus, density] = materials[m];
+        const auto& [modulus, density, skin] = materials[m];
         differ |= member.modulus != modulus || member.density != density;
+        skinDiffers |= member.skin != skin;
         member.modulus = modulus;
         member.density = density;
+        member.skin = skin;
     }
     if (differ) {
         updateMasses();
     }
-    return differ;
+    if (skinDiffers) {
+        renewEdges();
+    }
+    return differ || skinDiffers;
 }
 
 void BodyUpdater::growVertices() {
@@ -466,11 +496,22 @@ void BodyUpdater::updateIspcs(std::span<const int> changed, BodyChange& change) 
     change.constraints[shared::kIspc] = ispcs.takeChange();
 }
 
+BodyChange BodyUpdater::castIspcs(IspcRays rays) {
+    BodyChange change;
+    change.pieces.source.resize(model_.pieces.size());
+    std::iota(change.pieces.source.begin(), change.pieces.source.end(), 0);
+    RecordEditor ispcs = edit(model_.ispcs, shared::kIspc);
+    ispcs_->castAnew(model_, rays, ispcs);
+    change.constraints[shared::kIspc] = ispcs.takeChange();
+    addListed(change);
+    return change;
+}
+
 void BodyUpdater::addEdge(int h, RecordEditor<EdgeConstraint>& edges,
                           RecordEditor<BendConstraint>& bends) {
     const int g = mesh_.twin(h);
     const double thickness = thicknessAt(h);
-    const int edge = edges.add(edgeConstraint(mesh_, h, thickness));
+    const int edge = edges.add(edgeConstraint(mesh_, h, thickness, skinAt(h)));
     halfEdgesOfEdge_.resize(model_.edges.size());
     halfEdgesOfEdge_[edge] = {h, g};
     slotsOfEdge_[h].edge = slotsOfEdge_[g].edge = edge;

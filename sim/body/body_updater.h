@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/pausing.h"
 #include "sim/body/body_model.h"
 #include "sim/body/ispc_set.h"
 #include "sim/body/piece_masses.h"
@@ -34,6 +35,7 @@ struct BodyChange {
 struct MemberMaterial {
     double modulus = 1;
     double density = 1;
+    double skin = 0;  ///< see BodyMember::skin [m]
 };
 
 /// Carries the model of a body through cuts, at the cost of what each of them touches. As a set,
@@ -61,6 +63,10 @@ class BodyUpdater {
     /// Sets what the members are made of, one each. Returns whether that differs from before: then
     /// all masses and compliances do.
     bool setMaterials(std::span<const MemberMaterial> materials);
+    /// How ISPCs are cast; along the normal at first.
+    IspcRays ispcRays() const { return ispcs_->rays(); }
+    /// Casts all ISPCs anew.
+    BodyChange castIspcs(IspcRays rays);
 
   private:
     /// The records that a half-edge shares with its twin; -1 for none.
@@ -99,14 +105,19 @@ class BodyUpdater {
     std::array<std::uint32_t, 4> taggedTriangle(int triangle) const;
     int presentPieceOf(int vertex) const;
     double vertexArea(int vertex) const;
+    const BodyMember& memberAt(int halfEdge) const;
     double thicknessAt(int halfEdge) const;
+    double skinAt(int halfEdge) const;
+    void renewEdges();
 
     const SurfaceMesh& mesh_;
     BodyModel model_;
+    [[maybe_unused, no_unique_address]] PauseOfCopies afterModel_;
     PieceLabels labels_;
     SkinNormals skinNormals_;
     std::vector<VertexAreas> areas_;  ///< by piece
     std::vector<int> memberOfPiece_;
+    [[maybe_unused, no_unique_address]] PauseOfCopies afterPieces_;
     std::vector<int> slotOfTriangle_;     ///< in model_.triangles, by mesh slot; -1 for dead ones
     std::vector<EdgeSlots> slotsOfEdge_;  ///< by half-edge
     std::vector<std::pair<int, int>> halfEdgesOfEdge_;  ///< by edge record
@@ -114,6 +125,7 @@ class BodyUpdater {
     std::vector<int> absent_;                           ///< mesh slots, ascending
     IncidenceRooms triangleRooms_, neighbourRooms_;
     std::array<IncidenceRooms, kConstraintTypes> constraintRooms_;
+    [[maybe_unused, no_unique_address]] PauseOfCopies afterRooms_;
     std::optional<IspcSet> ispcs_;
 };
 

@@ -22,8 +22,10 @@ void forEachEdge(const SurfaceMesh& mesh, F&& f) {
     }
 }
 
-/// The stretching constraint of the edge of a half-edge, in the rest shape. `thickness` [m].
-EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int halfEdge, double thickness);
+/// The stretching constraint of the edge of a half-edge, in the rest shape. `thickness`: of the
+/// shell [m]; `skin`: how much more it counts where it is no wall [m].
+EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int halfEdge, double thickness,
+                              double skin = 0);
 
 /// The bending constraint of the edge of a half-edge; none where a triangle beside it is absent or
 /// a sliver (height below 5 % of its longest edge), whose normal is noise.

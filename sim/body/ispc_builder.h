@@ -15,25 +15,42 @@ struct CastIspc {
     int meshTriangle = -1;
 };
 
-/// Casts the ISPC of a vertex in the rest shape: from the vertex along its inward normal to the
-/// first back face of the same piece.
+/// Where the rays of ISPCs go.
+enum class IspcRays {
+    alongNormal,  ///< one from each vertex, against its normal, as in the paper
+    /// Three from each vertex, turned from the normal, each vertex's another way: so they resist
+    /// shear, and all together they are as dense in all directions and everywhere.
+    turned,
+};
+
+/// How many rays leave a vertex.
+constexpr int raysPerVertex(IspcRays rays) {
+    return rays == IspcRays::turned ? 3 : 1;
+}
+
+/// Casts the ISPCs of a vertex in the rest shape: from the vertex inwards to the first back face of
+/// the same piece.
 class IspcCaster {
   public:
     /// All must outlive the caster. `tree` holds the living triangles; `edgeLength`: mean rest edge
     /// length of the uncut body [m].
     IspcCaster(const SurfaceMesh& mesh, const RayTree& tree, const std::vector<int>& pieceOfVertex,
-               double edgeLength);
+               double edgeLength, IspcRays rays);
 
     /// Nothing where the vertex is unused, on a slit front (see VertexNormal::flatness), or where
     /// the ray finds no opposite side. May end on an absent triangle, which can hold no ISPC.
-    /// `vertexArea`: rest area of the vertex [m^2].
-    std::optional<CastIspc> cast(int vertex, double vertexArea) const;
+    /// `ray`: which of the vertex's, from 0; `vertexArea`: rest area of the vertex [m^2].
+    std::optional<CastIspc> cast(int vertex, int ray, double vertexArea) const;
 
   private:
+    Vec3 direction(int vertex, int ray, const Vec3& inwards) const;
+    bool pointsInside(int vertex, const Vec3& direction) const;
+
     const SurfaceMesh& mesh_;
     const RayTree& tree_;
     const std::vector<int>& pieceOfVertex_;
     double edgeLength_;
+    IspcRays rays_;
 };
 
 /// Rest position of the far end of an ISPC [m].

@@ -1,6 +1,7 @@
 #include "sim/body/ispc_set.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "sim/base/sort_unique.h"
@@ -32,15 +33,11 @@ std::vector<int> newWalls(const SurfaceMesh& mesh, std::span<const int> changed)
 IspcSet::IspcSet(const SurfaceMesh& mesh, BodyModel& model)
     : mesh_(mesh), tree_(mesh, livingTriangles(mesh)) {
     tree_.prepareToUpdate();
-    const int vertices = mesh.vertexCount();
-    ofVertex_.assign(vertices, -1);
-    next_.assign(vertices, -1);
-    previous_.assign(vertices, -1);
-    firstOn_.assign(mesh.triangleSlots(), -1);
-    const IspcCaster caster(mesh, tree_, model.pieceOfVertex, model.edgeLength);
-    for (int v = 0; v < vertices; ++v) {
-        if (const std::optional<CastIspc> ispc = caster.cast(v, model.vertexAreas[v])) {
-            remember(*ispc, static_cast<int>(model.ispcs.size()));
+    makeRoom();
+    const IspcCaster caster(mesh, tree_, model.pieceOfVertex, model.edgeLength, rays_);
+    for (int ray = 0; ray < static_cast<int>(ofRay_.size()); ++ray) {
+        if (const std::optional<CastIspc> ispc = cast(caster, model, ray)) {
+            remember(*ispc, ray, static_cast<int>(model.ispcs.size()));
             model.ispcs.push_back(ispc->constraint);
             model.ispcMeshTriangle.push_back(ispc->meshTriangle);
         }
@@ -48,131 +45,179 @@ IspcSet::IspcSet(const SurfaceMesh& mesh, BodyModel& model)
     refillGrid(model);
 }
 
+std::optional<CastIspc> IspcSet::cast(const IspcCaster& caster, const BodyModel& model,
+                                      int ray) const {
+    const int v = vertexOf(ray);
+    return caster.cast(v, ray - v * raysPerVertex(rays_), model.vertexAreas[v]);
+}
+
+/// For the rays of all vertices, and lists of all triangles.
+void IspcSet::makeRoom() {
+    const std::size_t rays = static_cast<std::size_t>(mesh_.vertexCount()) * raysPerVertex(rays_);
+    ofRay_.resize(rays, -1);
+    next_.resize(rays, -1);
+    previous_.resize(rays, -1);
+    firstOn_.resize(mesh_.triangleSlots(), -1);
+}
+
 void IspcSet::refillGrid(const BodyModel& model) {
     grid_ = SegmentGrid(restBounds(mesh_), static_cast<int>(model.ispcs.size()));
-    for (const shared::IspcConstraint& ispc : model.ispcs) {
-        addToGrid(ispc);
+    for (std::size_t slot = 0; slot < model.ispcs.size(); ++slot) {
+        addToGrid(model.ispcs[slot], rayOf_[slot]);
     }
 }
 
-void IspcSet::addToGrid(const shared::IspcConstraint& ispc) {
-    const int v = static_cast<int>(ispc.vertex);
-    grid_.add(v, mesh_.restPosition(v), restEnd(mesh_, ispc));
+void IspcSet::addToGrid(const shared::IspcConstraint& ispc, int ray) {
+    grid_.add(ray, mesh_.restPosition(static_cast<int>(ispc.vertex)), restEnd(mesh_, ispc));
 }
 
-void IspcSet::remember(const CastIspc& ispc, int slot) {
-    const int v = static_cast<int>(ispc.constraint.vertex);
-    ofVertex_[v] = slot;
-    next_[v] = firstOn_[ispc.meshTriangle];
-    previous_[v] = -1;
-    if (next_[v] >= 0) {
-        previous_[next_[v]] = v;
+void IspcSet::remember(const CastIspc& ispc, int ray, int slot) {
+    ofRay_[ray] = slot;
+    rayOf_.resize(std::max(rayOf_.size(), static_cast<std::size_t>(slot) + 1), -1);
+    rayOf_[slot] = ray;
+    next_[ray] = firstOn_[ispc.meshTriangle];
+    previous_[ray] = -1;
+    if (next_[ray] >= 0) {
+        previous_[next_[ray]] = ray;
     }
-    firstOn_[ispc.meshTriangle] = v;
+    firstOn_[ispc.meshTriangle] = ray;
 }
 
-void IspcSet::forget(int vertex, int triangle) {
-    ofVertex_[vertex] = -1;
-    if (previous_[vertex] >= 0) {
-        next_[previous_[vertex]] = next_[vertex];
+void IspcSet::forget(int ray, int triangle) {
+    ofRay_[ray] = -1;
+    if (previous_[ray] >= 0) {
+        next_[previous_[ray]] = next_[ray];
     } else {
-        firstOn_[triangle] = next_[vertex];
+        firstOn_[triangle] = next_[ray];
     }
-    if (next_[vertex] >= 0) {
-        previous_[next_[vertex]] = previous_[vertex];
+    if (next_[ray] >= 0) {
+        previous_[next_[ray]] = previous_[ray];
     }
 }
 
 template <class F>
 void IspcSet::forEachEndingOn(int triangle, F&& f) const {
-    for (int v = firstOn_[triangle]; v >= 0; v = next_[v]) {
-        f(v);
+    for (int ray = firstOn_[triangle]; ray >= 0; ray = next_[ray]) {
+        f(ray);
     }
 }
 
 void IspcSet::update(BodyModel& model, std::span<const int> changed, const LabelChange& labels,
                      Editor& editor) {
-    ofVertex_.resize(mesh_.vertexCount(), -1);
-    next_.resize(mesh_.vertexCount(), -1);
-    previous_.resize(mesh_.vertexCount(), -1);
-    firstOn_.resize(mesh_.triangleSlots(), -1);
+    makeRoom();
     tree_.update(changed);
-    const std::vector<int> vertices = verticesToCast(model, changed, labels);
-    for (const int v : vertices) {
-        if (const int slot = ofVertex_[v]; slot >= 0) {
-            forget(v, model.ispcMeshTriangle[slot]);
-            editor.remove(slot);
-        }
-    }
-    const IspcCaster caster(mesh_, tree_, model.pieceOfVertex, model.edgeLength);
-    for (const int v : vertices) {
-        const std::optional<CastIspc> ispc = caster.cast(v, model.vertexAreas[v]);
-        if (ispc && mesh_.absent(ispc->meshTriangle)) {
-            waiting_.push_back(v);
-        } else if (ispc) {
-            const int slot = editor.add(ispc->constraint);
-            model.ispcMeshTriangle.resize(model.ispcs.size(), -1);
-            model.ispcMeshTriangle[slot] = ispc->meshTriangle;
-            remember(*ispc, slot);
-            addToGrid(ispc->constraint);
-        }
-    }
-    editor.close([&](int from, int to) {
-        model.ispcMeshTriangle[to] = model.ispcMeshTriangle[from];
-        ofVertex_[model.ispcs[to].vertex] = to;
-    });
-    model.ispcMeshTriangle.resize(model.ispcs.size());
+    castRays(model, raysToCast(model, changed, labels), editor);
     if (grid_.overfull()) {
         refillGrid(model);
     }
 }
 
-/// Vertices whose ISPC must be cast, ascending.
-std::vector<int> IspcSet::verticesToCast(const BodyModel& model, std::span<const int> changed,
-                                         const LabelChange& labels) {
-    std::vector<int> vertices;
-    if (mesh_.openStroke() < 0) {
-        vertices = std::exchange(waiting_, {});
+void IspcSet::castAnew(BodyModel& model, IspcRays rays, Editor& editor) {
+    for (std::size_t slot = 0; slot < model.ispcs.size(); ++slot) {
+        editor.remove(static_cast<int>(slot));
     }
-    for (const int t : changed) {
-        forEachEndingOn(t, [&](int v) { vertices.push_back(v); });
-        if (mesh_.alive(t)) {
-            vertices.insert(vertices.end(), mesh_.triangle(t).begin(), mesh_.triangle(t).end());
-        }
-    }
-    addSeparated(model, labels, vertices);
-    sortUnique(vertices);
-    const std::size_t known = vertices.size();
-    addCrossed(model, changed, vertices);
-    if (vertices.size() > known) {
-        sortUnique(vertices);
-    }
-    return vertices;
+    rays_ = rays;
+    waiting_.clear();
+    ofRay_.clear();
+    next_.clear();
+    previous_.clear();
+    firstOn_.clear();
+    makeRoom();
+    std::vector<int> all(ofRay_.size());
+    std::iota(all.begin(), all.end(), 0);
+    castRays(model, all, editor);
+    refillGrid(model);
 }
 
-bool IspcSet::isSeparated(const BodyModel& model, int vertex) const {
-    const int slot = ofVertex_[vertex];
-    return slot >= 0 && model.pieceOfVertex[vertex] != model.pieceOfVertex[model.ispcs[slot].t0];
+/// Ascending; those that have an ISPC lose it.
+void IspcSet::castRays(BodyModel& model, std::span<const int> rays, Editor& editor) {
+    for (const int ray : rays) {
+        if (const int slot = ofRay_[ray]; slot >= 0) {
+            forget(ray, model.ispcMeshTriangle[slot]);
+            editor.remove(slot);
+        }
+    }
+    const IspcCaster caster(mesh_, tree_, model.pieceOfVertex, model.edgeLength, rays_);
+    for (const int ray : rays) {
+        const std::optional<CastIspc> ispc = cast(caster, model, ray);
+        if (ispc && mesh_.absent(ispc->meshTriangle)) {
+            waiting_.push_back(ray);
+        } else if (ispc) {
+            const int slot = editor.add(ispc->constraint);
+            model.ispcMeshTriangle.resize(model.ispcs.size(), -1);
+            model.ispcMeshTriangle[slot] = ispc->meshTriangle;
+            remember(*ispc, ray, slot);
+            addToGrid(ispc->constraint, ray);
+        }
+    }
+    editor.close([&](int from, int to) {
+        model.ispcMeshTriangle[to] = model.ispcMeshTriangle[from];
+        rayOf_[to] = rayOf_[from];
+        ofRay_[rayOf_[to]] = to;
+    });
+    model.ispcMeshTriangle.resize(model.ispcs.size());
+    rayOf_.resize(model.ispcs.size());
+}
+
+/// Rays that must be cast, ascending.
+std::vector<int> IspcSet::raysToCast(const BodyModel& model, std::span<const int> changed,
+                                     const LabelChange& labels) {
+    std::vector<int> rays;
+    if (mesh_.openStroke() < 0) {
+        rays = std::exchange(waiting_, {});
+    }
+    for (const int t : changed) {
+        forEachEndingOn(t, [&](int ray) { rays.push_back(ray); });
+        if (mesh_.alive(t)) {
+            for (const int v : mesh_.triangle(t)) {
+                addRaysOf(v, rays);
+            }
+        }
+    }
+    addSeparated(model, labels, rays);
+    sortUnique(rays);
+    const std::size_t known = rays.size();
+    addCrossed(model, changed, rays);
+    if (rays.size() > known) {
+        sortUnique(rays);
+    }
+    return rays;
+}
+
+void IspcSet::addRaysOf(int vertex, std::vector<int>& rays) const {
+    const int count = raysPerVertex(rays_);
+    for (int ray = vertex * count; ray < (vertex + 1) * count; ++ray) {
+        rays.push_back(ray);
+    }
+}
+
+bool IspcSet::isSeparated(const BodyModel& model, int ray) const {
+    const int slot = ofRay_[ray];
+    return slot >= 0 &&
+           model.pieceOfVertex[vertexOf(ray)] != model.pieceOfVertex[model.ispcs[slot].t0];
 }
 
 void IspcSet::addSeparated(const BodyModel& model, const LabelChange& labels,
-                           std::vector<int>& vertices) const {
-    const auto check = [&](int v) {
-        if (isSeparated(model, v)) {
-            vertices.push_back(v);
+                           std::vector<int>& rays) const {
+    const auto check = [&](int ray) {
+        if (isSeparated(model, ray)) {
+            rays.push_back(ray);
         }
     };
+    std::vector<int> own;
     for (const LabelMove& move : labels.moves) {
-        check(move.vertex);
+        own.clear();
+        addRaysOf(move.vertex, own);
+        std::ranges::for_each(own, check);
         if (labels.piecesChanged && move.from >= 0) {
             mesh_.forEachOutgoing(move.vertex, [&](int h) { forEachEndingOn(h / 3, check); });
         }
     }
 }
 
-/// Of those that are not in `vertices` (ascending) yet.
+/// Of those that are not in `rays` (ascending) yet.
 void IspcSet::addCrossed(const BodyModel& model, std::span<const int> changed,
-                         std::vector<int>& vertices) const {
+                         std::vector<int>& rays) const {
     const std::vector<int> walls = newWalls(mesh_, changed);
     std::vector<Bounds> boxes(walls.size());
     for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -181,14 +226,15 @@ void IspcSet::addCrossed(const BodyModel& model, std::span<const int> changed,
         }
     }
     const RayTree wallTree(mesh_, walls);
-    const auto known = static_cast<std::ptrdiff_t>(vertices.size());
-    for (const int v : grid_.find(boxes)) {
-        const int slot = ofVertex_[v];
-        if (slot < 0 || std::binary_search(vertices.begin(), vertices.begin() + known, v)) {
+    const auto known = static_cast<std::ptrdiff_t>(rays.size());
+    for (const int ray : grid_.find(boxes)) {
+        const int slot = ofRay_[ray];
+        if (slot < 0 || std::binary_search(rays.begin(), rays.begin() + known, ray)) {
             continue;
         }
-        if (wallTree.crosses(mesh_.restPosition(v), restEnd(mesh_, model.ispcs[slot]))) {
-            vertices.push_back(v);
+        if (wallTree.crosses(mesh_.restPosition(vertexOf(ray)),
+                             restEnd(mesh_, model.ispcs[slot]))) {
+            rays.push_back(ray);
         }
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,10 @@ class IspcSet {
     /// Casts the ISPCs of all vertices into `model`, of which all but the ISPCs must be there.
     IspcSet(const SurfaceMesh& mesh, BodyModel& model);
 
+    IspcRays rays() const { return rays_; }
+    /// Casts all anew, as `rays` go.
+    void castAnew(BodyModel& model, IspcRays rays, RecordEditor<shared::IspcConstraint>& editor);
+
     /// Follows a change of the mesh; see BodyUpdater for what is kept.
     void update(BodyModel& model, std::span<const int> changed, const LabelChange& labels,
                 RecordEditor<shared::IspcConstraint>& editor);
@@ -26,29 +31,37 @@ class IspcSet {
   private:
     using Editor = RecordEditor<shared::IspcConstraint>;
 
-    std::vector<int> verticesToCast(const BodyModel& model, std::span<const int> changed,
-                                    const LabelChange& labels);
+    // A ray is raysPerVertex() times its vertex, plus which of its rays it is.
+    int vertexOf(int ray) const { return ray / raysPerVertex(rays_); }
+    std::optional<CastIspc> cast(const IspcCaster& caster, const BodyModel& model, int ray) const;
+    void makeRoom();
+    void castRays(BodyModel& model, std::span<const int> rays, Editor& editor);
+    std::vector<int> raysToCast(const BodyModel& model, std::span<const int> changed,
+                                const LabelChange& labels);
+    void addRaysOf(int vertex, std::vector<int>& rays) const;
     void addCrossed(const BodyModel& model, std::span<const int> changed,
-                    std::vector<int>& vertices) const;
+                    std::vector<int>& rays) const;
     void addSeparated(const BodyModel& model, const LabelChange& labels,
-                      std::vector<int>& vertices) const;
-    bool isSeparated(const BodyModel& model, int vertex) const;
+                      std::vector<int>& rays) const;
+    bool isSeparated(const BodyModel& model, int ray) const;
     template <class F>
     void forEachEndingOn(int triangle, F&& f) const;
 
-    void remember(const CastIspc& ispc, int slot);
-    void forget(int vertex, int triangle);
+    void remember(const CastIspc& ispc, int ray, int slot);
+    void forget(int ray, int triangle);
     void refillGrid(const BodyModel& model);
-    void addToGrid(const shared::IspcConstraint& ispc);
+    void addToGrid(const shared::IspcConstraint& ispc, int ray);
 
     const SurfaceMesh& mesh_;
     RayTree tree_;
     SegmentGrid grid_;
-    std::vector<int> waiting_;   ///< vertices whose ray met an absent wall, until it is patched
-    std::vector<int> ofVertex_;  ///< slot of each vertex's ISPC, -1 for none
-    // Those that end on one triangle, as a linked list of their vertices.
+    IspcRays rays_ = IspcRays::alongNormal;
+    std::vector<int> waiting_;  ///< rays that met an absent wall, until it is patched
+    std::vector<int> ofRay_;    ///< slot of each ray's ISPC, -1 for none
+    std::vector<int> rayOf_;    ///< by slot
+    // Those that end on one triangle, as a linked list of their rays.
     std::vector<int> firstOn_;  ///< by mesh slot
-    std::vector<int> next_;     ///< by vertex
+    std::vector<int> next_;     ///< by ray
     std::vector<int> previous_;
 };
 

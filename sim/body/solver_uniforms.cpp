@@ -32,7 +32,8 @@ double stiffnessOf(uint type, const Params& params) {
 /// Young's modulus of a type of constraints as a multiple of the body's.
 double modulusFactor(uint type, const Params& params) {
     const double stiffness = stiffnessOf(type, params);
-    return type == shared::kIspc ? ispcModulusFactor(stiffness) : stiffness;
+    const double factor = type == shared::kIspc ? ispcModulusFactor(stiffness) : stiffness;
+    return factor * modulusShare(type, params);
 }
 
 // What is hollow or limp may fold.
@@ -50,10 +51,31 @@ uint activeParts(const Params& params) {
     parts |= params.floor.has_value() ? shared::kFloorPart : 0u;
     // Plain PBD sweeps many times over a long step, towards where the gradients have turned.
     parts |= params.solver == SolverMode::smallSteps ? shared::kPullAsBeforePart : 0u;
+    parts |= hasTrueModulus(params) ? shared::kTrueModulusPart : 0u;
     return parts;
 }
 
 }  // namespace
+
+bool hasTrueModulus(const Params& params) {
+    return params.solver == SolverMode::smallSteps && params.trueModulus != 0;
+}
+
+double modulusShare(uint type, const Params& params) {
+    // Skin and ISPCs that each carried the whole load would make a body twice as stiff. These come
+    // from docs/notes/effective-modulus.md: the pair with which bars, slabs and blocks at rest are
+    // nearest to a solid.
+    constexpr double kSkin = 0.35;
+    constexpr double kInside = 1.75;
+    if (!hasTrueModulus(params) || type == shared::kBend) {
+        return 1;
+    }
+    return type == shared::kStretch ? kSkin : kInside;
+}
+
+IspcRays ispcRays(const Params& params) {
+    return hasTrueModulus(params) ? IspcRays::turned : IspcRays::alongNormal;
+}
 
 bool holdsVolume(const Params& params) {
     return params.solver == SolverMode::smallSteps && params.ispcStiffness > 0;

@@ -3,6 +3,7 @@
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/base/params.h"
 #include "sim/body/body_model.h"
+#include "sim/body/ispc_builder.h"
 
 namespace kerf {
 
@@ -10,6 +11,16 @@ namespace kerf {
 /// 0 at s = 0 (no ISPCs), 1 at 0.5 (the material itself), unbounded at 1 (rigid constraints, as
 /// firm as one solver iteration per substep gets). Rises strictly.
 double ispcModulusFactor(double stiffness);
+
+/// Whether the body is as stiff as its modulus says: `true_modulus`, which plain PBD has not.
+bool hasTrueModulus(const Params& params);
+
+/// The share of a type of constraints (shared::kStretch, ...) in carrying what the body does, as a
+/// factor on its modulus: 1, but with a true modulus less for edges and more for turned ISPCs.
+double modulusShare(shared::uint type, const Params& params);
+
+/// How ISPCs are cast: turned with a true modulus, else along the normal as in the paper.
+IspcRays ispcRays(const Params& params);
 
 /// k' = 1 - (1 - k)^(1/n): the share of a correction that each of `sweeps` = n sweeps of plain PBD
 /// applies, so that a stiffness k means the same for any n (Mueller et al. 2007). k is clamped to

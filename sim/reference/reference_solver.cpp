@@ -40,13 +40,28 @@ double leastWeight(const Constraint&, const Linearized<N>&, double) {
 struct Damping {
     double gamma = 0;  ///< beta / h
     double most = 0;   ///< of C at X that is answered in a substep
+    bool trueModulus = false;
 };
 
 /// As in shaders/sim/pull_direction.glsl.
 Damping dampingAt(double fold, const shared::SolverUniforms& uniforms, double perWay) {
     const double creep = shared::kFoldCreep * uniforms.substep * perWay;
     return {uniforms.damping_ratio * (1 - fold),
-            fold > 0 ? creep / fold : std::numeric_limits<double>::infinity()};
+            fold > 0 ? creep / fold : std::numeric_limits<double>::infinity(),
+            (uniforms.active_parts & shared::kTrueModulusPart) != 0};
+}
+
+/// As dampingOf in shaders/sim/pull_direction.glsl.
+double gammaOf(const Damping& damping, double weight, double compliance) {
+    const double room = 2 * compliance / (shared::kSweepRoom * weight) - 1.5;
+    return damping.trueModulus ? std::clamp(room, 0.0, damping.gamma) : damping.gamma;
+}
+
+/// As dampedWeight there.
+double dampedWeight(const Damping& damping, double gamma, double weight, double compliance) {
+    return damping.trueModulus
+               ? std::max(compliance, shared::kSweepRoom * (0.75 + 0.5 * gamma) * weight)
+               : (1 + gamma) * weight + compliance;
 }
 
 /// delta lambda of one constraint: XPBD with stiffness-proportional damping and
@@ -65,10 +80,11 @@ double multiplier(const Constraint& constraint, const Linearized<N>& c, const Re
         sum += inverseMass * c.gradient[k].squaredNorm();
         rate += c.gradient[k].dot(s.displacements[v]);
     }
-    const double denominator = (1 + damping.gamma) * sum + c.compliance;
+    const double gamma = gammaOf(damping, sum, c.compliance);
+    const double denominator = dampedWeight(damping, gamma, sum, c.compliance);
     const double before = std::clamp(c.value - rate, -damping.most, damping.most);
     const bool answers = denominator > 0 && sum >= leastWeight(constraint, c, lightest);
-    return answers ? -(before + (1 + damping.gamma) * rate) / denominator : 0.0;
+    return answers ? -(before + (1 + gamma) * rate) / denominator : 0.0;
 }
 
 Pull pullOf(const shared::SolverUniforms& uniforms) {

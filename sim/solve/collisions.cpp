@@ -10,6 +10,7 @@ void Collisions::forEachKind(F&& f) {
     f(paperContact_);
     f(boxes_);
     f(blade_);
+    f(edge_);
 }
 
 void Collisions::setBody(const BodyModel& model) {
@@ -36,13 +37,15 @@ void Collisions::beginStep(const gpu::Buffer* folds) {
         body_.active(shared::kFloorPart) ? body_.uniforms.floor_height : BodyReach::kNoFloor;
     boxes_.beginStep(reach_);
     blade_.beginStep(reach_);
+    edge_.beginStep();
 }
 
 bool Collisions::mayTouch() const {
-    return contacts_.mayTouch() || blade_.mayTouch() || boxes_.mayTouch();
+    return contacts_.mayTouch() || edge_.mayTouch() || blade_.mayTouch() || boxes_.mayTouch();
 }
 
 void Collisions::respond(std::uint32_t substep) {
+    edge_.respond(static_cast<int>(substep));
     contacts_.respond();
     blade_.respond(static_cast<int>(substep));
     boxes_.respond(static_cast<int>(substep));

@@ -8,6 +8,7 @@
 #include "sim/contact/blade_obstacle.h"
 #include "sim/contact/box_obstacles.h"
 #include "sim/contact/contact_solver.h"
+#include "sim/contact/edge_push.h"
 #include "sim/contact/obstacle_contact.h"
 #include "sim/contact/paper_contact.h"
 #include "sim/solve/solver_body.h"
@@ -42,6 +43,12 @@ class Collisions {
     void setBlade(std::optional<BladeMotion> motion) {
         blade_.setObstacles(BladeObstacle::of(std::move(motion)));
     }
+
+    /// How the blade's edge presses in the coming step; none: it does not. Throws gpu::ShaderError.
+    void setEdge(const std::optional<PressingEdge>& edge) { edge_.setEdge(edge); }
+    const std::optional<PressingEdge>& edge() const { return edge_.edge(); }
+    /// What it did in the last time step. Waits for the GPU.
+    EdgeLoad edgeLoad() const { return edge_.load(); }
 
     /// Measures from now on what the body does to the blade's; changes nothing else.
     void feelBlade(bool wanted) { blade_.measureLoad(wanted); }
@@ -88,6 +95,7 @@ class Collisions {
     PaperContact paperContact_;
     ObstacleContact boxes_{BoxObstacles::kind()};
     ObstacleContact blade_{BladeObstacle::kind()};
+    EdgePush edge_;
     RelativeMotion motion_;  ///< upper bounds
     BodyReach reach_;
 };

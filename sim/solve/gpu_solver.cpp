@@ -66,9 +66,12 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
                        std::span<const uint> written, const BodyState& state) {
     body_.pieces.updatePages(change.pieces.moves, model);
     body_.pieces.upload(model, body_.scatter);
+    pausePoint();
     body_.model.update(model, change, body_.scatter);
+    pausePoint();
     body_.state.update(written, state, body_.model.areas.size(), body_.scatter);
     makeRoom(model);
+    pausePoint();
     stepper_.setBody(model, false);
     body_.setCountsOf(model);
     masses_.invalidate();

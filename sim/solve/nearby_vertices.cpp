@@ -1,6 +1,8 @@
 #include "sim/solve/nearby_vertices.h"
 
 #include <algorithm>
+#include <cstring>
+#include <utility>
 
 #include "shaders/shared/bindings.h"
 
@@ -17,6 +19,7 @@ static_assert(sizeof(NearbyQuery) == 96);
 constexpr std::size_t kRecordsOfQuery = sizeof(NearbyQuery) / sizeof(NearbyVertex);
 
 constexpr std::size_t kLeastCapacity = 8192;
+constexpr uint kMoreThanBefore = 64;
 // Floats of the kernel against doubles, of the distance from the origin and the size of the box.
 constexpr double kRounding = 1e-5;
 
@@ -71,10 +74,21 @@ std::vector<NearbyVertex> NearbyVertices::read(std::size_t first, std::size_t co
 
 VertexStates NearbyVertices::take() {
     const uint asked = query_.asked_vertices;
-    const NearbyQuery answer = buffer_.read<NearbyQuery>(0, 1).front();
+    const uint first = std::min(query_.capacity, std::max(asked, expected_));
+    std::vector<NearbyVertex> words = buffer_.read<NearbyVertex>(0, kRecordsOfQuery + first);
+    NearbyQuery answer;
+    std::memcpy(&answer, words.data(), sizeof answer);
+    words.erase(words.begin(), words.begin() + kRecordsOfQuery);
     VertexStates out;
     out.complete = answer.count <= answer.capacity;
-    out.records = read(0, out.complete ? answer.count : asked);
+    const uint count = out.complete ? answer.count : asked;
+    out.records = std::move(words);
+    out.records.resize(std::min(count, first));
+    if (count > first) {
+        const std::vector<NearbyVertex> rest = read(first, count - first);
+        out.records.insert(out.records.end(), rest.begin(), rest.end());
+    }
+    expected_ = count + count / 4 + kMoreThanBefore;
     if (!out.complete) {
         query_.capacity = 2 * answer.count;
     }

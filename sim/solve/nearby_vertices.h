@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,6 +41,8 @@ class NearbyVertices {
 
     shared::NearbyQuery query_{};
     gpu::Buffer buffer_;
+    /// How long the next answer may be: about as long as the last one, so that one read has it all.
+    std::uint32_t expected_ = 0;
 };
 
 }  // namespace kerf

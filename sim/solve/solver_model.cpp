@@ -3,6 +3,7 @@
 #include <array>
 #include <type_traits>
 
+#include "sim/base/pausing.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/gathered_records.h"
 
@@ -172,6 +173,7 @@ void SolverModel::update(const BodyModel& model, const BodyChange& change, Scatt
     updateVertices(model, change, scatter);
     scatter.write<std::array<uint, 4>>(triangles, model.triangles, change.triangles.slots);
     updateConstraints(model, change, scatter);
+    pausePoint();
     triangleIncidence.update(model.triangleIncidence, change.triangles.vertices, scatter);
     neighbours.update(model.neighbours, change.neighbourLists, scatter);
 }
@@ -198,6 +200,7 @@ void SolverModel::updateVertices(const BodyModel& model, const BodyChange& chang
 void SolverModel::updateConstraints(const BodyModel& model, const BodyChange& change,
                                     Scatter& scatter) {
     forEachType(model, [&](auto row, const auto& list) {
+        pausePoint();
         using Gather = typename decltype(row)::Gathers;
         const ListChange& changed = change.constraints[row.kType];
         if constexpr (Gather::kPulls > 0) {

@@ -2,12 +2,18 @@
 
 #include <cmath>
 
+#include "sim/body/solver_uniforms.h"
+
 namespace kerf {
 
 double sweepStrength(const Params& params, double edgeLength) {
     const double substep = params.timeStep / params.iterations;
     const double modulus = params.youngsModulus * params.stretchStiffness;
-    return params.density * edgeLength * edgeLength / (12 * modulus * substep * substep);
+    const double strength =
+        params.density * edgeLength * edgeLength / (12 * modulus * substep * substep);
+    constexpr double kEnough = 0.75 * static_cast<double>(shared::kSweepRoom);
+    return hasTrueModulus(params) ? strength / (modulusShare(shared::kStretch, params) * kEnough)
+                                  : strength;
 }
 
 bool hasTooFewSweeps(const Params& params, double edgeLength) {

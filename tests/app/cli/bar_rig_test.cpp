@@ -150,39 +150,63 @@ TEST(FiniteElements, ApproachTheFormulaForBending) {
 class BarRig : public test::GlTest {};
 
 TEST_F(BarRig, TheBarsModulusIsOfTheParametersSize) {
-    const BenchSetting setting{.cells = 3};
+    const BenchSetting setting{.cells = 3, .trueModulus = false};
     const BenchResult result = app::measureModulus(setting);
     EXPECT_TRUE(result.settled);
     EXPECT_NEAR(result.volumeRatio, 1, 1e-3);
-    const double solid = deflectionOverTheory(hangingSolid(3, 0.45));
-    const double deviation = result.effectiveModulus / setting.modulus * solid;
-    RecordProperty("deviation", std::to_string(deviation));
-    EXPECT_GT(deviation, 0.9) << "docs/physics.md states 1.46";
-    EXPECT_LT(deviation, 1.8);
+    EXPECT_NEAR(result.effectiveModulus / setting.modulus, 1.5, 0.3) << "docs/physics.md";
+}
+
+TEST_F(BarRig, WithATrueModulusABodyIsAsStiffAsTheParameterSays) {
+    for (const SpecimenKind kind : {SpecimenKind::hangingBar, SpecimenKind::compressedBlock,
+                                    SpecimenKind::shearedBlock, SpecimenKind::hangingCube}) {
+        const BenchSetting setting{.kind = kind, .cells = 3};
+        const BenchResult result = app::measureModulus(setting);
+        EXPECT_TRUE(result.settled);
+        EXPECT_FALSE(result.tooFewIterations);
+        EXPECT_NEAR(result.volumeRatio, 1, 1e-3);
+        EXPECT_NEAR(result.effectiveModulus / setting.modulus, 1, 0.2) << static_cast<int>(kind);
+    }
+}
+
+// Sweeps add no compliance of their own, as far as the program does not say that they do.
+TEST_F(BarRig, WithATrueModulusIterationsBuyNoStiffness) {
+    BenchSetting setting{.kind = SpecimenKind::compressedBlock, .cells = 2, .modulus = 1e5};
+    const BenchResult many = app::measureModulus(setting);
+    setting.iterations = 5;
+    const BenchResult few = app::measureModulus(setting);
+    EXPECT_FALSE(few.tooFewIterations);
+    EXPECT_NEAR(few.effectiveModulus / many.effectiveModulus, 1, 0.03);
+    setting.modulus = 1e7;
+    const BenchResult tooFew = app::measureModulus(setting);
+    EXPECT_TRUE(tooFew.tooFewIterations);
+    EXPECT_LT(tooFew.effectiveModulus, 0.75 * setting.modulus);
 }
 
 // Rays along the normal hold the two faces of a slab apart but let them slide over each other.
 TEST_F(BarRig, ABentBarIsTrueToTheParameterAndAWideSlabSofter) {
-    BenchSetting setting{.kind = SpecimenKind::bentBar, .cells = 4};
+    BenchSetting setting{.kind = SpecimenKind::bentBar, .cells = 4, .trueModulus = false};
     const BenchResult bar = app::measureModulus(setting);
     setting.kind = SpecimenKind::bentSlab;
     const BenchResult slab = app::measureModulus(setting);
     EXPECT_TRUE(bar.settled);
     EXPECT_TRUE(slab.settled);
     EXPECT_NEAR(bar.effectiveModulus / setting.modulus, 1.2, 0.3) << "docs/physics.md";
-    EXPECT_NEAR(slab.effectiveModulus / setting.modulus, 0.7, 0.2) << "docs/physics.md";
+    EXPECT_NEAR(slab.effectiveModulus / setting.modulus, 0.6, 0.2) << "docs/physics.md";
 }
 
 // The drag is critical for the parameter's modulus; what is softer by far creeps.
 TEST_F(BarRig, ABarThatIsMuchSofterThanItsParameterComesToRestAllTheSame) {
-    const BenchSetting setting{.kind = SpecimenKind::bentBar, .modulus = 1e6, .iterations = 5};
+    const BenchSetting setting{
+        .kind = SpecimenKind::bentBar, .modulus = 1e6, .iterations = 5, .trueModulus = false};
     const BenchResult result = app::measureModulus(setting);
     EXPECT_TRUE(result.settled);
     EXPECT_NEAR(result.effectiveModulus / setting.modulus, 0.09, 0.03) << "docs/physics.md";
 }
 
 TEST_F(BarRig, TooFewIterationsMakeAStiffBlockSoft) {
-    BenchSetting setting{.kind = SpecimenKind::compressedBlock, .cells = 2, .modulus = 1e6};
+    BenchSetting setting{
+        .kind = SpecimenKind::compressedBlock, .cells = 2, .modulus = 1e6, .trueModulus = false};
     setting.iterations = 5;
     const double few = app::measureModulus(setting).effectiveModulus;
     setting.iterations = 40;
@@ -232,11 +256,11 @@ TEST(BarReport, SpecimensThatStillMoveAreAFindingAndNoFailure) {
     const Reported reported = reportOf({runThat(true, 1), runThat(false, 1, SpecimenKind::bentSlab),
                                         runThat(false, 1, SpecimenKind::hangingBar)});
     EXPECT_EQ(reported.exitCode, 0);
-    EXPECT_EQ(
-        reported.errors,
-        "bar: 2 specimens were still moving when time was up, so what stands there is not "
-        "final: bent slab, E = 1e+05 Pa, 3 cells, 20 iterations; hanging bar, E = 1e+05 Pa, 3 "
-        "cells, 20 iterations.\n");
+    EXPECT_EQ(reported.errors,
+              "bar: 2 specimens were still moving when time was up, so what stands there is not "
+              "final: bent slab, E = 1e+05 Pa, 3 cells, 20 iterations of 0.005 s, true modulus; "
+              "hanging bar, "
+              "E = 1e+05 Pa, 3 cells, 20 iterations of 0.005 s, true modulus.\n");
     EXPECT_EQ(reported.summary["still_moving"].size(), 2u);
     EXPECT_EQ(reported.summary["tests"].size(), 3u);
     EXPECT_NE(reported.report.find("| bent bar | 1e+05 | - | 1.25 | - | - |"), std::string::npos);
@@ -249,13 +273,31 @@ TEST(BarReport, LostVolumeIsAFailure) {
     const Reported reported = reportOf({runThat(true, 1), runThat(true, 0.97)}, true);
     EXPECT_EQ(reported.exitCode, 1);
     EXPECT_EQ(reported.errors,
-              "bar: bent bar, E = 1e+05 Pa, 3 cells, 20 iterations: the volume is 97.00 % of what "
-              "it was.\n");
+              "bar: bent bar, E = 1e+05 Pa, 3 cells, 20 iterations of 0.005 s, true modulus: the "
+              "volume is 97.00 % of what it was.\n");
     EXPECT_EQ(nlohmann::json::parse(reported.out), reported.summary);
     EXPECT_TRUE(reported.summary["still_moving"].empty());
     EXPECT_TRUE(reported.summary["still_moving"].is_array());
     EXPECT_EQ(reportOf({runThat(false, std::nan(""))}).exitCode, 1)
         << "it left the range of numbers";
+}
+
+TEST(BarReport, CountsWhatHoldsByWhetherIterationsAreEnough) {
+    std::vector<BenchRun> runs{runThat(true, 1), runThat(true, 1), runThat(true, 1)};
+    runs[1].result.effectiveModulus = 1.3e5;
+    runs[2].result.tooFewIterations = true;
+    const app::BarCount enough = app::countBarRuns(runs, true, false);
+    EXPECT_EQ(enough.all, 2);
+    EXPECT_EQ(enough.within10, 0);
+    EXPECT_EQ(enough.within25, 1);
+    EXPECT_EQ(app::countBarRuns(runs, true, true).all, 1);
+    EXPECT_EQ(app::countBarRuns(runs, false, false).all, 0);
+}
+
+TEST(BarReport, TheWholeIsAllCombinations) {
+    const std::size_t perModulus = 4 * 5 * 3;
+    EXPECT_EQ(app::barSettings(true).size(), 2 * 7 * 3 * perModulus);
+    EXPECT_EQ(app::barSettings(false).size(), 2 * 7 * 3 * (3 + 4 + 2 + 1));
 }
 
 TEST(BarReport, PutsEachTestInItsPlace) {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <random>
 
+#include "sim/base/pausing.h"
 #include "sim/body/surface_tag.h"
 #include "tests/sim/body/ispc_bits.h"
 #include "tests/support/cut_strokes.h"
@@ -234,6 +235,16 @@ TEST(BodyUpdater, FollowsRandomCutsAsASetBuiltAnew) {
         expectSameSet(follower.updater.model().edges, fresh.edges, sameEdge);
         expectSameSet(follower.updater.model().bends, fresh.bends, sameBend);
     }
+}
+
+TEST(BodyUpdater, CopiesInPortions) {
+    const SurfaceMesh mesh = test::box(Vec3::Ones(), 8);
+    const BodyUpdater body(mesh);
+    int rests = 0;
+    const Pauses pauses([&] { ++rests; });
+    const auto copy = std::make_unique<BodyUpdater>(body);
+    EXPECT_EQ(rests, 3);
+    EXPECT_EQ(copy->model().triangles, body.model().triangles);
 }
 
 TEST(BodyUpdater, RunsTwiceToTheSameBits) {
