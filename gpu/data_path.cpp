@@ -1,19 +1,12 @@
 #include "gpu/data_path.h"
 
 #include <cstdlib>
-#include <system_error>
+
+#include "gpu/program_folder.h"
 
 namespace kerf::gpu {
-namespace {
 
 namespace fs = std::filesystem;
-
-fs::path executableFolder() {
-    std::error_code failed;
-    return fs::read_symlink("/proc/self/exe", failed).parent_path();
-}
-
-}  // namespace
 
 fs::path shaderRoot() {
     return dataPath("shaders");
@@ -23,7 +16,7 @@ fs::path dataPath(std::string_view relative) {
     if (const char* folder = std::getenv("KERF_DATA_DIR"); folder != nullptr && *folder != '\0') {
         return fs::path(folder) / relative;
     }
-    const fs::path beside = executableFolder();
+    const fs::path beside = programFolder();
     const fs::path above = beside.parent_path();
     for (const fs::path& folder : {beside, above, above / "share/kerf"}) {
         if (fs::exists(folder / relative)) {

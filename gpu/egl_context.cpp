@@ -177,6 +177,9 @@ struct EglContext::State {
 
     void makeCurrent() const {
         eglBindAPI(EGL_OPENGL_API);
+        if (eglGetCurrentContext() == context) {
+            return;  // drivers may flush what was told to it
+        }
         if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
             throw RouteFailure{eglFailure("eglMakeCurrent")};
         }

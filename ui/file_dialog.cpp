@@ -68,14 +68,52 @@ const char* adviceFor(FilePurpose purpose) {
     }
 }
 
-/// A pace that a film may have, as simulated seconds in a second of it.
-struct FilmSpeed {
-    double speed;
+/// Something that a film may have, as people call it.
+template <class Value>
+struct FilmChoice {
+    Value value;
     const char* label;
 };
-constexpr std::array kFilmSpeeds{FilmSpeed{1, "Real time"}, FilmSpeed{0.5, "2 times slower"},
-                                 FilmSpeed{0.25, "4 times slower"},
-                                 FilmSpeed{0.1, "10 times slower"}};
+using FilmSize = std::array<int, 2>;
+constexpr std::array kFilmSpeeds{
+    FilmChoice<double>{1, "Real time"}, FilmChoice<double>{0.5, "2 times slower"},
+    FilmChoice<double>{0.25, "4 times slower"}, FilmChoice<double>{0.1, "10 times slower"}};
+constexpr std::array kFilmSizes{FilmChoice<FilmSize>{{0, 0}, "Usual size"},
+                                FilmChoice<FilmSize>{{640, 360}, "640 x 360"},
+                                FilmChoice<FilmSize>{{1280, 720}, "1280 x 720"},
+                                FilmChoice<FilmSize>{{1920, 1080}, "1920 x 1080"},
+                                FilmChoice<FilmSize>{{3840, 2160}, "3840 x 2160"},
+                                FilmChoice<FilmSize>{{1080, 1080}, "1080 x 1080"}};
+constexpr std::array kFilmRates{
+    FilmChoice<int>{0, "Usual rate"},   FilmChoice<int>{15, "15 a second"},
+    FilmChoice<int>{24, "24 a second"}, FilmChoice<int>{25, "25 a second"},
+    FilmChoice<int>{30, "30 a second"}, FilmChoice<int>{50, "50 a second"},
+    FilmChoice<int>{60, "60 a second"}};
+
+/// A row of `choices` to choose from. True where another one was chosen.
+template <class Value, std::size_t kCount>
+bool drawFilmChoice(const std::string& item, const std::array<FilmChoice<Value>, kCount>& choices,
+                    Value& value, const char* tip) {
+    const auto* const now = std::ranges::find(choices, value, &FilmChoice<Value>::value);
+    bool changed = false;
+    ImGui::SetNextItemWidth(9 * ImGui::GetFontSize());
+    const bool open =
+        ImGui::BeginCombo(("##" + item).c_str(), now == choices.end() ? "" : now->label);
+    if (open) {
+        for (const FilmChoice<Value>& choice : choices) {
+            if (ImGui::Selectable(choice.label, choice.value == value)) {
+                value = choice.value;
+                changed = true;
+            }
+            noteItem("file." + item + "." + choice.label);
+        }
+        ImGui::EndCombo();
+    } else {
+        noteItem("file." + item);
+        itemTooltip(tip);
+    }
+    return changed;
+}
 
 void drawFilmLook(FilmLook look, std::vector<Action>& actions) {
     bool changed = ImGui::Checkbox("Captions", &look.captions);
@@ -86,19 +124,20 @@ void drawFilmLook(FilmLook look, std::vector<Action>& actions) {
     noteItem("file.turntable");
     itemTooltip("The camera turns about the scene once, from the start to the end");
     ImGui::SameLine();
-    const auto* const now = std::ranges::find(kFilmSpeeds, look.speed, &FilmSpeed::speed);
-    ImGui::SetNextItemWidth(10 * ImGui::GetFontSize());
-    if (ImGui::BeginCombo("##speed", now == kFilmSpeeds.end() ? "" : now->label)) {
-        for (const FilmSpeed& choice : kFilmSpeeds) {
-            if (ImGui::Selectable(choice.label, choice.speed == look.speed)) {
-                look.speed = choice.speed;
-                changed = true;
-            }
-            noteItem(std::string("file.speed.") + choice.label);
-        }
-        ImGui::EndCombo();
-    }
-    noteItem("file.speed");
+    changed =
+        drawFilmChoice("speed", kFilmSpeeds, look.speed, "How fast time passes in the film") ||
+        changed;
+    ImGui::SameLine();
+    FilmSize size{look.width, look.height};
+    changed = drawFilmChoice("size", kFilmSizes, size,
+                             "Pixels of the film. Usual: 1280 x 720, and 640 x 360 of a .gif") ||
+              changed;
+    look.width = size[0];
+    look.height = size[1];
+    ImGui::SameLine();
+    changed = drawFilmChoice("rate", kFilmRates, look.rate,
+                             "Pictures in a second. Usual: 30, and 25 of a .gif") ||
+              changed;
     if (changed) {
         actions.emplace_back(FileAction(SetFilmLook{look}));
     }

@@ -36,6 +36,9 @@ struct FolderLink {
 
 /// How a film is to look.
 struct FilmLook {
+    int width = 0;           ///< [px]; 0: what suits the format
+    int height = 0;          ///< [px]; 0: what suits the format
+    int rate = 0;            ///< pictures in a second; 0: what suits the format
     double speed = 1;        ///< simulated seconds in a second of the film
     bool captions = true;    ///< with the time, and what happens
     bool turntable = false;  ///< the camera turns about the scene once

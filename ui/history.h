@@ -22,7 +22,10 @@ enum class Reading : std::uint8_t {
     strainEnergy,     ///< [J]; nothing with plain PBD
     totalEnergy,      ///< the sum of those there are [J]
     touchedTriangles,
-    lostPieces,  ///< taken back since the start, where there were any
+    bladeForce,      ///< on the blade [N]; nothing where it is not measured
+    bladeWork,       ///< of what led the blade against its edge, since the start [J]
+    fractureEnergy,  ///< that new surface took since the start [J]
+    lostPieces,      ///< taken back since the start, where there were any
     framesPerSecond,
     frameMs,  ///< from picture to picture
     renderMs,
@@ -104,6 +107,18 @@ inline constexpr std::array kPlots{
              .curves = {{"triangles", Reading::touchedTriangles, Hue::vermillion}},
              .minSpan = 10,
              .readoutDecimals = 0},
+    PlotKind{.id = "force",
+             .title = "Force on the blade, N",
+             .curves = {{"force", Reading::bladeForce, Hue::vermillion}},
+             .minSpan = 0.01,
+             .readoutDecimals = 3},
+    PlotKind{
+        .id = "work",
+        .title = "Work of the blade, J",
+        .curves = {{"work", Reading::bladeWork, Hue::blue},
+                   {"new surface", Reading::fractureEnergy, Hue::vermillion, CurveStyle::dashed}},
+        .minSpan = 0.001,
+        .readoutDecimals = 4},
 };
 
 }  // namespace kerf::ui

@@ -16,11 +16,12 @@ constexpr ImU32 kLabelGround = IM_COL32(12, 14, 18, 200);
 constexpr ImU32 kHot = IM_COL32(255, 226, 110, 255);
 constexpr ImU32 kWound = IM_COL32(255, 255, 255, 255);
 
-constexpr std::array<ImU32, 4> kAxes{IM_COL32(205, 205, 205, 255), IM_COL32(226, 88, 80, 255),
-                                     IM_COL32(112, 190, 76, 255), IM_COL32(86, 140, 236, 255)};
+constexpr std::array<ImU32, 4> kAxisColors{IM_COL32(205, 205, 205, 255), IM_COL32(226, 88, 80, 255),
+                                           IM_COL32(112, 190, 76, 255),
+                                           IM_COL32(86, 140, 236, 255)};
 
 ImU32 colorOf(int axis, bool hot) {
-    return hot ? kHot : kAxes[axis + 1];
+    return hot ? kHot : kAxisColors[axis + 1];
 }
 
 ImVec2 at(const PlotPoint& p) {

@@ -72,12 +72,13 @@ struct PlaybackState {
 /// Something that happens at a step of the session: what a replay does there and changes nothing,
 /// or a change of the body or of a parameter.
 struct SessionMark {
-    enum class Kind { picture, exported, check, stroke, change };
+    enum class Kind { picture, exported, check, camera, stroke, change };
 
     int id = 0;  ///< what RemoveMark asks for
     int step = 0;
     Kind kind = Kind::picture;
-    std::string text;  ///< name of the file, or what is checked: "2 pieces, state"
+    std::string
+        text;  ///< name of the file, or what is checked: "2 pieces, state"; none of a camera
 };
 
 /// One of the paper's experiments: its figures beside ours.

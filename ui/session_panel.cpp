@@ -19,13 +19,14 @@ struct Addition {
     ActionId id{};
     const char* label = nullptr;  ///< on a button
 };
-constexpr std::array kAdditions{Addition{ActionId::addPicture, "Picture"},
-                                Addition{ActionId::addCheck, "Check"},
-                                Addition{ActionId::addExport, "Export"}};
+constexpr std::array kAdditions{
+    Addition{ActionId::addPicture, "Picture"}, Addition{ActionId::addCheck, "Check"},
+    Addition{ActionId::addExport, "Export"}, Addition{ActionId::addCamera, "Camera"}};
 
 void drawButtons(std::vector<Action>& actions) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / kAdditions.size();
+    const float width =
+        (ImGui::GetContentRegionAvail().x - (kAdditions.size() - 1) * gap) / kAdditions.size();
     for (const Addition& addition : kAdditions) {
         if (ImGui::Button(addition.label, {width, 0})) {
             actions.emplace_back(addition.id);
@@ -80,8 +81,8 @@ void drawRows(const PanelModel& model, std::vector<Action>& actions) {
 }  // namespace
 
 void drawSessionAdditions(std::vector<Action>& actions) {
-    for (const ActionId id :
-         {ActionId::addPicture, ActionId::addCheck, ActionId::addExport, ActionId::useView}) {
+    for (const ActionId id : {ActionId::addPicture, ActionId::addCheck, ActionId::addExport,
+                              ActionId::addCamera, ActionId::useView}) {
         if (ImGui::MenuItem(std::string(rowOf(id).label).c_str(), keysOf(id).c_str())) {
             actions.emplace_back(id);
         }
@@ -93,7 +94,9 @@ void drawSessionMarks(const PanelModel& model, std::vector<Action>& actions) {
     drawButtons(actions);
     if (model.marks.empty()) {
         ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("Pictures, checks and exports that a replay of the session makes.");
+        ImGui::TextDisabled(
+            "Pictures, checks and exports that a replay of the session makes, and "
+            "where the camera of its films is.");
         ImGui::PopTextWrapPos();
         return;
     }

@@ -145,13 +145,15 @@ ImU32 colorOf(SessionMark::Kind kind) {
             return palette().of(Hue::cyan);
         case SessionMark::Kind::exported:
             return palette().of(Hue::orange);
+        case SessionMark::Kind::camera:
+            return palette().of(Hue::yellow);
         default:
             break;
     }
     return palette().of(Hue::green);
 }
 
-/// A triangle for a picture, a square for an export, a disc for a check.
+/// A triangle for a picture, a square for an export, a diamond for a camera, a disc for a check.
 void drawMark(SessionMark::Kind kind, const ImVec2& center, float size) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImU32 color = colorOf(kind);
@@ -163,6 +165,9 @@ void drawMark(SessionMark::Kind kind, const ImVec2& center, float size) {
             return;
         case SessionMark::Kind::exported:
             draw.AddRectFilled({x - size, y - size}, {x + size, y + size}, color);
+            return;
+        case SessionMark::Kind::camera:
+            draw.AddQuadFilled({x, y - size}, {x + size, y}, {x, y + size}, {x - size, y}, color);
             return;
         default:
             draw.AddCircleFilled(center, size, color);
@@ -297,6 +302,8 @@ std::string labelOf(const SessionMark& mark) {
         case SessionMark::Kind::stroke:
         case SessionMark::Kind::change:
             return mark.text;
+        case SessionMark::Kind::camera:
+            return "Camera of films";
         case SessionMark::Kind::check:
             break;
     }

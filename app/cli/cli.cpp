@@ -18,9 +18,7 @@
 #include "app/cli/bar_experiment.h"
 #include "app/cli/compare_verb.h"
 #include "app/cli/doctor_verb.h"
-#include "app/cli/exit_codes.h"
 #include "app/cli/experiment_verb.h"
-#include "app/cli/fem/fem_experiment.h"
 #include "app/cli/inspect_verb.h"
 #include "app/cli/materials_verb.h"
 #include "app/cli/replay_verb.h"
@@ -28,6 +26,7 @@
 #include "app/cli/test_verb.h"
 #include "app/cli/usage_error.h"
 #include "app/editor/editor.h"
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/film_formats.h"
 #include "app/files/import_process.h"
@@ -297,23 +296,21 @@ void describeReplay(Parser& parser, Arguments& arguments) {
         ->excludes(json);
 }
 
-/// Those that are none of the paper's.
-bool isOwnExperiment(const std::string& name) {
-    return name == kBarExperiment || name == kFemExperiment;
-}
-
-/// "sphere20, ..., banana, bar, fem, all".
+/// "sphere20, ..., banana, bar, ..., all".
 std::string experimentNames() {
     std::string names;
     for (const PaperExperiment& experiment : paperExperiments()) {
         names += std::string(experiment.name) + ", ";
     }
-    return names + kBarExperiment + ", " + kFemExperiment + ", all";
+    for (const OwnExperiment& experiment : ownExperiments()) {
+        names += std::string(experiment.name) + ", ";
+    }
+    return names + "all";
 }
 
 std::string refuseUnknownExperiment(const std::string& name) {
     const bool known =
-        name == "all" || isOwnExperiment(name) || findPaperExperiment(name) != nullptr;
+        name == "all" || findOwnExperiment(name) != nullptr || findPaperExperiment(name) != nullptr;
     return known ? "" : "there is no experiment '" + name + "'; there are " + experimentNames();
 }
 
@@ -336,6 +333,8 @@ void describeExperiment(Parser& parser, Arguments& arguments) {
                      "Runs of each stroke, for the spread of frame rates (5)")
         ->check(CLI::Range(1, kMostRepeats))
         ->type_name("N");
+    parser.experiment->add_flag("--whole", arguments.experiment.whole,
+                                "With bar: all combinations of settings, which takes hours");
     parser.experiment->add_flag("--json", arguments.experiment.json, "Print one JSON object");
 }
 
@@ -684,11 +683,14 @@ int runCommandLine(int argc, char** argv) {
         return complain("A verb comes first and takes its own files; see kerf --help.", kExitUsage);
     }
     const bool likePaper = arguments.experiment.published || parser.experiment->count("--runs") > 0;
-    if (likePaper && isOwnExperiment(arguments.experiment.name)) {
+    if (likePaper && findOwnExperiment(arguments.experiment.name) != nullptr) {
         return complain("'" + arguments.experiment.name +
                             "' is none of the paper's experiments and takes neither --published "
                             "nor --runs.",
                         kExitUsage);
+    }
+    if (arguments.experiment.whole && arguments.experiment.name != kBarExperiment) {
+        return complain("--whole is for 'bar' alone; leave it out.", kExitUsage);
     }
     return runVerbSafely(parser, arguments);
 }

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli/exit_codes.h"
 #include "app/cli/usage_error.h"
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "sim/base/text.h"

@@ -7,8 +7,8 @@
 #include <optional>
 #include <ostream>
 
-#include "app/cli/exit_codes.h"
 #include "app/doctor/doctor.h"
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kReportFile = "report.md";
+constexpr const char* kDoctorReportFile = "report.md";
 constexpr const char* kJsonFile = "doctor.json";
 constexpr const char* kPictureFile = "cut.png";
 
@@ -115,7 +115,7 @@ void writeReport(const Diagnosis& diagnosis, OutputFolder& folder) {
         folder.noteWritten(kPictureFile);
     }
     folder.write(kJsonFile, toJson(diagnosis).dump(2, ' ', false, Json::error_handler_t::replace));
-    folder.write(kReportFile, markdownOf(diagnosis));
+    folder.write(kDoctorReportFile, markdownOf(diagnosis));
 }
 
 }  // namespace

@@ -3,15 +3,18 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "app/cli/bar_experiment.h"
-#include "app/cli/exit_codes.h"
+#include "app/cli/blade_experiment.h"
 #include "app/cli/experiment/experiment_report.h"
 #include "app/cli/experiment/experiment_runs.h"
 #include "app/cli/experiment/report_figures.h"
 #include "app/cli/fem/fem_experiment.h"
+#include "app/cli/materials_experiment.h"
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
@@ -109,12 +112,38 @@ int complainAboutFailures(const std::vector<ExperimentResult>& results, std::ost
 
 }  // namespace
 
+std::span<const OwnExperiment> ownExperiments() {
+    using Arguments = const ExperimentArguments&;
+    static constexpr std::array kOwn{
+        OwnExperiment{kBarExperiment,
+                      [](Arguments a, std::ostream& out, std::ostream& errors) {
+                          return runBarExperiment(a.out, a.whole, a.json, out, errors);
+                      }},
+        OwnExperiment{kFemExperiment,
+                      [](Arguments a, std::ostream& out, std::ostream& /*errors*/) {
+                          return runFemExperiment(a.out, a.json, out);
+                      }},
+        OwnExperiment{kBladeExperiment,
+                      [](Arguments a, std::ostream& out, std::ostream& errors) {
+                          return runBladeExperiment(a.out, a.json, out, errors);
+                      }},
+        OwnExperiment{kMaterialsExperiment,
+                      [](Arguments a, std::ostream& out, std::ostream& errors) {
+                          return runMaterialsExperiment(a.out, a.json, out, errors);
+                      }}};
+    return kOwn;
+}
+
+const OwnExperiment* findOwnExperiment(std::string_view name) {
+    const std::span<const OwnExperiment> all = ownExperiments();
+    const auto found =
+        std::ranges::find_if(all, [&](const OwnExperiment& own) { return own.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
 int experimentVerb(const ExperimentArguments& arguments, std::ostream& out, std::ostream& errors) {
-    if (arguments.name == kBarExperiment) {
-        return runBarExperiment(arguments.out, arguments.json, out, errors);
-    }
-    if (arguments.name == kFemExperiment) {
-        return runFemExperiment(arguments.out, arguments.json, out);
+    if (const OwnExperiment* own = findOwnExperiment(arguments.name)) {
+        return own->run(arguments, out, errors);
     }
     const std::vector<const PaperExperiment*> experiments = chosenExperiments(arguments.name);
     gpu::EglContext context;

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/cli/exit_codes.h"
 #include "app/cli/fault_picture.h"
 #include "app/cli/usage_error.h"
 #include "app/files/builtin_models.h"
+#include "app/files/exit_codes.h"
 #include "app/files/export.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"

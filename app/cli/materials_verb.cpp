@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli/exit_codes.h"
+#include "app/files/exit_codes.h"
 #include "app/session/material.h"
 #include "sim/base/text.h"
 
@@ -20,7 +20,7 @@ std::string padded(std::string text, std::size_t width) {
 }
 
 void printList(std::ostream& out) {
-    constexpr std::size_t kNameWidth = 11;
+    constexpr std::size_t kNameWidth = 15;
     constexpr std::size_t kValueWidth = 13;
     for (const std::string& name : materialNames()) {
         const Material material = findMaterial(name, {});

@@ -13,9 +13,8 @@
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
 #include "app/session/iteration_watch.h"
+#include "app/session/running_session.h"
 #include "app/session/scene_view.h"
-#include "app/session/session_runner.h"
-#include "app/session/skin_follower.h"
 #include "app/session/volume_watch.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
@@ -79,38 +78,31 @@ class TimeOutside {
     double sum_ = 0;
 };
 
-/// One run of one session.
+/// One run of one session, with what comes of it.
 class Replay {
   public:
-    Replay(const Session& session, ModelMesh model, OutputFolder& folder,
+    /// `remarks`: those on the model. The session must not have run yet.
+    Replay(RunningSession& running, const std::vector<std::string>& remarks, OutputFolder& folder,
            const ReplayOptions& options)
-        : session_(session),
+        : running_(running),
+          session_(running.session()),
           options_(options),
           expected_(options.verify),
-          steps_(std::min(session.steps, options.until)),
+          steps_(std::min(session_.steps, options.until)),
           folder_(folder),
-          player_(session),
+          player_(session_),
           files_(folder, options.hashes, options.pieces),
-          looks_(std::move(model.looks)),
-          simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, model.placed)),
-                      session.params, session.boxes),
-          uncut_(simulation_.uncut()),
-          restBounds_(meshBounds(simulation_.mesh())),
-          runner_(simulation_),
-          iterations_(meanRestEdgeLength(uncut_->mesh)),
-          camera_(sessionCamera(session, restBounds_)) {
-        summary_.model = session.model.name();
-        std::ranges::for_each(model.remarks,
-                              [&](const std::string& sentence) { remark(sentence); });
+          simulation_(running.simulation()),
+          iterations_(meanRestEdgeLength(running.uncut()->mesh)),
+          path_(cameraPathOf(session_)) {
+        summary_.model = session_.model.name();
+        std::ranges::for_each(remarks, [&](const std::string& sentence) { remark(sentence); });
         const gpu::DeviceInfo device = gpu::queryDevice();
         summary_.renderer = device.renderer;
         summary_.driver = device.version;
         summary_.before = countBody();
         beginPictures();
         simulation_.feelBlade(options_.forces);
-        if (undoesAnything(session)) {
-            simulation_.setUndoBudget(kReplayUndoBudget);
-        }
     }
 
     void run(const ReplayListener& listener) {
@@ -143,34 +135,29 @@ class Replay {
         if (film_) {
             film_->note(command);
         }
-        const std::string problem = simulation_.execute(command);
+        const std::string problem = running_.execute(command);
         if (!problem.empty()) {
-            throw InputError(placeInFile(event) + ": " + problem);
-        }
-        if (uncut_ != simulation_.uncut()) {
-            followPlacement();
+            throw InputError(running_.placeInFile(event) + ": " + problem);
         }
     }
     void take(const ScreenshotEvent& event) {
         pictureMs_ += outside_.measure([&] {
-            writePicture(draw(camera_, {event.width, event.height}), folder_.pathOf(event.file));
+            writePicture(running_.draw(running_.camera(), event.width, event.height),
+                         folder_.pathOf(event.file));
             folder_.noteWritten(event.file);
         });
     }
     void take(const ExportEvent& event) {
         outside_.measure([&] {
-            const SurfaceMesh& mesh = simulation_.mesh();
             const ExportTarget target{event.file, event.filePerPiece,
                                       coordinatesOf(event, simulation_.placement()),
                                       folder_.pathOf(event.file).parent_path()};
-            for (const ExportedFile& file :
-                 encodeExport(target, mesh, simulation_.pieces(),
-                              {carried(looks_, uncut_->mesh, mesh), lookOf(session_)},
-                              simulation_.placement())) {
+            for (const ExportedFile& file : running_.encode(target)) {
                 folder_.write(file.file.generic_string(), file.bytes);
             }
         });
     }
+    void take(const CameraEvent& /*event*/) const {}  // films know all of them from the start
     void take(const CheckEvent& event) {
         outside_.measure([&] { check(event); });
     }
@@ -179,34 +166,29 @@ class Replay {
     /// Films are begun before anything is simulated: what they need may be missing.
     void beginPictures() {
         if (!options_.film.file.empty()) {
-            film_.emplace(options_.film, folder_.pathOf(kUnfinishedFilm), steps_);
+            film_.emplace(options_.film, folder_.pathOf(kUnfinishedFilm), steps_, path_);
         }
         if (!options_.strip.file.empty()) {
             strip_.emplace(options_.strip, steps_);
         }
         if (film_ || strip_ || !pictureFiles(session_).empty()) {
-            renderer_.emplace(options_.quality);
-            renderer_->setRestShape(simulation_.mesh());
+            running_.preparePictures();
         }
-    }
-
-    render::Image draw(const render::Camera& camera, const PictureSize& size) {
-        renderer_->draw(view(), camera, size.width, size.height);
-        return renderer_->readPicture();
     }
 
     /// The state before the coming step, once that step's actions were applied.
     void filmState() {
         const Film::Draw draws = [this](const render::Camera& camera, const PictureSize& size) {
-            return draw(camera, size);
+            return running_.draw(camera, size.width, size.height);
         };
         outside_.measure([&] {
             const double time = simulation_.report().time;
             if (film_) {
-                film_->show(step_, time, camera_, draws);
+                film_->show(step_, time, running_.camera(), draws);
             }
             if (strip_) {
-                strip_->show(step_, time, camera_, draws);
+                strip_->show(step_, time, path_.empty() ? running_.camera() : path_.at(step_),
+                             draws);
             }
         });
     }
@@ -236,23 +218,6 @@ class Replay {
         }
     }
 
-    render::SceneView view() {
-        render::SceneView view =
-            sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses());
-        view.paint = session_.colors.showOwn() ? skin_.paintOf(simulation_) : nullptr;
-        return view;
-    }
-
-    /// The model was placed otherwise: pictures are of another rest shape.
-    void followPlacement() {
-        uncut_ = simulation_.uncut();
-        restBounds_ = meshBounds(uncut_->mesh);
-        camera_ = sessionCamera(session_, restBounds_);
-        if (renderer_) {
-            renderer_->setRestShape(uncut_->mesh);
-        }
-    }
-
     void runStep(const ReplayListener& listener) {
         const Stopwatch watch;
         applyActions();
@@ -262,20 +227,14 @@ class Replay {
             return;
         }
         iterations_.add(step_, simulation_.params());
-        const StepReport& report = runner_.step();
+        const StepReport& report = running_.step();
         if (film_) {
             film_->pass(simulation_.params().timeStep);
         }
         const double outsideMs = outside_.take();
-        const MetricsRow row{report, fractureEnergyOf(report), std::exchange(pictureMs_, 0),
+        const MetricsRow row{report, std::exchange(pictureMs_, 0),
                              watch.milliseconds() - outsideMs};
         publish(row, listener);
-    }
-
-    /// None where the material does not tell its toughness.
-    std::optional<double> fractureEnergyOf(const StepReport& report) const {
-        return session_.toughness ? std::optional(*session_.toughness * report.swept.atRest)
-                                  : std::nullopt;
     }
 
     /// After a step: what is written and told of it.
@@ -291,7 +250,7 @@ class Replay {
         if (files_.wantsHashes() || expected_ != nullptr) {
             publish(simulation_.stateHashes());
         }
-        for (const std::string& problem : runner_.newlyBroken(row.report)) {
+        for (const std::string& problem : running_.runner().newlyBroken(row.report)) {
             fail(problem);
         }
         logMessages();
@@ -337,14 +296,8 @@ class Replay {
     }
 
     void check(const CheckEvent& event) {
-        const CheckDifference other = runner_.compare(event);
-        if (other.hash && options_.hashChecks) {
-            diverge("the state hash is " + *other.hash + " where the session expects " +
-                    *event.hash + "; the replay has diverged");
-        }
-        if (other.pieces) {
-            diverge("the model is in " + counted(*other.pieces, "piece", "pieces") +
-                    " where the session expects " + std::to_string(*event.pieces));
+        for (const std::string& problem : running_.problemsWith(event, options_.hashChecks)) {
+            diverge(problem);
         }
     }
 
@@ -361,23 +314,13 @@ class Replay {
     // --- Actions and results
     // ----------------------------------------------------------------------
 
-    void applyActions() { runner_.applyActions(player_, *this); }
-
-    /// "first-cut.kerf.json: events[3] at step 12", as far as it is known.
-    std::string placeInFile(int event) const {
-        const std::string place = event < 0 ? "" : "events[" + std::to_string(event) + "] at ";
-        return filePrefix() + place + "step " + std::to_string(step_);
-    }
-
-    std::string filePrefix() const {
-        return session_.fileName.empty() ? "" : session_.fileName + ": ";
-    }
+    void applyActions() { running_.runner().applyActions(player_, *this); }
 
     /// What no check fails for, but a reader of the results should know.
     void remark(const std::string& sentence) {
         if (!sentence.empty()) {
             summary_.remarks.push_back(sentence);
-            spdlog::warn("{}{}", filePrefix(), sentence);
+            spdlog::warn("{}{}", running_.filePrefix(), sentence);
         }
     }
 
@@ -405,6 +348,7 @@ class Replay {
         folder_.write(kSummaryFile, formatSummary(summary_));
     }
 
+    RunningSession& running_;
     const Session& session_;
     const ReplayOptions& options_;
     const HashCourse* expected_;  ///< until the run differs from it
@@ -412,20 +356,14 @@ class Replay {
     OutputFolder& folder_;
     SessionPlayer player_;
     RunFiles files_;
-    const OwnLooks looks_;  ///< of the uncut body
-    SkinFollower skin_{looks_};
-    std::optional<render::Renderer> renderer_;  ///< where pictures are taken
     std::optional<Film> film_;
     std::optional<FilmReport> filmReport_;
     std::optional<FilmStrip> strip_;
     std::optional<MeshSequence> sequence_;
-    Simulation simulation_;
-    std::shared_ptr<const UncutBody> uncut_;  ///< that the pictures tell of
-    Bounds restBounds_;                       ///< of it
-    SessionRunner runner_;
+    Simulation& simulation_;
     IterationWatch iterations_;
     VolumeWatch volumes_;
-    render::Camera camera_;
+    const render::CameraPath path_;  ///< of films and strips
     RunSummary summary_;
     TimeOutside outside_;
     double pictureMs_ = 0;  ///< of the coming step
@@ -433,21 +371,17 @@ class Replay {
     bool stopped_ = false;  ///< by a check that failed
 };
 
-/// With what undo events bring back.
-MemoryNeed memoryNeedOf(const Session& session, const SurfaceMesh& mesh) {
-    MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
-    settings.undoBudget = undoesAnything(session) ? kReplayUndoBudget : 0;
-    return memoryNeedOf(BodySize::ofMesh(mesh), settings);
-}
-
 }  // namespace
 
 ReplayResult replaySession(const Session& session, ModelMesh model,
                            const std::filesystem::path& folder, const ReplayListener& listener,
                            const ReplayOptions& options) {
-    requireMemory(session.model.name(), memoryNeedOf(session, model.mesh), memoryMeansOfContext());
+    const std::size_t undoBudget = undoesAnything(session) ? kReplayUndoBudget : 0;
+    requireMemoryFor(session, model.mesh, undoBudget);
     OutputFolder output(folder);
-    Replay replay(session, std::move(model), output, options);
+    const std::vector<std::string> remarks = std::move(model.remarks);
+    RunningSession running(session, std::move(model), undoBudget, options.quality);
+    Replay replay(running, remarks, output, options);
     replay.run(listener);
     return {replay.takeSummary(), output.written(), replay.filmReport()};
 }

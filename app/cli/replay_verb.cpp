@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli/exit_codes.h"
 #include "app/cli/replay.h"
 #include "app/cli/usage_error.h"
+#include "app/files/exit_codes.h"
 #include "app/files/progress_line.h"
 #include "app/regression/expectation.h"
 #include "app/regression/reference_pictures.h"

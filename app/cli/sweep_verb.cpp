@@ -8,9 +8,9 @@
 #include <ostream>
 #include <thread>
 
-#include "app/cli/exit_codes.h"
 #include "app/cli/usage_error.h"
 #include "app/files/child_runs.h"
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
 #include "app/study/study_plots.h"

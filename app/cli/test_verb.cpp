@@ -8,8 +8,8 @@
 #include <ostream>
 #include <thread>
 
-#include "app/cli/exit_codes.h"
 #include "app/cli/usage_error.h"
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/interruption.h"
 #include "app/files/temporary_folder.h"

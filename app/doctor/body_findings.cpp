@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kModel = "sphere768";
 constexpr const char* kCutSession = "assets/sessions/sphere768.kerf.json";
-constexpr int kCutSteps = 260;             // through the cut and the fall, onto the floor
+constexpr int kMostCutSteps = 260;         // through the cut and the fall, onto the floor
 constexpr double kMostVolumeError = 0.01;  // of rest, in motion
 constexpr const char* kPictureFile = "assets/doctor/cut.png";
 constexpr int kPictureWidth = 640;
@@ -143,7 +143,7 @@ DriverFinding pictureFinding(const render::Image& picture) {
 
 CutFindings cutFindings() {
     Session session = readSession(gpu::dataPath(kCutSession));
-    session.steps = std::min(session.steps, kCutSteps);
+    session.steps = std::min(session.steps, kMostCutSteps);
     CutRun first = playCut(session);
     const CutRun second = playCut(session);
     CutFindings result;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostBytes = 1u << 20;
+constexpr std::uintmax_t kMostReportBytes = 1u << 20;
 constexpr std::size_t kMostLetters = 120;  // of a folder's name
 
 fs::path reportFile(const fs::path& folder) {
@@ -39,7 +39,8 @@ std::string nameFor(const std::string& text) {
 /// The verdict of a report; "" where there is none.
 std::string verdictIn(const fs::path& folder) {
     try {
-        const auto report = nlohmann::json::parse(readInputFile(reportFile(folder), kMostBytes));
+        const auto report =
+            nlohmann::json::parse(readInputFile(reportFile(folder), kMostReportBytes));
         return report.at("verdict").get<std::string>();
     } catch (const std::exception& error) {
         spdlog::warn("{}", error.what());

@@ -190,6 +190,13 @@ void addExport(State& s) {
         false);
 }
 
+void addCamera(State& s) {
+    s.scene->addCamera(s.view.camera.destination());
+    s.toast.show("A film of the session is seen from here at step " +
+                     std::to_string(s.scene->here().step) + ".",
+                 false);
+}
+
 void useView(State& s) {
     s.scene->useView(s.view.camera.destination());
     s.toast.show("The pictures of the session are taken from here.", false);
@@ -302,6 +309,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::addPicture, Needs::body, addPicture},
     Handler{ActionId::addCheck, Needs::body, addCheck},
     Handler{ActionId::addExport, Needs::body, addExport},
+    Handler{ActionId::addCamera, Needs::body, addCamera},
     Handler{ActionId::useView, Needs::body, useView},
     Handler{ActionId::frameBody, Needs::scene,
             [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(*s.scene.meanwhile())); }},

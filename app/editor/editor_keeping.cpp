@@ -9,7 +9,7 @@ namespace kerf::app {
 namespace {
 
 /// The choices of askBefore().
-enum UnsavedChoice { kSave, kDoNotSave, kCancel };
+enum UnsavedChoice { kSave, kDoNotSave, kStay };
 
 }  // namespace
 

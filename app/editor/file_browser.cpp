@@ -13,6 +13,7 @@
 #include "app/files/model_source.h"
 #include "app/regression/expectation.h"
 #include "app/session/material.h"
+#include "app/session/session.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -20,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ui::FilePurpose;
-
-constexpr char kSessionEnding[] = ".kerf.json";
 
 /// The kinds that opening offers, by index.
 enum OpenKind { kEverything, kModels, kSessions, kAllFiles };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/files/child_runs.h"
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/temporary_folder.h"
 
@@ -13,16 +14,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a child says by its exit code: docs/cli.md.
-constexpr int kDone = 0;
-constexpr int kCheckFailed = 1;
-
 std::vector<std::string> argumentsFor(const fs::path& session, const fs::path& film,
                                       const ui::FilmLook& look) {
     std::vector<std::string> words{
         "replay",  session.string(), "--out",   (session.parent_path() / "results").string(),
         "--movie", film.string(),    "--speed", formatNumber(look.speed),
         "--fine",  "--keep-going",   "--jsonl"};  // a line per step
+    if (look.width > 0) {
+        words.insert(words.end(),
+                     {"--size", std::to_string(look.width) + "x" + std::to_string(look.height)});
+    }
+    if (look.rate > 0) {
+        words.insert(words.end(), {"--fps", std::to_string(look.rate)});
+    }
     if (look.captions) {
         words.emplace_back("--captions");
     }
@@ -48,7 +52,7 @@ void filmSession(const Session& session, const fs::path& file, const ui::FilmLoo
     };
     tell(0);
     const ChildOutcome end = runChild(argumentsFor(copy, film, look), progress, tell);
-    if (end.exitCode != kDone && end.exitCode != kCheckFailed) {
+    if (end.exitCode != kExitDone && end.exitCode != kExitCheckFailed) {
         throw OutputError("No film was made: " + sentenceAbout(end, folder.path()));
     }
     progress.enter("Writing");

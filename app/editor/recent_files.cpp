@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostBytes = 1u << 20;
+constexpr std::uintmax_t kMostListBytes = 1u << 20;
 
 bool isThere(const fs::path& file) {
     std::error_code error;
@@ -24,7 +24,7 @@ bool isThere(const fs::path& file) {
 
 std::string contentOf(const fs::path& store) {
     try {
-        return store.empty() ? "" : readInputFile(store, kMostBytes);
+        return store.empty() ? "" : readInputFile(store, kMostListBytes);
     } catch (const InputError&) {  // there is none yet
         return "";
     }

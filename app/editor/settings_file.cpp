@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using ui::Settings;
 
-constexpr std::uintmax_t kMostBytes = 1u << 20;
+constexpr std::uintmax_t kMostSettingsBytes = 1u << 20;
 constexpr std::size_t kMostNames = 64;
 
 struct NumberRow {
@@ -144,7 +144,7 @@ SettingsFile::SettingsFile(std::filesystem::path file) : file_(std::move(file)) 
     std::error_code error;
     if (!file_.empty() && std::filesystem::exists(file_, error)) {
         try {
-            now = parseSettings(readInputFile(file_, kMostBytes));
+            now = parseSettings(readInputFile(file_, kMostSettingsBytes));
         } catch (const InputError& problem) {
             problem_ = "The settings of " + file_.string() +
                        " are not used until they are changed here: " + problem.what();

@@ -19,6 +19,7 @@
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
 #include "app/files/process_limits.h"
+#include "gpu/program_folder.h"
 
 namespace kerf::app {
 
@@ -157,7 +158,9 @@ std::filesystem::path importProgram() {
 }
 
 std::filesystem::path programBeside(const std::string& name) {
-    return std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
+    const std::filesystem::path folder = gpu::programFolder();
+    const std::filesystem::path installed = folder.parent_path() / "libexec/kerf" / name;
+    return std::filesystem::exists(installed) ? installed : folder / name;
 }
 
 ImportOutcome runImportProcess(const std::filesystem::path& program,

@@ -32,7 +32,7 @@ struct ImportOutcome {
 /// Says that this program has the verb `import-worker`, whatever its name; tests don't.
 void readModelsWithThisProgram();
 /// The program that has the verb `import-worker`: $KERF_EXECUTABLE where set, else this program
-/// where it said so, else kerf in the same folder.
+/// where it said so, else kerf in gpu::programFolder().
 std::filesystem::path importProgram();
 
 /// Told how an answer begins, kImportHeadBytes of it, before more is taken; may throw to end the
@@ -53,7 +53,8 @@ ImportOutcome runImportProcess(const std::filesystem::path& program,
 ImportOutcome runLimitedProcess(const std::vector<std::string>& command, const ImportLimits& limits,
                                 const WorkProgress* progress = nullptr,
                                 const ImportHeadListener& onHead = nullptr);
-/// The program of that name in the folder of this one.
+/// The program of that name that Kerf starts: in libexec/kerf where Kerf is installed, else in
+/// gpu::programFolder().
 std::filesystem::path programBeside(const std::string& name);
 
 /// The answer of the child (import_protocol.h), which it makes in this process: a reader that

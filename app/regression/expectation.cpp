@@ -4,6 +4,7 @@
 
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
+#include "app/session/session.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"
 
@@ -15,9 +16,8 @@ using InputJson = nlohmann::json;
 using Json = nlohmann::ordered_json;
 using render::PixelRect;
 
-constexpr std::uintmax_t kMaxBytes = 1u << 20;
+constexpr std::uintmax_t kMaxExpectationBytes = 1u << 20;
 constexpr const char* kFormat = "kerf-expected";
-constexpr std::string_view kSessionEnding = ".kerf.json";
 
 [[noreturn]] void fail(const std::string& key, const std::string& problem) {
     throw InputError(key + ": " + problem);
@@ -188,7 +188,7 @@ std::vector<std::string> unlistedPictures(const std::filesystem::path& folder,
 }
 
 Expectation readExpectation(const std::filesystem::path& file) {
-    const std::string text = readInputFile(file, kMaxBytes);
+    const std::string text = readInputFile(file, kMaxExpectationBytes);
     try {
         return parseExpectation(parseJson(text));
     } catch (const InputError& error) {

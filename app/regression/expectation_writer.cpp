@@ -9,7 +9,7 @@ namespace kerf::app {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 1u << 30;
+constexpr std::uintmax_t kMaxKeptBytes = 1u << 30;
 
 std::optional<Expectation> earlierExpectation(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / kExpectedFile;
@@ -35,7 +35,7 @@ Expectation expectationOf(const RunResults& results, const Expectation& earlier)
 }
 
 void copyFile(const RunResults& results, const std::string& name, OutputFolder& folder) {
-    folder.write(name, readInputFile(results.folder / name, kMaxBytes));
+    folder.write(name, readInputFile(results.folder / name, kMaxKeptBytes));
 }
 
 }  // namespace

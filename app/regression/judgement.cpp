@@ -19,7 +19,7 @@ namespace kerf::app {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 1u << 30;
+constexpr std::uintmax_t kMaxSummaryBytes = 1u << 30;
 
 /// The parts of an expectation that are compared with a run.
 struct Expected {
@@ -352,7 +352,7 @@ Finding findingOfCheck(const std::string& failure) {
 
 RunResults readResults(const std::filesystem::path& folder, const Session& session) {
     const std::filesystem::path file = folder / kSummaryFile;
-    const nlohmann::json summary = parseJson(readInputFile(file, kMaxBytes));
+    const nlohmann::json summary = parseJson(readInputFile(file, kMaxSummaryBytes));
     try {
         return {folder,
                 {summary.at("renderer"), summary.at("driver")},

@@ -10,7 +10,7 @@ namespace kerf::app {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 512u << 20;
+constexpr std::uintmax_t kMaxPictureBytes = 512u << 20;
 
 /// Nothing where the picture is as it should be.
 std::optional<ReferenceDifference> differenceOf(const std::string& file,
@@ -52,7 +52,7 @@ std::vector<std::string> renewReference(const std::vector<ReferenceDifference>& 
     OutputFolder folder(reference);
     for (const ReferenceDifference& difference : differences) {
         if (!difference.missingInRun) {
-            folder.write(difference.file, readInputFile(run / difference.file, kMaxBytes));
+            folder.write(difference.file, readInputFile(run / difference.file, kMaxPictureBytes));
         }
     }
     return folder.written();

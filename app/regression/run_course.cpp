@@ -11,7 +11,7 @@ namespace kerf::app {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 1u << 30;
+constexpr std::uintmax_t kMaxTableBytes = 1u << 30;
 constexpr int kSamples = 30;
 constexpr double kMostCounted = 1e9;
 
@@ -30,7 +30,7 @@ int readCount(const CsvTable& table, std::size_t row, std::size_t column) {
 }  // namespace
 
 Course readCourse(const std::filesystem::path& file) {
-    const CsvTable table(file, kMaxBytes);
+    const CsvTable table(file, kMaxTableBytes);
     const std::size_t step = table.require("step");
     const std::size_t volume = table.require("volume");
     const std::size_t pieces = table.require("pieces");
@@ -59,7 +59,7 @@ std::string formatCourse(const Course& course) {
 }
 
 PieceCourse readPieces(const std::filesystem::path& file) {
-    const CsvTable table(file, kMaxBytes);
+    const CsvTable table(file, kMaxTableBytes);
     const std::size_t step = table.require("step");
     const std::size_t volume = table.require("volume");
     std::array<std::size_t, kSides.size()> sides{};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/temporary_folder.h"
 #include "app/regression/expectation_writer.h"
@@ -14,10 +15,6 @@ namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-// What a child says by its exit code: docs/cli.md.
-constexpr int kDone = 0;
-constexpr int kCheckFailed = 1;
 
 [[noreturn]] void refuse(const std::string& why) {
     throw OutputError("No test was saved: " + why);
@@ -33,7 +30,7 @@ void run(const fs::path& file, int steps, const fs::path& results, WorkProgress&
     };
     tell(0);
     const ChildOutcome outcome = runChild(arguments, progress, tell);
-    if (outcome.exitCode != kDone && outcome.exitCode != kCheckFailed) {
+    if (outcome.exitCode != kExitDone && outcome.exitCode != kExitCheckFailed) {
         refuse("the replay did not finish, " + sentenceAbout(outcome, file.parent_path()));
     }
 }

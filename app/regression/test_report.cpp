@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr std::uintmax_t kMaxEmbeddedBytes = 256u << 20;
 constexpr std::string_view kPlaceOfData = "{\"tests\": []}";
 constexpr std::size_t kPlottedSteps = 400;
 
@@ -33,10 +33,10 @@ Json imageAddress(const fs::path& file) {
     if (file.empty() || !fs::exists(file)) {
         return nullptr;
     }
-    return "data:image/png;base64," + base64(readInputFile(file, kMaxBytes));
+    return "data:image/png;base64," + base64(readInputFile(file, kMaxEmbeddedBytes));
 }
 
-Json toJson(const PictureCheck& picture, const TestResult& result) {
+Json pageData(const PictureCheck& picture, const TestResult& result) {
     return {{"file", picture.file},
             {"alike", picture.alike},
             {"expected", imageAddress(expectationFolder(result.session) / picture.file)},
@@ -104,14 +104,14 @@ std::string nameOf(const Driver& driver) {
     return driver.renderer.empty() ? "" : driver.renderer + ", OpenGL " + driver.version;
 }
 
-Json toJson(const TestResult& result) {
+Json pageData(const TestResult& result) {
     Json findings = Json::array();
     for (const Finding& finding : result.judgement.findings) {
         findings.push_back(finding.sentence);
     }
     Json pictures = Json::array();
     for (const PictureCheck& picture : result.judgement.pictures) {
-        pictures.push_back(toJson(picture, result));
+        pictures.push_back(pageData(picture, result));
     }
     return {{"name", result.name},
             {"status", nameOf(result.status)},
@@ -145,9 +145,10 @@ std::string timeOfDay() {
 std::string formatTestReport(const std::vector<TestResult>& results) {
     Json tests = Json::array();
     for (const TestResult& result : results) {
-        tests.push_back(toJson(result));
+        tests.push_back(pageData(result));
     }
-    std::string page = readInputFile(gpu::dataPath("assets/report/test-report.html"), kMaxBytes);
+    std::string page =
+        readInputFile(gpu::dataPath("assets/report/test-report.html"), kMaxEmbeddedBytes);
     const std::size_t place = page.find(kPlaceOfData);
     if (place == std::string::npos) {
         throw InputError("assets/report/test-report.html: the place of the data is missing.");

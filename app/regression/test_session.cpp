@@ -4,10 +4,12 @@
 #include <functional>
 #include <map>
 
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/files/output_folder.h"
 #include "app/regression/expectation_writer.h"
+#include "app/session/session.h"
 #include "gpu/context.h"
 
 namespace kerf::app {
@@ -15,13 +17,6 @@ namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kSessionEnding = ".kerf.json";
-// What a child says by its exit code: docs/cli.md.
-constexpr int kDone = 0;
-constexpr int kCheckFailed = 1;
-constexpr int kInputError = 3;
-constexpr int kNoOpenGl = 4;
 
 bool isSession(const fs::path& file) {
     return file.filename().string().ends_with(kSessionEnding);
@@ -237,13 +232,13 @@ TestResult judgeRun(const fs::path& session, const fs::path& results, const Chil
     TestResult result = resultOf(session);
     result.seconds = outcome.seconds;
     result.results = results;
-    if (outcome.exitCode == kNoOpenGl) {
+    if (outcome.exitCode == kExitNoOpenGl) {
         throw gpu::ContextError(lastWords(outcome));
     }
     judgeSafely(result, [&] {
-        if (outcome.exitCode == kDone || outcome.exitCode == kCheckFailed) {
+        if (outcome.exitCode == kExitDone || outcome.exitCode == kExitCheckFailed) {
             judgeResults(result, update);
-        } else if (outcome.exitCode == kInputError) {
+        } else if (outcome.exitCode == kExitInput) {
             fail(result, TestStatus::unreadable, "session", lastWords(outcome));
         } else {
             fail(result, TestStatus::failed, "run",

@@ -112,7 +112,7 @@ void CutQuality::begin(Simulation& simulation) {
         return;
     }
     working_ = simulation.modelRevision();
-    auto body = std::make_shared<const SurfaceMesh>(simulation.mesh());
+    auto body = std::make_shared<const SurfaceMesh>(simulation.meshAsRead());
     job_ = std::make_unique<BackgroundJob<Report>>(
         [body, uncut = simulation.uncut(), strokes](WorkProgress&) {
             return reportOn({*body, uncut->mesh, strokes});

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/scene/keyframes.h"
+#include "app/session/session.h"
 #include "gpu/data_path.h"
 #include "sim/base/size_params.h"
 #include "sim/base/text.h"
@@ -13,7 +14,6 @@
 namespace kerf::app {
 namespace {
 
-constexpr std::string_view kSessionEnding = ".kerf.json";
 constexpr double kGapBeside = 0.1;  // between models of a scene, of the larger diagonal
 /// Of models that bring no colours of their own, so that they can be told apart.
 const std::array<Vec3, 5> kColors{{{0.36, 0.62, 0.80},
@@ -22,7 +22,7 @@ const std::array<Vec3, 5> kColors{{{0.36, 0.62, 0.80},
                                    {0.66, 0.48, 0.74},
                                    {0.80, 0.44, 0.46}}};
 
-bool isSession(const std::filesystem::path& file) {
+bool isJson(const std::filesystem::path& file) {
     return lowerCase(file.extension().string()) == ".json";
 }
 
@@ -127,7 +127,7 @@ Document openScene(const std::string& name, Session scene, const ReadOptions& op
 Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
                        const ReadOptions& options) {
     const std::size_t others = scene.moreModels.size() + 1;
-    if (isSession(file)) {
+    if (isJson(file)) {
         throw InputError(file.filename().string() +
                          ": a session has a scene of its own; add its model's file instead.");
     }
@@ -159,7 +159,7 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
 }
 
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options) {
-    return isSession(file) ? openSession(file, options) : openModel(file, options);
+    return isJson(file) ? openSession(file, options) : openModel(file, options);
 }
 
 Document openDefaultDocument() {

@@ -31,6 +31,9 @@ struct FromReport {
 double strainEnergyOf(Report r) {
     return r.strainEnergy.value_or(std::numeric_limits<double>::quiet_NaN());
 }
+double bladeForceOf(Report r) {
+    return r.bladeLoad ? r.bladeLoad->force.norm() : std::numeric_limits<double>::quiet_NaN();
+}
 double energyOf(Report r) {
     return r.kineticEnergy + r.potentialEnergy + r.strainEnergy.value_or(0.0);
 }
@@ -46,6 +49,9 @@ constexpr std::array kFromReport{
     FromReport{Reading::totalEnergy, When::always, energyOf},
     FromReport{Reading::touchedTriangles, When::step,
                [](Report r) { return 1.0 * r.touchedTriangles; }},
+    FromReport{Reading::bladeForce, When::step, bladeForceOf},
+    FromReport{Reading::bladeWork, When::addingUp, [](Report r) { return r.heldEdge.work; }},
+    FromReport{Reading::fractureEnergy, When::addingUp, [](Report r) { return r.fractureEnergy; }},
     FromReport{Reading::lostPieces, When::addingUp, [](Report r) { return 1.0 * r.lostPieces; }},
 };
 

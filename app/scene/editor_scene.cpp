@@ -725,6 +725,10 @@ void EditorScene::addCheck() {
     addMark(here(), checkOfNow());
 }
 
+void EditorScene::addCamera(const render::Camera& camera) {
+    addMark(here(), CameraEvent{camera});
+}
+
 void EditorScene::addMark(const JournalPlace& place, SessionAction action) {
     journal_.add(place, std::move(action));
     if (playback_) {

@@ -160,6 +160,8 @@ class EditorScene {
     std::string addExport();
     /// Adds a check of the state as it is.
     void addCheck();
+    /// From there a film of the session shall be seen at this step.
+    void addCamera(const render::Camera& camera);
     /// Takes out one of those by its ui::SessionMark::id.
     void removeMark(int id) { journal_.remove(id); }
 

@@ -31,6 +31,9 @@ std::optional<ui::SessionMark> markOf(const JournalEntry& entry) {
     if (const auto* exported = std::get_if<ExportEvent>(&action)) {
         return ui::SessionMark{entry.id, step, Kind::exported, exported->file};
     }
+    if (std::holds_alternative<CameraEvent>(action)) {
+        return ui::SessionMark{entry.id, step, Kind::camera, ""};
+    }
     const auto* check = std::get_if<CheckEvent>(&action);
     if (check == nullptr || entry.origin == JournalEntry::Origin::editor) {
         return std::nullopt;

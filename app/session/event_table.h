@@ -66,6 +66,8 @@ inline constexpr Limits kModelNumbers{0, kMostModels - 1};                    //
 inline constexpr Limits kBoxSizes{kLeastBoxSize, kLargestBoxSize};            // [m]
 inline constexpr Limits kTurns = within(kLargestBoxTurn);                     // [degrees]
 inline constexpr Limits kPictureSizes{1, kMaxPictureSize};                    // [pixels]
+inline constexpr Limits kFieldsOfView{1, 150};                                // [degrees]
+inline constexpr double kLeastSineOfUp = 1e-6;  // between the line of sight and the camera's up
 inline constexpr HexDigits kStateHashDigits{16};
 inline constexpr ShortText kLabels{60};
 
@@ -135,6 +137,23 @@ void describe(auto& fields, Placement& placement) {
     fields.optional(kRotate, placement.rotate, kTurns);
     fields.optional({"translate", "Moves the model at last [m]."}, placement.translate,
                     kCoordinates);
+}
+
+void describe(auto& fields, render::Camera& camera) {
+    fields.required({"eye", "Where the camera is [m]."}, camera.eye, kCoordinates);
+    fields.required({"target", "The point that it looks at [m]."}, camera.target, kCoordinates);
+    fields.optional({"up", "The direction that is up in the picture."}, camera.up, kCoordinates);
+    fields.optional({"fov_y", "The vertical field of view, in degrees."}, camera.fovY,
+                    kFieldsOfView);
+    fields.optional({"orthographic",
+                     "Parallel rays: as high as the perspective picture at the "
+                     "target."},
+                    camera.orthographic);
+    const Vec3 forward = camera.target - camera.eye;
+    fields.check(forward.norm() != 0, "", "eye and target are the same point.");
+    fields.check(camera.up.norm() != 0 && forward.cross(camera.up).norm() >=
+                                              kLeastSineOfUp * forward.norm() * camera.up.norm(),
+                 "up", "up must not point along the line of sight.");
 }
 
 // The events, in the order of SessionAction.
@@ -272,6 +291,11 @@ void describe(auto& fields, CheckEvent& event) {
                     kStateHashDigits);
     fields.optional({"pieces", "The number of pieces."}, event.pieces, Limits{1, kMaxSteps});
     fields.atLeastOneOf({"hash", "pieces"}, "a check needs \"hash\" or \"pieces\".");
+}
+
+void describe(auto& fields, CameraEvent& event) {
+    fields.type({"camera", "A key of the camera of films and strips."});
+    describe(fields, event.camera);
 }
 
 /// Calls `visit` with an event of each kind, as it is before any field is known, in the order of

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostToughness = 1e6;  // [J/m^2]
-
 MaterialProperty ofParam(const char* name, MaterialValue Material::*member) {
     // The table of parameters is made of literals, so its texts end in zero bytes.
     const ParamInfo& info = *findParam(name);
@@ -40,9 +38,6 @@ bool isJson(std::string_view name) {
 
 /// The parameter of a property for a model; empty where it is that of all models.
 std::string paramOf(const MaterialProperty& property, int model) {
-    if (!property.isParam) {
-        return "";
-    }
     const std::string name = model > 0 ? ownName(property.name, model) : property.name;
     return findParam(name) != nullptr ? name : "";
 }
@@ -56,6 +51,9 @@ struct ShownUnit {
 ShownUnit unitFor(std::string_view unit, double value) {
     if (unit == "Pa" && value >= 1e3) {
         return value >= 1e6 ? ShownUnit{1e6, "MPa"} : ShownUnit{1e3, "kPa"};
+    }
+    if (unit == "m") {
+        return {1e-3, "mm"};
     }
     return unit == "s" ? ShownUnit{1e-3, "ms"} : ShownUnit{1, unit};
 }
@@ -80,14 +78,15 @@ bool isEstimate(const Material& material, const MaterialProperty& property) {
 
 }  // namespace
 
-const std::array<MaterialProperty, 5>& materialProperties() {
-    static const std::array<MaterialProperty, 5> properties{
+const std::array<MaterialProperty, 7>& materialProperties() {
+    static const std::array<MaterialProperty, 7> properties{
         ofParam("youngs_modulus", &Material::youngsModulus),
         ofParam("density", &Material::density),
         ofParam("friction", &Material::friction),
         ofParam("damping", &Material::damping),
-        MaterialProperty{"toughness", "Toughness", "J/m^2", "Energy that new surface takes.", 0,
-                         kMostToughness, &Material::toughness, false},
+        ofParam("toughness", &Material::toughness),
+        ofParam("skin_thickness", &Material::skinThickness),
+        ofParam("skin_modulus", &Material::skinModulus),
     };
     return properties;
 }
@@ -97,7 +96,11 @@ std::vector<SetParam> settingsOf(const Material& material, int model) {
     settings.reserve(materialProperties().size());
     for (const MaterialProperty& property : materialProperties()) {
         const std::string param = paramOf(property, model);
-        const std::optional<double>& value = (material.*property.member).value;
+        const bool isSkin = property.member == &Material::skinThickness;
+        std::optional<double> value = (material.*property.member).value;
+        if (isSkin && !value) {
+            value = 0;
+        }
         if (!param.empty() && value) {
             settings.push_back({param, *value, false, material.label});
         }
@@ -113,7 +116,7 @@ void applyMaterial(Params& params, const Material& material) {
 
 void applyMaterial(Session& session, const Material& material) {
     applyMaterial(session.params, material);
-    session.toughness = material.toughness.value;
+    session.material = material.name;
     if (!session.colors.any()) {
         session.colors = material.colors;
     }
@@ -129,9 +132,7 @@ bool isMadeOf(const Params& params, const Material& material, int model) {
 Material materialFrom(const Params& params, const render::ChosenColors& colors) {
     Material material;
     for (const MaterialProperty& property : materialProperties()) {
-        if (property.isParam) {
-            (material.*property.member).value = std::get<double>(getParam(params, property.name));
-        }
+        (material.*property.member).value = std::get<double>(getParam(params, property.name));
     }
     material.colors = colors;
     return material;

@@ -44,26 +44,27 @@ struct Material {
     MaterialValue density;
     MaterialValue friction;
     MaterialValue damping;
-    MaterialValue toughness;  ///< energy that new surface takes [J/m^2]
+    MaterialValue toughness;
+    MaterialValue skinThickness;
+    MaterialValue skinModulus;
     render::ChosenColors colors;
     std::vector<MaterialSource> sources;
 };
 
 /// A row of the table of what materials have values of.
 struct MaterialProperty {
-    const char* name;     ///< in files; that of the parameter, where there is one
+    const char* name;     ///< in files; that of the parameter
     const char* label;    ///< for people
     const char* unit;     ///< "" for none
     const char* meaning;  ///< one sentence
-    double low;           ///< smallest value
+    double low;           ///< smallest value of the parameter
     double high;          ///< largest
     MaterialValue Material::*member;
-    bool isParam = true;  ///< whether there is a parameter of that name, within these limits
 };
-const std::array<MaterialProperty, 5>& materialProperties();
+const std::array<MaterialProperty, 7>& materialProperties();
 
 /// The parameters that a material gives values to, in the order of the properties. For a model
-/// behind the first those that it may have of its own.
+/// behind the first those that it may have of its own. A material without a skin takes that away.
 std::vector<SetParam> settingsOf(const Material& material, int model = 0);
 /// Gives parameters the values of a material.
 void applyMaterial(Params& params, const Material& material);

@@ -13,8 +13,8 @@ inline constexpr Limits kSpreads{0, 1e12};
 
 /// The names of the properties, which sources refer to.
 inline std::span<const std::string_view> propertyNames() {
-    static const std::array<std::string_view, 5> names = [] {
-        std::array<std::string_view, 5> collected;
+    static const std::array<std::string_view, 7> names = [] {
+        std::array<std::string_view, 7> collected;
         std::ranges::transform(materialProperties(), collected.begin(), &MaterialProperty::name);
         return collected;
     }();

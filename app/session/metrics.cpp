@@ -88,6 +88,10 @@ std::string dividedOtherwise(const MetricsRow& row) {
     return textOf(otherPatterns(row.report.subdivisions));
 }
 
+template <auto member>
+std::string held(const MetricsRow& row) {
+    return textOf(row.report.heldEdge.*member);
+}
 template <Vec3 BladeLoad::*part, int axis>
 std::string felt(const MetricsRow& row) {
     const std::optional<BladeLoad>& load = row.report.bladeLoad;
@@ -130,13 +134,16 @@ constexpr Column kColumns[] = {
     {"search_tests", searched<&SearchWork::tests>},
     {"swept_area", swept<&SweptArea::asItLay>},
     {"swept_area_at_rest", swept<&SweptArea::atRest>},
-    {"fracture_energy", measured<&MetricsRow::fractureEnergy>},
+    {"fracture_energy", reported<&StepReport::fractureEnergy>},
     {"blade_force_x", felt<&BladeLoad::force, 0>},
     {"blade_force_y", felt<&BladeLoad::force, 1>},
     {"blade_force_z", felt<&BladeLoad::force, 2>},
     {"blade_moment_x", felt<&BladeLoad::moment, 0>},
     {"blade_moment_y", felt<&BladeLoad::moment, 1>},
     {"blade_moment_z", felt<&BladeLoad::moment, 2>},
+    {"blade_work", held<&HeldEdge::work>},
+    {"blade_energy", held<&HeldEdge::energy>},
+    {"blade_lag", held<&HeldEdge::lag>},
 };
 
 }  // namespace

@@ -29,9 +29,8 @@ class Range {
 /// One row of metrics.csv: what the simulation says and what the replay measured around it.
 struct MetricsRow {
     StepReport report;
-    std::optional<double> fractureEnergy;  ///< that new surface took; see Material::toughness [J]
-    double renderMs = 0;                   ///< pictures taken before this step, wall clock
-    double frameMs = 0;  ///< the step and its commands, without pictures and files, wall clock
+    double renderMs = 0;  ///< pictures taken before this step, wall clock
+    double frameMs = 0;   ///< the step and its commands, without pictures and files, wall clock
 };
 
 /// First line of metrics.csv and its rows, each with its line break.

@@ -96,6 +96,16 @@ render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
     return camera;
 }
 
+render::CameraPath cameraPathOf(const Session& session) {
+    std::vector<render::CameraKey> keys;
+    for (const SessionEvent& event : session.events) {
+        if (const auto* key = std::get_if<CameraEvent>(&event.action)) {
+            keys.push_back({static_cast<double>(event.step), key->camera});
+        }
+    }
+    return render::CameraPath(std::move(keys));
+}
+
 void takeModelOut(Session& session, int model) {
     session.moreModels.erase(session.moreModels.begin() + model - 1);
     std::vector<OwnMaterial>& own = session.params.models;

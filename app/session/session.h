@@ -4,13 +4,14 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "app/files/export.h"
 #include "app/files/model_source.h"
 #include "render/scene/body_look.h"
-#include "render/scene/camera.h"
+#include "render/scene/camera_path.h"
 #include "sim/base/params.h"
 #include "sim/base/placement.h"
 #include "sim/run/command.h"
@@ -81,6 +82,12 @@ struct CheckEvent {
     std::optional<int> pieces;
 };
 
+/// A key of the camera that films and strips are seen by: see CameraPath. Screenshots keep the
+/// view.
+struct CameraEvent {
+    render::Camera camera;
+};
+
 /// A variant with more alternatives behind its own.
 template <class Variant, class... More>
 struct Extended;
@@ -92,7 +99,8 @@ struct Extended<std::variant<Kinds...>, More...> {
 /// The action of a session event: a command, or something that changes no simulation. A blade
 /// event is a key pose: between two of them the ends move linearly, a quad per step. So do hands
 /// from their grab or drag to their next drag. See event_table.h for their fields.
-using SessionAction = Extended<Command, ScreenshotEvent, ExportEvent, CheckEvent>::Type;
+using SessionAction =
+    Extended<Command, ScreenshotEvent, ExportEvent, CheckEvent, CameraEvent>::Type;
 
 /// Something that happens before a step.
 struct SessionEvent {
@@ -101,15 +109,19 @@ struct SessionEvent {
     int number = -1;  ///< in the file's list, from 0; -1 where it stands in no file
 };
 
+/// How the names of session files end.
+inline constexpr std::string_view kSessionEnding = ".kerf.json";
+
 /// A *.kerf.json file: start state, commands, checks. See docs/session-format.md.
 struct Session {
     std::string fileName;  ///< without its folder, as errors name it; empty where it is no file
     ModelReference model;
     Placement placement;
     std::vector<FurtherModel> moreModels;  ///< models 1, 2, ... of the scene
+    /// The material that comes with Kerf whose values and look it has at the start; empty: none.
+    std::string material;
     Params params;
-    std::optional<double> toughness;  ///< of its material, where that is known [J/m^2]
-    std::vector<StaticBox> boxes;     ///< at the start
+    std::vector<StaticBox> boxes;  ///< at the start
     int steps = 0;
     std::vector<SessionEvent> events;  ///< by step, the file's order within one
     std::optional<render::Camera> view;
@@ -162,6 +174,9 @@ ModelMesh loadSessionModel(const Session& session, const ReadOptions& options = 
 /// The session's view, or the default one: from the front right above, `bounds` in the middle and
 /// room around it for what falls.
 render::Camera sessionCamera(const Session& session, const Bounds& bounds);
+
+/// The way of the camera of films and strips, by the session's camera events; empty without any.
+render::CameraPath cameraPathOf(const Session& session);
 
 /// An action that a session takes before a step.
 struct PlayedAction {

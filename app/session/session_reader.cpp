@@ -6,6 +6,7 @@
 #include "app/files/builtin_models.h"
 #include "app/files/file_io.h"
 #include "app/session/material_table.h"
+#include "app/session/session_action.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"
 
@@ -13,11 +14,11 @@ namespace kerf::app {
 
 namespace {
 
-using nlohmann::json;
+using InputJson = nlohmann::json;
 
 /// A value and where it stands in the file: "events[3].a".
 struct Node {
-    const json* value = nullptr;
+    const InputJson* value = nullptr;
     std::string path;
 };
 
@@ -41,7 +42,7 @@ double readNumber(const Node& node, const Limits& limits) {
 }
 
 Vec3 readVector(const Node& node, const Limits& limits) {
-    const json& value = *node.value;
+    const InputJson& value = *node.value;
     if (!value.is_array() || value.size() != 3) {
         fail(node.path, "expected three numbers.");
     }
@@ -63,7 +64,7 @@ std::string readString(const Node& node) {
 }
 
 ParamValue readParamValue(const Node& node) {
-    const json& value = *node.value;
+    const InputJson& value = *node.value;
     if (value.is_null()) {
         return std::monostate{};
     }
@@ -104,7 +105,7 @@ template <class Read>
 void forEachItem(const Node& list, Read read) {
     requireList(list);
     std::size_t number = 0;
-    for (const json& item : *list.value) {
+    for (const InputJson& item : *list.value) {
         read(Node{&item, list.path + "[" + std::to_string(number++) + "]"});
     }
 }
@@ -379,7 +380,8 @@ class ObjectReader : public NoFields {
         if (const auto node = find(word.name)) {
             material_ = readMaterialOf(*node, baseFolder_);
             applyMaterial(session.params, *material_);
-            session.toughness = material_->toughness.value;
+            const std::string text = readString(*node);
+            session.material = namesMaterialFile(text) ? "" : text;
         }
     }
 
@@ -489,11 +491,11 @@ class ObjectReader : public NoFields {
 };
 
 /// The text of a value as JSON; a word that is none as a text.
-json parseValue(const std::string& text) {
+InputJson parseValue(const std::string& text) {
     const bool isWord = !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
         return std::isalnum(c) != 0 || c == '_' || c == '-';
     });
-    return isWord && !json::accept(text) ? json(text) : parseJson(text);
+    return isWord && !InputJson::accept(text) ? InputJson(text) : parseJson(text);
 }
 
 /// Of two files of one name the earlier is lost.
@@ -539,7 +541,7 @@ void requireModelsOfParams(const Session& session) {
 void setParamFromText(Params& params, const std::string& name, const std::string& value) {
     requireKnownParam(name, "'" + name + "'");
     try {
-        const json parsed = parseValue(value);
+        const InputJson parsed = parseValue(value);
         applyParam(params, name, {&parsed, name});
     } catch (const InputError& error) {
         const std::string problem = error.what();
@@ -548,7 +550,7 @@ void setParamFromText(Params& params, const std::string& name, const std::string
 }
 
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder) {
-    const json document = parseJson(text);
+    const InputJson document = parseJson(text);
     Session session;
     ObjectReader top({&document, ""}, session.warnings, baseFolder);
     describe(top, session);
@@ -565,8 +567,29 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
     return session;
 }
 
+SessionAction parseAction(const std::string& text, std::vector<std::string>& warnings) {
+    const InputJson document = parseJson(text);
+    const bool named =
+        document.is_object() && document.contains(kTypeKey) && document.at(kTypeKey).is_string();
+    const std::string path = named ? shortened(document.at(kTypeKey).get<std::string>()) : "";
+    SessionAction action;
+    ObjectReader event({&document, path}, warnings);
+    event.action({kTypeKey, ""}, action);
+    event.warnAboutTheRest();
+    return action;
+}
+
+render::Camera parseCamera(const std::string& text, std::vector<std::string>& warnings) {
+    const InputJson document = parseJson(text);
+    render::Camera camera;
+    ObjectReader view({&document, "view"}, warnings);
+    describe(view, camera);
+    view.warnAboutTheRest();
+    return camera;
+}
+
 Material parseMaterial(const std::string& text) {
-    const json document = parseJson(text);
+    const InputJson document = parseJson(text);
     Material material;
     std::vector<std::string> unknownKeys;
     ObjectReader top({&document, ""}, unknownKeys);

@@ -14,9 +14,7 @@ struct ModelPath {};
 inline constexpr FileFormat kSessionFormat{"kerf-session", 1};
 
 inline constexpr HexDigits kSha256Digits{64};
-inline constexpr Limits kFieldsOfView{1, 150};  // [degrees]
 inline constexpr Limits kColorParts{0, 1};
-inline constexpr double kLeastSineOfUp = 1e-6;  // between the line of sight and the camera's up
 
 /// The view of a session: the camera and, beside it, the colours.
 struct SessionView {
@@ -64,23 +62,6 @@ void describe(auto& fields, SessionEvent& event, const Limits& steps) {
                      "the number of steps."},
                     event.step, steps);
     fields.action({kTypeKey, "What happens."}, event.action);
-}
-
-void describe(auto& fields, render::Camera& camera) {
-    fields.required({"eye", "Where the camera is [m]."}, camera.eye, kCoordinates);
-    fields.required({"target", "The point that it looks at [m]."}, camera.target, kCoordinates);
-    fields.optional({"up", "The direction that is up in the picture."}, camera.up, kCoordinates);
-    fields.optional({"fov_y", "The vertical field of view, in degrees."}, camera.fovY,
-                    kFieldsOfView);
-    fields.optional({"orthographic",
-                     "Parallel rays: as high as the perspective picture at the "
-                     "target."},
-                    camera.orthographic);
-    const Vec3 forward = camera.target - camera.eye;
-    fields.check(forward.norm() != 0, "", "eye and target are the same point.");
-    fields.check(camera.up.norm() != 0 && forward.cross(camera.up).norm() >=
-                                              kLeastSineOfUp * forward.norm() * camera.up.norm(),
-                 "up", "up must not point along the line of sight.");
 }
 
 void describe(auto& fields, render::ChosenColors& colors) {

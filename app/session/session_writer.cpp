@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "app/session/material_table.h"
@@ -139,6 +140,17 @@ Json toJson(Described item, const Rule&... rule) {
     return json;
 }
 
+/// Whether its name still says what the session starts with.
+bool keepsMaterial(const Session& session) {
+    if (session.material.empty()) {
+        return false;
+    }
+    const std::vector<Material>& all = builtinMaterials();
+    const auto found = std::ranges::find(all, session.material, &Material::name);
+    return found != all.end() && isMadeOf(session.params, *found) &&
+           (session.colors.any() || !found->colors.any());
+}
+
 /// Writes a session or a material, with a line for each key, each box, event and source.
 class DocumentWriter : public NoFields {
   public:
@@ -149,8 +161,12 @@ class DocumentWriter : public NoFields {
         line(formatWord, Json(format.name).dump());
         text_ += ", " + field(versionWord, std::to_string(format.version));
     }
-    /// The session has taken its values over.
-    void material(const Word&, const Session&) {}
+    /// That of a file is left out, which may not lie beside the new session: its values are there.
+    void material(const Word& word, const Session& session) {
+        if (keepsMaterial(session)) {
+            line(word, Json(session.material).dump());
+        }
+    }
     void required(const Word& word, const auto& value, const auto&...) {
         line(word, toJson(value).dump());
     }

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxRecordBytes = 1u << 20;
-constexpr const char* kFormat = "kerf-sweep-run";
+constexpr const char* kRunFormat = "kerf-sweep-run";
 constexpr std::uint64_t kMostExitCode = 255;
 constexpr int kLastOfReplay = 3;  // docs/cli.md: beyond it stand limits of the machine
 
@@ -40,7 +40,7 @@ int exitCodeIn(const Json& json) {
 }
 
 RunRecord toRecord(const Json& json) {
-    if (json.at("format") != kFormat || json.at("version") != 1) {
+    if (json.at("format") != kRunFormat || json.at("version") != 1) {
         throw InputError(std::string(kRecordFile) + ": this is some other file.");
     }
     RunRecord record;
@@ -106,7 +106,7 @@ ResultDigests digestsOf(const fs::path& folder) {
 
 std::string formatRecord(const RunRecord& record) {
     Json json;
-    json["format"] = kFormat;
+    json["format"] = kRunFormat;
     json["version"] = 1;
     json["program"] = record.identity.program;
     json["session_sha256"] = record.identity.session;

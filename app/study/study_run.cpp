@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "app/files/child_runs.h"
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
 #include "app/study/run_lock.h"
@@ -13,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kNoOpenGl = 4;  // docs/cli.md
 constexpr int kSignalled = 128;
 
 /// Where a run writes until it is complete.
@@ -79,7 +79,7 @@ RunEnd replaceRun(const Study& study, std::size_t number, const fs::path& out) {
     requireReplaceable(folder);
     removeFolder(unfinished);
     const ChildOutcome outcome = replay(study, run, unfinished);
-    if (outcome.exitCode == kNoOpenGl) {
+    if (outcome.exitCode == kExitNoOpenGl) {
         return {.record = {}, .log = outcome.log, .noOpenGl = true};
     }
     RunEnd end{.record = recordOf(identityOf(study, run), outcome, unfinished), .log = outcome.log};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/scene/cut_preview.h"
+#include "app/tools/tool_limits.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::app {
@@ -15,10 +16,8 @@ constexpr double kGrabRadius = 0.12;
 constexpr double kPinRadius = 0.08;
 constexpr double kLongest = 2;
 
-constexpr double kHandleReach = 14;  // [px]
-const Vec2 kNowhere(-1e5, -1e5);     // [px]
+const Vec2 kNowhere(-1e5, -1e5);  // [px]
 constexpr std::size_t kMostPreviewPoses = 32;
-constexpr int kMostPreviewTriangles = 50'000;  // of the body: more would slow the pictures down
 
 /// At most so many poses, the ends among them.
 std::vector<Blade> thinned(const std::vector<Blade>& way) {

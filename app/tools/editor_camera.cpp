@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/scene/camera_path.h"
+
 namespace kerf::app {
 namespace {
 
@@ -33,16 +35,6 @@ Vec3 directionOf(AxisView view) {
     return Vec3::UnitZ();
 }
 
-/// Columns: right, up, back.
-Eigen::Quaterniond orientationOf(const render::Camera& camera) {
-    const Eigen::Matrix3d turn = camera.view().topLeftCorner<3, 3>().cast<double>().transpose();
-    return Eigen::Quaterniond(turn).normalized();
-}
-
-double distanceOf(const render::Camera& camera) {
-    return std::max((camera.eye - camera.target).norm(), 1e-9);
-}
-
 }  // namespace
 
 void keepNear(render::Camera& camera, const Bounds& body) {
@@ -65,18 +57,6 @@ void lookAlong(render::Camera& camera, AxisView view) {
     camera.eye = camera.target + distance * directionOf(view);
 }
 
-render::Camera between(const render::Camera& from, const render::Camera& to, double share) {
-    const Eigen::Matrix3d turn =
-        orientationOf(from).slerp(share, orientationOf(to)).toRotationMatrix();
-    const double distance = distanceOf(from) * std::pow(distanceOf(to) / distanceOf(from), share);
-    render::Camera camera = to;
-    camera.target = from.target + share * (to.target - from.target);
-    camera.eye = camera.target + distance * turn.col(2);
-    camera.up = turn.col(1);
-    camera.fovY = from.fovY + share * (to.fovY - from.fovY);
-    return camera;
-}
-
 // --- Flights -----------------------------------------------------------------------------------
 
 void EditorCamera::advance(double seconds) {
@@ -87,8 +67,8 @@ void EditorCamera::advance(double seconds) {
     if (flight_->flown >= kFlightSeconds) {
         land();
     } else {
-        const double t = flight_->flown / kFlightSeconds;
-        shown_ = between(flight_->from, flight_->to, t * t * (3 - 2 * t));
+        shown_ = render::between(flight_->from, flight_->to,
+                                 render::eased(flight_->flown / kFlightSeconds));
     }
 }
 

@@ -15,8 +15,6 @@ void lookAlong(render::Camera& camera, AxisView view);
 /// Brings a camera back that went too far from a body or too near to its target: beyond, numbers
 /// lose their digits and pictures are empty.
 void keepNear(render::Camera& camera, const Bounds& body);
-/// The view between two others, `share` 0 to 1: turned the short way, the distance in equal ratios.
-render::Camera between(const render::Camera& from, const render::Camera& to, double share);
 
 /// The camera of the editor's view. Drags orbit, pan and zoom as a MouseScheme tells, the wheel
 /// zooms to the pointer. To other views it flies within a moment, so that the eye can follow;

@@ -26,7 +26,7 @@ constexpr double kTurnStep = 15;  // [degrees]
 constexpr double kFactorStep = 0.1;
 constexpr double kEdgeOn = 0.15;     // sine of the angle at which a ring is seen as a line
 constexpr double kShortestArm = 24;  // of a pixel at the handle that scales, from the middle [px]
-constexpr int kRingPoints = 48;
+constexpr int kGizmoRingPoints = 48;
 constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
 
 std::optional<Vec2> pixelOf(const ViewFrame& view, const Vec3& point) {
@@ -68,8 +68,8 @@ std::vector<Vec2> Gizmo::ringOf(const ViewFrame& view, const GizmoFrame& frame, 
     const Vec3 u = radius * frame.axes.col((axis + 1) % 3);
     const Vec3 v = radius * frame.axes.col((axis + 2) % 3);
     std::vector<Vec2> pixels;
-    for (int i = 0; i <= kRingPoints; ++i) {
-        const double angle = 2 * std::numbers::pi * i / kRingPoints;
+    for (int i = 0; i <= kGizmoRingPoints; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kGizmoRingPoints;
         if (const auto at = pixelOf(view, frame.at + std::cos(angle) * u + std::sin(angle) * v)) {
             pixels.push_back(*at);
         }

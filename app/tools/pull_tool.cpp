@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/scene/cut_preview.h"
+#include "app/tools/tool_limits.h"
 
 namespace kerf::app {
 namespace {
@@ -15,7 +16,6 @@ constexpr double kLeastBox = 4;         // a smaller one was a click [px]
 constexpr double kBoxMargin = 0.01;     // beyond the body, of its diagonal
 constexpr double kFarthestCorner = 20;  // of a box to be pinned, of the distance to the body
 constexpr int kRingPoints = 40;
-constexpr int kMostPreviewTriangles = 50'000;  // of the body: more would slow the pictures down
 
 /// A circle on the surface.
 void addRing(const ViewFrame& view, const SurfacePoint& point, double radius,

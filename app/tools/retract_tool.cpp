@@ -2,15 +2,14 @@
 
 #include <algorithm>
 
+#include "app/tools/tool_limits.h"
 #include "sim/base/quantity_text.h"
 
 namespace kerf::app {
 namespace {
 
-constexpr double kHandleReach = 14;            // [px]
-constexpr double kBesideACut = 0.25;           // of the body's diagonal, from a press to the cut
-constexpr double kWidest = 0.6;                // of the body's diagonal
-constexpr int kMostPreviewTriangles = 50'000;  // of the body: more would slow the pictures down
+constexpr double kBesideACut = 0.25;  // of the body's diagonal, from a press to the cut
+constexpr double kWidest = 0.6;       // of the body's diagonal
 
 std::optional<Incision> incisionAt(const Vec3& point, EditorScene& scene) {
     const double reach = kBesideACut * scene.rest().bounds.diagonal();

@@ -24,7 +24,10 @@ constexpr double kThickness = 0.05;  // half, of the height
 constexpr double kBackShine = -0.45;
 const Eigen::Vector4f kSheetTint = {0.10f, 0.62f, 0.52f, 0.30f};
 const Eigen::Vector4f kEdgeTint = {0.30f, 0.95f, 0.80f, 1.0f};
-constexpr float kEdgeWidth = 1.6f;  // [px]
+const Eigen::Vector4f kForceTint = {1.0f, 0.45f, 0.10f, 1.0f};
+constexpr float kEdgeWidth = 1.6f;   // [px]
+constexpr float kForceWidth = 3.0f;  // [px]
+constexpr double kArrowHead = 0.2;   // of the arrow's length
 constexpr float kHiddenStrength = 0.22f;
 
 vec4 packed(const Vec3& v, double w) {
@@ -163,6 +166,19 @@ std::vector<vec4> outline(const SceneView& scene) {
     return segments;
 }
 
+/// A shaft, and a head of four lines.
+std::vector<vec4> arrow(const Vec3& from, const Vec3& way) {
+    const Vec3 tip = from + way;
+    const Vec3 aside = way.unitOrthogonal() * way.norm();
+    const Vec3 other = way.normalized().cross(aside);
+    std::vector<vec4> segments{packed(from, 1), packed(tip, 1)};
+    for (const Vec3& side : {aside, Vec3(-aside), other, Vec3(-other)}) {
+        segments.push_back(packed(tip, 1));
+        segments.push_back(packed(tip + kArrowHead * (0.5 * side - way), 1));
+    }
+    return segments;
+}
+
 }  // namespace
 
 double bladeHeight(const SceneView& scene, double bodySize) {
@@ -209,7 +225,14 @@ void BladePass::drawSweep(const SceneView& scene, const Frame& frame) {
 }
 
 void BladePass::drawEdges(const SceneView& scene, const Frame& frame) {
-    const std::vector<vec4> segments = outline(scene);
+    drawThrough(outline(scene), kEdgeWidth, kEdgeTint, frame);
+    if (scene.blade && scene.bladeForce) {
+        drawThrough(arrow(middle(*scene.blade), *scene.bladeForce), kForceWidth, kForceTint, frame);
+    }
+}
+
+void BladePass::drawThrough(const std::vector<vec4>& segments, float width,
+                            const Eigen::Vector4f& tint, const Frame& frame) {
     if (segments.empty()) {
         return;
     }
@@ -218,11 +241,11 @@ void BladePass::drawEdges(const SceneView& scene, const Frame& frame) {
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glDepthFunc(GL_GREATER);
-    Eigen::Vector4f hidden = kEdgeTint;
+    Eigen::Vector4f hidden = tint;
     hidden.w() = kHiddenStrength;
-    drawLines(segments.size() / 2, kEdgeWidth, hidden, frame);
+    drawLines(segments.size() / 2, width, hidden, frame);
     glDepthFunc(GL_LEQUAL);
-    drawLines(segments.size() / 2, kEdgeWidth, kEdgeTint, frame);
+    drawLines(segments.size() / 2, width, tint, frame);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "render/passes/frame.h"
+#include "shaders/shared/shared_types.h"
 
 namespace kerf::render {
 
@@ -12,10 +15,13 @@ class BladePass {
     BladePass();
     void drawBlade(const SceneView& scene, const Frame& frame);
     void drawSweep(const SceneView& scene, const Frame& frame);
-    /// The cutting edge and the outline of the stroke: bright in the open, faint inside the body.
+    /// The cutting edge, the outline of the stroke and the force on the blade: bright in the open,
+    /// faint inside the body.
     void drawEdges(const SceneView& scene, const Frame& frame);
 
   private:
+    void drawThrough(const std::vector<shared::vec4>& segments, float width,
+                     const Eigen::Vector4f& tint, const Frame& frame);
     void drawLines(std::size_t segments, float width, const Eigen::Vector4f& tint,
                    const Frame& frame) const;
 

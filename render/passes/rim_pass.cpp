@@ -11,7 +11,7 @@
 namespace kerf::render {
 namespace {
 
-constexpr float kStrength = 0.82F;
+constexpr float kRimStrength = 0.82F;
 constexpr float kWidthShare = 1.0F / 520;  // of the picture's height
 constexpr float kLeastWidth = 1.2F;        // [px]
 
@@ -41,7 +41,7 @@ void RimPass::draw(const SceneView& scene, const Frame& frame, const NormalsPass
     lines.set("viewProjection", frame.viewProjection);
     lines.set("viewport", Eigen::Vector2f(float(frame.width), float(frame.height)));
     lines.set("width", std::max(kLeastWidth, kWidthShare * float(frame.height)));
-    lines.set("strength", kStrength);
+    lines.set("strength", kRimStrength);
     lines.set("triangleCount", scene.body.triangleCount);
     lines.set("sidePieces", shape.sidePieces());
     if (scene.section) {

@@ -8,7 +8,7 @@
 namespace kerf::render {
 namespace {
 
-constexpr int kMargin = 4;  // [px]
+constexpr int kSmoothMargin = 4;  // [px]
 
 /// Grows a rectangle in pixels by points of the scene.
 class PictureRectangle {
@@ -48,10 +48,10 @@ class PictureRectangle {
             glScissor(0, 0, frame_.width, frame_.height);
             return true;
         }
-        const int x0 = pixel(low_.x(), frame_.width) - kMargin;
-        const int y0 = pixel(low_.y(), frame_.height) - kMargin;
-        const int x1 = pixel(high_.x(), frame_.width) + kMargin;
-        const int y1 = pixel(high_.y(), frame_.height) + kMargin;
+        const int x0 = pixel(low_.x(), frame_.width) - kSmoothMargin;
+        const int y0 = pixel(low_.y(), frame_.height) - kSmoothMargin;
+        const int x1 = pixel(high_.x(), frame_.width) + kSmoothMargin;
+        const int y1 = pixel(high_.y(), frame_.height) + kSmoothMargin;
         glScissor(std::max(x0, 0), std::max(y0, 0), std::max(x1 - std::max(x0, 0), 0),
                   std::max(y1 - std::max(y0, 0), 0));
         return low_.x() <= high_.x();

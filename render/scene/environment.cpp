@@ -22,7 +22,7 @@ constexpr std::array<int, Environment::kLevels> kSquarings{0, 7, 5, 3, 1};
 /// The roughness that each stands for: a Phong lobe of 2 / r^4 - 2 has the width of that of GGX.
 constexpr std::array<float, Environment::kLevels> kRoughness{0.2F, 0.35F, 0.5F, 0.67F, 0.84F};
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+[[noreturn]] void refusePanorama(const std::filesystem::path& file, const std::string& why) {
     throw std::runtime_error(file.string() + ": " + why + ".");
 }
 
@@ -146,16 +146,16 @@ Panorama readPanorama(const std::filesystem::path& file) {
     int channels = 0;
     const std::string name = file.string();
     if (stbi_is_hdr(name.c_str()) == 0) {
-        refuse(file, "this is no panorama in Radiance's .hdr format that can be read");
+        refusePanorama(file, "this is no panorama in Radiance's .hdr format that can be read");
     }
     if (stbi_info(name.c_str(), &out.width, &out.height, &channels) == 0 ||
         std::max(out.width, out.height) > kMostSide) {
-        refuse(file, "the panorama is damaged, or larger than 8192 pixels on a side");
+        refusePanorama(file, "the panorama is damaged, or larger than 8192 pixels on a side");
     }
     const std::unique_ptr<float, void (*)(void*)> pixels(
         stbi_loadf(name.c_str(), &out.width, &out.height, &channels, 3), &stbi_image_free);
     if (!pixels) {
-        refuse(file, "the panorama is damaged or cut off");
+        refusePanorama(file, "the panorama is damaged or cut off");
     }
     for (std::size_t i = 0; i < std::size_t(out.width) * out.height; ++i) {
         out.pixels.emplace_back(pixels.get()[3 * i], pixels.get()[3 * i + 1],

@@ -49,8 +49,10 @@ struct SceneView {
     std::optional<double> floor;           ///< height of the grid floor [m]
     std::optional<Blade> blade;            ///< steel with a bright edge
     std::optional<BladeMotion> bladeBody;  ///< its true shape where it pushes; drawn as it ends
-    std::vector<Blade> strokePoses;        ///< poses of the running stroke: translucent quads
-    Bounds focus;                          ///< what the shadow map must cover (body, current)
+    /// An arrow for the force on the blade, from the middle of its edge [m].
+    std::optional<Vec3> bladeForce;
+    std::vector<Blade> strokePoses;  ///< poses of the running stroke: translucent quads
+    Bounds focus;                    ///< what the shadow map must cover (body, current)
     bool wireframe = false;
     bool cutLines = false;  ///< a dark line on the skin along the rim of each cut
     /// Faces of the skin that met at more than this angle at rest have a hard edge [degrees].

@@ -32,6 +32,9 @@ libboost-context-dev  lets steps rest while pictures are drawn
 libstb-dev          reads and writes pictures
 fonts-dejavu-core   is the font of the panels
 nettle-dev          hashes states and files
+python3-dev         compiles modules for Python
+pybind11-dev        makes the module of C++
+python3-numpy       is the arrays of the module, and remakes the builtin models
 libcgal-dev         unites pieces that cross, in a program of its own
 '
 test_packages='
@@ -40,7 +43,7 @@ libgmock-dev        offers the tests matchers
 xvfb                is a display for the window tests
 xauth               lets programs onto that display
 xdotool             moves the mouse in the window tests
-python3-numpy       remakes the builtin models, to compare them
+python3-matplotlib  plots in the examples for Python
 python3-jsonschema  checks sessions by their JSON Schema
 glslang-tools       is the reference compiler of shaders
 ffmpeg              makes films, and reads them again

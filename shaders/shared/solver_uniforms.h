@@ -13,6 +13,12 @@ SHARED_CONST uint kVolumePart = 2u << kConstraintTypes;
 SHARED_CONST uint kPullAsBeforePart = 4u << kConstraintTypes;   // see pull_direction.glsl
 SHARED_CONST uint kUnfoldPart = 8u << kConstraintTypes;         // see unfold/goals.comp
 SHARED_CONST uint kUnfoldFirmlyPart = 16u << kConstraintTypes;  // see kFirmUnfoldDamping
+SHARED_CONST uint kTrueModulusPart = 32u << kConstraintTypes;   // see kSweepRoom
+
+// With kTrueModulusPart an impulse is divided by its compliance alone, so that a sweep adds none of
+// its own. That is stable where the compliance is at least this times 3/4 + gamma/2 of what a sweep
+// would add (Jury's criterion for the stiffest mode that mass splitting allows, with some room).
+SHARED_CONST float kSweepRoom = 1.1f;
 
 // |C| of a bend is clamped here [rad]: the form that comes back after a snap-through.
 SHARED_CONST float kMaxBendError = 0.3f;

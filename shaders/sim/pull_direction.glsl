@@ -18,11 +18,15 @@ bool pullsAsBefore() {
     return false;
 }
 
-float dampedError(float error, float rate, float fold, float perWay) {
+float dampingOf(float weight, float compliance, float fold) {
+    return 0.0;
+}
+
+float dampedError(float error, float rate, float gamma, float fold, float perWay) {
     return error;
 }
 
-float dampedWeight(float weight, float compliance, float fold) {
+float dampedWeight(float weight, float compliance, float gamma) {
     return weight;
 }
 #else
@@ -35,14 +39,26 @@ float dampingAt(float fold) {
     return uniforms.damping_ratio * (1.0 - fold);
 }
 
+bool hasTrueModulus() {
+    return (uniforms.active_parts & kTrueModulusPart) != 0u;
+}
+
+// The same of one that a sweep moves with this weight. With a true modulus stiffness comes first:
+// damping gets what kSweepRoom leaves it.
+float dampingOf(float weight, float compliance, float fold) {
+    float gamma = dampingAt(fold);
+    float room = 2.0 * compliance / max(kSweepRoom * weight, 1e-30) - 1.5;
+    return hasTrueModulus() ? clamp(room, 0.0, gamma) : gamma;
+}
+
 // What an impulse is to answer to: C, and its rate times gamma. Where the skin is folded what C was
 // at X goes back at kFoldCreep at most, in the way of a vertex of which each metre changes C by
 // `perWay`.
-float dampedError(float error, float rate, float fold, float perWay) {
-    float damped = error + dampingAt(fold) * rate;
+float dampedError(float error, float rate, float gamma, float fold, float perWay) {
+    float damped = error + gamma * rate;
 #ifdef UNFOLDS
     float most = kFoldCreep * uniforms.substep * perWay / max(fold, 1e-6);
-    float bounded = clamp(error - rate, -most, most) + (1.0 + dampingAt(fold)) * rate;
+    float bounded = clamp(error - rate, -most, most) + (1.0 + gamma) * rate;
     return fold > 0.0 ? bounded : damped;
 #else
     return damped;
@@ -50,8 +66,9 @@ float dampedError(float error, float rate, float fold, float perWay) {
 }
 
 // What an impulse is divided by.
-float dampedWeight(float weight, float compliance, float fold) {
-    return (1.0 + dampingAt(fold)) * weight + compliance;
+float dampedWeight(float weight, float compliance, float gamma) {
+    float least = kSweepRoom * (0.75 + 0.5 * gamma) * weight;
+    return hasTrueModulus() ? max(compliance, least) : (1.0 + gamma) * weight + compliance;
 }
 #endif
 

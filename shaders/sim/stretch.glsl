@@ -22,11 +22,13 @@ vec3 spokePull(Spoke spoke, vec4 own, float count, vec3 ownStart, float ownFold)
     float inverseMasses =
         uniforms.inverse_density * (count * own.w + float(spoke.other_count) * far.w);
     float fold = max(ownFold, foldAt(spoke.other));
-    float denominator =
-        dampedWeight(inverseMasses, spoke.geometry * uniforms.compliance[kStretch], fold);
+    float compliance = spoke.geometry * uniforms.compliance[kStretch];
+    float gamma = dampingOf(inverseMasses, compliance, fold);
+    float denominator = dampedWeight(inverseMasses, compliance, gamma);
     vec3 direction = pullDirection(before, span);
     float impulse =
-        -dampedError(reach - spoke.rest_length, dot(direction, step), fold, 1.0) / denominator;
+        -dampedError(reach - spoke.rest_length, dot(direction, step), gamma, fold, 1.0) /
+        denominator;
     vec3 pull = direction * (uniforms.share[kStretch] * uniforms.inverse_density * own.w * impulse);
     return reach >= 1e-12 && denominator > 0.0 ? pull : vec3(0.0);
 }

@@ -27,6 +27,11 @@ struct Row {
     std::optional<double> OwnMaterial::*own = nullptr;  ///< where models may have one
 };
 
+constexpr ParamInfo newer(ParamInfo info) {
+    info.isNewer = true;
+    return info;
+}
+
 const std::array kRows = {
     Row{{"time_step", "Time step", "s", "Simulated time per step.", ParamType::real, 0.0005, 0.02,
          true},
@@ -41,6 +46,12 @@ const std::array kRows = {
          "itself, 1 as firm as the solver gets.",
          ParamType::real, 0, 1, false},
         &Params::ispcStiffness},
+    Row{newer({"true_modulus", "True modulus", "",
+               "1: the body is as stiff as Young's modulus says, by three turned ISPCs a vertex "
+               "that share the load with the skin; 0: the paper's ISPC along the normal. Not used "
+               "by pbd.",
+               ParamType::integer, 0, 1, false}),
+        &Params::trueModulus},
     Row{{"gravity", "Gravity", "m/s^2", "Acceleration of free fall along x, y (up) and z.",
          ParamType::vector, -100, 100, false},
         &Params::gravity},
@@ -75,6 +86,16 @@ const std::array kRows = {
          "pbd.",
          ParamType::real, 0, 0.02, false},
         &Params::damping},
+    Row{newer({"skin_thickness", "Skin thickness", "m",
+               "How thick a skin of its own lies over the flesh, as that of a fruit; 0: none. Cut "
+               "faces have none. Not used by pbd.",
+               ParamType::real, 0, 0.05, false}),
+        &Params::skinThickness},
+    Row{newer(
+            {"skin_modulus", "Skin modulus", "Pa",
+             "Young's modulus of that skin, which stretches and squeezes with the flesh below it.",
+             ParamType::real, 1e3, 1e9, true}),
+        &Params::skinModulus},
     Row{{"friction", "Friction", "", "Coulomb coefficient of everything that touches.",
          ParamType::real, 0, 2, false},
         &Params::friction},
@@ -112,6 +133,21 @@ const std::array kRows = {
          "slit.",
          ParamType::real, 0.001, 0.1, false},
         &Params::bladeThickness},
+    Row{newer({"blade_feels", "Blade feels", "",
+               "1: the material holds the blade's edge back, and yields under it until the force "
+               "suffices for the new surface; 0: the edge cuts without a force. Not used by pbd.",
+               ParamType::integer, 0, 1, false}),
+        &Params::bladeFeels},
+    Row{newer({"toughness", "Toughness", "J/m^2",
+               "Energy that a square metre of new cut takes: gelatin 1, liver 160, muscle 2000. "
+               "Moves nothing unless the blade feels.",
+               ParamType::real, 0, 1e6, false}),
+        &Params::toughness},
+    Row{newer({"blade_bluntness", "Blade bluntness", "",
+               "How much more force a blade that feels needs to break in than to go on, as a share "
+               "of the latter: 0 is as sharp as can be.",
+               ParamType::real, 0, 5, false}),
+        &Params::bladeBluntness},
     Row{{"wall_coarsening", "Wall coarsening", "",
          "How much coarser the inside of a cut gets when its stroke ends; 1 keeps it as it is.",
          ParamType::real, 1, 10, false},

@@ -33,6 +33,7 @@ struct Params {
     double timeStep = 0.005;            ///< [s]
     int iterations = 20;                ///< substeps of one sweep each, or sweeps of pbd
     double ispcStiffness = 0.5;         ///< 0 (none) to 1 (firm)
+    int trueModulus = 0;                ///< 1: as stiff as youngsModulus says; 0: plain ISPCs
     Vec3 gravity = {0, -9.81, 0};       ///< [m/s^2]
     std::optional<double> floor = 0.0;  ///< height [m]; none without a value
     double youngsModulus = 1e5;         ///< [Pa]
@@ -41,6 +42,8 @@ struct Params {
     double bendingStiffness = 1;        ///< factor on the bends' modulus; stiffness k in pbd
     double airDrag = 1;                 ///< velocity decay c in v exp(-c t) [1/s]
     double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
+    double skinThickness = 0;           ///< of a skin of its own over the flesh; 0: none [m]
+    double skinModulus = 1e6;           ///< its Young's modulus [Pa]
     double wallCoarsening = 1;          ///< edge length inside finished walls over that at the rim
     double debrisVolume = 1e-5;         ///< share of the body below which what comes off goes
     int openCut = 0;                    ///< 1: the paper's course, hollow until the stroke ends
@@ -53,6 +56,9 @@ struct Params {
     int bladePush = 0;               ///< 1: the blunt body of the blade pushes; 0: it only cuts
     double bladeWidth = 0.15;        ///< of that body, as a share of the uncut body's diagonal
     double bladeThickness = 0.01;    ///< the same of its thickness
+    int bladeFeels = 0;              ///< 1: the edge opens only what its force suffices for
+    double toughness = 100;          ///< energy that new surface takes then [J/m^2]
+    double bladeBluntness = 0.5;     ///< what breaking in takes beyond going on, as a share
     std::vector<OwnMaterial> models = {};  ///< of models 1, 2, ...; those behind have none
 };
 
@@ -75,6 +81,8 @@ struct ParamInfo {
     std::span<const std::string_view> choices = {};  ///< what a choice may be
     bool changesStates = true;                       ///< whether what comes hangs on it
     bool perModel = false;  ///< a model may have one of its own: see ownName()
+    /// Whether it came after files of hashes were kept: at its default it is not hashed.
+    bool isNewer = false;
 };
 
 /// All parameters, in the order in which panels and sessions list them.

@@ -12,6 +12,16 @@ namespace kerf {
 /// pauses.
 void pausePoint();
 
+/// A member that lets the copy of what it belongs to rest before the members behind it.
+struct PauseOfCopies {
+    PauseOfCopies() = default;
+    PauseOfCopies(const PauseOfCopies& /*other*/) { pausePoint(); }
+    PauseOfCopies(PauseOfCopies&&) noexcept = default;
+    PauseOfCopies& operator=(const PauseOfCopies&) = default;
+    PauseOfCopies& operator=(PauseOfCopies&&) noexcept = default;
+    ~PauseOfCopies() = default;
+};
+
 /// Calls a function at each pausePoint() of this thread, while it lives. There is one at a time.
 class Pauses {
   public:

@@ -11,6 +11,8 @@ namespace {
 constexpr double kAhead = 0.7071;        // cosine: within 45 degrees
 constexpr double kStandingStill = 1e-9;  // of the blade's length
 constexpr double kLeastAcross = 0.1;     // of a unit vector: closer to AB it has no direction
+// Of what lies behind the front: the box that stands for the blade begins no farther back.
+constexpr double kLongestBevel = 0.8;
 
 Vec3 middle(const Blade& blade) {
     return 0.5 * (blade.a + blade.b);
@@ -76,6 +78,18 @@ BladeCourse ledTo(const BladeCourse& course, const Blade& to, double width) {
 
 double BladeMotion::halfAt(double y) const {
     return halfThickness * std::clamp((y - front) / bevel, 0.0, 1.0);
+}
+
+double BladeMotion::shoulder() const {
+    return front + std::min(bevel, kLongestBevel * (back - front));
+}
+
+Vec3 BladeMotion::middle() const {
+    const double y = 0.5 * (shoulder() + back);
+    const auto at = [y](const BladeFrame& frame) -> Vec3 {
+        return frame.origin + y * frame.axes.col(1);
+    };
+    return 0.5 * (at(frames.front()) + at(frames.back()));
 }
 
 Bounds BladeMotion::bounds() const {

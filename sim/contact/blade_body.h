@@ -52,6 +52,11 @@ struct BladeMotion {
 
     /// Half of the thickness at y [m].
     double halfAt(double y) const;
+    /// y where the box begins that stands for the plate: behind the bevel, if that leaves much of
+    /// it.
+    double shoulder() const;
+    /// The middle of that box, as a mean over the step.
+    Vec3 middle() const;
     /// Around all frames [m].
     Bounds bounds() const;
 };

@@ -12,14 +12,6 @@ namespace {
 
 static_assert(sizeof(shared::BladeRecord) == 112);
 
-// Of what lies behind the front: the box that stands for the blade begins no farther back.
-constexpr double kLongestBevel = 0.8;
-
-/// y where the box begins whose corners and edges meet triangles.
-double shoulderOf(const BladeMotion& motion) {
-    return motion.front + std::min(motion.bevel, kLongestBevel * (motion.back - motion.front));
-}
-
 Vec3 turnBetween(const BladeFrame& from, const BladeFrame& to) {
     const Eigen::AngleAxisd turn(Eigen::Matrix3d(to.axes * from.axes.transpose()));
     return turn.angle() * turn.axis();
@@ -28,7 +20,7 @@ Vec3 turnBetween(const BladeFrame& from, const BladeFrame& to) {
 shared::BladeRecord recordOf(const BladeMotion& motion, std::size_t substep) {
     const BladeFrame& from = motion.frames[substep];
     const BladeFrame& to = motion.frames[substep + 1];
-    const double shoulder = shoulderOf(motion);
+    const double shoulder = motion.shoulder();
     const double middle = 0.5 * (shoulder + motion.back);
     const auto centerOf = [&](const BladeFrame& frame) {
         return Vec3(frame.origin + middle * frame.axes.col(1));

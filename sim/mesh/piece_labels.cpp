@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/base/growth_room.h"
+#include "sim/base/pausing.h"
 #include "sim/mesh/cavities.h"
 #include "sim/mesh/triangle.h"
 
@@ -22,6 +23,18 @@ bool isAsBefore(const LabelChange& change, const std::vector<int>& before) {
     return change.source == all && std::ranges::none_of(change.moves, [](const LabelMove& move) {
                return move.from >= 0 && move.to >= 0;
            });
+}
+
+/// Calls f(i) for each i below `count`, with a pause now and then.
+template <class F>
+void inPortions(std::size_t count, F&& f) {
+    constexpr std::size_t kPortion = 4096;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % kPortion == 0) {
+            pausePoint();
+        }
+        f(i);
+    }
 }
 
 /// Those of living triangles.
@@ -154,6 +167,7 @@ class PieceLabels::Splitter {
             mark(group);
         }
         while (group.size() > keep) {
+            pausePoint();
             for (std::size_t i = 0; i < group.size() && group.size() > keep;) {
                 if (label < 0 || parts_[group[i]].whole()) {
                     cameOff_.push_back(std::exchange(parts_[group[i]], {}));
@@ -437,22 +451,22 @@ void PieceLabels::comeOff(const SurfaceMesh& mesh, const std::vector<int>& trian
         moveShares(triangles, from, label);
     }
     moves.reserve(moves.size() + triangles.size());
-    for (const int t : triangles) {
-        for (const int v : mesh.triangle(t)) {
+    inPortions(triangles.size(), [&](std::size_t i) {
+        for (const int v : mesh.triangle(triangles[i])) {
             setLabel(v, label, moves);
         }
-    }
+    });
 }
 
 void PieceLabels::moveShares(const std::vector<int>& triangles, int from, int to) {
     PieceContent less = pieces_[from];
     PieceContent more = pieces_[to];
-    for (const int t : triangles) {
-        if (counted_[t].counted) {
+    inPortions(triangles.size(), [&](std::size_t i) {
+        if (const int t = triangles[i]; counted_[t].counted) {
             addShare(t, -1, less);
             addShare(t, 1, more);
         }
-    }
+    });
     pieces_[from] = less;
     pieces_[to] = more;
 }

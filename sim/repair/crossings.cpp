@@ -7,6 +7,7 @@
 #include "sim/cut/exact/piercing.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
+#include "sim/repair/soup_editing.h"
 
 namespace kerf::repair {
 
@@ -14,11 +15,6 @@ namespace {
 
 // Beyond so many pairs a model is called crossing through and through.
 constexpr std::size_t kMostCounted = 1'000'000;
-
-Corners cornersOf(const TriangleSoup& soup, int t) {
-    const auto& [a, b, c] = soup.triangles[t];
-    return {soup.positions[a], soup.positions[b], soup.positions[c]};
-}
 
 Bounds boundsOf(const TriangleSoup& soup, int t) {
     Bounds bounds;

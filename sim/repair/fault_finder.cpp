@@ -6,40 +6,27 @@
 
 #include "sim/mesh/triangle_quality.h"
 #include "sim/repair/crossings.h"
+#include "sim/repair/soup_editing.h"
 
 namespace kerf::repair {
 
 namespace {
-
-bool isUsable(const TriangleSoup& soup, const Triangle& t) {
-    const int count = static_cast<int>(soup.positions.size());
-    return std::ranges::all_of(
-        t, [&](int v) { return v >= 0 && v < count && soup.positions[v].allFinite(); });
-}
 
 bool allUsable(const TriangleSoup& soup) {
     return std::ranges::all_of(soup.triangles,
                                [&](const Triangle& t) { return isUsable(soup, t); });
 }
 
-Triangle sorted(Triangle t) {
-    std::ranges::sort(t);
-    return t;
-}
-
-bool repeatsCorner(const Triangle& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
 std::vector<int> findDoubles(const TriangleSoup& soup) {
     std::vector<int> order(soup.triangles.size());
     std::iota(order.begin(), order.end(), 0);
-    std::ranges::stable_sort(order, {}, [&](int t) { return sorted(soup.triangles[t]); });
+    std::ranges::stable_sort(order, {}, [&](int t) { return sortedCorners(soup.triangles[t]); });
     std::vector<int> doubles;
     for (std::size_t i = 1; i < order.size(); ++i) {
         const Triangle& before = soup.triangles[order[i - 1]];
         const Triangle& now = soup.triangles[order[i]];
-        if (isUsable(soup, now) && !repeatsCorner(now) && sorted(before) == sorted(now)) {
+        if (isUsable(soup, now) && !repeatsCorner(now) &&
+            sortedCorners(before) == sortedCorners(now)) {
             doubles.push_back(order[i]);
         }
     }

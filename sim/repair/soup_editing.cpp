@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 
 namespace kerf::repair {
@@ -20,6 +19,26 @@ std::vector<Side> sidesByEdge(const std::vector<Triangle>& triangles) {
     std::ranges::sort(sides, {},
                       [](const Side& s) { return std::tuple(s.low, s.high, s.halfEdge); });
     return sides;
+}
+
+Corners cornersOf(const TriangleSoup& soup, int triangle) {
+    const auto& [a, b, c] = soup.triangles[triangle];
+    return {soup.positions[a], soup.positions[b], soup.positions[c]};
+}
+
+bool isUsable(const TriangleSoup& soup, const Triangle& t) {
+    const int count = static_cast<int>(soup.positions.size());
+    return std::ranges::all_of(
+        t, [&](int v) { return v >= 0 && v < count && soup.positions[v].allFinite(); });
+}
+
+bool repeatsCorner(const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+Triangle sortedCorners(Triangle t) {
+    std::ranges::sort(t);
+    return t;
 }
 
 int keepTriangles(TriangleSoup& soup, const std::vector<char>& keep) {

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <vector>
 
+#include "sim/mesh/triangle.h"
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf::repair {
@@ -33,6 +34,15 @@ void forEachEdge(const std::vector<Side>& sides, F&& f) {
         begin = end;
     }
 }
+
+/// The corners of a triangle, which must all be there.
+Corners cornersOf(const TriangleSoup& soup, int triangle);
+/// Whether all corners of a triangle are there and finite.
+bool isUsable(const TriangleSoup& soup, const Triangle& t);
+/// Whether two corners of a triangle are one vertex.
+bool repeatsCorner(const Triangle& t);
+/// The vertices of a triangle in ascending order, by which doubles are known.
+Triangle sortedCorners(Triangle t);
 
 /// Leaves out the triangles for which `keep` is 0. Returns how many those are.
 int keepTriangles(TriangleSoup& soup, const std::vector<char>& keep);

@@ -24,27 +24,6 @@ constexpr int kMostRounds = 4;
 // A sheet that can't be closed is dropped where it is no larger than this share of the whole.
 constexpr double kLooseShare = 0.05;
 
-Corners cornersOf(const TriangleSoup& soup, int t) {
-    const auto& [a, b, c] = soup.triangles[t];
-    return {soup.positions[a], soup.positions[b], soup.positions[c]};
-}
-
-bool repeatsCorner(const Triangle& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
-bool isUsable(const TriangleSoup& soup, const Triangle& t) {
-    const int count = static_cast<int>(soup.positions.size());
-    return !repeatsCorner(t) && std::ranges::all_of(t, [&](int v) {
-        return v >= 0 && v < count && soup.positions[v].allFinite();
-    });
-}
-
-Triangle sorted(Triangle t) {
-    std::ranges::sort(t);
-    return t;
-}
-
 /// Whether a triangle's corners run as those of the sorted one.
 bool runsUp(const Triangle& t) {
     const auto lowest = std::ranges::min_element(t) - t.begin();
@@ -100,7 +79,7 @@ class Repair {
     void dropUnusable() {
         std::vector<char> keep;
         for (const Triangle& t : soup_.triangles) {
-            keep.push_back(isUsable(soup_, t) ? 1 : 0);
+            keep.push_back(isUsable(soup_, t) && !repeatsCorner(t) ? 1 : 0);
         }
         const int dropped = keepTriangles(soup_, keep);
         note("dropped # triangle with a repeated or missing corner",
@@ -184,13 +163,14 @@ class Repair {
     void dropDoubles() {
         std::vector<int> order(soup_.triangles.size());
         std::iota(order.begin(), order.end(), 0);
-        std::ranges::stable_sort(order, {}, [&](int t) { return sorted(soup_.triangles[t]); });
+        std::ranges::stable_sort(order, {},
+                                 [&](int t) { return sortedCorners(soup_.triangles[t]); });
         std::vector<char> keep(soup_.triangles.size(), 1);
         std::vector<int> flaps;
         for (std::size_t i = 0; i < order.size();) {
             std::size_t end = i + 1;
-            const Triangle corners = sorted(soup_.triangles[order[i]]);
-            while (end < order.size() && sorted(soup_.triangles[order[end]]) == corners) {
+            const Triangle corners = sortedCorners(soup_.triangles[order[i]]);
+            while (end < order.size() && sortedCorners(soup_.triangles[order[end]]) == corners) {
                 ++end;
             }
             for (std::size_t k = i + 1; k < end; ++k) {

@@ -40,11 +40,13 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     pausePoint();
     // The solver, by the records of the model that changed.
     body.solver.update(body.model(), change, written, state);
-    body.becomeWhole();
+    pausePoint();
     // The measure, by the solver: new pieces have volumes of their own.
     if (change.pieces.piecesChanged || body.isOpen() != wasOpen) {
         memory.measure = body.solver.measure();
+        pausePoint();
     }
+    body.becomeWhole();
     // The volumes at which pieces are held, by the measure; and the solver with them.
     memory.volumeTargets.follow(change.pieces.source, body.model(), memory.measure.pieceVolumes);
     body.solver.setVolumeTargets(memory.volumeTargets.targets());

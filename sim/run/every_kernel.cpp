@@ -46,6 +46,14 @@ BladeMotion standingBlade() {
     return motion;
 }
 
+PressingEdge pressingEdge() {
+    PressingEdge edge;
+    edge.to = Vec3::UnitX();
+    edge.ahead = -Vec3::UnitY();
+    edge.reach = edge.stiffness = edge.mostForce = 1;
+    return edge;
+}
+
 /// A step of a body that meets all that bodies meet, of which only the compiling is done.
 void beginStepOf(const Case& wanted) {
     const BodyState state = approachingStateOf(wanted.mesh);
@@ -57,6 +65,7 @@ void beginStepOf(const Case& wanted) {
     solver.collisions().setBoxes({plate()});
     solver.collisions().setBlade(standingBlade());
     solver.collisions().feelBlade(true);
+    solver.collisions().setEdge(pressingEdge());
     solver.setPulls(std::vector<shared::PullRecord>(1));
     RelativeMotion motion;
     motion.touching = true;
@@ -65,6 +74,7 @@ void beginStepOf(const Case& wanted) {
     solver.step();
     solver.collisions().setBoxes({});
     solver.collisions().setBlade(std::nullopt);
+    solver.collisions().setEdge(std::nullopt);
     solver.step();
     if (wanted.params.paperContact != 0) {
         solver.collisions().respondAsThePaper();

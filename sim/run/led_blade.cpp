@@ -32,17 +32,61 @@ std::optional<Blade> LedBlade::pose() const {
     return course_ ? std::optional(course_->edge) : std::nullopt;
 }
 
+std::optional<Blade> LedBlade::comingPose() const {
+    if (coming_.empty()) {
+        return pose();
+    }
+    const auto* const move = std::get_if<MoveBlade>(&coming_.back());
+    return move != nullptr ? std::optional(move->blade) : std::nullopt;
+}
+
 bool LedBlade::isAt(const Blade& pose) const {
     return course_ && course_->edge.a == pose.a && course_->edge.b == pose.b;
 }
 
-void LedBlade::moveTo(const Blade& to, double width) {
-    course_ = course_ ? ledTo(*course_, to, width) : BladeCourse{to};
+BladeCourse LedBlade::courseTo(const Blade& to, double width) const {
+    return course_ ? ledTo(*course_, to, width) : BladeCourse{to};
+}
+
+void LedBlade::moveTo(const Blade& to, double width, const Blade& edge) {
+    course_ = courseTo(to, width);
+    edge_ = edge;
+}
+
+Blade LedBlade::edgeAt(const Blade& to, double width, double lag) const {
+    if (lag <= 0 || !course_) {
+        return to;
+    }
+    const Vec3 back = courseTo(to, width).back;
+    Blade trailing{to.a + lag * back, to.b + lag * back};
+    // How far the edge is ahead of a pose [m].
+    const auto aheadOf = [&](const Blade& pose) {
+        return 0.5 * back.dot(pose.a + pose.b - edge_->a - edge_->b);
+    };
+    if (aheadOf(trailing) < 0) {
+        return trailing;
+    }
+    return aheadOf(to) > 0 ? to : *edge_;
+}
+
+Blade LedBlade::nextPose() const {
+    Blade pose = course_->edge;
+    for (const BladeAction& action : coming_) {
+        const auto* move = std::get_if<MoveBlade>(&action);
+        if (move == nullptr) {
+            break;
+        }
+        pose = move->blade;
+    }
+    return pose;
 }
 
 std::vector<Blade> LedBlade::path() const {
     std::vector<Blade> path;
     if (course_) {
+        path.push_back(*edge_);
+    }
+    if (course_ && !(edge_->a == course_->edge.a && edge_->b == course_->edge.b)) {
         path.push_back(course_->edge);
     }
     for (const BladeAction& action : coming_) {

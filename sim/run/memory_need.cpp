@@ -10,6 +10,7 @@
 #include "shaders/shared/unfold_records.h"
 #include "sim/base/per_element.h"
 #include "sim/body/constraint_lists.h"
+#include "sim/body/ispc_builder.h"
 #include "sim/contact/triangle_grid.h"
 #include "sim/mesh/box_tree.h"
 
@@ -36,12 +37,14 @@ PerElement entriesOf(const PerElement& elements, int verticesOfEach) {
     return verticesOfEach * elements + PerElement{2, 0};
 }
 
-/// The lists of all that touches a vertex, where each vertex has an ISPC.
+/// The lists of all that touches a vertex, with so many ISPCs for each.
 struct Entries {
+    explicit Entries(int ispcsOfEach) : ispcs(entriesOf({1.0 * ispcsOfEach, 0}, 4)) {}
+
     PerElement triangles = entriesOf({0, 1}, 3);  // and as many neighbours
     PerElement edges = entriesOf(kEdges, 2);
     PerElement bends = entriesOf(kEdges, 4);
-    PerElement ispcs = entriesOf({1, 0}, 4);
+    PerElement ispcs;
 };
 constexpr double kLists = 2 + kConstraintTypes;  // of triangles, of neighbours, of constraints
 
@@ -64,14 +67,15 @@ PerElement bytesOfLabels() {
 
 /// Lists by vertex and triangle, and a grid of 32 cells each way, of which each ray passes twice as
 /// many.
-PerElement bytesOfIspcs() {
+PerElement bytesOfIspcs(int ispcsOfEach) {
     constexpr double kCells = 64;
-    return PerElement{sizeof(shared::IspcConstraint) + (4 + kCells) * sizeof(int), sizeof(int)} +
+    return PerElement{ispcsOfEach * (sizeof(shared::IspcConstraint) + (4 + kCells) * sizeof(int)),
+                      sizeof(int)} +
            bytesOfTree();
 }
 
-PerElement bytesOfModel() {
-    const Entries entries;
+PerElement bytesOfModel(int ispcsOfEach) {
+    const Entries entries(ispcsOfEach);
     const PerElement all = 2 * entries.triangles + entries.edges + entries.bends + entries.ispcs;
     const PerElement vertices{2 * sizeof(Vec3f) + sizeof(double) + sizeof(int) + sizeof(Vec3) +
                                   kLists * (sizeof(IncidenceRange) + kWord),
@@ -82,10 +86,11 @@ PerElement bytesOfModel() {
 }
 
 /// A copy of a body, as a snapshot has one: the mesh, the updater, the cutter.
-PerElement bytesOfCopy() {
+PerElement bytesOfCopy(int ispcsOfEach) {
     const PerElement cutter =
         bytesOfLabels() + bytesOfTree() + PerElement{sizeof(int), sizeof(Triangle) + sizeof(int)};
-    return bytesOfMesh() + bytesOfModel() + bytesOfLabels() + bytesOfIspcs() + cutter;
+    return bytesOfMesh() + bytesOfModel(ispcsOfEach) + bytesOfLabels() + bytesOfIspcs(ispcsOfEach) +
+           cutter;
 }
 
 /// The buffers of the running body that shaders write to; the lists that they only read come as
@@ -114,11 +119,11 @@ std::vector<PerElement> writtenBuffers(const MemorySettings& settings) {
 }
 
 /// The rest shape, its constraints and what they touch.
-PerElement readBuffers() {
-    const Entries entries;
+PerElement readBuffers(int ispcsOfEach) {
+    const Entries entries(ispcsOfEach);
     const PerElement vertices{
         3 * sizeof(vec4) + sizeof(float) + (kLists - 1) * sizeof(shared::IncidenceRange) +
-            sizeof(shared::BendRange) + sizeof(shared::IspcConstraint) + 3 * kWord,
+            sizeof(shared::BendRange) + ispcsOfEach * sizeof(shared::IspcConstraint) + 3 * kWord,
         0};
     return vertices + PerElement{0, 4 * kWord} + sizeof(shared::BendRecord) * kEdges +
            2 * kWord * entries.triangles + sizeof(shared::Spoke) * entries.edges +
@@ -139,22 +144,24 @@ std::uint64_t bytes(double count) {
 MemorySettings memorySettings(const Params& params, bool hasBoxes) {
     MemorySettings settings;
     settings.contact = params.contact != 0;
+    settings.ispcsPerVertex =
+        raysPerVertex(params.trueModulus != 0 ? IspcRays::turned : IspcRays::alongNormal);
     settings.obstacles = hasBoxes || params.bladePush != 0;
     return settings;
 }
 
 /// The uncut body and the one that runs, and the mesh that they were made from.
-std::uint64_t bytesPrepared(const BodySize& size) {
-    const PerElement all = 2 * bytesOfCopy() + bytesOfMesh();
+std::uint64_t bytesPrepared(const BodySize& size, int ispcsPerVertex) {
+    const PerElement all = 2 * bytesOfCopy(ispcsPerVertex) + bytesOfMesh();
     return bytes(all.of(size.vertices, size.triangles));
 }
 
-std::uint64_t bytesOfSnapshot(const BodySize& size) {
-    return bytes(bytesOfCopy().of(size.vertices, size.triangles));
+std::uint64_t bytesOfSnapshot(const BodySize& size, int ispcsPerVertex) {
+    return bytes(bytesOfCopy(ispcsPerVertex).of(size.vertices, size.triangles));
 }
 
 std::uint64_t bytesOnGpu(const BodySize& size, const MemorySettings& settings) {
-    double all = readBuffers().of(size.vertices, size.triangles);
+    double all = readBuffers(settings.ispcsPerVertex).of(size.vertices, size.triangles);
     for (const PerElement& buffer : writtenBuffers(settings)) {
         all += buffer.of(size.vertices, size.triangles);
     }
@@ -162,7 +169,7 @@ std::uint64_t bytesOnGpu(const BodySize& size, const MemorySettings& settings) {
 }
 
 MemoryNeed memoryNeedOf(const BodySize& size, const MemorySettings& settings) {
-    const double copy = bytesOfCopy().of(size.vertices, size.triangles);
+    const double copy = bytesOfCopy(settings.ispcsPerVertex).of(size.vertices, size.triangles);
     // What was before a change and what was after it, where the budget lets a copy be kept at all;
     // the start of the course, and another moment.
     const double undoBudget = static_cast<double>(settings.undoBudget);
@@ -172,8 +179,9 @@ MemoryNeed memoryNeedOf(const BodySize& size, const MemorySettings& settings) {
     const BodySize cut{kGrowthByCut * size.vertices, kGrowthByCut * size.triangles};
     MemoryNeed need;
     need.program = kProgram;
-    need.memory = bytes(kOverRecords * (static_cast<double>(bytesPrepared(size)) +
-                                        (kGrowthByCut - 1) * copy + undo + course));
+    need.memory =
+        bytes(kOverRecords * (static_cast<double>(bytesPrepared(size, settings.ispcsPerVertex)) +
+                              (kGrowthByCut - 1) * copy + undo + course));
     need.graphics = bytes(kOverRecords * static_cast<double>(bytesOnGpu(cut, settings)));
     for (const PerElement& buffer : writtenBuffers(settings)) {
         need.largestBuffer =

@@ -30,6 +30,7 @@ struct BodySize {
 /// What of the settings memory depends on.
 struct MemorySettings {
     bool contact = true;             ///< parts of the body meet one another
+    int ispcsPerVertex = 1;          ///< three with a true modulus
     bool obstacles = false;          ///< boxes, or a blade that pushes
     std::uint64_t undoBudget = 0;    ///< for changes that can be undone [bytes]
     std::uint64_t courseBudget = 0;  ///< for moments of the course to go back to [bytes]
@@ -37,9 +38,9 @@ struct MemorySettings {
 MemorySettings memorySettings(const Params& params, bool hasBoxes);
 
 /// What a copy of a body takes, as a snapshot has one [bytes].
-std::uint64_t bytesOfSnapshot(const BodySize& size);
+std::uint64_t bytesOfSnapshot(const BodySize& size, int ispcsPerVertex = 1);
 /// What a body takes while it is prepared: see PreparedBody [bytes].
-std::uint64_t bytesPrepared(const BodySize& size);
+std::uint64_t bytesPrepared(const BodySize& size, int ispcsPerVertex = 1);
 /// What a body takes of the driver when it has been uploaded and has run a step [bytes].
 std::uint64_t bytesOnGpu(const BodySize& size, const MemorySettings& settings);
 

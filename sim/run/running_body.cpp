@@ -21,13 +21,24 @@ OrientedBox oriented(const Bounds& box) {
     return {box.center(), Eigen::Matrix3d::Identity(), 0.5 * (box.high - box.low)};
 }
 
+/// What flesh of the modulus of the edges is as stiff as the skin [m].
+double skinAsFlesh(const Params& params, double ownModulus) {
+    const double flesh = params.stretchStiffness * params.youngsModulus * ownModulus;
+    const bool has = flesh > 0 && params.solver != SolverMode::pbd;
+    return has ? params.skinModulus * params.skinThickness / flesh : 0;
+}
+
 /// Of what the parameters say of each model, as multiples of what they say of all.
 std::vector<MemberMaterial> materialsOf(const Params& params, std::size_t models) {
     std::vector<MemberMaterial> materials(models);
     for (std::size_t m = 1; m < std::min(models, params.models.size() + 1); ++m) {
         const OwnMaterial& own = params.models[m - 1];
-        materials[m] = {own.youngsModulus.value_or(params.youngsModulus) / params.youngsModulus,
-                        own.density.value_or(params.density) / params.density};
+        materials[m].modulus =
+            own.youngsModulus.value_or(params.youngsModulus) / params.youngsModulus;
+        materials[m].density = own.density.value_or(params.density) / params.density;
+    }
+    for (MemberMaterial& material : materials) {
+        material.skin = skinAsFlesh(params, material.modulus);
     }
     return materials;
 }
@@ -75,6 +86,7 @@ void RunningBody::startAnew() {
     mesh() = uncut->mesh;
     pausePoint();
     updater = std::make_unique<BodyUpdater>(uncut->body);
+    pausePoint();
     solver.setModel(model(), stateOf(mesh()));
     pausePoint();
     cutter.emplace(uncut->cutter);
@@ -106,6 +118,9 @@ void RunningBody::measureAtRest() {
 
 void RunningBody::apply(const Params& params) {
     solver.setUniforms(solverUniforms(params));
+    if (updater->ispcRays() != ispcRays(params)) {
+        castIspcs(ispcRays(params));
+    }
     if (updater->setMaterials(materialsOf(params, uncut->models.size()))) {
         solver.takeMaterials(model());
     }
@@ -117,6 +132,13 @@ void RunningBody::apply(const Params& params) {
     settings.openCut = params.openCut != 0;
     settings.search = params.cutSearch;
     solver.collisions().setSettings(contactSettings(params));
+}
+
+void RunningBody::castIspcs(IspcRays rays) {
+    whole = false;
+    const BodyChange change = updater->castIspcs(rays);
+    solver.update(model(), change, {}, {});
+    becomeWhole();
 }
 
 SnapshotPointer RunningBody::capture() {
@@ -139,6 +161,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
     pausePoint();
     cutter.emplace(snapshot.cutter);
     lookUpTriangles();
+    pausePoint();
     memory = snapshot.memory;
     sync.setBounds(memory.measure.bounds);
     solver.restoreModel(model(), stateOf(mesh()), snapshot.pages);
@@ -231,21 +254,21 @@ double RunningBody::endStep() {
 
 /// By the box of the body, which is at hand, and that of the strip, then by what lies in the
 /// latter.
-bool RunningBody::isNear(std::span<const Vec3> strip) {
+std::vector<int> RunningBody::trianglesNear(std::span<const Vec3> strip) {
     Bounds swept = boxOf(strip);
     swept.widen(model().edgeLength);
     if (!swept.overlaps(memory.measure.bounds)) {
-        return false;
+        return {};
     }
     OrientedBox sweptBox = orientedBoxOf(strip);
     sweptBox.widen(model().edgeLength);
     if (!overlap(sweptBox, oriented(memory.measure.bounds))) {
-        return false;
+        return {};
     }
     if (readsAllBack) {
         sync.forget();  // the cutter does not tell it of changes then
     }
-    return !sync.near(sweptBox).empty();
+    return sync.near(sweptBox);
 }
 
 std::vector<RungNode> RunningBody::front() const {

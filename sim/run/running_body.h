@@ -50,8 +50,10 @@ struct RunningBody {
     /// near the blade, which the GPU has found [ms].
     double endStep();
 
-    /// Tells whether what is swept between these points [m] comes near the body.
-    bool isNear(std::span<const Vec3> strip);
+    /// The triangles near what is swept between these points [m], ascending.
+    std::vector<int> trianglesNear(std::span<const Vec3> strip);
+    /// Tells whether there are any.
+    bool isNear(std::span<const Vec3> strip) { return !trianglesNear(strip).empty(); }
     /// The rung where the blade last cut, as it lies now.
     std::vector<RungNode> front() const;
     /// The mesh has changed.
@@ -97,6 +99,7 @@ struct RunningBody {
 
   private:
     std::vector<shared::PullRecord> leadsBack(const Params& params);
+    void castIspcs(IspcRays rays);
     std::vector<Vec3> placesAfter(const MovePins& move) const;
     void take(std::shared_ptr<const UncutBody> body);
     void lookUpTriangles();

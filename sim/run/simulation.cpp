@@ -73,6 +73,7 @@ const StepReport& Simulation::State::step() {
     if (input.timeRuns) {
         solve();
         stroke.step();
+        noteHeldEdge();
         lookAfterShape();
         output.clock.time += input.params.timeStep;
     } else {
@@ -101,9 +102,7 @@ void Simulation::State::solve() {
     body.prepareStep(input.params);
     prefetchCut();
     moveBody();
-    if (body.feelsBlade) {
-        output.report.bladeLoad = body.solver.collisions().bladeLoad();
-    }
+    noteBladeLoad();
     body.measureStep();
     takeBackLostPieces();
     const double prefetchMs = body.endStep();
@@ -113,8 +112,34 @@ void Simulation::State::solve() {
     report.collideMs = body.solver.stepper().takeCollideMilliseconds();
 }
 
+/// That of the plate as far as it is measured, and that of the edge where it feels.
+void Simulation::State::noteBladeLoad() {
+    const bool feels = stroke.feels();
+    if (!body.feelsBlade && !feels) {
+        return;
+    }
+    BladeLoad load = body.solver.collisions().bladeLoad();
+    if (const std::optional<PressingEdge> edge = body.solver.collisions().edge()) {
+        const EdgeLoad of = body.solver.collisions().edgeLoad();
+        const std::optional<BladeMotion> plate = stroke.bladeMotion();
+        const Blade led = input.blade.nextPose();
+        const Vec3 about = plate ? plate->middle() : Vec3(0.5 * (led.a + led.b));
+        const Vec3 force = -of.force * edge->ahead;
+        load.force += force;
+        load.moment += (of.middle - about).cross(force);
+        output.report.heldEdge.work = of.work;
+    }
+    output.report.bladeLoad = load;
+}
+
+void Simulation::State::noteHeldEdge() {
+    const double work = output.report.heldEdge.work;
+    output.report.heldEdge = stroke.heldEdge();
+    output.report.heldEdge.work = work;
+}
+
 void Simulation::State::prefetchCut() {
-    const bool looks = input.blade.isTold() || body.cutter->inStroke();
+    const bool looks = input.blade.isTold() || body.cutter->inStroke() || stroke.feels();
     const std::vector<Blade> path = input.blade.path();
     if (looks && !path.empty() && !body.readsAllBack) {
         body.sync.prefetch(body.cutter->reach(path, input.params.timeStep),
@@ -125,6 +150,8 @@ void Simulation::State::prefetchCut() {
 void Simulation::State::moveBody() {
     FrontHold front(body, input.params.timeStep);
     body.solver.collisions().setBlade(stroke.bladeMotion());
+    body.solver.collisions().setEdge(stroke.pressingEdge());
+    body.solver.collisions().feelBlade(body.feelsBlade || stroke.feels());
     body.solver.unfoldFirmly(!body.cutter->inStroke());
     body.solver.step();
     front.release();
@@ -222,6 +249,7 @@ void Simulation::State::publish() {
     StepReport& report = output.report;
     report.time = output.clock.time;
     report.describe(body.model(), body.memory.measure);
+    report.fractureEnergy = input.params.toughness * report.swept.atRest;
     if (input.params.solver != SolverMode::smallSteps) {
         report.strainEnergy.reset();
     }
@@ -252,7 +280,6 @@ void Simulation::readAllBack(bool all) {
 
 void Simulation::feelBlade(bool wanted) {
     state_->body.feelsBlade = wanted;
-    state_->body.solver.collisions().feelBlade(wanted);
 }
 
 int Simulation::wholeReads() const {
@@ -297,6 +324,21 @@ const StepReport& Simulation::report() const {
 }
 std::optional<Blade> Simulation::blade() const {
     return state_->input.blade.pose();
+}
+const std::vector<BladeAction>& Simulation::bladeActions() const {
+    return state_->input.blade.actions();
+}
+std::optional<Blade> Simulation::comingBlade() const {
+    return state_->input.blade.comingPose();
+}
+std::optional<Blade> Simulation::bladeEdge() const {
+    std::optional<Blade> edge = blade();
+    const double lag = state_->output.report.heldEdge.lag;
+    if (edge && lag > 0) {
+        const Vec3 back = lag * state_->input.blade.back();
+        edge = Blade{edge->a + back, edge->b + back};
+    }
+    return edge;
 }
 std::optional<BladeMotion> Simulation::bladeBody() const {
     return state_->stroke.bladeBody();

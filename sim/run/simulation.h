@@ -12,6 +12,7 @@
 #include "sim/mesh/surface_mesh.h"
 #include "sim/run/body_upload.h"
 #include "sim/run/command.h"
+#include "sim/run/led_blade.h"
 #include "sim/run/moment.h"
 #include "sim/run/state_hash.h"
 #include "sim/run/step_report.h"
@@ -71,8 +72,15 @@ class Simulation {
     bool timeRuns() const;
     const Params& params() const;
     const StepReport& report() const;
-    /// The pose of the blade; none while lifted.
+    /// The pose of the blade, as it is led; none while lifted.
     std::optional<Blade> blade() const;
+    /// What it was told to do in the coming step, from first to last. A moment lacks that.
+    const std::vector<BladeAction>& bladeActions() const;
+    /// Its pose after the coming step, by what it was told; none where it is lifted then.
+    std::optional<Blade> comingBlade() const;
+    /// Where its edge is: the pose, but where the material holds the edge back
+    /// (StepReport::heldEdge).
+    std::optional<Blade> bladeEdge() const;
     /// The blade's body where it pushes; none while it only cuts, or has not moved since it was
     /// placed.
     std::optional<BladeMotion> bladeBody() const;

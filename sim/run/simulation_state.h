@@ -59,6 +59,8 @@ struct Simulation::State {
     void applyParameters();
     void solve();
     void prefetchCut();
+    void noteBladeLoad();
+    void noteHeldEdge();
     void moveBody();
     void takeBackLostPieces();
     void lookAfterShape();

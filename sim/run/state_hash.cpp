@@ -55,8 +55,11 @@ void addValue(StateHash& hash, const ParamValue& value) {
 }
 
 void addParameters(StateHash& hash, const Params& params) {
+    const Params defaults;
     for (const ParamInfo& info : paramTable()) {
-        if (info.changesStates) {
+        const bool counts =
+            !info.isNewer || getParam(params, info.name) != getParam(defaults, info.name);
+        if (info.changesStates && counts) {
             hash.add(info.name);
             addValue(hash, getParam(params, info.name));
         }

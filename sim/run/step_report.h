@@ -26,7 +26,9 @@ struct StepReport {
     int seeds = 0;                       ///< groups of neighbours among the touched triangles
     Debris debris;                       ///< removed in this step
     SweptArea swept;                     ///< by the blade inside of the material, in this step
+    double fractureEnergy = 0;           ///< that the new surface of this step takes [J]
     std::optional<BladeLoad> bladeLoad;  ///< none unless it is measured, or while time stands
+    HeldEdge heldEdge;                   ///< of a blade that feels
     int contacts = 0;                    ///< of the body with itself in the last substep
     bool closed = true;
     bool open = false;                   ///< walls of a stroke of the open course are absent

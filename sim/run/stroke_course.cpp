@@ -1,5 +1,6 @@
 #include "sim/run/stroke_course.h"
 
+#include <array>
 #include <utility>
 
 #include "sim/base/pausing.h"
@@ -23,15 +24,17 @@ void StrokeCourse::carryOut(const MoveBlade& move) {
     if (blade.isAt(move.blade)) {
         return;
     }
-    if (blade.isPlaced() && mayTouch(move.blade)) {
+    const double width = push().size.width;
+    const Blade edge = blade.edgeAt(move.blade, width, lag());
+    if (blade.isPlaced() && mayTouch(edge)) {
         if (!body_.cutter->inStroke()) {
             begin();
         }
-        accept(body_.cutter->advance(move.blade));
+        accept(body_.cutter->advance(edge));
     } else {
         end();
     }
-    blade.moveTo(move.blade, push().size.width);
+    blade.moveTo(move.blade, width, edge);
 }
 
 void StrokeCourse::lift() {
@@ -44,7 +47,7 @@ void StrokeCourse::lift() {
 /// Whether the cutter must look: a front is in the material, or the strip comes near the body.
 bool StrokeCourse::mayTouch(const Blade& to) {
     const std::vector<RungNode>& rung = body_.cutter->rung();
-    const Blade from = *input_.blade.pose();
+    const Blade& from = input_.blade.edge();
     std::vector<Vec3> strip{from.a, from.b, to.a, to.b};
     for (const RungNode& node : rung) {
         strip.push_back(node.position);
@@ -55,7 +58,7 @@ bool StrokeCourse::mayTouch(const Blade& to) {
 void StrokeCourse::begin() {
     log_.beginStroke(body_);
     output_.refusal.clear();
-    body_.cutter->begin(*input_.blade.pose());
+    body_.cutter->begin(input_.blade.edge());
     StrokeRecord stroke;
     stroke.number = body_.cutter->strokeNumber();
     stroke.firstTriangle = body_.mesh().triangleSlots();
@@ -96,6 +99,54 @@ BladePush StrokeCourse::push() const {
 
 std::optional<BladeMotion> StrokeCourse::bladeBody() const {
     return input_.params.bladePush != 0 ? input_.blade.body(push()) : std::nullopt;
+}
+
+/// While time stands nothing can yield: there the edge cuts as if it felt nothing.
+std::optional<EdgeSpring> StrokeCourse::edgeSpring() const {
+    const Params& params = input_.params;
+    if (params.bladeFeels == 0 || params.toughness <= 0 || params.solver == SolverMode::pbd ||
+        !input_.timeRuns) {
+        return std::nullopt;
+    }
+    const double edge = body_.cutter->edgeLengthAtFront();
+    return EdgeSpring{params.toughness, params.bladeBluntness, edge,
+                      body_.cutter->settings().gate * edge};
+}
+
+/// Once it has broken in, going on takes less.
+double StrokeCourse::lag() const {
+    const std::optional<EdgeSpring> spring = edgeSpring();
+    return spring ? spring->lag(standsInMaterial(body_.cutter->rung())) : 0;
+}
+
+std::optional<FeltEdge> StrokeCourse::feltEdge() const {
+    const std::optional<EdgeSpring> spring = edgeSpring();
+    if (!spring || !input_.blade.isPlaced() || input_.blade.back().isZero(0)) {
+        return std::nullopt;
+    }
+    const Blade edge = *input_.blade.pose();
+    const Vec3 way = 2 * spring->mostLag(false) * input_.blade.back();
+    const std::array<Vec3, 4> strip{edge.a, edge.b, edge.a + way, edge.b + way};
+    const std::vector<int> triangles = body_.trianglesNear(strip);
+    const std::vector<RungNode> front = body_.front();
+    return kerf::feltEdge({edge, input_.blade.back(), front, body_.mesh(), triangles}, *spring);
+}
+
+std::optional<PressingEdge> StrokeCourse::pressingEdge() const {
+    const std::optional<FeltEdge> felt = feltEdge();
+    if (!felt) {
+        return std::nullopt;
+    }
+    const Blade from = *input_.blade.pose();
+    const Blade to = input_.blade.nextPose();
+    PressingEdge edge = felt->pressing;
+    edge.way = 0.5 * edge.ahead.dot(to.a + to.b - from.a - from.b);
+    return edge;
+}
+
+HeldEdge StrokeCourse::heldEdge() const {
+    const std::optional<FeltEdge> felt = feltEdge();
+    return felt ? HeldEdge{felt->pressing.lag, felt->energy, 0} : HeldEdge{};
 }
 
 std::optional<BladeMotion> StrokeCourse::bladeMotion() const {

@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "sim/contact/blade_body.h"
+#include "sim/contact/edge_push.h"
+#include "sim/run/felt_edge.h"
 #include "sim/run/running_body.h"
 #include "sim/run/simulation_parts.h"
 #include "sim/run/undo_log.h"
@@ -26,6 +28,13 @@ class StrokeCourse {
     /// The same in the coming step.
     std::optional<BladeMotion> bladeMotion() const;
 
+    /// Whether the material holds the edge back where it is in it.
+    bool feels() const { return edgeSpring().has_value(); }
+    /// How the edge presses in the coming step; none where it touches nothing.
+    std::optional<PressingEdge> pressingEdge() const;
+    /// How the material holds the edge where it is now, but for work; nothing where it does not.
+    HeldEdge heldEdge() const;
+
   private:
     void carryOut(const MoveBlade& move);
     void carryOut(const LiftBlade&) { lift(); }
@@ -34,6 +43,9 @@ class StrokeCourse {
     void end();
     void accept(const CutResult& result);
     BladePush push() const;
+    std::optional<EdgeSpring> edgeSpring() const;
+    std::optional<FeltEdge> feltEdge() const;
+    double lag() const;
 
     RunningBody& body_;
     SimulationInput& input_;

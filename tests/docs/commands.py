@@ -102,6 +102,7 @@ exec {shlex.quote(str(kerf))} "$@"
 """
     write_program(folder / "bin/kerf", short)
     write_program(folder / "build/kerf", short)
+    (folder / "build/python").symlink_to(kerf.parent / "python")
     for name in ("assets", "docs"):
         (folder / name).symlink_to(ROOT / name)
     for name in ("scripts", "tests"):  # into which pages write

@@ -17,6 +17,7 @@
 #include "shaders/shared/box_records.h"
 #include "shaders/shared/constraints.h"
 #include "shaders/shared/contact_records.h"
+#include "shaders/shared/edge_records.h"
 #include "shaders/shared/skin_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "shaders/shared/unfold_records.h"
@@ -64,6 +65,9 @@ std::vector<Record> sharedRecords() {
         RECORD(BladeRecord, AT(box.center), AT(box.x), AT(box.y), AT(box.z), AT(shift), AT(turn),
                AT(bevel)),
         RECORD(VertexLoad, AT(given), AT(moment)),
+        RECORD(EdgeUniforms, AT(from), AT(to), AT(ahead), AT(lag), AT(way), AT(inverse_density),
+               AT(vertex_count)),
+        RECORD(EdgeState, AT(middle), AT(inverse), AT(gone), AT(impulse), AT(work)),
         RECORD(VertexLinks, AT(counts[0]), AT(piece)),
         RECORD(PieceRecord, AT(origin), AT(first_block), AT(block_count), AT(constrained),
                AT(target_volume), AT(mass_per_area), AT(least_area)),

@@ -486,7 +486,7 @@ double deepestInBox(const StaticBox& box, const SurfaceMesh& mesh) {
 
 }  // namespace
 
-DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
+RandomDropFigures dropAtRandom(const DropRun& drop, const Params& params) {
     cut::Jitter draw(drop.seed * 7919 + static_cast<std::uint64_t>(drop.index) * 104729);
     TriangleSoup soup = turned(drawnSoup(draw), drawnTurn(draw));
     const bool two = draw.uniform(0, 1) < 0.7;
@@ -507,7 +507,7 @@ DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
     std::vector<StaticBox> boxes(static_cast<std::size_t>(draw.uniform(0, 4)));
     std::ranges::generate(boxes, [&] { return drawnBox(draw); });
     Simulation simulation(std::move(mesh), params, boxes);
-    DropFigures figures;
+    RandomDropFigures figures;
     figures.runs = 1;
     for (int i = 0; i < stepsOf(1.5, params); ++i) {
         simulation.step();
@@ -532,7 +532,7 @@ DropFigures dropAtRandom(const DropRun& drop, const Params& params) {
     return figures;
 }
 
-void DropFigures::add(const DropFigures& other) {
+void RandomDropFigures::add(const RandomDropFigures& other) {
     runs += other.runs;
     nonFinite += other.nonFinite;
     escaped += other.escaped;
@@ -541,7 +541,7 @@ void DropFigures::add(const DropFigures& other) {
     crumpled += other.crumpled;
 }
 
-std::string text(const DropFigures& f) {
+std::string text(const RandomDropFigures& f) {
     char line[256];
     std::snprintf(line, sizeof line,
                   "%d runs, not finite %d, escaped %d, tunnels %d, intersecting pairs %d, of close "

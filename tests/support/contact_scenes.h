@@ -85,7 +85,7 @@ struct DropRun {
 };
 
 /// A body, often two, thrown at the floor and at up to three boxes that stand there.
-struct DropFigures {
+struct RandomDropFigures {
     int runs = 0;
     int nonFinite = 0;      ///< steps in which a body left the range of numbers
     int escaped = 0;        ///< runs that ended with a vertex below the floor or far away
@@ -93,9 +93,9 @@ struct DropFigures {
                             ///< or a corner of a box deep inside a body
     int intersections = 0;  ///< pairs of triangles at the end, of two pieces or of two parts of one
     int crumpled = 0;       ///< the same of close neighbours: skin folded onto itself
-    void add(const DropFigures& other);
+    void add(const RandomDropFigures& other);
 };
-DropFigures dropAtRandom(const DropRun& run, const Params& params);
-std::string text(const DropFigures& figures);
+RandomDropFigures dropAtRandom(const DropRun& run, const Params& params);
+std::string text(const RandomDropFigures& figures);
 
 }  // namespace kerf::test

@@ -126,7 +126,7 @@ SurfaceMesh randomBody(Dice& dice, std::uint64_t seed, std::string& name) {
 }
 
 /// Of walls.
-double longestEdge(const SurfaceMesh& mesh) {
+double longestEdgeOf(const SurfaceMesh& mesh) {
     double longest = 0;
     for (const int t : livingTriangles(mesh)) {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
@@ -600,7 +600,7 @@ void fuzzOnce(std::uint64_t seed, FuzzReport& report, std::optional<FuzzMode> wa
     const Course shared = randomCourse(dice, mesh, h);
     const bool canOpen = mode != FuzzMode::deform && !rounded;
     Bounds restBox = restBounds(mesh, false);
-    restBox.widen(kCleanupReach * longestEdge(mesh));
+    restBox.widen(kCleanupReach * longestEdgeOf(mesh));
     bool intersected = false;
     for (int i = 0; i < strokes; ++i) {
         const Stroke stroke = mode == FuzzMode::concurrent ? concurrentStroke(shared, i)

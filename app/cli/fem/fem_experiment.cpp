@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli/exit_codes.h"
 #include "app/cli/fem/fem_pictures.h"
+#include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/progress_line.h"
 #include "app/session/session.h"
@@ -18,8 +18,8 @@ namespace {
 constexpr const char* kReportFile = "report.md";
 
 const std::array<FemSetting, 2> kSettings{
-    {{"20", "20 iterations", [](Params& params) { params.iterations = 20; }},
-     {"60", "60 iterations", [](Params& params) { params.iterations = 60; }}}};
+    {{"true", "true modulus", [](Params& params) { params.trueModulus = 1; }},
+     {"plain", "plain ISPCs", [](Params& params) { params.trueModulus = 0; }}}};
 
 double restDiagonal(const TriangleSoup& model) {
     Bounds bounds;

@@ -62,9 +62,11 @@ BendPull bendPull(BendRecord bend) {
     float weight = uniforms.inverse_density *
         dot(inverseMasses, vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b)));
     float fold = foldAt(uvec4(bend.v0, bend.v1, bend.v2, bend.v3));
-    float denominator = dampedWeight(weight, bend.geometry * uniforms.compliance[kBend], fold);
+    float compliance = bend.geometry * uniforms.compliance[kBend];
+    float gamma = dampingOf(weight, compliance, fold);
+    float denominator = dampedWeight(weight, compliance, gamma);
     float rate = dot(a, sA * edgeStep - leftStep) + dot(b, sB * edgeStep - rightStep);
-    float answered = dampedError(error, rate, fold, max(length(a), length(b)));
+    float answered = dampedError(error, rate, gamma, fold, max(length(a), length(b)));
     bool answers = weight > leastWeight(inverseMasses, a, b);
     float impulse = answers ? uniforms.share[kBend] * -answered / denominator : 0.0;
     return BendPull(slivers ? vec4(0.0) : vec4(a * impulse, sA),

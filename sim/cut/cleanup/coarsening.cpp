@@ -19,7 +19,7 @@ constexpr double kShort = 4.0 / 5.0;
 constexpr double kLong = 4.0 / 3.0;
 // Height over longest edge that a collapse may leave, unless it was worse before.
 constexpr double kLeastQuality = 0.3;
-constexpr int kMostRounds = 8;
+constexpr int kMostCoarsenings = 8;
 
 struct ShortEdge {
     double length;
@@ -45,7 +45,7 @@ class WallCoarsening {
 
     int run(const std::vector<int>& triangles) {
         int collapses = 0;
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int round = 0; round < kMostCoarsenings; ++round) {
             const int before = collapses;
             for (const ShortEdge& edge : findShortEdges(triangles)) {
                 collapses += collapse(edge);

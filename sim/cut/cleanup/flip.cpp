@@ -18,7 +18,7 @@ constexpr double kLargestTurn = 0.5;
 // Twice the areas (shares of h^2) below which the old pair has no direction, or a new one none.
 constexpr double kNoPair = 1e-6;
 constexpr double kNoArea = 1e-9;
-constexpr int kLeastValence = 4;
+constexpr int kLeastFlippedValence = 4;
 // Of triangles that are flipped so that the surface does not pass through itself.
 constexpr double kLeastScore = 0.3;
 
@@ -143,8 +143,8 @@ class Flip {
             return false;
         }
         return std::all_of(quads_.begin(), quads_.end(), [&](const Quad& q) {
-            return q.c != q.d && mesh_.valence(q.a) >= kLeastValence &&
-                   mesh_.valence(q.b) >= kLeastValence;
+            return q.c != q.d && mesh_.valence(q.a) >= kLeastFlippedValence &&
+                   mesh_.valence(q.b) >= kLeastFlippedValence;
         });
     }
 

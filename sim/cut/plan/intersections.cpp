@@ -36,7 +36,7 @@ ThreePoints rowsOf(const std::array<Vec3, 3>& at) {
 }
 
 /// A triangle of the mesh as the predicates see it.
-struct Corners {
+struct SeenTriangle {
     Triangle ids{};
     std::array<Vec3, 3> at;
     ThreePoints points;       ///< the same, but where it lies behind the front
@@ -208,7 +208,7 @@ class Intersector {
     struct Pair {
         int m;
         int s;
-        const Corners& mesh;
+        const SeenTriangle& mesh;
         const std::array<Vec3, 3>& strip;
         SharedVertex shared;
         Signs meshSigns{};   ///< of the mesh corners against the strip triangle
@@ -232,7 +232,7 @@ class Intersector {
         cornersOf_.assign(entries.size(), -1);
         std::erase_if(near, [&](int place) {
             const int m = entries[place].triangle;
-            Corners corners;
+            SeenTriangle corners;
             look(m, corners);
             if (isOwnWall(m) && front_.isBehind(corners.ids, corners.at)) {
                 return true;
@@ -294,7 +294,7 @@ class Intersector {
     // Walls of this stroke may lie in the plane of the blade, where signs cost the most: most of
     // those that do not lie behind the front are told apart before.
     void intersectPair(int entry, const StripCorners& strip) {
-        Corners& corners = corners_[cornersOf_[entry]];
+        SeenTriangle& corners = corners_[cornersOf_[entry]];
         const SharedVertex shared = sharedVertex(corners.ids);
         if (shared.count >= 2 || areApart(strip, corners, shared)) {
             return;
@@ -327,7 +327,7 @@ class Intersector {
         return mesh_.kind(m) == SurfaceKind::wall && mesh_.wallLabel(m) / 2 == in_.stroke;
     }
 
-    void look(int m, Corners& corners) const {
+    void look(int m, SeenTriangle& corners) const {
         const Triangle& ids = corners.ids = mesh_.triangle(m);
         for (int i = 0; i < 3; ++i) {
             corners.at[i] = positions_.at(ids[i]);
@@ -335,7 +335,7 @@ class Intersector {
         }
     }
 
-    static void putInOrder(Corners& corners) {
+    static void putInOrder(SeenTriangle& corners) {
         if (std::exchange(corners.ordered, true)) {
             return;
         }
@@ -411,7 +411,7 @@ class Intersector {
     }
 
     // Whether some plane, found without much ado, lies between the two; but for a shared vertex.
-    static bool areApart(const StripCorners& strip, const Corners& mesh,
+    static bool areApart(const StripCorners& strip, const SeenTriangle& mesh,
                          const SharedVertex& shared) {
         if (shared.any() && mesh.at[shared.meshCorner] != strip.at[shared.stripCorner]) {
             return false;
@@ -593,7 +593,7 @@ class Intersector {
     // In canonical order throughout: the mirrored node in the other wall of an older slit comes out
     // the same to the last bit, or the Delaunay criterion would divide the two walls differently.
     void placeOnFace(CutNode& node) const {
-        Corners corners;
+        SeenTriangle corners;
         look(node.a, corners);
         putInOrder(corners);
         const std::array<int, 3>& order = corners.order;
@@ -615,9 +615,9 @@ class Intersector {
     std::vector<int> rungVertices_;  ///< ascending
     double drift_ = 0;               ///< predicateDrift()
     std::vector<Vec3> inFrame_;      ///< the nodes of the strip along the axes of the broad phase
-    std::vector<Corners> corners_;   ///< of the entries that do not lie behind the front
-    std::vector<int> cornersOf_;     ///< places there, by entry of the broad phase; -1 for others
-    BroadPhase::Bins ahead_;         ///< entries that do not lie behind the front
+    std::vector<SeenTriangle> corners_;  ///< of the entries that do not lie behind the front
+    std::vector<int> cornersOf_;  ///< places there, by entry of the broad phase; -1 for others
+    BroadPhase::Bins ahead_;      ///< entries that do not lie behind the front
     std::vector<int> found_;
     std::vector<std::pair<int, int>> stripVertices_;  ///< of the strip triangle in hand: corners
     std::set<int> fringe_;                            ///< empty until fringe() is asked

@@ -7,15 +7,16 @@ namespace kerf::cut {
 
 namespace {
 
-constexpr double kRidge = 1e-6;  // of the trace, towards a shift
+constexpr double kShiftRidge = 1e-6;  // of the trace, towards a shift
 
-struct Place {
+struct KnownPlace {
     Vec3 position;
     Vec3 offset;  ///< rest - position
 };
 
-std::vector<Place> knownPlaces(const StepInput& in, const Strip& strip, const CutCurves& curves) {
-    std::vector<Place> places;
+std::vector<KnownPlace> knownPlaces(const StepInput& in, const Strip& strip,
+                                    const CutCurves& curves) {
+    std::vector<KnownPlace> places;
     for (const CutNode& node : curves.nodes) {
         if (node.kind != NodeKind::wall) {
             places.push_back({node.position, node.rest - node.position});
@@ -36,22 +37,22 @@ RestGuess::RestGuess(const StepInput& in, const Strip& strip, const CutCurves& c
     if (in.atRest || in.edgeLengths.isEven()) {
         return;
     }
-    const std::vector<Place> places = knownPlaces(in, strip, curves);
+    const std::vector<KnownPlace> places = knownPlaces(in, strip, curves);
     if (places.empty()) {
         return;
     }
-    for (const Place& place : places) {
+    for (const KnownPlace& place : places) {
         center_ += place.position / sizeOf(places);
         offset_ += place.offset / sizeOf(places);
     }
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d offsets = Eigen::Matrix3d::Zero();
-    for (const Place& place : places) {
+    for (const KnownPlace& place : places) {
         const Vec3 q = place.position - center_;
         spread += q * q.transpose();
         offsets += (place.offset - offset_) * q.transpose();
     }
-    spread.diagonal().array() += kRidge * spread.trace() + 1e-300;
+    spread.diagonal().array() += kShiftRidge * spread.trace() + 1e-300;
     change_ = offsets * spread.inverse();
 }
 

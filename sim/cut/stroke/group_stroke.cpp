@@ -6,7 +6,7 @@ namespace kerf::cut {
 
 namespace {
 
-constexpr double kLeastSpacing = 1e-7;   // share of h
+constexpr double kLeastPassing = 1e-7;   // share of h
 constexpr double kStandingStill = 1e-3;  // share of h
 constexpr double kBackwards = -0.5;      // cosine
 constexpr double kBackwardShare = 0.5;
@@ -54,7 +54,7 @@ void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung) {
 
 BladeMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung) {
     const Vec3 along = blade.b - blade.a;
-    const double least = kLeastSpacing * h / along.norm();
+    const double least = kLeastPassing * h / along.norm();
     BladeMotion motion;
     double previous = -1e300;
     for (RungNode& node : rung) {

@@ -89,6 +89,8 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
                   "takes neither --published nor --runs");
     expectMistake(runKerf({"experiment", "fem", "--runs", "2", "--out", "x"}), 2,
                   "'fem' is none of the paper's experiments");
+    expectMistake(runKerf({"experiment", "sphere20", "--whole", "--out", "x"}), 2,
+                  "--whole is for 'bar' alone");
     expectMistake(runKerf({"experiment", "all", "--runs", "0", "--out", "x"}), 2, "--runs");
     expectMistake(runKerf({"experiment", "cube", "--out", "x"}), 2,
                   "there is no experiment 'cube'; there are sphere20, ");

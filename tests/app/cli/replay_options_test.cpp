@@ -21,9 +21,9 @@ using test::smallSession;
 using test::writeText;
 using testing::HasSubstr;
 
-class ReplayOptions : public testing::Test {
+class ReplayVerbOptions : public testing::Test {
   protected:
-    ReplayOptions() { writeText(folder_ / "test.kerf.json", smallSession()); }
+    ReplayVerbOptions() { writeText(folder_ / "test.kerf.json", smallSession()); }
 
     /// Replays the session into the folder `out`.
     ProgramRun replay(const std::string& out, const std::vector<std::string>& options,
@@ -41,7 +41,7 @@ class ReplayOptions : public testing::Test {
     test::TemporaryFolder folder_;
 };
 
-TEST_F(ReplayOptions, SetReplacesAParameterAtTheStart) {
+TEST_F(ReplayVerbOptions, SetReplacesAParameterAtTheStart) {
     ASSERT_EQ(replay("a", {}).exitCode, 0);
     ASSERT_EQ(replay("b", {"--set", "ispc_stiffness=0.25", "--set", "solver=pbd"}).exitCode, 0);
     ASSERT_EQ(replay("c", {"--set", "gravity=[0, 0, 0]"}).exitCode, 0);
@@ -49,7 +49,7 @@ TEST_F(ReplayOptions, SetReplacesAParameterAtTheStart) {
     EXPECT_EQ(summary("a")["state_hash"], summary("c")["state_hash"]) << "as it was";
 }
 
-TEST_F(ReplayOptions, SetRefusesWhatIsNoParameterOrValue) {
+TEST_F(ReplayVerbOptions, SetRefusesWhatIsNoParameterOrValue) {
     const std::vector<std::pair<std::string, std::string>> mistakes{
         {"ispc_stifness=0.2", "there is no parameter \"ispc_stifness\""},
         {"ispc_stiffness=2", "ispc_stiffness"},
@@ -68,7 +68,7 @@ TEST_F(ReplayOptions, SetRefusesWhatIsNoParameterOrValue) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
-TEST_F(ReplayOptions, UntilEndsInTheStateOfTheWholeRunAtThatStep) {
+TEST_F(ReplayVerbOptions, UntilEndsInTheStateOfTheWholeRunAtThatStep) {
     ASSERT_EQ(replay("all", {"--hashes"}).exitCode, 0);
     ASSERT_EQ(replay("some", {"--hashes", "--until", "9"}).exitCode, 0);
     const CsvTable all(folder_ / "all/hashes.csv", 1 << 20);
@@ -85,7 +85,7 @@ TEST_F(ReplayOptions, UntilEndsInTheStateOfTheWholeRunAtThatStep) {
     EXPECT_EQ(replay("out", {"--until", "0"}).exitCode, 2);
 }
 
-TEST_F(ReplayOptions, FinePicturesAreOnlyTakenOnDemand) {
+TEST_F(ReplayVerbOptions, FinePicturesAreOnlyTakenOnDemand) {
     ASSERT_EQ(replay("light", {"--until", "9"}).exitCode, 0);
     ASSERT_EQ(replay("again", {"--until", "9"}).exitCode, 0);
     ASSERT_EQ(replay("fine", {"--until", "9", "--fine"}).exitCode, 0);
@@ -96,7 +96,7 @@ TEST_F(ReplayOptions, FinePicturesAreOnlyTakenOnDemand) {
     EXPECT_NE(picture("fine"), picture("light"));
 }
 
-TEST_F(ReplayOptions, AnEnvironmentThatIsNoPanoramaIsToldAndTheLightIsEven) {
+TEST_F(ReplayVerbOptions, AnEnvironmentThatIsNoPanoramaIsToldAndTheLightIsEven) {
     ASSERT_EQ(replay("studio", {"--until", "9"}).exitCode, 0);
     const ProgramRun run =
         replay("even", {"--until", "9"}, {{"KERF_ENVIRONMENT", path("test.kerf.json")}});
@@ -107,7 +107,7 @@ TEST_F(ReplayOptions, AnEnvironmentThatIsNoPanoramaIsToldAndTheLightIsEven) {
               readBytes(folder_ / "studio/pictures/half.png"));
 }
 
-TEST_F(ReplayOptions, JsonLinesHaveTheColumnsOfTheMetrics) {
+TEST_F(ReplayVerbOptions, JsonLinesHaveTheColumnsOfTheMetrics) {
     const ProgramRun run = replay("out", {"--jsonl"});
     ASSERT_EQ(run.exitCode, 0) << run.errors;
     const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
@@ -129,7 +129,7 @@ TEST_F(ReplayOptions, JsonLinesHaveTheColumnsOfTheMetrics) {
     EXPECT_EQ(replay("out", {"--jsonl", "--json"}).exitCode, 2);
 }
 
-TEST_F(ReplayOptions, PiecesSumUpToTheVolume) {
+TEST_F(ReplayVerbOptions, PiecesSumUpToTheVolume) {
     ASSERT_EQ(replay("out", {"--pieces"}).exitCode, 0);
     const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
     const CsvTable pieces(folder_ / "out/pieces.csv", 1 << 20);
@@ -148,7 +148,7 @@ TEST_F(ReplayOptions, PiecesSumUpToTheVolume) {
     }
 }
 
-TEST_F(ReplayOptions, VerifyNamesTheFirstStepAndThePartAndEndsThere) {
+TEST_F(ReplayVerbOptions, VerifyNamesTheFirstStepAndThePartAndEndsThere) {
     ASSERT_EQ(replay("first", {"--hashes"}).exitCode, 0);
     const std::string hashes = path("first/hashes.csv");
     EXPECT_EQ(replay("same", {"--verify", hashes}, {{"LP_NUM_THREADS", "1"}}).exitCode, 0);
@@ -167,7 +167,7 @@ TEST_F(ReplayOptions, VerifyNamesTheFirstStepAndThePartAndEndsThere) {
     EXPECT_EQ(summary("whole")["failures"].size(), 1u) << "what follows is not told";
 }
 
-TEST_F(ReplayOptions, VerifySeesABladeThatCutsTheSame) {
+TEST_F(ReplayVerbOptions, VerifySeesABladeThatCutsTheSame) {
     ASSERT_EQ(replay("first", {"--hashes"}).exitCode, 0);
     std::string session = smallSession();
     const std::string lift = "0.8, -0.72, 0.05";
@@ -179,7 +179,7 @@ TEST_F(ReplayOptions, VerifySeesABladeThatCutsTheSame) {
     EXPECT_THAT(run.errors, HasSubstr("blade"));
 }
 
-TEST_F(ReplayOptions, VerifyTakesTheColumnsThatThereAre) {
+TEST_F(ReplayVerbOptions, VerifyTakesTheColumnsThatThereAre) {
     ASSERT_EQ(replay("first", {"--hashes"}).exitCode, 0);
     const CsvTable full(folder_ / "first/hashes.csv", 1 << 20);
     std::string text = "step,state_hash,topology_hash,mood\n";
@@ -195,7 +195,7 @@ TEST_F(ReplayOptions, VerifyTakesTheColumnsThatThereAre) {
     EXPECT_THAT(run.errors, HasSubstr("in positions or velocities or boxes."));
 }
 
-TEST_F(ReplayOptions, VerifyComparesHowLongTheRunsAre) {
+TEST_F(ReplayVerbOptions, VerifyComparesHowLongTheRunsAre) {
     ASSERT_EQ(replay("first", {"--hashes"}).exitCode, 0);
     const std::string text = readBytes(folder_ / "first/hashes.csv");
     const std::size_t lastRow = text.rfind('\n', text.size() - 2);
@@ -211,7 +211,7 @@ TEST_F(ReplayOptions, VerifyComparesHowLongTheRunsAre) {
     EXPECT_EQ(replay("out", {"--verify", path("longer.csv"), "--until", "12"}).exitCode, 0);
 }
 
-TEST_F(ReplayOptions, VerifyRefusesWhatHoldsNoHashes) {
+TEST_F(ReplayVerbOptions, VerifyRefusesWhatHoldsNoHashes) {
     const std::vector<std::pair<std::string, std::string>> mistakes{
         {"", "empty"},
         {"step,state_hash\n0,0123456789abcdef\n", "topology_hash"},
@@ -230,7 +230,7 @@ TEST_F(ReplayOptions, VerifyRefusesWhatHoldsNoHashes) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
-TEST_F(ReplayOptions, HashesDoNotWriteOverWhatTheyAreComparedWith) {
+TEST_F(ReplayVerbOptions, HashesDoNotWriteOverWhatTheyAreComparedWith) {
     ASSERT_EQ(replay("out", {"--hashes"}).exitCode, 0);
     const std::string before = readBytes(folder_ / "out/hashes.csv");
     EXPECT_EQ(replay("out", {"--verify", path("out/hashes.csv")}).exitCode, 0);
@@ -239,7 +239,7 @@ TEST_F(ReplayOptions, HashesDoNotWriteOverWhatTheyAreComparedWith) {
     EXPECT_EQ(readBytes(folder_ / "out/hashes.csv"), before);
 }
 
-TEST_F(ReplayOptions, FramesHoldNoPicturesAndFiles) {
+TEST_F(ReplayVerbOptions, FramesHoldNoPicturesAndFiles) {
     ASSERT_EQ(replay("out", {}).exitCode, 0);
     const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
     const std::size_t frame = metrics.require("frame_ms");
@@ -255,7 +255,7 @@ TEST_F(ReplayOptions, FramesHoldNoPicturesAndFiles) {
     EXPECT_EQ(summary("out")["fps"]["min"], 1000 / slowest);
 }
 
-TEST_F(ReplayOptions, ReferenceComparesPicturesAndUpdateRenewsThem) {
+TEST_F(ReplayVerbOptions, ReferenceComparesPicturesAndUpdateRenewsThem) {
     const std::vector<std::string> options{"--reference", path("ref")};
     const ProgramRun none = replay("out", options);
     EXPECT_EQ(none.exitCode, 1);
@@ -281,7 +281,7 @@ TEST_F(ReplayOptions, ReferenceComparesPicturesAndUpdateRenewsThem) {
     EXPECT_EQ(replay("out", {"--update"}).exitCode, 2);
 }
 
-TEST_F(ReplayOptions, ReferenceLeavesOutWhatComesBehindUntil) {
+TEST_F(ReplayVerbOptions, ReferenceLeavesOutWhatComesBehindUntil) {
     const std::vector<std::string> options{"--until", "11", "--reference", path("ref")};
     std::vector<std::string> update = options;
     update.emplace_back("--update");
@@ -295,7 +295,7 @@ TEST_F(ReplayOptions, ReferenceLeavesOutWhatComesBehindUntil) {
     EXPECT_EQ(nlohmann::json::parse(replay("out", update).out)["renewed"][0], "pictures/half.png");
 }
 
-TEST_F(ReplayOptions, ACheckThatFailsEndsTheRun) {
+TEST_F(ReplayVerbOptions, ACheckThatFailsEndsTheRun) {
     writeText(folder_ / "test.kerf.json",
               smallSession(R"(, {"step": 20, "type": "check", "pieces": 5},
                                 {"step": 30, "type": "check", "pieces": 6})"));

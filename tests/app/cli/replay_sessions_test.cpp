@@ -23,8 +23,9 @@ TEST(ShippedSessions, AreReadWithoutWarnings) {
         EXPECT_EQ(readSession(entry.path()).warnings, std::vector<std::string>{});
         names.insert(entry.path().filename().stem().stem().string());
     }
-    EXPECT_EQ(names, (std::set<std::string>{"banana", "boxes", "drop-in", "first-cut", "octopus",
-                                            "open-cut", "sphere20", "sphere768", "sphere80"}));
+    EXPECT_EQ(names,
+              (std::set<std::string>{"banana", "boxes", "drop-in", "first-cut", "material",
+                                     "octopus", "open-cut", "sphere20", "sphere768", "sphere80"}));
 }
 
 TEST(ShippedSessions, DropInIsASphereInTheMiddleOfTheDefaultView) {

@@ -47,6 +47,10 @@ TEST_F(EditorFilmTest, TheDialogMakesAFilmOfAllSinceTheStart) {
     frames(2);
     click("file.turntable");
     frames(2);
+    for (const char* const choice : {"size", "size.640 x 360", "rate", "rate.50 a second"}) {
+        click(std::string("file.") + choice);
+        frames(2);
+    }
     EXPECT_TRUE(panels().files.film.turntable);
     EXPECT_EQ(panels().files.film.speed, 0.1);
     click("file.accept");
@@ -55,8 +59,8 @@ TEST_F(EditorFilmTest, TheDialogMakesAFilmOfAllSinceTheStart) {
     EXPECT_EQ(test::outputOf("ffprobe -v error -count_frames -show_entries "
                              "stream=codec_name,width,height,nb_read_frames -of csv=p=0 '" +
                              (folder / "cut.webm").string() + "'"),
-              "vp9,1280,720,31\n")
-        << "0.1 s, ten times slower";
+              "vp9,640,360,51\n")
+        << "0.1 s, ten times slower, 50 pictures a second";
 }
 
 TEST_F(EditorFilmTest, IsSeenFromWhereThePersonLooksNow) {

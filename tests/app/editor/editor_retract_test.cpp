@@ -9,8 +9,8 @@
 namespace kerf::app {
 namespace {
 
-const Vec2 kMiddle(kWidth / 2.0, kHeight / 2.0);
-const Vec2 kBeside = kMiddle + Vec2(20, 0);
+const Vec2 kViewMiddle(kWidth / 2.0, kHeight / 2.0);
+const Vec2 kBeside = kViewMiddle + Vec2(20, 0);
 
 class EditorRetractTest : public EditorTest {
   protected:
@@ -97,7 +97,7 @@ TEST_F(EditorRetractTest, AFlickOpensAsFarAsASlowDrag) {
 TEST_F(EditorRetractTest, ARightClickOnAHookRemovesTheRetractorAndTheCutCloses) {
     retract(Vec2(60, 0));
     const double opened = gap();
-    clickRight(kMiddle + Vec2(0, 200));
+    clickRight(kViewMiddle + Vec2(0, 200));
     EXPECT_EQ(panels().hooks, 2U) << "a click elsewhere does nothing";
     clickRight(pixelOfHook(0));
     EXPECT_EQ(panels().hooks, 0U);
@@ -166,7 +166,7 @@ TEST_F(EditorRetractTest, ItIsRecordedAndReplaysToTheSameBits) {
 TEST_F(EditorRetractTest, APressFarFromEachCutSaysSoAndChangesNothing) {
     tap(Key::digit3);  // from the right
     settle();
-    moveTo(kMiddle.x() + 100, kMiddle.y());
+    moveTo(kViewMiddle.x() + 100, kViewMiddle.y());
     press(true);
     press(false);
     settle();

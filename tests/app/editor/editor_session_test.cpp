@@ -105,6 +105,25 @@ TEST_F(EditorSessionTest, KeysAddWhatAReplayMakesAtThisStep) {
     EXPECT_THAT(panels().toast, ::testing::Not(HasSubstr("Since you")));
 }
 
+TEST_F(EditorSessionTest, TheCameraOfFilmsIsWhereAPersonLooks) {
+    openSession();
+    tap(Key::digit7);
+    goTo(30);
+    tap(Key::m, {.shift = true});
+    frames(2);
+    EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::camera, Kind::check}));
+    EXPECT_EQ(panels().toast, "A film of the session is seen from here at step 30.");
+    const Session session = savedAs("seen");
+    ASSERT_EQ(session.events.size(), 6U);
+    EXPECT_EQ(session.events[2].step, 30);
+    const auto& key = std::get<CameraEvent>(session.events[2].action);
+    EXPECT_GT(key.camera.eye.y(), 1) << "from the top";
+    clickMark(30, Button::right);
+    click("mark.remove.30");
+    frames(2);
+    EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::check}));
+}
+
 TEST_F(EditorSessionTest, AMarkOnTheTimeLineIsGoneToAndRemoved) {
     openSession();
     clickMark(20, Button::left);

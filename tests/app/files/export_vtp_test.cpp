@@ -12,7 +12,7 @@
 namespace kerf::app {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 /// A cube of 1 m that is stretched along x and moves.
 struct MovingBox {
@@ -23,13 +23,13 @@ struct MovingBox {
         }
         pieces = findPieces(mesh);
     }
-    json exported(const Placement& placement, Coordinates coordinates) const {
+    Json exported(const Placement& placement, Coordinates coordinates) const {
         const test::TemporaryFolder folder;
         const std::filesystem::path file = folder / "box.vtp";
         const auto files = encodeExport({file, false, coordinates}, mesh, pieces, {}, placement);
         EXPECT_EQ(files.size(), 1U);
         test::writeText(file, files.front().bytes);
-        return json::parse(test::outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR
+        return Json::parse(test::outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR
                                           "/tests/app/files/read_mesh.py' '" +
                                           file.string() + "' 2>&1"));
     }
@@ -38,7 +38,7 @@ struct MovingBox {
     PieceMap pieces;
 };
 
-void expectNumbers(const json& found, double volume, const Vec3& velocity) {
+void expectNumbers(const Json& found, double volume, const Vec3& velocity) {
     EXPECT_NEAR(found["volumes"][0].get<double>(), volume, 1e-5 * volume);
     EXPECT_NEAR(found["measured_volumes"][0].get<double>(), volume, 1e-5 * volume);
     for (int i = 0; i < 3; ++i) {

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 constexpr const char* kBytes = "KERF_MEMORY_BYTES";
 
-std::string sentenceOf(const std::function<void()>& call) {
+std::string sentenceBy(const std::function<void()>& call) {
     try {
         call();
     } catch (const MemoryShortage& shortage) {
@@ -51,24 +51,24 @@ TEST(MemoryMeans, AnswersToTheLimitsOfTheProcess) {
 
 TEST(MemoryMeans, NothingIsSaidWhereItDoes) {
     const MemoryNeed need{.memory = 10, .program = 5, .graphics = 3, .largestBuffer = 2};
-    EXPECT_EQ(sentenceOf([&] { requireMemory("a", need, {}); }), "");
-    EXPECT_EQ(sentenceOf([&] { requireMemory("a", need, {.free = 15}); }), "");
-    EXPECT_NE(sentenceOf([&] { requireMemory("a", need, {.free = 14}); }), "");
-    EXPECT_EQ(sentenceOf([&] { requireMemory("a", need, {.free = 14, .programRuns = true}); }), "");
-    EXPECT_NE(sentenceOf([&] { requireMemory("a", need, {.free = 15, .holdsGraphics = true}); }),
+    EXPECT_EQ(sentenceBy([&] { requireMemory("a", need, {}); }), "");
+    EXPECT_EQ(sentenceBy([&] { requireMemory("a", need, {.free = 15}); }), "");
+    EXPECT_NE(sentenceBy([&] { requireMemory("a", need, {.free = 14}); }), "");
+    EXPECT_EQ(sentenceBy([&] { requireMemory("a", need, {.free = 14, .programRuns = true}); }), "");
+    EXPECT_NE(sentenceBy([&] { requireMemory("a", need, {.free = 15, .holdsGraphics = true}); }),
               "");
-    EXPECT_NE(sentenceOf([&] { requireMemory("a", need, {.largestBuffer = 1}); }), "");
+    EXPECT_NE(sentenceBy([&] { requireMemory("a", need, {.largestBuffer = 1}); }), "");
 }
 
 TEST(MemoryMeans, OneSentenceSaysHowMuchAndWhatToDo) {
     const MemoryNeed need{.memory = 3'400'000'000, .graphics = 1, .largestBuffer = 150'000'000};
     const std::string memory =
-        sentenceOf([&] { requireMemory("bunny.ply", need, {.free = 210'000'000}); });
+        sentenceBy([&] { requireMemory("bunny.ply", need, {.free = 210'000'000}); });
     EXPECT_THAT(memory, HasSubstr("bunny.ply: cutting it needs about 3.4 GB of memory"));
     EXPECT_THAT(memory, HasSubstr("210 MB are free"));
     EXPECT_THAT(memory, HasSubstr("--remesh"));
     const std::string buffer =
-        sentenceOf([&] { requireMemory("bunny.ply", need, {.largestBuffer = 134'217'728}); });
+        sentenceBy([&] { requireMemory("bunny.ply", need, {.largestBuffer = 134'217'728}); });
     EXPECT_THAT(buffer, HasSubstr("a graphics buffer of 150 MB"));
     EXPECT_THAT(buffer, HasSubstr("134 MB"));
 }

@@ -60,7 +60,7 @@ void failAtEachCall(const std::function<std::string()>& write,
     EXPECT_LT(number, kMostCalls);
 }
 
-std::string sentenceOf(const std::function<void()>& write) {
+std::string writeSentence(const std::function<void()>& write) {
     try {
         write();
         return "";
@@ -74,7 +74,7 @@ TEST(WriteFaults, AFileIsTheOldOneOrTheNewOne) {
     test::writeText(folder / "a.txt", "old");
     const auto before = contents(folder.path());
     const std::string large(300'000, 'x');
-    failAtEachCall([&] { return sentenceOf([&] { writeOutputFile(folder / "a.txt", large); }); },
+    failAtEachCall([&] { return writeSentence([&] { writeOutputFile(folder / "a.txt", large); }); },
                    [&] { EXPECT_EQ(contents(folder.path()), before); });
     EXPECT_EQ(test::readBytes(folder / "a.txt"), large);
 }
@@ -84,7 +84,7 @@ TEST(WriteFaults, APictureIsTheOldOneOrTheNewOne) {
     test::writeText(folder / "a.png", "old");
     const auto before = contents(folder.path());
     const render::Image picture{64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 99)};
-    failAtEachCall([&] { return sentenceOf([&] { writePicture(picture, folder / "a.png"); }); },
+    failAtEachCall([&] { return writeSentence([&] { writePicture(picture, folder / "a.png"); }); },
                    [&] { EXPECT_EQ(contents(folder.path()), before); });
     EXPECT_EQ(readPicture(folder / "a.png").pixels, picture.pixels);
 }
@@ -95,7 +95,7 @@ TEST(WriteFaults, ADeviceAFolderAndALongNameAreRefused) {
     EXPECT_THROW(writeOutputFile("/dev/full", "x"), OutputError);
     EXPECT_THROW(writeOutputFile(folder / "pipe", "x"), OutputError);
     EXPECT_THROW(writeOutputFile(folder.path(), "x"), OutputError);
-    EXPECT_THAT(sentenceOf([&] { writeOutputFile(folder / std::string(300, 'a'), "x"); }),
+    EXPECT_THAT(writeSentence([&] { writeOutputFile(folder / std::string(300, 'a'), "x"); }),
                 HasSubstr("choose a shorter name"));
 }
 
@@ -143,7 +143,7 @@ TEST_F(WriteFaultsInReplays, EveryFileIsWholeOrNotThere) {
     ReplayOptions options;
     options.hashes = options.pieces = true;
     const auto replay = [&](const std::string& out) {
-        return sentenceOf([&] { replaySession(session, model, folder / out, {}, options); });
+        return writeSentence([&] { replaySession(session, model, folder / out, {}, options); });
     };
     ASSERT_EQ(replay("whole"), "");
     const auto whole = contents(folder / "whole");

@@ -5,7 +5,7 @@
 namespace kerf::app {
 namespace {
 
-constexpr double kEdge = 0.03;  // [m]
+constexpr double kMeanEdge = 0.03;  // [m]
 
 Params withModulus(double modulus) {
     Params params;
@@ -14,13 +14,13 @@ Params withModulus(double modulus) {
 }
 
 TEST(IterationWatch, SaysNothingWhereAllStepsHadEnough) {
-    IterationWatch watch(kEdge);
+    IterationWatch watch(kMeanEdge);
     watch.add(0, Params{});
     EXPECT_EQ(watch.sentence(), "");
 }
 
 TEST(IterationWatch, NamesTheWorstStepAndWhatWouldDo) {
-    IterationWatch watch(kEdge);
+    IterationWatch watch(kMeanEdge);
     watch.add(0, Params{});
     watch.add(1, withModulus(2e6));
     watch.add(2, withModulus(1e7));
@@ -32,7 +32,7 @@ TEST(IterationWatch, NamesTheWorstStepAndWhatWouldDo) {
 }
 
 TEST(IterationWatch, AsksForASmallerTimeStepWhereNoNumberOfIterationsWouldDo) {
-    IterationWatch watch(kEdge);
+    IterationWatch watch(kMeanEdge);
     Params params = withModulus(1e8);
     params.stretchStiffness = 2;
     params.iterations = 1;
@@ -44,7 +44,7 @@ TEST(IterationWatch, AsksForASmallerTimeStepWhereNoNumberOfIterationsWouldDo) {
 }
 
 TEST(IterationWatch, PlainPbdHasNoModulus) {
-    IterationWatch watch(kEdge);
+    IterationWatch watch(kMeanEdge);
     Params params = withModulus(1e8);
     params.solver = SolverMode::pbd;
     watch.add(0, params);

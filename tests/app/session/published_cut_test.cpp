@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kFallen = 350;  // steps, of which the fall takes about 80
 
-struct Host {
+struct PublishedHost {
     void perform(const Command& command, int) { EXPECT_EQ(simulation.execute(command), ""); }
     template <class Event>
     void take(const Event&) {}
@@ -56,7 +56,7 @@ TEST_F(PublishedCut, ItsHalvesComeApart) {
     Simulation simulation(app::loadSessionModel(session).mesh, session.params, session.boxes);
     const app::SessionPlayer player(session);
     app::SessionRunner runner(simulation);
-    Host host{simulation};
+    PublishedHost host{simulation};
     while (simulation.stepCount() < kFallen) {
         runner.applyActions(player, host);
         runner.step();

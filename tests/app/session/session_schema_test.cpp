@@ -28,7 +28,7 @@ constexpr std::uint32_t kSeed = 20261122;
 constexpr int kMutations = 1500;
 
 /// The sentence with which the reader refuses a text; empty where it does not.
-std::string refusalOf(const std::string& text) {
+std::string schemaRefusalOf(const std::string& text) {
     try {
         parseSession(text, "/folder");
         return "";
@@ -150,7 +150,7 @@ TEST_F(SessionSchema, AcceptsWhatTheReaderAccepts) {
     const auto places = placesWrongBySchema(texts);
     ASSERT_EQ(places.size(), texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        EXPECT_EQ(refusalOf(texts[i]), "") << texts[i];
+        EXPECT_EQ(schemaRefusalOf(texts[i]), "") << texts[i];
         EXPECT_EQ(places[i], std::vector<std::string>{}) << texts[i];
     }
 }
@@ -173,7 +173,7 @@ TEST_F(SessionSchema, NamesThePlaceThatTheReaderNames) {
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const std::string& name = broken[i].name;
         const bool beyond = kComparisons.contains(name) || kDetours.contains(name);
-        const std::string named = placeOf(refusalOf(texts[i]));
+        const std::string named = placeOf(schemaRefusalOf(texts[i]));
         EXPECT_EQ(std::ranges::any_of(places[i], [&](auto& p) { return isNear(p, named); }),
                   !beyond)
             << name << ": " << named << " but " << json(places[i]);
@@ -303,7 +303,7 @@ TEST_F(SessionSchema, AgreesWithTheReaderOnRandomSessions) {
     int accepted = 0;
     int told = 0;
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        const std::string refusal = refusalOf(texts[i]);
+        const std::string refusal = schemaRefusalOf(texts[i]);
         if (refusal.empty()) {
             ++accepted;
             EXPECT_EQ(places[i], std::vector<std::string>{}) << "seed " << seed << ": " << texts[i];

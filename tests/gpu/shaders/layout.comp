@@ -5,6 +5,7 @@
 #include "box_records.h"
 #include "constraints.h"
 #include "contact_records.h"
+#include "edge_records.h"
 #include "skin_records.h"
 #include "solver_uniforms.h"
 #include "unfold_records.h"

@@ -18,14 +18,14 @@ Params pushing() {
     return params;
 }
 
-Params weightless() {
+Params blunt() {
     Params params = pushing();
     params.gravity.setZero();
     params.floor.reset();
     return params;
 }
 
-SurfaceMesh lifted(SurfaceMesh mesh, double by) {
+SurfaceMesh pushedUp(SurfaceMesh mesh, double by) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         mesh.setPosition(v, mesh.position(v) + Vec3(0, by, 0));
         mesh.setRestPosition(v, mesh.position(v));
@@ -55,7 +55,7 @@ void wait(Simulation& simulation, int steps) {
     }
 }
 
-Vec3 middle(const SurfaceMesh& mesh) {
+Vec3 middleOf(const SurfaceMesh& mesh) {
     Vec3 sum = Vec3::Zero();
     for (const Vec3& p : mesh.positions()) {
         sum += p;
@@ -106,15 +106,15 @@ TEST_F(BladePushTest, TheBackPushesASphereOverTheFloor) {
     Params params = pushing();
     params.youngsModulus = 1e6;
     params.friction = 0.2;
-    Simulation simulation(lifted(test::cubeSphere(4), 0.5), params);
+    Simulation simulation(pushedUp(test::cubeSphere(4), 0.5), params);
     wait(simulation, 20);
-    const Vec3 start = middle(simulation.mesh());
+    const Vec3 start = middleOf(simulation.mesh());
     lead(simulation, acrossZ(-0.6, 0.45), acrossZ(-0.95, 0.45), 10);
     lead(simulation, acrossZ(-0.95, 0.45), acrossZ(-0.55, 0.45), 160);
     const std::optional<BladeMotion> blade = simulation.bladeBody();
     ASSERT_TRUE(blade.has_value());
     const double backAt = -0.55 + blade->back;
-    const Vec3 now = middle(simulation.mesh());
+    const Vec3 now = middleOf(simulation.mesh());
     const double touching = -0.5;  // where the back met the sphere
     EXPECT_NEAR(now.x() - start.x(), backAt - touching, 2 * blade->halfThickness);
     EXPECT_NEAR(now.z(), 0, 0.01);
@@ -125,7 +125,7 @@ TEST_F(BladePushTest, TheBackPushesASphereOverTheFloor) {
 }
 
 TEST_F(BladePushTest, ASlitIsHeldOpenByTheThickness) {
-    Params params = weightless();
+    Params params = blunt();
     params.bladeWidth = 0.3;
     params.bladeThickness = 0.02;
     Simulation simulation(test::cubeSphere(6), params);
@@ -168,7 +168,7 @@ TEST_F(BladePushTest, ASlitIsHeldOpenByTheThickness) {
 }
 
 TEST_F(BladePushTest, ABodyThatIsCutThroughPartsAsWithoutIt) {
-    Simulation simulation(lifted(test::cubeSphere(6), 0.5), pushing());
+    Simulation simulation(pushedUp(test::cubeSphere(6), 0.5), pushing());
     for (int i = 0; i <= 60; ++i) {
         const double y = 1.15 - 1.3 * i / 60;
         simulation.execute(MoveBlade{{{-0.9, y, 0.02}, {0.9, y + 0.02, 0.05}}});
@@ -187,17 +187,17 @@ TEST_F(BladePushTest, ABodyThatIsCutThroughPartsAsWithoutIt) {
 TEST_F(BladePushTest, NothingTunnelsThroughItsFlatSide) {
     for (const char* solver : {"small_steps", "pbd"}) {
         SCOPED_TRACE(solver);
-        Params params = weightless();
+        Params params = blunt();
         params.bladeWidth = 0.6;
         params.bladeThickness = 0.002;
         setParam(params, "solver", solver);
         Simulation simulation(test::cubeSphere(5), params);
         lead(simulation, upright(-0.75, -0.5), upright(-0.75, 0.7), 20);
-        const Vec3 start = middle(simulation.mesh());
+        const Vec3 start = middleOf(simulation.mesh());
         lead(simulation, upright(-0.75, 0.7), upright(0.15, 0.7), 30);
         const BladeMotion blade = *simulation.bladeBody();
         EXPECT_LT(deepestIn(blade, simulation.mesh()), 1e-4);
-        EXPECT_GT(middle(simulation.mesh()).x() - start.x(), 0.3);
+        EXPECT_GT(middleOf(simulation.mesh()).x() - start.x(), 0.3);
         int behind = 0;
         for (const Vec3& p : simulation.mesh().positions()) {
             const Vec3 at = inBlade(blade, p);
@@ -209,7 +209,7 @@ TEST_F(BladePushTest, NothingTunnelsThroughItsFlatSide) {
 }
 
 TEST_F(BladePushTest, SwitchedOnInASlitItOpensItGently) {
-    Params params = weightless();
+    Params params = blunt();
     params.bladePush = 0;
     params.bladeWidth = 0.4;
     Simulation simulation(test::cubeSphere(5), params);
@@ -245,7 +245,7 @@ Motion motionOf(Simulation& simulation) {
     return motion;
 }
 
-/// The middle of the plate behind the bevel.
+/// The middleOf of the plate behind the bevel.
 Vec3 middleOfPlate(const BladeMotion& blade) {
     const double y = 0.5 * (blade.front + blade.bevel + blade.back);
     return 0.5 * (blade.frames.front().origin + blade.frames.back().origin) +
@@ -253,7 +253,7 @@ Vec3 middleOfPlate(const BladeMotion& blade) {
 }
 
 TEST_F(BladePushTest, WhatTheBladeFeelsIsWhatTheBodyGains) {
-    Params params = weightless();
+    Params params = blunt();
     params.airDrag = 0;
     Simulation simulation(test::cubeSphere(5), params);
     simulation.feelBlade(true);
@@ -273,7 +273,7 @@ TEST_F(BladePushTest, WhatTheBladeFeelsIsWhatTheBodyGains) {
     EXPECT_LT((given.momentum - gained.momentum).norm(), 1e-3 * gained.momentum.norm())
         << given.momentum << "\n\n"
         << gained.momentum;
-    EXPECT_LT(gained.angular.z(), -1) << "above its middle";
+    EXPECT_LT(gained.angular.z(), -1) << "above its middleOf";
     EXPECT_LT((given.angular - gained.angular).norm(), 0.02 * gained.angular.norm())
         << given.angular << "\n\n"
         << gained.angular;
@@ -281,7 +281,7 @@ TEST_F(BladePushTest, WhatTheBladeFeelsIsWhatTheBodyGains) {
 
 TEST_F(BladePushTest, FeelingChangesNoBitAndIsToldOnlyWhereItIsWanted) {
     const auto hashOf = [](bool feels) {
-        Simulation simulation(test::cubeSphere(3), weightless());
+        Simulation simulation(test::cubeSphere(3), blunt());
         simulation.feelBlade(feels);
         lead(simulation, acrossZ(0.02, 0.8), acrossZ(0.2, 0.1), 15);
         EXPECT_EQ(simulation.report().bladeLoad.has_value(), feels);
@@ -291,7 +291,7 @@ TEST_F(BladePushTest, FeelingChangesNoBitAndIsToldOnlyWhereItIsWanted) {
 }
 
 TEST_F(BladePushTest, ABladeInTheAirFeelsNothing) {
-    Simulation simulation(test::cubeSphere(3), weightless());
+    Simulation simulation(test::cubeSphere(3), blunt());
     simulation.feelBlade(true);
     lead(simulation, acrossZ(0.02, 3), acrossZ(0.2, 2.5), 10);
     EXPECT_TRUE(simulation.report().bladeLoad->force.isZero(0));
@@ -299,7 +299,7 @@ TEST_F(BladePushTest, ABladeInTheAirFeelsNothing) {
 }
 
 std::string hashAfterAStroke(const Params& params, bool throughAMoment) {
-    Simulation simulation(lifted(test::cubeSphere(3), 0.45), params);
+    Simulation simulation(pushedUp(test::cubeSphere(3), 0.45), params);
     lead(simulation, acrossZ(0.02, 1.1), acrossZ(0.03, 0.5), 15);
     const Moment moment = simulation.moment();
     const auto goOn = [&] {

@@ -16,7 +16,7 @@
 namespace kerf {
 namespace {
 
-constexpr unsigned kSeed = 11;
+constexpr unsigned kContactSeed = 11;
 
 Params withContact() {
     Params params;
@@ -24,7 +24,7 @@ Params withContact() {
     return params;
 }
 
-Params weightless() {
+Params withoutWeight() {
     Params params = withContact();
     params.gravity.setZero();
     params.floor.reset();
@@ -55,11 +55,11 @@ struct Pair {
         if (edgeLength > 0) {
             model.edgeLength = edgeLength;
         }
-        const Params params = weightless();
+        const Params params = withoutWeight();
         settings = contactSettings(params);
         settings.edges = false;  // the reference knows vertices alone
         BodyState start = stateOf(mesh);
-        std::mt19937 random(kSeed);
+        std::mt19937 random(kContactSeed);
         std::uniform_real_distribution<float> noise(-1, 1);
         const float reach = 0.01f * static_cast<float>(contactEdgeLength(model));
         for (std::size_t v = 0; v < start.positions.size(); ++v) {
@@ -125,7 +125,7 @@ int expectCandidatesOfTheReference(Pair& pair) {
 TEST_F(ContactSolverTest, FindsTheCandidatesOfTheReference) {
     for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), test::slitSphere()}) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices, seed " +
-                     std::to_string(kSeed));
+                     std::to_string(kContactSeed));
         Pair pair(mesh);
         EXPECT_GT(expectCandidatesOfTheReference(pair), 50);
     }
@@ -134,7 +134,7 @@ TEST_F(ContactSolverTest, FindsTheCandidatesOfTheReference) {
 // Pieces much finer than the edge length that contact goes by, as where a coarse body was cut into
 // many: llvmpipe ends a kernel's loops after 65,535 turns in all.
 TEST_F(ContactSolverTest, FindsThemInACrowd) {
-    SCOPED_TRACE("seed " + std::to_string(kSeed));
+    SCOPED_TRACE("seed " + std::to_string(kContactSeed));
     Pair pair(test::meshOf(test::joined(test::cubeSphereSoup(32, 0.4),
                                         test::cubeSphereSoup(32, 0.4), {0.05, 0.7, 0.02})),
               0.5);
@@ -197,7 +197,7 @@ TEST_F(ContactSolverTest, KeptCandidatesMissNothing) {
 TEST_F(ContactSolverTest, RespondsLikeTheReference) {
     for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), test::slitSphere()}) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices, seed " +
-                     std::to_string(kSeed));
+                     std::to_string(kContactSeed));
         Pair pair(mesh);
         const ReferenceContact contact = pair.referenceContact();
         const auto candidates = contact.findCandidates(pair.reference);
@@ -209,7 +209,7 @@ TEST_F(ContactSolverTest, RespondsLikeTheReference) {
         EXPECT_GT(contacts, 10);
 
         searchAnew(pair.gpu.collisions());
-        shared::SolverUniforms uniforms = solverUniforms(weightless());
+        shared::SolverUniforms uniforms = solverUniforms(withoutWeight());
         uniforms.active_parts = 0;
         pair.gpu.setUniforms(uniforms);
         pair.gpu.predictAndStretch();
@@ -254,7 +254,7 @@ SurfaceMesh crossedBeams() {
 }
 
 TEST_F(ContactSolverTest, EdgesDoNotPassThroughEdges) {
-    Simulation simulation(crossedBeams(), weightless());
+    Simulation simulation(crossedBeams(), withoutWeight());
     int stepsInContact = 0;
     for (int i = 0; i < 75; ++i) {
         stepsInContact += simulation.step().contacts > 0;
@@ -283,7 +283,7 @@ TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
 }
 
 TEST_F(ContactSolverTest, NothingPassesThroughWhatItIsThrownAt) {
-    test::DropFigures sum;
+    test::RandomDropFigures sum;
     const std::uint64_t seed = 1;
     for (int i = 0; i < 6; ++i) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " drop " + std::to_string(i));

@@ -16,19 +16,19 @@ namespace {
 
 using test::Stroke;
 
-constexpr double kWallEdge = 0.04;
+constexpr double kCoarseWallEdge = 0.04;
 constexpr double kFactor = 3;
-const Vec3 kCenter(0.013, 0.021, 0.034);
+const Vec3 kSphereCenter(0.013, 0.021, 0.034);
 
 CutSettings settingsWith(double coarsening) {
     CutSettings settings = test::exactSettings();
-    settings.wallEdgeLength = kWallEdge;
+    settings.wallEdgeLength = kCoarseWallEdge;
     settings.wallCoarsening = coarsening;
     return settings;
 }
 
 Stroke down() {
-    return test::straightStroke(kCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 50);
+    return test::straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 50);
 }
 
 Stroke inItsPlane() {
@@ -48,7 +48,7 @@ Stroke curved() {
 }
 
 /// From above, the tip about the middle of the body.
-Stroke incision() {
+Stroke slit() {
     Stroke stroke;
     for (int i = 0; i <= 40; ++i) {
         const double x = -0.8 + 1.6 * i / 40;
@@ -57,19 +57,19 @@ Stroke incision() {
     return stroke;
 }
 
-struct Case {
+struct CoarseCase {
     const char* name;
     SurfaceMesh mesh;
     std::vector<Stroke> strokes;
 };
 
-std::vector<Case> cases() {
-    const Stroke across =
-        test::straightStroke(kCenter, Vec3(1, 0.2, 0.1).normalized(), Vec3::UnitZ(), 3.0, 2.4, 50);
+std::vector<CoarseCase> coarseCases() {
+    const Stroke across = test::straightStroke(kSphereCenter, Vec3(1, 0.2, 0.1).normalized(),
+                                               Vec3::UnitZ(), 3.0, 2.4, 50);
     return {{"sphere", test::icosphere(3), {down()}},
             {"ring cut in its plane", test::torus(48, 24), {inItsPlane()}},
             {"sphere, curved", test::icosphere(3), {curved()}},
-            {"sphere, incision", test::icosphere(3), {incision()}},
+            {"sphere, slit", test::icosphere(3), {slit()}},
             {"sphere, across a cut", test::icosphere(3), {down(), across}}};
 }
 
@@ -83,7 +83,7 @@ void run(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& stroke) {
 }
 
 /// Coarsens the walls of the last stroke.
-SurfaceMesh cutBody(const Case& sample, double coarsening) {
+SurfaceMesh cutBody(const CoarseCase& sample, double coarsening) {
     SurfaceMesh mesh = sample.mesh;
     for (const Stroke& stroke : sample.strokes) {
         run(mesh, settingsWith(&stroke == &sample.strokes.back() ? coarsening : 1), stroke);
@@ -91,11 +91,11 @@ SurfaceMesh cutBody(const Case& sample, double coarsening) {
     return mesh;
 }
 
-using Segment = std::array<double, 6>;
+using WallSegment = std::array<double, 6>;
 
 /// Both ends of all half-edges that lie on rims, ends of slits and crossings, sorted.
-std::vector<Segment> outlineOf(const SurfaceMesh& mesh) {
-    std::vector<Segment> outline;
+std::vector<WallSegment> outlineOf(const SurfaceMesh& mesh) {
+    std::vector<WallSegment> outline;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (mesh.outgoing(v) < 0) {
             continue;
@@ -150,7 +150,7 @@ void expectSamePieces(const SurfaceMesh& fine, const SurfaceMesh& coarse) {
 }
 
 TEST(WallCoarsening, ThinsTheInsideAndKeepsTheOutline) {
-    for (const Case& sample : cases()) {
+    for (const CoarseCase& sample : coarseCases()) {
         SCOPED_TRACE(sample.name);
         const SurfaceMesh fine = cutBody(sample, 1);
         const SurfaceMesh coarse = cutBody(sample, kFactor);
@@ -164,17 +164,17 @@ TEST(WallCoarsening, ThinsTheInsideAndKeepsTheOutline) {
         const std::size_t tenths = sample.strokes.size() == 1 ? 5 : 8;
         EXPECT_LT(10 * walls.size(), tenths * fineWalls.size());
         EXPECT_LE(longestEdge(coarse, walls),
-                  std::max(longestEdge(fine, fineWalls), kFactor * kWallEdge * 4 / 3));
+                  std::max(longestEdge(fine, fineWalls), kFactor * kCoarseWallEdge * 4 / 3));
         EXPECT_EQ(checkClosedManifold(coarse), "");
         EXPECT_EQ(test::checkMirroredWalls(coarse), "");
     }
 }
 
 TEST(WallCoarsening, OfOneChangesNothing) {
-    const Case sample = cases().front();
+    const CoarseCase sample = coarseCases().front();
     SurfaceMesh mesh = sample.mesh;
     CutSettings settings = test::exactSettings();
-    settings.wallEdgeLength = kWallEdge;
+    settings.wallEdgeLength = kCoarseWallEdge;
     run(mesh, settings, sample.strokes[0]);
     EXPECT_EQ(test::fingerprint(cutBody(sample, 1)), test::fingerprint(mesh));
 }

@@ -19,7 +19,7 @@ namespace {
 using test::bladeAt;
 using test::StepBench;
 
-constexpr double kH = 0.25;
+constexpr double kOutlineH = 0.25;
 constexpr double kNear = 1e-9;
 
 /// Strip, curves and outline of a step, from curves that may have been changed.
@@ -55,7 +55,7 @@ double areaOf(const Traced& traced) {
 /// A box of size 1 about the origin, and a blade in the plane z = 0.1.
 class OutlineInABox : public ::testing::Test {
   protected:
-    StepBench bench{test::box(), kH};
+    StepBench bench{test::box(), kOutlineH};
 
     Traced fromAbove(double to) {
         bench.begin(bladeAt(1, 0.1));
@@ -138,7 +138,7 @@ TEST_F(OutlineInABox, TakesWallsThatPierceEachOtherALittleInTheirOrder) {
 
 TEST_F(OutlineInABox, OfTwoBodiesInOnePlaceIsThatOfEachApart) {
     StepBench both(test::meshOf(test::joined(test::boxSoup(), test::boxSoup(), {0.3, 0.1, 0.05})),
-                   kH);
+                   kOutlineH);
     both.begin(bladeAt(1, 0.13));
     const Traced traced = trace(both.stepTo(bladeAt(-0.2, 0.13)));
     std::array<std::vector<OutlineEdge>, 2> ofPiece;

@@ -35,8 +35,8 @@ int partsBeside(const SurfaceMesh& mesh, const Vec3& point, const Vec3& normal) 
     return static_cast<int>(roots.size());
 }
 
-void expectHalves(SurfaceMesh mesh, bool cleanUp, const Stroke& stroke, const Vec3& point,
-                  const Vec3& normal, int pieces) {
+void expectPlanarHalves(SurfaceMesh mesh, bool cleanUp, const Stroke& stroke, const Vec3& point,
+                        const Vec3& normal, int pieces) {
     const test::HalfSpaceVolumes expected = test::clipVolumes(mesh, point, normal);
     const double whole = meshVolume(mesh);
     CutSettings settings = test::exactSettings();
@@ -61,11 +61,11 @@ void expectHalves(SurfaceMesh mesh, bool cleanUp, const Stroke& stroke, const Ve
     EXPECT_NEAR(above + below, whole, tolerance);
 }
 
-void expectHalves(const SurfaceMesh& mesh, const Stroke& stroke, const Vec3& point,
-                  const Vec3& normal, int pieces) {
+void expectPlanarHalves(const SurfaceMesh& mesh, const Stroke& stroke, const Vec3& point,
+                        const Vec3& normal, int pieces) {
     for (const bool cleanUp : {false, true}) {
         SCOPED_TRACE(cleanUp ? "with clean-up" : "without clean-up");
-        expectHalves(mesh, cleanUp, stroke, point, normal, pieces);
+        expectPlanarHalves(mesh, cleanUp, stroke, point, normal, pieces);
     }
 }
 
@@ -76,53 +76,53 @@ Stroke planarStroke(const Vec3& center, const Vec3& along, const Vec3& travel, i
 
 TEST(PlanarCut, SphereInTwo) {
     const Vec3 center(0.013, 0.021, 0.034);
-    expectHalves(test::icosphere(3), planarStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 60),
-                 center, Vec3::UnitZ(), 2);
+    expectPlanarHalves(test::icosphere(3), planarStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 60),
+                       center, Vec3::UnitZ(), 2);
 }
 
 TEST(PlanarCut, CoarseSpheresInTwo) {
     const Vec3 center(0.013, 0.021, 0.034);
     for (const int subdivisions : {0, 1}) {
-        expectHalves(test::icosphere(subdivisions),
-                     planarStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 60), center, Vec3::UnitZ(),
-                     2);
+        expectPlanarHalves(test::icosphere(subdivisions),
+                           planarStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 60), center,
+                           Vec3::UnitZ(), 2);
     }
 }
 
 TEST(PlanarCut, TorusAcrossGivesTwoArches) {
     const Vec3 center(0.003, 0.001, 0.007);
-    expectHalves(test::torus(), planarStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 60), center,
-                 Vec3::UnitZ(), 2);
+    expectPlanarHalves(test::torus(), planarStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 60),
+                       center, Vec3::UnitZ(), 2);
 }
 
 TEST(PlanarCut, TorusInItsPlaneGivesTwoRings) {
     const Vec3 center(0.003, 0.0012, 0.007);
-    expectHalves(test::torus(), planarStroke(center, Vec3::UnitX(), Vec3::UnitZ(), 60), center,
-                 Vec3::UnitY(), 2);
+    expectPlanarHalves(test::torus(), planarStroke(center, Vec3::UnitX(), Vec3::UnitZ(), 60),
+                       center, Vec3::UnitY(), 2);
 }
 
 TEST(PlanarCut, BentTubeInTwo) {
     const Vec3 center(0.02, 0.01, 0.0);
-    expectHalves(test::bentTube(), planarStroke(center, Vec3::UnitZ(), -Vec3::UnitY(), 60), center,
-                 Vec3::UnitX(), 2);
+    expectPlanarHalves(test::bentTube(), planarStroke(center, Vec3::UnitZ(), -Vec3::UnitY(), 60),
+                       center, Vec3::UnitX(), 2);
 }
 
 TEST(PlanarCut, ThroughVerticesAndAlongEdges) {
     // The planes z = 0 and x = 0 hold vertices and edges of the icosphere and of the torus.
     for (const SurfaceMesh& mesh : {test::icosphere(2), test::torus(), test::cubeSphere(8)}) {
-        expectHalves(mesh, planarStroke(Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitY(), 48),
-                     Vec3::Zero(), Vec3::UnitZ(), 2);
-        expectHalves(mesh, planarStroke(Vec3::Zero(), Vec3::UnitZ(), -Vec3::UnitY(), 48),
-                     Vec3::Zero(), Vec3::UnitX(), 2);
+        expectPlanarHalves(mesh, planarStroke(Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitY(), 48),
+                           Vec3::Zero(), Vec3::UnitZ(), 2);
+        expectPlanarHalves(mesh, planarStroke(Vec3::Zero(), Vec3::UnitZ(), -Vec3::UnitY(), 48),
+                           Vec3::Zero(), Vec3::UnitX(), 2);
     }
 }
 
 TEST(PlanarCut, InOneGiantStep) {
     const Vec3 center(0.003, 0.0012, 0.007);
-    expectHalves(test::torus(), planarStroke(center, Vec3::UnitX(), Vec3::UnitZ(), 1), center,
-                 Vec3::UnitY(), 2);
-    expectHalves(test::icosphere(3), planarStroke(center, Vec3::UnitX(), Vec3::UnitZ(), 1), center,
-                 Vec3::UnitY(), 2);
+    expectPlanarHalves(test::torus(), planarStroke(center, Vec3::UnitX(), Vec3::UnitZ(), 1), center,
+                       Vec3::UnitY(), 2);
+    expectPlanarHalves(test::icosphere(3), planarStroke(center, Vec3::UnitX(), Vec3::UnitZ(), 1),
+                       center, Vec3::UnitY(), 2);
 }
 
 TEST(PlanarCut, OctopusLosesItsArmsToOnePlane) {
@@ -134,7 +134,7 @@ TEST(PlanarCut, OctopusLosesItsArmsToOnePlane) {
         const Vec3 center = bounds.center() - 0.171 * bounds.diagonal() * normal;
         const int parts = partsBeside(octopus, center, normal);
         EXPECT_GT(parts, 1);
-        expectHalves(
+        expectPlanarHalves(
             octopus,
             test::straightStroke(center, Vec3::Unit((axis + 1) % 3), Vec3::Unit((axis + 2) % 3),
                                  2.6 * bounds.diagonal(), 2.3 * bounds.diagonal(), 40),

@@ -15,12 +15,12 @@
 namespace kerf::cut {
 namespace {
 
-constexpr double kH = 0.1;
-constexpr double kGate = 0.5 * kH;
+constexpr double kRungH = 0.1;
+constexpr double kGate = 0.5 * kRungH;
 const Vec3 kHeading = Vec3::UnitX();
 
 /// Along y from 0 to 1; the front lies between 0.2 and 0.8.
-std::vector<RungNode> rungAlongY() {
+std::vector<RungNode> shortRungAlongY() {
     std::vector<RungNode> rung{{{0, 0, 0}, 0, -1, false}};
     for (int i = 2; i <= 8; ++i) {
         rung.push_back({{0, 0.1 * i, 0}, 0.1 * i, i, i < 8});
@@ -30,14 +30,14 @@ std::vector<RungNode> rungAlongY() {
 }
 
 std::vector<RungPart> partsTo(double ofA, double ofB) {
-    return partsAhead({{ofA, 0, 0}, {ofB, 1, 0}}, kH, kGate, kHeading, rungAlongY());
+    return partsAhead({{ofA, 0, 0}, {ofB, 1, 0}}, kRungH, kGate, kHeading, shortRungAlongY());
 }
 
 TEST(RungParts, ABladeThatIsAheadEverywhereTakesTheWholeRung) {
-    const std::vector<RungPart> parts = partsTo(kH, 2 * kH);
+    const std::vector<RungPart> parts = partsTo(kRungH, 2 * kRungH);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_EQ(parts[0].first, 0);
-    EXPECT_EQ(parts[0].rung.size(), rungAlongY().size());
+    EXPECT_EQ(parts[0].rung.size(), shortRungAlongY().size());
     EXPECT_FALSE(parts[0].span.holdsFrom || parts[0].span.holdsTo);
     EXPECT_EQ(parts[0].span.from, 0);
     EXPECT_EQ(parts[0].span.to, 1);
@@ -45,19 +45,19 @@ TEST(RungParts, ABladeThatIsAheadEverywhereTakesTheWholeRung) {
 
 // It crosses the rung at 0.5, in the front.
 TEST(RungParts, APartEndsAtAnInnerNodeOfTheFrontWhichStays) {
-    const std::vector<RungPart> parts = partsTo(-3 * kH, 3 * kH);
+    const std::vector<RungPart> parts = partsTo(-3 * kRungH, 3 * kRungH);
     ASSERT_EQ(parts.size(), 1U);
     const RungNode& held = parts[0].rung.front();
     EXPECT_EQ(held.vertex, 5);
     EXPECT_EQ(parts[0].span.from, held.s);
     EXPECT_TRUE(parts[0].span.holdsFrom);
     EXPECT_FALSE(parts[0].span.holdsTo);
-    EXPECT_EQ(parts[0].first + parts[0].count, static_cast<int>(rungAlongY().size()));
+    EXPECT_EQ(parts[0].first + parts[0].count, static_cast<int>(shortRungAlongY().size()));
 }
 
 // At 0.1, beside the front.
 TEST(RungParts, APartEndsInTheAirWhereTheBladeCrossesTheRung) {
-    const std::vector<RungPart> parts = partsTo(-kH, 9 * kH);
+    const std::vector<RungPart> parts = partsTo(-kRungH, 9 * kRungH);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_LT(parts[0].rung.front().vertex, 0);
     EXPECT_NEAR(parts[0].rung.front().s, 0.1, 1e-12);
@@ -66,13 +66,13 @@ TEST(RungParts, APartEndsInTheAirWhereTheBladeCrossesTheRung) {
 }
 
 TEST(RungParts, BelowTheGateNothingGoesOn) {
-    EXPECT_TRUE(partsTo(-3 * kH, 0.4 * kH).empty());
-    EXPECT_TRUE(partsTo(-3 * kH, -kH).empty());
+    EXPECT_TRUE(partsTo(-3 * kRungH, 0.4 * kRungH).empty());
+    EXPECT_TRUE(partsTo(-3 * kRungH, -kRungH).empty());
 }
 
 TEST(RungParts, WhatGoesOnTakesThePlaceOfThePart) {
-    const std::vector<RungNode> rung = rungAlongY();
-    const RungPart part = partsTo(-3 * kH, 3 * kH).front();
+    const std::vector<RungNode> rung = shortRungAlongY();
+    const RungPart part = partsTo(-3 * kRungH, 3 * kRungH).front();
     const std::vector<RungNode> next{{{0, 0.5, 0}, 0.5, 5, true}, {{0.1, 0.9, 0}, 0.9, 9, false}};
     const std::vector<RungNode> after = replaced(rung, part, next);
     ASSERT_EQ(static_cast<int>(after.size()), part.first + 2);
@@ -85,13 +85,13 @@ TEST(RungParts, WhatGoesOnTakesThePlaceOfThePart) {
 }
 
 Vec3 advanceBy(const Vec3& way) {
-    return advanceOf({way, Vec3::UnitY() + way}, kH, rungAlongY(), rungAlongY());
+    return advanceOf({way, Vec3::UnitY() + way}, kRungH, shortRungAlongY(), shortRungAlongY());
 }
 
 // A front that moves along with the blade slips past it anywhere.
 TEST(RungParts, AShortWayTellsNoDirection) {
-    EXPECT_EQ(advanceBy({0.1 * kH, 0, 0.2 * kH}), Vec3(Vec3::Zero()));
-    EXPECT_GT(advanceBy({0.4 * kH, 0, 0.2 * kH}).x(), 0);
+    EXPECT_EQ(advanceBy({0.1 * kRungH, 0, 0.2 * kRungH}), Vec3(Vec3::Zero()));
+    EXPECT_GT(advanceBy({0.4 * kRungH, 0, 0.2 * kRungH}).x(), 0);
 }
 
 double wallArea(const SurfaceMesh& mesh) {
@@ -131,7 +131,7 @@ TEST(RungParts, ARockingBladeMakesTheWallsOfAStraightOne) {
     EXPECT_EQ(findPieces(rocking).pieces.size(), 2U);
     EXPECT_EQ(test::slitEdges(rocking, 0), 0);
     EXPECT_NEAR(wallArea(rocking), wallArea(straight), 1e-4 * wallArea(straight));
-    EXPECT_TRUE(test::selfIntersections(test::opened(rocking, 1e-6 * kH)).empty());
+    EXPECT_TRUE(test::selfIntersections(test::opened(rocking, 1e-6 * kRungH)).empty());
 }
 
 void expectAllPart(test::FuzzMode mode, std::uint64_t firstSeed, int runs) {

@@ -24,7 +24,7 @@ namespace {
 using test::Stages;
 using test::StepBench;
 
-constexpr double kH = 0.25;
+constexpr double kSeamH = 0.25;
 constexpr double kRounding = 1e-9;  // of numbers that the two walls have in common
 
 /// A box in two halves, cut in the plane z = 0.1, and a stroke that crosses that plane at a small
@@ -46,7 +46,7 @@ class CrossingAtAnAngle {
         return {{-2, y, z + 0.001}, {2, y, z - 0.001}};
     }
 
-    StepBench bench{test::box(Vec3::Ones(), 2), kH};
+    StepBench bench{test::box(Vec3::Ones(), 2), kSeamH};
 
   private:
     void liftUpperHalf(double gap) {

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "sim/base/pausing.h"
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/invariants.h"
 #include "tests/sim/body/hand_cut.h"
@@ -80,6 +81,19 @@ TEST(PieceLabels, APartThatComesOffGetsALabelOfItsOwn) {
         EXPECT_EQ(labels.ofVertex()[move.vertex], move.to);
         EXPECT_EQ(move.from, move.vertex < static_cast<int>(before) ? 0 : -1);
     }
+}
+
+TEST(PieceLabels, RestOftenWhileALargePartComesOff) {
+    SurfaceMesh mesh = test::box(Vec3::Ones(), 40);
+    PieceLabels labels(mesh);
+    const CutDelta delta = test::HandCut(mesh).delta();
+    int rests = 0;
+    {
+        const Pauses pauses([&] { ++rests; });
+        labels.update(mesh, changedTriangles(delta));
+    }
+    EXPECT_GT(rests, 100) << "for 19,200 triangles";
+    expectSamePieces(labels, mesh);
 }
 
 TEST(PieceLabels, AChangeOfNothingMovesNothing) {

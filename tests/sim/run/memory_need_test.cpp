@@ -89,5 +89,20 @@ TEST_F(MemoryNeedOnGpu, IsAboutWhatTheDriverIsAskedFor) {
     }
 }
 
+// Rays that are cast anew have room to grow, so the driver is asked for more than records take.
+TEST_F(MemoryNeedOnGpu, CoversTheRaysOfATrueModulus) {
+    Params params;
+    params.trueModulus = 1;
+    for (SurfaceMesh& mesh : bodies()) {
+        const BodySize size = sizeOf(mesh);
+        const test::BufferBytes buffers;
+        Simulation simulation(std::move(mesh), params);
+        simulation.step();
+        const MemorySettings settings = memorySettings(params, false);
+        EXPECT_GE(memoryNeedOf(size, settings).graphics, buffers.now());
+        EXPECT_GT(bytesOnGpu(size, settings), bytesOnGpu(size, memorySettings({}, false)));
+    }
+}
+
 }  // namespace
 }  // namespace kerf

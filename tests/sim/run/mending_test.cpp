@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-constexpr double kSize = 0.5;
+constexpr double kMendedSize = 0.5;
 constexpr double kEdge = 0.1;  // about that of the sphere [m]
 
 struct ShortEdge {
@@ -23,7 +23,7 @@ class MendingTest : public test::SimulationTest {
   protected:
     void SetUp() override {
         SimulationTest::SetUp();
-        const SurfaceMesh mesh = test::cubeSphere(8, kSize);
+        const SurfaceMesh mesh = test::cubeSphere(8, kMendedSize);
         uncutTriangles = mesh.triangleSlots();
         simulation.emplace(mesh, test::weightless());
         for (int i = 0; i <= 40; ++i) {

@@ -11,7 +11,7 @@ namespace kerf {
 namespace {
 
 constexpr double kApart = 2;  // between the middles of both [m]
-constexpr std::size_t kBudget = 1u << 30;
+constexpr std::size_t kUndoBudget = 1u << 30;
 
 SurfaceMesh moved(const SurfaceMesh& mesh, const Vec3& by) {
     std::vector<Vec3> positions(mesh.vertexCount());
@@ -63,7 +63,7 @@ class SeveralModelsTest : public test::SimulationTest {
     void begin(const Params& with) {
         const std::vector<PlacedModel> models{{}, {{}, ball.vertexCount()}};
         simulation.emplace(BodyUpload(PreparedBody(both(ball, bar), {}, models)), with);
-        simulation->setUndoBudget(kBudget);
+        simulation->setUndoBudget(kUndoBudget);
     }
     /// Where the vertices of the second are after so many steps.
     std::vector<Vec3> barAfter(int steps) {

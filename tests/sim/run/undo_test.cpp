@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kRoom = std::size_t{1} << 30;
 
-Params falling() {
+Params fallingDeep() {
     Params params;
     params.iterations = 4;
     params.floor = -0.8;
@@ -25,7 +25,7 @@ class UndoTest : public test::SimulationTest {
   protected:
     void SetUp() override {
         SimulationTest::SetUp();
-        simulation.emplace(test::cubeSphere(6, 0.5), falling());
+        simulation.emplace(test::cubeSphere(6, 0.5), fallingDeep());
         simulation->setUndoBudget(kRoom);
     }
     /// Down through the body at x; the first `steps` of 30 steps of it.
@@ -169,7 +169,7 @@ TEST_F(UndoTest, ACoarseBodyGoesOnWithTheSameBits) {
 }
 
 TEST_F(UndoTest, SnapshotBytesAreAboutWhatTheHeapGives) {
-    simulation.emplace(test::cubeSphere(40, 0.5), falling());
+    simulation.emplace(test::cubeSphere(40, 0.5), fallingDeep());
     simulation->setUndoBudget(kRoom);
     simulation->mesh();
     const auto inUse = [] { return ::mallinfo2().uordblks + ::mallinfo2().hblkhd; };
@@ -274,7 +274,8 @@ TEST_F(UndoTest, ARestartCanBeTakenBackAndTimeGoesOn) {
     const std::string cut = simulation->stateHash();
     const int steps = simulation->stepCount();
     simulation->execute(Restart{});
-    EXPECT_EQ(simulation->stateHash(), Simulation(test::cubeSphere(6, 0.5), falling()).stateHash());
+    EXPECT_EQ(simulation->stateHash(),
+              Simulation(test::cubeSphere(6, 0.5), fallingDeep()).stateHash());
     EXPECT_EQ(simulation->stepCount(), steps);
     undo();
     EXPECT_EQ(simulation->stateHash(), cut);
@@ -283,7 +284,7 @@ TEST_F(UndoTest, ARestartCanBeTakenBackAndTimeGoesOn) {
 TEST_F(UndoTest, ARestartedBodyIsCutAsANewOne) {
     cutAt(-0.2);
     const std::string cut = simulation->stateHash();
-    simulation.emplace(test::cubeSphere(6, 0.5), falling());
+    simulation.emplace(test::cubeSphere(6, 0.5), fallingDeep());
     simulation->setUndoBudget(kRoom);
     cutAt(0.03);
     simulation->execute(Restart{});
@@ -340,7 +341,7 @@ TEST_F(UndoTest, TheBudgetForgetsTheOldestFirst) {
 
 TEST_F(UndoTest, WithoutABudgetNothingIsKeptAndTheBitsAreTheSame) {
     cutAt(0.03);
-    Simulation plain(test::cubeSphere(6, 0.5), falling());
+    Simulation plain(test::cubeSphere(6, 0.5), fallingDeep());
     const std::string kept = simulation->stateHash();
     std::optional<Simulation> other(std::move(plain));
     simulation.swap(other);

@@ -105,21 +105,21 @@ class SolverLoops : public test::GlTest {
     std::size_t reckoned_ = 0;
 };
 
-std::vector<SurfaceMesh> bodies() {
+std::vector<SurfaceMesh> loopedBodies() {
     return {test::builtin("sphere20"), test::builtin("sphere768"), test::cubeSphere(8),
             test::bentTube(),
             test::meshOf(test::joined(test::icosphereSoup(2), test::icosphereSoup(1), {3, 0, 0}))};
 }
 
 TEST_F(SolverLoops, OfASubstepTurnAsOftenAsReckoned) {
-    for (const SurfaceMesh& mesh : bodies()) {
+    for (const SurfaceMesh& mesh : loopedBodies()) {
         expectReckoned(mesh, KernelWay::images, SolverMode::smallSteps);
     }
     expectReckoned(test::cubeSphere(8), KernelWay::shared, SolverMode::smallSteps);
 }
 
 TEST_F(SolverLoops, OfASweepTurnAsOftenAsReckoned) {
-    for (const SurfaceMesh& mesh : bodies()) {
+    for (const SurfaceMesh& mesh : loopedBodies()) {
         expectReckoned(mesh, KernelWay::images, SolverMode::pbd);
     }
     expectReckoned(test::icosphere(4), KernelWay::images, SolverMode::pbd);

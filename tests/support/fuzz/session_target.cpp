@@ -17,7 +17,7 @@ using app::Session;
 using nlohmann::json;
 
 // Where the sessions lie whose texts are read here.
-constexpr const char* kFolder = "/models/sessions";
+constexpr const char* kSessionFolder = "/models/sessions";
 
 // Texts of values that are equal where all bits are.
 
@@ -130,8 +130,8 @@ std::string fieldsOf(Session session) {
 }
 
 std::string brokenByWriting(const Session& session) {
-    const std::string text = app::formatSession(session, kFolder);
-    const Session again = app::parseSession(text, kFolder);
+    const std::string text = app::formatSession(session, kSessionFolder);
+    const Session again = app::parseSession(text, kSessionFolder);
     for (const std::string& warning : again.warnings) {
         if (warning.find("unknown key") != std::string::npos) {
             return "What was written has an unknown key: " + warning;
@@ -140,7 +140,8 @@ std::string brokenByWriting(const Session& session) {
     if (fieldsOf(again) != fieldsOf(session)) {
         return "It reads back as another session: " + text;
     }
-    return app::formatSession(again, kFolder) == text ? "" : "It is written otherwise: " + text;
+    return app::formatSession(again, kSessionFolder) == text ? ""
+                                                             : "It is written otherwise: " + text;
 }
 
 /// Collects what a person may write by the schema.
@@ -167,7 +168,7 @@ void collectWords(const json& schema, std::set<std::string>& words) {
 FuzzOutcome readSessionText(const std::string& text) {
     Session session;
     try {
-        session = app::parseSession(text, kFolder);
+        session = app::parseSession(text, kSessionFolder);
     } catch (const app::InputError& error) {
         return refusedWith(error.what());
     }

@@ -13,13 +13,13 @@ namespace kerf::test {
 namespace {
 
 /// A folder with files that the list of recent files may name.
-const TemporaryFolder& folder() {
+const TemporaryFolder& settingsFolder() {
     static const auto filled = [] {
-        auto folder = std::make_unique<TemporaryFolder>();
+        auto made = std::make_unique<TemporaryFolder>();
         for (const char* name : {"a.obj", "b.obj", "c d.kerf.json"}) {
-            writeText(*folder / name, "x");
+            writeText(*made / name, "x");
         }
-        return folder;
+        return made;
     }();
     return *filled;
 }
@@ -52,10 +52,10 @@ std::vector<std::string> settingsWords() {
 }
 
 FuzzOutcome readRecentText(const std::string& text) {
-    const std::filesystem::path store = folder() / "recent-files";
+    const std::filesystem::path store = settingsFolder() / "recent-files";
     writeText(store, text);
     app::RecentFiles recent(store);
-    recent.add(folder() / "a.obj");
+    recent.add(settingsFolder() / "a.obj");
     if (recent.files().size() > app::RecentFiles::kMost) {
         return {true, "It has too many files."};
     }
@@ -64,13 +64,15 @@ FuzzOutcome readRecentText(const std::string& text) {
 }
 
 std::vector<std::string> recentTexts() {
-    const std::string path = folder().path().string() + "/";
+    const std::string path = settingsFolder().path().string() + "/";
     return {"", path + "b.obj\n" + path + "c d.kerf.json\n" + path + "gone.obj\n"};
 }
 
 std::vector<std::string> recentWords() {
-    return {
-        "\n", "/", "..", "~", "/dev/zero", folder().path().string(), "b.obj", std::string(1, '\0')};
+    return {"\n",        "/",
+            "..",        "~",
+            "/dev/zero", settingsFolder().path().string(),
+            "b.obj",     std::string(1, '\0')};
 }
 
 }  // namespace kerf::test

@@ -18,19 +18,19 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostWrittenAgain = 200;  // runs: it takes its time
 
 /// A folder with the sessions that the texts name.
-const TemporaryFolder& folder() {
+const TemporaryFolder& studyFolder() {
     static const auto filled = [] {
-        auto folder = std::make_unique<TemporaryFolder>();
-        writeText(*folder / "a.kerf.json", sessionThatDoes(""));
-        writeText(*folder / "b.kerf.json", sessionThatDoes(R"({"step": 3, "type": "lift"})"));
-        return folder;
+        auto made = std::make_unique<TemporaryFolder>();
+        writeText(*made / "a.kerf.json", sessionThatDoes(""));
+        writeText(*made / "b.kerf.json", sessionThatDoes(R"({"step": 3, "type": "lift"})"));
+        return made;
     }();
     return *filled;
 }
 
 app::Study studyOf(const std::string& text) {
-    writeText(folder() / "study.json", text);
-    return app::readStudy(folder() / "study.json");
+    writeText(studyFolder() / "study.json", text);
+    return app::readStudy(studyFolder() / "study.json");
 }
 
 /// The study with its runs one by one.
@@ -70,7 +70,8 @@ std::string brokenBy(const app::Study& study) {
     if (settingsOf(studyOf(text)) != settingsOf(study)) {
         return "It reads back as another study: " + text;
     }
-    const app::Study ofOne = app::readStudyForRun(folder() / "study.json", study.runs.size() - 1);
+    const app::Study ofOne =
+        app::readStudyForRun(studyFolder() / "study.json", study.runs.size() - 1);
     return settingsOf(ofOne) == settingsOf(study) ? "" : "Read for one run it is another: " + text;
 }
 

@@ -1,0 +1,112 @@
+#include "app/session/running_session.h"
+
+#include <utility>
+
+#include "app/files/memory_means.h"
+#include "app/session/scene_view.h"
+#include "sim/base/text.h"
+#include "sim/mesh/invariants.h"
+
+namespace kerf::app {
+
+void requireMemoryFor(const Session& session, const SurfaceMesh& mesh, std::size_t undoBudget) {
+    MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
+    settings.undoBudget = undoBudget;
+    requireMemory(session.model.name(), memoryNeedOf(BodySize::ofMesh(mesh), settings),
+                  memoryMeansOfContext());
+}
+
+RunningSession::RunningSession(const Session& session, ModelMesh model, std::size_t undoBudget,
+                               render::Quality quality)
+    : session_(session),
+      quality_(quality),
+      looks_(std::move(model.looks)),
+      simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, model.placed)), session.params,
+                  session.boxes),
+      uncut_(simulation_.uncut()),
+      restBounds_(meshBounds(simulation_.mesh())),
+      runner_(simulation_),
+      camera_(sessionCamera(session, restBounds_)) {
+    simulation_.setUndoBudget(undoBudget);
+}
+
+std::string RunningSession::execute(const Command& command) {
+    std::string problem = simulation_.execute(command);
+    followPlacement();
+    return problem;
+}
+
+RunningSession::Place RunningSession::here() {
+    return {simulation_.moment(), simulation_.bladeActions(), runner_.strokePoses()};
+}
+
+void RunningSession::goTo(const Place& place) {
+    simulation_.goTo(place.moment);
+    for (const BladeAction& action : place.bladeActions) {
+        std::visit([&](const auto& command) { simulation_.execute(command); }, action);
+    }
+    runner_.setStrokePoses(place.strokePoses);
+    followPlacement();
+}
+
+/// Where the model is placed otherwise now, pictures are of another rest shape.
+void RunningSession::followPlacement() {
+    if (uncut_ == simulation_.uncut()) {
+        return;
+    }
+    uncut_ = simulation_.uncut();
+    restBounds_ = meshBounds(uncut_->mesh);
+    camera_ = sessionCamera(session_, restBounds_);
+    if (renderer_) {
+        renderer_->setRestShape(uncut_->mesh);
+    }
+}
+
+void RunningSession::preparePictures() {
+    if (!renderer_) {
+        renderer_.emplace(quality_);
+        renderer_->setRestShape(uncut_->mesh);
+    }
+}
+
+render::Image RunningSession::draw(const render::Camera& camera, int width, int height) {
+    preparePictures();
+    render::SceneView view =
+        sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses());
+    view.paint = session_.colors.showOwn() ? skin_.paintOf(simulation_) : nullptr;
+    renderer_->draw(view, camera, width, height);
+    return renderer_->readPicture();
+}
+
+std::vector<ExportedFile> RunningSession::encode(const ExportTarget& target) {
+    const SurfaceMesh& mesh = simulation_.mesh();
+    return encodeExport(target, mesh, simulation_.pieces(),
+                        {carried(looks_, uncut_->mesh, mesh), lookOf(session_)},
+                        simulation_.placement());
+}
+
+std::vector<std::string> RunningSession::problemsWith(const CheckEvent& check,
+                                                      bool withHash) const {
+    const CheckDifference other = runner_.compare(check);
+    std::vector<std::string> problems;
+    if (other.hash && withHash) {
+        problems.push_back("the state hash is " + *other.hash + " where the session expects " +
+                           *check.hash + "; the replay has diverged");
+    }
+    if (other.pieces) {
+        problems.push_back("the model is in " + counted(*other.pieces, "piece", "pieces") +
+                           " where the session expects " + std::to_string(*check.pieces));
+    }
+    return problems;
+}
+
+std::string RunningSession::filePrefix() const {
+    return session_.fileName.empty() ? "" : session_.fileName + ": ";
+}
+
+std::string RunningSession::placeInFile(int event) const {
+    const std::string place = event < 0 ? "" : "events[" + std::to_string(event) + "] at ";
+    return filePrefix() + place + "step " + std::to_string(simulation_.stepCount());
+}
+
+}  // namespace kerf::app

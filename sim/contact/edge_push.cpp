@@ -1,0 +1,81 @@
+#include "sim/contact/edge_push.h"
+
+#include <span>
+
+#include "shaders/shared/body_records.h"
+#include "shaders/shared/edge_records.h"
+#include "sim/contact/obstacles.h"
+
+namespace kerf {
+
+namespace {
+
+static_assert(sizeof(shared::EdgeUniforms) == 64);
+static_assert(sizeof(shared::EdgeState) == 32);
+
+shared::EdgeUniforms uniformsOf(const PressingEdge& edge, const ContactSettings& settings,
+                                std::uint32_t vertexCount) {
+    const double square = settings.substep * settings.substep;
+    shared::EdgeUniforms u{};
+    u.from = packed(edge.from, edge.reach);
+    u.to = packed(edge.to, 1 / (edge.stiffness * square));
+    u.ahead = packed(edge.ahead, edge.mostForce * square);
+    u.lag = static_cast<float>(edge.lag);
+    u.way = static_cast<float>(edge.way / settings.substeps);
+    u.inverse_density = static_cast<float>(settings.inverseDensity);
+    u.vertex_count = vertexCount;
+    return u;
+}
+
+}  // namespace
+
+void EdgePush::setEdge(const std::optional<PressingEdge>& edge) {
+    edge_ = edge;
+    if (edge_ && !kernels_) {
+        kernels_.emplace(Kernels{gpu::Program::compute("sim/edge/weights.comp"),
+                                 gpu::Program::compute("sim/edge/push.comp")});
+    }
+}
+
+void EdgePush::beginStep() {
+    if (!edge_) {
+        return;
+    }
+    const shared::EdgeUniforms uniforms = uniformsOf(*edge_, settings_, body_.vertexCount);
+    uniforms_.assign(std::span<const shared::EdgeUniforms>(&uniforms, 1));
+    weights_.resize(body_.vertexCount * sizeof(float));
+    state_.resize(sizeof(shared::EdgeState));
+    bind();
+    kernels_->weights.dispatchGroups(1);
+}
+
+void EdgePush::respond(int substep) {
+    if (!edge_) {
+        return;
+    }
+    bind();
+    kernels_->push.setNumbers({static_cast<std::uint32_t>(substep)});
+    kernels_->push.dispatchGroups(1);
+}
+
+/// An impulse changes d as a force does in a substep of length h.
+EdgeLoad EdgePush::load() const {
+    if (!edge_) {
+        return {};
+    }
+    const shared::EdgeState state = state_.read<shared::EdgeState>(0, 1).front();
+    const double square = settings_.substep * settings_.substep;
+    const Vec3 middle(state.middle.x, state.middle.y, state.middle.z);
+    return {state.impulse / (square * settings_.substeps), edge_->from + middle,
+            state.work / square};
+}
+
+void EdgePush::bind() const {
+    uniforms_.bindStorage(shared::kEdgeUniformsBinding);
+    body_.positions->bindStorage(shared::kEdgePositionsBinding);
+    body_.displacement->bindStorage(shared::kEdgeDisplacementBinding);
+    weights_.bindStorage(shared::kEdgeWeightsBinding);
+    state_.bindStorage(shared::kEdgeStateBinding);
+}
+
+}  // namespace kerf

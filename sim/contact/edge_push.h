@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "sim/base/math.h"
+#include "sim/contact/contact_solver.h"
+
+namespace kerf {
+
+/// The edge of a blade that presses on the material in front of it during a time step, as a spring
+/// between the edge and where it is led. The material around answers as a whole: each vertex by its
+/// mass and by how near it is.
+struct PressingEdge {
+    Vec3 from = Vec3::Zero();   ///< ends of the part that touches the material [m]
+    Vec3 to = Vec3::Zero();     ///< [m]
+    Vec3 ahead = Vec3::Zero();  ///< unit: the direction in which it presses
+    double reach = 0;           ///< distance at which the material answers an eighth as much [m]
+    double lag = 0;        ///< how far the material holds it back as the step begins, a mean [m]
+    double way = 0;        ///< that it is led ahead in the time step [m]
+    double stiffness = 0;  ///< of the spring, > 0 [N/m]
+    double mostForce = 0;  ///< [N]
+};
+
+/// What the edge did to the body in a time step.
+struct EdgeLoad {
+    double force = 0;            ///< along PressingEdge::ahead, a mean over the step [N]
+    Vec3 middle = Vec3::Zero();  ///< of where it acts [m]
+    double work = 0;             ///< of what leads the edge [J]
+};
+
+/// Lets the edge of a blade press on a body, on the GPU, with the same bits for any number of
+/// threads: one work group sums up in a fixed order.
+class EdgePush {
+  public:
+    /// None: nothing is pressed in the coming step. Compiles the kernels with the first: throws
+    /// gpu::ShaderError.
+    void setEdge(const std::optional<PressingEdge>& edge);
+    const std::optional<PressingEdge>& edge() const { return edge_; }
+    /// A new body, or one that has more vertices.
+    void setBody(const ContactBody& body, double /*edgeLength*/) { body_ = body; }
+    void setSettings(const ContactSettings& settings) { settings_ = settings; }
+
+    /// Begins a time step, before its first substep. Throws gpu::OutOfMemory.
+    void beginStep();
+    /// Whether it presses in this step.
+    bool mayTouch() const { return edge_.has_value(); }
+    /// Changes d.
+    void respond(int substep);
+    /// What it did in the last time step; nothing where it did not press. Waits for the GPU.
+    EdgeLoad load() const;
+
+  private:
+    struct Kernels {
+        gpu::Program weights, push;
+    };
+    void bind() const;
+
+    std::optional<PressingEdge> edge_;
+    std::optional<Kernels> kernels_;
+    ContactBody body_;
+    ContactSettings settings_;
+    gpu::Buffer uniforms_, weights_, state_;
+};
+
+}  // namespace kerf
