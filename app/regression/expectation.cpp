@@ -96,6 +96,14 @@ void requireInside(const std::string& file) {
     }
 }
 
+/// How far pictures may be apart, under a key at a place; `otherwise` for what is missing.
+render::PictureLimits limitsIn(const InputJson& object, const std::string& key,
+                               const std::string& place, const render::PictureLimits& otherwise) {
+    const InputJson limits = objectAt(object, key);
+    refuseUnknownKeys(limits, place + key + ", ", {"pixels", "worst"});
+    return {shareAt(limits, "pixels", otherwise.pixels), shareAt(limits, "worst", otherwise.worst)};
+}
+
 ExpectedPicture readExpectedPicture(const std::string& file, const InputJson& value) {
     ExpectedPicture picture{file, {}, {}};
     requireInside(file);
@@ -107,11 +115,8 @@ ExpectedPicture readExpectedPicture(const std::string& file, const InputJson& va
         picture.options.masks.push_back(readMask(mask, "pictures, " + shortened(file) + ", masks"));
     }
     if (value.contains("limits")) {
-        const InputJson limits = objectAt(value, "limits");
-        refuseUnknownKeys(limits, "pictures, " + shortened(file) + ", limits, ",
-                          {"pixels", "worst"});
-        picture.limits = {shareAt(limits, "pixels", render::kStrictLimits.pixels),
-                          shareAt(limits, "worst", render::kStrictLimits.worst)};
+        picture.limits =
+            limitsIn(value, "limits", "pictures, " + shortened(file) + ", ", render::kStrictLimits);
     }
     return picture;
 }
@@ -119,9 +124,10 @@ ExpectedPicture readExpectedPicture(const std::string& file, const InputJson& va
 Tolerances readTolerances(const InputJson& top) {
     Tolerances tolerances;
     const InputJson given = objectAt(top, "tolerances");
-    refuseUnknownKeys(given, "tolerances, ", {"positions", "volume"});
+    refuseUnknownKeys(given, "tolerances, ", {"positions", "volume", "pictures"});
     tolerances.positions = shareAt(given, "positions", tolerances.positions);
     tolerances.volume = shareAt(given, "volume", tolerances.volume);
+    tolerances.pictures = limitsIn(given, "pictures", "tolerances, ", tolerances.pictures);
     return tolerances;
 }
 
@@ -149,13 +155,17 @@ Expectation parseExpectation(const InputJson& top) {
     return expectation;
 }
 
+Json toJson(const render::PictureLimits& limits) {
+    return {{"pixels", limits.pixels}, {"worst", limits.worst}};
+}
+
 Json toJson(const ExpectedPicture& picture) {
     Json json = Json::object();
     for (const PixelRect& mask : picture.options.masks) {
         json["masks"].push_back({mask.x, mask.y, mask.width, mask.height});
     }
     if (picture.limits) {
-        json["limits"] = {{"pixels", picture.limits->pixels}, {"worst", picture.limits->worst}};
+        json["limits"] = toJson(*picture.limits);
     }
     return json;
 }
@@ -207,7 +217,8 @@ std::string formatExpectation(const Expectation& expectation) {
     json["steps"] = expectation.steps;
     json["state_hash"] = expectation.stateHash;
     json["tolerances"] = {{"positions", expectation.tolerances.positions},
-                          {"volume", expectation.tolerances.volume}};
+                          {"volume", expectation.tolerances.volume},
+                          {"pictures", toJson(expectation.tolerances.pictures)}};
     json["pictures"] = Json::object();
     for (const ExpectedPicture& picture : expectation.pictures) {
         json["pictures"][picture.file] = toJson(picture);

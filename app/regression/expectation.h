@@ -30,6 +30,7 @@ struct Driver {
 struct Tolerances {
     double positions = 0.05;  ///< of boxes around pieces, as a share of the body's diagonal
     double volume = 0.01;     ///< of the whole, as a share of its volume at the start
+    render::PictureLimits pictures = render::kTolerantLimits;  ///< instead of their own limits
 };
 
 /// A picture that a run shall give.

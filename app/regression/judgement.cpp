@@ -300,13 +300,19 @@ Finding findingOfPicture(const PictureCheck& check, const RunResults& results) {
             check.file};
 }
 
+render::PictureLimits limitsOf(const ExpectedPicture& picture, const Tolerances& tolerances,
+                               bool otherDriver) {
+    return otherDriver ? tolerances.pictures : picture.limits.value_or(render::kStrictLimits);
+}
+
 void judgePictures(const Expected& expected, const std::filesystem::path& folder,
                    const RunResults& results, const std::filesystem::path& differenceFolder,
                    Judgement& judgement) {
     OutputFolder differences(differenceFolder);
     for (const ExpectedPicture& picture : expected.expectation.pictures) {
-        const PictureCheck& found = judgement.pictures.emplace_back(
-            checkPicture(picture, folder, results.folder, differences, judgement.otherDriver));
+        const PictureCheck& found = judgement.pictures.emplace_back(checkPicture(
+            picture, folder, results.folder, differences,
+            limitsOf(picture, expected.expectation.tolerances, judgement.otherDriver)));
         if (!found.alike) {
             judgement.findings.push_back(findingOfPicture(found, results));
         }

@@ -7,20 +7,9 @@
 
 namespace kerf::app {
 
-namespace {
-
-render::PictureLimits limitsOf(const ExpectedPicture& picture, bool otherDriver) {
-    if (otherDriver) {
-        return render::kTolerantLimits;
-    }
-    return picture.limits.value_or(render::kStrictLimits);
-}
-
-}  // namespace
-
 PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem::path& expected,
                           const std::filesystem::path& run, OutputFolder& differences,
-                          bool otherDriver) {
+                          const render::PictureLimits& limits) {
     PictureCheck check;
     check.file = picture.file;
     std::error_code unknown;  // of a name that no file system takes there is no file
@@ -39,8 +28,8 @@ PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem:
     check.comparison = render::comparePictures(before, now, picture.options);
     check.sizes = fmt::format("{}x{} pixels instead of {}x{}", now.width, now.height, before.width,
                               before.height);
-    check.alike = check.comparison.pixelsCompared > 0 &&
-                  render::withinLimits(check.comparison, limitsOf(picture, otherDriver));
+    check.alike =
+        check.comparison.pixelsCompared > 0 && render::withinLimits(check.comparison, limits);
     if (!check.alike && check.comparison.sameSize) {
         check.difference = differences.pathOf(picture.file);
         writePicture(render::differencePicture(before, check.comparison, picture.options),

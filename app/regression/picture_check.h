@@ -20,11 +20,11 @@ struct PictureCheck {
 };
 
 /// Compares the picture in the folder `run` with that in the folder `expected`, and writes a
-/// picture of the difference into `differences`. A run on another driver is judged by the tolerant
-/// limits. Throws InputError where a picture can't be read, OutputError.
+/// picture of the difference into `differences`. They are alike within `limits`. Throws InputError
+/// where a picture can't be read, OutputError.
 PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem::path& expected,
                           const std::filesystem::path& run, OutputFolder& differences,
-                          bool otherDriver);
+                          const render::PictureLimits& limits);
 
 /// One sentence on how they differ and where most.
 std::string sentenceAbout(const PictureCheck& check);

@@ -26,7 +26,8 @@ std::optional<ReferenceDifference> differenceOf(const std::string& file,
             file, false,
             (reference / file).string() + ": there is no such picture; make it with --update."};
     }
-    const PictureCheck check = checkPicture({file, {}, {}}, reference, run, differences, false);
+    const PictureCheck check =
+        checkPicture({file, {}, {}}, reference, run, differences, render::kStrictLimits);
     return check.alike ? std::nullopt
                        : std::optional(ReferenceDifference{file, false, sentenceAbout(check)});
 }

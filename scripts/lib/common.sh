@@ -191,6 +191,10 @@ use_driver() {
     esac
     ensure_packages "$zink_packages"
     export MESA_LOADER_DRIVER_OVERRIDE=zink
+    if [[ -z ${XDG_RUNTIME_DIR:-} ]]; then # Vulkan's part for windows complains without it
+        XDG_RUNTIME_DIR=$(mktemp -d)
+        export XDG_RUNTIME_DIR
+    fi
     VK_ICD_FILENAMES=$(find /usr/share/vulkan/icd.d -name 'lvp_icd.*.json' | head -n 1)
     [[ -n $VK_ICD_FILENAMES ]] || fail "Mesa's Vulkan driver for processors is not there (lvp_icd)."
     export VK_ICD_FILENAMES

@@ -186,6 +186,23 @@ TEST_F(TestVerb, OnAnotherDriverItJudgesByToleranceAndSaysSo) {
     EXPECT_THAT(far.out, HasSubstr("are allowed on another driver"));
 }
 
+TEST_F(TestVerb, HowFarPicturesOfAnotherDriverMayBeOffCanBeSet) {
+    makeExpectation();
+    render::Image picture = render::readPng(expected("end.png"));
+    for (std::size_t i = 0; i < picture.pixels.size() / 4; i += 4) {
+        picture.pixels[i] ^= 0x80;
+    }
+    render::writePng(picture, expected("end.png"));
+    const std::string text =
+        replaced(readBytes(expected("expected.json")), "\"driver\": \"", "\"driver\": \"Other ");
+    writeText(expected("expected.json"), text);
+    expectFailure("The picture end.png differs in ");
+    writeText(expected("expected.json"),
+              replaced(replaced(text, "\"pixels\": 0.05", "\"pixels\": 0.6"), "\"worst\": 0.45",
+                       "\"worst\": 1"));
+    EXPECT_EQ(run().exitCode, 0);
+}
+
 TEST_F(TestVerb, WhatGoesIntoARunIsTheSameOnEachDriver) {
     makeExpectation();
     const std::string text = readBytes(expected("expected.json"));

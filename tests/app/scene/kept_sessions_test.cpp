@@ -48,8 +48,7 @@ class OpenedSession {
   public:
     explicit OpenedSession(const std::filesystem::path& file) : OpenedSession(openDocument(file)) {}
     explicit OpenedSession(Document document)
-        : model_{document.mesh, document.looks},
-          uploaded_(prepareDocument(std::move(document))),
+        : uploaded_(prepareDocument(std::move(document))),
           scene_(std::move(uploaded_.document), std::move(uploaded_.body)) {}
 
     EditorScene& operator*() { return scene_; }
@@ -82,11 +81,11 @@ class OpenedSession {
         const Session session = readSession(folder / "saved.kerf.json");
         ReplayOptions options;
         options.keepGoing = true;
-        return replaySession(session, model_, folder / "out", {}, options).summary;
+        return replaySession(session, loadSessionModel(session), folder / "out", {}, options)
+            .summary;
     }
 
   private:
-    ModelMesh model_;
     UploadedDocument uploaded_;
     EditorScene scene_;
 };
