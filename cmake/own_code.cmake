@@ -42,6 +42,12 @@ function(kerf_own_code target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
 endfunction()
 
+# For what nobody waits for when it runs, such as panels and command lines: a fifth less time to
+# compile than with all optimisations.
+function(kerf_lightly_optimised target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # kerf_library(FOLDER <link arguments>): every .cpp below FOLDER becomes one library, named after it:
 # kerf_gpu, kerf_sim_mesh.
 function(kerf_library folder)

@@ -16,6 +16,7 @@ file(GLOB native_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/*.cpp
      ${PROJECT_SOURCE_DIR}/python/*.h)
 pybind11_add_module(kerf_python MODULE NO_EXTRAS ${native_sources})
 kerf_own_code(kerf_python)
+kerf_lightly_optimised(kerf_python)
 target_compile_definitions(kerf_python PRIVATE KERF_VERSION="${PROJECT_VERSION}")
 target_link_libraries(kerf_python PRIVATE kerf_app nlohmann_json::nlohmann_json)
 # Nothing else of it is seen by other modules, which may have libraries of the same names in them.
