@@ -48,6 +48,16 @@ function(kerf_lightly_optimised target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# kerf_headers_once(TARGET <HEADERS>): compiles these and what all of our code reads only once for the
+# target, where it has so many parts that this is less work. Sources include them all the same.
+function(kerf_headers_once target)
+  if(KERF_TOGETHER)
+    target_precompile_headers(${target} PRIVATE <algorithm> <filesystem> <functional> <map> <optional>
+                              <sstream> <string> <unordered_map> <variant> <vector> <Eigen/Core>
+                              <Eigen/Geometry> <spdlog/spdlog.h> <spdlog/fmt/fmt.h> ${ARGN})
+  endif()
+endfunction()
+
 # kerf_library(FOLDER <link arguments>): every .cpp below FOLDER becomes one library, named after it:
 # kerf_gpu, kerf_sim_mesh.
 function(kerf_library folder)
