@@ -68,6 +68,8 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg")
 if(KERF_PYTHON)
   set(CPACK_DEBIAN_PACKAGE_PROVIDES "python3-kerf")
   string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-numpy")
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")  # a module is for one minor version
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor})")
 endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "cut soft 3D models in real time")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
