@@ -13,12 +13,7 @@ SHARED_CONST uint kVolumePart = 2u << kConstraintTypes;
 SHARED_CONST uint kPullAsBeforePart = 4u << kConstraintTypes;   // see pull_direction.glsl
 SHARED_CONST uint kUnfoldPart = 8u << kConstraintTypes;         // see unfold/goals.comp
 SHARED_CONST uint kUnfoldFirmlyPart = 16u << kConstraintTypes;  // see kFirmUnfoldDamping
-SHARED_CONST uint kTrueModulusPart = 32u << kConstraintTypes;   // see kSweepRoom
-
-// With kTrueModulusPart an impulse is divided by its compliance alone, so that a sweep adds none of
-// its own. That is stable where the compliance is at least this times 3/4 + gamma/2 of what a sweep
-// would add (Jury's criterion for the stiffest mode that mass splitting allows, with some room).
-SHARED_CONST float kSweepRoom = 1.1f;
+SHARED_CONST uint kTrueModulusPart = 32u << kConstraintTypes;   // see sweep_room
 
 // |C| of a bend is clamped here [rad]: the form that comes back after a snap-through.
 SHARED_CONST float kMaxBendError = 0.3f;
@@ -42,6 +37,10 @@ struct SolverUniforms {
     float compliance[kConstraintTypes];
     float share[kConstraintTypes];
     uint count[kConstraintTypes];
+    // By type, with kTrueModulusPart: there an impulse is divided by its compliance alone, so that
+    // a sweep adds none of its own. Least compliance, over 3/4 + gamma/2 of what a sweep would add:
+    // see sweepRoom() in sim/body/solver_uniforms.h.
+    float sweep_room[kConstraintTypes];
     float friction;      // Coulomb coefficient against the floor
     float floor_height;  // [m]
     float lift_speed;    // at which what starts below the floor comes up: not at once, which would
@@ -54,6 +53,7 @@ struct SolverUniforms {
     uint piece_count;
     uint pull_count;      // vertices that hands hold
     float runaway_speed;  // a vertex that is faster is lost [m/s]; set by SolverBody
+    uint unused;
 };
 
 SHARED_END

@@ -18,7 +18,7 @@ bool pullsAsBefore() {
     return false;
 }
 
-float dampingOf(float weight, float compliance, float fold) {
+float dampingOf(float weight, float compliance, float fold, uint type) {
     return 0.0;
 }
 
@@ -26,7 +26,7 @@ float dampedError(float error, float rate, float gamma, float fold, float perWay
     return error;
 }
 
-float dampedWeight(float weight, float compliance, float gamma) {
+float dampedWeight(float weight, float compliance, float gamma, uint type) {
     return weight;
 }
 #else
@@ -44,10 +44,10 @@ bool hasTrueModulus() {
 }
 
 // The same of one that a sweep moves with this weight. With a true modulus stiffness comes first:
-// damping gets what kSweepRoom leaves it.
-float dampingOf(float weight, float compliance, float fold) {
+// damping gets what the room of its type leaves it.
+float dampingOf(float weight, float compliance, float fold, uint type) {
     float gamma = dampingAt(fold);
-    float room = 2.0 * compliance / max(kSweepRoom * weight, 1e-30) - 1.5;
+    float room = 2.0 * compliance / max(uniforms.sweep_room[type] * weight, 1e-30) - 1.5;
     return hasTrueModulus() ? clamp(room, 0.0, gamma) : gamma;
 }
 
@@ -66,8 +66,8 @@ float dampedError(float error, float rate, float gamma, float fold, float perWay
 }
 
 // What an impulse is divided by.
-float dampedWeight(float weight, float compliance, float gamma) {
-    float least = kSweepRoom * (0.75 + 0.5 * gamma) * weight;
+float dampedWeight(float weight, float compliance, float gamma, uint type) {
+    float least = uniforms.sweep_room[type] * (0.75 + 0.5 * gamma) * weight;
     return hasTrueModulus() ? max(compliance, least) : (1.0 + gamma) * weight + compliance;
 }
 #endif

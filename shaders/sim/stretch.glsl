@@ -23,8 +23,8 @@ vec3 spokePull(Spoke spoke, vec4 own, float count, vec3 ownStart, float ownFold)
         uniforms.inverse_density * (count * own.w + float(spoke.other_count) * far.w);
     float fold = max(ownFold, foldAt(spoke.other));
     float compliance = spoke.geometry * uniforms.compliance[kStretch];
-    float gamma = dampingOf(inverseMasses, compliance, fold);
-    float denominator = dampedWeight(inverseMasses, compliance, gamma);
+    float gamma = dampingOf(inverseMasses, compliance, fold, kStretch);
+    float denominator = dampedWeight(inverseMasses, compliance, gamma, kStretch);
     vec3 direction = pullDirection(before, span);
     float impulse =
         -dampedError(reach - spoke.rest_length, dot(direction, step), gamma, fold, 1.0) /

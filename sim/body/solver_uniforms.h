@@ -19,6 +19,10 @@ bool hasTrueModulus(const Params& params);
 /// factor on its modulus: 1, but with a true modulus less for edges and more for turned ISPCs.
 double modulusShare(shared::uint type, const Params& params);
 
+/// With a true modulus: the least compliance over h^2 of a constraint of this type, as a multiple
+/// of 3/4 + gamma/2 of what a Jacobi sweep would add. All types together are stable then.
+double sweepRoom(shared::uint type);
+
 /// How ISPCs are cast: turned with a true modulus, else along the normal as in the paper.
 IspcRays ispcRays(const Params& params);
 

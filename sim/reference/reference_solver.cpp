@@ -41,27 +41,28 @@ struct Damping {
     double gamma = 0;  ///< beta / h
     double most = 0;   ///< of C at X that is answered in a substep
     bool trueModulus = false;
+    double room = 0;  ///< SolverUniforms::sweep_room
 };
 
 /// As in shaders/sim/pull_direction.glsl.
-Damping dampingAt(double fold, const shared::SolverUniforms& uniforms, double perWay) {
+Damping dampingAt(double fold, const shared::SolverUniforms& uniforms, double perWay,
+                  std::uint32_t type) {
     const double creep = shared::kFoldCreep * uniforms.substep * perWay;
     return {uniforms.damping_ratio * (1 - fold),
             fold > 0 ? creep / fold : std::numeric_limits<double>::infinity(),
-            (uniforms.active_parts & shared::kTrueModulusPart) != 0};
+            (uniforms.active_parts & shared::kTrueModulusPart) != 0, uniforms.sweep_room[type]};
 }
 
 /// As dampingOf in shaders/sim/pull_direction.glsl.
 double gammaOf(const Damping& damping, double weight, double compliance) {
-    const double room = 2 * compliance / (shared::kSweepRoom * weight) - 1.5;
+    const double room = 2 * compliance / (damping.room * weight) - 1.5;
     return damping.trueModulus ? std::clamp(room, 0.0, damping.gamma) : damping.gamma;
 }
 
 /// As dampedWeight there.
 double dampedWeight(const Damping& damping, double gamma, double weight, double compliance) {
-    return damping.trueModulus
-               ? std::max(compliance, shared::kSweepRoom * (0.75 + 0.5 * gamma) * weight)
-               : (1 + gamma) * weight + compliance;
+    return damping.trueModulus ? std::max(compliance, damping.room * (0.75 + 0.5 * gamma) * weight)
+                               : (1 + gamma) * weight + compliance;
 }
 
 /// delta lambda of one constraint: XPBD with stiffness-proportional damping and
@@ -95,12 +96,13 @@ Pull pullOf(const shared::SolverUniforms& uniforms) {
 template <class Constraint>
 void sweep(ReferenceState& state, const BodyModel& model,
            const std::vector<Constraint>& constraints, const Incidence& incidence,
-           const std::vector<double>& w, double compliance, const shared::SolverUniforms& uniforms,
-           double share) {
+           const std::vector<double>& w, const shared::SolverUniforms& uniforms,
+           std::uint32_t type) {
     std::vector<Vec3> correction(state.positions.size(), Vec3::Zero());
     for (const Constraint& constraint : constraints) {
         const double modulus = model.memberOf(verticesOf(constraint)[0]).modulus;
-        const auto c = linearize(constraint, state, compliance / modulus, pullOf(uniforms));
+        const auto c =
+            linearize(constraint, state, uniforms.compliance[type] / modulus, pullOf(uniforms));
         if (!c.valid) {
             continue;
         }
@@ -108,8 +110,9 @@ void sweep(ReferenceState& state, const BodyModel& model,
         for (const std::uint32_t v : c.vertices) {
             fold = std::max(fold, state.fold(v));
         }
-        const Damping damping = dampingAt(fold, uniforms, changePerWay(constraint, c));
-        const double lambda = share * multiplier(constraint, c, state, w, incidence, damping);
+        const Damping damping = dampingAt(fold, uniforms, changePerWay(constraint, c), type);
+        const double lambda =
+            uniforms.share[type] * multiplier(constraint, c, state, w, incidence, damping);
         for (std::size_t k = 0; k < c.vertices.size(); ++k) {
             correction[c.vertices[k]] += w[c.vertices[k]] * lambda * c.gradient[k];
         }
@@ -223,8 +226,8 @@ void ReferenceSolver::predict(ReferenceState& state) const {
 void ReferenceSolver::solve(std::uint32_t type, ReferenceState& state) const {
     forEachType(model_, [&](auto row, const auto& constraints) {
         if (row.kType == type && (uniforms_.active_parts >> type & 1u) != 0) {
-            sweep(state, model_, constraints, model_.incidences[type], inverseMass_,
-                  uniforms_.compliance[type], uniforms_, uniforms_.share[type]);
+            sweep(state, model_, constraints, model_.incidences[type], inverseMass_, uniforms_,
+                  type);
         }
     });
 }

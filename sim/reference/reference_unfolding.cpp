@@ -121,14 +121,15 @@ Goal goalOf(const BodyModel& model, const std::vector<std::uint32_t>& members,
     return goal;
 }
 
+/// `springShare`, `dampingShare`: how much of the spring, and of what damps it.
 Vec3 pullOf(const Goal& goal, const Vec3& x, const Vec3& rest, const Vec3& velocity,
-            const shared::SolverUniforms& uniforms) {
+            const shared::SolverUniforms& uniforms, double springShare, double dampingShare) {
     const Vec3 way = goal.share * goal.wayOf(x, rest);
     const Vec3 slip = velocity - goal.velocity - goal.spin.cross(x - goal.center);
     const double turn = shared::kUnfoldRate * uniforms.substep;
-    return (slip + shared::kUnfoldRate * turn * way) /
-               (1 + dampingOf(uniforms) * turn + turn * turn) -
-           slip;
+    const double denominator = 1 + dampingOf(uniforms) * turn + turn * turn;
+    return springShare * shared::kUnfoldRate * turn * way / denominator +
+           dampingShare * (1 / denominator - 1) * slip;
 }
 
 }  // namespace
@@ -156,12 +157,14 @@ void unfoldAsReference(const BodyModel& model, const std::vector<double>& invers
             continue;
         }
         const Goal goal = goalOf(model, members, masses, state, reach);
+        const double square = folds[v] * folds[v];
+        const bool trueModulus = (uniforms.active_parts & shared::kTrueModulusPart) != 0;
         for (const std::uint32_t j : members) {
             if (inverseMass[j] > 0) {
                 changes[j] +=
-                    folds[v] * folds[v] / sums[j] *
                     pullOf(goal, state.positions[j], model.restPositions[j].cast<double>(),
-                           state.velocities[j], uniforms);
+                           state.velocities[j], uniforms, square, trueModulus ? folds[v] : square) /
+                    sums[j];
             }
         }
     }

@@ -11,9 +11,11 @@ double sweepStrength(const Params& params, double edgeLength) {
     const double modulus = params.youngsModulus * params.stretchStiffness;
     const double strength =
         params.density * edgeLength * edgeLength / (12 * modulus * substep * substep);
-    constexpr double kEnough = 0.75 * static_cast<double>(shared::kSweepRoom);
-    return hasTrueModulus(params) ? strength / (modulusShare(shared::kStretch, params) * kEnough)
-                                  : strength;
+    if (!hasTrueModulus(params)) {
+        return strength;
+    }
+    const double least = 0.75 * sweepRoom(shared::kStretch);
+    return strength / (modulusShare(shared::kStretch, params) * least);
 }
 
 bool hasTooFewSweeps(const Params& params, double edgeLength) {

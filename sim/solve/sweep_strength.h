@@ -11,7 +11,7 @@ namespace kerf {
 /// By geometry, which gives alpha and w, it is rho L^2 / (12 E h^2). Far above 1 the body is as
 /// stiff as its modulus says; below 1 it is softer, whatever the modulus (docs/physics.md,
 /// Effective modulus). With `true_modulus` it is r over the least r at which the edges are as stiff
-/// as they should be (shared::kSweepRoom). `edgeLength` is the mean at rest [m]; `small_steps` is
+/// as they should be (sweepRoom()). `edgeLength` is the mean at rest [m]; `small_steps` is
 /// assumed.
 double sweepStrength(const Params& params, double edgeLength);
 

@@ -63,8 +63,8 @@ BendPull bendPull(BendRecord bend) {
         dot(inverseMasses, vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b)));
     float fold = foldAt(uvec4(bend.v0, bend.v1, bend.v2, bend.v3));
     float compliance = bend.geometry * uniforms.compliance[kBend];
-    float gamma = dampingOf(weight, compliance, fold);
-    float denominator = dampedWeight(weight, compliance, gamma);
+    float gamma = dampingOf(weight, compliance, fold, kBend);
+    float denominator = dampedWeight(weight, compliance, gamma, kBend);
     float rate = dot(a, sA * edgeStep - leftStep) + dot(b, sB * edgeStep - rightStep);
     float answered = dampedError(error, rate, gamma, fold, max(length(a), length(b)));
     bool answers = weight > leastWeight(inverseMasses, a, b);

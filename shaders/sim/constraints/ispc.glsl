@@ -26,8 +26,8 @@ vec3 ispcPull(IspcConstraint ispc) {
     float weight = uniforms.inverse_density * dot(vec4(dv.w, d0.w, d1.w, d2.w), vec4(1.0, b * b));
     float fold = foldAt(uvec4(ispc.vertex, ispc.t0, ispc.t1, ispc.t2));
     float compliance = ispc.geometry * uniforms.compliance[kIspc];
-    float gamma = dampingOf(weight, compliance, fold);
-    float denominator = dampedWeight(weight, compliance, gamma);
+    float gamma = dampingOf(weight, compliance, fold, kIspc);
+    float denominator = dampedWeight(weight, compliance, gamma, kIspc);
     vec3 direction = reach > 1e-12 ? pullDirection(base, r) : vec3(0.0);
     float answered = dampedError(reach - ispc.rest_length, dot(direction, step), gamma, fold, 1.0);
     float impulse = weight > 0.0 ? uniforms.share[kIspc] * -answered / denominator : 0.0;

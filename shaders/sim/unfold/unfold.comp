@@ -32,14 +32,26 @@ UnfoldGoal goalAt(uint v) {
                       fetch(goals, first + 3u), fetch(goals, first + 4u));
 }
 
+// How a vertex moves against the rigid motion of a goal [m/s].
+vec3 slipOf(UnfoldGoal goal, vec3 toCenter, vec3 velocity) {
+    return goal.center.w * (velocity - goal.velocity.xyz + cross(goal.spin.xyz, toCenter));
+}
+
 // What one goal changes a velocity by [m/s].
 vec3 pullOf(UnfoldGoal goal, vec3 x, vec3 rest, vec3 velocity) {
     vec3 toCenter = goal.center.xyz - x;
     vec3 way =
         goal.rest_center.w * (toCenter + rotated(goal.rotation, rest - goal.rest_center.xyz));
-    vec3 slip = goal.center.w * (velocity - goal.velocity.xyz + cross(goal.spin.xyz, toCenter));
+    vec3 slip = slipOf(goal, toCenter, velocity);
     float turn = kUnfoldRate * uniforms.substep;
     return (slip + kUnfoldRate * turn * way) / (1.0 + unfoldDamping() * turn + turn * turn) - slip;
+}
+
+// The same where it is at the goal already: what the damping alone does.
+vec3 slowingOf(UnfoldGoal goal, vec3 x, vec3 velocity) {
+    vec3 slip = slipOf(goal, goal.center.xyz - x, velocity);
+    float turn = kUnfoldRate * uniforms.substep;
+    return slip / (1.0 + unfoldDamping() * turn + turn * turn) - slip;
 }
 
 void main() {
@@ -51,13 +63,20 @@ void main() {
     vec3 velocity = fetch(before, v).xyz;
     vec3 rest = fetch(restPositions, v).xyz;
     vec3 change = vec3(0.0);
+    bool trueModulus = (uniforms.active_parts & kTrueModulusPart) != 0u;
     uint count = foldSum > 0.0 && x.w > 0.0 ? memberCount(range) : 0u;
     for (uint i = 0u; i < count; ++i) {
         uint j = memberOf(v, range, i);
         float fold = uintBitsToFloat(fetch(folds, j).x);
         if (fold > 0.0) {
             // Its share of the mass, and as much of the pull.
-            change += fold / foldSum * fold * pullOf(goalAt(j), x.xyz, rest, velocity);
+            UnfoldGoal goal = goalAt(j);
+            change += fold / foldSum * fold * pullOf(goal, x.xyz, rest, velocity);
+            if (trueModulus) {
+                // In all as the fold and not as its square: where a load folds what is as soft as
+                // its modulus says, it would swing between folded and not.
+                change += fold / foldSum * (1.0 - fold) * slowingOf(goal, x.xyz, velocity);
+            }
         }
     }
     if (count > 0u) {

@@ -47,6 +47,19 @@ TEST(SolverUniforms, MeanWhatTheyAreNamed) {
     EXPECT_FLOAT_EQ(u.inverse_density, 0.001f);
 }
 
+// Each type alone is stable where its compliance has the room 1.
+TEST(SolverUniforms, TypesShareTheRoomOfASweep) {
+    Params params;
+    params.trueModulus = 1;
+    const shared::SolverUniforms u = solverUniforms(params);
+    double shares = 0;
+    for (const float room : u.sweep_room) {
+        EXPECT_GT(room, 1);
+        shares += 1 / room;
+    }
+    EXPECT_LT(shares, 1 + 1e-6);
+}
+
 TEST(SolverUniforms, PbdSpreadsItsStiffnessOverTheSweeps) {
     Params params;
     params.solver = SolverMode::pbd;

@@ -1,6 +1,7 @@
 // What a person sees of the solver's parameters where a body falls.
 #include <gtest/gtest.h>
 
+#include "sim/run/simulation.h"
 #include "tests/support/drop_scene.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
@@ -47,6 +48,56 @@ TEST_F(LargeDropTest, ABodyThatStepsByPhasesKeepsItsVolumeOnTheFloor) {
     EXPECT_GT(fallen.leastVolume, 0.999);
     EXPECT_GT(fallen.peakError, 0.01) << "it never met the floor";
     EXPECT_EQ(fallen.folds, 0);
+}
+
+class RestTest : public test::GlTest {};
+
+/// A material that is as soft as its modulus says.
+struct SoftMaterial {
+    double modulus = 0;  ///< [Pa]
+    double damping = 0;  ///< [s]
+    double friction = 0;
+};
+
+/// Both halves of a ball of 10 cm, cut askew, after 8 s on the floor [J].
+double kineticEnergyOfHalves(const SoftMaterial& material) {
+    const Vec3 middle(0, 0.055, 0);
+    SurfaceMesh mesh = test::icosphere(1, 0.05);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, mesh.position(v) + middle);
+        mesh.setRestPosition(v, mesh.position(v));
+    }
+    Params params;
+    params.trueModulus = 1;
+    params.youngsModulus = material.modulus;
+    params.damping = material.damping;
+    params.friction = material.friction;
+    params.gravity.setZero();
+    Simulation simulation(mesh, params);
+    const Blade from{{0.030162, 0.026121, 0.098452}, {0.039865, 0.154187, 0.003032}};
+    const Blade to{{-0.017967, -0.050063, -0.008691}, {-0.008264, 0.078003, -0.104111}};
+    for (int i = 0; i <= 40; ++i) {
+        const double t = i / 40.0;
+        simulation.execute(MoveBlade{{from.a + t * (to.a - from.a), from.b + t * (to.b - from.b)}});
+        simulation.step();
+    }
+    simulation.execute(LiftBlade{});
+    simulation.execute(SetParam{"gravity", Vec3(0, -9.81, 0)});
+    while (simulation.report().time < 8) {
+        simulation.step();
+    }
+    EXPECT_EQ(simulation.report().pieces, 2);
+    return simulation.report().kineticEnergy;
+}
+
+// Liver, at whose small wall triangles constraints of all types want all that a sweep can carry.
+TEST_F(RestTest, HalvesOfWhatIsSoftComeToRest) {
+    EXPECT_LT(kineticEnergyOfHalves({5400, 0.0009, 0.3}), 3e-6) << "[J]";
+}
+
+// Brain: the weight of a half folds its rim.
+TEST_F(RestTest, HalvesThatTheirWeightFoldsComeToRest) {
+    EXPECT_LT(kineticEnergyOfHalves({1640, 0.0047, 0.2}), 3e-6) << "[J]";
 }
 
 INSTANTIATE_TEST_SUITE_P(BothModes, DropTest,
