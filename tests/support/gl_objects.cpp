@@ -2,18 +2,24 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
+
 namespace kerf::test {
 namespace {
 
-/// Names from 1 on, until none has been taken for long.
-template <class IsTaken>
-int countNames(IsTaken isTaken) {
+/// Names from 1 on, until none has been taken for long. Mesa gives each new object a name beyond
+/// all others, so they are looked for at least up to a fresh one.
+template <class IsTaken, class Generate, class Delete>
+int countNames(IsTaken isTaken, Generate generate, Delete remove) {
     constexpr GLuint kLongestGap = 4096;
+    GLuint fresh = 0;
+    generate(1, &fresh);
+    remove(1, &fresh);
     int count = 0;
-    for (GLuint name = 1, last = 0; name - last <= kLongestGap; ++name) {
+    for (GLuint name = 1, last = fresh; name < last || name - last <= kLongestGap; ++name) {
         if (isTaken(name) == GL_TRUE) {
             ++count;
-            last = name;
+            last = std::max(last, name);
         }
     }
     return count;
@@ -26,8 +32,14 @@ int GlObjects::lasting() const {
 }
 
 GlObjects countGlObjects() {
-    return {countNames(glIsBuffer),      countNames(glIsTexture), countNames(glIsFramebuffer),
-            countNames(glIsVertexArray), countNames(glIsProgram), countNames(glIsQuery)};
+    const auto generateProgram = [](GLsizei, GLuint* name) { *name = glCreateProgram(); };
+    const auto deleteProgram = [](GLsizei, const GLuint* name) { glDeleteProgram(*name); };
+    return {countNames(glIsBuffer, glGenBuffers, glDeleteBuffers),
+            countNames(glIsTexture, glGenTextures, glDeleteTextures),
+            countNames(glIsFramebuffer, glGenFramebuffers, glDeleteFramebuffers),
+            countNames(glIsVertexArray, glGenVertexArrays, glDeleteVertexArrays),
+            countNames(glIsProgram, generateProgram, deleteProgram),
+            countNames(glIsQuery, glGenQueries, glDeleteQueries)};
 }
 
 }  // namespace kerf::test
