@@ -25,11 +25,31 @@ std::string formatBarReport(const std::vector<BenchRun>& runs);
 /// One sentence that names all specimens that did not settle; empty where all did.
 std::string stillMovingWarning(const std::vector<BenchRun>& runs);
 
+/// How far a bar that comes down was from where it should be.
+struct AccuracyRun {
+    int iterations = 0;
+    double timeStep = 0;  ///< [s]
+    double error = 0;     ///< the largest, as a share of how far it comes down
+};
+
+/// Lets a hanging bar with `true_modulus` come down by these iterations of these time steps, and
+/// with substeps a quarter as long as the shortest of them, by which they are judged. Runs on the
+/// GL context that is current.
+std::vector<AccuracyRun> measureAccuracy(const std::vector<int>& iterations,
+                                         const std::vector<double>& timeSteps);
+
+/// The order of convergence in the length of a substep: the slope of the error in logarithms, by
+/// least squares. Of runs with at least two lengths.
+double orderOf(const std::vector<AccuracyRun>& runs);
+
+/// A table of them for report.md, with the order.
+std::string formatAccuracy(const std::vector<AccuracyRun>& runs);
+
 /// Writes report.md and summary.json into `folder`; prints the report, or with `json` the summary.
 /// Specimens that did not settle are named in one warning. Returns 0, or 1 where a specimen lost
 /// volume. Throws OutputError.
-int reportBarRuns(const std::vector<BenchRun>& runs, OutputFolder& folder, bool json,
-                  std::ostream& out, std::ostream& errors);
+int reportBarRuns(const std::vector<BenchRun>& runs, const std::vector<AccuracyRun>& accuracy,
+                  OutputFolder& folder, bool json, std::ostream& out, std::ostream& errors);
 
 /// How many of these runs are that near to the modulus.
 struct BarCount {

@@ -248,15 +248,35 @@ bool settle(Simulation& simulation, const Specimen& specimen) {
     return false;
 }
 
-}  // namespace
-
-BenchResult measureModulus(const BenchSetting& setting) {
-    const Specimen specimen = makeSpecimen(setting);
-    const Params params = benchParams(setting, specimen);
+/// Held, and about to feel its weight.
+Simulation mount(const Specimen& specimen, const Params& params) {
     Simulation simulation(specimen.mesh, params);
     if (specimen.loading.support != Support::floor) {
         pinEnd(simulation, specimen);
     }
+    return simulation;
+}
+
+}  // namespace
+
+std::vector<double> motionOfEnd(const BenchSetting& setting, int looks) {
+    const Specimen specimen = makeSpecimen(setting);
+    Simulation simulation = mount(specimen, benchParams(setting, specimen));
+    const auto stepsBetween = std::lround(kLook / setting.timeStep);
+    std::vector<double> motion;
+    while (std::ssize(motion) < looks) {
+        for (auto i = stepsBetween; i > 0; --i) {
+            simulation.step();
+        }
+        motion.push_back(motionOfEnd(simulation, specimen));
+    }
+    return motion;
+}
+
+BenchResult measureModulus(const BenchSetting& setting) {
+    const Specimen specimen = makeSpecimen(setting);
+    const Params params = benchParams(setting, specimen);
+    Simulation simulation = mount(specimen, params);
     BenchResult result;
     result.settled = settle(simulation, specimen);
     const double way = motionOfEnd(simulation, specimen);

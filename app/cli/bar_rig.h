@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace kerf::app {
 
 /// A specimen on the virtual test bench, and how it is loaded.
@@ -44,5 +46,12 @@ struct BenchResult {
 /// sphere of radius R goes down by d, with F = 16/9 E sqrt(R) d^(3/2) (Hertz), 2 % of its diameter.
 /// Runs on the GL context that is current.
 BenchResult measureModulus(const BenchSetting& setting);
+
+/// Time between two looks of motionOfEnd() [s].
+inline constexpr double kLook = 0.02;
+
+/// How far the free end has gone after each of so many looks, from when the weight begins to act
+/// [m]. The time step must divide kLook. Runs on the GL context that is current.
+std::vector<double> motionOfEnd(const BenchSetting& setting, int looks);
 
 }  // namespace kerf::app

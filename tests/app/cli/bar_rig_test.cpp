@@ -183,6 +183,19 @@ TEST_F(BarRig, WithATrueModulusIterationsBuyNoStiffness) {
     EXPECT_LT(tooFew.effectiveModulus, 0.75 * setting.modulus);
 }
 
+// They buy accuracy: the error falls with the length of a substep.
+TEST_F(BarRig, WithATrueModulusIterationsBuyAccuracy) {
+    const std::vector<app::AccuracyRun> runs = app::measureAccuracy({10, 20, 40}, {0.005});
+    EXPECT_GT(app::orderOf(runs), 0.8);
+    EXPECT_LT(runs.back().error, 0.02);
+}
+
+TEST(BarReport, TakesTheOrderFromErrorsAndSubsteps) {
+    const std::vector<app::AccuracyRun> runs{{10, 0.01, 0.16}, {20, 0.01, 0.04}, {20, 0.005, 0.01}};
+    EXPECT_NEAR(app::orderOf(runs), 2, 1e-9);
+    EXPECT_NE(app::formatAccuracy(runs).find("| 20 | 0.005 | 0.25 | 1 |"), std::string::npos);
+}
+
 // Rays along the normal hold the two faces of a slab apart but let them slide over each other.
 TEST_F(BarRig, ABentBarIsTrueToTheParameterAndAWideSlabSofter) {
     BenchSetting setting{.kind = SpecimenKind::bentBar, .cells = 4, .trueModulus = false};
@@ -246,7 +259,7 @@ Reported reportOf(const std::vector<BenchRun>& runs, bool json = false) {
     std::ostringstream out;
     std::ostringstream errors;
     app::OutputFolder own(folder.path());
-    const int exitCode = app::reportBarRuns(runs, own, json, out, errors);
+    const int exitCode = app::reportBarRuns(runs, {}, own, json, out, errors);
     return {exitCode, out.str(), errors.str(),
             nlohmann::json::parse(test::readBytes(folder / "summary.json")),
             test::readBytes(folder / "report.md")};
