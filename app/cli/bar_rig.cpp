@@ -3,12 +3,15 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "sim/body/rest_geometry.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/mesh/box_surface.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
+#include "sim/reference/reference_solver.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/sweep_strength.h"
 
@@ -266,6 +269,59 @@ BenchResult measureModulus(const BenchSetting& setting) {
     result.volumeRatio = simulation.report().volumeRatio;
     result.tooFewIterations = hasTooFewSweeps(params, meanRestEdgeLength(specimen.mesh));
     return result;
+}
+
+namespace {
+
+/// Those of a body that swings by itself.
+Params swingParams(const BenchSetting& setting, const Specimen& specimen) {
+    Params params = benchParams(setting, specimen);
+    params.airDrag = Params{}.airDrag;
+    return params;
+}
+
+long stepsIn(double seconds, const Params& params) {
+    return std::lround(seconds / params.timeStep);
+}
+
+}  // namespace
+
+BenchCourse courseOf(const BenchSetting& setting, double seconds) {
+    const Specimen specimen = makeSpecimen(setting);
+    const Params params = swingParams(setting, specimen);
+    Simulation simulation(specimen.mesh, params);
+    pinEnd(simulation, specimen);
+    for (long left = stepsIn(seconds, params); left > 0; --left) {
+        simulation.step();
+    }
+    BenchCourse course{{}, hasTooFewSweeps(params, meanRestEdgeLength(specimen.mesh))};
+    const SurfaceMesh& mesh = simulation.mesh();
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        course.ways.push_back(mesh.position(v) - mesh.restPosition(v));
+    }
+    return course;
+}
+
+BenchCourse courseInDoubles(const BenchSetting& setting, double seconds) {
+    const Specimen specimen = makeSpecimen(setting);
+    const Params params = swingParams(setting, specimen);
+    const Simulation simulation(specimen.mesh, params);
+    const BodyModel& model = simulation.bodyModel();
+    ReferenceSolver solver(model, solverUniforms(params, model));
+    for (const int v : specimen.held) {
+        solver.setInverseMass(v, 0);
+    }
+    const ReferenceState rest = restState(model);
+    ReferenceState state = rest;
+    for (long left = stepsIn(seconds, params); left > 0; --left) {
+        solver.step(state);
+    }
+    BenchCourse course{std::move(state.positions),
+                       hasTooFewSweeps(params, meanRestEdgeLength(specimen.mesh))};
+    for (std::size_t v = 0; v < course.ways.size(); ++v) {
+        course.ways[v] -= rest.positions[v];
+    }
+    return course;
 }
 
 }  // namespace kerf::app

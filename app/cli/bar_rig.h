@@ -1,5 +1,9 @@
 #pragma once
 
+#include <vector>
+
+#include "sim/base/math.h"
+
 namespace kerf::app {
 
 /// A specimen on the virtual test bench, and how it is loaded.
@@ -44,5 +48,20 @@ struct BenchResult {
 /// sphere of radius R goes down by d, with F = 16/9 E sqrt(R) d^(3/2) (Hertz), 2 % of its diameter.
 /// Runs on the GL context that is current.
 BenchResult measureModulus(const BenchSetting& setting);
+
+/// Where a specimen is on its way.
+struct BenchCourse {
+    std::vector<Vec3> ways;         ///< of its vertices since rest [m]
+    bool tooFewIterations = false;  ///< the program says so: hasTooFewSweeps()
+};
+
+/// Lets the weight of measureModulus() act from rest, with the air drag and damping that a body
+/// usually has, so that the specimen swings, for `seconds`: a multiple of the time step. Not for
+/// the pressed sphere, which nothing pins. Runs on the GL context that is current.
+BenchCourse courseOf(const BenchSetting& setting, double seconds);
+
+/// The same by the solver in doubles (ReferenceSolver), which rounding does not keep from small
+/// substeps. Its sums are slow.
+BenchCourse courseInDoubles(const BenchSetting& setting, double seconds);
 
 }  // namespace kerf::app

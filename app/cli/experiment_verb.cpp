@@ -9,6 +9,7 @@
 
 #include "app/cli/bar_experiment.h"
 #include "app/cli/blade_experiment.h"
+#include "app/cli/convergence_experiment.h"
 #include "app/cli/experiment/experiment_report.h"
 #include "app/cli/experiment/experiment_runs.h"
 #include "app/cli/experiment/report_figures.h"
@@ -118,6 +119,10 @@ std::span<const OwnExperiment> ownExperiments() {
         OwnExperiment{kBarExperiment,
                       [](Arguments a, std::ostream& out, std::ostream& errors) {
                           return runBarExperiment(a.out, a.whole, a.json, out, errors);
+                      }},
+        OwnExperiment{kConvergenceExperiment,
+                      [](Arguments a, std::ostream& out, std::ostream& errors) {
+                          return runConvergenceExperiment(a.out, a.json, out, errors);
                       }},
         OwnExperiment{kFemExperiment,
                       [](Arguments a, std::ostream& out, std::ostream& /*errors*/) {

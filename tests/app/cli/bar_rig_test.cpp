@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/cli/bar_experiment.h"
+#include "app/cli/convergence_experiment.h"
 #include "sim/mesh/box_surface.h"
 #include "sim/mesh/triangle.h"
 #include "sim/solve/sweep_strength.h"
@@ -221,6 +222,49 @@ TEST_F(BarRig, TooFewIterationsMakeAStiffBlockSoft) {
     EXPECT_LT(sweepStrength(params, edgeLength), 1) << "so the panel says so";
     params.iterations = 40;
     EXPECT_GT(sweepStrength(params, edgeLength), 10);
+}
+
+// The vertices of a swinging bar come to where substeps without length would have them.
+TEST_F(BarRig, IterationsAndTimeStepsBuyAccuracyAtTheFirstOrder) {
+    const BenchSetting reference{.cells = 2, .iterations = 40, .timeStep = 0.00125};
+    const app::Convergence bar = app::measureConvergence(reference, 0.1, {0.0025, 0.005}, {10, 20});
+    ASSERT_EQ(bar.runs.size(), 4u);
+    EXPECT_NEAR(bar.order(), 1, 0.15);
+    EXPECT_NEAR(bar.runs[1].error / bar.runs[0].error, 0.5, 0.1) << "twice as many iterations";
+    EXPECT_NEAR(bar.runs[3].error / bar.runs[0].error, 1, 0.05) << "substeps as long as before";
+    EXPECT_LT(bar.runs[0].error, 0.01);
+}
+
+TEST(Convergence, OrderIsTheSlopeWhereIterationsAreEnough) {
+    app::Convergence convergence;
+    EXPECT_EQ(convergence.order(), 0);
+    const auto add = [&](int iterations, double error, bool tooFew) {
+        convergence.runs.push_back({{.iterations = iterations}, error, tooFew});
+    };
+    add(10, 0.16, false);
+    EXPECT_EQ(convergence.order(), 0) << "one says nothing";
+    add(20, 0.04, false);
+    EXPECT_NEAR(convergence.order(), 2, 1e-9);
+    add(40, 0.01, false);
+    add(11, 0.9, true);
+    EXPECT_NEAR(convergence.order(), 2, 1e-9);
+    add(5, 9, false);
+    EXPECT_NEAR(convergence.order(), 2, 1e-9) << "what is coarse tells nothing of the order";
+}
+
+TEST(Convergence, ReportHasARowForEachTimeStep) {
+    app::Convergence convergence;
+    for (const double step : {0.005, 0.01}) {
+        for (const int iterations : {10, 20}) {
+            convergence.runs.push_back(
+                {{.iterations = iterations, .timeStep = step}, step / iterations, step > 0.005});
+        }
+    }
+    const std::string report = app::formatConvergenceReport({convergence});
+    EXPECT_NE(report.find("| time step, ms | 10 iterations | 20 iterations |\n|---|---|---|\n"
+                          "| 5 | 0.05 | 0.025 |\n| 10 | 0.1* | 0.05* |\n"),
+              std::string::npos)
+        << report;
 }
 
 BenchRun runThat(bool settled, double volumeRatio, SpecimenKind kind = SpecimenKind::bentBar) {
