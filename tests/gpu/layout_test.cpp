@@ -116,10 +116,10 @@ std::vector<Record> sharedRecords() {
                AT(vertex_groups), AT(vertex_groups_y), AT(vertex_groups_z), AT(points), AT(levels),
                AT(contacts), AT(last_contacts), AT(largest[0])),
         RECORD(SolverUniforms, AT(gravity), AT(substep), AT(drag_factor), AT(inverse_density),
-               AT(damping_ratio), AT(compliance[0]), AT(share[0]), AT(count[0]), AT(friction),
-               AT(floor_height), AT(lift_speed), AT(active_parts), AT(substeps), AT(sweeps),
-               AT(vertex_count), AT(triangle_count), AT(piece_count), AT(pull_count),
-               AT(runaway_speed)),
+               AT(damping_ratio), AT(compliance[0]), AT(share[0]), AT(count[0]), AT(sweep_room[0]),
+               AT(friction), AT(floor_height), AT(lift_speed), AT(active_parts), AT(substeps),
+               AT(sweeps), AT(vertex_count), AT(triangle_count), AT(piece_count), AT(pull_count),
+               AT(runaway_speed), AT(unused)),
         RECORD(UnfoldGoal, AT(rotation), AT(center), AT(rest_center), AT(velocity), AT(spin)),
     };
 }
