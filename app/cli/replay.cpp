@@ -232,8 +232,8 @@ class Replay {
             film_->pass(simulation_.params().timeStep);
         }
         const double outsideMs = outside_.take();
-        const MetricsRow row{report, std::exchange(pictureMs_, 0),
-                             watch.milliseconds() - outsideMs};
+        const MetricsRow row{report, std::exchange(pictureMs_, 0), watch.milliseconds() - outsideMs,
+                             namesToughness(session_, simulation_.params())};
         publish(row, listener);
     }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/file_io.h"
+#include "app/session/session.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -92,6 +93,9 @@ template <auto member>
 std::string held(const MetricsRow& row) {
     return textOf(row.report.heldEdge.*member);
 }
+std::string fractureEnergyOf(const MetricsRow& row) {
+    return row.namesToughness ? textOf(row.report.fractureEnergy) : "";
+}
 template <Vec3 BladeLoad::*part, int axis>
 std::string felt(const MetricsRow& row) {
     const std::optional<BladeLoad>& load = row.report.bladeLoad;
@@ -134,7 +138,7 @@ constexpr Column kColumns[] = {
     {"search_tests", searched<&SearchWork::tests>},
     {"swept_area", swept<&SweptArea::asItLay>},
     {"swept_area_at_rest", swept<&SweptArea::atRest>},
-    {"fracture_energy", reported<&StepReport::fractureEnergy>},
+    {"fracture_energy", fractureEnergyOf},
     {"blade_force_x", felt<&BladeLoad::force, 0>},
     {"blade_force_y", felt<&BladeLoad::force, 1>},
     {"blade_force_z", felt<&BladeLoad::force, 2>},
@@ -153,6 +157,15 @@ void Range::add(double value) {
     max_ = count_ == 0 ? value : std::max(max_, value);
     sum_ += value;
     ++count_;
+}
+
+bool namesToughness(const Session& session, const Params& now) {
+    const auto setsIt = [](const SessionEvent& event) {
+        const auto* set = std::get_if<SetParam>(&event.action);
+        return set != nullptr && set->name == "toughness";
+    };
+    return now.bladeFeels != 0 || now.toughness != Params{}.toughness ||
+           !session.material.empty() || std::ranges::any_of(session.events, setsIt);
 }
 
 std::string metricsHeader() {

@@ -11,6 +11,8 @@
 
 namespace kerf::app {
 
+struct Session;
+
 /// Mean, smallest and largest of a series; all 0 for an empty one.
 class Range {
   public:
@@ -31,7 +33,13 @@ struct MetricsRow {
     StepReport report;
     double renderMs = 0;  ///< pictures taken before this step, wall clock
     double frameMs = 0;   ///< the step and its commands, without pictures and files, wall clock
+    bool namesToughness = true;  ///< see namesToughness(); else there is no fracture energy
 };
+
+/// Whether somebody named the toughness that a session runs with: it has a material at the start,
+/// an event sets it, it is not the parameter's default, or the blade feels it. `now`: the
+/// parameters of the coming step.
+bool namesToughness(const Session& session, const Params& now);
 
 /// First line of metrics.csv and its rows, each with its line break.
 std::string metricsHeader();

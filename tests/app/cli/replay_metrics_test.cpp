@@ -63,6 +63,9 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
     EXPECT_EQ(formatMetrics(row),
               "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75,2,1.5,0.25,2,80,"
               "0.5,0.25,40,1,2,3,4,5,6,2,3,0.25\n");
+    row.namesToughness = false;
+    EXPECT_TRUE(formatMetrics(row).ends_with(",0.5,0.25,,1,2,3,4,5,6,2,3,0.25\n"))
+        << "nobody said what new surface takes";
 }
 
 TEST(Metrics, RangeOfASeries) {

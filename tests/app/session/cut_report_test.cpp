@@ -228,6 +228,7 @@ TEST_F(CutReportOfARun, FractureEnergyIsToughnessTimesTheAreaThatIsSwept) {
         double area = 0;
         double energy = 0;
         const auto addRow = [&](const MetricsRow& row) {
+            EXPECT_EQ(row.namesToughness, !material.empty());
             area += row.report.swept.atRest;
             energy += row.report.fractureEnergy;
         };
@@ -237,8 +238,26 @@ TEST_F(CutReportOfARun, FractureEnergyIsToughnessTimesTheAreaThatIsSwept) {
     const auto [area, energy] = sumsWith(R"("material": "liver", )");
     EXPECT_GT(area, 0.5);
     EXPECT_NEAR(energy, 164 * area, 1e-9);
-    const auto [plainArea, plainEnergy] = sumsWith("");
-    EXPECT_NEAR(plainEnergy, Params{}.toughness * plainArea, 1e-9);
+    sumsWith("");
+}
+
+TEST(Metrics, TellWhetherSomebodyNamedTheToughness) {
+    Session session;
+    const Params plain;
+    EXPECT_FALSE(namesToughness(session, plain));
+    Params other;
+    other.toughness = 99;
+    EXPECT_TRUE(namesToughness(session, other));
+    Params feels;
+    feels.bladeFeels = 1;
+    EXPECT_TRUE(namesToughness(session, feels)) << "there it counts";
+    session.material = "sausage";
+    EXPECT_TRUE(namesToughness(session, plain)) << "which has the default's";
+    session.material.clear();
+    session.events.push_back({3, SetParam{"density", 900.0}});
+    EXPECT_FALSE(namesToughness(session, plain));
+    session.events.push_back({3, SetParam{"toughness", plain.toughness}});
+    EXPECT_TRUE(namesToughness(session, plain));
 }
 
 TEST_F(CutReportOfARun, IsNullWithoutACut) {
