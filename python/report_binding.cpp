@@ -122,8 +122,13 @@ void addReport(py::module_& module) {
         .def_property_readonly(
             "swept_area_at_rest", [](const MetricsRow& row) { return row.report.swept.atRest; },
             "The same, at rest [m²].")
-        .def_property_readonly("fracture_energy", reported<&StepReport::fractureEnergy>,
-                               "That the new surface of the step takes, by the toughness [J].")
+        .def_property_readonly(
+            "fracture_energy",
+            [](const MetricsRow& row) {
+                return row.namesToughness ? std::optional(row.report.fractureEnergy) : std::nullopt;
+            },
+            "That the new surface of the step takes, by the toughness [J]; None where nobody named "
+            "one.")
         .def_property_readonly("blade_work", held<&HeldEdge::work>,
                                "Of what led the blade in the step against its edge [J]; 0 unless "
                                "the blade feels.")

@@ -125,7 +125,8 @@ const app::MetricsRow& ScriptedRun::step() {
     const Stopwatch watch;
     running_->runner().applyActions(player_, *this);
     const StepReport& report = running_->step();
-    row_ = {report, 0, watch.milliseconds()};
+    row_ = {report, 0, watch.milliseconds(),
+            app::namesToughness(session_, running_->simulation().params())};
     tellMessages();
     return row_;
 }

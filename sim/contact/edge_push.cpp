@@ -58,16 +58,24 @@ void EdgePush::respond(int substep) {
     kernels_->push.dispatchGroups(1);
 }
 
-/// An impulse changes d as a force does in a substep of length h.
-EdgeLoad EdgePush::load() const {
-    if (!edge_) {
-        return {};
+void EdgePush::askForLoad(gpu::ReadBack& back) {
+    place_.reset();
+    if (edge_ && state_.size() > 0) {
+        place_ = back.ask(state_, sizeof(shared::EdgeState));
     }
-    const shared::EdgeState state = state_.read<shared::EdgeState>(0, 1).front();
+}
+
+/// An impulse changes d as a force does in a substep of length h.
+void EdgePush::takeLoad(const gpu::ReadBack& back) {
+    load_ = {};
+    if (!place_) {
+        return;
+    }
+    const shared::EdgeState& state = back.read<shared::EdgeState>(*place_, 1).front();
     const double square = settings_.substep * settings_.substep;
     const Vec3 middle(state.middle.x, state.middle.y, state.middle.z);
-    return {state.impulse / (square * settings_.substeps), edge_->from + middle,
-            state.work / square};
+    load_ = {state.impulse / (square * settings_.substeps), edge_->from + middle,
+             state.work / square};
 }
 
 void EdgePush::bind() const {

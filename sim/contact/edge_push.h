@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
+#include "gpu/read_back.h"
 #include "sim/base/math.h"
 #include "sim/contact/contact_solver.h"
 
@@ -48,8 +50,12 @@ class EdgePush {
     bool mayTouch() const { return edge_.has_value(); }
     /// Changes d.
     void respond(int substep);
-    /// What it did in the last time step; nothing where it did not press. Waits for the GPU.
-    EdgeLoad load() const;
+    /// Asks for what it did in the last time step, where it pressed.
+    void askForLoad(gpu::ReadBack& back);
+    /// Takes up what was sent; waits for the GPU.
+    void takeLoad(const gpu::ReadBack& back);
+    /// What was taken up last; nothing where it did not press.
+    const EdgeLoad& load() const { return load_; }
 
   private:
     struct Kernels {
@@ -62,6 +68,8 @@ class EdgePush {
     ContactBody body_;
     ContactSettings settings_;
     gpu::Buffer uniforms_, weights_, state_;
+    std::optional<std::size_t> place_;  ///< of the state that was asked for
+    EdgeLoad load_;
 };
 
 }  // namespace kerf

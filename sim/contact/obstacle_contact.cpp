@@ -105,20 +105,29 @@ void ObstacleContact::addLoad(int substep) {
     kernels_->load->dispatch(body_.vertexCount);
 }
 
+void ObstacleContact::askForLoad(gpu::ReadBack& back) {
+    place_.reset();
+    if (reached_ && measuresLoad_ && loads_.size() > 0) {
+        place_ = back.ask(loads_, loads_.size());
+    }
+}
+
 /// Summed up by vertex, so that the order of threads does not matter. A change of d is one of
 /// velocity by d / h, at each substep of length h.
-BladeLoad ObstacleContact::load() const {
-    BladeLoad load;
-    if (!reached_ || !measuresLoad_) {
-        return load;
+void ObstacleContact::takeLoad(const gpu::ReadBack& back) {
+    load_ = {};
+    if (!place_) {
+        return;
     }
-    for (const shared::VertexLoad& of : loads_.read<shared::VertexLoad>(0, body_.vertexCount)) {
-        load.force -= Vec3(of.given.x, of.given.y, of.given.z);
-        load.moment -= Vec3(of.moment.x, of.moment.y, of.moment.z);
+    BladeLoad sum;
+    const std::size_t count = loads_.size() / sizeof(shared::VertexLoad);
+    for (const shared::VertexLoad& of : back.read<shared::VertexLoad>(*place_, count)) {
+        sum.force -= Vec3(of.given.x, of.given.y, of.given.z);
+        sum.moment -= Vec3(of.moment.x, of.moment.y, of.moment.z);
     }
     const double h = settings_.substep;
     const double scale = 1 / (h * h * settings_.substeps);
-    return {scale * load.force, scale * load.moment};
+    load_ = {scale * sum.force, scale * sum.moment};
 }
 
 /// Pieces begin with empty boxes.

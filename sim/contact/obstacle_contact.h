@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
+#include "gpu/read_back.h"
 #include "shaders/shared/box_records.h"
 #include "sim/base/math.h"
 #include "sim/contact/blade_load.h"
@@ -40,8 +42,12 @@ class ObstacleContact {
     /// Measures from now on what the body does to obstacles of a kind with a kernel for that;
     /// changes nothing else.
     void measureLoad(bool wanted) { measuresLoad_ = wanted; }
-    /// What it did to them in the last time step, as far as it was measured. Waits for the GPU.
-    BladeLoad load() const;
+    /// Asks for what it did to them in the last time step, as far as it was measured.
+    void askForLoad(gpu::ReadBack& back);
+    /// Takes up what was sent; waits for the GPU.
+    void takeLoad(const gpu::ReadBack& back);
+    /// What was taken up last; nothing where it was not measured.
+    const BladeLoad& load() const { return load_; }
 
     /// Begins a time step, before its first substep. Compiles what the first thin obstacle in reach
     /// needs. Throws gpu::ShaderError, gpu::OutOfMemory.
@@ -81,6 +87,8 @@ class ObstacleContact {
     gpu::Buffer around_;       ///< X before an obstacle moves any vertex
     gpu::Buffer before_;       ///< d before obstacles change it, where the load is measured
     gpu::Buffer loads_;        ///< VertexLoad
+    std::optional<std::size_t> place_;  ///< of the loads that were asked for
+    BladeLoad load_;
 };
 
 }  // namespace kerf

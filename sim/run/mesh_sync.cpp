@@ -30,6 +30,11 @@ void MeshSync::prefetch(const OrientedBox& box, std::span<const int> vertices) {
     solver_.measurer().watch(box, vertices);
 }
 
+void MeshSync::prefetchAll() {
+    prefetchesAll_ = true;
+    solver_.measurer().watchAll();
+}
+
 void MeshSync::invalidate() {
     forget();
     mesh_->leaveTo(*this);
@@ -38,11 +43,16 @@ void MeshSync::invalidate() {
 double MeshSync::takePrefetched() {
     const WorkWatch watch;
     const std::optional<OrientedBox> box = std::exchange(prefetched_, std::nullopt);
-    if (!box) {
-        return 0;
+    const bool all = std::exchange(prefetchesAll_, false);
+    if (all) {
+        all_ = solver_.measurer().takeAll();
+        mesh_->bringAll();
+        all_.reset();
     }
-    takeWatched(*box);
-    return watch.milliseconds();
+    if (box) {
+        takeWatched(*box);
+    }
+    return box || all ? watch.milliseconds() : 0;
 }
 
 void MeshSync::takeWatched(const OrientedBox& box) {
@@ -97,12 +107,16 @@ void MeshSync::bring(std::span<const int> vertices) {
     std::vector<int> old;
     std::ranges::copy_if(vertices, std::back_inserter(old),
                          [this](int v) { return mesh_->isOld(v); });
+    if (stepping_ && std::exchange(readsAll_, true)) {
+        mesh_->bringAll();
+        return;
+    }
     adopt(solver_.measurer().statesOf(old).records);
 }
 
 void MeshSync::bringAll() {
     ++wholeReads_;
-    const BodyState state = solver_.readState();
+    const BodyState state = all_ ? *std::move(all_) : solver_.readState();
     for (int v = 0; v < mesh_->vertexCount(); ++v) {
         if (mesh_->isOld(v)) {
             mesh_->setState(v, state.positions[v].cast<double>(),

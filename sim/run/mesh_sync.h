@@ -25,12 +25,22 @@ class MeshSync final : public VertexSource, public TriangleFinder {
         forget();
     }
 
+    /// A step begins. What nobody foresaw in it is read alone the first time, then with all of the
+    /// body, so that a step waits for few reads. `willReadAll`: with all the first time already,
+    /// since all is likely to be read.
+    void beginStep(bool willReadAll) {
+        stepping_ = true;
+        readsAll_ = willReadAll;
+    }
+    void endStep() { stepping_ = false; }
     /// Before the measure of a step: the box that the blade will look into, and vertices that will
     /// be read wherever they are.
     void prefetch(const OrientedBox& box, std::span<const int> vertices);
+    /// Before the measure of a step: all will be read.
+    void prefetchAll();
     /// The solver has moved the body.
     void invalidate();
-    /// After the measure: takes what prefetch() asked for. Returns how long that took [ms].
+    /// After the measure: takes what was asked for. Returns how long that took [ms].
     double takePrefetched();
     /// The mesh has become another one, of which nothing is old.
     void forget();
@@ -60,12 +70,16 @@ class MeshSync final : public VertexSource, public TriangleFinder {
     SurfaceMesh* mesh_ = nullptr;
     GpuSolver& solver_;
     std::optional<OrientedBox> prefetched_;
+    bool prefetchesAll_ = false;
+    std::optional<BodyState> all_;  ///< came with the measure, as the mesh takes it
     /// The box in which near() knows all triangles, by the vertices around which they lie and by
     /// those that changed since.
     std::optional<OrientedBox> known_;
     std::vector<int> triangles_;  ///< ascending; some may be dead, or far away
     Bounds bounds_;
     int wholeReads_ = 0;
+    bool stepping_ = false;
+    bool readsAll_ = false;  ///< from now on in this step
 };
 
 }  // namespace kerf

@@ -246,9 +246,6 @@ double RunningBody::endStep() {
     solver.savedPieces().save();
     const double prefetchMs = sync.takePrefetched();
     sync.setBounds(memory.measure.bounds);
-    if (readsAllBack) {
-        mesh().bringAll();
-    }
     return prefetchMs;
 }
 

@@ -69,6 +69,7 @@ const StepReport& Simulation::State::step() {
     log.touch();
     output.report = {};
     output.report.step = output.clock.stepsDone;
+    body.sync.beginStep(!body.cutter->hasCut());
     applyParameters();
     if (input.timeRuns) {
         solve();
@@ -79,6 +80,7 @@ const StepReport& Simulation::State::step() {
     } else {
         stroke.step();
     }
+    body.sync.endStep();
     ++output.clock.stepsDone;
     publish();
     return output.report;
@@ -100,10 +102,10 @@ void Simulation::State::applyParameters() {
 
 void Simulation::State::solve() {
     body.prepareStep(input.params);
-    prefetchCut();
     moveBody();
-    noteBladeLoad();
+    const Vec3 middle = middleOfBlade();
     body.measureStep();
+    noteBladeLoad(middle);
     takeBackLostPieces();
     const double prefetchMs = body.endStep();
     StepReport& report = output.report;
@@ -112,21 +114,29 @@ void Simulation::State::solve() {
     report.collideMs = body.solver.stepper().takeCollideMilliseconds();
 }
 
+/// About which the moment is told, where the edge feels [m]. Before the mesh is old, whose front
+/// the blade's plate follows.
+Vec3 Simulation::State::middleOfBlade() {
+    if (!body.solver.collisions().edge()) {
+        return Vec3::Zero();
+    }
+    const std::optional<BladeMotion> plate = stroke.bladeMotion();
+    const Blade led = input.blade.nextPose();
+    return plate ? plate->middle() : Vec3(0.5 * (led.a + led.b));
+}
+
 /// That of the plate as far as it is measured, and that of the edge where it feels.
-void Simulation::State::noteBladeLoad() {
+void Simulation::State::noteBladeLoad(const Vec3& middle) {
     const bool feels = stroke.feels();
     if (!body.feelsBlade && !feels) {
         return;
     }
     BladeLoad load = body.solver.collisions().bladeLoad();
     if (const std::optional<PressingEdge> edge = body.solver.collisions().edge()) {
-        const EdgeLoad of = body.solver.collisions().edgeLoad();
-        const std::optional<BladeMotion> plate = stroke.bladeMotion();
-        const Blade led = input.blade.nextPose();
-        const Vec3 about = plate ? plate->middle() : Vec3(0.5 * (led.a + led.b));
+        const EdgeLoad& of = body.solver.collisions().edgeLoad();
         const Vec3 force = -of.force * edge->ahead;
         load.force += force;
-        load.moment += (of.middle - about).cross(force);
+        load.moment += (of.middle - middle).cross(force);
         output.report.heldEdge.work = of.work;
     }
     output.report.bladeLoad = load;
@@ -138,12 +148,17 @@ void Simulation::State::noteHeldEdge() {
     output.report.heldEdge.work = work;
 }
 
+/// Where a step reads all of the body, it comes with the measure, so that no step waits more than
+/// twice.
 void Simulation::State::prefetchCut() {
     const bool looks = input.blade.isTold() || body.cutter->inStroke() || stroke.feels();
     const std::vector<Blade> path = input.blade.path();
     if (looks && !path.empty() && !body.readsAllBack) {
         body.sync.prefetch(body.cutter->reach(path, input.params.timeStep),
                            body.cutter->followedVertices());
+    }
+    if (body.readsAllBack || stroke.endsInStep()) {
+        body.sync.prefetchAll();
     }
 }
 
@@ -153,6 +168,7 @@ void Simulation::State::moveBody() {
     body.solver.collisions().setEdge(stroke.pressingEdge());
     body.solver.collisions().feelBlade(body.feelsBlade || stroke.feels());
     body.solver.unfoldFirmly(!body.cutter->inStroke());
+    prefetchCut();
     body.solver.step();
     front.release();
 }

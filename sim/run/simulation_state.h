@@ -59,7 +59,8 @@ struct Simulation::State {
     void applyParameters();
     void solve();
     void prefetchCut();
-    void noteBladeLoad();
+    Vec3 middleOfBlade();
+    void noteBladeLoad(const Vec3& middle);
     void noteHeldEdge();
     void moveBody();
     void takeBackLostPieces();

@@ -1,5 +1,6 @@
 #include "sim/run/stroke_course.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -17,6 +18,13 @@ void StrokeCourse::step() {
         std::visit([this](const auto& a) { carryOut(a); }, action);
     }
     output_.report.cutMs = watch.milliseconds();
+}
+
+bool StrokeCourse::endsInStep() const {
+    const auto lifts = [](const BladeAction& action) {
+        return std::holds_alternative<LiftBlade>(action);
+    };
+    return body_.cutter->inStroke() && std::ranges::any_of(input_.blade.actions(), lifts);
 }
 
 void StrokeCourse::carryOut(const MoveBlade& move) {

@@ -21,6 +21,8 @@ class StrokeCourse {
 
     /// Carries out what the blade was told.
     void step();
+    /// Whether the coming step ends a stroke that has begun.
+    bool endsInStep() const;
     void lift();
 
     /// The blade's body where it pushes: see Simulation::bladeBody().

@@ -54,7 +54,7 @@ BodyMeasurer::BodyMeasurer(SolverBody& body, Collisions& collisions)
 void BodyMeasurer::start() {
     const ContactReadings contacts = collisions_.readings();
     body_.bind();
-    slot_ = body_.pieces.blockMeasures.bindNext(shared::kBlockSumsBinding);
+    body_.pieces.blockMeasures.bindStorage(shared::kBlockSumsBinding);
     contacts.state.bindStorage(shared::kContactCountsOfStepBinding);
     // Of another body it has another size; candidates are then looked for anyway.
     const gpu::Buffer& searched = contacts.searched;
@@ -67,15 +67,21 @@ void BodyMeasurer::start() {
     nearby_.bind();
     bindConstraints();
     body_.runOverBlocks(measure_);
-    body_.pieces.blockMeasures.fence();
-    collectAsked(nearby_);
+    collect(nearby_, back_);
+    collisions_.askForLoads(back_);
+    if (watchesAll_) {
+        all_ = body_.state.askFor(back_, body_.uniforms.vertex_count);
+    }
+    const std::size_t blocks = body_.pieces.blocks().size() + 1;
+    place_ = back_.ask(body_.pieces.blockMeasures, blocks * sizeof(shared::BlockMeasure));
+    back_.send();
 }
 
 BodyMeasure BodyMeasurer::take() {
     const std::vector<shared::BlockRecord>& blocks = body_.pieces.blocks();
     const std::size_t pieceCount = body_.pieces.pieces().size();
-    const auto measures =
-        body_.pieces.blockMeasures.read<shared::BlockMeasure>(slot_, blocks.size() + 1);
+    const auto measures = back_.read<shared::BlockMeasure>(place_, blocks.size() + 1);
+    collisions_.takeLoads(back_);
     SolverMeasure out;
     BodyMeasure& body = out.body;
     body.pieceVolumes.assign(pieceCount, 0.0);
@@ -109,11 +115,17 @@ void BodyMeasurer::bindConstraints() const {
     body_.model.restPositions.bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
 }
 
+BodyState BodyMeasurer::takeAll() {
+    watchesAll_ = false;
+    return SolverState::take(back_, all_);
+}
+
 VertexStates BodyMeasurer::statesOf(std::span<const int> vertices) {
     collected_.ask(std::nullopt, vertices);
     body_.bind();
-    collectAsked(collected_);
-    return collected_.take();
+    collect(collected_, collectedBack_);
+    collectedBack_.send();
+    return collected_.take(collectedBack_);
 }
 
 /// The kernel that measures finds them; what it measures besides is left where it is.
@@ -121,17 +133,21 @@ VertexStates BodyMeasurer::statesNear(const OrientedBox& box) {
     for (;;) {
         nearby_.ask(box, {});
         start();
-        VertexStates found = nearby_.take();
+        VertexStates found = nearby_.take(back_);
         if (found.complete) {
             return found;
         }
     }
 }
 
-void BodyMeasurer::collectAsked(const NearbyVertices& query) {
+/// Fills in the vertices that were asked for by number, and asks for the answer.
+void BodyMeasurer::collect(NearbyVertices& query, gpu::ReadBack& back) {
     if (query.asked() > 0) {
         query.bind();
         body_.run(collect_, query.asked());
+    }
+    if (query.asks()) {
+        query.askFor(back);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
+#include "gpu/read_back.h"
 #include "sim/base/math.h"
 #include "sim/solve/collisions.h"
 #include "sim/solve/nearby_vertices.h"
@@ -51,7 +52,11 @@ class BodyMeasurer {
         nearby_.ask(box, vertices);
     }
     /// The watched vertices as of the last take(). Once for each watch().
-    VertexStates takeWatched() { return nearby_.take(); }
+    VertexStates takeWatched() { return nearby_.take(back_); }
+    /// Has the coming start() bring the state of all vertices too, which takeAll() gives.
+    void watchAll() { watchesAll_ = true; }
+    /// The state as of the last take(). Once for each watchAll().
+    BodyState takeAll();
     /// Positions and velocities of these vertices; waits for the GPU.
     VertexStates statesOf(std::span<const int> vertices);
     /// The states of all vertices of triangles that meet `box`; waits for the GPU. Between steps.
@@ -59,14 +64,18 @@ class BodyMeasurer {
 
   private:
     void bindConstraints() const;
-    void collectAsked(const NearbyVertices& query);
+    void collect(NearbyVertices& query, gpu::ReadBack& back);
 
     SolverBody& body_;
     Collisions& collisions_;
     gpu::Program measure_, collect_;
-    int slot_ = 0;              ///< of the block measures that start() asked for
-    NearbyVertices nearby_;     ///< of the coming start()
+    gpu::ReadBack back_;     ///< of start()
+    std::size_t place_ = 0;  ///< of the block measures there
+    NearbyVertices nearby_;  ///< of the coming start()
+    bool watchesAll_ = false;
+    SolverState::Places all_;   ///< of all vertices there
     NearbyVertices collected_;  ///< of statesOf()
+    gpu::ReadBack collectedBack_;
 };
 
 }  // namespace kerf

@@ -30,6 +30,16 @@ void Collisions::expect(const Bounds& positions, const Bounds& velocities, Relat
     reach_ = {positions, velocities.empty() ? 0.0 : fastest.norm(), kMargin * body_.model.diagonal};
 }
 
+void Collisions::askForLoads(gpu::ReadBack& back) {
+    edge_.askForLoad(back);
+    blade_.askForLoad(back);
+}
+
+void Collisions::takeLoads(const gpu::ReadBack& back) {
+    edge_.takeLoad(back);
+    blade_.takeLoad(back);
+}
+
 void Collisions::beginStep(const gpu::Buffer* folds) {
     contacts_.beginStep(motion_);
     contacts_.setFolds(folds);

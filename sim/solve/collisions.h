@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/read_back.h"
 #include "sim/contact/blade_obstacle.h"
 #include "sim/contact/box_obstacles.h"
 #include "sim/contact/contact_solver.h"
@@ -47,13 +48,16 @@ class Collisions {
     /// How the blade's edge presses in the coming step; none: it does not. Throws gpu::ShaderError.
     void setEdge(const std::optional<PressingEdge>& edge) { edge_.setEdge(edge); }
     const std::optional<PressingEdge>& edge() const { return edge_.edge(); }
-    /// What it did in the last time step. Waits for the GPU.
-    EdgeLoad edgeLoad() const { return edge_.load(); }
+    /// What it did in the last time step that was measured.
+    const EdgeLoad& edgeLoad() const { return edge_.load(); }
 
     /// Measures from now on what the body does to the blade's; changes nothing else.
     void feelBlade(bool wanted) { blade_.measureLoad(wanted); }
-    /// What it did in the last time step. Waits for the GPU.
-    BladeLoad bladeLoad() const { return blade_.load(); }
+    /// What it did in the last time step that was measured.
+    const BladeLoad& bladeLoad() const { return blade_.load(); }
+    /// Asks for what was done to edge and blade, as far as it is measured, and takes it up.
+    void askForLoads(gpu::ReadBack& back);
+    void takeLoads(const gpu::ReadBack& back);
 
     /// The body has been put elsewhere.
     void forgetCandidates() { contacts_.forgetCandidates(); }

@@ -10,9 +10,8 @@ std::vector<shared::vec4> packed(const std::vector<Vec3f>& values) {
     return out;
 }
 
-std::vector<Vec3f> unpacked(const gpu::Buffer& buffer, std::size_t count) {
-    const std::vector<shared::vec4> values = buffer.read<shared::vec4>(0, count);
-    std::vector<Vec3f> out(count);
+std::vector<Vec3f> unpacked(std::span<const shared::vec4> values) {
+    std::vector<Vec3f> out(values.size());
     std::ranges::transform(values, out.begin(),
                            [](const shared::vec4& a) { return Vec3f(a.x, a.y, a.z); });
     return out;

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "gpu/buffer.h"
 #include "shaders/shared/shared_types.h"
 #include "sim/base/math.h"
 
@@ -19,8 +19,8 @@ inline shared::vec4 packed(const Vec3f& a, float w) {
 }
 /// The values as the GPU stores them, with w = 0.
 std::vector<shared::vec4> packed(const std::vector<Vec3f>& values);
-/// Reads `count` vectors back; waits for the GPU.
-std::vector<Vec3f> unpacked(const gpu::Buffer& buffer, std::size_t count);
+/// The values without w.
+std::vector<Vec3f> unpacked(std::span<const shared::vec4> values);
 
 /// [m] or [m/s], as the values.
 Bounds boundsOf(const std::vector<Vec3f>& values);

@@ -95,7 +95,7 @@ void GpuSolver::setState(const BodyState& state) {
 }
 
 std::vector<Vec3f> GpuSolver::readDisplacements() const {
-    return unpacked(body_.state.displacement, body_.uniforms.vertex_count);
+    return unpacked(body_.state.displacement.read<shared::vec4>(0, body_.uniforms.vertex_count));
 }
 
 void GpuSolver::step() {

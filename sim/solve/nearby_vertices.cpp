@@ -19,7 +19,6 @@ static_assert(sizeof(NearbyQuery) == 96);
 constexpr std::size_t kRecordsOfQuery = sizeof(NearbyQuery) / sizeof(NearbyVertex);
 
 constexpr std::size_t kLeastCapacity = 8192;
-constexpr uint kMoreThanBefore = 64;
 // Floats of the kernel against doubles, of the distance from the origin and the size of the box.
 constexpr double kRounding = 1e-5;
 
@@ -68,27 +67,30 @@ void NearbyVertices::bind() const {
     buffer_.bindStorage(shared::kNearbyBinding);
 }
 
-std::vector<NearbyVertex> NearbyVertices::read(std::size_t first, std::size_t count) const {
-    return buffer_.read<NearbyVertex>(kRecordsOfQuery + first, count);
+void NearbyVertices::askFor(gpu::ReadBack& back) {
+    const uint likely = query_.asks_for_box != 0 ? expected_ : 0;
+    sent_ = std::min(query_.capacity, query_.asked_vertices + likely);
+    place_ = back.ask(buffer_, (kRecordsOfQuery + sent_) * sizeof(NearbyVertex));
 }
 
-VertexStates NearbyVertices::take() {
-    const uint asked = query_.asked_vertices;
-    const uint first = std::min(query_.capacity, std::max(asked, expected_));
-    std::vector<NearbyVertex> words = buffer_.read<NearbyVertex>(0, kRecordsOfQuery + first);
+VertexStates NearbyVertices::take(const gpu::ReadBack& back) {
+    const auto words = back.read<NearbyVertex>(place_, kRecordsOfQuery + sent_);
     NearbyQuery answer;
     std::memcpy(&answer, words.data(), sizeof answer);
-    words.erase(words.begin(), words.begin() + kRecordsOfQuery);
     VertexStates out;
     out.complete = answer.count <= answer.capacity;
+    const uint asked = query_.asked_vertices;
     const uint count = out.complete ? answer.count : asked;
-    out.records = std::move(words);
-    out.records.resize(std::min(count, first));
-    if (count > first) {
-        const std::vector<NearbyVertex> rest = read(first, count - first);
+    const auto records = words.subspan(kRecordsOfQuery, std::min(count, sent_));
+    out.records.assign(records.begin(), records.end());
+    if (count > sent_) {
+        const auto rest = buffer_.read<NearbyVertex>(kRecordsOfQuery + sent_, count - sent_);
         out.records.insert(out.records.end(), rest.begin(), rest.end());
     }
-    expected_ = count + count / 4 + kMoreThanBefore;
+    if (query_.asks_for_box != 0) {
+        const uint ofBox = count - asked;
+        expected_ = std::max(ofBox + ofBox / 4, kLeastExpected);
+    }
     if (!out.complete) {
         query_.capacity = 2 * answer.count;
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/read_back.h"
 #include "shaders/shared/body_records.h"
 #include "sim/mesh/oriented_box.h"
 
@@ -33,16 +34,20 @@ class NearbyVertices {
     /// How many were asked for by number.
     std::uint32_t asked() const { return query_.asked_vertices; }
     void bind() const;
-    /// The answer; waits for the GPU. Ends the query.
-    VertexStates take();
+    /// Asks for the answer, as far as it is expected to reach; the kernels were told before.
+    void askFor(gpu::ReadBack& back);
+    /// The answer that was sent; waits for the GPU, and reads once more where it is longer than was
+    /// expected. Ends the query.
+    VertexStates take(const gpu::ReadBack& back);
 
   private:
-    std::vector<shared::NearbyVertex> read(std::size_t first, std::size_t count) const;
-
     shared::NearbyQuery query_{};
     gpu::Buffer buffer_;
-    /// How long the next answer may be: about as long as the last one, so that one read has it all.
-    std::uint32_t expected_ = 0;
+    /// How long the answer for the next box may be: somewhat longer than the last one.
+    std::uint32_t expected_ = kLeastExpected;
+    std::uint32_t sent_ = 0;  ///< records of the answer that were asked for
+    std::size_t place_ = 0;   ///< of the answer
+    static constexpr std::uint32_t kLeastExpected = 4096;
 };
 
 }  // namespace kerf

@@ -74,7 +74,7 @@ void SolverPieces::addRecord(const PieceModel& piece, std::size_t number,
 void SolverPieces::makeRoomForSums() {
     blockSums.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::VolumeSum));
     impulses.resize(std::max<std::size_t>(pieces_.size(), 1) * sizeof(shared::VolumeImpulse));
-    blockMeasures.reserve((blocks_.size() + 1) * sizeof(shared::BlockMeasure));
+    blockMeasures.resize((blocks_.size() + 1) * sizeof(shared::BlockMeasure));
 }
 
 void SolverPieces::setVolumeTargets(std::span<const VolumeTarget> targets) {

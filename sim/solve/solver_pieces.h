@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "gpu/buffer.h"
-#include "gpu/mapped_ring.h"
 #include "shaders/shared/body_records.h"
 #include "sim/body/body_model.h"
 #include "sim/solve/scatter.h"
@@ -40,7 +39,7 @@ class SolverPieces {
 
     gpu::Buffer pieceBuffer, blockBuffer, pageBuffer, placeBuffer;
     gpu::Buffer blockSums, impulses;  ///< room for what is summed
-    gpu::MappedRing blockMeasures;    ///< the same; read by the CPU after each step
+    gpu::Buffer blockMeasures;        ///< the same; the CPU learns them after each step
 
   private:
     void addRecord(const PieceModel& piece, std::size_t number, std::vector<std::uint32_t>& table);

@@ -41,8 +41,20 @@ void SolverState::update(std::span<const std::uint32_t> written, const BodyState
     });
 }
 
+SolverState::Places SolverState::askFor(gpu::ReadBack& back, std::size_t count) const {
+    const std::size_t bytes = count * sizeof(shared::vec4);
+    return {back.ask(positions, bytes), back.ask(velocities, bytes), count};
+}
+
+BodyState SolverState::take(const gpu::ReadBack& back, const Places& places) {
+    return {unpacked(back.read<shared::vec4>(places.positions, places.count)),
+            unpacked(back.read<shared::vec4>(places.velocities, places.count))};
+}
+
 BodyState SolverState::read(std::size_t count) const {
-    return {unpacked(positions, count), unpacked(velocities, count)};
+    const Places places = askFor(back_, count);
+    back_.send();
+    return take(back_, places);
 }
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/read_back.h"
 #include "sim/body/body_model.h"
 #include "sim/body/body_state.h"
 #include "sim/solve/scatter.h"
@@ -27,8 +28,21 @@ struct SolverState {
     /// vertices.
     void update(std::span<const std::uint32_t> written, const BodyState& state, std::size_t count,
                 Scatter& scatter);
+    /// Where the state lies in what was asked for.
+    struct Places {
+        std::size_t positions = 0;
+        std::size_t velocities = 0;
+        std::size_t count = 0;  ///< of vertices
+    };
+    /// Asks for the state of `count` vertices.
+    Places askFor(gpu::ReadBack& back, std::size_t count) const;
+    /// The state that was sent; waits for the GPU.
+    static BodyState take(const gpu::ReadBack& back, const Places& places);
     /// Reads the state of `count` vertices back; waits for the GPU.
     BodyState read(std::size_t count) const;
+
+  private:
+    mutable gpu::ReadBack back_;
 };
 
 }  // namespace kerf

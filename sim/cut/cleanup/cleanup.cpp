@@ -25,6 +25,8 @@ constexpr int kMostRounds = 10;
 // of the allowed deviation; one that reaches kGoodEnough ends the search.
 constexpr double kPriceOfDeviation = 0.2;
 constexpr double kGoodEnough = 0.6;
+// Of neighbours around what is cleaned: what an operation judges beside it.
+constexpr int kFollowedRings = 3;
 
 struct Sliver {
     double score;
@@ -157,6 +159,25 @@ CleanupStatistics Cleanup::behindFront(const std::vector<RungNode>& rung, CutDel
     lastStep_.insert(lastStep_.end(), delta.changedTriangles.begin(), delta.changedTriangles.end());
     triangles.insert(triangles.end(), lastStep_.begin(), lastStep_.end());
     return clean(triangles, delta);
+}
+
+void Cleanup::addVertices(std::vector<int>& vertices) const {
+    const SurfaceMesh& mesh = workspace_.mesh;
+    std::vector<int> found;
+    for (const int t : lastStep_) {
+        if (mesh.alive(t)) {
+            const Triangle& corners = mesh.triangle(t);
+            found.insert(found.end(), corners.begin(), corners.end());
+        }
+    }
+    sortUnique(found);
+    for (int ring = 0; ring < kFollowedRings; ++ring) {
+        for (std::size_t i = found.size(); i-- > 0;) {
+            mesh.forEachOutgoing(found[i], [&](int h) { found.push_back(mesh.target(h)); });
+        }
+        sortUnique(found);
+    }
+    vertices.insert(vertices.end(), found.begin(), found.end());
 }
 
 CleanupStatistics Cleanup::atEnd(CutDelta& delta) {

@@ -20,6 +20,9 @@ class Cleanup {
     /// Cleans what the last two steps made, but nothing beside the rung. `delta` is that of the
     /// step; the changes are added to it.
     CleanupStatistics behindFront(const std::vector<RungNode>& rung, CutDelta& delta);
+    /// Appends the vertices that the next behindFront() is likely to read around what it cleaned
+    /// last.
+    void addVertices(std::vector<int>& vertices) const;
     /// Cleans all that the stroke made, the end of the slit included.
     CleanupStatistics atEnd(CutDelta& delta);
     /// Removes short edges at some triangles, without a stroke. All is judged in the rest shape,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "sim/base/sort_unique.h"
@@ -131,6 +132,10 @@ OrientedBox Cutter::reach(std::span<const Blade> path, double time) const {
     return box;
 }
 
+bool Cutter::hasCut() const {
+    return inStroke() && state_->stroke.cleanup.has_value();
+}
+
 std::vector<int> Cutter::followedVertices() const {
     std::vector<int> vertices;
     const auto lives = [this](int v) { return state_->body.mesh.outgoing(v) >= 0; };
@@ -144,6 +149,9 @@ std::vector<int> Cutter::followedVertices() const {
         }
     }
     state_->body.surface.addVertices(vertices);
+    if (const std::optional<cut::Cleanup>& cleanup = state_->stroke.cleanup) {
+        cleanup->addVertices(vertices);
+    }
     sortUnique(vertices);
     return vertices;
 }

@@ -65,6 +65,8 @@ class Cutter {
 
     /// Whether a stroke has begun and not finished.
     bool inStroke() const;
+    /// Whether the running stroke has made walls.
+    bool hasCut() const;
     /// The number of the stroke, or of the last one, as in SurfaceMesh::wallLabel. A stroke that
     /// has not cut leaves its number to the next.
     int strokeNumber() const;

@@ -4,6 +4,7 @@
 //   KERF_SOAK_MINUTES=45 build/kerf_app_tests --gtest_filter='EditorSoak*'
 //
 // Without that variable, a few rounds of acts. KERF_FUZZ_SEED sets the acts.
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -51,6 +52,13 @@ double residentMegabytes() {
     return 1e-6 * resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
+/// Memory that this process has asked for and not given back [MB]; the rest of what is resident
+/// the allocator keeps, or the driver's own.
+double usedMegabytes() {
+    const struct mallinfo2 info = ::mallinfo2();
+    return 1e-6 * static_cast<double>(info.uordblks + info.hblkhd);
+}
+
 int entriesOf(const std::filesystem::path& folder) {
     const std::filesystem::directory_iterator entries(folder);
     return static_cast<int>(std::distance(begin(entries), end(entries)));
@@ -70,6 +78,7 @@ struct Pause {
 struct Sample {
     double minutes = 0;
     double megabytes = 0;
+    double used = 0;  ///< of these, by what asked for them [MB]
     test::GlObjects objects;
     int files = 0;
     int threads = 0;
@@ -147,22 +156,25 @@ class EditorSoak : public EditorStorm {
         }
         EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece") << panels().toast;
         expectSound();
-        return {sinceStart_.seconds() / 60,   residentMegabytes(),
-                test::countGlObjects(),       entriesOf("/proc/self/fd"),
-                entriesOf("/proc/self/task"), entriesOf(folder / "journals")};
+        return {
+            sinceStart_.seconds() / 60,    residentMegabytes(),        usedMegabytes(),
+            test::countGlObjects(),        entriesOf("/proc/self/fd"), entriesOf("/proc/self/task"),
+            entriesOf(folder / "journals")};
     }
 
     static void printHead() {
         std::puts(
-            "minute  acts  frames  memory [MB]  buffers textures framebuffers arrays programs "
+            "minute  acts  frames  memory [MB]  used [MB]  buffers textures framebuffers arrays "
+            "programs "
             "queries  files threads journals  longest frame [s]  processor [s]  during");
     }
     void printRow(const Sample& s) {
         const test::GlObjects& o = s.objects;
-        std::printf("%6.1f %5d %7d %12.1f %8d %8d %12d %6d %8d %7d %6d %7d %8d %18.2f %14.2f  %s\n",
-                    s.minutes, row_.acts, row_.frames, s.megabytes, o.buffers, o.textures,
-                    o.framebuffers, o.vertexArrays, o.programs, o.queries, s.files, s.threads,
-                    s.journals, row_.longest.seconds, row_.longest.processor, row_.longest.during);
+        std::printf(
+            "%6.1f %5d %7d %12.1f %10.1f %8d %8d %12d %6d %8d %7d %6d %7d %8d %18.2f %14.2f  %s\n",
+            s.minutes, row_.acts, row_.frames, s.megabytes, s.used, o.buffers, o.textures,
+            o.framebuffers, o.vertexArrays, o.programs, o.queries, s.files, s.threads, s.journals,
+            row_.longest.seconds, row_.longest.processor, row_.longest.during);
         std::fflush(stdout);
     }
 
@@ -209,13 +221,14 @@ class EditorSoak : public EditorStorm {
             return meanOf(judged.last(quarter)) / meanOf(judged.first(quarter));
         };
         const double memory = grown([](const Sample& s) { return s.megabytes; });
+        const double used = grown([](const Sample& s) { return s.used; });
         const double objects = grown([](const Sample& s) { return s.objects.lasting(); });
         const double files = grown([](const Sample& s) { return s.files; });
         const double threads = grown([](const Sample& s) { return s.threads; });
         std::printf(
-            "%zu samples; last quarter over first: memory %.3f, OpenGL objects %.3f, files "
-            "%.3f, threads %.3f\n",
-            judged.size(), memory, objects, files, threads);
+            "%zu samples; last quarter over first: memory %.3f, used %.3f, OpenGL objects %.3f, "
+            "files %.3f, threads %.3f\n",
+            judged.size(), memory, used, objects, files, threads);
         const double most = warm ? kMostGrowth : kMostGrowthCold;
         EXPECT_LT(memory, most);
         EXPECT_LT(objects, most);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "tests/support/shapes.h"
@@ -25,14 +26,31 @@ class TrafficTest : public test::SimulationTest {
     gpu::Traffic ofStep() {
         return during([this] { run(1); });
     }
-    void cutAt(double x) {
+    /// Through the body; `step` leads the blade on and steps.
+    void cutAt(double x, const std::function<void(const std::function<void()>&)>& step) {
         for (int i = 0; i <= 20; ++i) {
             const double y = 0.7 - 1.4 * i / 20;
-            ASSERT_EQ(simulation->execute(MoveBlade{{{x, y, -1}, {x, y, 1}}}), "");
-            run(1);
+            step([&] { ASSERT_EQ(simulation->execute(MoveBlade{{{x, y, -1}, {x, y, 1}}}), ""); });
         }
-        simulation->execute(LiftBlade{});
-        run(1);
+        step([&] { simulation->execute(LiftBlade{}); });
+    }
+    void cutAt(double x) {
+        cutAt(x, [this](const std::function<void()>& lead) {
+            lead();
+            run(1);
+        });
+    }
+    /// The most that a step of such a cut waits.
+    std::uint64_t mostWaitsInCutAt(double x) {
+        std::uint64_t most = 0;
+        cutAt(x, [&](const std::function<void()>& lead) {
+            const gpu::Traffic step = during([&] {
+                lead();
+                run(1);
+            });
+            most = std::max(most, step.waits + step.reads);
+        });
+        return most;
     }
 };
 
@@ -52,6 +70,31 @@ TEST_F(TrafficTest, AStepAtRestWaitsOnceAndSendsNextToNothing) {
     const gpu::Traffic step = ofStep();
     EXPECT_LE(step.waits + step.reads, 1u);
     EXPECT_LT(step.bytesUp, 4096u);
+}
+
+TEST_F(TrafficTest, AStepOfAStrokeWaitsTwiceAtMost) {
+    constexpr int kFine = 24;
+    for (const int side : {6, kFine}) {
+        open(test::weightless(), side);
+        EXPECT_LE(mostWaitsInCutAt(0.01), 2u) << "at rest, " << side;
+        ASSERT_EQ(simulation->report().pieces, 2);
+        Params params;
+        params.floor = -0.5;
+        open(params, side);
+        EXPECT_LE(mostWaitsInCutAt(0.01), 2u) << "on the floor, " << side;
+        EXPECT_LE(mostWaitsInCutAt(-0.2), 2u) << "once more, " << side;
+        EXPECT_GE(simulation->report().pieces, 2);
+    }
+}
+
+TEST_F(TrafficTest, ABladeThatFeelsWaitsNoMore) {
+    Params params;
+    params.floor = -0.5;
+    params.bladeFeels = 1;
+    params.bladePush = 1;
+    open(params);
+    simulation->feelBlade(true);
+    EXPECT_LE(mostWaitsInCutAt(0.01), 2u);
 }
 
 TEST_F(TrafficTest, WhileTimeStandsNothingIsDispatched) {
