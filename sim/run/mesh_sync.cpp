@@ -107,7 +107,7 @@ void MeshSync::bring(std::span<const int> vertices) {
     std::vector<int> old;
     std::ranges::copy_if(vertices, std::back_inserter(old),
                          [this](int v) { return mesh_->isOld(v); });
-    if (stepping_ && std::exchange(readsAll_, true)) {
+    if (readsAll_) {
         mesh_->bringAll();
         return;
     }

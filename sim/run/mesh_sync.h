@@ -25,14 +25,9 @@ class MeshSync final : public VertexSource, public TriangleFinder {
         forget();
     }
 
-    /// A step begins. What nobody foresaw in it is read alone the first time, then with all of the
-    /// body, so that a step waits for few reads. `willReadAll`: with all the first time already,
-    /// since all is likely to be read.
-    void beginStep(bool willReadAll) {
-        stepping_ = true;
-        readsAll_ = willReadAll;
-    }
-    void endStep() { stepping_ = false; }
+    /// From now on what nobody foresaw is read with all of the body, since all is about to be read,
+    /// or alone.
+    void readAllAtOnce(bool wanted) { readsAll_ = wanted; }
     /// Before the measure of a step: the box that the blade will look into, and vertices that will
     /// be read wherever they are.
     void prefetch(const OrientedBox& box, std::span<const int> vertices);
@@ -78,8 +73,7 @@ class MeshSync final : public VertexSource, public TriangleFinder {
     std::vector<int> triangles_;  ///< ascending; some may be dead, or far away
     Bounds bounds_;
     int wholeReads_ = 0;
-    bool stepping_ = false;
-    bool readsAll_ = false;  ///< from now on in this step
+    bool readsAll_ = false;  ///< see readAllAtOnce()
 };
 
 }  // namespace kerf

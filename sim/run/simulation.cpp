@@ -69,21 +69,26 @@ const StepReport& Simulation::State::step() {
     log.touch();
     output.report = {};
     output.report.step = output.clock.stepsDone;
-    body.sync.beginStep(!body.cutter->hasCut());
     applyParameters();
     if (input.timeRuns) {
         solve();
-        stroke.step();
+        cut();
         noteHeldEdge();
         lookAfterShape();
         output.clock.time += input.params.timeStep;
     } else {
-        stroke.step();
+        cut();
     }
-    body.sync.endStep();
     ++output.clock.stepsDone;
     publish();
     return output.report;
+}
+
+/// A stroke that has not cut yet asks for the volume of the whole body as soon as it does.
+void Simulation::State::cut() {
+    body.sync.readAllAtOnce(!body.cutter->hasCut());
+    stroke.step();
+    body.sync.readAllAtOnce(false);
 }
 
 /// What is folded now was so by the parameters before.
@@ -148,8 +153,7 @@ void Simulation::State::noteHeldEdge() {
     output.report.heldEdge.work = work;
 }
 
-/// Where a step reads all of the body, it comes with the measure, so that no step waits more than
-/// twice.
+/// Where a step is known to read all of the body, it comes with the measure.
 void Simulation::State::prefetchCut() {
     const bool looks = input.blade.isTold() || body.cutter->inStroke() || stroke.feels();
     const std::vector<Blade> path = input.blade.path();

@@ -58,6 +58,7 @@ struct Simulation::State {
     void noteParamsChanged();
     void applyParameters();
     void solve();
+    void cut();
     void prefetchCut();
     Vec3 middleOfBlade();
     void noteBladeLoad(const Vec3& middle);

@@ -55,8 +55,9 @@ class Collisions {
     void feelBlade(bool wanted) { blade_.measureLoad(wanted); }
     /// What it did in the last time step that was measured.
     const BladeLoad& bladeLoad() const { return blade_.load(); }
-    /// Asks for what was done to edge and blade, as far as it is measured, and takes it up.
+    /// Asks for what edge and blade did in the last time step, as far as it is measured.
     void askForLoads(gpu::ReadBack& back);
+    /// Takes up what was sent of that; waits for the GPU.
     void takeLoads(const gpu::ReadBack& back);
 
     /// The body has been put elsewhere.

@@ -78,10 +78,9 @@ void expectSameOf(const SurfaceMesh& body, const Params& params, const std::vect
     }
     const int before = near.wholeReads();
     EXPECT_GE(expectSame(all, near, poses), leastCuts);
-    // The first step that cuts needs the volume of the body, the last one cleans all of the stroke,
-    // and where a step reads unforeseen vertices twice, it reads all.
+    // The first step that cuts needs the volume of the body, the last one cleans all of the stroke.
     constexpr int kStrokes = 4;
-    EXPECT_LE(near.wholeReads() - before, 6 * kStrokes);
+    EXPECT_LE(near.wholeReads() - before, 4 * kStrokes);
     EXPECT_EQ(all.stateHash(), near.stateHash());
 }
 
