@@ -1,8 +1,8 @@
 #include "gpu/read_back.h"
 
 #include <glad/gl.h>
+#include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <stdexcept>
@@ -57,6 +57,13 @@ void waitFor(GLsync fence) {
     }
 }
 
+void warnOnceOfEarlyFence() {
+    static bool warned = false;
+    if (!std::exchange(warned, true)) {
+        spdlog::warn("The graphics driver told of results too early; Kerf waits for them.");
+    }
+}
+
 }  // namespace
 
 ReadBack::~ReadBack() {
@@ -73,7 +80,8 @@ std::size_t ReadBack::ask(const Buffer& from, std::size_t bytes) {
 
 void ReadBack::send() {
     const std::vector<Part> parts = std::exchange(parts_, {});
-    reserve(std::exchange(asked_, 0));
+    markPlace_ = std::exchange(asked_, 0);
+    reserve(markPlace_ + kAlignment);
     dropFence();
     barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     for (const Part& part : parts) {
@@ -83,6 +91,7 @@ void ReadBack::send() {
         }
         traffic().bytesDown += part.bytes;
     }
+    mark();
     barrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     if (fence_ == nullptr) {
@@ -94,11 +103,38 @@ void ReadBack::send() {
 const std::byte* ReadBack::awaited(std::size_t place, [[maybe_unused]] std::size_t bytes) const {
     assert(place + bytes <= capacity_ && "read beyond what was sent");
     if (fence_ != nullptr) {
-        ++traffic().waits;
-        waitFor(static_cast<GLsync>(fence_));
+        wait();
         dropFence();
     }
     return memory_ + place;
+}
+
+/// The copies are there once their mark is. No two in a process are alike: memory comes back.
+void ReadBack::mark() {
+    static std::uint32_t last = 0;
+    serial_ = ++last;
+    glClearNamedBufferSubData(id_, GL_R32UI, static_cast<GLintptr>(markPlace_), sizeof(serial_),
+                              GL_RED_INTEGER, GL_UNSIGNED_INT, &serial_);
+}
+
+bool ReadBack::isMarked() const {
+    return *reinterpret_cast<const volatile std::uint32_t*>(memory_ + markPlace_) == serial_;
+}
+
+/// Zink of Mesa 22.3 was seen to signal a fence some milliseconds before the copies were done
+/// (docs/notes/drivers.md).
+void ReadBack::wait() const {
+    ++traffic().waits;
+    waitFor(static_cast<GLsync>(fence_));
+    if (!isMarked()) {
+        warnOnceOfEarlyFence();
+        glFinish();
+        requireContext();
+    }
+    if (!isMarked()) {
+        throw std::runtime_error(
+            "The graphics driver says that results are there which are not; try another driver.");
+    }
 }
 
 /// What was sent is gone where the memory grows.
@@ -106,8 +142,8 @@ void ReadBack::reserve(std::size_t bytes) {
     if (bytes <= capacity_ && id_ != 0) {
         return;
     }
-    const std::size_t capacity = grownCapacity(capacity_, std::max(bytes, kAlignment),
-                                               std::numeric_limits<std::size_t>::max());
+    const std::size_t capacity =
+        grownCapacity(capacity_, bytes, std::numeric_limits<std::size_t>::max());
     const Mapping grown = allocateMapped(capacity);
     release();
     id_ = grown.id;

@@ -10,7 +10,8 @@
 namespace kerf::gpu {
 
 /// Results of kernels on their way to the CPU: asked for one by one, sent together into memory that
-/// stays mapped, and waited for once, by whoever reads first. Until then the CPU is free.
+/// stays mapped, and waited for once, by whoever reads first. Until then the CPU is free. A mark
+/// follows what is sent: a driver whose fence tells too early is waited for again.
 class ReadBack {
   public:
     ReadBack() = default;
@@ -26,7 +27,7 @@ class ReadBack {
     void send();
 
     /// `count` elements of what was asked for, as sent last; waits for the GPU the first time.
-    /// They stay until the next send().
+    /// They stay until the next send(). Throws std::runtime_error where they never come.
     template <class T>
     std::span<const T> read(std::size_t place, std::size_t count) const {
         return {reinterpret_cast<const T*>(awaited(place, count * sizeof(T))), count};
@@ -40,6 +41,9 @@ class ReadBack {
     };
     const std::byte* awaited(std::size_t place, std::size_t bytes) const;
     void reserve(std::size_t bytes);
+    void mark();
+    bool isMarked() const;
+    void wait() const;
     void dropFence() const;
     void release();
 
@@ -49,6 +53,8 @@ class ReadBack {
     const std::byte* memory_ = nullptr;
     std::size_t capacity_ = 0;       ///< [bytes]
     mutable void* fence_ = nullptr;  ///< GLsync of what was sent; null once it is there
+    std::size_t markPlace_ = 0;      ///< behind what was sent
+    std::uint32_t serial_ = 0;       ///< of the send(), which its mark bears
 };
 
 }  // namespace kerf::gpu
