@@ -2,11 +2,14 @@
 
 #include <utility>
 
+#include "sim/base/freed_memory.h"
+
 namespace kerf::app {
 
 void SceneAtWork::set(std::unique_ptr<EditorScene> scene) {
     work_.giveUp();
     scene_ = std::move(scene);
+    giveBackFreedMemory();
 }
 
 std::unique_ptr<EditorScene> SceneAtWork::exchange(std::unique_ptr<EditorScene> scene) {

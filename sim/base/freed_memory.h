@@ -7,4 +7,8 @@ namespace kerf {
 /// program; does nothing but with the allocator of glibc.
 void keepFreedMemory();
 
+/// Gives back to the system what was freed and kept, in some milliseconds: for when something large
+/// has ended. Does nothing but with the allocator of glibc.
+void giveBackFreedMemory();
+
 }  // namespace kerf
