@@ -9,6 +9,7 @@
 #include "sim/base/params.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/subdivision_pattern.h"
+#include "sim/solve/sweep_strength.h"
 #include "ui/action.h"
 #include "ui/axes_widget.h"
 #include "ui/cut_rows.h"
@@ -141,10 +142,10 @@ struct PanelModel {
     bool liveModels = true;  ///< small enough to follow a drag
     Params params;           ///< as they are
     Params startParams;      ///< as they were when it was opened: what the reset mark returns to
-    std::vector<StaticBox> boxes;  ///< that the body collides with
-    double bodySize = 1;           ///< diagonal of the body at rest [m]
-    Bounds bodyBounds;             ///< of the body as it is [m]
-    double edgeLength = 1;         ///< mean of the uncut body at rest [m]
+    std::vector<StaticBox> boxes;           ///< that the body collides with
+    double bodySize = 1;                    ///< diagonal of the body at rest [m]
+    Bounds bodyBounds;                      ///< of the body as it is [m]
+    const SweepStrength* sweeps = nullptr;  ///< of the body; null while nothing is open
     bool playing = false;
     double speed = 1;  ///< of simulated time against the clock
     ChangeList changes;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/solve/sweep_strength.h"
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
 #include "ui/unit_text.h"
@@ -307,10 +306,11 @@ void drawOwnParameters(int model, const PanelModel& panels, std::vector<Action>&
 }
 
 std::string remarkOn(const ParamInfo& info, const PanelModel& model) {
-    if (info.name != "iterations" || !hasTooFewSweeps(model.params, model.edgeLength)) {
+    if (info.name != "iterations" || model.sweeps == nullptr ||
+        !model.sweeps->isTooLittle(model.params)) {
         return "";
     }
-    const std::optional<int> enough = enoughIterations(model.params, model.edgeLength);
+    const std::optional<int> enough = model.sweeps->enoughIterations(model.params);
     const std::string advice = enough ? "From " + std::to_string(*enough) + " on it is not."
                                       : "A smaller time step helps.";
     return "Too few for this stiffness: the body is softer than its modulus. " + advice;

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <vector>
 
-#include "sim/body/rest_geometry.h"
 #include "sim/mesh/box_surface.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
@@ -284,7 +283,7 @@ BenchResult measureModulus(const BenchSetting& setting) {
     result.strain = way / specimen.loading.size.y();
     result.effectiveModulus = modulusFor(specimen, way, params.gravity.norm(), params.density);
     result.volumeRatio = simulation.report().volumeRatio;
-    result.tooFewIterations = hasTooFewSweeps(params, meanRestEdgeLength(specimen.mesh));
+    result.tooFewIterations = SweepStrength(simulation.bodyModel(), params).isTooLittle(params);
     return result;
 }
 

@@ -33,7 +33,7 @@ struct BenchResult {
     double effectiveModulus = 0;    ///< [Pa]
     double volumeRatio = 1;         ///< at rest under load, against the unloaded specimen
     bool settled = false;           ///< false where it still moved when time was up
-    bool tooFewIterations = false;  ///< the program says so: hasTooFewSweeps()
+    bool tooFewIterations = false;  ///< the program says so: SweepStrength
 };
 
 /// Loads the specimen by a gravity that gives a strain of 1 % at the parameter's modulus, lets it

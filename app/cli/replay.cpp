@@ -20,7 +20,6 @@
 #include "render/renderer.h"
 #include "sim/base/stopwatch.h"
 #include "sim/base/text.h"
-#include "sim/body/rest_geometry.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {
@@ -93,7 +92,6 @@ class Replay {
           player_(session_),
           files_(folder, options.hashes, options.pieces),
           simulation_(running.simulation()),
-          iterations_(meanRestEdgeLength(running.uncut()->mesh)),
           path_(cameraPathOf(session_)) {
         summary_.model = session_.model.name();
         std::ranges::for_each(remarks, [&](const std::string& sentence) { remark(sentence); });
@@ -226,7 +224,7 @@ class Replay {
         if (stopped_) {
             return;
         }
-        iterations_.add(step_, simulation_.params());
+        iterations_.add(step_, simulation_.bodyModel(), simulation_.params());
         const StepReport& report = running_.step();
         if (film_) {
             film_->pass(simulation_.params().timeStep);

@@ -7,7 +7,6 @@
 #include "app/scene/size_effect.h"
 #include "app/scene/triangle_text.h"
 #include "app/session/scene_view.h"
-#include "sim/body/rest_geometry.h"
 #include "sim/mesh/piece_figures.h"
 #include "ui/unit_text.h"
 
@@ -56,7 +55,7 @@ std::vector<EditorScene::ModelFigures> figuresOf(const UncutBody& uncut) {
 }
 
 EditorScene::RestFigures restFigures(const UncutBody& uncut) {
-    return {meshBounds(uncut.mesh), meanRestEdgeLength(uncut.mesh), figuresOf(uncut)};
+    return {meshBounds(uncut.mesh), figuresOf(uncut)};
 }
 
 /// The parameters as they are for one model.
@@ -835,6 +834,9 @@ void EditorScene::describe(ui::PanelModel& model) {
     if (recut || age >= kPiecesEvery || (age != 0 && !playing)) {
         refreshPieces();
     }
+    if (simulation_.isWhole()) {
+        sweeps_.follow(simulation_.bodyModel(), simulation_.params());
+    }
     const StepReport& report = simulation_.report();
     model.name = document_.name;
     describeModels(model);
@@ -845,7 +847,7 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.hooks = hooks().size();
     model.bodySize = rest_.bounds.diagonal();
     model.bodyBounds = simulation_.bounds();
-    model.edgeLength = rest_.edgeLength;
+    model.sweeps = &sweeps_;
     model.playing = playing;
     model.stroking = stroke_.drawing() || stroke_.pending() > 0;
     model.step = simulation_.stepCount() - start_.step;

@@ -26,6 +26,7 @@
 #include "render/renderer.h"
 #include "sim/mesh/triangle_quality.h"
 #include "sim/run/simulation.h"
+#include "sim/solve/sweep_strength.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {
@@ -69,8 +70,7 @@ class EditorScene {
     };
     /// Figures of the uncut body at rest.
     struct RestFigures {
-        Bounds bounds;          ///< [m]
-        double edgeLength = 0;  ///< mean [m]
+        Bounds bounds;  ///< [m]
         std::vector<ModelFigures> models = {};
     };
     const RestFigures& rest() const { return rest_; }
@@ -261,6 +261,7 @@ class EditorScene {
     Simulation simulation_;
     std::shared_ptr<const UncutBody> uncut_ = simulation_.uncut();
     RestFigures rest_;  ///< of `uncut_`
+    SweepStrength sweeps_;
     int placementRevision_ = 0;
     SessionRunner runner_{simulation_};
     /// Of a session with events, or of the past, until a person cuts.

@@ -3,7 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "sim/base/text.h"
-#include "sim/solve/sweep_strength.h"
 
 namespace kerf::app {
 
@@ -19,14 +18,15 @@ std::string stiffnessOf(const Params& params) {
 
 }  // namespace
 
-void IterationWatch::add(int step, const Params& params) {
+void IterationWatch::add(int step, const BodyModel& body, const Params& params) {
     ++steps_;
-    if (!hasTooFewSweeps(params, edgeLength_)) {
+    strength_.follow(body, params);
+    if (!strength_.isTooLittle(params)) {
         return;
     }
     ++weakSteps_;
-    if (const double strength = sweepStrength(params, edgeLength_); strength < least_) {
-        least_ = strength;
+    if (const double carried = strength_.carried(params); carried < least_) {
+        least_ = carried;
         worstStep_ = step;
         worst_ = params;
     }
@@ -36,7 +36,7 @@ std::string IterationWatch::sentence() const {
     if (weakSteps_ == 0) {
         return "";
     }
-    const std::optional<int> enough = enoughIterations(worst_, edgeLength_);
+    const std::optional<int> enough = strength_.enoughIterations(worst_);
     const std::string advice =
         enough ? fmt::format("from {} on it is not", *enough) : "a smaller time_step helps";
     return fmt::format(

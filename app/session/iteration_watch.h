@@ -3,6 +3,8 @@
 #include <string>
 
 #include "sim/base/params.h"
+#include "sim/body/body_model.h"
+#include "sim/solve/sweep_strength.h"
 
 namespace kerf::app {
 
@@ -10,20 +12,17 @@ namespace kerf::app {
 /// which make a body softer than its modulus without any other sign of it.
 class IterationWatch {
   public:
-    /// `edgeLength` is the mean of the uncut body at rest [m].
-    explicit IterationWatch(double edgeLength) : edgeLength_(edgeLength) {}
-
-    /// Takes note of a step that runs with these parameters.
-    void add(int step, const Params& params);
+    /// Takes note of a step that runs with this body and these parameters.
+    void add(int step, const BodyModel& body, const Params& params);
     /// One sentence on what is too few, where it is worst and what to do; "" where no step had too
     /// few.
     std::string sentence() const;
 
   private:
-    double edgeLength_;
+    SweepStrength strength_;
     int steps_ = 0;
     int weakSteps_ = 0;
-    double least_ = 1;  ///< strength of a sweep
+    double least_ = 1;  ///< SweepStrength::carried()
     int worstStep_ = 0;
     Params worst_;
 };

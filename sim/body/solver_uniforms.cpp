@@ -30,13 +30,6 @@ double stiffnessOf(uint type, const Params& params) {
     }
 }
 
-/// Young's modulus of a type of constraints as a multiple of the body's.
-double modulusFactor(uint type, const Params& params) {
-    const double stiffness = stiffnessOf(type, params);
-    const double factor = type == shared::kIspc ? ispcModulusFactor(stiffness) : stiffness;
-    return factor * modulusShare(type, params);
-}
-
 // What is hollow or limp may fold.
 bool unfolds(const Params& params) {
     return holdsVolume(params) && params.bendingStiffness > 0;
@@ -62,6 +55,9 @@ bool hasTrueModulus(const Params& params) {
     return params.solver == SolverMode::smallSteps && params.trueModulus != 0;
 }
 
+namespace {
+
+/// See modulusFactor().
 double modulusShare(uint type, const Params& params) {
     // Skin and ISPCs that each carried the whole load would make a body twice as stiff. These come
     // from docs/notes/effective-modulus.md: the pair with which bars, slabs and blocks at rest are
@@ -72,6 +68,14 @@ double modulusShare(uint type, const Params& params) {
         return 1;
     }
     return type == shared::kStretch ? kSkin : kInside;
+}
+
+}  // namespace
+
+double modulusFactor(uint type, const Params& params) {
+    const double stiffness = stiffnessOf(type, params);
+    const double factor = type == shared::kIspc ? ispcModulusFactor(stiffness) : stiffness;
+    return factor * modulusShare(type, params);
 }
 
 double sweepRoom(uint type) {

@@ -15,9 +15,10 @@ double ispcModulusFactor(double stiffness);
 /// Whether the body is as stiff as its modulus says: `true_modulus`, which plain PBD has not.
 bool hasTrueModulus(const Params& params);
 
-/// The share of a type of constraints (shared::kStretch, ...) in carrying what the body does, as a
-/// factor on its modulus: 1, but with a true modulus less for edges and more for turned ISPCs.
-double modulusShare(shared::uint type, const Params& params);
+/// Young's modulus of a type of constraints (shared::kStretch, ...) as a multiple of the body's:
+/// what its stiffness makes of it, times its share in carrying what the body does. That is 1, but
+/// with a true modulus less for edges and more for turned ISPCs.
+double modulusFactor(shared::uint type, const Params& params);
 
 /// With a true modulus: the least compliance over h^2 of a constraint of this type, as a multiple
 /// of 3/4 + gamma/2 of what a Jacobi sweep would add. All types together are stable then.

@@ -1,24 +1,58 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "sim/base/params.h"
+#include "sim/body/body_model.h"
 
 namespace kerf {
 
-/// How strong one Jacobi sweep a substep is against what an edge constraint asks for: r = (alpha /
-/// h^2) / (2 n w) of mass-splitting XPBD, where n = 6 equal edges of length L meet at a vertex.
-/// By geometry, which gives alpha and w, it is rho L^2 / (12 E h^2). Far above 1 the body is as
-/// stiff as its modulus says; below 1 it is softer, whatever the modulus (docs/physics.md,
-/// Effective modulus). With `true_modulus` it is r over the least r at which the edges are as stiff
-/// as they should be (sweepRoom()). `edgeLength` is the mean at rest [m]; `small_steps` is
-/// assumed.
-double sweepStrength(const Params& params, double edgeLength);
+/// How much of what the constraints of a body ask for one Jacobi sweep a substep carries. What it
+/// does not carry makes the body softer than its modulus, whatever that is (docs/physics.md, What
+/// iterations buy). Bends don't count: a solid lacks them least.
+class SweepStrength {
+  public:
+    /// Of no body: everything is carried.
+    SweepStrength() = default;
+    /// Of `model`, whose constraints were made for `params`.
+    SweepStrength(const BodyModel& model, const Params& params) { follow(model, params); }
 
-/// Whether that is below 1. Never with plain PBD, whose stiffness is no modulus.
-bool hasTooFewSweeps(const Params& params, double edgeLength);
+    /// Counts anew, in O(constraints), where those made for `params` or those of a body of this
+    /// size are others than those that were counted. Cuts alone are no reason.
+    void follow(const BodyModel& model, const Params& params);
 
-/// Least number of iterations for which it is 1; none where the range of the parameter ends before.
-std::optional<int> enoughIterations(const Params& params, double edgeLength);
+    /// The share of the stiffness of edges, with a true modulus of ISPCs too, that a sweep carries,
+    /// 0 to 1. Each constraint counts by its energy under a stretch that is the same everywhere, so
+    /// the body is at most so stiff (Voigt's bound). A constraint carries, with
+    /// r = (alpha / h^2) / sum(n w |grad C|^2) of mass-splitting XPBD, r / (1 + r); with a true
+    /// modulus min(1, 4 r / 3 s) for the room s of its type (sweepRoom()).
+    double carried(const Params& params) const;
+    /// Whether that is too little for the modulus: less than 0.9 with a true one; else less than
+    /// 0.7, since skin and ISPCs each carry the whole load. Never with plain PBD, whose stiffness
+    /// is no modulus.
+    bool isTooLittle(const Params& params) const;
+    /// The least number of iterations for which it is not; none where the range of the parameter
+    /// ends before.
+    std::optional<int> enoughIterations(const Params& params) const;
+
+  private:
+    /// Constraints of nearly the same strength.
+    struct Alike {
+        double volume = 0;    ///< that they stand for [m^3]
+        double strength = 0;  ///< mean by volume of r E h^2 / rho [m^2]
+    };
+    using Constraints = std::map<long, Alike>;  ///< by the logarithm of their strength
+
+    template <class Constraint>
+    static Constraints count(const std::vector<Constraint>& list, const Incidence& incidence,
+                             const BodyModel& model, const std::vector<double>& masses);
+
+    std::optional<Params> countedFor_;
+    double diagonal_ = 0;  ///< BodyModel::diagonal of what was counted [m]
+    Constraints edges_;
+    Constraints ispcs_;
+};
 
 }  // namespace kerf

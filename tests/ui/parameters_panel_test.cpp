@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "tests/support/shapes.h"
+
 namespace kerf::ui {
 namespace {
 
@@ -36,15 +38,20 @@ TEST(SliderFormat, LosesNothingOfTheSmallestValue) {
 TEST(RemarkOn, IterationsThatAreTooFewForTheModulus) {
     const ParamInfo& iterations = *findParam("iterations");
     PanelModel model;
-    model.edgeLength = 0.03;
-    EXPECT_EQ(remarkOn(iterations, model), "");
-    model.params.youngsModulus = 1e7;
-    EXPECT_NE(remarkOn(iterations, model).find("From 58 on"), std::string::npos)
+    model.params.youngsModulus = 3e7;
+    EXPECT_EQ(remarkOn(iterations, model), "") << "nothing is open";
+    const SweepStrength strength(buildBodyModel(test::builtin("sphere768")), model.params);
+    model.sweeps = &strength;
+    const std::optional<int> enough = strength.enoughIterations(model.params);
+    ASSERT_TRUE(enough);
+    EXPECT_NE(remarkOn(iterations, model).find("From " + std::to_string(*enough) + " on"),
+              std::string::npos)
         << remarkOn(iterations, model);
     EXPECT_EQ(remarkOn(*findParam("time_step"), model), "");
-    model.params.iterations = 58;
+    model.params.iterations = *enough;
     EXPECT_EQ(remarkOn(iterations, model), "");
-    model.edgeLength = 1e-4;
+    model.params.timeStep = 0.02;
+    model.params.youngsModulus = 1e8;
     EXPECT_NE(remarkOn(iterations, model).find("smaller time step"), std::string::npos);
     model.params.solver = SolverMode::pbd;
     EXPECT_EQ(remarkOn(iterations, model), "") << "its stiffness is no modulus";

@@ -5,7 +5,6 @@
 #include "app/files/export.h"
 #include "app/session/iteration_watch.h"
 #include "app/session/session_runner.h"
-#include "sim/body/rest_geometry.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {
@@ -22,8 +21,7 @@ class RestRun {
     RestRun(const Session& session, ModelMesh model)
         : player_(session),
           simulation_(std::move(model.mesh), session.params),
-          runner_(simulation_),
-          iterations_(meanRestEdgeLength(simulation_.mesh())) {}
+          runner_(simulation_) {}
 
     SurfaceMesh mesh() { return simulation_.mesh(); }
     std::string stateHash() { return simulation_.stateHash(); }
@@ -33,7 +31,7 @@ class RestRun {
     void run(int steps) {
         for (int i = 0; i < steps; ++i) {
             runner_.applyActions(player_, *this);
-            iterations_.add(simulation_.stepCount(), simulation_.params());
+            iterations_.add(simulation_.stepCount(), simulation_.bodyModel(), simulation_.params());
             for (const std::string& problem : runner_.newlyBroken(runner_.step())) {
                 throw InputError("fem: step " + std::to_string(stepCount()) + ": " + problem + ".");
             }

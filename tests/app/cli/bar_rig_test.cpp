@@ -10,7 +10,6 @@
 #include "app/cli/bar_experiment.h"
 #include "sim/mesh/box_surface.h"
 #include "sim/mesh/triangle.h"
-#include "sim/solve/sweep_strength.h"
 #include "tests/support/finite_elements.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/run_kerf.h"
@@ -221,19 +220,22 @@ TEST_F(BarRig, TooFewIterationsMakeAStiffBlockSoft) {
     BenchSetting setting{
         .kind = SpecimenKind::compressedBlock, .cells = 2, .modulus = 1e6, .trueModulus = false};
     setting.iterations = 5;
-    const double few = app::measureModulus(setting).effectiveModulus;
+    const BenchResult few = app::measureModulus(setting);
     setting.iterations = 40;
-    const double many = app::measureModulus(setting).effectiveModulus;
-    EXPECT_GT(many, 2 * few) << "Jacobi needs small substeps";
-    EXPECT_LT(few, 0.7 * setting.modulus);
-    EXPECT_GT(many, setting.modulus);
-    Params params;
-    params.youngsModulus = setting.modulus;
-    const double edgeLength = 0.2 / setting.cells;
-    params.iterations = 5;
-    EXPECT_LT(sweepStrength(params, edgeLength), 1) << "so the panel says so";
-    params.iterations = 40;
-    EXPECT_GT(sweepStrength(params, edgeLength), 10);
+    const BenchResult many = app::measureModulus(setting);
+    EXPECT_GT(many.effectiveModulus, 2 * few.effectiveModulus) << "Jacobi needs small substeps";
+    EXPECT_LT(few.effectiveModulus, 0.7 * setting.modulus);
+    EXPECT_GT(many.effectiveModulus, setting.modulus);
+    EXPECT_TRUE(few.tooFewIterations);
+    EXPECT_FALSE(many.tooFewIterations);
+}
+
+TEST_F(BarRig, AThinBarInLongStepsIsSoftAndTheProgramSaysSo) {
+    const BenchResult result = app::measureModulus(
+        {.kind = SpecimenKind::hangingBar, .cells = 2, .iterations = 5, .timeStep = 0.01});
+    EXPECT_TRUE(result.settled);
+    EXPECT_LT(result.effectiveModulus, 0.9 * 1e5);
+    EXPECT_TRUE(result.tooFewIterations);
 }
 
 BenchRun runThat(bool settled, double volumeRatio, SpecimenKind kind = SpecimenKind::bentBar) {

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/shapes.h"
+
 namespace kerf::app {
 namespace {
 
-constexpr double kMeanEdge = 0.03;  // [m]
+BodyModel ball() {
+    return buildBodyModel(test::builtin("sphere768"));
+}
 
 Params withModulus(double modulus) {
     Params params;
@@ -14,40 +18,44 @@ Params withModulus(double modulus) {
 }
 
 TEST(IterationWatch, SaysNothingWhereAllStepsHadEnough) {
-    IterationWatch watch(kMeanEdge);
-    watch.add(0, Params{});
+    IterationWatch watch;
+    watch.add(0, ball(), Params{});
     EXPECT_EQ(watch.sentence(), "");
 }
 
 TEST(IterationWatch, NamesTheWorstStepAndWhatWouldDo) {
-    IterationWatch watch(kMeanEdge);
-    watch.add(0, Params{});
-    watch.add(1, withModulus(2e6));
-    watch.add(2, withModulus(1e7));
-    watch.add(3, withModulus(1e7));
-    EXPECT_EQ(watch.sentence(),
-              "Step 2: 20 iterations are too few for youngs_modulus 10000000 at time_step 0.005, "
-              "so the body is softer than its modulus; from 58 on it is not (3 of 4 steps have too "
-              "few).");
+    const BodyModel body = ball();
+    IterationWatch watch;
+    watch.add(0, body, Params{});
+    watch.add(1, body, withModulus(2e7));
+    watch.add(2, body, withModulus(3e7));
+    watch.add(3, body, withModulus(3e7));
+    const std::string sentence = watch.sentence();
+    EXPECT_EQ(sentence.find("Step 2: 20 iterations are too few for youngs_modulus 30000000 at "
+                            "time_step 0.005, so the body is softer than its modulus; from "),
+              0u)
+        << sentence;
+    EXPECT_NE(sentence.find(" on it is not (3 of 4 steps have too few)."), std::string::npos)
+        << sentence;
 }
 
 TEST(IterationWatch, AsksForASmallerTimeStepWhereNoNumberOfIterationsWouldDo) {
-    IterationWatch watch(kMeanEdge);
-    Params params = withModulus(1e8);
+    IterationWatch watch;
+    Params params = withModulus(1e9);
     params.stretchStiffness = 2;
     params.iterations = 1;
-    watch.add(0, params);
+    watch.add(0, ball(), params);
     EXPECT_EQ(watch.sentence(),
-              "Step 0: 1 iteration is too few for youngs_modulus 100000000 times "
+              "Step 0: 1 iteration is too few for youngs_modulus 1000000000 times "
               "stretch_stiffness 2 at time_step 0.005, so the body is softer than its modulus; a "
               "smaller time_step helps (1 of 1 steps have too few).");
 }
 
 TEST(IterationWatch, PlainPbdHasNoModulus) {
-    IterationWatch watch(kMeanEdge);
-    Params params = withModulus(1e8);
+    IterationWatch watch;
+    Params params = withModulus(1e9);
     params.solver = SolverMode::pbd;
-    watch.add(0, params);
+    watch.add(0, ball(), params);
     EXPECT_EQ(watch.sentence(), "");
 }
 
