@@ -126,6 +126,28 @@ Count countStroke(Simulation& simulation, const Bounds& bounds, double share) {
     return count;
 }
 
+/// Steps until one asks for nothing; so many where it does not come to that.
+int stepsUntilAsleep(Simulation& simulation) {
+    constexpr int kMost = 8000;
+    int steps = 0;
+    while (steps < kMost && countSteps(simulation, 1, [](int) {}).steps[0].dispatches > 0) {
+        ++steps;
+    }
+    return steps;
+}
+
+/// Falls from a tenth of its size, and is left alone until it sleeps.
+void countAsleep(const std::string& name, const std::function<SurfaceMesh()>& model) {
+    const Bounds bounds = meshBounds(model());
+    Params params;
+    params.sleeps = 1;
+    params.floor = bounds.low.y() - 0.1 * bounds.diagonal();
+    Simulation simulation(model(), params);
+    const int steps = stepsUntilAsleep(simulation);
+    print(name + "/lies on the floor for " + std::to_string(steps) + " steps",
+          countSteps(simulation));
+}
+
 void countModel(const std::string& name, const std::function<SurfaceMesh()>& model) {
     const Bounds bounds = meshBounds(model());
     {
@@ -145,6 +167,7 @@ void countModel(const std::string& name, const std::function<SurfaceMesh()>& mod
         print(name + "/cut on the floor", countStroke(simulation, bounds, 0.5));
         print(name + "/two halves on the floor", countSteps(simulation));
     }
+    countAsleep(name, model);
 }
 
 /// Slices that fall, to see whether their number changes what is asked for.

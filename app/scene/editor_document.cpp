@@ -75,6 +75,7 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
         throw InputError(file.string() + ": " + problem);
     }
     session.params = suitedTo(placed.diagonal(), session.params);
+    session.params.sleeps = 1;  // a new scene has no bits to keep
     Document document =
         finish(shortName(file), std::move(session), std::move(model), modelNote(report, guess));
     document.guess = guess;

@@ -296,11 +296,13 @@ Study readStudyForRun(const fs::path& file, std::size_t number) {
 }
 
 std::string valueText(const ParamValue& value) {
+    // "-0" would be read back as the integer 0: -0 and 0 are one.
+    const auto text = [](double x) { return formatNumber(x + 0.0); };
     if (const auto* number = std::get_if<double>(&value)) {
-        return formatNumber(*number);
+        return text(*number);
     }
     if (const auto* vector = std::get_if<Vec3>(&value)) {
-        return "[" + joined(*vector, ", ", [](double x) { return formatNumber(x); }) + "]";
+        return "[" + joined(*vector, ", ", text) + "]";
     }
     const auto* word = std::get_if<std::string>(&value);
     return word != nullptr ? "\"" + *word + "\"" : "null";

@@ -148,6 +148,12 @@ const std::array kRows = {
                "of the latter: 0 is as sharp as can be.",
                ParamType::real, 0, 5, false}),
         &Params::bladeBluntness},
+    Row{newer(
+            {"sleeps", "Sleeps at rest", "",
+             "1: a body that has lain still for a second is not solved until something is done to "
+             "it; 0: it is solved in every step.",
+             ParamType::integer, 0, 1, false}),
+        &Params::sleeps},
     Row{{"wall_coarsening", "Wall coarsening", "",
          "How much coarser the inside of a cut gets when its stroke ends; 1 keeps it as it is.",
          ParamType::real, 1, 10, false},

@@ -59,6 +59,7 @@ struct Params {
     int bladeFeels = 0;              ///< 1: the edge opens only what its force suffices for
     double toughness = 100;          ///< energy that new surface takes then [J/m^2]
     double bladeBluntness = 0.5;     ///< what breaking in takes beyond going on, as a share
+    int sleeps = 0;                  ///< 1: a body that lies still is not solved until it is met
     std::vector<OwnMaterial> models = {};  ///< of models 1, 2, ...; those behind have none
 };
 

@@ -226,6 +226,7 @@ std::string Simulation::State::carryOut(const SetTime& set) {
 
 std::string Simulation::State::execute(const Command& command) {
     body.memory.recovery.allowAgain();
+    body.memory.stillFor = 0;
     return std::visit([this](const auto& kind) { return carryOut(kind); }, command);
 }
 

@@ -287,6 +287,18 @@ void RunningBody::lookUpTriangles() {
     cutter->useFinder(readsAllBack ? nullptr : &sync);
 }
 
+bool RunningBody::liesStill() const {
+    constexpr double kLongEnough = 1;  // [s]
+    return memory.stillFor >= kLongEnough && memory.hands.empty() && !cutter->inStroke() &&
+           !memory.recovery.draws() && !looksCollapsed();
+}
+
+void RunningBody::noteStillness(double timeStep) {
+    constexpr double kStill = 2e-4;  // diagonals of the uncut body per second
+    const bool still = memory.measure.fastest <= kStill * diagonal;
+    memory.stillFor = still ? memory.stillFor + timeStep : 0;
+}
+
 bool RunningBody::looksCollapsed() const {
     constexpr double kLittle = 0.5;
     const std::vector<PieceModel>& pieces = model().pieces;

@@ -73,6 +73,11 @@ struct RunningBody {
     /// Whether a piece may have gone through itself, as far as the last measure shows: some edge is
     /// folded, or a piece holds little of its volume.
     bool looksCollapsed() const;
+    /// Whether it has hardly moved for so long that it stays as it is until something is done to
+    /// it.
+    bool liesStill() const;
+    /// A step of `timeStep` [s] has been measured.
+    void noteStillness(double timeStep);
     /// Tells whether walls of a stroke of the open course are absent.
     bool isOpen() const;
     const PieceMap& pieces();

@@ -71,7 +71,9 @@ const StepReport& Simulation::State::step() {
     output.report.step = output.clock.stepsDone;
     applyParameters();
     if (input.timeRuns) {
-        solve();
+        if (!sleeps()) {
+            solve();
+        }
         cut();
         noteHeldEdge();
         lookAfterShape();
@@ -105,6 +107,12 @@ void Simulation::State::applyParameters() {
     }
 }
 
+/// A blade in the scene may touch it in any step.
+bool Simulation::State::sleeps() const {
+    return input.params.sleeps != 0 && body.liesStill() && !input.blade.isTold() &&
+           !input.blade.pose();
+}
+
 void Simulation::State::solve() {
     body.prepareStep(input.params);
     moveBody();
@@ -112,6 +120,7 @@ void Simulation::State::solve() {
     body.measureStep();
     noteBladeLoad(middle);
     takeBackLostPieces();
+    body.noteStillness(input.params.timeStep);
     const double prefetchMs = body.endStep();
     StepReport& report = output.report;
     report.search.milliseconds += input.params.cutSearch == CutSearch::tree ? prefetchMs : 0;

@@ -57,6 +57,7 @@ struct Simulation::State {
     // The phases of a step.
     void noteParamsChanged();
     void applyParameters();
+    bool sleeps() const;
     void solve();
     void cut();
     void prefetchCut();

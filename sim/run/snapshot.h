@@ -32,6 +32,7 @@ struct BodyMemory {
     bool mayHaveCollapsed = false;
     /// Some piece was partly inside out, and something has been folded since.
     bool crumpled = false;
+    double stillFor = 0;  ///< time over which it has hardly moved, and nothing was done to it [s]
     int foldedSteps = 0;  ///< without a stroke, since its shape was last looked at
     bool closed = true;   ///< no cut has left a defect; see checkClosedManifold
 

@@ -20,6 +20,7 @@ struct BodyMeasure {
     std::vector<double> pieceVolumes;  ///< [m^3]
     std::vector<Bounds> pieceBounds;   ///< [m]
     Bounds bounds;                     ///< of the living triangles [m]
+    double fastest = 0;                ///< no vertex is faster [m/s]
     /// Pieces with a vertex that is not finite or faster than runawaySpeed(), or that have grown
     /// beyond kLargestPiece; ascending.
     std::vector<int> lostPieces;

@@ -420,9 +420,10 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
     run(simulation, 10);
     const std::string unchanged = simulation.stateHash();
     // Without a blade these wait for the next stroke.
-    const std::set<std::string_view> waiting{
-        "blade_push",      "blade_width",     "blade_thickness", "blade_feels", "toughness",
-        "blade_bluntness", "wall_coarsening", "debris_volume",   "open_cut",    "cut_search"};
+    const std::set<std::string_view> waiting{"blade_push",  "blade_width",     "blade_thickness",
+                                             "blade_feels", "toughness",       "blade_bluntness",
+                                             "sleeps",      "wall_coarsening", "debris_volume",
+                                             "open_cut",    "cut_search"};
     for (const ParamInfo& info : paramTable()) {
         SCOPED_TRACE(info.name);
         simulation.goTo(moment);
