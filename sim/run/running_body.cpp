@@ -293,9 +293,9 @@ bool RunningBody::liesStill() const {
            !memory.recovery.draws() && !looksCollapsed();
 }
 
-void RunningBody::noteStillness(double timeStep) {
+void RunningBody::noteStillness(double timeStep, bool lost) {
     constexpr double kStill = 2e-4;  // diagonals of the uncut body per second
-    const bool still = memory.measure.fastest <= kStill * diagonal;
+    const bool still = !lost && memory.measure.fastest <= kStill * diagonal;
     memory.stillFor = still ? memory.stillFor + timeStep : 0;
 }
 

@@ -76,8 +76,8 @@ struct RunningBody {
     /// Whether it has hardly moved for so long that it stays as it is until something is done to
     /// it.
     bool liesStill() const;
-    /// A step of `timeStep` [s] has been measured.
-    void noteStillness(double timeStep);
+    /// A step of `timeStep` [s] has been measured, in which a piece was lost or not.
+    void noteStillness(double timeStep, bool lost);
     /// Tells whether walls of a stroke of the open course are absent.
     bool isOpen() const;
     const PieceMap& pieces();

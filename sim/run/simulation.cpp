@@ -120,7 +120,7 @@ void Simulation::State::solve() {
     body.measureStep();
     noteBladeLoad(middle);
     takeBackLostPieces();
-    body.noteStillness(input.params.timeStep);
+    body.noteStillness(input.params.timeStep, output.report.lostPieces > 0);
     const double prefetchMs = body.endStep();
     StepReport& report = output.report;
     report.search.milliseconds += input.params.cutSearch == CutSearch::tree ? prefetchMs : 0;
