@@ -3,9 +3,12 @@
 #include <glad/gl.h>
 #include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <cassert>
+#include <chrono>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "gpu/context_loss.h"
@@ -121,20 +124,28 @@ bool ReadBack::isMarked() const {
     return *reinterpret_cast<const volatile std::uint32_t*>(memory_ + markPlace_) == serial_;
 }
 
-/// Zink of Mesa 22.3 was seen to signal a fence some milliseconds before the copies were done
-/// (docs/notes/drivers.md).
+/// Zink of Mesa 22.3 was seen to signal a fence some milliseconds before the copies were done, and
+/// to end a glFinish() as early (docs/notes/drivers.md).
 void ReadBack::wait() const {
+    constexpr std::chrono::seconds kLongest{20};
     ++traffic().waits;
     waitFor(static_cast<GLsync>(fence_));
-    if (!isMarked()) {
-        warnOnceOfEarlyFence();
-        glFinish();
+    if (isMarked()) {
+        return;
+    }
+    warnOnceOfEarlyFence();
+    glFinish();
+    const auto end = std::chrono::steady_clock::now() + kLongest;
+    while (!isMarked()) {
         requireContext();
+        if (std::chrono::steady_clock::now() > end) {
+            throw std::runtime_error(
+                "The graphics driver says that results are there which are not; try another "
+                "driver.");
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
     }
-    if (!isMarked()) {
-        throw std::runtime_error(
-            "The graphics driver says that results are there which are not; try another driver.");
-    }
+    std::atomic_thread_fence(std::memory_order_acquire);
 }
 
 /// What was sent is gone where the memory grows.

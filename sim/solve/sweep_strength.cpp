@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "sim/body/incidence.h"
@@ -124,13 +123,14 @@ bool SweepStrength::isTooLittle(const Params& params) const {
 }
 
 std::optional<int> SweepStrength::enoughIterations(const Params& params) const {
-    const auto numbers = std::views::iota(1, static_cast<int>(findParam("iterations")->high) + 1);
-    const auto found = std::ranges::partition_point(numbers, [&](int iterations) {
-        Params tried = params;
-        tried.iterations = iterations;
-        return isTooLittle(tried);
-    });
-    return found == numbers.end() ? std::nullopt : std::optional(*found);
+    const int most = static_cast<int>(findParam("iterations")->high);
+    Params tried = params;
+    for (tried.iterations = 1; tried.iterations <= most; ++tried.iterations) {
+        if (!isTooLittle(tried)) {
+            return tried.iterations;
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace kerf
