@@ -185,7 +185,7 @@ use_driver() {
     export LIBGL_ALWAYS_SOFTWARE=1
     case $1 in
         llvmpipe) return ;;
-        zink) export ZINK_DEBUG=noreorder ZINK_INLINE_UNIFORMS=0 ;;
+        zink) export ZINK_DEBUG=noreorder ZINK_INLINE_UNIFORMS=0 GALLIUM_THREAD=0 ;;
         zink-as-it-is) ;;
         *) fail "there is no driver '$1' here; there are llvmpipe, zink and zink-as-it-is." ;;
     esac
