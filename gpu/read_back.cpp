@@ -124,17 +124,19 @@ bool ReadBack::isMarked() const {
     return *reinterpret_cast<const volatile std::uint32_t*>(memory_ + markPlace_) == serial_;
 }
 
-/// Zink of Mesa 22.3 was seen to signal a fence some milliseconds before the copies were done, and
-/// to end a glFinish() as early (docs/notes/drivers.md).
 void ReadBack::wait() const {
-    constexpr std::chrono::seconds kLongest{20};
     ++traffic().waits;
     waitFor(static_cast<GLsync>(fence_));
-    if (isMarked()) {
-        return;
+    if (!isMarked()) {
+        warnOnceOfEarlyFence();
+        waitForMark();
     }
-    warnOnceOfEarlyFence();
-    glFinish();
+}
+
+/// Zink of Mesa 22.3 was seen to signal a fence some milliseconds before the copies were done, and
+/// to end a glFinish() as early (docs/notes/drivers.md).
+void ReadBack::waitForMark() const {
+    constexpr std::chrono::seconds kLongest{20};
     const auto end = std::chrono::steady_clock::now() + kLongest;
     while (!isMarked()) {
         requireContext();

@@ -44,6 +44,7 @@ class ReadBack {
     void mark();
     bool isMarked() const;
     void wait() const;
+    void waitForMark() const;
     void dropFence() const;
     void release();
 

@@ -43,9 +43,9 @@ void add(const shared::BlockMeasure& block, std::uint32_t piece, SolverMeasure& 
     sum.ways.add(xyz(block.high_drift));
 }
 
-/// From 0.
-double farthest(const Bounds& bounds) {
-    return bounds.low.cwiseAbs().cwiseMax(bounds.high.cwiseAbs()).norm();
+/// No vector of the box is longer; 0 where it is empty.
+double mostLength(const Bounds& box) {
+    return box.empty() ? 0.0 : box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).norm();
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ BodyMeasure BodyMeasurer::take() {
             body.lostPieces.push_back(static_cast<int>(p));
         }
     }
-    body.fastest = out.velocities.empty() ? 0.0 : farthest(out.velocities);
+    body.fastest = mostLength(out.velocities);
     const shared::vec4& ofContacts = measures[blocks.size()].low_volume;
     body.contacts = collisions_.readings().counts ? static_cast<int>(ofContacts.x) : 0;
     collisions_.expect(body.bounds, body.lostPieces.empty() ? out.velocities : Bounds{},
