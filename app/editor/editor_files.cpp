@@ -262,12 +262,7 @@ void Editor::State::save(const ChosenFile& chosen) {
     if (chosen.what == BrowseFor::testWithPicture) {
         scene->addPicture(scene->end());
     }
-    onceSaved = [this, deeds = scene->deeds(), then = std::exchange(afterSaving, nullptr)] {
-        keeping.noteSaved(deeds);
-        if (then) {
-            then();
-        }
-    };
+    onceSaved = [this, deeds = scene->deeds()] { keeping.noteSaved(deeds); };
     const bool isTest = chosen.purpose == ui::FilePurpose::saveTest;
     SavedSession saved =
         scene->savedSession(view.camera.destination(), view.display.settings.colors,
@@ -296,8 +291,8 @@ void Editor::State::followFiles() {
         onSaved(*outcome);
         materials.look();  // It may have been one.
     }
-    if (!chooser.isOpen()) {
-        afterSaving = nullptr;  // The dialog was left without a name.
+    if (!chooser.isOpen() && work.saving() == nullptr) {
+        afterSaving = nullptr;  // The dialog was left without a name, or the file not written.
     }
     if (chooser.followPreview()) {
         redraw.panels();
@@ -310,8 +305,12 @@ void Editor::State::onSaved(const SavingQueue::Outcome& outcome) {
         return;
     }
     const auto then = std::exchange(onceSaved, nullptr);
-    if (!outcome.failed) {
-        then();
+    if (outcome.failed) {
+        return;
+    }
+    then();
+    if (!chooser.isOpen() && afterSaving) {
+        std::exchange(afterSaving, nullptr)();
     }
 }
 

@@ -130,6 +130,10 @@ void Editor::State::askBefore(const std::string& what, std::function<void()> nex
         next();
         return;
     }
+    if (onceSaved && work.saving() != nullptr) {
+        afterSaving = [this, what, next = std::move(next)] { askBefore(what, next); };
+        return;
+    }
     asked = {{what + " and lose what was done?",
               "What was done to " + scene.meanwhile()->document().name +
                   " since it was opened or saved is in no file yet. A saved session can be gone on "

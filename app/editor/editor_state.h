@@ -98,7 +98,8 @@ struct Editor::State {
     };
     std::optional<Mended> mended;
     std::optional<Mended> beingMended;  ///< the same of what is being opened
-    /// What comes after the session is saved that the dialog asks a name for.
+    /// What comes after the session is saved that the dialog asks a name for, or that is being
+    /// saved.
     std::function<void()> afterSaving;
     /// What comes once the file is there that is being saved; may be null.
     std::function<void()> onceSaved;

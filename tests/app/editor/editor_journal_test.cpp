@@ -347,6 +347,21 @@ TEST_F(EditorJournalTest, LeavingSavesFirstIfThatIsWanted) {
     expectFiles(0);
 }
 
+TEST_F(EditorJournalTest, LeavingWaitsForWhatIsBeingSaved) {
+    cut();
+    tap(Key::s, {.control = true});
+    frames(2);
+    type("kept");
+    editor->post(ui::KeyChange{Key::enter, true, {}});
+    editor->post(ui::KeyChange{Key::enter, false, {}});
+    editor->post(ui::KeyChange{Key::q, true, {.control = true}});
+    editor->frame(1.0 / 60);
+    EXPECT_TRUE(panels().question.text.empty());
+    waitForWork();
+    EXPECT_TRUE(editor->closing());
+    EXPECT_TRUE(std::filesystem::exists(folder / "kept.kerf.json"));
+}
+
 TEST_F(EditorJournalTest, ADialogLeftWithoutANameStays) {
     cut();
     tap(Key::q, {.control = true});
