@@ -125,13 +125,14 @@ bool Editor::State::hasUnsavedWork() const {
     return now != nullptr && keeping.isUnsaved(*now);
 }
 
-void Editor::State::askBefore(const std::string& what, std::function<void()> next) {
+void Editor::State::askBefore(const std::string& what, const std::function<void()>& next) {
     if (!hasUnsavedWork()) {
         next();
         return;
     }
+    const auto askAgain = [this, what, next] { askBefore(what, next); };
     if (onceSaved && work.saving() != nullptr) {
-        afterSaving = [this, what, next = std::move(next)] { askBefore(what, next); };
+        afterSaving = askAgain;
         return;
     }
     asked = {{what + " and lose what was done?",
@@ -139,10 +140,10 @@ void Editor::State::askBefore(const std::string& what, std::function<void()> nex
                   " since it was opened or saved is in no file yet. A saved session can be gone on "
                   "from.",
               {"Save...", "Don't save", "Cancel"}},
-             [this, next = std::move(next)](int choice) {
+             [this, next, askAgain](int choice) {
                  if (choice == kSave) {
                      browse(ui::FilePurpose::saveSession);
-                     afterSaving = next;
+                     afterSaving = askAgain;
                  } else if (choice == kDoNotSave) {
                      next();
                  }

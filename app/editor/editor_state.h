@@ -247,7 +247,7 @@ struct Editor::State {
     bool hasUnsavedWork() const;
     /// Does `next`, before which a person is asked about work that is not saved: "WHAT and lose
     /// what was done?"
-    void askBefore(const std::string& what, std::function<void()> next);
+    void askBefore(const std::string& what, const std::function<void()>& next);
     void leave();
 
     // What the panels show: editor_description.cpp.
