@@ -59,9 +59,9 @@ Options readOptions(int count, char** words) {
 }
 
 void playDrops(const Options& options) {
-    DropFigures sum;
+    RandomDropFigures sum;
     for (int i = options.first; i < options.first + options.runs; ++i) {
-        const DropFigures figures = dropAtRandom({options.seed, i}, options.params);
+        const RandomDropFigures figures = dropAtRandom({options.seed, i}, options.params);
         if (figures.nonFinite + figures.escaped + figures.tunnels + figures.intersections +
                 figures.crumpled >
             0) {

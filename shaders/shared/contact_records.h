@@ -71,12 +71,15 @@ struct ContactBox {
 SHARED_CONST uint kFirstBin = 0x3f800000u;
 SHARED_CONST uint kNoBin = 24u;  // of a triangle without an area
 
-// A bucket of the grid.
+// A bucket of the grid: what a search asks before it looks at its triangles.
 struct ContactBucket {
-    uint start;        // first entry in its block
-    uint directions;   // bins of the normals of its triangles
-    uint first_piece;  // the complement of the lowest number of their pieces
-    uint last_piece;   // 1 + the highest
+    uint directions;  // bins of the normals of its triangles; 0: it holds none
+    uint first;       // of its entries
+    uint end;         // after the last of them
+    uint first_piece;  // the lowest number of their pieces
+    uint last_piece;   // the highest
+    float low_x, low_y, low_z;  // the box around theirs [m]
+    float high_x, high_y, high_z;
 };
 
 // The box around the vertices of a piece, as words in the order of the floats, see

@@ -20,7 +20,7 @@ using shared::uint;
 
 static_assert(sizeof(shared::ContactUniforms) == 56);
 static_assert(sizeof(shared::ContactBox) == 32);
-static_assert(sizeof(shared::ContactBucket) == 16);
+static_assert(sizeof(shared::ContactBucket) == 44);
 static_assert(sizeof(shared::PieceMotion) == 48);
 static_assert(sizeof(shared::PieceReach) == 8);
 static_assert(sizeof(shared::ContactCandidate) == 8);

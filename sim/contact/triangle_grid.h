@@ -25,9 +25,9 @@ class TriangleGrid {
     void fill(const gpu::Buffer& positions);
 
   private:
-    gpu::Program boxesKernel_, scan_, scanBlocks_, fill_;
+    gpu::Program boxesKernel_, scan_, scanBlocks_, fill_, summarize_;
     std::uint32_t triangles_ = 0;
-    gpu::Buffer boxes_, buckets_, counts_, starts_, blocks_, entries_;
+    gpu::Buffer boxes_, homes_, counts_, starts_, blocks_, entries_, buckets_;
 };
 
 }  // namespace kerf

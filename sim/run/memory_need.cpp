@@ -132,7 +132,7 @@ PerElement readBuffers(int ispcsOfEach) {
 
 double bytesOfBuckets(const BodySize& size) {
     const auto buckets = TriangleGrid::bucketsFor(static_cast<uint>(size.triangles));
-    return static_cast<double>(buckets) * (sizeof(uint) + sizeof(shared::ContactBucket));
+    return static_cast<double>(buckets) * (2 * sizeof(uint) + sizeof(shared::ContactBucket));
 }
 
 std::uint64_t bytes(double count) {

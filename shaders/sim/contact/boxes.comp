@@ -1,6 +1,6 @@
 // The box of each triangle and its bucket in the grid, and how many triangles a bucket gets.
-// Reads X, triangles. Writes boxes, buckets, counts, directions and pieces, the levels in use and
-// how large their boxes are. One thread per triangle. A storage barrier follows, then scan.
+// Reads X, triangles. Writes boxes, homes, counts, the levels in use and how large their boxes
+// are. One thread per triangle. A storage barrier follows, then scan.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
@@ -10,9 +10,8 @@ layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kContactBoxesBinding) writeonly buffer Boxes { ContactBox boxes[]; };
-layout(std430, binding = kContactBucketsBinding) writeonly buffer Buckets { uint buckets[]; };
+layout(std430, binding = kContactHomesBinding) writeonly buffer Homes { uint homes[]; };
 layout(std430, binding = kContactCountsBinding) buffer Counts { uint counts[]; };
-layout(std430, binding = kContactStartsBinding) buffer Starts { ContactBucket starts[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
 #include "directions.glsl"
@@ -35,10 +34,7 @@ void main() {
     uint piece = triangles[t].w >> 8;
     boxes[t] = ContactBox(vec4(low, uintBitsToFloat(kFirstBin + bin)),
                           vec4(high, uintBitsToFloat(kFirstBin + piece)));
-    atomicOr(starts[bucket].directions, 1u << bin);
-    atomicMax(starts[bucket].first_piece, ~piece);
-    atomicMax(starts[bucket].last_piece, piece + 1u);
-    buckets[t] = bucket;
+    homes[t] = bucket;
     atomicAdd(counts[bucket], 1u);
     atomicOr(state.levels, 1u << level);
     if (longest <= cellSize(level)) {  // all that are finite

@@ -25,8 +25,9 @@ layout(std430, binding = kContactRestNormalsBinding) readonly buffer RestNormals
     vec4 restNormals[];
 };
 layout(std430, binding = kContactBoxesBinding) readonly buffer Boxes { ContactBox boxes[]; };
-layout(std430, binding = kContactStartsBinding) readonly buffer Starts { ContactBucket starts[]; };
-layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };
+layout(std430, binding = kContactBucketsBinding) readonly buffer Buckets {
+    ContactBucket buckets[];
+};
 layout(std430, binding = kContactReachBinding) readonly buffer Reaches { PieceReach reaches[]; };
 layout(std430, binding = kContactEntriesBinding) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = kContactCandidatesBinding) writeonly buffer Candidates {
@@ -153,70 +154,87 @@ void look(vec3 p, uint index) {
     }
 }
 
-// Where the search goes on once what waits has been looked at.
+// Where the search goes on.
 struct Cursor {
     uint levels;  // those still to search, a bit each
-    int cell;     // of the first of them
-    uint entry;   // of that cell's bucket
+    ivec3 cell;   // of the first of them, where that has begun
+    bool begun;
 };
 
-// Whether the bucket holds something that the vertex may touch, which is `away` at least.
-bool isWorthALook(uint bucket, float away) {
-    ContactBucket all = starts[bucket];
-    bool own = ~all.first_piece == ownPiece && all.last_piece == ownPiece + 1u;
-    float limit = own ? reach.own : max(reach.own, reach.others);
-    return (all.directions & opposed) != 0u && away <= min(farthest, limit);
+// Buckets that are worth a look, as ranges of entries. They are listed first and looked through
+// then: neighbours find theirs in different cells, and would wait for one another in each.
+const uint kMostListed = 12u;
+uint listedFirst[kMostListed];
+uint listedEnd[kMostListed];
+uint listed;
+
+// Whether the bucket may hold something that the vertex touches.
+bool isWorthALook(vec3 p, uint bucket) {
+    if ((buckets[bucket].directions & opposed) == 0u) return false;
+    ContactBucket all = buckets[bucket];
+    bool own = all.first_piece == ownPiece && all.last_piece == ownPiece;
+    bool other = all.first_piece > ownPiece || all.last_piece < ownPiece;
+    float limit = own ? reach.own : (other ? reach.others : max(reach.own, reach.others));
+    vec3 outside = max(max(vec3(all.low_x, all.low_y, all.low_z) - p,
+                           p - vec3(all.high_x, all.high_y, all.high_z)), vec3(0.0));
+    limit = min(farthest, limit);
+    return dot(outside, outside) <= limit * limit;
 }
 
-// Whether the end of the bucket was reached before too many waited.
-bool searchCell(vec3 p, uint bucket, inout uint entry) {
-    uint next = bucket + 1u;
-    uint first = blocks[bucket / kGroupSize] + starts[bucket].start;
-    uint end = next == uniforms.bucket_count ? uniforms.triangle_count
-                                             : blocks[next / kGroupSize] + starts[next].start;
-    uint k = first + entry;
-    for (; k < end && waiting < kMostPending; ++k) {
-        look(p, entries[k]);
-    }
-    entry = k - first;
-    return k >= end;
+// The next of the cells from low to high; false after the last.
+bool advance(inout ivec3 cell, ivec3 low, ivec3 high) {
+    ++cell.x;
+    bool rowEnds = cell.x > high.x;
+    cell.x = rowEnds ? low.x : cell.x;
+    cell.y += rowEnds ? 1 : 0;
+    bool layerEnds = cell.y > high.y;
+    cell.y = layerEnds ? low.y : cell.y;
+    cell.z += layerEnds ? 1 : 0;
+    return cell.z <= high.z;
 }
 
-bool searchLevel(vec3 p, uint level, inout Cursor cursor) {
+// Lists buckets of a level until there is no room for more. Whether it is through.
+bool listLevel(vec3 p, uint level, inout Cursor cursor) {
     float size = cellSize(level);
     float halfBox = 0.5 * min(size, uintBitsToFloat(state.largest[level]));
     float range = halfBox + max(reach.own, reach.others);
     ivec3 low = ivec3(floor((p - range) / size));
     // No reach is three cells wide; a number that is not finite may say anything.
-    ivec3 count = clamp(ivec3(floor((p + range) / size)) - low, 0, kMostCells - 1) + 1;
-    int cells = count.x * count.y * count.z;
-    bool goesOn = true;
-    while (goesOn && cursor.cell < cells) {
-        int i = cursor.cell;
-        ivec3 cell = low + ivec3(i % count.x, (i / count.x) % count.y, i / (count.x * count.y));
-        vec3 middle = (vec3(cell) + 0.5) * size;
-        vec3 outside = max(abs(p - middle) - (0.5 + kSlack) * size - halfBox, vec3(0.0));
+    ivec3 high = low + clamp(ivec3(floor((p + range) / size)) - low, 0, kMostCells - 1);
+    ivec3 cell = cursor.begun ? cursor.cell : low;
+    bool more = true;
+    while (more && listed < kMostListed) {
         uint bucket = bucketOf(cell, level);
-        goesOn = !isWorthALook(bucket, length(outside)) || searchCell(p, bucket, cursor.entry);
-        cursor.cell += goesOn ? 1 : 0;
-        cursor.entry = goesOn ? 0u : cursor.entry;
+        if (isWorthALook(p, bucket)) {
+            listedFirst[listed] = buckets[bucket].first;
+            listedEnd[listed] = buckets[bucket].end;
+            ++listed;
+        }
+        more = advance(cell, low, high);
     }
-    return goesOn;
+    cursor.cell = cell;
+    cursor.begun = more;
+    return !more;
 }
 
-void search(uint v, vec3 p) {
-    Cursor cursor = Cursor(state.levels, 0, 0u);
-    farthest = uniforms.margin;
-    ownPiece = links[v].piece;
-    reach = reaches[ownPiece];
-    while (cursor.levels != 0u) {
+void listBuckets(vec3 p, inout Cursor cursor) {
+    listed = 0u;
+    while (cursor.levels != 0u && listed < kMostListed) {
+        if (listLevel(p, uint(findLSB(cursor.levels)), cursor)) cursor.levels &= cursor.levels - 1u;
+    }
+}
+
+void lookThroughListed(uint v, vec3 p) {
+    uint place = 0u;
+    uint k = listedFirst[0];
+    while (place < listed) {
         waiting = 0u;
-        bool goesOn = true;
-        while (goesOn && cursor.levels != 0u) {
-            goesOn = searchLevel(p, uint(findLSB(cursor.levels)), cursor);
-            if (goesOn) {
-                cursor.levels &= cursor.levels - 1u;
-                cursor.cell = 0;
+        while (place < listed && waiting < kMostPending) {
+            look(p, entries[k]);
+            ++k;
+            if (k == listedEnd[place]) {
+                ++place;
+                k = listedFirst[min(place, kMostListed - 1u)];
             }
         }
         for (uint i = 0u; i < waiting; ++i) {
@@ -225,6 +243,17 @@ void search(uint v, vec3 p) {
         if (found == kCandidatesPerPoint) {
             farthest = uniforms.margin * min(1.0, bestKey[found - 1u] + kSlack);
         }
+    }
+}
+
+void search(uint v, vec3 p) {
+    Cursor cursor = Cursor(state.levels, ivec3(0), false);
+    farthest = uniforms.margin;
+    ownPiece = links[v].piece;
+    reach = reaches[ownPiece];
+    while (cursor.levels != 0u) {
+        listBuckets(p, cursor);
+        lookThroughListed(v, p);
     }
 }
 

@@ -36,6 +36,11 @@ bool comesBefore(EdgePair pair, float key, uint place) {
     return pair.edge < best[place].edge;
 }
 
+// Of pairs that are all nearer.
+bool isFull(float key) {
+    return found == kEdgePairsPerPoint && key > bestKey[found - 1u];
+}
+
 void keep(EdgePair pair, float key) {
     if (found == kEdgePairsPerPoint && !comesBefore(pair, key, found - 1u)) return;
     uint place = found < kEdgePairsPerPoint ? found++ : found - 1u;
@@ -84,8 +89,9 @@ void consider(uint v, uint other, ContactCandidate candidate) {
         vec3 edge = positions[to].xyz - positions[from].xyz;
         if (length(cross(u, edge)) < 0.05 * length(u) * length(edge)) continue;
         float away = distanceOf(p, u, positions[from].xyz, edge);
+        if (!(away <= uniforms.reach) || isFull(away)) continue;
         float thickness = thicknessInRest(v, other, from, to);
-        if (away <= uniforms.reach && thickness > 0.0 && !isKept(other, from, to)) {
+        if (thickness > 0.0 && !isKept(other, from, to)) {
             keep(EdgePair(other, 4u * candidate.triangle + i, thickness), away);
         }
     }

@@ -7,7 +7,7 @@
 layout(local_size_x = kGroupSize) in;
 
 layout(std430, binding = kContactCountsBinding) readonly buffer Counts { uint counts[]; };
-layout(std430, binding = kContactStartsBinding) buffer Starts { ContactBucket starts[]; };
+layout(std430, binding = kContactStartsBinding) writeonly buffer Starts { uint starts[]; };
 layout(std430, binding = kContactBlocksBinding) writeonly buffer Blocks { uint blocks[]; };
 
 shared uint partial[kGroupSize];
@@ -23,7 +23,7 @@ void main() {
         barrier();
         partial[self] += below;
     }
-    starts[bucket].start = partial[self] - count;
+    starts[bucket] = partial[self] - count;
     if (self == kGroupSize - 1u) {
         blocks[gl_WorkGroupID.x] = partial[self];
     }

@@ -20,8 +20,9 @@ layout(std430, binding = kPaperRequestsBinding) buffer Requests { PaperRequest r
 layout(std430, binding = kPaperPiecesBinding) readonly buffer Bounds { PieceBounds bounds[]; };
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kContactBoxesBinding) readonly buffer Boxes { ContactBox boxes[]; };
-layout(std430, binding = kContactStartsBinding) readonly buffer Starts { ContactBucket starts[]; };
-layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };
+layout(std430, binding = kContactBucketsBinding) readonly buffer Buckets {
+    ContactBucket buckets[];
+};
 layout(std430, binding = kContactEntriesBinding) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
@@ -144,11 +145,7 @@ bool isPartner(Searcher self, uint level, uint other) {
 
 void searchCell(Searcher self, Cells cells, int i) {
     uint bucket = bucketOfCell(cells, i);
-    uint next = bucket + 1u;
-    uint first = blocks[bucket / kGroupSize] + starts[bucket].start;
-    uint end = next == uniforms.bucket_count ? uniforms.triangle_count
-                                             : blocks[next / kGroupSize] + starts[next].start;
-    for (uint k = first; k < end; ++k) {
+    for (uint k = buckets[bucket].first; k < buckets[bucket].end; ++k) {
         if (isPartner(self, cells.level, entries[k]) && isFirstInItsBucket(cells, i, bucket)) {
             answer(self.triangle, entries[k]);
         }
