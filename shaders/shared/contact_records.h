@@ -73,11 +73,11 @@ SHARED_CONST uint kNoBin = 24u;  // of a triangle without an area
 
 // A bucket of the grid: what a search asks before it looks at its triangles.
 struct ContactBucket {
-    uint directions;  // bins of the normals of its triangles; 0: it holds none
-    uint first;       // of its entries
-    uint end;         // after the last of them
-    uint first_piece;  // the lowest number of their pieces
-    uint last_piece;   // the highest
+    uint directions;            // bins of the normals of its triangles; 0: it holds none
+    uint first;                 // of its entries
+    uint end;                   // after the last of them
+    uint first_piece;           // the lowest number of their pieces
+    uint last_piece;            // the highest
     float low_x, low_y, low_z;  // the box around theirs [m]
     float high_x, high_y, high_z;
 };

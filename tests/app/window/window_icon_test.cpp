@@ -15,6 +15,8 @@ TEST(WindowIcon, IsADiscOnNothingWithABladeThroughIt) {
     }
     EXPECT_GT(at(20, 20)[0], 200) << "the fruit";
     EXPECT_EQ(at(20, 20)[3], 255);
+    EXPECT_EQ(at(20, 20)[2], 66) << "which is orange";
+    EXPECT_LT(at(14, 14)[1], at(20, 20)[1]) << "its skin is darker";
     EXPECT_GT(at(32, 32)[1], at(32, 32)[0]) << "the blade";
 }
 
