@@ -1,6 +1,6 @@
 // What a search asks of a bucket before it looks at its triangles: where they lie, which way their
-// normals point, of which pieces they are. Reads boxes, starts, blocks, entries. Writes buckets. One
-// thread per bucket. A storage barrier follows.
+// normals point, of which pieces they are. Reads boxes, starts, blocks, entries. Writes buckets.
+// One thread per bucket. A storage barrier follows.
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
