@@ -157,8 +157,7 @@ void look(vec3 p, uint index) {
 // Where the search goes on.
 struct Cursor {
     uint levels;  // those still to search, a bit each
-    ivec3 cell;   // of the first of them, where that has begun
-    bool begun;
+    int cell;     // of the first of them
 };
 
 // Buckets that are worth a look, as ranges of entries. They are listed first and looked through
@@ -181,18 +180,6 @@ bool isWorthALook(vec3 p, uint bucket) {
     return dot(outside, outside) <= limit * limit;
 }
 
-// The next of the cells from low to high; false after the last.
-bool advance(inout ivec3 cell, ivec3 low, ivec3 high) {
-    ++cell.x;
-    bool rowEnds = cell.x > high.x;
-    cell.x = rowEnds ? low.x : cell.x;
-    cell.y += rowEnds ? 1 : 0;
-    bool layerEnds = cell.y > high.y;
-    cell.y = layerEnds ? low.y : cell.y;
-    cell.z += layerEnds ? 1 : 0;
-    return cell.z <= high.z;
-}
-
 // Lists buckets of a level until there is no room for more. Whether it is through.
 bool listLevel(vec3 p, uint level, inout Cursor cursor) {
     float size = cellSize(level);
@@ -200,27 +187,28 @@ bool listLevel(vec3 p, uint level, inout Cursor cursor) {
     float range = halfBox + max(reach.own, reach.others);
     ivec3 low = ivec3(floor((p - range) / size));
     // No reach is three cells wide; a number that is not finite may say anything.
-    ivec3 high = low + clamp(ivec3(floor((p + range) / size)) - low, 0, kMostCells - 1);
-    ivec3 cell = cursor.begun ? cursor.cell : low;
-    bool more = true;
-    while (more && listed < kMostListed) {
-        uint bucket = bucketOf(cell, level);
+    ivec3 count = clamp(ivec3(floor((p + range) / size)) - low, 0, kMostCells - 1) + 1;
+    int cells = count.x * count.y * count.z;
+    for (; cursor.cell < cells && listed < kMostListed; ++cursor.cell) {
+        int i = cursor.cell;
+        ivec3 place = ivec3(i % count.x, (i / count.x) % count.y, i / (count.x * count.y));
+        uint bucket = bucketOf(low + place, level);
         if (isWorthALook(p, bucket)) {
             listedFirst[listed] = buckets[bucket].first;
             listedEnd[listed] = buckets[bucket].end;
             ++listed;
         }
-        more = advance(cell, low, high);
     }
-    cursor.cell = cell;
-    cursor.begun = more;
-    return !more;
+    return cursor.cell >= cells;
 }
 
 void listBuckets(vec3 p, inout Cursor cursor) {
     listed = 0u;
     while (cursor.levels != 0u && listed < kMostListed) {
-        if (listLevel(p, uint(findLSB(cursor.levels)), cursor)) cursor.levels &= cursor.levels - 1u;
+        if (listLevel(p, uint(findLSB(cursor.levels)), cursor)) {
+            cursor.levels &= cursor.levels - 1u;
+            cursor.cell = 0;
+        }
     }
 }
 
@@ -247,7 +235,7 @@ void lookThroughListed(uint v, vec3 p) {
 }
 
 void search(uint v, vec3 p) {
-    Cursor cursor = Cursor(state.levels, ivec3(0), false);
+    Cursor cursor = Cursor(state.levels, 0);
     farthest = uniforms.margin;
     ownPiece = links[v].piece;
     reach = reaches[ownPiece];
