@@ -15,6 +15,7 @@
 #include <span>
 
 #include "app/files/builtin_models.h"
+#include "gpu/program.h"
 #include "sim/base/freed_memory.h"
 #include "sim/base/stopwatch.h"
 #include "tests/app/editor/editor_storm.h"
@@ -110,6 +111,7 @@ class EditorSoak : public EditorStorm {
         }
         timed([this] {
             editor->frame(sinceFrame_.restart());
+            gpu::finish();  // as where a window shows it
             return true;
         });
         ++row_.frames;

@@ -3,6 +3,8 @@
 
 #include <cerrno>
 #include <chrono>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "app/files/file_io.h"
@@ -190,6 +192,20 @@ TEST(JournalWriter, NobodyTakesTheJournalOfAWindow) {
     const std::vector<LeftWork> left = lookForLeftWork(folder.path());
     EXPECT_EQ(left.size(), 2U);
     EXPECT_TRUE(lookForLeftWork(folder.path()).empty()) << "they are somebody's already";
+}
+
+TEST(JournalWriter, WhatWaitsIsDoneInTurnThoughOneOfThemFails) {
+    const TemporaryFolder folder;
+    std::string done;  // by the thread alone, until it ends
+    {
+        JournalWriter writer(folder.path());
+        writer.run([](const fs::path&) { std::this_thread::sleep_for(std::chrono::seconds(1)); });
+        writer.run([&](const fs::path&) { done += "a"; });
+        writer.run([](const fs::path&) { throw std::runtime_error("no room"); });
+        writer.run([&](const fs::path&) { done += "b"; });
+        writer.add([] { return journalStart("ball", sphere()); });
+    }
+    EXPECT_EQ(done, "ab");
 }
 
 TEST(JournalWriter, WhatIsRemovedLeavesNothing) {

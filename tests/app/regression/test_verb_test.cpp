@@ -213,6 +213,12 @@ TEST_F(TestVerb, WhatGoesIntoARunIsTheSameOnEachDriver) {
     expectFailure("Step 1: blade differs.");
 }
 
+TEST_F(TestVerb, WhatIsNotOffIsNotTold) {
+    makeExpectation();
+    changeHashes("velocities");
+    expectFailure("Step 0: velocities differ.");
+}
+
 TEST_F(TestVerb, MasksThatHideAWholePictureHoldNothing) {
     makeExpectation();
     const std::string text = readBytes(expected("expected.json"));

@@ -452,7 +452,8 @@ TEST_F(SimulationTest, PrintsTheHashOfACut) {
 
 std::string hashWithThreads(const char* threads) {
     const std::string self = std::filesystem::read_symlink("/proc/self/exe");
-    const std::string command = std::string("LP_NUM_THREADS=") + threads + " '" + self +
+    const std::string command = std::string("LP_NUM_THREADS=") + threads +
+                                " GTEST_TOTAL_SHARDS=1 GTEST_SHARD_INDEX=0 '" + self +
                                 "' --gtest_filter=SimulationTest.PrintsTheHashOfACut";
     FILE* pipe = popen(command.c_str(), "r");
     std::string hash;
