@@ -38,5 +38,26 @@ TEST(TriangleQuality, EvenEdgesAreTheMeanOrAtMostFourTimesTheTriangles) {
     EXPECT_LT(evenEdge(needles), 0.5 * needles.meanEdge());
 }
 
+TEST(ShapeFigures, OfTwoSurfacesAreThoseOfAllTriangles) {
+    const Corners even{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, std::sqrt(0.75), 0)};
+    const Corners flat{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0.01, 0)};
+    ShapeFigures all, first, second;
+    for (const Corners& corners : {even, flat}) {
+        all.add(corners);
+    }
+    first.add(even);
+    second.add(flat);
+    for (ShapeFigures sum : {first, second}) {
+        sum.add(sum.slivers > 0 ? first : second);
+        EXPECT_EQ(sum.triangles, 2);
+        EXPECT_EQ(sum.slivers, 1);
+        EXPECT_EQ(sum.bareSlivers, 0);
+        EXPECT_EQ(sum.worstAngle, all.worstAngle);
+        EXPECT_NEAR(sum.angleSum, all.angleSum, 1e-9);
+    }
+    EXPECT_NEAR(first.worstAngle, 60, 1e-9);
+    EXPECT_NEAR(second.worstAngle, 180 / 3.14159265 * std::atan(0.02), 1e-6);
+}
+
 }  // namespace
 }  // namespace kerf
