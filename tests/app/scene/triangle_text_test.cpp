@@ -1,0 +1,28 @@
+#include "app/scene/triangle_text.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/shapes.h"
+
+namespace kerf::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(TriangleText, TellsNeedlesWhereThereAreSome) {
+    TriangleFigures figures = figuresOf(test::boxSoup(Vec3(1, 20, 1)));
+    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles, 8 of them needles; edges of "));
+    figures.needles = 1;
+    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles, 1 of them a needle; edges of "));
+    figures.needles = 0;
+    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles; edges of "));
+}
+
+TEST(TriangleText, AnEstimateHasTwoDigits) {
+    TriangleFigures figures = figuresOf(test::icosphereSoup(4));
+    EXPECT_THAT(eveningText(figures), HasSubstr("00 triangles with edges of "));
+}
+
+}  // namespace
+}  // namespace kerf::app
