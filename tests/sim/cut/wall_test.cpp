@@ -200,7 +200,7 @@ double distanceTo(const std::vector<CutNode>& nodes, const OutlineEdge& edge, co
 TEST_F(WallOfADrawing, TallSheetsGetNodesInside) {
     for (const double size : {2.2, 2.5, 2.8, 3.1, 3.4}) {
         SCOPED_TRACE(size);
-        outline = {};
+        outline = cut::Outline();
         curves.nodes.clear();
         const int border = loop(dividedSquare(0.3, 0.3 + size, 3)) + 4 * 3;
         const std::vector<WallSheet> sheets = triangulate();
@@ -240,6 +240,22 @@ TEST_F(WallOfADrawing, WhereNoFlipHelpsAnInnerNodeLeadsTheWallAway) {
     EXPECT_EQ(chordsOf(bench.mesh, outline, expectTriangles(4), curves.nodes), 0);
     EXPECT_EQ(curves.nodes.size(), 5U);
     expectInStrip(strip, curves.nodes, 4);
+}
+
+// Whichever diagonal there is, one of its triangles is twice as large as the other.
+TEST_F(WallOfADrawing, TheWiderTriangleTakesTheInnerNode) {
+    for (const bool wideOnTheLeft : {true, false}) {
+        outline = cut::Outline();
+        curves = cut::CutCurves();
+        loop(wideOnTheLeft ? Points{{1, 1}, {2, 1}, {2, 2}, {1, 3}}
+                           : Points{{1, 1}, {2, 1}, {2, 3}, {1, 2}});
+        for (const int node : {0, 1, 2, 3}) {
+            putOnFace(node);
+        }
+        expectTriangles(4);
+        ASSERT_EQ(curves.nodes.size(), 5U);
+        EXPECT_NEAR(curves.nodes[4].layout.x(), wideOnTheLeft ? 4.0 / 3 : 5.0 / 3, 1e-9);
+    }
 }
 
 TEST_F(WallOfADrawing, ALowSheetGetsNone) {
