@@ -136,6 +136,15 @@ std::string refuseNoSize(const std::string& text) {
                                        std::to_string(kMaxPictureSize);
 }
 
+std::string refuseNoLength(const std::string& text) {
+    double length = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole && std::isfinite(length) && length > 0
+               ? ""
+               : "'" + text + "' is no length above zero, such as 0.02";
+}
+
 /// Options that change what is run.
 void describeReplayChanges(CLI::App& replay, ReplayArguments& arguments) {
     replay
@@ -393,7 +402,7 @@ void describeInspect(Parser& parser, Arguments& arguments) {
         ->add_option("--edge", arguments.inspect.edge,
                      "Length of their edges in the model's unit; the mean of what there is")
         ->type_name("LENGTH")
-        ->check(CLI::PositiveNumber)
+        ->check(refuseNoLength)
         ->needs(remesh);
 }
 

@@ -158,6 +158,16 @@ void requireMemory(const std::string& what, const MemoryNeed& need, const Memory
     }
 }
 
+void requireFree(const std::string& what, double bytes, const std::string& help) {
+    const std::uint64_t free = freeMemory();
+    if (bytes > static_cast<double>(free)) {
+        constexpr double kMost = 1e18;  // that is counted
+        throw MemoryShortage(fmt::format(
+            "{}, which takes about {} of memory, and {} are free; {}.", what,
+            quantity(static_cast<std::uint64_t>(std::min(bytes, kMost))), quantity(free), help));
+    }
+}
+
 std::string describeMemory(const MemoryNeed& need, std::uint64_t free) {
     return fmt::format("about {} to cut it, and {} of graphics memory; {} are free here",
                        quantity(need.memory + need.program), quantity(need.graphics),

@@ -1,5 +1,6 @@
 #include "app/files/model_source.h"
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "app/files/file_io.h"
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
+#include "app/files/memory_means.h"
 #include "app/files/shell_union.h"
 #include "sim/base/text.h"
 #include "sim/mesh/hole_filling.h"
@@ -320,6 +322,15 @@ std::string remeshed(TriangleSoup& soup, double edge, WorkProgress* progress) {
            std::to_string(soup.triangles.size());
 }
 
+/// Edges too short for the memory that there is are refused before any of it is taken.
+void requireMemoryForEdges(const fs::path& file, const TriangleSoup& soup, double edge) {
+    constexpr double kBytesOfTriangle = 400;  // 330 were seen, with 300,000 of them
+    const double triangles = trianglesOf(figuresOf(soup), edge);
+    requireFree(fmt::format("{}: edges of {:g} make about {:.1e} triangles", file.string(), edge,
+                            std::min(triangles, 1e18)),
+                kBytesOfTriangle * triangles, "ask for longer ones with --edge");
+}
+
 MeshReport evened(const fs::path& file, TriangleSoup& soup, const MeshReport& before,
                   WorkProgress* progress) {
     std::vector<std::string> repairs = before.repairs;
@@ -397,6 +408,7 @@ MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
     std::vector<std::string> repairs = std::move(found.repairs);
     std::vector<std::string> left = std::move(found.left);
     if (order.remesh) {
+        requireMemoryForEdges(file, model.soup, order.edge);
         repairs.push_back(remeshed(model.soup, order.edge, nullptr));
     }
     roundToFloats(model.soup);

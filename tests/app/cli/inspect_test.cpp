@@ -77,6 +77,22 @@ TEST_F(Inspect, MakesEvenTriangles) {
     EXPECT_EQ(runKerf({"inspect", "sphere80", "--edge", "0.1"}).exitCode, 2);
 }
 
+TEST_F(Inspect, EdgesThatMakeTooManyTrianglesAreRefusedAtOnce) {
+    for (const char* edge : {"0.00001", "1e-30", "1e-200"}) {
+        const ProgramRun run =
+            runKerf({"inspect", "sphere80", "--remesh", file("fine.ply"), "--edge", edge});
+        EXPECT_EQ(run.exitCode, 5) << run.errors;
+        EXPECT_NE(run.errors.find("ask for longer ones with --edge"), std::string::npos);
+    }
+    for (const char* edge : {"0", "-1", "nan", "inf", "1x", ""}) {
+        const ProgramRun run =
+            runKerf({"inspect", "sphere80", "--remesh", file("fine.ply"), "--edge", edge});
+        EXPECT_EQ(run.exitCode, 2) << edge;
+        EXPECT_NE(run.errors.find("is no length above zero"), std::string::npos) << run.errors;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "fine.ply"));
+}
+
 /// How many pixels have about this colour.
 int pixelsOf(const render::Image& image, const std::array<int, 3>& color) {
     int found = 0;
