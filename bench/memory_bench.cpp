@@ -111,8 +111,7 @@ class MemoryBench {
         work();
         return watch.seconds();
     }
-    // As a window does that shows each picture. Else llvmpipe keeps some dozens of pictures that it
-    // has not drawn yet, of up to 36 MB a pass.
+    // As a window does that shows each picture. Else llvmpipe keeps many that it has not drawn yet.
     void frame() {
         editor_.frame(kFrameSeconds);
         gpu::finish();

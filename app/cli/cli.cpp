@@ -137,10 +137,8 @@ std::string refuseNoSize(const std::string& text) {
 }
 
 std::string refuseNoLength(const std::string& text) {
-    double length = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    return whole && std::isfinite(length) && length > 0
+    const std::optional<double> length = readNumber(text);
+    return length && std::isfinite(*length) && *length > 0
                ? ""
                : "'" + text + "' is no length above zero, such as 0.02";
 }

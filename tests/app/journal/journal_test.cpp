@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <future>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -199,10 +200,12 @@ TEST(JournalWriter, WhatWaitsIsDoneInTurnThoughOneOfThemFails) {
     std::string done;  // by the thread alone, until it ends
     {
         JournalWriter writer(folder.path());
-        writer.run([](const fs::path&) { std::this_thread::sleep_for(std::chrono::seconds(1)); });
+        std::promise<void> allWait;
+        writer.run([until = allWait.get_future().share()](const fs::path&) { until.wait(); });
         writer.run([&](const fs::path&) { done += "a"; });
         writer.run([](const fs::path&) { throw std::runtime_error("no room"); });
         writer.run([&](const fs::path&) { done += "b"; });
+        allWait.set_value();
         writer.add([] { return journalStart("ball", sphere()); });
     }
     EXPECT_EQ(done, "ab");

@@ -200,7 +200,7 @@ double distanceTo(const std::vector<CutNode>& nodes, const OutlineEdge& edge, co
 TEST_F(WallOfADrawing, TallSheetsGetNodesInside) {
     for (const double size : {2.2, 2.5, 2.8, 3.1, 3.4}) {
         SCOPED_TRACE(size);
-        outline = cut::Outline();
+        outline = {};
         curves.nodes.clear();
         const int border = loop(dividedSquare(0.3, 0.3 + size, 3)) + 4 * 3;
         const std::vector<WallSheet> sheets = triangulate();
@@ -245,8 +245,8 @@ TEST_F(WallOfADrawing, WhereNoFlipHelpsAnInnerNodeLeadsTheWallAway) {
 // Whichever diagonal there is, one of its triangles is twice as large as the other.
 TEST_F(WallOfADrawing, TheWiderTriangleTakesTheInnerNode) {
     for (const bool wideOnTheLeft : {true, false}) {
-        outline = cut::Outline();
-        curves = cut::CutCurves();
+        outline = {};
+        curves.nodes.clear();
         loop(wideOnTheLeft ? Points{{1, 1}, {2, 1}, {2, 2}, {1, 3}}
                            : Points{{1, 1}, {2, 1}, {2, 3}, {1, 2}});
         for (const int node : {0, 1, 2, 3}) {
