@@ -4,10 +4,10 @@
 #include <numeric>
 
 #include "sim/base/sort_unique.h"
-#include "sim/cut/exact/piercing.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 #include "sim/repair/soup_editing.h"
+#include "sim/repair/surface_contact.h"
 
 namespace kerf::repair {
 
@@ -24,25 +24,8 @@ Bounds boundsOf(const TriangleSoup& soup, int t) {
     return bounds;
 }
 
-/// Whether an edge of `edges` passes through the inside of the other triangle.
-bool anyEdgePierces(const TriangleSoup& soup, int edges, int triangle) {
-    const Triangle& from = soup.triangles[edges];
-    const Triangle& through = soup.triangles[triangle];
-    const auto isCorner = [&](int v) { return std::ranges::find(through, v) != through.end(); };
-    const Corners at = cornersOf(soup, triangle);
-    for (int i = 0; i < 3; ++i) {
-        const int u = from[i];
-        const int v = from[(i + 1) % 3];
-        if (!isCorner(u) && !isCorner(v) &&
-            cut::pierces(soup.positions[u], soup.positions[v], at)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-bool cross(const TriangleSoup& soup, int a, int b) {
-    return anyEdgePierces(soup, a, b) || anyEdgePierces(soup, b, a);
+bool haveEdgeInCommon(const Triangle& a, const Triangle& b) {
+    return std::ranges::count_if(a, [&](int v) { return std::ranges::find(b, v) != b.end(); }) >= 2;
 }
 
 }  // namespace
@@ -52,12 +35,16 @@ std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::
     std::iota(all.begin(), all.end(), 0);
     const BoxTree::BoundsOf bounds = [&](int t) { return boundsOf(welded, t); };
     BoxTree tree(all, bounds);
+    const SurfaceContact contact(welded);
+    const auto cross = [&](int a, int b) {
+        return !haveEdgeInCommon(welded.triangles[a], welded.triangles[b]) && contact.crosses(a, b);
+    };
     std::vector<std::pair<int, int>> pairs;
     for (const int t : all) {
         const Bounds own = boundsOf(welded, t);
         const auto overlaps = [&](const Bounds& box) { return box.overlaps(own); };
         tree.find(bounds, overlaps, [&](int other) {
-            if (other > t && own.overlaps(boundsOf(welded, other)) && cross(welded, t, other)) {
+            if (other > t && own.overlaps(boundsOf(welded, other)) && cross(t, other)) {
                 pairs.emplace_back(t, other);
             }
         });

@@ -7,9 +7,10 @@
 
 namespace kerf::repair {
 
-/// Pairs of triangles of a welded soup that pass through each other, the lower first, ascending; so
-/// many at most. Signs are exact. Triangles that only touch don't count. O(n log n), and what is
-/// found.
+/// Pairs of triangles of a welded soup where its surface passes through itself, the lower first,
+/// ascending; so many at most. Signs are exact. Where edges and faces only touch, there is none;
+/// where they meet along a line, the faces beside it tell, and faces with their material on the
+/// same side pass through each other. O(n log n), and what is found.
 std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::size_t most);
 
 /// The triangles that pass through others, ascending; of models that cross through and through not

@@ -16,28 +16,6 @@ namespace {
 // How far parted vertices move apart, in edges: a float tells them apart, a person does not.
 constexpr double kParting = 1e-3;
 
-/// The half-edge at the other side of each, -1 for none.
-using Partners = std::vector<int>;
-
-Partners pairsOfTwo(const std::vector<Side>& sides, std::size_t triangles) {
-    Partners partners(3 * triangles, -1);
-    forEachEdge(sides, [&](const Side* begin, const Side* end) {
-        if (end - begin == 2) {
-            partners[begin[0].halfEdge] = begin[1].halfEdge;
-            partners[begin[1].halfEdge] = begin[0].halfEdge;
-        }
-    });
-    return partners;
-}
-
-int originOf(const TriangleSoup& soup, int h) {
-    return soup.triangles[h / 3][h % 3];
-}
-
-int apexOf(const TriangleSoup& soup, int h) {
-    return soup.triangles[h / 3][(h + 2) % 3];
-}
-
 /// Walks over the patch of a triangle; `turned` tells which face otherwise than it. Returns the
 /// triangles of the patch.
 std::vector<int> walkPatch(const TriangleSoup& soup, const Partners& partners, int first,
@@ -210,7 +188,7 @@ void turnPartsOutward(TriangleSoup& soup) {
 }  // namespace
 
 int orientAlike(TriangleSoup& soup) {
-    const Partners partners = pairsOfTwo(sidesByEdge(soup.triangles), soup.triangles.size());
+    const Partners partners = partnersOf(sidesByEdge(soup.triangles), soup.triangles.size());
     std::vector<char> seen(soup.triangles.size(), 0);
     std::vector<char> turned(soup.triangles.size(), 0);
     int count = 0;
@@ -236,7 +214,7 @@ PartedSurface partBranches(TriangleSoup& soup) {
         turnPartsOutward(soup);
     }
     const std::vector<Side> sides = sidesByEdge(soup.triangles);
-    Partners partners = pairsOfTwo(sides, soup.triangles.size());
+    Partners partners = partnersOf(sides, soup.triangles.size());
     PartedSurface parted;
     forEachEdge(sides, [&](const Side* begin, const Side* end) {
         if (end - begin > 2) {

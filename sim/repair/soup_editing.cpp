@@ -21,6 +21,25 @@ std::vector<Side> sidesByEdge(const std::vector<Triangle>& triangles) {
     return sides;
 }
 
+Partners partnersOf(const std::vector<Side>& sides, std::size_t triangles) {
+    Partners partners(3 * triangles, -1);
+    forEachEdge(sides, [&](const Side* begin, const Side* end) {
+        if (end - begin == 2) {
+            partners[begin[0].halfEdge] = begin[1].halfEdge;
+            partners[begin[1].halfEdge] = begin[0].halfEdge;
+        }
+    });
+    return partners;
+}
+
+int originOf(const TriangleSoup& soup, int halfEdge) {
+    return soup.triangles[halfEdge / 3][halfEdge % 3];
+}
+
+int apexOf(const TriangleSoup& soup, int halfEdge) {
+    return soup.triangles[halfEdge / 3][(halfEdge + 2) % 3];
+}
+
 Corners cornersOf(const TriangleSoup& soup, int triangle) {
     const auto& [a, b, c] = soup.triangles[triangle];
     return {soup.positions[a], soup.positions[b], soup.positions[c]};

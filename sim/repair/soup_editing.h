@@ -35,6 +35,14 @@ void forEachEdge(const std::vector<Side>& sides, F&& f) {
     }
 }
 
+/// The half-edge at the other side of each, -1 where an edge has not just two sides.
+using Partners = std::vector<int>;
+Partners partnersOf(const std::vector<Side>& sides, std::size_t triangles);
+/// The vertex where a half-edge begins.
+int originOf(const TriangleSoup& soup, int halfEdge);
+/// The corner across from a half-edge in its triangle.
+int apexOf(const TriangleSoup& soup, int halfEdge);
+
 /// The corners of a triangle, which must all be there.
 Corners cornersOf(const TriangleSoup& soup, int triangle);
 /// Whether all corners of a triangle are there and finite.

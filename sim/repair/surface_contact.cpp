@@ -1,0 +1,191 @@
+#include "sim/repair/surface_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "sim/cut/exact/predicates.h"
+#include "sim/cut/exact/wedge.h"
+
+namespace kerf::repair {
+
+namespace {
+
+using cut::Line;
+using cut::Wedge;
+using Signs = std::array<int, 3>;
+
+/// On which sides of a triangle's plane the corners of another one lie.
+Signs signsOf(const Corners& corners, const Corners& plane) {
+    Signs signs;
+    std::ranges::transform(corners, signs.begin(), [&](const Vec3& p) {
+        return cut::orientSign3d(plane[0], plane[1], plane[2], p);
+    });
+    return signs;
+}
+
+bool onOneSide(const Signs& signs) {
+    return signs[0] != 0 && signs[0] == signs[1] && signs[0] == signs[2];
+}
+
+bool onBothSides(const Signs& signs) {
+    return std::ranges::find(signs, 1) != signs.end() &&
+           std::ranges::find(signs, -1) != signs.end();
+}
+
+/// The corner that lies on its side of the plane alone.
+int aloneAt(const Signs& signs) {
+    const int sign = std::ranges::count(signs, 1) == 1 ? 1 : -1;
+    return static_cast<int>(std::ranges::find(signs, sign) - signs.begin());
+}
+
+Corners beginningAt(int corner, const Corners& c) {
+    return {c[corner], c[(corner + 1) % 3], c[(corner + 2) % 3]};
+}
+
+/// The line of a half-edge.
+Line lineOf(const TriangleSoup& soup, int h) {
+    return {soup.positions[originOf(soup, h)], soup.positions[soup.triangles[h / 3][(h + 1) % 3]]};
+}
+
+/// The material at a half-edge with a partner, about the half-edge's own line.
+Wedge wedgeOf(const TriangleSoup& soup, const Partners& partners, int h) {
+    return {soup.positions[apexOf(soup, partners[h])], soup.positions[apexOf(soup, h)]};
+}
+
+/// Points of one plane without the axis along which it is seen best.
+struct PlaneView {
+    int axis;
+
+    int orient(const Vec3& a, const Vec3& b, const Vec3& c) const {
+        return cut::orient2d(cut::without(axis, a), cut::without(axis, b), cut::without(axis, c));
+    }
+};
+
+/// Whether a piece of a line in the plane of a triangle has more than a point of its inside.
+bool liesInside(const Line& line, const Corners& triangle, PlaneView view) {
+    const auto& [a, b, c] = triangle;
+    const int facing = view.orient(a, b, c);
+    const auto isBeyond = [&](const Vec3& from, const Vec3& to) {
+        return view.orient(from, to, line.u) * facing <= 0 &&
+               view.orient(from, to, line.v) * facing <= 0;
+    };
+    return onBothSides({view.orient(line.u, line.v, a), view.orient(line.u, line.v, b),
+                        view.orient(line.u, line.v, c)}) &&
+           !isBeyond(a, b) && !isBeyond(b, c) && !isBeyond(c, a);
+}
+
+/// The material behind a triangle, about a line that lies in it.
+Wedge wedgeOf(const Line& line, const Corners& triangle, PlaneView view) {
+    const int facing = view.orient(triangle[0], triangle[1], triangle[2]);
+    const auto corner = [&](int side) {
+        return *std::ranges::find_if(triangle, [&](const Vec3& p) {
+            return view.orient(line.u, line.v, p) * facing == side;
+        });
+    };
+    return {.from = corner(-1), .to = corner(1)};
+}
+
+/// Whether two pieces of one line have more than a point in common.
+bool overlap(const Line& a, const Line& b) {
+    const auto apart = [](double first, double second, double low, double high) {
+        return std::max(first, second) <= std::min(low, high);
+    };
+    for (int i = 0; i < 3; ++i) {
+        if (a.u[i] != a.v[i]) {
+            return !apart(a.u[i], a.v[i], b.u[i], b.v[i]) && !apart(b.u[i], b.v[i], a.u[i], a.v[i]);
+        }
+    }
+    return false;
+}
+
+/// Whether two pieces of one line run the same way.
+bool runAlike(const Line& a, const Line& b) {
+    for (int i = 0; i < 3; ++i) {
+        if (a.u[i] != a.v[i]) {
+            return (a.u[i] < a.v[i]) == (b.u[i] < b.v[i]);
+        }
+    }
+    return true;
+}
+
+/// Whether the insides of two triangles, each with corners on both sides of the other's plane, meet
+/// in more than a point: by the order of the four places where their sides meet the line of both
+/// planes (Guigue and Devillers 2003).
+bool insidesMeet(const Corners& a, const Signs& ofA, const Corners& b, const Signs& ofB) {
+    const int firstOfA = aloneAt(ofA);
+    const int firstOfB = aloneAt(ofB);
+    auto [p1, q1, r1] = beginningAt(firstOfA, a);
+    auto [p2, q2, r2] = beginningAt(firstOfB, b);
+    // The corner alone on its side is then on that which the other triangle faces.
+    if (ofB[firstOfB] < 0) {
+        std::swap(q1, r1);
+    }
+    if (ofA[firstOfA] < 0) {
+        std::swap(q2, r2);
+    }
+    return cut::orientSign3d(p1, q1, p2, q2) < 0 && cut::orientSign3d(p1, r1, r2, p2) < 0;
+}
+
+}  // namespace
+
+SurfaceContact::SurfaceContact(const TriangleSoup& soup)
+    : soup_(soup), partners_(partnersOf(sidesByEdge(soup.triangles), soup.triangles.size())) {}
+
+bool SurfaceContact::hasTwoFaces(int h) const {
+    return partners_[h] >= 0 && originOf(soup_, partners_[h]) != originOf(soup_, h);
+}
+
+bool SurfaceContact::crosses(int a, int b) const {
+    const Corners cornersOfA = cornersOf(soup_, a);
+    const Corners cornersOfB = cornersOf(soup_, b);
+    const Signs ofA = signsOf(cornersOfA, cornersOfB);
+    if (onOneSide(ofA)) {
+        return false;
+    }
+    const Signs ofB = ofA == Signs{} ? ofA : signsOf(cornersOfB, cornersOfA);
+    if (onBothSides(ofA) && onBothSides(ofB)) {
+        return insidesMeet(cornersOfA, ofA, cornersOfB, ofB);
+    }
+    return edgesCross(a, edgesInPlane(a, ofA), b, edgesInPlane(b, ofB));
+}
+
+bool SurfaceContact::edgesCross(int a, const std::vector<int>& ofA, int b,
+                                const std::vector<int>& ofB) const {
+    const auto alongEdgeOfB = [&](int h) {
+        return std::ranges::any_of(ofB, [&](int g) { return crossesAlong(h, g); });
+    };
+    return std::ranges::any_of(ofA,
+                               [&](int h) { return crossesInside(h, b) || alongEdgeOfB(h); }) ||
+           std::ranges::any_of(ofB, [&](int g) { return crossesInside(g, a); });
+}
+
+std::vector<int> SurfaceContact::edgesInPlane(int triangle, const std::array<int, 3>& signs) const {
+    std::vector<int> edges;
+    for (int i = 0; i < 3; ++i) {
+        if (signs[i] == 0 && signs[(i + 1) % 3] == 0 && hasTwoFaces(3 * triangle + i)) {
+            edges.push_back(3 * triangle + i);
+        }
+    }
+    return edges;
+}
+
+bool SurfaceContact::crossesInside(int h, int triangle) const {
+    const Line line = lineOf(soup_, h);
+    const Corners corners = cornersOf(soup_, triangle);
+    const PlaneView view{cut::axisToLeaveOut(corners[0], corners[1], corners[2])};
+    return view.axis >= 0 && liesInside(line, corners, view) &&
+           cut::wedgesCross(line, wedgeOf(soup_, partners_, h), wedgeOf(line, corners, view));
+}
+
+bool SurfaceContact::crossesAlong(int h, int g) const {
+    const Line line = lineOf(soup_, h);
+    const Line other = lineOf(soup_, g);
+    if (!cut::isOn(line, other.u) || !cut::isOn(line, other.v) || !overlap(line, other)) {
+        return false;
+    }
+    const int along = runAlike(line, other) ? g : partners_[g];
+    return cut::wedgesCross(line, wedgeOf(soup_, partners_, h), wedgeOf(soup_, partners_, along));
+}
+
+}  // namespace kerf::repair
