@@ -312,6 +312,17 @@ void requireMended(const fs::path& file, const MeshReport& found) {
     }
 }
 
+/// What was sound in doubles may fall together far from the origin.
+void requireSurvivesRounding(const fs::path& file, const MeshReport& found) {
+    if (!found.cuttable) {
+        throw ModelFault(
+            fmt::format("{}: once mended and rounded to the 32-bit numbers of a file, it has {}; "
+                        "move the model to the origin, or ask for longer edges with --edge",
+                        shownPath(file), found.problem.substr(0, found.problem.find(':'))),
+            0);
+    }
+}
+
 /// `edge`: 0 for evenEdge(). Returns what was done.
 std::string remeshed(TriangleSoup& soup, double edge, WorkProgress* progress) {
     const std::size_t before = soup.triangles.size();
@@ -413,7 +424,7 @@ MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
     }
     roundToFloats(model.soup);
     found = inspectTriangles(model.soup);
-    requireMended(file, found);
+    requireSurvivesRounding(file, found);
     repair::countCrossings(model.soup, found);
     found.repairs = std::move(repairs);
     found.left = std::move(left);

@@ -53,7 +53,7 @@ Wedge wedgeOf(const TriangleSoup& soup, const Partners& partners, int h) {
     return {soup.positions[apexOf(soup, partners[h])], soup.positions[apexOf(soup, h)]};
 }
 
-/// Points of one plane without the axis along which it is seen best.
+/// Points of one plane without a coordinate that they do not need.
 struct PlaneView {
     int axis;
 

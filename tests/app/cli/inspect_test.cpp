@@ -66,6 +66,20 @@ TEST_F(Inspect, WritesNothingOfWhatCannotBeRepaired) {
     EXPECT_EQ(runKerf({"inspect", "sphere80", "--repair", file("out.txt")}).exitCode, 2);
 }
 
+TEST_F(Inspect, SaysWhereToPutAModelWhoseNumbersAreTooCoarseForItsTriangles) {
+    // A float tells places 0.03 apart there.
+    TriangleSoup soup = test::cubeSphereSoup(12, 0.2);
+    for (Vec3& p : soup.positions) {
+        p += Vec3::Constant(4e5);
+    }
+    write("far.obj", soup);
+    const ProgramRun run = runKerf({"inspect", file("far.obj"), "--remesh", file("out.ply")});
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_NE(run.errors.find("32-bit numbers"), std::string::npos) << run.errors;
+    EXPECT_NE(run.errors.find("move the model to the origin"), std::string::npos) << run.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.ply"));
+}
+
 TEST_F(Inspect, MakesEvenTriangles) {
     ASSERT_EQ(
         runKerf({"inspect", "sphere80", "--remesh", file("fine.ply"), "--edge", "0.1"}).exitCode,
