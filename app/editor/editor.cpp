@@ -296,10 +296,7 @@ void Editor::State::followPlacement() {
     if (scene == nullptr || scene.underWay() || !view.follow(*scene)) {
         return;
     }
-    const std::shared_ptr<const UncutBody>& uncut = scene->simulation().uncut();
-    const std::optional<PlacedBody> prepared = std::exchange(placed, std::nullopt);
-    const bool known = prepared && prepared->body == uncut;
-    picture.setRestDepth(known ? prepared->depth : render::measureSkinDepth(uncut->mesh));
+    picture.setRestDepth(depths.of(scene->simulation().uncut()));
     redraw.scene();
 }
 

@@ -193,6 +193,7 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     scene->stopSeeking();
     picture.setRestDepth(uploaded.depth);
     std::unique_ptr<EditorScene> old = scene.exchange(std::move(next));
+    depths.note(scene->simulation().uncut(), std::move(uploaded.depth));
     const int saved = keeping.savedDeeds();
     sceneSteps.add(change, std::move(old), saved);
     keeping.begin();
@@ -238,7 +239,7 @@ void Editor::State::followExchange() {
     SceneSteps::Kept kept =
         back ? sceneSteps.undo(std::move(now), saved) : sceneSteps.redo(std::move(now), saved);
     scene.exchange(std::move(kept.scene));
-    picture.setRestDepth(render::measureSkinDepth(scene->simulation().uncut()->mesh));
+    picture.setRestDepth(depths.of(scene->simulation().uncut()));
     keeping.begin();
     keeping.noteSaved(kept.savedDeeds);
     view.beginAgain(*scene);

@@ -70,6 +70,7 @@ void Editor::State::show(UploadedDocument uploaded) {
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     picture.setRestDepth(uploaded.depth);
     scene.set(std::move(next));
+    depths.note(scene->simulation().uncut(), std::move(uploaded.depth));
     sceneSteps.clear();
     mended = std::exchange(beingMended, std::nullopt);
     waiting.clear();
@@ -87,7 +88,6 @@ void Editor::State::show(UploadedDocument uploaded) {
 
 void Editor::State::beginScene() {
     work.stopPlacing();
-    placed.reset();
     exchangeWanted = Exchange::none;
     comingBack = false;
     onceSaved = nullptr;
@@ -127,7 +127,9 @@ void Editor::State::followPlacing() {
         return;
     }
     try {
-        placed = placing->take();
+        PlacedBody placed = placing->take();
+        depths.note(placed.body, std::move(placed.depth));
+        scene->simulation().expectPlacement(std::move(placed.body));
     } catch (const std::bad_alloc&) {
         complain(outOfMemory("Placing the model"));
         return;
@@ -135,7 +137,6 @@ void Editor::State::followPlacing() {
         complain(error.what());
         return;
     }
-    scene->simulation().expectPlacement(placed->body);
     scene.begin(SceneWork::change, [this, command = placing->command()](EditorScene& now) {
         view.cancelTools(now);
         say(now.execute(command));

@@ -97,7 +97,6 @@ void Editor::State::leaveScene() {
     onceSaved = nullptr;
     comingBack = false;
     work.stopPlacing();
-    placed.reset();
     scene.set(nullptr);
     clock.stop();
     toast.withdrawOffer();

@@ -23,6 +23,7 @@
 #include "app/editor/left_work.h"
 #include "app/editor/material_shelf.h"
 #include "app/editor/redraw.h"
+#include "app/editor/rest_depths.h"
 #include "app/editor/scene_at_work.h"
 #include "app/editor/scene_steps.h"
 #include "app/editor/step_clock.h"
@@ -103,8 +104,7 @@ struct Editor::State {
     std::function<void()> afterSaving;
     /// What comes once the file is there that is being saved; may be null.
     std::function<void()> onceSaved;
-    /// The depth below the skin of a body that was placed behind the scene, for when it is shown.
-    std::optional<PlacedBody> placed;
+    RestDepths depths;
     bool comingBack = false;  ///< see comesBack()
     bool screenshotWanted = false;
     bool closing = false;

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "render/scene/depth_field.h"
+#include "sim/run/prepared_body.h"
+
+namespace kerf::app {
+
+/// The depth below the skin of each uncut body that is still in use, also of those that undo can
+/// bring back: to measure it takes long for large ones.
+class RestDepths {
+  public:
+    /// Notes what was measured elsewhere.
+    void note(const std::shared_ptr<const UncutBody>& body, render::DepthField depth);
+    /// The depth of a body, measured now where nobody has noted it.
+    const render::DepthField& of(const std::shared_ptr<const UncutBody>& body);
+
+  private:
+    using Body = std::weak_ptr<const UncutBody>;
+    std::map<Body, render::DepthField, std::owner_less<Body>> known_;
+};
+
+}  // namespace kerf::app
